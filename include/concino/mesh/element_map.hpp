@@ -1,0 +1,116 @@
+// Values at the elements of a mesh, kept outside of it: make_vert_map<double>(m, 0.0) and its siblings for edges, faces and polys.
+#pragma once
+
+#include <concino/concepts/mesh_traits.hpp>
+
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace concino {
+
+namespace requirement {
+
+/// What a result may refer to after the call: a mesh with a name, or a view, which is copied. A function that returns a map asks for
+/// this of its argument, so that handing it a temporary mesh does not compile instead of leaving a dangling pointer.
+template<class M> concept is_no_temporary = std::is_lvalue_reference_v<M> || is_view_v<M>;
+
+}  // namespace requirement
+
+namespace detail {
+
+/// The mesh that a map answers for: its address, or the view itself. Const as a whole: nobody changes a mesh through a map.
+template<class M, bool = is_view_v<M>>
+class mesh_ref {
+  const M* mesh_;
+
+ public:
+  explicit mesh_ref(const M& m) : mesh_(&m) {}
+  const M& get() const { return *mesh_; }
+};
+
+template<class V>
+class mesh_ref<V, true> {
+  V view_;
+
+ public:
+  explicit mesh_ref(const V& v) : view_(v) {}
+  const V& get() const { return view_; }
+};
+
+}  // namespace detail
+
+/// A value of type T for every X (a descriptor type) of a mesh of type M, in one array.
+/// Needs:  index_of(m, x). The mesh stays where it is as long as the map is used; of a view the map keeps a copy.
+/// Result: map[x] is a reference; bools are stored as unsigned char, so it is one for them too.
+///         Elements added to the mesh after the map was made have no value in it: asking for one is a programming error (assert).
+/// Cost:   one array of index_bound values.
+template<class M, class X, class T>
+class element_map {
+  static_assert(!std::is_reference_v<M> && !std::is_const_v<M>);
+  using stored = std::conditional_t<std::is_same_v<T, bool>, unsigned char, T>;
+
+  detail::mesh_ref<M> mesh_;
+  std::vector<stored> values_;
+
+  std::size_t slot(const X& x) const {
+    const std::size_t i = index_of(mesh_.get(), x);
+    assert(i < values_.size() && "the element is not one of those the map was made for");
+    return i;
+  }
+
+ public:
+  using mesh_type = M;
+  using key_type = X;
+  using value_type = T;
+
+  element_map(const M& m, std::size_t bound, const T& init) : mesh_(m), values_(bound, static_cast<stored>(init)) {}
+
+  stored& operator[](const X& x) { return values_[slot(x)]; }
+  std::conditional_t<std::is_same_v<T, bool>, bool, const T&> operator[](const X& x) const {
+    const auto& value = values_[slot(x)];
+    if constexpr (std::is_same_v<T, bool>) return value != 0;
+    else return value;
+  }
+
+  const M& mesh() const { return mesh_.get(); }
+  /// All values by index_of; those at the indices of deleted elements mean nothing.
+  std::span<stored> values() { return values_; }
+  std::span<const stored> values() const { return values_; }
+};
+
+template<class M, class T> using vert_map = element_map<std::remove_cvref_t<M>, vert_t<M>, T>;
+template<class M, class T> using edge_map = element_map<std::remove_cvref_t<M>, edge_t<M>, T>;
+template<class M, class T> using face_map = element_map<std::remove_cvref_t<M>, face_t<M>, T>;
+template<class M, class T> using poly_map = element_map<std::remove_cvref_t<M>, poly_t<M>, T>;
+
+/// A map with the same value `init` at every vert, edge, face or poly of m.
+/// Needs:  index_of and the index bound of that kind of element; m is no temporary mesh (views may be).
+/// Result: a map[x] of T.      Cost: O(index bound) time and memory.
+template<class T, class M>
+  requires requirement::is_no_temporary<M> && requires(const M& m) { vert_index_bound(m); }
+vert_map<M, T> make_vert_map(M&& m, const T& init = T()) {
+  return {m, static_cast<std::size_t>(vert_index_bound(m)), init};
+}
+
+template<class T, class M>
+  requires requirement::is_no_temporary<M> && requires(const M& m) { edge_index_bound(m); }
+edge_map<M, T> make_edge_map(M&& m, const T& init = T()) {
+  return {m, static_cast<std::size_t>(edge_index_bound(m)), init};
+}
+
+template<class T, class M>
+  requires requirement::is_no_temporary<M> && requires(const M& m) { face_index_bound(m); }
+face_map<M, T> make_face_map(M&& m, const T& init = T()) {
+  return {m, static_cast<std::size_t>(face_index_bound(m)), init};
+}
+
+template<class T, class M>
+  requires requirement::is_no_temporary<M> && requires(const M& m) { poly_index_bound(m); }
+poly_map<M, T> make_poly_map(M&& m, const T& init = T()) {
+  return {m, static_cast<std::size_t>(poly_index_bound(m)), init};
+}
+
+}  // namespace concino
