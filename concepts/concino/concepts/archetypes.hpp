@@ -1,0 +1,64 @@
+// Archetypes: a real mesh stripped down to one concept, to run an algorithm on. What compiles on `only_primal_graph(m)` uses what
+// PrimalGraph promises and nothing more, and its results can be compared with those on m, descriptor by descriptor.
+//
+//   auto g = only_primal_graph(m);
+//   auto d = bfs(g, g.vert(v));                    // g.vert, g.edge, g.face, g.poly: a descriptor of m made opaque
+//   for (auto v : verts(g)) d[v] ... g.base(v)     // g.base: the descriptor of m again
+#pragma once
+
+#include <concino/concepts/archetypes/opaque.hpp>
+#include <concino/concepts/archetypes/traits.hpp>
+#include <concino/concepts/mesh.hpp>
+
+namespace concino {
+
+/// m stripped to PrimalGraph: verts and adj_v2v.
+/// Needs: the mesh or graph to outlive the result, as with every archetype here.
+template<PrimalGraph M> constexpr auto only_primal_graph(const M& m) { return archetypes::only<M, archetypes::primal>(m); }
+template<class M> void only_primal_graph(const M&& m) = delete;
+
+/// m stripped to PrimalGraph and Embedded.
+template<PrimalGraph M>
+  requires Embedded<M>
+constexpr auto only_embedded_graph(const M& m) { return archetypes::only<M, archetypes::primal | archetypes::points>(m); }
+template<class M> void only_embedded_graph(const M&& m) = delete;
+
+/// m stripped to DualGraph: polys and adj_p2p.
+template<DualGraph M> constexpr auto only_dual_graph(const M& m) { return archetypes::only<M, archetypes::dual>(m); }
+template<class M> void only_dual_graph(const M&& m) = delete;
+
+/// m stripped to PrimalGraph and DualGraph: no edges or faces, nothing from verts to polys.
+template<PrimalGraph M>
+  requires DualGraph<M>
+constexpr auto only_graphs(const M& m) { return archetypes::only<M, archetypes::primal | archetypes::dual>(m); }
+template<class M> void only_graphs(const M&& m) = delete;
+
+/// m stripped to Embedded: a point per vert, no way to find the verts.
+template<Embedded M> constexpr auto only_embedded(const M& m) { return archetypes::only<M, archetypes::points>(m); }
+template<class M> void only_embedded(const M&& m) = delete;
+
+/// m stripped to SurfaceMesh: polygons of any arity, no points.
+template<SurfaceMesh M> constexpr auto only_surface_mesh(const M& m) { return archetypes::only<M, archetypes::mesh>(m); }
+template<class M> void only_surface_mesh(const M&& m) = delete;
+
+/// m stripped to VolumeMesh: polyhedra of any shape, no points.
+template<VolumeMesh M> constexpr auto only_volume_mesh(const M& m) { return archetypes::only<M, archetypes::mesh>(m); }
+template<class M> void only_volume_mesh(const M&& m) = delete;
+
+/// m stripped to SurfaceMesh or VolumeMesh, whichever it is, without points.
+template<AnyMesh M> constexpr auto only_mesh(const M& m) { return archetypes::only<M, archetypes::mesh>(m); }
+template<class M> void only_mesh(const M&& m) = delete;
+
+/// m stripped to SurfaceMesh or VolumeMesh, and Embedded.
+template<AnyMesh M>
+  requires Embedded<M>
+constexpr auto only_embedded_mesh(const M& m) { return archetypes::only<M, archetypes::mesh | archetypes::points>(m); }
+template<class M> void only_embedded_mesh(const M&& m) = delete;
+
+/// The same, and still known to be of triangles, quads, tets or hexes: TriMesh, QuadMesh, TetMesh or HexMesh, and Embedded.
+template<AnyMesh M>
+  requires Embedded<M> && (arity_v<M> > 0)
+constexpr auto only_fixed_arity_mesh(const M& m) { return archetypes::only<M, archetypes::mesh | archetypes::points | archetypes::arity>(m); }
+template<class M> void only_fixed_arity_mesh(const M&& m) = delete;
+
+}  // namespace concino

@@ -1,0 +1,110 @@
+// The weakest descriptor, range, number and point that the concepts admit: what archetypes give out instead of the real ones.
+#pragma once
+
+#include <concino/concepts/mesh_traits.hpp>
+
+namespace concino::archetypes {
+
+struct access;
+
+/// A descriptor that is std::regular and nothing else: no order, no hash, no null, no number inside to be had.
+template<class Base, class Tag>
+class opaque {
+  Base base_{};
+
+  friend struct access;
+  constexpr explicit opaque(const Base& base, int) : base_(base) {}
+
+ public:
+  constexpr opaque() = default;
+  friend constexpr bool operator==(const opaque& a, const opaque& b) { return a.base_ == b.base_; }
+};
+
+/// The only door in and out of an opaque descriptor; archetypes and their traits hold the key.
+struct access {
+  template<class O, class Base> static constexpr O wrap(const Base& b) { return O(b, 0); }
+  template<class Base, class Tag> static constexpr const Base& base(const opaque<Base, Tag>& o) { return o.base_; }
+};
+
+/// A number of elements or an index: converts to std::size_t.
+class number {
+  std::size_t n_;
+
+ public:
+  constexpr explicit number(std::size_t n) : n_(n) {}
+  constexpr operator std::size_t() const { return n_; }
+};
+
+/// A truth value: converts to bool.
+class truth {
+  bool b_;
+
+ public:
+  constexpr explicit truth(bool b) : b_(b) {}
+  constexpr operator bool() const { return b_; }
+};
+
+/// A point: p[0], p[1], p[2], each of which converts to double. No arithmetic, no assignment.
+class position {
+  double x_[3];
+
+ public:
+  class coordinate {
+    double x_;
+
+   public:
+    constexpr explicit coordinate(double x) : x_(x) {}
+    constexpr operator double() const { return x_; }
+  };
+
+  constexpr position(double x, double y, double z) : x_{x, y, z} {}
+  position(const position&) = default;
+  position& operator=(const position&) = delete;
+  constexpr coordinate operator[](int i) const { return coordinate(x_[i]); }
+};
+
+/// Elements to be walked and nothing else. The range can be neither copied nor moved and its iterators live no longer than it; they are
+/// copied, advanced by ++, read (giving a value, not a reference) and compared by != with an end of another type.
+template<class R, class O>
+class range {
+  R base_;
+
+ public:
+  class sentinel;
+
+  class iterator {
+    using inner = decltype(std::declval<const std::remove_reference_t<R>&>().begin());
+    inner it_;
+
+    friend class range;
+    constexpr explicit iterator(const inner& it) : it_(it) {}
+
+   public:
+    constexpr O operator*() const { return access::wrap<O>(*it_); }
+    constexpr void operator++() { ++it_; }
+    constexpr bool operator!=(const sentinel& b) const { return it_ != b.it_; }
+  };
+
+  class sentinel {
+    using inner = decltype(std::declval<const std::remove_reference_t<R>&>().end());
+    inner it_;
+
+    friend class range;
+    friend class iterator;
+    constexpr explicit sentinel(const inner& it) : it_(it) {}
+  };
+
+  template<class F>
+  constexpr range(const F& make, int) : base_(make()) {}
+  range(const range&) = delete;
+  range& operator=(const range&) = delete;
+
+  constexpr iterator begin() const { return iterator(base_.begin()); }
+  constexpr sentinel end() const { return sentinel(base_.end()); }
+};
+
+/// The range that `make()` returns, with every element of it made an O.
+template<class O, class F>
+constexpr auto rewrap(const F& make) { return range<decltype(make()), O>(make, 0); }
+
+}  // namespace concino::archetypes

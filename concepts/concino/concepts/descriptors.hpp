@@ -1,0 +1,52 @@
+// Typed descriptors of the library's own meshes: which vert, edge, face or poly is meant. Foreign meshes keep their own.
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+
+namespace concino {
+
+/// Names one element by its index. Regular, ordered, 32 bits, unrelated to integers and to ids of other kinds:
+/// `vert_id{3} == poly_id{3}` does not compile. A default id names no element; `is_none()` tells.
+template<class Tag>
+class id {
+  unsigned raw_ = ~0u;
+
+ public:
+  using tag = Tag;
+
+  constexpr id() = default;
+  template<class I>
+    requires std::integral<I> || std::floating_point<I>
+  constexpr explicit id(I index) : raw_(static_cast<unsigned>(index)) {}
+
+  constexpr unsigned raw() const { return raw_; }
+  constexpr bool is_none() const { return raw_ == ~0u; }
+
+  friend constexpr bool operator==(id, id) = default;
+  friend constexpr auto operator<=>(id, id) = default;
+
+  /// Prints a letter and the index (`v7`) to any stream, without this header including one.
+  template<class Stream>
+    requires requires(Stream& s) { s << 'v' << 0u; }
+  friend Stream& operator<<(Stream& s, id x) {
+    s << Tag::letter << x.raw_;
+    return s;
+  }
+};
+
+struct vert_tag { static constexpr char letter = 'v'; };
+struct edge_tag { static constexpr char letter = 'e'; };
+struct face_tag { static constexpr char letter = 'f'; };
+struct poly_tag { static constexpr char letter = 'p'; };
+
+using vert_id = id<vert_tag>;
+using edge_id = id<edge_tag>;
+using face_id = id<face_tag>;
+using poly_id = id<poly_tag>;
+
+static_assert(sizeof(unsigned) == 4 && sizeof(vert_id) == 4 && std::is_trivially_copyable_v<vert_id>);
+
+}  // namespace concino

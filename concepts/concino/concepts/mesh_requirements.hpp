@@ -1,0 +1,26 @@
+// The requirements that surfaces and volumes share: a dimension, edges and the adjacencies of both.
+#pragma once
+
+#include <concino/concepts/dual_graph.hpp>
+#include <concino/concepts/primal_graph.hpp>
+
+namespace concino::requirement {
+
+template<class M> concept has_edge = std::regular<edge_t<M>>;
+template<class M> concept has_edges = requires(const std::remove_cvref_t<M>& m) { { traits<M>::edges(m) } -> ElementRange<edge_t<M>>; };
+template<class M> concept has_num_edges = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_edges(m) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_edge_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::edge_index_bound(m) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_edge_index_of = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) { { traits<M>::index_of(m, e) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_adj_e2v = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) { { traits<M>::adj_e2v(m, e) } -> ElementRange<vert_t<M>>; };
+template<class M> concept has_adj_e2p = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) { { traits<M>::adj_e2p(m, e) } -> ElementRange<poly_t<M>>; };
+template<class M> concept has_adj_v2e = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) { { traits<M>::adj_v2e(m, v) } -> ElementRange<edge_t<M>>; };
+template<class M> concept has_adj_v2p = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) { { traits<M>::adj_v2p(m, v) } -> ElementRange<poly_t<M>>; };
+template<class M> concept has_adj_p2v = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) { { traits<M>::adj_p2v(m, p) } -> ElementRange<vert_t<M>>; };
+template<class M> concept has_adj_p2e = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) { { traits<M>::adj_p2e(m, p) } -> ElementRange<edge_t<M>>; };
+
+template<class M> concept is_surface = dimension_v<M> == 2;
+template<class M> concept is_volume = dimension_v<M> == 3;
+template<class M> concept has_distinct_descriptors =
+    !std::same_as<vert_t<M>, edge_t<M>> && !std::same_as<vert_t<M>, poly_t<M>> && !std::same_as<edge_t<M>, poly_t<M>>;
+
+}  // namespace concino::requirement

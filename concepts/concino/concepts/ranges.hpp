@@ -1,0 +1,77 @@
+// What an algorithm may ask of a range of elements, and the two small ranges that the library's own meshes return.
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+
+namespace concino {
+
+/// Can be walked from begin to end, as often as one likes, and yields Ts (values or references, so that `auto x : r` makes a T).
+/// Nothing else: no size, no index, begin and end may differ in type, and iterators live no longer than the range.
+template<class R, class T>
+concept ElementRange = requires(const R& r, decltype(r.begin()) it) {
+  requires std::copyable<decltype(r.begin())> && std::same_as<std::remove_cvref_t<decltype(*it)>, T>;
+  { it != r.end() } -> std::convertible_to<bool>;
+  ++it;
+};
+
+/// Elements that lie one after another in memory owned by the mesh.
+template<class T>
+class id_span {
+  const T* first_ = nullptr;
+  const T* last_ = nullptr;
+
+ public:
+  using value_type = T;
+  using iterator = const T*;
+
+  constexpr id_span() = default;
+  constexpr id_span(const T* first, const T* last) : first_(first), last_(last) {}
+
+  constexpr const T* begin() const { return first_; }
+  constexpr const T* end() const { return last_; }
+  constexpr std::size_t size() const { return static_cast<std::size_t>(last_ - first_); }
+  constexpr bool empty() const { return first_ == last_; }
+  constexpr T operator[](std::size_t i) const { return first_[i]; }
+};
+
+/// Elements 0 .. bound-1, without those that `dead` marks (null: none is).
+template<class Id>
+class id_range {
+  unsigned bound_ = 0;
+  const unsigned char* dead_ = nullptr;
+
+ public:
+  class iterator {
+    unsigned i_ = 0;
+    unsigned bound_ = 0;
+    const unsigned char* dead_ = nullptr;
+    constexpr void skip() {
+      if (dead_) while (i_ != bound_ && dead_[i_]) ++i_;
+    }
+
+   public:
+    using value_type = Id;
+    using reference = Id;
+    using difference_type = std::ptrdiff_t;
+
+    constexpr iterator() = default;
+    constexpr iterator(unsigned i, unsigned bound, const unsigned char* dead) : i_(i), bound_(bound), dead_(dead) { skip(); }
+    constexpr Id operator*() const { return Id{i_}; }
+    constexpr iterator& operator++() { ++i_; skip(); return *this; }
+    constexpr iterator operator++(int) { iterator old = *this; ++*this; return old; }
+    friend constexpr bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
+  };
+  using value_type = Id;
+
+  constexpr id_range() = default;
+  constexpr explicit id_range(std::size_t bound, const unsigned char* dead = nullptr)
+      : bound_(static_cast<unsigned>(bound)), dead_(dead) {}
+
+  constexpr iterator begin() const { return {0, bound_, dead_}; }
+  constexpr iterator end() const { return {bound_, bound_, nullptr}; }
+};
+
+}  // namespace concino

@@ -1,0 +1,31 @@
+// SurfaceMesh: verts, edges and polygons with the adjacencies between them.
+//
+// Laws, beside those of both graphs:
+//   SM1  index_of of edges is below edge_index_bound and differs; walking edges(m) meets num_edges(m), each once
+//   SM2  adj_e2v(e) is two different verts, adj_v2e mirrors it, and adj_v2v(v) is the far ends of adj_v2e(v)
+//   SM3  adj_p2v(p) walks the polygon: each two verts that follow one another, the last and the first too, are the ends of one of
+//        adj_p2e(p); no vert twice, as many edges as verts
+//   SM4  adj_e2p mirrors adj_p2e and adj_v2p mirrors adj_p2v, nothing twice
+//   SM5  adj_p2p(p) is the polys that share an edge with p
+#pragma once
+
+#include <concino/concepts/mesh_requirements.hpp>
+
+namespace concino {
+
+template<class M>
+concept SurfaceMesh = PrimalGraph<M> && DualGraph<M> && requirement::is_surface<M> && requirement::has_edge<M> && requirement::has_distinct_descriptors<M> &&
+                      requirement::has_edges<M> && requirement::has_num_edges<M> && requirement::has_edge_index_bound<M> && requirement::has_edge_index_of<M> &&
+                      requirement::has_adj_e2v<M> && requirement::has_adj_e2p<M> && requirement::has_adj_v2e<M> && requirement::has_adj_v2p<M> &&
+                      requirement::has_adj_p2v<M> && requirement::has_adj_p2e<M>;
+
+/// Surfaces of triangles, of quads: known when compiling.
+template<class M> concept TriMesh = SurfaceMesh<M> && arity_v<M> == 3;
+template<class M> concept QuadMesh = SurfaceMesh<M> && arity_v<M> == 4;
+
+/// Fails to compile with one sentence that names the first thing M lacks to be a SurfaceMesh and what to write.
+template<class M>
+consteval void explain_surface_mesh();
+
+}  // namespace concino
+
