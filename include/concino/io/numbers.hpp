@@ -1,0 +1,187 @@
+// Numbers in text: independent of the locale, correctly rounded, and fast on the decimals that mesh files hold.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <system_error>
+
+namespace concino::detail {
+
+__extension__ typedef unsigned __int128 uint128;
+
+inline constexpr std::array<double, 23> exact_powers_of_ten = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                                               1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/// 1 / 5^k as a 64-bit fraction with its top bit set, rounded down: reciprocal[k] / 2^shift[k] <= 5^-k.
+struct inverse_powers_of_five {
+  std::array<std::uint64_t, 28> reciprocal{};
+  std::array<int, 28> shift{};
+};
+inline constexpr inverse_powers_of_five inverse_fives = [] {
+  inverse_powers_of_five t;
+  std::uint64_t five = 1;  // 5^27 is the last below 2^64
+  for (std::size_t k = 0; k < 28; ++k, five *= k < 28 ? 5 : 1) {
+    const int bits = 64 - std::countl_zero(five);
+    // floor(2^(63 + bits) / 5^k) has its top bit set, but for 5^0, a power of two; long division, one bit at a time
+    const int shift = 63 + bits - (k == 0 ? 1 : 0);
+    std::uint64_t quotient = 0;
+    uint128 rest = 0;
+    for (int i = shift; i >= 0; --i) {
+      rest = (rest << 1) | (i == shift ? 1u : 0u);
+      quotient <<= 1;
+      if (rest >= five) {
+        rest -= five;
+        quotient |= 1;
+      }
+    }
+    t.reciprocal[k] = quotient;
+    t.shift[k] = shift;
+  }
+  return t;
+}();
+
+inline bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
+
+/// Appends the decimal digits at p to w, eight at a time; overflow wraps, the caller counts the digits.
+inline const char* read_digits(const char* p, const char* last, std::uint64_t& w) {
+  if constexpr (std::endian::native == std::endian::little) {
+    while (last - p >= 8) {
+      std::uint64_t c;
+      std::memcpy(&c, p, 8);
+      if (((c & 0xF0F0F0F0F0F0F0F0u) | (((c + 0x0606060606060606u) & 0xF0F0F0F0F0F0F0F0u) >> 4)) != 0x3333333333333333u) break;
+      // the digits pairwise, then the pairs, then the fours: three multiplications instead of eight
+      c -= 0x3030303030303030u;
+      c = c * 10 + (c >> 8);
+      c = (((c & 0x000000FF000000FFu) * 0x000F424000000064u) + (((c >> 16) & 0x000000FF000000FFu) * 0x0000271000000001u)) >> 32;
+      w = w * 100000000 + static_cast<std::uint32_t>(c);
+      p += 8;
+    }
+  }
+  while (p != last && is_digit(*p)) w = w * 10 + static_cast<std::uint64_t>(*p++ - '0');
+  return p;
+}
+
+/// w / 10^k, correctly rounded, where 64 bits of 10^-k decide it; false (rarely) where they do not.
+/// Source: Lemire, Number Parsing at a Gigabyte per Second, 2021, with the doubtful cases left to the caller.
+inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
+  const int lead = std::countl_zero(w);
+  const uint128 product = static_cast<uint128>(w << lead) * inverse_fives.reciprocal[k];
+  // The reciprocal is short by less than one unit: the true product lies in [product, product + 2^64).
+  std::uint64_t high = static_cast<std::uint64_t>(product >> 64);
+  const std::uint64_t low = static_cast<std::uint64_t>(product);
+  const int down = (high >> 63) ? 10 : 9;  // bits of `high` below the 53 kept and the one that rounds
+  const std::uint64_t mask = (std::uint64_t{1} << down) - 1, rest = high & mask;
+  if (rest == mask || (rest == 0 && low == 0)) return false;
+  std::uint64_t mantissa = high >> down;  // 54 bits
+  mantissa = (mantissa + 1) >> 1;         // never a tie here: something follows the rounding bit
+  const int exponent = 64 + down + 1 - lead - inverse_fives.shift[k] - static_cast<int>(k);
+  const std::uint64_t scale = static_cast<std::uint64_t>(1023 + exponent) << 52;
+  x = static_cast<double>(mantissa) * std::bit_cast<double>(scale);  // both exact: mantissa <= 2^53, the scale is a power of two
+  return true;
+}
+
+/// What from_chars does, and: a leading '+'; numbers too small for a double are 0, too large ones infinite.
+inline const char* parse_real_slowly(const char* first, const char* last, double& x) {
+  const char* p = first;
+  if (p != last && *p == '+') {
+    ++p;
+    if (p != last && *p == '-') return nullptr;
+  }
+  const auto [end, problem] = std::from_chars(p, last, x);
+  if (problem == std::errc::invalid_argument) return nullptr;
+  if (problem == std::errc::result_out_of_range) {
+    const bool negative = *p == '-';
+    if (negative) ++p;
+    long magnitude = 0;  // of the leading digit, as a power of ten, from its place before or after the point
+    bool point = false, leading = true;
+    for (; p != end && (*p == '.' || is_digit(*p)); ++p) {
+      if (*p == '.') point = true;
+      else if (leading && *p == '0') magnitude -= point ? 1 : 0;
+      else {
+        leading = false;
+        if (point) break;
+        ++magnitude;
+      }
+    }
+    while (p != end && (*p | 0x20) != 'e') ++p;
+    if (p != end) {
+      ++p;
+      const bool minus = *p == '-';
+      if (*p == '-' || *p == '+') ++p;
+      long e = 0;
+      for (; p != end && is_digit(*p); ++p) e = e < 100000000 ? e * 10 + (*p - '0') : e;
+      magnitude += minus ? -e : e;
+    }
+    x = magnitude > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+    if (negative) x = -x;
+  }
+  return end;
+}
+
+/// Reads a real at `first`; returns where it ends, or null where there is none. "nan" and "inf" are read: the caller decides.
+inline const char* parse_real(const char* first, const char* last, double& x) {
+  const char* p = first;
+  const bool negative = p != last && *p == '-';
+  if (p != last && (*p == '-' || *p == '+')) ++p;
+  std::uint64_t w = 0;
+  const char* digits = p;
+  p = read_digits(p, last, w);
+  std::ptrdiff_t count = p - digits, decimals = 0;
+  if (p != last && *p == '.') {
+    const char* fraction = ++p;
+    p = read_digits(p, last, w);
+    decimals = p - fraction;
+    count += decimals;
+  }
+  if (count > 19)  // leading zeros do not count
+    for (; digits != p && (*digits == '0' || *digits == '.'); ++digits) count -= *digits == '0';
+  if (count == 0 || count > 19) return parse_real_slowly(first, last, x);
+  std::ptrdiff_t exponent = -decimals;
+  if (p != last && (*p | 0x20) == 'e') {
+    ++p;
+    const bool minus = p != last && *p == '-';
+    if (p != last && (*p == '-' || *p == '+')) ++p;
+    std::uint64_t e = 0;
+    const char* from = p;
+    p = read_digits(p, last, e);
+    if (p == from || p - from > 4) return parse_real_slowly(first, last, x);
+    exponent += minus ? -static_cast<std::ptrdiff_t>(e) : static_cast<std::ptrdiff_t>(e);
+  }
+  if (w < (std::uint64_t{1} << 53) && exponent >= -22 && exponent <= 22) {  // both exact, so one rounding
+    x = static_cast<double>(w);
+    if (exponent < 0) x /= exact_powers_of_ten[static_cast<std::size_t>(-exponent)];
+    else x *= exact_powers_of_ten[static_cast<std::size_t>(exponent)];
+  } else if (w == 0) {
+    x = 0;
+  } else if (exponent > 0 || exponent < -27 || !divide_by_power_of_ten(w, static_cast<unsigned>(-exponent), x)) {
+    return parse_real_slowly(first, last, x);
+  }
+  if (negative) x = -x;
+  return p;
+}
+
+/// Reads an integer of at most 18 digits with an optional sign; returns where it ends, or null where there is none or it is longer.
+inline const char* parse_integer(const char* first, const char* last, std::int64_t& i) {
+  const char* p = first;
+  const bool negative = p != last && *p == '-';
+  if (p != last && (*p == '-' || *p == '+')) ++p;
+  const char* from = p;
+  std::int64_t n = 0;
+  while (p != last && is_digit(*p)) {
+    if (p - from == 18) {  // leading zeros do not count
+      while (*from == '0' && from != p) ++from;
+      if (p - from == 18) return nullptr;
+    }
+    n = n * 10 + (*p++ - '0');
+  }
+  if (p == from) return nullptr;
+  i = negative ? -n : n;
+  return p;
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,38 @@
+// What may be asked of load and save, and what they tell beside the mesh.
+#pragma once
+
+#include <concino/io/formats.hpp>
+#include <concino/progress.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace concino {
+
+/// What a reader did not take as it stood. One sentence an entry.
+struct load_report {
+  std::size_t reoriented_polys = 0;   // cells whose verts were put into the standard order or whose faces were turned outward
+  std::vector<std::string> skipped;   // in the file, not in the mesh
+  std::vector<std::string> notes;     // anything else worth knowing
+};
+
+/// What a writer could not say in the format. One sentence an entry.
+struct save_report {
+  std::vector<std::string> lost;   // in the mesh, not in the file
+  std::vector<std::string> notes;  // anything else worth knowing
+};
+
+struct load_options {
+  file_format format = file_format::by_extension;
+  concino::load_report* report = nullptr;  // filled in if given; cleared first
+  concino::progress progress = {};         // told the fraction of the file read
+};
+
+struct save_options {
+  file_format format = file_format::by_extension;
+  concino::save_report* report = nullptr;  // filled in if given; cleared first
+  concino::progress progress = {};         // told the fraction of the elements written
+};
+
+}  // namespace concino

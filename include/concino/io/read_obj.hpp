@@ -1,0 +1,215 @@
+// Wavefront OBJ: verts and polygons of any size. What a mesh has no place for is counted and reported.
+#pragma once
+
+#include <concino/io/contents.hpp>
+#include <concino/io/text_cursor.hpp>
+
+namespace concino::detail {
+
+class obj_reader : text_cursor {
+  const wanted_mesh& wanted_;
+  surface_arrays out_;
+  std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // how many there are in the end, once that is known
+  std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // largest index met
+  std::uint64_t num_textures_ = 0, num_normals_ = 0, num_extra_ = 0, num_lines_ = 0, num_groups_ = 0, num_materials_ = 0, num_smooth_ = 0,
+                num_other_ = 0;
+  std::size_t first_other_ = 0;
+  std::string other_;
+  std::uint32_t arity_ = 0;
+  std::vector<vert_id> scratch_;
+
+ public:
+  obj_reader(const read_context& c) : text_cursor(c.text, c.name, c.progress), wanted_(c.wanted) {}
+
+  surface_arrays read(load_report& report) {
+    const std::string_view all{at, static_cast<std::size_t>(end() - at)};
+    if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), "verts and faces", "an empty file");
+    if (wanted_.surface) arity_ = wanted_.arity;
+    lines();
+    // Indices may name what comes later in the file, so the bounds are known only now. A file that breaks them is read once more, with
+    // them, to find the line.
+    if (max_point_ > out_.points.size() || max_texture_ > num_textures_ || max_normal_ > num_normals_) {
+      points_ = out_.points.size(), textures_ = num_textures_, normals_ = num_normals_;
+      restart(all.data());
+    }
+    if (out_.points.empty() && num_other_ > 0)
+      fail(end(), "verts (v x y z)", "none, and " + std::to_string(num_other_) + " lines that are not of an OBJ file, the first '" + other_ + "'");
+    if (out_.verts.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 corners");
+    if (out_.offsets.empty()) out_.arity = arity_;
+    if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
+    tell_of_skipped(report);
+    return std::move(out_);
+  }
+
+ private:
+  void restart(const char* from) {
+    out_ = {};
+    at = from;
+    num_textures_ = num_normals_ = 0;
+    lines();
+  }
+
+  void lines() {
+    for (;;) {
+      skip_space();
+      if (at_end()) return;
+      tell();
+      const char c = *at, d = at + 1 != end() ? at[1] : '\n';
+      if (c == 'v' && (is_space(d) || d == '\\')) vert();
+      else if (c == 'f' && (is_space(d) || d == '\\')) face();
+      else if (c == '#') text_cursor::skip_line();  // a backslash at the end of a comment joins nothing
+      else other();
+    }
+  }
+
+  /// Blanks, and line ends after a backslash.
+  void blanks() {
+    while (at != end()) {
+      if (is_blank(*at)) ++at;
+      else if (*at != '\\' || !joins_lines()) return;
+    }
+  }
+  bool joins_lines() {
+    const char* p = at + 1;
+    if (p == end() || !is_line_end(*p)) return false;
+    at = p + (*p == '\r' && p + 1 != end() && p[1] == '\n' ? 2 : 1);
+    return true;
+  }
+  bool line_is_over() const { return at == end() || is_line_end(*at) || *at == '#'; }
+  void skip_joined_line() {
+    while (at != end() && !is_line_end(*at))
+      if (*at != '\\' || !joins_lines()) ++at;
+  }
+
+  double coordinate(const char* expected) {
+    blanks();
+    return real(expected);
+  }
+
+  void vert() {
+    ++at;
+    vec3 p;
+    p.x = coordinate("the x of a vert");
+    p.y = coordinate("the y of a vert");
+    p.z = coordinate("the z of a vert");
+    out_.points.push_back(p);
+    blanks();
+    if (line_is_over()) {
+      text_cursor::skip_line();
+      return;
+    }
+    ++num_extra_;  // a weight or a colour
+    while (!line_is_over()) {
+      coordinate("a number (a weight or a colour) or the end of the line");
+      blanks();
+    }
+    text_cursor::skip_line();
+  }
+
+  /// An index of the file, from 1 or from the end of what has been read so far, to one from 1.
+  std::uint64_t absolute(const char* place, std::int64_t i, std::uint64_t so_far, std::uint64_t bound, const char* what) const {
+    if (i < 0) i += static_cast<std::int64_t>(so_far) + 1;
+    if (i < 1 || static_cast<std::uint64_t>(i) > bound)
+      fail(place, std::string("the index of ") + what + (bound < max_ids || so_far > 0 ? " from 1 to " + std::to_string(bound < max_ids ? bound : so_far) : " from 1") +
+                      ", or from -1 back to the first read so far");
+    return static_cast<std::uint64_t>(i);
+  }
+
+  void face() {
+    const char* const line = at++;
+    const std::size_t first = out_.verts.size();
+    for (blanks(); !line_is_over(); blanks()) {
+      const char* const corner = at;
+      std::int64_t i = 0;
+      const char* p = parse_integer(at, end(), i);
+      if (!p) fail("the index of a vert");
+      const std::uint64_t v = absolute(corner, i, out_.points.size(), points_, "a vert");
+      if (v > max_point_) max_point_ = v;
+      if (p != end() && *p == '/') p = attributes(corner, p);
+      if (!ends_token(p, '#')) fail(corner, "a corner v, v/vt, v//vn or v/vt/vn");
+      at = p;
+      out_.verts.push_back(vert_id{static_cast<std::uint32_t>(v - 1)});
+    }
+    text_cursor::skip_line();
+    end_face(line, first);
+  }
+
+  /// The indices of a texture coordinate and a normal, each of which may be missing; checked, not kept.
+  const char* attributes(const char* corner, const char* p) {
+    std::int64_t i = 0;
+    if (const char* q = parse_integer(++p, end(), i)) {
+      const std::uint64_t t = absolute(corner, i, num_textures_, textures_, "a texture coordinate");
+      if (t > max_texture_) max_texture_ = t;
+      p = q;
+    }
+    if (p == end() || *p != '/') return p;
+    if (const char* q = parse_integer(++p, end(), i)) {
+      const std::uint64_t n = absolute(corner, i, num_normals_, normals_, "a normal");
+      if (n > max_normal_) max_normal_ = n;
+      p = q;
+    }
+    return p;
+  }
+
+  void end_face(const char* line, std::size_t first) {
+    const std::size_t size = out_.verts.size() - first;
+    if (size < 3) fail(line, "a face of at least three corners", "one of " + std::to_string(size));
+    const vert_id* corners = out_.verts.data() + first;
+    if (const std::size_t i = first_repeated(corners, size, scratch_); i != size)
+      fail(line, "different verts at the corners of a face", "vert " + std::to_string(corners[i].raw() + 1) + " twice");
+    if (wanted_.surface && wanted_.arity && size != wanted_.arity)
+      fail(line, std::string(name_of_poly(false, wanted_.arity)) + " (polygonmesh and load_any take any polygon)", "a polygon of " + std::to_string(size) + " corners");
+    if (out_.offsets.empty()) {
+      if (first == 0) arity_ = static_cast<std::uint32_t>(size);
+      if (size == arity_) return;
+      // the first of another size: from here on every poly says where it begins
+      for (std::size_t o = 0; o <= first; o += arity_) out_.offsets.push_back(static_cast<std::uint32_t>(o));
+    }
+    out_.offsets.push_back(static_cast<std::uint32_t>(out_.verts.size()));
+  }
+
+  void other() {
+    const char* const from = at;
+    while (at != end() && (is_letter(*at) || is_digit(*at) || *at == '_')) ++at;
+    const std::string_view word{from, static_cast<std::size_t>(at - from)};
+    if (!is_letter(*from) || !(ends_token(at, '#'))) fail(from, "a keyword of OBJ such as v or f");
+    if (word == "vt") ++num_textures_;
+    else if (word == "vn") ++num_normals_;
+    else if (word == "l" || word == "p") ++num_lines_;
+    else if (word == "g" || word == "o") ++num_groups_;
+    else if (word == "usemtl" || word == "mtllib") ++num_materials_;
+    else if (word == "s") ++num_smooth_;
+    else if (num_other_++ == 0) {
+      other_ = std::string(word.substr(0, 40));
+      first_other_ = static_cast<std::size_t>(from - begin());
+    }
+    skip_joined_line();
+  }
+
+  void tell_of_skipped(load_report& report) const {
+    const auto skipped = [&](std::uint64_t n, const char* what) {
+      if (n) report.skipped.push_back(std::to_string(n) + " " + what);
+    };
+    skipped(num_textures_, "texture coordinates (vt)");
+    skipped(num_normals_, "normals (vn)");
+    skipped(num_extra_, "weights or colours of verts");
+    skipped(num_lines_, "points and lines (p, l)");
+    skipped(num_groups_, "names of groups and objects (g, o)");
+    skipped(num_materials_, "uses of materials (usemtl, mtllib)");
+    skipped(num_smooth_, "smoothing groups (s)");
+    if (num_other_)
+      report.skipped.push_back(std::to_string(num_other_) + " lines with other keywords, the first '" + other_ + "' on line " + std::to_string(line_of(begin() + first_other_)));
+  }
+};
+
+/// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
+/// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are.   Cost: O(size of the text)
+/// Errors: parse_error naming the line of a number that is none or not finite, of an index out of range, of a poly of fewer than three
+///         verts or with a vert twice, of a poly that the wanted mesh cannot hold; of an empty file.
+inline file_contents read_obj(const read_context& context) {
+  file_contents contents;
+  contents.arrays = obj_reader(context).read(*context.report);
+  return contents;
+}
+
+}  // namespace concino::detail
