@@ -1,0 +1,223 @@
+// Cuts a polygon in space into triangles without new points: what pictures, areas and triangle-only formats need.
+#pragma once
+
+#include <concino/geometry/vec3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace concino {
+
+/// Three corners of a polygon, counted from 0.
+using polygon_triangle = std::array<std::uint32_t, 3>;
+
+/// Triangulates polygon after polygon and keeps its working memory in between; one object per thread.
+class polygon_triangulator {
+ public:
+  /// The polygon cut into triangles along diagonals.
+  /// Needs:  the corners in cyclic order; concave, non-planar, with collinear or repeated corners is fine.
+  /// Result: max(n, 2) - 2 triangles wound as the polygon is, valid until the next call. Seen along the vector area of a polygon that
+  ///         is simple in that view, none is flipped and they cover it; where it is not simple or has no area, they still join all
+  ///         corners.                                           Cost: O(n) for most; ears are looked up in a grid when n is large.
+  /// Source: ear clipping, Meisters 1975; the plane is that of the vector area.
+  std::span<const polygon_triangle> operator()(std::span<const vec3> corners) {
+    triangles_.clear();
+    const std::size_t n = corners.size();
+    if (n < 3) return {};
+    if (n == 3) triangles_.push_back({0, 1, 2});
+    else if (!flatten(corners)) fan(n);
+    else if (n == 4) cut_quad();
+    else if (fan_fits()) fan(n);
+    else clip_ears();
+    return triangles_;
+  }
+
+ private:
+  struct point2 { double x, y; };
+  using index = std::uint32_t;
+  // What counts as an ear. Later ones are for polygons that touch or cross themselves, where no better ear is left.
+  enum class ear { clear, touched, flat, any };
+
+  std::vector<polygon_triangle> triangles_;
+  std::vector<point2> q_;
+  std::vector<index> next_, prev_, now_, later_, grid_offsets_, grid_;
+  std::vector<std::uint8_t> reflex_, gone_, wait_;
+  index cells_ = 0;  // per side; 0: no grid
+  point2 low_ = {0, 0}, cell_ = {0, 0};
+  index left_ = 0;
+
+  index size() const { return static_cast<index>(q_.size()); }
+
+  double turn(index a, index b, index c) const {
+    const point2 &p = q_[a], &q = q_[b], &r = q_[c];
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  }
+
+  // Into the plane of the vector area, scaled to about 1 so that no product over- or underflows. False: there is no such plane.
+  bool flatten(std::span<const vec3> corners) {
+    const vec3 o = corners[0];
+    double size = 0;
+    for (const vec3& p : corners) size = std::max({size, std::abs(p.x - o.x), std::abs(p.y - o.y), std::abs(p.z - o.z)});
+    if (!(size > 0) || !std::isfinite(size)) return false;
+    vec3 n;
+    for (std::size_t i = 2; i < corners.size(); ++i) n += cross((corners[i - 1] - o) / size, (corners[i] - o) / size);
+    const double length = norm(n);
+    if (!(length > 0)) return false;
+    n /= length;
+    vec3 t = cross(n, std::abs(n.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0});
+    t /= norm(t);
+    const vec3 b = cross(n, t);
+    q_.clear();
+    for (const vec3& p : corners) {
+      const vec3 d = (p - o) / size;
+      q_.push_back({dot(d, t), dot(d, b)});
+    }
+    return true;
+  }
+
+  void fan(std::size_t n) {
+    for (std::size_t i = 2; i < n; ++i) triangles_.push_back({0, static_cast<index>(i - 1), static_cast<index>(i)});
+  }
+
+  // All triangles of the fan from corner 0 upright: then 0 sees the whole polygon.
+  bool fan_fits() const {
+    for (index i = 2; i < size(); ++i)
+      if (!(turn(0, i - 1, i) > 0)) return false;
+    return true;
+  }
+
+  // The diagonal whose smaller triangle is larger; on a concave quad it is the one inside.
+  void cut_quad() {
+    const double from0 = std::min(turn(0, 1, 2), turn(0, 2, 3)), from1 = std::min(turn(1, 2, 3), turn(1, 3, 0));
+    if (from1 > from0) triangles_.insert(triangles_.end(), {{1, 2, 3}, {1, 3, 0}});
+    else triangles_.insert(triangles_.end(), {{0, 1, 2}, {0, 2, 3}});
+  }
+
+  bool same(index a, index b) const { return q_[a].x == q_[b].x && q_[a].y == q_[b].y; }
+
+  bool blocks(index v, index a, index b, index c, ear kind) const {
+    if (!reflex_[v] || v == a || v == b || v == c || same(v, a) || same(v, b) || same(v, c)) return false;
+    const double ab = turn(a, b, v), bc = turn(b, c, v), ca = turn(c, a, v);
+    return kind == ear::clear ? ab >= 0 && bc >= 0 && ca >= 0 : ab > 0 && bc > 0 && ca > 0;
+  }
+
+  index cell_of(double x, double low, double size) const {
+    const double c = (x - low) / size;
+    return !(c > 0) ? 0 : c >= cells_ ? cells_ - 1 : static_cast<index>(c);
+  }
+
+  void make_grid() {
+    cells_ = 0;
+    const index n = size();
+    if (n <= 64) return;
+    point2 high = low_ = q_[0];
+    for (const point2& p : q_) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    cells_ = static_cast<index>(std::sqrt(static_cast<double>(n)));
+    cell_ = {(high.x - low_.x) / cells_, (high.y - low_.y) / cells_};
+    if (!(cell_.x > 0)) cell_.x = 1;
+    if (!(cell_.y > 0)) cell_.y = 1;
+    const auto cell = [&](index v) { return cell_of(q_[v].y, low_.y, cell_.y) * cells_ + cell_of(q_[v].x, low_.x, cell_.x); };
+    grid_offsets_.assign(std::size_t{cells_} * cells_ + 1, 0);
+    for (index v = 0; v < n; ++v) ++grid_offsets_[cell(v) + 1];
+    for (std::size_t c = 1; c < grid_offsets_.size(); ++c) grid_offsets_[c] += grid_offsets_[c - 1];
+    grid_.resize(n);
+    for (index v = n; v-- > 0;) grid_[--grid_offsets_[cell(v) + 1]] = v;  // offsets move one place down as the cells fill from behind
+    for (std::size_t c = 0; c + 1 < grid_offsets_.size(); ++c) grid_offsets_[c] = grid_offsets_[c + 1];
+    grid_offsets_.back() = n;
+  }
+
+  bool is_ear(index b, ear kind) const {
+    const index a = prev_[b], c = next_[b];
+    if (kind == ear::any) return true;
+    const double size = turn(a, b, c);
+    if (!(kind == ear::flat ? size >= 0 : size > 0)) return false;
+    if (cells_ == 0) {
+      for (index v = next_[c]; v != a; v = next_[v])
+        if (blocks(v, a, b, c, kind)) return false;
+      return true;
+    }
+    const point2 &p = q_[a], &q = q_[b], &r = q_[c];
+    const index x0 = cell_of(std::min({p.x, q.x, r.x}), low_.x, cell_.x), x1 = cell_of(std::max({p.x, q.x, r.x}), low_.x, cell_.x);
+    const index y0 = cell_of(std::min({p.y, q.y, r.y}), low_.y, cell_.y), y1 = cell_of(std::max({p.y, q.y, r.y}), low_.y, cell_.y);
+    for (index y = y0; y <= y1; ++y)
+      for (index i = grid_offsets_[y * cells_ + x0]; i < grid_offsets_[y * cells_ + x1 + 1]; ++i)
+        if (blocks(grid_[i], a, b, c, kind)) return false;
+    return true;
+  }
+
+  void clip(index b) {
+    const index a = prev_[b], c = next_[b];
+    triangles_.push_back({a, b, c});
+    next_[a] = c;
+    prev_[c] = a;
+    gone_[b] = 1;
+    reflex_[b] = 0;
+    --left_;
+    for (const index v : {a, c}) {
+      reflex_[v] = !(turn(prev_[v], v, next_[v]) > 0);
+      if (!wait_[v]) later_.push_back(v);
+      wait_[v] = 1;
+    }
+  }
+
+  // In rounds, in each of which no two neighbours are cut off: cutting one after another would give a fan of slivers.
+  void clip_ears() {
+    const index n = left_ = size();
+    next_.resize(n);
+    prev_.resize(n);
+    for (index i = 0; i < n; ++i) {
+      next_[i] = i + 1 < n ? i + 1 : 0;
+      prev_[i] = i > 0 ? i - 1 : n - 1;
+    }
+    reflex_.resize(n);
+    for (index i = 0; i < n; ++i) reflex_[i] = !(turn(prev_[i], i, next_[i]) > 0);
+    gone_.assign(n, 0);
+    wait_.assign(n, 0);
+    make_grid();
+    ear kind = ear::clear;
+    int retreats = 0;
+    index alive = 0;
+    const auto restart = [&] {
+      while (gone_[alive]) ++alive;
+      now_.clear();
+      index v = alive;
+      do now_.push_back(v);
+      while ((v = next_[v]) != alive);
+    };
+    restart();
+    while (left_ > 3) {
+      later_.clear();
+      for (const index v : now_) {
+        if (left_ == 3) break;
+        if (gone_[v] || wait_[v] || !is_ear(v, kind)) continue;
+        clip(v);
+        if (kind == ear::clear) continue;
+        if (++retreats <= 16) kind = ear::clear;  // one bad place should not spoil the rest; bounded, so that the whole stays fast
+      }
+      for (const index v : later_) wait_[v] = 0;
+      now_.swap(later_);
+      if (!now_.empty()) continue;
+      kind = static_cast<ear>(static_cast<int>(kind) + 1);
+      restart();
+    }
+    while (gone_[alive]) ++alive;
+    triangles_.push_back({prev_[alive], alive, next_[alive]});
+  }
+};
+
+/// The triangles of one polygon; see polygon_triangulator.
+inline std::vector<polygon_triangle> triangulate_polygon(std::span<const vec3> corners) {
+  polygon_triangulator cut;
+  const auto triangles = cut(corners);
+  return {triangles.begin(), triangles.end()};
+}
+
+}  // namespace concino
