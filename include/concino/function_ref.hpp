@@ -1,6 +1,8 @@
-// A callable handed to a function that is not a template: two pointers, owns nothing, may be empty.
+// A callable of any type in an options struct: two pointers, no allocation, no ownership, may be empty.
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <memory>
 #include <type_traits>
 #include <utility>
@@ -10,15 +12,15 @@ namespace concino {
 template<class Signature>
 class function_ref;
 
-/// Refers to a callable that outlives it, as an argument outlives the call it is handed to. Empty by default; `if (f)` tells.
-/// Calling an empty one is undefined.
+/// Refers to a callable that takes Args and returns R, or to none. It does not own the callable: hand it on to a call, as options are,
+/// and keep the callable alive where it is stored.
 template<class R, class... Args>
 class function_ref<R(Args...)> {
   union target {
-    const void* object;
+    void* object;
     void (*function)();
   };
-  target target_{nullptr};
+  target target_ = {nullptr};
   R (*call_)(target, Args...) = nullptr;
 
  public:
@@ -26,20 +28,20 @@ class function_ref<R(Args...)> {
   constexpr function_ref(std::nullptr_t) {}
 
   template<class F>
-    requires(!std::is_same_v<std::remove_cvref_t<F>, function_ref> && !std::is_same_v<std::remove_cvref_t<F>, std::nullptr_t> &&
+    requires(!std::same_as<std::remove_cvref_t<F>, function_ref> && !std::is_function_v<std::remove_pointer_t<std::remove_cvref_t<F>>> &&
              std::is_invocable_r_v<R, F&, Args...>)
   function_ref(F&& f) {
-    using callable = std::remove_reference_t<F>;
-    if constexpr (std::is_function_v<std::remove_pointer_t<std::decay_t<F>>>) {
-      using pointer = std::decay_t<F>;
-      target_.function = reinterpret_cast<void (*)()>(static_cast<pointer>(f));
-      if (target_.function) call_ = [](target t, Args... args) -> R { return static_cast<R>(reinterpret_cast<pointer>(t.function)(std::forward<Args>(args)...)); };
-    } else {
-      target_.object = std::addressof(f);
-      call_ = [](target t, Args... args) -> R {
-        return static_cast<R>((*static_cast<callable*>(const_cast<void*>(t.object)))(std::forward<Args>(args)...));
-      };
-    }
+    target_.object = const_cast<void*>(static_cast<const void*>(std::addressof(f)));
+    call_ = [](target t, Args... args) -> R { return static_cast<R>((*static_cast<std::remove_reference_t<F>*>(t.object))(std::forward<Args>(args)...)); };
+  }
+
+  /// Functions are kept by their address, so no pointer to them need stay alive.
+  template<class F>
+    requires(std::is_function_v<F> && std::is_invocable_r_v<R, F*, Args...>)
+  function_ref(F* f) {
+    if (!f) return;
+    target_.function = reinterpret_cast<void (*)()>(f);
+    call_ = [](target t, Args... args) -> R { return static_cast<R>(reinterpret_cast<F*>(t.function)(std::forward<Args>(args)...)); };
   }
 
   explicit operator bool() const { return call_ != nullptr; }
