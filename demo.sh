@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# A harmonic field on a real mesh, and its picture:
+#   ./demo.sh [mesh] [picture.png]
+# By default the Stanford bunny of Debian's glmark2-data and demo.png. Installs what it needs and builds the program the first time.
+set -eu
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+. "$here/scripts/packages.sh"
+
+mesh=${1:-/usr/share/glmark2/models/bunny.obj}
+picture=${2:-demo.png}
+build=${CONCINO_DEMO_BUILD:-$here/build/demo}
+
+compilers=()
+find_gcc >/dev/null || find_clang >/dev/null || compilers+=(g++-12)
+install_packages "${packages_demo[@]}" "${compilers[@]}"
+compiler=$(find_gcc || find_clang) || { echo "no g++ 12 or clang++ 14 or later" >&2; exit 1; }
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+if ! (cd "$here" && cmake --preset release -B "$build" -D CMAKE_CXX_COMPILER="$compiler" -D CONCINO_WITH_EMBREE=ON -D CONCINO_WITH_STB=ON &&
+  cmake --build "$build" --target concino_demo) >"$log" 2>&1; then
+  cat "$log" >&2
+  exit 1
+fi
+"$build/tools/concino_demo" "$mesh" "$picture"

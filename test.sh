@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# Installs what the tests need, builds and runs all of them with both compilers. The last line says how many passed, failed and were skipped.
+#   ./test.sh          everything that must hold
+#   ./test.sh --long   also mutations, long fuzzing and runs of many steps
+#   ./test.sh --quick  g++ only, without sanitizers and consumers: while developing
+# Environment: CONCINO_CORPUS (folder of real mesh files; default ../shared/data), CONCINO_TEST_BUILD (default build/test), CONCINO_JOBS (2).
+set -u
+cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
+. scripts/packages.sh
+
+long=0 quick=0
+for argument in "$@"; do
+  case "$argument" in
+    --long) long=1 ;;
+    --quick) quick=1 ;;
+    *) sed -n '2,6s/^# //p' "$0"; [ "$argument" = --help ] && exit 0 || exit 2 ;;
+  esac
+done
+
+build=${CONCINO_TEST_BUILD:-build/test}
+jobs=${CONCINO_JOBS:-2}
+sanitized='mesh|io|edit|validate'   # the modules where a slip is a read out of bounds
+mkdir -p "$build" || exit 1
+passed=0 failed=0 finished=0
+skipped_names=$build/skipped.txt
+: >"$skipped_names"
+
+finish() {
+  [ $finished -eq 1 ] || failed=$((failed + 1))
+  local skipped
+  skipped=$(sort -u "$skipped_names" | grep -c .)
+  if [ "$skipped" -gt 0 ]; then
+    echo
+    echo "Skipped:"
+    sort -u "$skipped_names" | sed 's/^/  /'
+  fi
+  echo
+  echo "$passed passed, $failed failed, $skipped skipped"
+  [ "$failed" -eq 0 ] || exit 1
+  exit 0
+}
+trap finish EXIT
+trap 'exit 1' INT TERM
+
+say() { printf '[%3d s] %s\n' $SECONDS "$*"; }
+
+# configure <folder> <preset> <compiler> [option...]
+configure() {
+  local dir=$build/$1 preset=$2 compiler=$3
+  shift 3
+  say "$compiler: configure ($preset)"
+  if ! cmake --preset "$preset" -B "$dir" -D CMAKE_CXX_COMPILER="$compiler" "$@" >"$dir.configure.log" 2>&1; then
+    cat "$dir.configure.log"
+    failed=$((failed + 1))
+    return 1
+  fi
+}
+
+# make <folder> <what> [target...]: keeps going after an error, shows the errors, counts each file that does not build.
+make() {
+  local dir=$build/$1 what=$2 errors
+  shift 2
+  say "$what"
+  cmake --build "$dir" --parallel "$jobs" --target "${@:-all}" -- -k 0 >"$dir.build.log" 2>&1 && return 0
+  awk '/^\[[0-9]+\/[0-9]+\]/ { show = 0 } /^FAILED: / { show = 1 } show' "$dir.build.log" | head -n 200
+  errors=$(grep -c '^FAILED: ' "$dir.build.log")
+  failed=$((failed + (errors > 0 ? errors : 1)))
+  say "does not build; whole log: $dir.build.log"
+  return 1
+}
+
+# check <folder> <what> [ctest option...]: runs, shows the output of what failed, adds to the counts. A doctest program counts as its cases.
+check() {
+  local dir=$build/$1 what=$2 counts
+  shift 2
+  say "$what"
+  ctest --test-dir "$dir" -j "$jobs" "$@" >"$dir.ctest.log" 2>&1
+  counts=$(awk -v skips="$skipped_names" -f scripts/count_tests.awk "$dir/Testing/Temporary/LastTest.log" 2>"$dir.failures.log")
+  cat "$dir.failures.log"
+  passed=$((passed + ${counts% *}))
+  failed=$((failed + ${counts#* }))
+}
+
+compilers=()
+find_gcc >/dev/null || compilers+=(g++-12)
+[ $quick -eq 1 ] || find_clang >/dev/null || compilers+=(clang-14)
+install_packages "${packages_test[@]}" "${compilers[@]}" || exit 1
+gcc=$(find_gcc) || { echo "no g++ 12 or later"; exit 1; }
+[ $quick -eq 1 ] || clang=$(find_clang) || { echo "no clang++ 14 or later"; exit 1; }
+
+selection=(-LE long)
+if [ $long -eq 1 ]; then
+  export CONCINO_LONG=1
+  selection=()
+fi
+[ $quick -eq 0 ] || selection+=(-E '^consumers/')
+
+# whole <folder> <preset> <compiler>: everything with one compiler.
+whole() {
+  configure "$@" || return
+  make "$1" "$3: build"
+  make "$1" "$3: every header alone" all_verify_interface_header_sets && passed=$((passed + 1))
+  check "$1" "$3: run" "${selection[@]}"
+}
+
+whole gcc dev-gcc "$gcc"
+if [ $quick -eq 0 ]; then
+  whole clang dev-clang "$clang"
+  if configure asan asan "$clang" -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF; then
+    targets=$(cmake --build "$build/asan" --target help | grep -oE "\btests_($sanitized)\b" | sort -u)
+    # shellcheck disable=SC2086
+    [ -z "$targets" ] || make asan "$clang: build with sanitizers" $targets
+    check asan "$clang: run with sanitizers" -R "^($sanitized)/" "${selection[@]}"
+  fi
+fi
+say "done"
+finished=1
