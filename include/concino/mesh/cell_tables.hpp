@@ -1,0 +1,245 @@
+// All adjacencies of a mesh of tetrahedra or of hexahedra in flat arrays, built in linear time from the verts of each. Stored: what the graph
+// algorithms walk and what cannot be derived. Derived by the way: verts, edges and polys of a face (from the poly that owns it), polys and
+// faces around an edge (from poly to poly), faces at a vert.
+#pragma once
+
+#include <concino/mesh/cell_ranges.hpp>
+#include <concino/mesh/surface_tables.hpp>
+
+namespace concino {
+
+template<class Shape>
+class cell_tables {
+  template<class T> using ragged = detail::rows<T, 0>;
+  static constexpr const auto& shape = detail::shape_v<Shape>;
+
+  detail::live<vert_id> verts_;
+  detail::live<edge_id> edges_;
+  detail::live<face_id> faces_;
+  detail::live<poly_id> polys_;
+  detail::rows<vert_id, Shape::verts> p2v_;
+  detail::rows<edge_id, Shape::edges> p2e_;
+  detail::sides<face_id, Shape::faces> sides_;
+  detail::rows<vert_id, 2> e2v_;
+  detail::offsets e2p_;  // one poly at the edge, or `special` and the crowd
+  ragged<poly_id> crowds_;
+  ragged<vert_id> v2v_;
+  ragged<edge_id> v2e_;
+  ragged<poly_id> v2p_;
+
+ public:
+  cell_tables() = default;
+
+  /// From the verts of every poly in the standard order. Linear in time and memory.
+  /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
+  cell_tables(std::size_t vert_count, std::vector<vert_id> polys) : p2v_(detail::checked_rows<Shape::verts>(std::move(polys), "poly")) {
+    detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
+    std::vector<std::uint32_t> met;
+    for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts({p2v_.begin(p), p2v_.end(p)}, vert_count, "poly", p, met);
+    build(vert_count);
+  }
+
+  const detail::live<vert_id>& verts() const { return verts_; }
+  const detail::live<edge_id>& edges() const { return edges_; }
+  const detail::live<face_id>& faces() const { return faces_; }
+  const detail::live<poly_id>& polys() const { return polys_; }
+
+  id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
+  id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
+  auto adj_v2f(vert_id v) const { return detail::owned_faces<cell_tables, id_span<poly_id>, detail::faces_at_vert, detail::shape_tables<Shape>::valence>(this, adj_v2p(v), {v}); }
+  id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
+  id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
+  auto adj_e2f(edge_id e) const { return detail::owned_faces<cell_tables, detail::polys_around_edge<cell_tables>, detail::faces_at_edge, 2>(this, adj_e2p(e), {e}); }
+  detail::polys_around_edge<cell_tables> adj_e2p(edge_id e) const { return {this, e}; }
+  detail::few<vert_id, Shape::face_verts> adj_f2v(face_id f) const {
+    const auto [p, k] = sides_.owner(f);
+    const vert_id* const v = p2v_.begin(p);
+    detail::few<vert_id, Shape::face_verts> all;
+    for (unsigned i = 0; i < Shape::face_verts; ++i) all[i] = v[Shape::face_vert[k][i]];
+    return all;
+  }
+  detail::few<edge_id, Shape::face_verts> adj_f2e(face_id f) const {
+    const auto [p, k] = sides_.owner(f);
+    const edge_id* const e = p2e_.begin(p);
+    detail::few<edge_id, Shape::face_verts> all;
+    for (unsigned i = 0; i < Shape::face_verts; ++i) all[i] = e[shape.face_edge[k][i]];
+    return all;
+  }
+  detail::polys_of_facet adj_f2p(face_id f) const { return sides_.polys_of(f); }
+  id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
+  id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
+  id_span<face_id> adj_p2f(poly_id p) const { return sides_.facets(p); }
+  detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
+
+  /// The order of a face's verts is the one that its owner sees from outside; another poly at the face compares.
+  bool face_is_outward(poly_id p, face_id f) const {
+    if (sides_.owner(f).poly == p.raw()) return true;
+    const auto verts = adj_f2v(f);
+    const id_span<face_id> faces = adj_p2f(p);
+    for (unsigned k = 0; k < Shape::faces; ++k) {
+      if (faces[k] != f) continue;
+      const vert_id* const v = p2v_.begin(p.raw());
+      for (unsigned i = 0; i < Shape::face_verts; ++i)
+        if (v[Shape::face_vert[k][i]] == verts[0]) return v[Shape::face_vert[k][(i + 1) % Shape::face_verts]] == verts[1];
+    }
+    return false;
+  }
+
+  // What the ranges of cell_ranges.hpp step with.
+  poly_id across(poly_id p, std::uint32_t k) const {
+    const detail::across x = sides_.across_sides(p)[k];
+    return x.is_none() || x.is_crowd() ? poly_id{} : poly_id{x.poly()};
+  }
+  poly_id first_poly(edge_id e) const { return poly_id{e2p_[e.raw()]}; }
+  bool is_crowded(edge_id e) const { return e2p_[e.raw()] & detail::across::special; }
+  id_span<poly_id> crowd(edge_id e) const { return crowds_[e2p_[e.raw()] & ~detail::across::special]; }
+  bool owns(poly_id p, std::uint32_t k) const {
+    const auto s = sides_.owner(sides_.facets(p)[k]);
+    return s.poly == p.raw() && s.k == k;
+  }
+  detail::few<std::uint8_t, 2> faces_at(poly_id p, edge_id e) const {
+    const edge_id* const all = p2e_.begin(p.raw());
+    unsigned i = 0;
+    while (i + 1 < Shape::edges && all[i] != e) ++i;
+    detail::few<std::uint8_t, 2> two;
+    two[0] = shape.edge_face[i][0];
+    two[1] = shape.edge_face[i][1];
+    return two;
+  }
+  detail::few<std::uint8_t, detail::shape_tables<Shape>::valence> faces_at(poly_id p, vert_id v) const {
+    const vert_id* const all = p2v_.begin(p.raw());
+    unsigned i = 0;
+    while (i + 1 < Shape::verts && all[i] != v) ++i;
+    detail::few<std::uint8_t, detail::shape_tables<Shape>::valence> faces;
+    for (unsigned k = 0; k < faces.size(); ++k) faces[k] = shape.vert_face[i][k];
+    return faces;
+  }
+
+ private:
+  /// A face met at its smallest vert: the other verts, sorted, and the next face with the same second one.
+  struct met_face {
+    std::uint32_t other[Shape::face_verts - 2];
+    std::uint32_t next;
+  };
+
+  void build(std::size_t vert_count) {
+    constexpr unsigned nv = Shape::verts;
+    const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
+    const vert_id* const corner_vert = p2v_.begin(0);
+
+    // Corners by vert; they become the polys of the vert at the end.
+    detail::offsets counts(vert_count + 1, 0);
+    for (std::size_t c = 0; c < p2v_.num_values(); ++c) ++counts[corner_vert[c].raw() + 1];
+    v2p_ = detail::make_rows<poly_id>(std::move(counts));
+    std::vector<std::uint32_t> edge_to(v2p_.shape()->begin(), v2p_.shape()->end() - 1);
+    poly_id* const corners = v2p_.begin(0);
+    for (std::size_t c = 0; c < p2v_.num_values(); ++c) corners[edge_to[corner_vert[c].raw()]++] = poly_id{c};
+
+    // Every edge and face is met at its smallest vert a. edge_to[b] is the edge from a to b if it is at least the first edge of a;
+    // face_from[b] likewise begins the chain of a's faces whose second smallest vert is b.
+    p2e_ = detail::rows<edge_id, Shape::edges>(poly_count, edge_id{});
+    sides_ = {detail::rows<face_id, Shape::faces>(poly_count, face_id{}), detail::rows<detail::across, Shape::faces>(poly_count, detail::across{})};
+    std::fill(edge_to.begin(), edge_to.end(), ~0u);
+    std::vector<std::uint32_t> face_from(vert_count, ~0u), uses;
+    std::vector<met_face> met;
+    std::vector<vert_id> ends;
+    const std::size_t guess = vert_count + (Shape::faces / 2 - 1) * std::size_t{poly_count} + poly_count / 8 + 64;
+    ends.reserve(2 * std::min(guess, std::size_t{poly_count} * Shape::edges));
+    e2p_.reserve(std::min(guess, std::size_t{poly_count} * Shape::edges));
+    sides_.reserve_facets(Shape::faces / 2 * std::size_t{poly_count} + poly_count / 8 + 64);
+    detail::offsets degrees(vert_count + 1, 0);
+    std::uint32_t edge_count = 0, face_count = 0;
+    for (std::uint32_t a = 0; a < vert_count; ++a) {
+      const std::uint32_t first_edge = edge_count, first_face = face_count;
+      met.clear();
+      uses.clear();
+      for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
+        const std::uint32_t p = c->raw() / nv, i = c->raw() % nv;
+        const vert_id* const pv = p2v_.begin(p);
+        for (const std::uint8_t j : shape.vert_edge[i]) {
+          const std::uint32_t b = pv[Shape::edge_vert[j][Shape::edge_vert[j][0] == i]].raw();
+          if (b < a) continue;
+          std::uint32_t e = edge_to[b];
+          if (e == ~0u || e < first_edge) {
+            edge_to[b] = e = edge_count++;
+            ends.push_back(vert_id{a});
+            ends.push_back(vert_id{b});
+            e2p_.push_back(p);
+            uses.push_back(0);
+            ++degrees[a + 1];
+            ++degrees[b + 1];
+          }
+          ++uses[e - first_edge];
+          p2e_.begin(p)[j] = edge_id{e};
+        }
+        for (const std::uint8_t j : shape.vert_face[i]) meet_face(a, p, j, pv, first_face, face_count, face_from, met);
+        *c = poly_id{p};
+      }
+      // All faces at these edges are linked by now, since a is the smallest vert of each or was passed before.
+      for (std::uint32_t e = first_edge; e < edge_count; ++e) check_fan(edge_id{e}, uses[e - first_edge]);
+    }
+    if (ends.capacity() > ends.size() + ends.size() / 32) ends.shrink_to_fit();
+    e2v_ = detail::rows<vert_id, 2>(std::move(ends));
+    e2p_.shrink_to_fit();
+    crowd_edges();
+    sides_.finish();
+    detail::fill_stars(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
+    verts_ = detail::live<vert_id>(vert_count);
+    edges_ = detail::live<edge_id>(edge_count);
+    faces_ = detail::live<face_id>(face_count);
+    polys_ = detail::live<poly_id>(poly_count);
+  }
+
+  void meet_face(std::uint32_t a, std::uint32_t p, std::uint32_t k, const vert_id* pv, std::uint32_t first_face, std::uint32_t& face_count,
+                 std::vector<std::uint32_t>& face_from, std::vector<met_face>& met) {
+    std::uint32_t other[Shape::face_verts - 1];
+    unsigned n = 0;
+    for (unsigned i = 0; i < Shape::face_verts; ++i) {
+      const std::uint32_t v = pv[Shape::face_vert[k][i]].raw();
+      if (v < a) return;
+      if (v != a) {
+        unsigned at = n++;
+        for (; at > 0 && other[at - 1] > v; --at) other[at] = other[at - 1];
+        other[at] = v;
+      }
+    }
+    std::uint32_t f = face_from[other[0]];
+    if (f != ~0u && f < first_face) f = ~0u;
+    const std::uint32_t chain = f;
+    while (f != ~0u && !std::equal(other + 1, std::end(other), met[f - first_face].other)) f = met[f - first_face].next;
+    if (f == ~0u) {
+      face_from[other[0]] = f = face_count++;
+      met_face& fresh = met.emplace_back();
+      std::copy(other + 1, std::end(other), fresh.other);
+      fresh.next = chain;
+      sides_.add_facet();
+    }
+    sides_.link(p, k, face_id{f});
+  }
+
+  /// Marks e as crowded unless stepping around it meets as many polys as use it.
+  void check_fan(edge_id e, std::uint32_t uses) {
+    std::uint32_t n = 0;
+    const auto around = adj_e2p(e);
+    for (auto it = around.begin(), last = around.end(); it != last && n <= uses; ++it) ++n;
+    if (n != uses) e2p_[e.raw()] = detail::across::special;
+  }
+
+  void crowd_edges() {
+    std::vector<poly_id> polys;
+    for (std::uint32_t e = 0; e < e2p_.size(); ++e) {
+      if (!(e2p_[e] & detail::across::special)) continue;
+      polys.clear();
+      for (const poly_id p : v2p_[e2v_.begin(e)[0].raw()])
+        for (const edge_id other : adj_p2e(p))
+          if (other == edge_id{e}) polys.push_back(p);
+      e2p_[e] = detail::across::special | static_cast<std::uint32_t>(crowds_.size());
+      crowds_.add_row(polys.begin(), polys.end());
+    }
+  }
+};
+
+using tet_tables = cell_tables<detail::tet_shape>;
+using hex_tables = cell_tables<detail::hex_shape>;
+
+}  // namespace concino

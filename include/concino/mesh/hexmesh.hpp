@@ -1,0 +1,39 @@
+// hexmesh: a volume of hexahedra.
+#pragma once
+
+#include <concino/mesh/cell_tables.hpp>
+#include <concino/mesh/native_mesh.hpp>
+
+namespace concino {
+
+/// A volume of hexahedra. Any list of them can be represented: in several pieces, with verts of none, with more than two polys at a face.
+/// The verts of each stand in the standard order (law VM7). Elements are named by vert_id, edge_id, face_id, poly_id; verts and polys are
+/// numbered as given. Everything is asked through the verbs: verts(m), adj_p2f(m, p), point(m, v) ...
+class hexmesh : public detail::native_mesh<hex_tables> {
+  using base = detail::native_mesh<hex_tables>;
+
+ public:
+  hexmesh() = default;
+
+  /// From flat arrays with arity 8, taken over without a copy.
+  /// Cost:   linear in time and memory.
+  /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
+  explicit hexmesh(cell_arrays a) : base(std::move(a.points), {}) {
+    if (a.arity != 8) throw invalid_mesh("the arrays hold polys of " + std::to_string(a.arity) + " verts; a hexmesh needs 8");
+    tables() = hex_tables(points().size(), std::move(a.verts));
+  }
+
+  /// From points and lists of 8 verts, in braces or in containers.
+  hexmesh(point_list points, index_lists poly_verts) : hexmesh(detail::to_cells({points}, poly_verts, 8)) {}
+  template<detail::PointRange Points, detail::IndexListRange Polys>
+  hexmesh(const Points& points, const Polys& poly_ranges) : hexmesh(detail::to_cells(detail::to_points(points), poly_ranges, 8)) {}
+};
+
+template<>
+struct mesh_traits<hexmesh> : detail::native_traits<hexmesh, indexed_volume> {
+  static constexpr int arity = 8;
+};
+
+static_assert(HexMesh<hexmesh> && MutablePoints<hexmesh>);
+
+}  // namespace concino

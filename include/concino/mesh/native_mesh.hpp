@@ -1,0 +1,143 @@
+// What the six meshes of the library have in common: points, tables of adjacencies, properties. And how lists of points and of verts, in
+// braces or in containers, become flat arrays.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/mesh/arrays.hpp>
+#include <concino/mesh/indexed_base.hpp>
+#include <concino/mesh/property_set.hpp>
+#include <concino/mesh/surface_tables.hpp>
+
+#include <initializer_list>
+
+namespace concino {
+
+/// An index in a list in braces: any integer, or a descriptor of the library.
+class list_index {
+  std::uint32_t raw_;
+
+ public:
+  template<std::integral I>
+  constexpr list_index(I i) : raw_(i < 0 || static_cast<std::uint64_t>(i) >= ~0u ? ~0u : static_cast<std::uint32_t>(i)) {}
+  template<class Tag>
+  constexpr list_index(id<Tag> x) : raw_(x.raw()) {}
+  constexpr std::uint32_t raw() const { return raw_; }
+};
+
+/// A face of a polyhedron in a list in braces: {face, whether its verts run counter-clockwise seen from outside}.
+struct list_face {
+  list_index face;
+  bool outward;
+};
+
+using point_list = std::initializer_list<vec3>;
+using index_lists = std::initializer_list<std::initializer_list<list_index>>;
+using face_lists = std::initializer_list<std::initializer_list<list_face>>;
+
+namespace detail {
+
+template<class R> concept PointRange = requires(const R& r) { (*std::begin(r))[0]; (*std::begin(r))[2]; };
+template<class R> concept IndexRange = requires(const R& r) { list_index(*std::begin(r)); };
+template<class R> concept IndexListRange = requires(const R& r) { requires IndexRange<std::remove_cvref_t<decltype(*std::begin(r))>>; };
+
+template<class R>
+std::vector<vec3> to_points(const R& r) {
+  std::vector<vec3> points;
+  for (const auto& p : r) points.push_back(to_vec3(p));
+  return points;
+}
+
+/// Lists one after another; offsets says where each begins. With `arity` every list must have that many entries.
+template<class R>
+surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_t arity) {
+  surface_arrays a;
+  a.points = std::move(points);
+  a.arity = arity;
+  if (!arity) a.offsets.push_back(0);
+  std::size_t p = 0;
+  for (const auto& list : lists) {
+    const std::size_t before = a.verts.size();
+    for (const auto& i : list) a.verts.push_back(vert_id{list_index(i).raw()});
+    const std::size_t n = a.verts.size() - before;
+    if (arity && n != arity)
+      throw invalid_mesh("poly " + std::to_string(p) + " has " + std::to_string(n) + " verts; every poly of this mesh has " + std::to_string(arity));
+    if (!arity) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
+    ++p;
+  }
+  return a;
+}
+
+/// The same polys with lists of `arity`, or with offsets (0).
+inline surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
+  if (arity == 0) {
+    a.offsets.clear();
+    for (std::size_t i = 0; i <= a.verts.size() / a.arity; ++i) a.offsets.push_back(static_cast<std::uint32_t>(i * a.arity));
+    if (a.offsets.back() != a.verts.size()) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
+  } else {
+    const std::size_t n = a.num_polys();
+    for (std::size_t p = 0; p < n; ++p) {
+      const std::uint32_t has = a.arity ? a.arity : a.offsets[p + 1] - a.offsets[p];
+      if (has != arity) throw invalid_mesh("poly " + std::to_string(p) + " has " + std::to_string(has) + " verts; every poly of this mesh has " + std::to_string(arity));
+    }
+    if (n * arity != a.verts.size()) throw invalid_mesh("the offsets of polys do not fit the " + std::to_string(a.verts.size()) + " verts listed");
+    a.offsets.clear();
+  }
+  a.arity = arity;
+  return a;
+}
+
+template<class R>
+cell_arrays to_cells(std::vector<vec3> points, const R& lists, std::uint32_t arity) {
+  surface_arrays a = to_surface(std::move(points), lists, arity);
+  return {std::move(a.points), std::move(a.verts), arity};
+}
+
+template<class Faces, class Polys>
+polyhedra_arrays to_polyhedra(std::vector<vec3> points, const Faces& face_lists, const Polys& poly_lists) {
+  surface_arrays a = to_surface(std::move(points), face_lists, 0);
+  polyhedra_arrays b{std::move(a.points), std::move(a.offsets), std::move(a.verts), {0}, {}, {}};
+  for (const auto& poly : poly_lists) {
+    for (const auto& [face, outward] : poly) {
+      b.poly_faces.push_back(face_id{list_index(face).raw()});
+      b.outward.push_back(outward ? 1 : 0);
+    }
+    b.poly_offsets.push_back(static_cast<std::uint32_t>(b.poly_faces.size()));
+  }
+  return b;
+}
+
+/// Points, connectivity, properties. Copies are deep; a moved-from mesh is empty.
+template<class Tables>
+class native_mesh {
+  std::vector<vec3> points_;
+  Tables tables_;
+  property_set properties_;
+
+ protected:
+  native_mesh(std::vector<vec3> points, Tables tables) : points_(std::move(points)), tables_(std::move(tables)) {}
+
+ public:
+  native_mesh() = default;
+
+  const std::vector<vec3>& points() const { return points_; }
+  std::vector<vec3>& points() { return points_; }
+  const Tables& tables() const { return tables_; }
+  Tables& tables() { return tables_; }
+  const property_set& properties() const { return properties_; }
+  property_set& properties() { return properties_; }
+};
+
+/// What mesh_traits says of each of the six beyond its adjacencies.
+template<class M, template<class> class Base>
+struct native_traits : Base<M> {
+  static const auto& tables(const M& m) { return m.tables(); }
+  static const vec3& point(const M& m, vert_id v) { return m.points()[v.raw()]; }
+  template<class P>
+  static void set_point(M& m, vert_id v, const P& p) { m.points()[v.raw()] = to_vec3(p); }
+  static const property_set& properties(const M& m) { return m.properties(); }
+  static property_set& properties(M& m) { return m.properties(); }
+};
+
+}  // namespace detail
+
+}  // namespace concino

@@ -1,0 +1,36 @@
+// polygonmesh: a surface of polygons of any size.
+#pragma once
+
+#include <concino/mesh/native_mesh.hpp>
+
+namespace concino {
+
+/// A surface of general polygons. Any list of them can be represented: open, in several pieces, with verts of no polygon, with more than two
+/// polygons at an edge, concave or not planar. Elements are named by vert_id, edge_id, poly_id; verts and polys are numbered as given.
+/// Everything is asked through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
+class polygonmesh : public detail::native_mesh<surface_tables<0>> {
+  using base = detail::native_mesh<surface_tables<0>>;
+
+ public:
+  polygonmesh() : polygonmesh(surface_arrays{}) {}
+
+  /// From flat arrays, taken over without a copy.
+  /// Cost:   linear in time and memory.
+  /// Errors: invalid_mesh that names the poly with fewer than 3 verts, or with a vert out of range or twice, or offsets that are none.
+  explicit polygonmesh(surface_arrays a) : base(std::move(a.points), {}) {
+    if (a.arity) a = detail::to_arity(std::move(a), 0);
+    tables() = surface_tables<0>(points().size(), std::move(a.offsets), std::move(a.verts));
+  }
+
+  /// From points and lists of verts, in braces or in containers.
+  polygonmesh(point_list points, index_lists poly_verts) : polygonmesh(detail::to_surface({points}, poly_verts, 0)) {}
+  template<detail::PointRange Points, detail::IndexListRange Polys>
+  polygonmesh(const Points& points, const Polys& poly_ranges) : polygonmesh(detail::to_surface(detail::to_points(points), poly_ranges, 0)) {}
+};
+
+template<>
+struct mesh_traits<polygonmesh> : detail::native_traits<polygonmesh, indexed_surface> {};
+
+static_assert(SurfaceMesh<polygonmesh> && MutablePoints<polygonmesh> && !TriMesh<polygonmesh>);
+
+}  // namespace concino

@@ -1,0 +1,342 @@
+// All adjacencies of a mesh of general polyhedra in flat arrays, built in linear time from faces (lists of verts) and polys (lists of faces).
+// Derived by the way: edges of a face (from its verts), polys around an edge and faces at a vert (from the faces at edges).
+#pragma once
+
+#include <concino/mesh/cell_ranges.hpp>
+#include <concino/mesh/surface_tables.hpp>
+
+#include <numeric>
+
+namespace concino {
+
+namespace detail {
+
+/// The polys of the faces at an edge, each once.
+template<class Tables>
+class polys_of_faces {
+  const Tables* tables_ = nullptr;
+  id_span<face_id> faces_;
+
+ public:
+  using value_type = poly_id;
+  class iterator {
+    const Tables* tables_ = nullptr;
+    const face_id *first_ = nullptr, *at_ = nullptr, *last_ = nullptr;
+    polys_of_facet now_{};
+    std::uint32_t i_ = 0;
+
+    bool met_before(poly_id q) const {
+      for (const face_id* f = first_; f != at_; ++f)
+        for (const poly_id r : tables_->adj_f2p(*f))
+          if (r == q) return true;
+      return false;
+    }
+    void settle() {
+      for (; at_ != last_; ++at_, i_ = 0) {
+        if (i_ == 0) now_ = tables_->adj_f2p(*at_);
+        for (; i_ < now_.size(); ++i_)
+          if (!met_before(now_[i_])) return;
+      }
+    }
+
+   public:
+    using value_type = poly_id;
+    using reference = poly_id;
+    using difference_type = std::ptrdiff_t;
+    iterator() = default;
+    iterator(const Tables* t, const face_id* at, const face_id* last) : tables_(t), first_(at), at_(at), last_(last) { settle(); }
+    poly_id operator*() const { return now_[i_]; }
+    iterator& operator++() {
+      ++i_;
+      settle();
+      return *this;
+    }
+    iterator operator++(int) { iterator old = *this; ++*this; return old; }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_ && a.i_ == b.i_; }
+  };
+
+  polys_of_faces() = default;
+  polys_of_faces(const Tables* t, id_span<face_id> faces) : tables_(t), faces_(faces) {}
+  iterator begin() const { return {tables_, faces_.begin(), faces_.end()}; }
+  iterator end() const { return {tables_, faces_.end(), faces_.end()}; }
+};
+
+/// The faces at a vert. A face has two edges there; it is listed at the one that leads to the next vert of the face.
+template<class Tables>
+class faces_at_edges {
+  const Tables* tables_ = nullptr;
+  vert_id vert_;
+
+ public:
+  using value_type = face_id;
+  class iterator {
+    const Tables* tables_ = nullptr;
+    vert_id vert_;
+    std::uint32_t i_ = 0, j_ = 0;
+
+    void settle() {
+      const id_span<edge_id> edges = tables_->adj_v2e(vert_);
+      for (; i_ < edges.size(); ++i_, j_ = 0) {
+        const vert_id far = tables_->adj_v2v(vert_)[i_];
+        const id_span<face_id> faces = tables_->adj_e2f(edges[i_]);
+        for (; j_ < faces.size(); ++j_)
+          if (tables_->next_in_face(faces[j_], vert_) == far) return;
+      }
+    }
+
+   public:
+    using value_type = face_id;
+    using reference = face_id;
+    using difference_type = std::ptrdiff_t;
+    iterator() = default;
+    iterator(const Tables* t, vert_id v, std::uint32_t i) : tables_(t), vert_(v), i_(i) { settle(); }
+    face_id operator*() const { return tables_->adj_e2f(tables_->adj_v2e(vert_)[i_])[j_]; }
+    iterator& operator++() {
+      ++j_;
+      settle();
+      return *this;
+    }
+    iterator operator++(int) { iterator old = *this; ++*this; return old; }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_ && a.j_ == b.j_; }
+  };
+
+  faces_at_edges() = default;
+  faces_at_edges(const Tables* t, vert_id v) : tables_(t), vert_(v) {}
+  iterator begin() const { return {tables_, vert_, 0}; }
+  iterator end() const { return {tables_, vert_, static_cast<std::uint32_t>(tables_->adj_v2e(vert_).size())}; }
+};
+
+/// The edges of a face, looked up between each two verts that follow one another.
+template<class Tables>
+class edges_between {
+  const Tables* tables_ = nullptr;
+  id_span<vert_id> verts_;
+
+ public:
+  using value_type = edge_id;
+  class iterator {
+    const Tables* tables_ = nullptr;
+    const vert_id *first_ = nullptr, *at_ = nullptr, *last_ = nullptr;
+
+   public:
+    using value_type = edge_id;
+    using reference = edge_id;
+    using difference_type = std::ptrdiff_t;
+    iterator() = default;
+    iterator(const Tables* t, const vert_id* first, const vert_id* at, const vert_id* last) : tables_(t), first_(first), at_(at), last_(last) {}
+    edge_id operator*() const { return tables_->edge_between(*at_, at_ + 1 == last_ ? *first_ : at_[1]); }
+    iterator& operator++() { ++at_; return *this; }
+    iterator operator++(int) { iterator old = *this; ++*this; return old; }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_; }
+  };
+
+  edges_between() = default;
+  edges_between(const Tables* t, id_span<vert_id> verts) : tables_(t), verts_(verts) {}
+  std::size_t size() const { return verts_.size(); }
+  iterator begin() const { return {tables_, verts_.begin(), verts_.begin(), verts_.end()}; }
+  iterator end() const { return {tables_, verts_.begin(), verts_.end(), verts_.end()}; }
+};
+
+}  // namespace detail
+
+class polyhedra_tables {
+  template<class T> using ragged = detail::rows<T, 0>;
+
+  detail::live<vert_id> verts_;
+  detail::live<edge_id> edges_;
+  detail::live<face_id> faces_;
+  detail::live<poly_id> polys_;
+  ragged<vert_id> f2v_, p2v_, v2v_;
+  ragged<edge_id> v2e_, p2e_;
+  ragged<face_id> e2f_;
+  ragged<poly_id> v2p_;
+  detail::sides<face_id, 0> sides_;
+  ragged<std::uint8_t> outward_;  // parallel to the faces of each poly
+  detail::rows<vert_id, 2> e2v_;
+
+ public:
+  polyhedra_tables() = default;
+
+  /// From the verts of every face in cyclic order, the faces of every poly, and whether each face is wound outward there.
+  /// Errors: invalid_mesh that names the face or poly with a bad or repeated vert or face.
+  polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts, std::vector<std::uint32_t> poly_offsets,
+                   std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward)
+      : f2v_(detail::checked_rows(std::move(face_offsets), std::move(face_verts), "face")) {
+    const ragged<face_id> given = detail::checked_rows(std::move(poly_offsets), std::move(poly_faces), "poly");
+    if (outward.size() != given.num_values())
+      throw invalid_mesh(std::to_string(outward.size()) + " outward flags were given for " + std::to_string(given.num_values()) + " faces of polys; each needs one");
+    outward_ = {given.shape(), std::move(outward)};
+    check(vert_count, given);
+    build(vert_count, given);
+  }
+
+  const detail::live<vert_id>& verts() const { return verts_; }
+  const detail::live<edge_id>& edges() const { return edges_; }
+  const detail::live<face_id>& faces() const { return faces_; }
+  const detail::live<poly_id>& polys() const { return polys_; }
+
+  id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
+  id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
+  detail::faces_at_edges<polyhedra_tables> adj_v2f(vert_id v) const { return {this, v}; }
+  id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
+  id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
+  id_span<face_id> adj_e2f(edge_id e) const { return e2f_[e.raw()]; }
+  detail::polys_of_faces<polyhedra_tables> adj_e2p(edge_id e) const { return {this, adj_e2f(e)}; }
+  id_span<vert_id> adj_f2v(face_id f) const { return f2v_[f.raw()]; }
+  detail::edges_between<polyhedra_tables> adj_f2e(face_id f) const { return {this, adj_f2v(f)}; }
+  detail::polys_of_facet adj_f2p(face_id f) const { return sides_.polys_of(f); }
+  id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
+  id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
+  id_span<face_id> adj_p2f(poly_id p) const { return sides_.facets(p); }
+  detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
+
+  bool face_is_outward(poly_id p, face_id f) const {
+    const id_span<face_id> faces = adj_p2f(p);
+    for (std::size_t k = 0; k < faces.size(); ++k)
+      if (faces[k] == f) return outward_.begin(p.raw())[k] != 0;
+    return false;
+  }
+
+  // What the ranges above look up with.
+  edge_id edge_between(vert_id a, vert_id b) const {
+    const id_span<vert_id> near = adj_v2v(a);
+    for (std::size_t i = 0; i < near.size(); ++i)
+      if (near[i] == b) return adj_v2e(a)[i];
+    return {};
+  }
+  vert_id next_in_face(face_id f, vert_id v) const {
+    const id_span<vert_id> verts = adj_f2v(f);
+    for (const vert_id* at = verts.begin(); at != verts.end(); ++at)
+      if (*at == v) return at + 1 == verts.end() ? *verts.begin() : at[1];
+    return {};
+  }
+
+ private:
+  void check(std::size_t vert_count, const ragged<face_id>& polys) const {
+    detail::check_counts(vert_count, polys.size(), f2v_.num_values());
+    std::vector<std::uint32_t> met;
+    for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts({f2v_.begin(f), f2v_.end(f)}, vert_count, "face", f, met);
+    met.assign(f2v_.size(), ~0u);
+    for (std::size_t p = 0; p < polys.size(); ++p) {
+      if (polys.length(p) == 0) throw invalid_mesh("poly " + std::to_string(p) + " has no faces; it needs at least 1");
+      for (const face_id f : polys[p]) {
+        if (f.raw() >= f2v_.size())
+          throw invalid_mesh("poly " + std::to_string(p) + " names face " + std::to_string(f.raw()) + ", but the mesh has " + std::to_string(f2v_.size()) +
+                             " faces, numbered from 0");
+        if (met[f.raw()] == p) throw invalid_mesh("poly " + std::to_string(p) + " has face " + std::to_string(f.raw()) + " twice; its faces must differ");
+        met[f.raw()] = static_cast<std::uint32_t>(p);
+      }
+    }
+  }
+
+  void build(std::size_t vert_count, const ragged<face_id>& polys) {
+    std::vector<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
+    std::vector<std::uint32_t> scratch = build_edges(vert_count, f2e);
+    const std::size_t edge_count = e2v_.size();
+
+    detail::offsets counts(edge_count + 1, 0);
+    for (const edge_id e : f2e) ++counts[e.raw() + 1];
+    e2f_ = detail::make_rows<face_id>(std::move(counts));
+    {
+      std::vector<std::uint32_t> next(e2f_.shape()->begin(), e2f_.shape()->end() - 1);
+      face_id* const faces = e2f_.begin(0);
+      const edge_id* e = f2e.data();
+      for (std::size_t f = 0; f < f2v_.size(); ++f)
+        for (std::uint32_t n = f2v_.length(f); n > 0; --n) faces[next[(e++)->raw()]++] = face_id{f};
+    }
+
+    sides_ = {{polys.shape(), std::vector<face_id>(polys.num_values())}, {polys.shape(), std::vector<detail::across>(polys.num_values())}};
+    sides_.resize_facets(f2v_.size());
+    for (std::uint32_t p = 0; p < polys.size(); ++p)
+      for (std::uint32_t k = 0; k < polys.length(p); ++k) sides_.link(p, k, polys.begin(p)[k]);
+    sides_.finish();
+
+    build_corners(vert_count, f2e, std::move(scratch));
+    verts_ = detail::live<vert_id>(vert_count);
+    edges_ = detail::live<edge_id>(edge_count);
+    faces_ = detail::live<face_id>(f2v_.size());
+    polys_ = detail::live<poly_id>(polys.size());
+  }
+
+  /// Edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner. Returns scratch of one number a vert.
+  std::vector<std::uint32_t> build_edges(std::size_t vert_count, std::vector<edge_id>& f2e) {
+    const std::size_t corner_count = f2v_.num_values();
+    std::vector<std::uint32_t> first(vert_count + 1, 0), edge_to(vert_count);
+    // Corners by the smaller end of the edge that leaves them, with the other end beside.
+    struct half { std::uint32_t corner, far; };
+    const auto for_each_half = [&](auto&& use) {
+      std::uint32_t c = 0;
+      for (std::size_t f = 0; f < f2v_.size(); ++f) {
+        const id_span<vert_id> v = f2v_[f];
+        for (std::size_t i = 0; i < v.size(); ++i, ++c) {
+          const std::uint32_t a = v[i].raw(), b = v[i + 1 == v.size() ? 0 : i + 1].raw();
+          use(c, std::min(a, b), std::max(a, b));
+        }
+      }
+    };
+    for_each_half([&](std::uint32_t, std::uint32_t a, std::uint32_t) { ++first[a + 1]; });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<half> halves(corner_count);
+    std::copy(first.begin(), first.end() - 1, edge_to.begin());
+    for_each_half([&](std::uint32_t c, std::uint32_t a, std::uint32_t b) { halves[edge_to[a]++] = {c, b}; });
+
+    std::fill(edge_to.begin(), edge_to.end(), ~0u);
+    std::vector<vert_id> ends;
+    ends.reserve(corner_count * 2 / 3);
+    detail::offsets degrees(vert_count + 1, 0);
+    std::uint32_t num = 0;
+    for (std::uint32_t a = 0; a < vert_count; ++a) {
+      const std::uint32_t first_edge = num;
+      for (std::uint32_t i = first[a]; i < first[a + 1]; ++i) {
+        std::uint32_t e = edge_to[halves[i].far];
+        if (e == ~0u || e < first_edge) {
+          edge_to[halves[i].far] = e = num++;
+          ends.push_back(vert_id{a});
+          ends.push_back(vert_id{halves[i].far});
+          ++degrees[a + 1];
+          ++degrees[halves[i].far + 1];
+        }
+        f2e[halves[i].corner] = edge_id{e};
+      }
+    }
+    if (ends.capacity() > ends.size() + ends.size() / 32) ends.shrink_to_fit();
+    e2v_ = detail::rows<vert_id, 2>(std::move(ends));
+    detail::fill_stars(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
+    return edge_to;
+  }
+
+  /// Verts and edges of every poly, in the order in which its faces meet them, and polys of every vert.
+  void build_corners(std::size_t vert_count, const std::vector<edge_id>& f2e, std::vector<std::uint32_t> vert_met) {
+    const std::size_t poly_count = sides_.num_polys();
+    const vert_id* const corner_vert = f2v_.begin(0);
+    std::vector<std::uint32_t> edge_met(e2v_.size(), ~0u);
+    std::fill(vert_met.begin(), vert_met.end(), ~0u);
+    detail::offsets v_first(poly_count + 1, 0), e_first(poly_count + 1, 0), degrees(vert_count + 1, 0);
+    const auto walk = [&](auto&& new_vert, auto&& new_edge) {
+      for (std::uint32_t p = 0; p < poly_count; ++p)
+        for (const face_id f : sides_.facets(poly_id{p})) {
+          const auto at = static_cast<std::size_t>(f2v_.begin(f.raw()) - corner_vert);
+          for (std::size_t c = at; c < at + f2v_.length(f.raw()); ++c) {
+            const std::uint32_t v = corner_vert[c].raw(), e = f2e[c].raw();
+            if (vert_met[v] != p) vert_met[v] = p, new_vert(p, v);
+            if (edge_met[e] != p) edge_met[e] = p, new_edge(p, e);
+          }
+        }
+    };
+    walk([&](std::uint32_t p, std::uint32_t v) { ++v_first[p + 1], ++degrees[v + 1]; }, [&](std::uint32_t p, std::uint32_t) { ++e_first[p + 1]; });
+    std::fill(vert_met.begin(), vert_met.end(), ~0u);
+    std::fill(edge_met.begin(), edge_met.end(), ~0u);
+    p2v_ = detail::make_rows<vert_id>(std::move(v_first));
+    p2e_ = detail::make_rows<edge_id>(std::move(e_first));
+    v2p_ = detail::make_rows<poly_id>(std::move(degrees));
+    vert_id* next_vert = p2v_.begin(0);
+    edge_id* next_edge = p2e_.begin(0);
+    std::vector<std::uint32_t> next(v2p_.shape()->begin(), v2p_.shape()->end() - 1);
+    poly_id* const polys = v2p_.begin(0);
+    walk([&](std::uint32_t p, std::uint32_t v) { *next_vert++ = vert_id{v}, polys[next[v]++] = poly_id{p}; },
+         [&](std::uint32_t, std::uint32_t e) { *next_edge++ = edge_id{e}; });
+    if (*v2p_.shape() == *v2v_.shape()) v2p_.share_shape(v2v_);
+  }
+};
+
+}  // namespace concino

@@ -1,0 +1,39 @@
+// polyhedralmesh: a volume of general polyhedra.
+#pragma once
+
+#include <concino/mesh/native_mesh.hpp>
+#include <concino/mesh/polyhedra_tables.hpp>
+
+namespace concino {
+
+/// A volume of polyhedra with any number of faces of any size. Any lists can be represented: faces of no poly, polys that are not closed,
+/// more than two polys at a face. Elements are named by vert_id, edge_id, face_id, poly_id; verts, faces and polys are numbered as given.
+/// Everything is asked through the verbs: verts(m), adj_p2f(m, p), point(m, v) ...
+class polyhedralmesh : public detail::native_mesh<polyhedra_tables> {
+  using base = detail::native_mesh<polyhedra_tables>;
+
+ public:
+  polyhedralmesh() : polyhedralmesh(polyhedra_arrays{}) {}
+
+  /// From flat arrays, taken over without a copy.
+  /// Cost:   linear in time and memory.
+  /// Errors: invalid_mesh that names the face with fewer than 3 verts, or with a vert out of range or twice, the poly with no face, or with a
+  ///         face out of range or twice, or arrays that do not fit each other.
+  explicit polyhedralmesh(polyhedra_arrays a) : base(std::move(a.points), {}) {
+    tables() = polyhedra_tables(points().size(), std::move(a.face_offsets), std::move(a.face_verts), std::move(a.poly_offsets), std::move(a.poly_faces),
+                                std::move(a.outward));
+  }
+
+  /// From points, lists of verts and lists of {face, outward?}, in braces or in containers.
+  polyhedralmesh(point_list points, index_lists face_verts, face_lists poly_faces) : polyhedralmesh(detail::to_polyhedra({points}, face_verts, poly_faces)) {}
+  template<detail::PointRange Points, detail::IndexListRange Faces, class Polys>
+  polyhedralmesh(const Points& points, const Faces& face_ranges, const Polys& poly_ranges)
+      : polyhedralmesh(detail::to_polyhedra(detail::to_points(points), face_ranges, poly_ranges)) {}
+};
+
+template<>
+struct mesh_traits<polyhedralmesh> : detail::native_traits<polyhedralmesh, indexed_volume> {};
+
+static_assert(VolumeMesh<polyhedralmesh> && MutablePoints<polyhedralmesh> && !TetMesh<polyhedralmesh>);
+
+}  // namespace concino

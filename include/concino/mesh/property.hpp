@@ -1,0 +1,89 @@
+// Named, typed properties of a mesh's elements. They belong to the mesh, are copied with it, follow its elements through edits, and are read
+// and written by file formats that can hold them. For values that need no name, see element_map.hpp.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/mesh/property_set.hpp>
+
+#include <cassert>
+
+namespace concino {
+
+/// A handle to one property: `u[v]` reads and writes. It stays valid, with its values, even if the property is removed or the mesh is gone.
+/// Const: reads only.
+template<class Id, class T>
+class property_map {
+  std::shared_ptr<detail::column<std::remove_const_t<T>>> column_;
+
+ public:
+  using key_type = Id;
+  using value_type = std::remove_const_t<T>;
+
+  property_map() = default;
+  explicit property_map(std::shared_ptr<detail::column<std::remove_const_t<T>>> c) : column_(std::move(c)) {}
+
+  explicit operator bool() const { return column_ != nullptr; }
+  T& operator[](Id x) const {
+    assert(column_ && x.raw() < column_->cells.size());
+    return column_->cells[x.raw()].value;
+  }
+};
+
+template<class M>
+concept HasProperties = requires(std::remove_cvref_t<M>& m, const std::remove_cvref_t<M>& c) {
+  { traits<M>::properties(m) } -> std::same_as<property_set&>;
+  { traits<M>::properties(c) } -> std::same_as<const property_set&>;
+};
+
+/// The property `name` of m's verts (edges, faces, polys), made with default values if there is none.
+/// Needs:  a mesh of this library; T copyable with a default value.
+/// Result: a handle u, u[v] is T&.             Cost: O(elements) if it is made, else O(number of properties).
+/// Errors: invalid_argument if the property exists with values of another type.
+template<class T, HasProperties M>
+property_map<vert_t<M>, T> vert_property(M& m, std::string_view name) {
+  return property_map<vert_t<M>, T>(traits<M>::properties(m).template get<T>(element_kind::vert, name, vert_index_bound(m)));
+}
+template<class T, HasProperties M>
+property_map<edge_t<M>, T> edge_property(M& m, std::string_view name) {
+  return property_map<edge_t<M>, T>(traits<M>::properties(m).template get<T>(element_kind::edge, name, edge_index_bound(m)));
+}
+template<class T, HasProperties M>
+property_map<face_t<M>, T> face_property(M& m, std::string_view name) {
+  return property_map<face_t<M>, T>(traits<M>::properties(m).template get<T>(element_kind::face, name, face_index_bound(m)));
+}
+template<class T, HasProperties M>
+property_map<poly_t<M>, T> poly_property(M& m, std::string_view name) {
+  return property_map<poly_t<M>, T>(traits<M>::properties(m).template get<T>(element_kind::poly, name, poly_index_bound(m)));
+}
+
+/// The property `name`, to be read only; empty (tests false) if there is none. Errors as above.
+template<class T, HasProperties M>
+property_map<vert_t<M>, const T> find_vert_property(const M& m, std::string_view name) {
+  return property_map<vert_t<M>, const T>(traits<M>::properties(m).template find_column<T>(element_kind::vert, name));
+}
+template<class T, HasProperties M>
+property_map<edge_t<M>, const T> find_edge_property(const M& m, std::string_view name) {
+  return property_map<edge_t<M>, const T>(traits<M>::properties(m).template find_column<T>(element_kind::edge, name));
+}
+template<class T, HasProperties M>
+property_map<face_t<M>, const T> find_face_property(const M& m, std::string_view name) {
+  return property_map<face_t<M>, const T>(traits<M>::properties(m).template find_column<T>(element_kind::face, name));
+}
+template<class T, HasProperties M>
+property_map<poly_t<M>, const T> find_poly_property(const M& m, std::string_view name) {
+  return property_map<poly_t<M>, const T>(traits<M>::properties(m).template find_column<T>(element_kind::poly, name));
+}
+
+/// Kind, name and type of every property of m, in the order in which they were made.
+template<HasProperties M>
+std::vector<property_info> property_list(const M& m) {
+  return traits<M>::properties(m).list();
+}
+
+/// Takes a property out of m; false if there was none of that name. Handles to it keep its values.
+template<HasProperties M>
+bool remove_property(M& m, element_kind kind, std::string_view name) {
+  return traits<M>::properties(m).remove(kind, name);
+}
+
+}  // namespace concino

@@ -1,0 +1,38 @@
+// quadmesh: a surface of quadrilaterals.
+#pragma once
+
+#include <concino/mesh/native_mesh.hpp>
+
+namespace concino {
+
+/// A surface of quadrilaterals. Any list of them can be represented: open, in several pieces, with verts of no quadrilateral, with more than two
+/// quadrilaterals at an edge. Elements are named by vert_id, edge_id, poly_id; verts and polys are numbered as given.
+/// Everything is asked through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
+class quadmesh : public detail::native_mesh<surface_tables<4>> {
+  using base = detail::native_mesh<surface_tables<4>>;
+
+ public:
+  quadmesh() = default;
+
+  /// From flat arrays with arity 4, taken over without a copy.
+  /// Cost:   linear in time and memory.
+  /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
+  explicit quadmesh(surface_arrays a) : base(std::move(a.points), {}) {
+    if (a.arity != 4) a = detail::to_arity(std::move(a), 4);
+    tables() = surface_tables<4>(points().size(), std::move(a.verts));
+  }
+
+  /// From points and lists of 4 verts, in braces or in containers.
+  quadmesh(point_list points, index_lists poly_verts) : quadmesh(detail::to_surface({points}, poly_verts, 4)) {}
+  template<detail::PointRange Points, detail::IndexListRange Polys>
+  quadmesh(const Points& points, const Polys& poly_ranges) : quadmesh(detail::to_surface(detail::to_points(points), poly_ranges, 4)) {}
+};
+
+template<>
+struct mesh_traits<quadmesh> : detail::native_traits<quadmesh, indexed_surface> {
+  static constexpr int arity = 4;
+};
+
+static_assert(QuadMesh<quadmesh> && MutablePoints<quadmesh>);
+
+}  // namespace concino

@@ -1,0 +1,205 @@
+// Rows of values in one flat array: `rows<T, N>` with N values a row, `rows<T, 0>` with as many as each row needs. All connectivity of
+// the library's own meshes lives in these.
+#pragma once
+
+#include <concino/concepts/descriptors.hpp>
+#include <concino/concepts/ranges.hpp>
+#include <concino/error.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+using offsets = std::vector<std::uint32_t>;
+
+/// Turns counts[i + 1] = size of row i into where each row begins.
+inline void sum_up(offsets& counts) {
+  std::uint64_t sum = 0;
+  for (std::uint32_t& c : counts) {
+    sum += c;
+    if (sum > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+    c = static_cast<std::uint32_t>(sum);
+  }
+}
+
+template<class T, unsigned N>
+class rows {
+  std::vector<T> data_;
+
+ public:
+  rows() = default;
+  explicit rows(std::vector<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
+  rows(std::size_t n, const T& value) : data_(n * N, value) {}
+
+  std::size_t size() const { return data_.size() / N; }
+  const T* begin(std::size_t i) const { return data_.data() + i * N; }
+  const T* end(std::size_t i) const { return data_.data() + i * N + N; }
+  T* begin(std::size_t i) { return data_.data() + i * N; }
+  id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
+  static constexpr std::uint32_t length(std::size_t) { return N; }
+  std::size_t num_values() const { return data_.size(); }
+
+  template<class It>
+  void add_row(It first, It last) {
+    assert(last - first == N);
+    data_.insert(data_.end(), first, last);
+  }
+  void reserve(std::size_t n) { data_.reserve(n * N); }
+  void shrink_to_fit() { data_.shrink_to_fit(); }
+};
+
+/// Rows of any lengths. While nothing was edited the rows lie one after another and row i ends where row i+1 begins, so one array of
+/// offsets says all, and tables whose rows have equal lengths share it. The first edit that changes a row's length gives every row an
+/// end of its own ("loose"); a row that outgrows its room moves to the end. Reading is the same in both states: a row is what lies between first_[i]
+/// and last_[i], and packed rows just have last_ = first_ + 1.
+template<class T>
+class rows<T, 0> {
+  std::shared_ptr<const offsets> packed_;
+  offsets loose_first_, loose_last_, room_;
+  const std::uint32_t* first_ = nullptr;
+  const std::uint32_t* last_ = nullptr;
+  std::size_t size_ = 0;
+  std::vector<T> data_;
+  std::size_t unused_ = 0;
+
+  void aim() {
+    first_ = packed_ ? packed_->data() : loose_first_.data();
+    last_ = packed_ ? packed_->data() + 1 : loose_last_.data();
+  }
+
+  void loosen() {
+    if (!packed_ && first_) return;
+    offsets first(size_), last(size_), room(size_);
+    for (std::size_t i = 0; i < size_; ++i) {
+      first[i] = first_[i];
+      last[i] = last_[i];
+      room[i] = last[i] - first[i];
+    }
+    loose_first_ = std::move(first);
+    loose_last_ = std::move(last);
+    room_ = std::move(room);
+    packed_.reset();
+    aim();
+  }
+
+  void check_room(std::size_t more) const {
+    if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+  }
+
+  void move_row(std::size_t i, std::uint32_t room) {
+    check_room(room);
+    const std::size_t n = loose_last_[i] - loose_first_[i];
+    const std::size_t from = loose_first_[i], to = data_.size();
+    data_.resize(to + room);
+    std::copy_n(data_.begin() + static_cast<std::ptrdiff_t>(from), n, data_.begin() + static_cast<std::ptrdiff_t>(to));
+    unused_ += room_[i];
+    loose_first_[i] = static_cast<std::uint32_t>(to);
+    loose_last_[i] = static_cast<std::uint32_t>(to + n);
+    room_[i] = room;
+  }
+
+ public:
+  rows() = default;
+  rows(std::shared_ptr<const offsets> where, std::vector<T> data) : packed_(std::move(where)), data_(std::move(data)) {
+    assert(packed_ && !packed_->empty() && packed_->back() == data_.size());
+    size_ = packed_->size() - 1;
+    aim();
+  }
+  rows(const rows& o)
+      : packed_(o.packed_), loose_first_(o.loose_first_), loose_last_(o.loose_last_), room_(o.room_), size_(o.size_), data_(o.data_), unused_(o.unused_) {
+    if (o.first_) aim();
+  }
+  rows(rows&& o) noexcept { swap(o); }
+  rows& operator=(rows o) noexcept {
+    swap(o);
+    return *this;
+  }
+  void swap(rows& o) noexcept {
+    using std::swap;
+    swap(packed_, o.packed_), swap(loose_first_, o.loose_first_), swap(loose_last_, o.loose_last_), swap(room_, o.room_);
+    swap(first_, o.first_), swap(last_, o.last_), swap(size_, o.size_), swap(data_, o.data_), swap(unused_, o.unused_);
+  }
+
+  std::size_t size() const { return size_; }
+  const T* begin(std::size_t i) const { return data_.data() + first_[i]; }
+  const T* end(std::size_t i) const { return data_.data() + last_[i]; }
+  T* begin(std::size_t i) { return data_.data() + first_[i]; }
+  id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
+  std::uint32_t length(std::size_t i) const { return last_[i] - first_[i]; }
+  std::size_t num_values() const { return data_.size() - unused_; }
+
+  /// The offsets that other rows of the same lengths may share; null once a row was edited.
+  const std::shared_ptr<const offsets>& shape() const { return packed_; }
+  /// Takes over equal offsets, so that the two tables hold them once.
+  template<class U>
+  void share_shape(const rows<U, 0>& o) {
+    assert(packed_ && o.shape() && *packed_ == *o.shape());
+    packed_ = o.shape();
+    aim();
+  }
+
+  template<class It>
+  void add_row(It from, It to) {
+    loosen();
+    const auto n = static_cast<std::uint32_t>(to - from);
+    check_room(n);
+    loose_first_.push_back(static_cast<std::uint32_t>(data_.size()));
+    data_.insert(data_.end(), from, to);
+    loose_last_.push_back(static_cast<std::uint32_t>(data_.size()));
+    room_.push_back(n);
+    ++size_;
+    aim();
+  }
+  void push(std::size_t i, const T& value) {
+    loosen();
+    if (length(i) == room_[i]) move_row(i, std::max<std::uint32_t>(4, 2 * room_[i]));
+    data_[loose_last_[i]++] = value;
+  }
+  /// Takes the value out of row i; the others keep their order.
+  void remove(std::size_t i, const T& value) {
+    loosen();
+    T* const e = data_.data() + loose_last_[i];
+    T* const at = std::find(begin(i), e, value);
+    if (at == e) return;
+    std::move(at + 1, e, at);
+    --loose_last_[i];
+  }
+  void clear_row(std::size_t i) {
+    loosen();
+    loose_last_[i] = loose_first_[i];
+  }
+};
+
+/// Rows to be filled by the caller; lengths[i + 1] says how long row i is, lengths[0] is 0.
+template<class T>
+rows<T, 0> make_rows(offsets lengths, const T& value = T{}) {
+  sum_up(lengths);
+  auto where = std::make_shared<const offsets>(std::move(lengths));
+  std::vector<T> data(where->back(), value);
+  return {std::move(where), std::move(data)};
+}
+
+/// Neighbours and edges of every vert from the ends of every edge. degrees[v + 1] is the number of edges at v; `next` is scratch of one
+/// number a vert.
+inline void fill_stars(offsets degrees, const rows<vert_id, 2>& ends, std::vector<std::uint32_t>& next, rows<vert_id, 0>& v2v, rows<edge_id, 0>& v2e) {
+  v2v = make_rows<vert_id>(std::move(degrees));
+  v2e = {v2v.shape(), std::vector<edge_id>(v2v.num_values())};
+  std::copy_n(v2v.shape()->begin(), next.size(), next.begin());
+  vert_id* const verts = v2v.begin(0);
+  edge_id* const edges = v2e.begin(0);
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    const vert_id a = ends.begin(e)[0], b = ends.begin(e)[1];
+    const std::uint32_t i = next[a.raw()]++, j = next[b.raw()]++;
+    verts[i] = b;
+    verts[j] = a;
+    edges[i] = edges[j] = edge_id{e};
+  }
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,39 @@
+// tetmesh: a volume of tetrahedra.
+#pragma once
+
+#include <concino/mesh/cell_tables.hpp>
+#include <concino/mesh/native_mesh.hpp>
+
+namespace concino {
+
+/// A volume of tetrahedra. Any list of them can be represented: in several pieces, with verts of none, with more than two polys at a face.
+/// The verts of each stand in the standard order (law VM7). Elements are named by vert_id, edge_id, face_id, poly_id; verts and polys are
+/// numbered as given. Everything is asked through the verbs: verts(m), adj_p2f(m, p), point(m, v) ...
+class tetmesh : public detail::native_mesh<tet_tables> {
+  using base = detail::native_mesh<tet_tables>;
+
+ public:
+  tetmesh() = default;
+
+  /// From flat arrays with arity 4, taken over without a copy.
+  /// Cost:   linear in time and memory.
+  /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
+  explicit tetmesh(cell_arrays a) : base(std::move(a.points), {}) {
+    if (a.arity != 4) throw invalid_mesh("the arrays hold polys of " + std::to_string(a.arity) + " verts; a tetmesh needs 4");
+    tables() = tet_tables(points().size(), std::move(a.verts));
+  }
+
+  /// From points and lists of 4 verts, in braces or in containers.
+  tetmesh(point_list points, index_lists poly_verts) : tetmesh(detail::to_cells({points}, poly_verts, 4)) {}
+  template<detail::PointRange Points, detail::IndexListRange Polys>
+  tetmesh(const Points& points, const Polys& poly_ranges) : tetmesh(detail::to_cells(detail::to_points(points), poly_ranges, 4)) {}
+};
+
+template<>
+struct mesh_traits<tetmesh> : detail::native_traits<tetmesh, indexed_volume> {
+  static constexpr int arity = 4;
+};
+
+static_assert(TetMesh<tetmesh> && MutablePoints<tetmesh>);
+
+}  // namespace concino

@@ -1,0 +1,38 @@
+// trimesh: a surface of triangles.
+#pragma once
+
+#include <concino/mesh/native_mesh.hpp>
+
+namespace concino {
+
+/// A surface of triangles. Any list of them can be represented: open, in several pieces, with verts of no triangle, with more than two
+/// triangles at an edge. Elements are named by vert_id, edge_id, poly_id; verts and polys are numbered as given.
+/// Everything is asked through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
+class trimesh : public detail::native_mesh<surface_tables<3>> {
+  using base = detail::native_mesh<surface_tables<3>>;
+
+ public:
+  trimesh() = default;
+
+  /// From flat arrays with arity 3, taken over without a copy.
+  /// Cost:   linear in time and memory.
+  /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
+  explicit trimesh(surface_arrays a) : base(std::move(a.points), {}) {
+    if (a.arity != 3) a = detail::to_arity(std::move(a), 3);
+    tables() = surface_tables<3>(points().size(), std::move(a.verts));
+  }
+
+  /// From points and lists of 3 verts, in braces or in containers.
+  trimesh(point_list points, index_lists poly_verts) : trimesh(detail::to_surface({points}, poly_verts, 3)) {}
+  template<detail::PointRange Points, detail::IndexListRange Polys>
+  trimesh(const Points& points, const Polys& poly_ranges) : trimesh(detail::to_surface(detail::to_points(points), poly_ranges, 3)) {}
+};
+
+template<>
+struct mesh_traits<trimesh> : detail::native_traits<trimesh, indexed_surface> {
+  static constexpr int arity = 3;
+};
+
+static_assert(TriMesh<trimesh> && MutablePoints<trimesh>);
+
+}  // namespace concino
