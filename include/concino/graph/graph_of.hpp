@@ -1,0 +1,109 @@
+// One graph for algorithms that run on verts as well as on polys: nodes, neighbours and index, picked by the type of the node.
+#pragma once
+
+#include <concino/concepts/dual_graph.hpp>
+#include <concino/concepts/mesh.hpp>
+#include <concino/concepts/primal_graph.hpp>
+#include <concino/error.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/message.hpp>
+
+#include <initializer_list>
+#include <string>
+#include <type_traits>
+
+namespace concino::detail {
+
+/// Verts joined by edges.
+template<PrimalGraph M>
+struct primal_graph {
+  using mesh = M;
+  using node = vert_t<M>;
+  static constexpr const char* word = "vert";
+  const M& m;
+
+  std::size_t num_nodes() const { return static_cast<std::size_t>(num_verts(m)); }
+  std::size_t bound() const { return static_cast<std::size_t>(vert_index_bound(m)); }
+  std::size_t index(const node& v) const { return index_of(m, v); }
+  decltype(auto) nodes() const { return verts(m); }
+  decltype(auto) neighbours(const node& v) const { return adj_v2v(m, v); }
+};
+
+/// Polys joined by shared edges (surfaces) or faces (volumes).
+template<DualGraph M>
+struct dual_graph {
+  using mesh = M;
+  using node = poly_t<M>;
+  static constexpr const char* word = "poly";
+  const M& m;
+
+  std::size_t num_nodes() const { return static_cast<std::size_t>(num_polys(m)); }
+  std::size_t bound() const { return static_cast<std::size_t>(poly_index_bound(m)); }
+  std::size_t index(const node& p) const { return index_of(m, p); }
+  decltype(auto) nodes() const { return polys(m); }
+  decltype(auto) neighbours(const node& p) const { return adj_p2p(m, p); }
+};
+
+// Which graph does X mean? The one whose nodes are of that very type, else the only one whose nodes X converts to (handles of a
+// library often come in a plain and a smart flavour).
+template<class M, class X> concept names_vert = PrimalGraph<M> && std::same_as<X, vert_t<M>>;
+template<class M, class X> concept names_poly = DualGraph<M> && std::same_as<X, poly_t<M>>;
+template<class M, class X> concept becomes_vert = PrimalGraph<M> && std::convertible_to<X, vert_t<M>>;
+template<class M, class X> concept becomes_poly = DualGraph<M> && std::convertible_to<X, poly_t<M>>;
+
+template<class M, class X> struct graph_for {};
+template<class M, class X>
+  requires names_vert<M, X> || (becomes_vert<M, X> && !names_poly<M, X> && !becomes_poly<M, X>)
+struct graph_for<M, X> { using type = primal_graph<std::remove_cvref_t<M>>; };
+template<class M, class X>
+  requires names_poly<M, X> || (becomes_poly<M, X> && !names_vert<M, X> && !becomes_vert<M, X>)
+struct graph_for<M, X> { using type = dual_graph<std::remove_cvref_t<M>>; };
+
+template<class S> concept any_range = requires(const S& s) { s.begin(); s.end(); *s.begin(); };
+
+/// What a source says: itself if it is a node, what it holds if it is a container of nodes.
+template<class M, class S> struct graph_of_source : graph_for<M, S> {};
+template<class M, any_range S>
+struct graph_of_source<M, S> : graph_for<M, std::remove_cvref_t<decltype(*std::declval<const S&>().begin())>> {};
+
+template<class M, class S> using graph_of = typename graph_of_source<std::remove_cvref_t<M>, S>::type;
+template<class M, class S> using node_of = typename graph_of<M, S>::node;
+
+template<class T, class G>
+auto make_node_map(const G& g, const T& init) {
+  return element_map<typename G::mesh, typename G::node, T>(g.m, g.bound(), init);
+}
+
+template<class G>
+std::string name_of(const G& g, const typename G::node& x) {
+  return std::string(G::word) + " " + number_text(g.index(x));
+}
+
+template<class G>
+void expect_node(const G& g, const typename G::node& x, const char* who, const char* role) {
+  if (contains(g.m, x)) return;
+  throw invalid_mesh(std::string(who) + ": the " + role + " is no " + G::word + " of the mesh; take one from " + G::word + "s(m)");
+}
+
+/// Calls visit(node) for the one source or each of several, after checking that the mesh has it.
+template<class G, class S, class F>
+void for_each_source(const G& g, const S& source, const char* who, F&& visit) {
+  const auto take = [&](const typename G::node& x) {
+    expect_node(g, x, who, "source");
+    visit(x);
+  };
+  if constexpr (any_range<S>) {
+    for (const auto& x : source) take(static_cast<typename G::node>(x));
+  } else {
+    take(static_cast<typename G::node>(source));
+  }
+}
+
+}  // namespace concino::detail
+
+namespace concino::requirement {
+
+/// S is a vert or a poly of M, or a container of either.
+template<class M, class S> concept is_source = requires { typename concino::detail::graph_of<M, S>; };
+
+}  // namespace concino::requirement

@@ -1,0 +1,95 @@
+// The priority queue of shortest paths: nodes by distance, each at most once, the distance of a waiting node may fall.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace concino::detail {
+
+/// A heap of four children per entry that knows where each node stands. Distance and place of a node share a cache line, so that
+/// lowering a distance touches nothing else; taking the least moves the hole down to a leaf before the last entry is put back, which
+/// compares less than sinking it from the top.
+template<class Node>
+class indexed_heap {
+  struct entry {
+    double key;
+    Node node;
+    std::uint32_t slot;
+  };
+  struct slot_state {
+    double key = std::numeric_limits<double>::infinity();
+    std::uint32_t place = 0;
+  };
+  static constexpr std::size_t arity = 4;
+
+  std::vector<entry> heap_;
+  std::vector<slot_state> slots_;
+
+  void put(std::size_t i, const entry& e) {
+    heap_[i] = e;
+    slots_[e.slot].place = static_cast<std::uint32_t>(i);
+  }
+  void rise(std::size_t i, const entry& e) {
+    while (i > 0) {
+      const std::size_t parent = (i - 1) / arity;
+      if (!(e.key < heap_[parent].key)) break;
+      put(i, heap_[parent]);
+      i = parent;
+    }
+    put(i, e);
+  }
+
+ public:
+  explicit indexed_heap(std::size_t bound) : slots_(bound) {}
+
+  bool empty() const { return heap_.empty(); }
+  double least() const { return heap_.front().key; }
+  /// The lowest distance set so far, +inf if none was.
+  double key(std::size_t slot) const { return slots_[slot].key; }
+
+  /// Needs: key < this->key(slot).
+  void lower(const Node& node, std::size_t slot, double key) {
+    const entry e{key, node, static_cast<std::uint32_t>(slot)};
+    std::size_t i = slots_[slot].place;
+    if (slots_[slot].key == std::numeric_limits<double>::infinity()) {
+      i = heap_.size();
+      heap_.push_back(e);
+    }
+    slots_[slot].key = key;
+    rise(i, e);
+  }
+
+  struct popped { Node node; std::size_t slot; double key; };
+
+  popped pop() {
+    const entry top = heap_.front();
+    const entry last = heap_.back();
+    heap_.pop_back();
+    const std::size_t n = heap_.size();
+    if (n > 0) {
+      std::size_t hole = 0;
+      for (std::size_t first = 1; first < n; first = hole * arity + 1) {
+        std::size_t best = first;
+        if (first + arity <= n) {
+          for (std::size_t j = 1; j < arity; ++j) best = heap_[first + j].key < heap_[best].key ? first + j : best;
+        } else {
+          for (std::size_t j = first + 1; j < n; ++j) best = heap_[j].key < heap_[best].key ? j : best;
+        }
+        put(hole, heap_[best]);
+        hole = best;
+      }
+      rise(hole, last);
+    }
+    return {top.node, top.slot, top.key};
+  }
+
+  /// Takes back the distances of the nodes that still wait.
+  void forget_waiting() {
+    for (const entry& e : heap_) slots_[e.slot].key = std::numeric_limits<double>::infinity();
+    heap_.clear();
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,84 @@
+// Lengths of arcs as shortest paths see them: the caller's callable, or Euclidean distance between verts or between polys' centres.
+#pragma once
+
+#include <concino/geometry/centroid.hpp>
+#include <concino/geometry/vec3.hpp>
+#include <concino/graph/graph_of.hpp>
+
+#include <limits>
+#include <vector>
+
+namespace concino::detail {
+
+/// from(v)(w, gap) is the length of the arc v -> w. Where the length is known not to be below gap it may be +inf instead: a longer step
+/// would not improve anything.
+template<class L>
+struct given_lengths {
+  const L& length;
+
+  template<class Node>
+  auto from(const Node& v) const {
+    return [this, v](const Node& w, double) { return static_cast<double>(length(v, w)); };
+  }
+};
+
+/// The distance of a and b, or +inf if it is sure to be at least gap. Comparing squares first saves most square roots; the margin
+/// keeps the answer to the last bit what it is without that comparison.
+inline double distance_below(const vec3& a, const vec3& b, double gap) {
+  const vec3 step = a - b;
+  if (dot(step, step) > gap * gap * (1 + 4e-15) + 1e-290) return std::numeric_limits<double>::infinity();
+  return norm(step);
+}
+
+/// Between verts. A neighbour that is as near as v itself cannot improve, and its coordinates are not looked at; if they are no numbers,
+/// the step from that neighbour to v has said so before.
+template<Embedded M>
+struct euclidean_vert_lengths {
+  const M& m;
+
+  auto from(const vert_t<M>& v) const {
+    return [this, p = to_vec3(point(m, v))](const vert_t<M>& w, double gap) {
+      if (gap <= 0) return std::numeric_limits<double>::infinity();
+      return distance_below(p, to_vec3(point(m, w)), gap);
+    };
+  }
+};
+
+/// Between the centres of polys, each computed once.
+template<class M>
+  requires AnyMesh<M> && Embedded<M>
+class euclidean_poly_lengths {
+  const M& m_;
+  std::vector<vec3> centres_;
+
+ public:
+  explicit euclidean_poly_lengths(const M& m) : m_(m), centres_(static_cast<std::size_t>(poly_index_bound(m))) {
+    for (const poly_t<M> p : polys(m)) centres_[index_of(m, p)] = vert_mean(m, p);
+  }
+
+  auto from(const poly_t<M>& p) const {
+    return [this, c = centres_[index_of(m_, p)]](const poly_t<M>& q, double gap) {
+      if (gap <= 0) return std::numeric_limits<double>::infinity();
+      return distance_below(c, centres_[index_of(m_, q)], gap);
+    };
+  }
+};
+
+template<class M>
+  requires Embedded<M>
+auto default_lengths(const primal_graph<M>& g) { return euclidean_vert_lengths<M>{g.m}; }
+
+template<class M>
+  requires AnyMesh<M> && Embedded<M>
+auto default_lengths(const dual_graph<M>& g) { return euclidean_poly_lengths<M>(g.m); }
+
+}  // namespace concino::detail
+
+namespace concino::requirement {
+
+/// The graph that S means has coordinates to measure by: of verts, or of the verts of polys.
+template<class M, class S> concept has_lengths = is_source<M, S> && requires(const concino::detail::graph_of<M, S>& g) { concino::detail::default_lengths(g); };
+
+template<class L, class N> concept is_length = requires(const L& length, const N& v) { static_cast<double>(length(v, v)); };
+
+}  // namespace concino::requirement
