@@ -3,7 +3,7 @@
 //
 // Laws:
 //   DG1  index_of is below poly_index_bound and differs between polys
-//   DG2  walking polys(m) meets num_polys(m) polys, each once
+//   DG2  walking polys(m) meets num_polys(m) polys, each once, and the same ones when walked again; `contains`, where offered, agrees
 //   DG3  q is in adj_p2p(p) exactly if p is in adj_p2p(q)
 //   DG4  adj_p2p(p) holds neither p itself nor any poly twice, and only polys of m
 #pragma once

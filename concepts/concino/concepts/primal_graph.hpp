@@ -2,7 +2,7 @@
 //
 // Laws (the compiler cannot check them; check_laws of <concino/validate.hpp> does):
 //   PG1  index_of is below vert_index_bound and differs between verts
-//   PG2  walking verts(m) meets num_verts(m) verts, each once
+//   PG2  walking verts(m) meets num_verts(m) verts, each once, and the same ones when walked again; `contains`, where offered, agrees
 //   PG3  w is in adj_v2v(v) exactly if v is in adj_v2v(w)
 //   PG4  adj_v2v(v) holds neither v itself nor any vert twice, and only verts of m
 #pragma once

@@ -7,6 +7,7 @@
 //        adj_p2e(p); no vert twice, as many edges as verts
 //   SM4  adj_e2p mirrors adj_p2e and adj_v2p mirrors adj_p2v, nothing twice
 //   SM5  adj_p2p(p) is the polys that share an edge with p
+//   SM6  where the type fixes the arity, adj_p2v(p) is that many verts
 #pragma once
 
 #include <concino/concepts/mesh_requirements.hpp>

@@ -7,8 +7,8 @@
 //   VM3  adj_e2f mirrors adj_f2e, adj_v2f mirrors adj_f2v, adj_f2p mirrors adj_p2f, nothing twice
 //   VM4  adj_p2v(p) and adj_p2e(p) are the verts and edges of p's faces, adj_v2p and adj_e2p mirror them, nothing twice
 //   VM5  adj_p2p(p) is the polys that share a face with p
-//   VM6  a closed poly whose faces agree is wound consistently: of the two faces at each of its edges one, turned outward, runs along
-//        the edge and the other against it
+//   VM6  a poly each of whose edges lies in two of its faces is wound consistently: of these two one, turned outward, runs along the edge
+//        and the other against it
 //   VM7  where polys are tets or hexes by type, adj_p2v lists 4 or 8 verts in the standard order: the tet's faces are 0 2 1, 0 1 3,
 //        0 3 2, 1 2 3, the hex's 0 3 2 1, 1 2 6 5, 4 5 6 7, 3 0 4 7, 0 1 5 4, 2 3 7 6, in any order
 #pragma once

@@ -1,0 +1,4 @@
+// Is this mesh what it claims to be? Everything of the module validate.
+#pragma once
+
+#include <concino/validate/check_laws.hpp>

@@ -1,0 +1,41 @@
+// What check_laws finds.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+/// One law of a concept, broken at one place. The laws are listed in the concept headers (<concino/concepts/primal_graph.hpp> ...).
+struct broken_law {
+  std::string law;      ///< "PG3"
+  std::string what;     ///< a sentence: what was found there
+  std::string witness;  ///< the elements, by letter and index_of: "v7 v9"
+};
+
+namespace detail {
+
+/// Collects broken laws, at most a handful of each: the first witnesses explain a mistake, the millionth does not.
+class law_log {
+  std::vector<broken_law> found_;
+
+ public:
+  static constexpr std::size_t per_law = 4;
+
+  std::size_t count(const char* law) const {
+    std::size_t n = 0;
+    for (const broken_law& b : found_) n += b.law == law;
+    return n;
+  }
+  bool full(const char* law) const { return count(law) >= per_law; }
+  void add(const char* law, std::string what, std::string witness) {
+    if (!full(law)) found_.push_back({law, std::move(what), std::move(witness)});
+  }
+  std::vector<broken_law> take() { return std::move(found_); }
+};
+
+}  // namespace detail
+
+}  // namespace concino

@@ -1,0 +1,54 @@
+// check_laws: does a mesh keep what its concepts promise beyond what the compiler sees? For the tests of anybody's mesh or adapter.
+#pragma once
+
+#include <concino/validate/surface_laws.hpp>
+#include <concino/validate/volume_laws.hpp>
+
+#include <cmath>
+
+namespace concino {
+
+namespace detail {
+
+template<class M>
+void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) {
+  for (position v = 0; v < vs.size() && !log.full("EM1"); ++v) {
+    try {
+      const auto& x = point(m, vs.items[v]);
+      if (!std::isfinite(static_cast<double>(x[0])) || !std::isfinite(static_cast<double>(x[1])) || !std::isfinite(static_cast<double>(x[2])))
+        log.add("EM1", "point(" + vs.name(v) + ") is not three finite numbers", vs.name(v));
+    } catch (const std::exception& e) {
+      log.add("EM1", "point(" + vs.name(v) + ") throws: " + e.what(), vs.name(v));
+    }
+  }
+}
+
+}  // namespace detail
+
+/// The laws that m breaks, of every concept that M models; empty if it keeps them all.
+/// Needs:  PrimalGraph or DualGraph M; AnyMesh and Embedded are checked where M models them.
+/// Result: at most four witnesses per law, in the order of the concepts. Meshes that answer nonsense (indices out of bounds, one-sided
+///         adjacency, endless walks, exceptions) are described, not believed: nothing is asked about an element that the walks do not meet.
+///         Where the indices of a kind of elements are at fault (PG1, DG1, SM1, VM1), repair these first: what follows from them is not told.
+/// Cost:   O(elements + adjacencies) time and memory.
+template<class M>
+  requires PrimalGraph<M> || DualGraph<M>
+std::vector<broken_law> check_laws(const M& m) {
+  detail::law_log log;
+  if constexpr (AnyMesh<M>) {
+    const auto primal = detail::check_primal_graph(m, log);
+    const auto dual = detail::check_dual_graph(m, log);
+    if constexpr (SurfaceMesh<M>) detail::check_surface_mesh(m, primal, dual, log);
+    else detail::check_volume_mesh(m, primal, dual, log);
+    if constexpr (Embedded<M>) detail::check_points(m, primal.nodes, log);
+  } else {
+    if constexpr (PrimalGraph<M>) {
+      [[maybe_unused]] const auto primal = detail::check_primal_graph(m, log);
+      if constexpr (Embedded<M>) detail::check_points(m, primal.nodes, log);
+    }
+    if constexpr (DualGraph<M>) detail::check_dual_graph(m, log);
+  }
+  return log.take();
+}
+
+}  // namespace concino

@@ -1,0 +1,270 @@
+// Each law, broken on purpose, is found under its own number with a witness; the mesh as it was breaks none.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/validate/check_laws.hpp>
+
+#include "../support/liar.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <stdexcept>
+
+namespace cn = concino;
+
+namespace {
+
+using surface = tiny::liar<tiny::surface>;
+using volume = tiny::liar<tiny::volume>;
+static_assert(cn::SurfaceMesh<surface> && !cn::VolumeMesh<surface> && cn::VolumeMesh<volume> && cn::Embedded<volume>);
+
+surface example(const surface*) { return surface(tiny::surface_example()); }
+volume example(const volume*) { return volume(tiny::volume_example()); }
+
+std::string list(const std::vector<cn::broken_law>& found) {
+  std::string s;
+  for (const auto& b : found) s += b.law + ": " + b.what + " [" + b.witness + "]\n";
+  return s;
+}
+bool names(const std::vector<cn::broken_law>& found, std::string_view law, std::string_view witness) {
+  for (const auto& b : found)
+    if (b.law == law && b.witness == witness && !b.what.empty()) return true;
+  return false;
+}
+
+/// A ring of `verb` at `a` is replaced.
+template<class M>
+std::vector<cn::broken_law> with_ring(const char* verb, int a, std::vector<int> instead) {
+  M m = example(static_cast<M*>(nullptr));
+  m.ring = [=](std::string_view asked, int x, std::vector<int>& ring) { if (asked == verb && x == a) ring = instead; };
+  auto found = cn::check_laws(m);
+  INFO(list(found));
+  CHECK_FALSE(found.empty());
+  return found;
+}
+template<class M>
+std::vector<cn::broken_law> with_number(const char* verb, int a, std::size_t instead, int b = -1) {
+  M m = example(static_cast<M*>(nullptr));
+  m.number = [=](std::string_view asked, int x, int y, std::size_t n) { return asked == verb && x == a && y == b ? instead : n; };
+  auto found = cn::check_laws(m);
+  INFO(list(found));
+  CHECK_FALSE(found.empty());
+  return found;
+}
+template<class M>
+void law_by_ring(const char* law, const char* witness, const char* verb, int a, std::vector<int> instead) {
+  const auto found = with_ring<M>(verb, a, instead);
+  INFO(std::string(verb) << " " << a << "\n" << list(found));
+  CHECK(names(found, law, witness));
+}
+template<class M>
+void law_by_number(const char* law, const char* witness, const char* verb, int a, std::size_t instead, int b = -1) {
+  const auto found = with_number<M>(verb, a, instead, b);
+  INFO(std::string(verb) << " " << a << "\n" << list(found));
+  CHECK(names(found, law, witness));
+}
+/// Nothing but this law is broken.
+void only(const std::vector<cn::broken_law>& found, std::string_view law) {
+  INFO(list(found));
+  for (const auto& b : found) CHECK(b.law == law);
+}
+
+}  // namespace
+
+TEST_CASE("honest meshes and their archetypes break no law") {
+  const surface s(tiny::surface_example());
+  const volume w(tiny::volume_example());
+  CHECK(cn::check_laws(s).empty());
+  CHECK(cn::check_laws(w).empty());
+  CHECK(cn::check_laws(tiny::surface()).empty());
+  CHECK(cn::check_laws(tiny::volume()).empty());
+  CHECK(cn::check_laws(cn::only_primal_graph(w)).empty());
+  CHECK(cn::check_laws(cn::only_embedded_graph(s)).empty());
+  CHECK(cn::check_laws(cn::only_dual_graph(w)).empty());
+  CHECK(cn::check_laws(cn::only_graphs(s)).empty());
+  CHECK(cn::check_laws(cn::only_mesh(s)).empty());
+  CHECK(cn::check_laws(cn::only_embedded_mesh(w)).empty());
+  CHECK(cn::check_laws(cn::archetypes::owner<decltype(cn::only_embedded_mesh(w))>(w)).empty());
+}
+
+TEST_CASE_TEMPLATE("the laws of graphs", M, surface, volume) {
+  law_by_number<M>("PG1", "v99", "index_of v", 3, 99);
+  law_by_number<M>("PG1", "v2", "index_of v", 3, 2);
+  law_by_number<M>("PG1", "v7", "vert_index_bound", -1, 7);
+  law_by_number<M>("PG2", "", "num_verts", -1, 99);
+  law_by_ring<M>("PG2", "v1", "verts", -1, {0, 1, 1, 2, 3, 4, 5, 6});
+  law_by_ring<M>("PG4", "v1 v2", "adj_v2v", 1, {0, 2, 2, 5});
+  law_by_ring<M>("PG4", "v1", "adj_v2v", 1, {0, 2, 1});
+  law_by_ring<M>("PG4", "v1 v1234", "adj_v2v", 1, {0, 2, 1234});
+  law_by_ring<M>("PG3", "v2 v1", "adj_v2v", 1, {0});
+  law_by_number<M>("DG1", "p99", "index_of p", 1, 99);
+  law_by_number<M>("DG1", "p0", "index_of p", 1, 0);
+  law_by_number<M>("DG2", "", "num_polys", -1, 99);
+  law_by_ring<M>("DG2", "p0", "polys", -1, {0, 0});
+  law_by_ring<M>("DG4", "p0 p1", "adj_p2p", 0, {1, 1});
+  law_by_ring<M>("DG4", "p0", "adj_p2p", 0, {0, 1});
+  law_by_ring<M>("DG4", "p0 p1234", "adj_p2p", 0, {1234, 1});
+  law_by_ring<M>("DG3", "p1 p0", "adj_p2p", 0, {});
+}
+
+TEST_CASE_TEMPLATE("the laws of edges and points", M, surface, volume) {
+  law_by_number<M>("SM1", "e99", "index_of e", 3, 99);
+  law_by_number<M>("SM1", "e2", "index_of e", 3, 2);
+  law_by_number<M>("SM1", "", "num_edges", -1, 3);
+  law_by_ring<M>("SM2", "e0", "adj_e2v", 0, {0});
+  law_by_ring<M>("SM2", "e0 v0", "adj_e2v", 0, {0, 0});
+  law_by_ring<M>("SM2", "e0 v99", "adj_e2v", 0, {0, 99});
+  law_by_ring<M>("SM2", "e0 v0", "adj_v2e", 0, {1});
+  law_by_ring<M>("SM2", "v0 v3", "adj_v2v", 0, {});
+  M m = example(static_cast<M*>(nullptr));
+  m.points[4][1] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(names(cn::check_laws(m), "EM1", "v4"));
+  only(cn::check_laws(m), "EM1");
+}
+
+TEST_CASE("the laws of surfaces") {
+  law_by_ring<surface>("SM3", "p0", "adj_p2v", 0, {0, 1});
+  law_by_ring<surface>("SM3", "p3 v4 v6", "adj_p2v", 3, {0, 4, 6, 5});
+  law_by_ring<surface>("SM3", "p0 e5", "adj_p2e", 0, {0, 1, 5});
+  law_by_ring<surface>("SM3", "p0 v1", "adj_p2v", 0, {0, 1, 1, 2});
+  law_by_ring<surface>("SM4", "p0 e0", "adj_e2p", 0, {});
+  law_by_ring<surface>("SM4", "v1 p3", "adj_v2p", 1, {0, 3});
+  law_by_ring<surface>("SM5", "p0 p3", "adj_p2p", 0, {1, 3});
+  only(with_ring<surface>("adj_v2p", 1, {0, 3}), "SM4");
+  only(with_ring<surface>("adj_v2p", 1, {0, 0}), "SM4");
+  only(with_ring<surface>("adj_p2v", 3, {0, 4, 6, 5}), "SM3");
+}
+
+TEST_CASE("the laws of volumes") {
+  law_by_number<volume>("VM1", "f99", "index_of f", 3, 99);
+  law_by_number<volume>("VM1", "f2", "index_of f", 3, 2);
+  law_by_number<volume>("VM1", "", "num_faces", -1, 11);
+  law_by_ring<volume>("VM2", "f0", "adj_f2v", 0, {0, 3, 2});
+  law_by_ring<volume>("VM2", "f0 v2 v0", "adj_f2v", 0, {0, 3, 1, 2});
+  law_by_ring<volume>("VM2", "f0 e10", "adj_f2e", 0, {0, 1, 2, 10});
+  law_by_ring<volume>("VM3", "f0 e0", "adj_e2f", 0, {});
+  law_by_ring<volume>("VM3", "f6 v8", "adj_v2f", 8, {7, 8, 9});
+  law_by_ring<volume>("VM3", "p0 f1", "adj_f2p", 1, {1});
+  law_by_ring<volume>("VM4", "p1 v0", "adj_p2v", 1, {4, 5, 6, 7, 8, 0});
+  law_by_ring<volume>("VM4", "p1 v8", "adj_p2v", 1, {4, 5, 6, 7});
+  law_by_ring<volume>("VM4", "p0 v0", "adj_v2p", 0, {});
+  law_by_ring<volume>("VM4", "p0 e0", "adj_e2p", 0, {});
+  law_by_ring<volume>("VM5", "p0 p1 f1", "adj_p2p", 0, {});
+  law_by_number<volume>("VM6", "p1 e4", "face_is_outward", 1, 1, 1);
+  only(with_number<volume>("face_is_outward", 1, 1, 1), "VM6");
+  only(with_ring<volume>("adj_v2f", 8, {7, 8, 9}), "VM3");
+}
+
+namespace {
+
+/// A volume of tets or hexes known by type; adj_p2v in the order given.
+template<int Arity>
+struct shaped : tiny::volume {
+  std::vector<int> order;
+};
+
+}  // namespace
+
+template<int Arity>
+struct concino::mesh_traits<shaped<Arity>> : mesh_traits<tiny::volume> {
+  static constexpr int arity = Arity;
+  static std::vector<vert> adj_p2v(const shaped<Arity>& m, poly) {
+    std::vector<vert> r;
+    for (int i : m.order) r.push_back(vert{i});
+    return r;
+  }
+};
+
+TEST_CASE("the standard order of tets and hexes") {
+  const tiny::volume one_tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {2, 3, 0}, {1, 2, 3}}, {{{0, true}, {1, true}, {2, false}, {3, true}}});
+  tiny::volume tet(one_tet);
+  tet.facets[2] = {0, 2, 3};  // stored inward
+  static_assert(cn::TetMesh<shaped<4>> && cn::HexMesh<shaped<8>>);
+  CHECK(cn::check_laws(shaped<4>{tet, {0, 1, 2, 3}}).empty());
+  CHECK(cn::check_laws(shaped<4>{tet, {1, 2, 0, 3}}).empty());
+  for (const std::vector<int>& order : {std::vector<int>{0, 1, 3, 2}, {1, 0, 2, 3}, {0, 1, 2}}) CHECK(names(cn::check_laws(shaped<4>{tet, order}), "VM7", "p0"));
+
+  const tiny::volume hex({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                         {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}, {{{0, true}, {1, true}, {2, true}, {3, true}, {4, true}, {5, true}}});
+  CHECK(cn::check_laws(shaped<8>{hex, {0, 1, 2, 3, 4, 5, 6, 7}}).empty());
+  CHECK(cn::check_laws(shaped<8>{hex, {1, 2, 3, 0, 5, 6, 7, 4}}).empty());
+  CHECK(names(cn::check_laws(shaped<8>{hex, {0, 1, 3, 2, 4, 5, 7, 6}}), "VM7", "p0"));
+  CHECK(names(cn::check_laws(shaped<8>{hex, {4, 5, 6, 7, 0, 1, 2, 3}}), "VM7", "p0"));
+}
+
+namespace {
+/// A surface that says it is of triangles.
+struct so_called_triangles : tiny::surface {};
+}  // namespace
+template<>
+struct concino::mesh_traits<so_called_triangles> : mesh_traits<tiny::surface> {
+  static constexpr int arity = 3;
+};
+
+TEST_CASE("the arity of a surface") {
+  const auto found = cn::check_laws(so_called_triangles{tiny::surface_example()});
+  CHECK(found.size() == 1);
+  CHECK(names(found, "SM6", "p3"));
+}
+
+TEST_CASE_TEMPLATE("meshes that throw or answer nonsense everywhere are described, at most four times per law", M, surface, volume) {
+  M m = example(static_cast<M*>(nullptr));
+  for (const char* verb : {"verts", "edges", "faces", "polys", "adj_v2v", "adj_v2e", "adj_v2f", "adj_v2p", "adj_e2v", "adj_e2f", "adj_e2p", "adj_f2v", "adj_f2e", "adj_f2p",
+                           "adj_p2v", "adj_p2e", "adj_p2f", "adj_p2p"}) {
+    if (cn::dimension_v<M> == 2 && std::string_view(verb).find('f') != std::string_view::npos) continue;
+    INFO(std::string(verb));
+    m.ring = [&](std::string_view asked, int, std::vector<int>&) { if (asked == verb) throw std::out_of_range("no such element"); };
+    CHECK_FALSE(cn::check_laws(m).empty());
+    for (const std::vector<int>& nonsense : {std::vector<int>{}, {-1}, {1 << 30}, {0, 0, 0}, {7, 6, 5, 4, 3, 2, 1, 0, 2000, 2001}}) {
+      m.ring = [&](std::string_view asked, int, std::vector<int>& ring) { if (asked == verb) ring = nonsense; };
+      CHECK_FALSE(cn::check_laws(m).empty());
+    }
+  }
+  m.ring = [](std::string_view, int, std::vector<int>& ring) { ring = {1, 2, 3, 1}; };
+  const auto found = cn::check_laws(m);
+  for (const auto& b : found) CHECK(std::count_if(found.begin(), found.end(), [&](const auto& o) { return o.law == b.law; }) <= 4);
+  m.ring = [](auto, auto, auto&) {};
+  for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::numeric_limits<std::size_t>::max()}) {
+    m.number = [&](std::string_view, int, int, std::size_t) { return n; };
+    CHECK_FALSE(cn::check_laws(m).empty());
+    m.number = [&](std::string_view verb, int, int, std::size_t real) { return verb.starts_with("index_of") ? real : n; };
+    CHECK_FALSE(cn::check_laws(m).empty());
+    m.number = [&](std::string_view verb, int, int, std::size_t real) { return verb.ends_with("bound") ? n : real; };
+    CHECK(cn::check_laws(m).empty() == (n > 1));  // a bound may be generous
+  }
+}
+
+namespace {
+/// Walks that never end and that are different each time.
+struct endless {
+  mutable int calls = 0;
+};
+struct no_end {};
+struct endless_range {
+  const endless* m;
+  struct iterator {
+    const endless* m;
+    int i;
+    tiny::vertex operator*() const { return {i % 5}; }
+    iterator& operator++() { ++i; return *this; }
+    bool operator!=(no_end) const { return true; }
+  };
+  iterator begin() const { return {m, m->calls++}; }
+  no_end end() const { return {}; }
+};
+}  // namespace
+template<>
+struct concino::mesh_traits<endless> {
+  using vert = tiny::vertex;
+  static endless_range verts(const endless& m) { return {&m}; }
+  static std::size_t num_verts(const endless&) { return 5; }
+  static std::size_t vert_index_bound(const endless&) { return 5; }
+  static std::size_t index_of(const endless&, vert v) { return static_cast<std::size_t>(v.i); }
+  static endless_range adj_v2v(const endless& m, vert) { return {&m}; }
+};
+static_assert(cn::PrimalGraph<endless>);
+
+TEST_CASE("endless walks end") {
+  const auto found = cn::check_laws(endless{});
+  CHECK(names(found, "PG2", "v0"));
+  CHECK(found.size() > 1);
+}
