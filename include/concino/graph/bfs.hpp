@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/function_ref.hpp>
-#include <concino/graph/graph_of.hpp>
+#include <concino/graph/detail/graph_of.hpp>
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/function_ref.hpp>
-#include <concino/graph/graph_of.hpp>
-#include <concino/graph/indexed_heap.hpp>
-#include <concino/graph/lengths.hpp>
+#include <concino/graph/detail/graph_of.hpp>
+#include <concino/graph/detail/indexed_heap.hpp>
+#include <concino/graph/detail/lengths.hpp>
 
 #include <limits>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <concino/concepts/primal_graph.hpp>
 #include <concino/error.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/message.hpp>
+#include <concino/detail/number_text.hpp>
 
 #include <initializer_list>
 #include <string>

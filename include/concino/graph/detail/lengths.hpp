@@ -3,7 +3,7 @@
 
 #include <concino/geometry/centroid.hpp>
 #include <concino/geometry/vec3.hpp>
-#include <concino/graph/graph_of.hpp>
+#include <concino/graph/detail/graph_of.hpp>
 
 #include <limits>
 #include <vector>

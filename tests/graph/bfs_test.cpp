@@ -1,0 +1,109 @@
+#include <concino/graph/bfs.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+
+#include <support/boost_graph.hpp>
+#include <support/kinds.hpp>
+#include <support/tiny.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+struct ring { std::size_t n; };
+
+template<class M, class S = vert_id> concept searchable = requires(const S& s) { bfs(std::declval<M>(), s); };
+constexpr auto one = [](auto, auto) { return 1.0; };
+
+}  // namespace
+
+template<>
+struct concino::mesh_traits<ring> {
+  using vert = vert_id;
+  static std::size_t num_verts(const ring& r) { return r.n; }
+  static std::size_t vert_index_bound(const ring& r) { return r.n; }
+  static std::size_t index_of(const ring&, vert_id v) { return v.raw(); }
+  static id_range<vert_id> verts(const ring& r) { return id_range<vert_id>(r.n); }
+  static std::array<vert_id, 2> adj_v2v(const ring& r, vert_id v) { return {vert_id{(v.raw() + 1) % r.n}, vert_id{(v.raw() + r.n - 1) % r.n}}; }
+};
+
+TEST_CASE("bfs: hops around a ring, one source and several") {
+  const ring r{7};
+  const auto hops = bfs(r, vert_id{0});
+  const int expected[] = {0, 1, 2, 3, 3, 2, 1};
+  for (unsigned i = 0; i < 7; ++i) CHECK(hops[vert_id{i}] == expected[i]);
+
+  CHECK(bfs(r, {vert_id{0}, vert_id{3}})[vert_id{2}] == 1);
+  CHECK(bfs(r, std::vector{vert_id{5}, vert_id{5}})[vert_id{1}] == 3);
+  CHECK(bfs(r, std::vector<vert_id>{})[vert_id{1}] == -1);
+}
+
+TEST_CASE("bfs: may_enter bars nodes, but not the source") {
+  const ring r{7};
+  const auto b = vert_id{1};
+  const auto hops = bfs(r, vert_id{0}, {.may_enter = [b](auto v) { return v != b; }});
+  CHECK(hops[vert_id{1}] == -1);
+  CHECK(hops[vert_id{2}] == 5);
+  CHECK(bfs(r, b, {.may_enter = [b](auto v) { return v != b; }})[vert_id{4}] == 3);
+  CHECK(bfs(r, {vert_id{0}, vert_id{2}}, {.may_enter = [b](auto v) { return v != b; }})[vert_id{4}] == 2);
+}
+
+TEST_CASE("bfs: a source that the mesh has not is refused") {
+  const ring r{3};
+  CHECK_THROWS_WITH_AS(bfs(r, vert_id{3}), "bfs: the source is no vert of the mesh; take one from verts(m)", invalid_mesh);
+  CHECK_THROWS_AS(bfs(r, {vert_id{0}, vert_id{}}), invalid_mesh);
+}
+
+TEST_CASE("bfs: a mesh must outlive the result; what is no source or no mesh is refused softly") {
+  static_assert(searchable<ring&> && searchable<const ring&> && !searchable<ring> && !searchable<int&>);
+  static_assert(!searchable<ring&, poly_id> && !searchable<ring&, int> && searchable<ring&, std::vector<vert_id>>);
+}
+
+TEST_CASE_TEMPLATE("bfs: equal to Boost's on verts and on polys, in pieces and with a lonely vert", M, CONCINO_ALL_KINDS) {
+  const M m = two_grids<M>(2);
+  const auto primal = make_boost_graph(vert_index_bound(m), primal_arcs(m, one));
+  const auto dual = make_boost_graph(poly_index_bound(m), dual_arcs(m, one));
+  for (const auto v : verts(m)) {
+    const auto hops = bfs(m, v);
+    const auto expected = boost_hops(primal, index_of(m, v));
+    for (const auto w : verts(m)) REQUIRE(hops[w] == expected[index_of(m, w)]);
+  }
+  for (const auto p : polys(m)) {
+    const auto hops = bfs(m, p);
+    const auto expected = boost_hops(dual, index_of(m, p));
+    for (const auto q : polys(m)) REQUIRE(hops[q] == expected[index_of(m, q)]);
+  }
+}
+
+TEST_CASE_TEMPLATE("bfs: uses nothing but a primal or a dual graph", M, CONCINO_ALL_KINDS) {
+  const M m = grid<M>(2);
+  const auto g = only_primal_graph(m);
+  const auto d = only_dual_graph(m);
+  const auto v = *verts(m).begin();
+  const auto p = *polys(m).begin();
+  const auto hops = bfs(m, v);
+  const auto stripped = bfs(g, g.vert(v), {.may_enter = [](auto) { return true; }});
+  for (const auto w : verts(g)) CHECK(stripped[w] == hops[g.base(w)]);
+  const auto across = bfs(m, p);
+  const auto stripped_across = bfs(d, {d.poly(p)});
+  for (const auto q : polys(d)) CHECK(stripped_across[q] == across[d.base(q)]);
+}
+
+TEST_CASE("bfs: dual arcs of a grid of n^3 hexes number 3 n^2 (n - 1), reached from a corner in 3 (n - 1) steps") {
+  const unsigned n = 4;
+  const hexmesh m = grid<hexmesh>(n);
+  std::size_t arcs = 0;
+  int farthest = 0;
+  const auto hops = bfs(m, poly_id{0});
+  for (const auto p : polys(m)) {
+    for ([[maybe_unused]] const auto q : adj_p2p(m, p)) ++arcs;
+    farthest = std::max(farthest, hops[p]);
+  }
+  CHECK(arcs == 2 * 3 * n * n * (n - 1));
+  CHECK(farthest == 3 * (int(n) - 1));
+}
