@@ -1,0 +1,45 @@
+// A picture in memory.
+#pragma once
+
+#include <concino/error.hpp>
+#include <concino/render/color.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace concino {
+
+/// width x height colours in linear light, row by row from the top left.
+class image {
+  std::size_t width_ = 0, height_ = 0;
+  std::vector<rgb> pixels_;
+
+ public:
+  image() = default;
+  /// Errors: invalid_argument if a side is 0 or above 65,535.
+  image(std::size_t width, std::size_t height, const rgb& color = {}) : width_(width), height_(height) {
+    if (width == 0 || height == 0 || width > 65535 || height > 65535)
+      throw invalid_argument("image: " + std::to_string(width) + " x " + std::to_string(height) + " pixels; each side must be 1 to 65535");
+    pixels_.assign(width * height, color);
+  }
+
+  std::size_t width() const { return width_; }
+  std::size_t height() const { return height_; }
+  rgb& operator()(std::size_t x, std::size_t y) { return pixels_[y * width_ + x]; }
+  const rgb& operator()(std::size_t x, std::size_t y) const { return pixels_[y * width_ + x]; }
+
+  friend bool operator==(const image&, const image&) = default;
+};
+
+/// Three sRGB bytes a pixel, row by row from the top left: what image files hold.
+inline std::vector<std::uint8_t> srgb_bytes(const image& picture) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(picture.width() * picture.height() * 3);
+  for (std::size_t y = 0; y < picture.height(); ++y)
+    for (std::size_t x = 0; x < picture.width(); ++x)
+      for (const std::uint8_t b : srgb_bytes(picture(x, y))) bytes.push_back(b);
+  return bytes;
+}
+
+}  // namespace concino

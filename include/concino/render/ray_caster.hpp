@@ -1,0 +1,54 @@
+// What rendering asks of a ray caster, and the triangles handed to it. Adapters provide one (<concino/adapters/embree.hpp>).
+#pragma once
+
+#include <concino/error.hpp>
+#include <concino/geometry/vec3.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <vector>
+
+namespace concino {
+
+/// Triangles in single precision, within about one unit of the origin.
+struct triangle_soup {
+  std::vector<std::array<float, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Where a ray met a triangle (a, b, c): at (1-u-v) a + u b + v c, t lengths of the direction from its origin.
+struct ray_hit {
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::uint32_t triangle = none;
+  double u = 0, v = 0, t = 0;
+
+  explicit operator bool() const { return triangle != none; }
+};
+
+/// Answers from several threads at once. Hits count if their t is within [t_near, t_far].
+template<class C>
+concept RayCaster = requires(const C& c, const vec3& origin, const vec3& direction, double t_near, double t_far) {
+  { c.intersect(origin, direction, t_near, t_far) } -> std::convertible_to<ray_hit>;
+  { c.occluded(origin, direction, t_near, t_far) } -> std::convertible_to<bool>;
+};
+
+/// Builds a ray caster for given triangles.
+template<class T>
+concept RayTracer = requires(const T& t, const triangle_soup& soup) {
+  { t.build(soup) } -> RayCaster;
+};
+
+/// Stands where no ray tracer was handed in, and says what to hand in.
+struct no_ray_tracer {
+  struct caster {
+    ray_hit intersect(const vec3&, const vec3&, double, double) const { return {}; }
+    bool occluded(const vec3&, const vec3&, double, double) const { return false; }
+  };
+  caster build(const triangle_soup&) const {
+    throw unsupported("rendering needs a ray tracer: include <concino/adapters/embree.hpp> (Debian: libembree-dev) and hand in concino::embree{} as the "
+                      "last argument");
+  }
+};
+
+}  // namespace concino

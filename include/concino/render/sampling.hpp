@@ -1,0 +1,62 @@
+// Well-spread points and directions, the same on every machine and for any number of threads.
+#pragma once
+
+#include <concino/geometry/vec3.hpp>
+
+#include <cmath>
+#include <cstdint>
+
+namespace concino::detail {
+
+struct unit_point {
+  double x = 0, y = 0;  // in [0, 1)
+};
+
+/// Bits that look random; different inputs give different outputs.      Source: SplitMix64, Steele, Lea and Flood 2014.
+constexpr std::uint64_t scrambled(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+constexpr unit_point random_point(std::uint64_t seed) {
+  const std::uint64_t bits = scrambled(seed);
+  return {static_cast<double>(bits >> 32) * 0x1p-32, static_cast<double>(bits & 0xffffffffu) * 0x1p-32};
+}
+
+/// Point i of a sequence of which any run of neighbours is spread evenly over the unit square, moved by `shift` and wrapped.
+/// Source: R2, Roberts 2018; the shift is that of Cranley and Patterson 1976.
+inline unit_point spread_point(std::uint64_t i, const unit_point& shift) {
+  const double n = static_cast<double>(i);
+  const double x = shift.x + n * 0.75487766624669276005, y = shift.y + n * 0.56984029099805326591;
+  return {x - std::floor(x), y - std::floor(y)};
+}
+
+/// Two directions that form a right-handed orthonormal frame with n.      Source: Duff et al. 2017, JCGT 6(1).
+struct frame {
+  vec3 t, b, n;
+  explicit frame(const vec3& normal) : n(normal) {
+    const double s = std::copysign(1.0, n.z), a = -1 / (s + n.z), c = n.x * n.y * a;
+    t = {1 + s * n.x * n.x * a, s * c, -s * n.x};
+    b = {c, s + n.y * n.y * a, -n.y};
+  }
+  vec3 to_world(double x, double y, double z) const { return t * x + b * y + n * z; }
+};
+
+/// A direction over the hemisphere of f.n, with density cosine / pi (Malley's method: a disk lifted to the sphere).
+inline vec3 cosine_direction(const frame& f, const unit_point& u) {
+  const double r = std::sqrt(u.x), angle = 6.28318530717958647693 * u.y;
+  return f.to_world(r * std::cos(angle), r * std::sin(angle), std::sqrt(std::fmax(0.0, 1 - u.x)));
+}
+
+/// A direction within the cone about f.n whose half-angle has the given cosine, evenly by solid angle.
+inline vec3 cone_direction(const frame& f, double cosine, const unit_point& u) {
+  const double z = 1 - u.x * (1 - cosine), r = std::sqrt(std::fmax(0.0, 1 - z * z)), angle = 6.28318530717958647693 * u.y;
+  return f.to_world(r * std::cos(angle), r * std::sin(angle), z);
+}
+
+/// The offset of a tent filter two pixels wide, for u in [0, 1).
+inline double tent(double u) { return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u); }
+
+}  // namespace concino::detail
