@@ -4,6 +4,8 @@
 #include <concino/error.hpp>
 #include <concino/function_ref.hpp>
 
+#include <string>
+
 namespace concino {
 
 /// Called now and then with the fraction done, in [0, 1] and never falling within one label, and a label of what is being done.

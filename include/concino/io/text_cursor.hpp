@@ -143,20 +143,18 @@ struct token_cursor : text_cursor {
     skip();
     return integer(expected, comment);
   }
-  /// A number of elements that take at least `bytes` each. One that the rest of the file cannot hold is an error: nothing is allocated
-  /// because a file says so.
-  std::size_t next_count(const char* what, std::uint64_t bytes) {
+  /// A number of elements that take at least `bytes` each. What a file announces is not believed: reserve no more than room() says, and read
+  /// until the elements or the file end.
+  std::uint64_t next_count(const char* what, std::uint64_t bytes) {
     skip();
-    const char* from = at;
+    const char* const from = at;
     const std::int64_t n = integer(what, comment);
     if (n < 0) fail(from, what);
-    // the last element needs no line end
-    const std::uint64_t fit = (left() + 1) / bytes;
-    if (static_cast<std::uint64_t>(n) > fit)
-      fail(from, std::string(what) + " of at most " + std::to_string(fit) + ", which is what the rest of the file can hold");
-    if (static_cast<std::uint64_t>(n) > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 elements of one kind");
-    return static_cast<std::size_t>(n);
+    if (static_cast<std::uint64_t>(n) > max_ids && room(max_ids + 1, bytes) > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 elements of one kind");
+    return static_cast<std::uint64_t>(n);
   }
+  /// How many of n announced elements the rest of the file can hold; the last needs no line end.
+  std::size_t room(std::uint64_t n, std::uint64_t bytes) const { return static_cast<std::size_t>(std::min(n, (left() + 1) / bytes)); }
   /// An index from 1 to `bound`, made to count from 0.
   std::uint32_t next_index(std::uint64_t bound, const char* what) {
     skip();

@@ -1,0 +1,37 @@
+// Reads whatever mesh a file holds.
+#pragma once
+
+#include <concino/io/load.hpp>
+#include <concino/mesh/hexmesh.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/polyhedralmesh.hpp>
+#include <concino/mesh/quadmesh.hpp>
+#include <concino/mesh/tetmesh.hpp>
+#include <concino/mesh/trimesh.hpp>
+
+#include <variant>
+
+namespace concino {
+
+using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, polyhedralmesh>;
+
+/// Result: of the six kinds the most special that holds the file: triangles only, quads only, any polygons; tets only, hexes only, any
+///         polyhedra. A .hedra file is always a polyhedralmesh, a file without polys a polygonmesh unless it says that it is a volume.
+/// Cost:   as load.
+/// Errors: as load, but for kinds that do not fit: every kind does.
+inline any_mesh load_any(const std::string& path, const load_options& options = {}) {
+  const file_format format = detail::format_of(path, options.format);
+  const detail::mapped_file file(path);
+  detail::file_contents contents = detail::read_contents(file.text(), path, format, {}, options);
+  const auto make = [&]<class M>(std::type_identity<M>) -> any_mesh { return detail::mesh_of<M>(std::move(contents), path, options.report); };
+  if (const auto* surface = std::get_if<surface_arrays>(&contents.arrays)) {
+    if (surface->arity == 3) return make(std::type_identity<trimesh>{});
+    if (surface->arity == 4) return make(std::type_identity<quadmesh>{});
+    return make(std::type_identity<polygonmesh>{});
+  }
+  if (const auto* cells = std::get_if<cell_arrays>(&contents.arrays))
+    return cells->arity == 4 ? make(std::type_identity<tetmesh>{}) : make(std::type_identity<hexmesh>{});
+  return make(std::type_identity<polyhedralmesh>{});
+}
+
+}  // namespace concino

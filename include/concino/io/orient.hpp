@@ -1,0 +1,122 @@
+// Turning the faces of polyhedra outward.
+#pragma once
+
+#include <concino/mesh/standard_cells.hpp>
+
+namespace concino::detail {
+
+/// The verts of one poly's faces, turned outward, for cell_recogniser.
+inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recogniser& known) {
+  known.clear();
+  for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i) {
+    const std::uint32_t f = m.poly_faces[i].raw();
+    known.begin_face();
+    for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) known.push(m.face_verts[k]);
+    if (!m.outward[i]) known.reverse_face();
+  }
+  return known.recognise();
+}
+
+/// Six times the volume of poly p by the fans about the mean points of its faces, as its outward flags say.
+inline double six_volumes(const polyhedra_arrays& m, std::size_t p) {
+  double sum = 0;
+  if (m.poly_offsets[p] == m.poly_offsets[p + 1]) return sum;
+  const vec3 apex = m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()];
+  for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i) {
+    const std::uint32_t f = m.poly_faces[i].raw(), first = m.face_offsets[f];
+    const double one = six_volumes_under(m.face_offsets[f + 1] - first, [&](std::size_t k) -> const vec3& { return m.points[m.face_verts[first + k].raw()]; }, apex);
+    sum += m.outward[i] ? one : -one;
+  }
+  return sum;
+}
+
+/// Makes the faces of each poly agree on what is outside, by walking from face to face over the edges that two of them share, and the
+/// outside such that volumes are positive. Polys that are right, or without volume and consistent, stay as they are.
+/// Result: how many polys changed.   Cost: O(n log n) in the edges of a poly.
+inline std::size_t orient_polyhedra(polyhedra_arrays& m) {
+  struct side {
+    std::uint64_t edge;  // smaller vert, larger vert
+    std::uint32_t face;  // place in poly_faces
+    bool up;             // walked outward, the face runs from the smaller to the larger
+  };
+  struct link {
+    std::uint32_t to;
+    bool agree;
+  };
+  std::vector<side> sides;
+  std::vector<std::uint32_t> first_link, component, queue;
+  std::vector<link> links;
+  std::vector<std::uint8_t> flip;
+  std::size_t changed = 0;
+
+  for (std::size_t p = 0; p < m.num_polys(); ++p) {
+    const std::uint32_t begin = m.poly_offsets[p], end = m.poly_offsets[p + 1], n = end - begin;
+    sides.clear();
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t f = m.poly_faces[i].raw();
+      std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
+      for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
+        const std::uint32_t b = m.face_verts[k].raw();
+        sides.push_back({a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a, i - begin, (a < b) == (m.outward[i] != 0)});
+        a = b;
+      }
+    }
+    std::sort(sides.begin(), sides.end(), [](const side& x, const side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
+
+    // Two faces at an edge agree if one runs up and the other down. Edges with one face, or more than two, say nothing.
+    const auto pairs = [&](const auto& use) {
+      for (std::size_t i = 0, j; i < sides.size(); i = j) {
+        for (j = i + 1; j < sides.size() && sides[j].edge == sides[i].edge;) ++j;
+        if (j - i == 2 && sides[i].face != sides[i + 1].face) use(sides[i], sides[i + 1]);
+      }
+    };
+    bool consistent = true;
+    pairs([&](const side& x, const side& y) { consistent = consistent && x.up != y.up; });
+    bool touched = false;
+    if (!consistent) {
+      first_link.assign(n + 1, 0);
+      pairs([&](const side& x, const side& y) { ++first_link[x.face + 1], ++first_link[y.face + 1]; });
+      std::partial_sum(first_link.begin(), first_link.end(), first_link.begin());
+      links.resize(first_link[n]);
+      pairs([&](const side& x, const side& y) {
+        links[first_link[x.face]++] = {y.face, x.up != y.up};
+        links[first_link[y.face]++] = {x.face, x.up != y.up};
+      });
+      flip.assign(n, 0);
+      component.assign(n, ~0u);
+      for (std::uint32_t seed = 0; seed < n; ++seed) {
+        if (component[seed] != ~0u) continue;
+        queue.assign(1, seed);
+        component[seed] = seed;
+        std::size_t flipped = 0;
+        for (std::size_t q = 0; q < queue.size(); ++q) {
+          const std::uint32_t f = queue[q];
+          for (std::uint32_t l = f ? first_link[f - 1] : 0; l < first_link[f]; ++l) {
+            const std::uint32_t g = links[l].to;
+            if (component[g] != ~0u) continue;
+            component[g] = seed;
+            flip[g] = links[l].agree ? flip[f] : !flip[f];
+            flipped += flip[g];
+            queue.push_back(g);
+          }
+        }
+        // what most faces of the shell say stays: only the sign of the whole is decided below
+        if (2 * flipped > queue.size())
+          for (const std::uint32_t f : queue) flip[f] = !flip[f];
+      }
+      for (std::uint32_t k = 0; k < n; ++k)
+        if (flip[k]) {
+          m.outward[begin + k] = !m.outward[begin + k];
+          touched = true;
+        }
+    }
+    if (six_volumes(m, p) < 0) {
+      for (std::uint32_t i = begin; i < end; ++i) m.outward[i] = !m.outward[i];
+      touched = true;
+    }
+    changed += touched;
+  }
+  return changed;
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,133 @@
+// .hedra, the format of Cinolib for volumes of any polyhedra.
+#pragma once
+
+#include <concino/io/contents.hpp>
+#include <concino/io/orient.hpp>
+#include <concino/io/text_cursor.hpp>
+
+namespace concino::detail {
+
+class hedra_reader : token_cursor {
+  const wanted_mesh& wanted_;
+  load_report& report_;
+  polyhedra_arrays out_;
+  const char* first_cell_ = nullptr;
+
+ public:
+  hedra_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {}
+
+  file_contents read() {
+    skip();
+    if (at_end()) fail(end(), "the numbers of verts, faces and polyhedra", "an empty file");
+    const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8), np = next_count("the number of polyhedra", 4);
+    if (np > 0 && !wanted_.cells && !wanted_.polyhedra) throw_wrong_dimension(name(), true, np);
+    verts(nv);
+    faces(nf);
+    skip();
+    first_cell_ = at;
+    polys(np);
+    skip();
+    if (!at_end()) fail("the end of the file after the last polyhedron");
+    report_.reoriented_polys = orient_polyhedra(out_);
+    if (report_.reoriented_polys)
+      report_.notes.push_back(std::to_string(report_.reoriented_polys) + " of " + std::to_string(np) + " polyhedra were wound inconsistently or inside out: their faces were turned outward");
+    file_contents contents;
+    if (wanted_.polyhedra || !wanted_.cells) contents.arrays = std::move(out_);
+    else contents.arrays = cells();
+    return contents;
+  }
+
+ private:
+  void verts(std::uint64_t n) {
+    out_.points.reserve(room(n, 6));
+    for (std::uint64_t i = 0; i < n; ++i) {
+      vec3 p;
+      p.x = next_real("the x of a vert");
+      p.y = next_real("the y of a vert");
+      p.z = next_real("the z of a vert");
+      out_.points.push_back(p);
+      tell();
+    }
+  }
+
+  void faces(std::uint64_t n) {
+    std::vector<vert_id> scratch;
+    out_.face_offsets.reserve(room(n, 8) + 1);
+    out_.face_offsets.push_back(0);
+    for (std::uint64_t f = 0; f < n; ++f) {
+      skip();
+      const char* const from = at;
+      const std::uint64_t size = next_count("the number of verts of a face", 2);
+      if (size < 3) fail(from, "a face of at least three verts", "one of " + std::to_string(size));
+      for (std::uint64_t i = 0; i < size; ++i) out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index")});
+      const vert_id* const corners = out_.face_verts.data() + (out_.face_verts.size() - size);
+      if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
+        fail(from, "different verts at the corners of a face", "vert " + std::to_string(corners[i].raw() + 1) + " twice");
+      if (out_.face_verts.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 corners");
+      out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
+      tell();
+    }
+  }
+
+  void polys(std::uint64_t n) {
+    std::vector<std::uint32_t> last_poly(out_.num_faces(), ~0u);  // that had the face
+    out_.poly_offsets.reserve(room(n, 4) + 1);
+    out_.poly_offsets.push_back(0);
+    for (std::uint64_t p = 0; p < n; ++p) {
+      skip();
+      const char* const from = at;
+      const std::uint64_t size = next_count("the number of faces of a polyhedron", 2);
+      if (size == 0) fail(from, "a polyhedron of at least one face", "one of none");
+      for (std::uint64_t i = 0; i < size; ++i) {
+        skip();
+        const char* const here = at;
+        const std::int64_t f = next_integer("a face index");
+        const auto k = static_cast<std::uint64_t>(f < 0 ? -f : f);
+        if (k < 1 || k > out_.num_faces()) fail(here, "a face index from 1 to " + std::to_string(out_.num_faces()) + ", or its negative");
+        if (last_poly[k - 1] == p) fail(here, "different faces in a polyhedron", "face " + std::to_string(k) + " twice");
+        last_poly[k - 1] = static_cast<std::uint32_t>(p);
+        out_.poly_faces.push_back(face_id{k - 1});
+        out_.outward.push_back(f > 0);
+      }
+      if (out_.poly_faces.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 faces of polyhedra");
+      out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
+      tell();
+    }
+  }
+
+  /// For meshes of tets or hexes only.
+  cell_arrays cells() {
+    cell_recogniser known;
+    cell_arrays cells;
+    cells.arity = wanted_.arity;
+    for (std::size_t p = 0; p < out_.num_polys(); ++p) {
+      const cell_shape s = recognise(out_, p, known);
+      const std::uint32_t n = s == cell_shape::tet ? 4 : s == cell_shape::hex ? 8 : 0;
+      if (cells.arity == 0) cells.arity = n;
+      if (n == 0 || n != cells.arity) {
+        at = first_cell_;
+        for (std::size_t q = 0; q <= p; ++q) {
+          skip();
+          first_cell_ = at;
+          for (std::int64_t i = next_integer("a number"); i > 0; --i) next_integer("a number");
+        }
+        fail(first_cell_, std::string(n ? name_of_poly(true, cells.arity) : name_of_poly(true, wanted_.arity ? wanted_.arity : 4)) + " (polyhedralmesh and load_any take any polyhedron)",
+             std::string("a ") + (s == cell_shape::general ? "polyhedron" : table_of(s).name) + " of " + std::to_string(out_.poly_offsets[p + 1] - out_.poly_offsets[p]) + " faces");
+      }
+      cells.verts.insert(cells.verts.end(), known.cell, known.cell + n);
+    }
+    if (cells.arity == 0) cells.arity = 4;
+    report_.skipped.push_back("the numbering of the faces");
+    cells.points = std::move(out_.points);
+    return cells;
+  }
+};
+
+/// Needs:  text of a .hedra file: numbers in any layout.
+/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces do not agree on the outside, or are inside out, are put right and counted.
+///         Cost: O(size of the text), and sorting the edges of each polyhedron.
+/// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a polyhedron
+///         that the wanted mesh cannot hold, text after the last; unsupported if a surface was wanted.
+inline file_contents read_hedra(const read_context& context) { return hedra_reader(context).read(); }
+
+}  // namespace concino::detail

@@ -1,0 +1,255 @@
+// MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids, with labels ("references").
+#pragma once
+
+#include <concino/io/contents.hpp>
+#include <concino/io/text_cursor.hpp>
+#include <concino/mesh/standard_cells.hpp>
+
+namespace concino::detail {
+
+struct medit_section {
+  std::string_view keyword;
+  bool volume;
+  std::uint32_t arity;
+  cell_shape shape;
+};
+inline constexpr medit_section medit_sections[] = {
+    {"Triangles", false, 3, cell_shape::general}, {"Quadrilaterals", false, 4, cell_shape::general}, {"Tetrahedra", true, 4, cell_shape::tet},
+    {"Hexahedra", true, 8, cell_shape::hex},      {"Prisms", true, 6, cell_shape::prism},            {"Pyramids", true, 5, cell_shape::pyramid},
+};
+
+class medit_reader : token_cursor {
+  const wanted_mesh& wanted_;
+  load_report& report_;
+  int dimension_ = 0;
+  bool has_verts_ = false, ended_ = false;
+  std::vector<vec3> points_;
+  std::vector<int> vert_labels_, poly_labels_;
+  std::vector<vert_id> verts_;             // of the polys, one after another
+  std::vector<std::uint32_t> poly_begin_;  // of each poly in verts_, once they differ in size
+  std::vector<cell_shape> shapes_;         // of each poly, once they differ
+  std::size_t polys_ = 0;
+  const medit_section* only_ = nullptr;    // the section of all polys so far
+
+  struct part {
+    const medit_section* section;
+    const char* at;  // before the count
+    std::uint64_t count;
+  };
+  std::vector<part> put_off_;  // surfaces, until it is known that there are no cells; cells that come before the verts
+  std::vector<std::pair<std::string, std::uint64_t>> skipped_;
+
+ public:
+  medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report) {}
+
+  file_contents read() {
+    skip();
+    if (at_end()) fail(end(), "MeshVersionFormatted", "an empty file");
+    const char* const from = at;
+    if (word() != "MeshVersionFormatted") fail(from, "MeshVersionFormatted (MEDIT in ASCII)");
+    next_integer("the version of the format, an integer");
+    while (!ended_) {
+      skip();
+      if (at_end()) break;
+      section();
+    }
+    if (!ended_) report_.notes.push_back("the file has no End: it may be cut off");
+    if (!has_verts_) fail(end(), "a section Vertices");
+    return finish();
+  }
+
+ private:
+  void section() {
+    const char* const from = at;
+    const std::string_view keyword = is_letter(*at) ? word() : std::string_view{};
+    if (keyword == "End") {
+      ended_ = true;
+    } else if (keyword == "Dimension") {
+      skip();
+      const char* const number = at;
+      dimension_ = static_cast<int>(std::clamp<std::int64_t>(next_integer("the dimension, 2 or 3"), 0, 4));
+      if (dimension_ != 2 && dimension_ != 3) fail(number, "the dimension, 2 or 3");
+    } else if (keyword == "Vertices") {
+      if (dimension_ == 0) fail(from, "Dimension before Vertices");
+      if (has_verts_) fail(from, "one section Vertices", "another");
+      vertices();
+    } else if (keyword.empty()) {
+      fail(from, "a keyword, such as Tetrahedra or End");
+    } else {
+      for (const medit_section& s : medit_sections)
+        if (keyword == s.keyword) {
+          const part here{&s, at, next_count("a number of elements", 2 * s.arity + 2)};
+          if (s.volume && has_verts_) {
+            elements(here);
+          } else {
+            put_off_.push_back(here);
+            skip_section();
+          }
+          return;
+        }
+      skip();
+      std::int64_t n = 0;
+      parse_integer(at, end(), n);  // most sections begin with how many rows they have
+      skipped_.push_back({std::string(keyword.substr(0, 40)), n > 0 ? static_cast<std::uint64_t>(n) : 0});
+      skip_section();
+    }
+  }
+
+  /// To the next word that begins with a letter.
+  void skip_section() {
+    for (bool after_space = true; !at_end(); ++at) {
+      if (*at == comment) {
+        skip_line();
+        if (at_end()) return;
+        after_space = true;
+      } else if (is_space(*at)) {
+        after_space = true;
+        tell();
+      } else {
+        if (after_space && is_letter(*at)) return;
+        after_space = false;
+      }
+    }
+  }
+
+  int next_label(const char* what) {
+    skip();
+    const char* const from = at;
+    const std::int64_t label = next_integer(what);
+    if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) fail(from, std::string(what) + " of 32 bits");
+    return static_cast<int>(label);
+  }
+
+  /// Labels are kept from the first on that is not zero; `n` elements came before.
+  static void add_label(std::vector<int>& labels, std::size_t n, int label) {
+    if (label == 0 && labels.empty()) return;
+    labels.resize(n, 0);
+    labels.push_back(label);
+  }
+
+  std::uint64_t least_bytes() const { return static_cast<std::uint64_t>(2 * dimension_ + 2); }  // of a vertex: digits and blanks
+
+  void vertices() {
+    const std::uint64_t n = next_count("the number of vertices", least_bytes());
+    points_.reserve(room(n, least_bytes()));
+    for (std::uint64_t i = 0; i < n; ++i) {
+      vec3 p;
+      p.x = next_real("the x of a vertex");
+      p.y = next_real("the y of a vertex");
+      if (dimension_ == 3) p.z = next_real("the z of a vertex");
+      points_.push_back(p);
+      add_label(vert_labels_, i, next_label("the reference of a vertex, an integer"));
+      tell();
+    }
+    has_verts_ = true;
+  }
+
+  void elements(const part& all) {
+    const medit_section& s = *all.section;
+    if (all.count == 0) return;
+    skip();
+    if (s.volume && wanted_.cells && !wanted_.polyhedra) {
+      const std::uint32_t arity = wanted_.arity ? wanted_.arity : only_ ? only_->arity : s.arity;
+      if (s.arity != arity || (arity != 4 && arity != 8)) refuse(s, arity);
+    }
+    if (!s.volume && wanted_.surface && wanted_.arity && s.arity != wanted_.arity) refuse(s, wanted_.arity);
+    if (only_ && only_ != &s && shapes_.empty()) {  // from here on every poly says what it is
+      shapes_.assign(polys_, only_->shape);
+      for (std::size_t p = 0; p <= polys_; ++p) poly_begin_.push_back(static_cast<std::uint32_t>(p * only_->arity));
+    }
+    verts_.reserve(verts_.size() + room(all.count, 2 * s.arity + 2) * s.arity);
+    std::vector<vert_id> scratch;
+    for (std::uint64_t i = 0; i < all.count; ++i) {
+      skip();
+      const char* const from = at;
+      for (std::uint32_t k = 0; k < s.arity; ++k) verts_.push_back(vert_id{next_index(points_.size(), "a vertex index")});
+      vert_id* const corners = verts_.data() + (verts_.size() - s.arity);
+      if (const std::size_t k = first_repeated(corners, s.arity, scratch); k != s.arity)
+        fail(from, "different vertices in an element", "vertex " + std::to_string(corners[k].raw() + 1) + " twice");
+      add_label(poly_labels_, polys_ + i, next_label("the reference of an element, an integer"));
+      if (s.volume) report_.reoriented_polys += make_positive(s.shape, corners, points_);
+      if (!shapes_.empty()) {
+        shapes_.push_back(s.shape);
+        poly_begin_.push_back(static_cast<std::uint32_t>(verts_.size()));
+      }
+      tell();
+    }
+    if (verts_.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 corners");
+    polys_ += all.count;
+    if (!only_) only_ = &s;
+  }
+
+  [[noreturn]] void refuse(const medit_section& s, std::uint32_t arity) const {
+    fail(at, std::string(name_of_poly(s.volume, arity)) + (s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"),
+         "an element of section " + std::string(s.keyword));
+  }
+
+  file_contents finish() {
+    bool has_cells = polys_ > 0;
+    for (const part& p : put_off_) has_cells = has_cells || (p.section->volume && p.count > 0);
+    for (const part& p : put_off_) {
+      if (p.section->volume != has_cells) {
+        if (has_cells && p.count > 0) skipped_.push_back({std::string(p.section->keyword), p.count});
+        continue;
+      }
+      // Where the kind is wrong anyway, load() says so better than the line of some element would.
+      if (has_cells ? !wanted_.cells && !wanted_.polyhedra : !wanted_.surface) {
+        polys_ += p.count;
+        continue;
+      }
+      at = p.at;
+      next_count("a number of elements", 2 * p.section->arity + 2);
+      elements(p);
+    }
+    for (const auto& [keyword, n] : skipped_)
+      report_.skipped.push_back("section " + keyword + (n ? ", " + std::to_string(n) + " rows" : ""));
+    if (report_.reoriented_polys)
+      report_.notes.push_back(std::to_string(report_.reoriented_polys) + " of " + std::to_string(polys_) + " cells had a negative volume: their verts were put into the standard order");
+    if (has_cells && !wanted_.cells && !wanted_.polyhedra) throw_wrong_dimension(name(), true, polys_);
+    if (!has_cells && !wanted_.surface && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
+
+    file_contents out;
+    if (!vert_labels_.empty()) vert_labels_.resize(points_.size(), 0);
+    if (!poly_labels_.empty()) poly_labels_.resize(polys_, 0);
+    out.vert_labels = std::move(vert_labels_);
+    out.poly_labels = std::move(poly_labels_);
+    if (polys_ == 0 && wanted_.cells && !wanted_.surface) out.arrays = cell_arrays{std::move(points_), {}, wanted_.arity ? wanted_.arity : 4};
+    else if (polys_ == 0 && !wanted_.surface) out.arrays = polyhedra();
+    else if (!has_cells) out.arrays = surface();
+    else if (shapes_.empty() && (only_->arity == 4 || only_->arity == 8)) out.arrays = cell_arrays{std::move(points_), std::move(verts_), only_->arity};
+    else out.arrays = polyhedra();
+    return out;
+  }
+
+  surface_arrays surface() {
+    surface_arrays s;
+    s.points = std::move(points_);
+    s.verts = std::move(verts_);
+    s.offsets = std::move(poly_begin_);
+    if (s.offsets.empty()) s.arity = only_ ? only_->arity : wanted_.arity;
+    if (s.offsets.empty() && s.arity == 0) s.offsets.push_back(0);
+    return s;
+  }
+
+  polyhedra_arrays polyhedra() {
+    face_soup soup;
+    const vert_id* v = verts_.data();
+    for (std::size_t p = 0; p < polys_; ++p) {
+      const cell_shape shape = shapes_.empty() ? only_->shape : shapes_[p];
+      soup.add_cell(shape, v);
+      v += table_of(shape).num_verts;
+    }
+    std::vector<vert_id>().swap(verts_);
+    return std::move(soup).unite(std::move(points_));
+  }
+};
+
+/// Needs:  text of a MEDIT file: keywords, counts and rows in any layout, sections in any order, `#` comments, Dimension 2 (z is 0) or 3.
+/// Result: a volume if there is any cell, else a surface. Elements keep their order. Cells of negative volume are turned into the standard order
+///         and counted. References become labels unless all are zero. Surface elements of a volume, and sections that a mesh has no place for, are
+///         reported as skipped.   Cost: O(size of the text)
+/// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the wanted mesh
+///         cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted, or the reverse.
+inline file_contents read_medit(const read_context& context) { return medit_reader(context).read(); }
+
+}  // namespace concino::detail
