@@ -4,7 +4,8 @@
 #pragma once
 
 #include <concino/mesh/cell_ranges.hpp>
-#include <concino/mesh/surface_tables.hpp>
+#include <concino/mesh/checks.hpp>
+#include <concino/mesh/stars.hpp>
 
 namespace concino {
 
@@ -85,6 +86,63 @@ class cell_tables {
     return false;
   }
 
+  /// A vert without edges.
+  vert_id add_vert() {
+    detail::add_star(v2v_, v2e_, v2p_);
+    return verts_.add();
+  }
+
+  /// A poly on verts that are there, in the standard order. Cost: the edges and polys at its verts.
+  /// Errors: invalid_mesh as in the constructor; nothing has changed then.
+  poly_id add_poly(std::span<const vert_id> corners) {
+    const poly_id p{polys_.bound()};
+    if (corners.size() != Shape::verts)
+      throw invalid_mesh("poly " + std::to_string(p.raw()) + " has " + std::to_string(corners.size()) + " verts; every poly of this mesh has " + std::to_string(Shape::verts));
+    detail::check_new_verts(corners, verts_, "poly", p.raw());
+    edge_id e[Shape::edges];
+    for (unsigned j = 0; j < Shape::edges; ++j) {
+      const vert_id a = corners[Shape::edge_vert[j][0]], b = corners[Shape::edge_vert[j][1]];
+      e[j] = detail::edge_between(v2v_, v2e_, a, b);
+      if (e[j].is_none()) {
+        e[j] = detail::add_edge(edges_, e2v_, v2v_, v2e_, a, b);
+        e2p_.push_back(p.raw());
+      }
+    }
+    face_id f[Shape::faces];
+    for (unsigned k = 0; k < Shape::faces; ++k) f[k] = face_on(corners, k);
+    p2v_.add_row(corners.begin(), corners.end());
+    p2e_.add_row(e, e + Shape::edges);
+    sides_.add_poly(Shape::faces);
+    for (unsigned k = 0; k < Shape::faces; ++k) {
+      if (f[k].is_none()) {
+        f[k] = faces_.add();
+        sides_.add_facet();
+      }
+      sides_.link(p.raw(), k, f[k]);
+    }
+    sides_.remark(p.raw());
+    for (const vert_id v : corners) v2p_.push(v.raw(), p);
+    const poly_id added = polys_.add();
+    for (const edge_id at : adj_p2e(p)) refan(at);
+    return added;
+  }
+
+  /// Takes p away, and with it the faces and edges that no other poly has; verts stay. No other element changes its name.
+  void remove_poly(poly_id p) {
+    sides_.unlink(p.raw());
+    for (const face_id f : sides_.facets(p))
+      if (!sides_.is_owned(f)) faces_.remove(f);
+    for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
+    polys_.remove(p);
+    for (const edge_id e : adj_p2e(p)) refan(e);
+  }
+
+  /// Takes away a vert that no poly has any more.
+  void remove_vert(vert_id v) {
+    assert(v2p_[v.raw()].empty());
+    verts_.remove(v);
+  }
+
   // What the ranges of cell_ranges.hpp step with.
   poly_id across(poly_id p, std::uint32_t k) const {
     const detail::across x = sides_.across_sides(p)[k];
@@ -116,6 +174,41 @@ class cell_tables {
   }
 
  private:
+  /// The face that side k of a poly with these corners would be, none if there is no such face yet.
+  face_id face_on(std::span<const vert_id> corners, unsigned k) const {
+    const auto is_on = [&](vert_id v) {
+      for (const std::uint8_t i : Shape::face_vert[k])
+        if (corners[i] == v) return true;
+      return false;
+    };
+    for (const poly_id q : adj_v2p(corners[Shape::face_vert[k][0]]))
+      for (unsigned j = 0; j < Shape::faces; ++j) {
+        unsigned same = 0;
+        for (const std::uint8_t i : Shape::face_vert[j]) same += is_on(adj_p2v(q)[i]);
+        if (same == Shape::face_verts) return adj_p2f(q)[j];
+      }
+    return {};
+  }
+
+  /// After polys at e came or went: where stepping around e begins, or who crowds it, or that e is gone.
+  void refan(edge_id e) {
+    std::vector<poly_id> polys;
+    for (const poly_id p : adj_v2p(adj_e2v(e)[0]))
+      for (const edge_id other : adj_p2e(p))
+        if (other == e) polys.push_back(p);
+    if (is_crowded(e)) crowds_.clear_row(e2p_[e.raw()] & ~detail::across::special);
+    if (polys.empty()) {
+      detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
+      return;
+    }
+    e2p_[e.raw()] = polys[0].raw();
+    check_fan(e, static_cast<std::uint32_t>(polys.size()));
+    if (e2p_[e.raw()] == detail::across::special) {
+      e2p_[e.raw()] |= static_cast<std::uint32_t>(crowds_.size());
+      crowds_.add_row(polys.begin(), polys.end());
+    }
+  }
+
   /// A face met at its smallest vert: the other verts, sorted, and the next face with the same second one.
   struct met_face {
     std::uint32_t other[Shape::face_verts - 2];

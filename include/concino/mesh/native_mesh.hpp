@@ -136,6 +136,44 @@ struct native_traits : Base<M> {
   static void set_point(M& m, vert_id v, const P& p) { m.points()[v.raw()] = to_vec3(p); }
   static const property_set& properties(const M& m) { return m.properties(); }
   static property_set& properties(M& m) { return m.properties(); }
+
+  static vert_id add_vert(M& m, const vec3& x) {
+    m.points().push_back(x);
+    const vert_id v = m.tables().add_vert();
+    grow(m);
+    return v;
+  }
+  static void remove_vert(M& m, vert_id v) { m.tables().remove_vert(v); }
+  static poly_id add_poly(M& m, std::span<const vert_id> corners)
+    requires requires { m.tables().add_poly(corners); }
+  {
+    const poly_id p = m.tables().add_poly(corners);
+    grow(m);
+    return p;
+  }
+  static face_id add_face(M& m, std::span<const vert_id> corners)
+    requires requires { m.tables().add_face(corners); }
+  {
+    const face_id f = m.tables().add_face(corners);
+    grow(m);
+    return f;
+  }
+  static poly_id add_poly(M& m, std::span<const face_id> list, std::span<const std::uint8_t> outward)
+    requires requires { m.tables().add_poly(list, outward); }
+  {
+    const poly_id p = m.tables().add_poly(list, outward);
+    grow(m);
+    return p;
+  }
+  static void remove_poly(M& m, poly_id p) { m.tables().remove_poly(p); }
+
+ private:
+  static void grow(M& m) {
+    m.properties().resize(element_kind::vert, m.tables().verts().bound());
+    m.properties().resize(element_kind::edge, m.tables().edges().bound());
+    if constexpr (requires { m.tables().faces(); }) m.properties().resize(element_kind::face, m.tables().faces().bound());
+    m.properties().resize(element_kind::poly, m.tables().polys().bound());
+  }
 };
 
 }  // namespace detail

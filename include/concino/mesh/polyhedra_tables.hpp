@@ -3,7 +3,8 @@
 #pragma once
 
 #include <concino/mesh/cell_ranges.hpp>
-#include <concino/mesh/surface_tables.hpp>
+#include <concino/mesh/checks.hpp>
+#include <concino/mesh/stars.hpp>
 
 #include <numeric>
 
@@ -197,13 +198,93 @@ class polyhedra_tables {
     return false;
   }
 
-  // What the ranges above look up with.
-  edge_id edge_between(vert_id a, vert_id b) const {
-    const id_span<vert_id> near = adj_v2v(a);
-    for (std::size_t i = 0; i < near.size(); ++i)
-      if (near[i] == b) return adj_v2e(a)[i];
-    return {};
+  /// A vert without edges.
+  vert_id add_vert() {
+    detail::add_star(v2v_, v2e_, v2p_);
+    return verts_.add();
   }
+
+  /// A face on verts that are there, of no poly yet. A second face on the same verts is another face.
+  /// Errors: invalid_mesh as in the constructor; nothing has changed then.
+  face_id add_face(std::span<const vert_id> corners) {
+    const face_id f{faces_.bound()};
+    detail::check_new_verts(corners, verts_, "face", f.raw());
+    f2v_.add_row(corners.begin(), corners.end());
+    sides_.add_facet();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const vert_id a = corners[i], b = corners[i + 1 == corners.size() ? 0 : i + 1];
+      edge_id e = edge_between(a, b);
+      if (e.is_none()) {
+        e = detail::add_edge(edges_, e2v_, v2v_, v2e_, a, b);
+        const face_id* const no_face = nullptr;
+        e2f_.add_row(no_face, no_face);
+      }
+      e2f_.push(e.raw(), f);
+    }
+    return faces_.add();
+  }
+
+  /// A poly of faces that are there; outward[k] as in the constructor. Cost: the size of its faces.
+  /// Errors: invalid_mesh as in the constructor; nothing has changed then.
+  poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward) {
+    const poly_id p{polys_.bound()};
+    const std::string name = "poly " + std::to_string(p.raw());
+    if (list.empty() || list.size() != outward.size()) throw invalid_mesh(name + " needs at least one face and an outward flag for each");
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (!faces_.contains(list[k])) throw invalid_mesh(name + " names face " + std::to_string(list[k].raw()) + ", which is not a face of the mesh");
+      if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), list[k]) != list.begin() + static_cast<std::ptrdiff_t>(k))
+        throw invalid_mesh(name + " has face " + std::to_string(list[k].raw()) + " twice; its faces must differ");
+    }
+    sides_.add_poly(static_cast<std::uint32_t>(list.size()));
+    outward_.add_row(outward.begin(), outward.end());
+    std::vector<vert_id> corners;
+    std::vector<edge_id> around;
+    for (std::uint32_t k = 0; k < list.size(); ++k) {
+      sides_.link(p.raw(), k, list[k]);
+      for (const vert_id v : adj_f2v(list[k]))
+        if (std::find(corners.begin(), corners.end(), v) == corners.end()) corners.push_back(v), v2p_.push(v.raw(), p);
+      for (const edge_id e : adj_f2e(list[k]))
+        if (std::find(around.begin(), around.end(), e) == around.end()) around.push_back(e);
+    }
+    sides_.remark(p.raw());
+    p2v_.add_row(corners.begin(), corners.end());
+    p2e_.add_row(around.begin(), around.end());
+    return polys_.add();
+  }
+
+  /// Takes p away, and with it the faces that no other poly has and the edges that no other face has; verts stay. No other element changes
+  /// its name.
+  void remove_poly(poly_id p) {
+    sides_.unlink(p.raw());
+    for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
+    polys_.remove(p);
+    for (const face_id f : sides_.facets(p))
+      if (!sides_.is_owned(f)) remove_face(f);
+  }
+
+  /// Takes away a face that no poly has.
+  void remove_face(face_id f) {
+    assert(!sides_.is_owned(f));
+    std::vector<edge_id> around;
+    for (const edge_id e : adj_f2e(f)) around.push_back(e);
+    for (const edge_id e : around) {
+      e2f_.remove(e.raw(), f);
+      if (adj_e2f(e).empty()) detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
+    }
+    faces_.remove(f);
+  }
+
+  /// Takes away a vert that no poly has any more, and faces at it that no poly has either.
+  void remove_vert(vert_id v) {
+    assert(v2p_[v.raw()].empty());
+    std::vector<face_id> loose;
+    for (const face_id f : adj_v2f(v)) loose.push_back(f);
+    for (const face_id f : loose) remove_face(f);
+    verts_.remove(v);
+  }
+
+  // What the ranges above look up with.
+  edge_id edge_between(vert_id a, vert_id b) const { return detail::edge_between(v2v_, v2e_, a, b); }
   vert_id next_in_face(face_id f, vert_id v) const {
     const id_span<vert_id> verts = adj_f2v(f);
     for (const vert_id* at = verts.begin(); at != verts.end(); ++at)

@@ -217,6 +217,36 @@ class sides {
     for (std::uint32_t p = 0; p < num_polys(); ++p) mark_repeats(p, met);
   }
 
+  /// Edits: a poly with n sides that are still to be linked.
+  void add_poly(std::uint32_t n) {
+    const std::vector<Facet> facets(n);
+    const std::vector<across> open(n);
+    facets_.add_row(facets.begin(), facets.end());
+    across_.add_row(open.begin(), open.end());
+  }
+
+  /// Edits: after p was linked, sets right which sides of p and of the polys around it repeat a poly.
+  void remark(std::uint32_t p) {
+    remark_one(p);
+    for (const Facet f : facets_[p])
+      for (const poly_id q : polys_of(f))
+        if (q.raw() != p) remark_one(q.raw());
+  }
+
+  /// Edits: takes p off all its facets. Those that no poly has any more are left unowned.
+  void unlink(std::uint32_t p) {
+    std::vector<std::uint32_t> around;
+    for (const Facet f : facets_[p]) {
+      std::vector<poly_id> rest;
+      for (const poly_id q : polys_of(f))
+        if (q.raw() != p) rest.push_back(q), around.push_back(q.raw());
+      relink(f, rest);
+    }
+    across* const s = across_.begin(p);
+    for (std::uint32_t k = 0; k < facets_.length(p); ++k) s[k] = {};
+    for (const std::uint32_t q : around) remark_one(q);
+  }
+
   /// Marks the sides of p that lead where an earlier side does.
   void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
     across* const s = across_.begin(p);
@@ -249,6 +279,42 @@ class sides {
   }
 
  private:
+  void remark_one(std::uint32_t p) {
+    std::vector<std::uint32_t> met;
+    across* const s = across_.begin(p);
+    for (std::uint32_t k = 0; k < facets_.length(p); ++k)
+      if (!s[k].is_none() && !s[k].is_crowd()) s[k].raw &= across::mask;
+    mark_repeats(p, met);
+  }
+
+  std::uint32_t local(std::uint32_t p, Facet f) const {
+    const Facet* const at = facets_.begin(p);
+    std::uint32_t k = 0;
+    while (at[k] != f) ++k;
+    return k;
+  }
+
+  /// Makes `polys` the polys of f; all of them have it among their facets.
+  void relink(Facet f, const std::vector<poly_id>& polys) {
+    if (polys.empty()) {
+      owner_[f.raw()] = ~0u;
+      return;
+    }
+    const std::uint32_t first = polys[0].raw(), k = local(first, f);
+    across& x = across_.begin(first)[k];
+    const across before = x;
+    owner_[f.raw()] = N > 0 ? N * first + k : first;
+    if (polys.size() == 1) {
+      x = {};
+    } else if (polys.size() == 2) {
+      x.raw = polys[1].raw();
+      across_.begin(polys[1].raw())[local(polys[1].raw(), f)].raw = first;
+    } else {
+      crowds_.clear_row(before.crowd());
+      for (const poly_id q : polys) crowds_.push(before.crowd(), q);
+    }
+  }
+
   void crowd_in(side s, across& first, std::uint32_t p, std::uint32_t k) {
     if (!first.is_crowd()) {
       const std::uint32_t other = first.poly();

@@ -2,62 +2,12 @@
 // what any mesh that has only face-vertex lists can keep beside them (see indexed_base.hpp).
 #pragma once
 
+#include <concino/mesh/checks.hpp>
 #include <concino/mesh/live.hpp>
 #include <concino/mesh/sides.hpp>
-
-#include <span>
-#include <string>
+#include <concino/mesh/stars.hpp>
 
 namespace concino {
-
-namespace detail {
-
-/// Lists of N, or of any lengths; refuses arrays that are no such lists.
-template<unsigned N, class T>
-rows<T, N> checked_rows(std::vector<T> values, const char* what) {
-  if (values.size() % N)
-    throw invalid_mesh(std::string(what) + " " + std::to_string(values.size() / N) + " has " + std::to_string(values.size() % N) + " verts; it needs " + std::to_string(N));
-  return rows<T, N>(std::move(values));
-}
-template<class T>
-rows<T, 0> checked_rows(offsets first, std::vector<T> values, const char* what) {
-  if (first.empty()) first.push_back(0);
-  if (first.front() != 0) throw invalid_mesh("the offsets of " + std::string(what) + "s begin with " + std::to_string(first.front()) + "; they must begin with 0");
-  for (std::size_t i = 1; i < first.size(); ++i)
-    if (first[i] < first[i - 1]) throw invalid_mesh(std::string(what) + " " + std::to_string(i - 1) + " ends before it begins; offsets must not decrease");
-  if (first.back() != values.size())
-    throw invalid_mesh("the offsets of " + std::string(what) + "s end with " + std::to_string(first.back()) + ", but the lists have " + std::to_string(values.size()) + " entries");
-  return {std::make_shared<const offsets>(std::move(first)), std::move(values)};
-}
-
-/// Refuses a list of verts that no polygon can have.
-inline void check_verts(std::span<const vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met) {
-  const auto name = [&] { return std::string(what) + " " + std::to_string(which); };
-  if (verts.size() < 3) throw invalid_mesh(name() + " has " + std::to_string(verts.size()) + " verts; it needs at least 3");
-  for (const vert_id v : verts)
-    if (v.raw() >= vert_count)
-      throw invalid_mesh(name() + " names vert " + (v.is_none() ? "-1 or beyond 2^32" : std::to_string(v.raw())) + ", but the mesh has " + std::to_string(vert_count) + " verts, numbered from 0");
-  std::size_t twice = verts.size();
-  if (verts.size() <= 16) {
-    for (std::size_t i = 1; i < verts.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (verts[i] == verts[j]) twice = i;
-  } else {
-    if (met.size() < vert_count) met.resize(vert_count, ~0u);
-    for (std::size_t i = 0; i < verts.size(); ++i) {
-      if (met[verts[i].raw()] == which) twice = i;
-      met[verts[i].raw()] = static_cast<std::uint32_t>(which);
-    }
-  }
-  if (twice != verts.size()) throw invalid_mesh(name() + " has vert " + std::to_string(verts[twice].raw()) + " twice; its verts must differ");
-}
-
-inline void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
-  if (poly_count >= across::mask) throw unsupported("the mesh has " + std::to_string(poly_count) + " polys; at most 2^30 fit");
-  if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has more than 2^32 verts or corners");
-}
-
-}  // namespace detail
 
 /// Arity: verts of every polygon, or 0 where polygons differ.
 template<unsigned Arity>
@@ -106,6 +56,51 @@ class surface_tables {
   id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return sides_.facets(p); }
   detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
+
+  /// A vert without edges.
+  vert_id add_vert() {
+    detail::add_star(v2v_, v2e_, v2p_);
+    return verts_.add();
+  }
+
+  /// A polygon on verts that are there. Cost: its size times the edges and polys at its verts.
+  /// Errors: invalid_mesh as in the constructor; nothing has changed then.
+  poly_id add_poly(std::span<const vert_id> corners) {
+    const poly_id p{polys_.bound()};
+    if (Arity > 0 && corners.size() != Arity)
+      throw invalid_mesh("poly " + std::to_string(p.raw()) + " has " + std::to_string(corners.size()) + " verts; every poly of this mesh has " + std::to_string(Arity));
+    detail::check_new_verts(corners, verts_, "poly", p.raw());
+    const auto n = static_cast<std::uint32_t>(corners.size());
+    p2v_.add_row(corners.begin(), corners.end());
+    sides_.add_poly(n);
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const vert_id a = corners[k], b = corners[k + 1 == n ? 0 : k + 1];
+      edge_id e = detail::edge_between(v2v_, v2e_, a, b);
+      if (e.is_none()) {
+        e = detail::add_edge(edges_, e2v_, v2v_, v2e_, a, b);
+        sides_.add_facet();
+      }
+      sides_.link(p.raw(), k, e);
+      v2p_.push(a.raw(), p);
+    }
+    sides_.remark(p.raw());
+    return polys_.add();
+  }
+
+  /// Takes p away, and with it the edges that no other poly has; verts stay. No other element changes its name.
+  void remove_poly(poly_id p) {
+    sides_.unlink(p.raw());
+    for (const edge_id e : sides_.facets(p))
+      if (!sides_.is_owned(e)) detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
+    for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
+    polys_.remove(p);
+  }
+
+  /// Takes away a vert that no poly has any more.
+  void remove_vert(vert_id v) {
+    assert(v2p_[v.raw()].empty());
+    verts_.remove(v);
+  }
 
  private:
   void check(std::size_t vert_count) const {

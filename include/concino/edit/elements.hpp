@@ -1,0 +1,92 @@
+// Adding and removing verts and polys. No element but the removed ones changes its name, so descriptors, maps and properties stay right;
+// indices of removed elements are left as gaps.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/error.hpp>
+#include <concino/geometry/vec3.hpp>
+
+#include <cassert>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace concino {
+
+namespace requirement {
+
+template<class M> concept has_add_vert = requires(std::remove_cvref_t<M>& m, vec3 x) { { traits<M>::add_vert(m, x) } -> std::convertible_to<vert_t<M>>; };
+template<class M> concept has_remove_vert = requires(std::remove_cvref_t<M>& m, vert_t<M> v) { traits<M>::remove_vert(m, v); };
+template<class M> concept has_add_poly =
+    requires(std::remove_cvref_t<M>& m, std::span<const vert_t<M>> corners) { { traits<M>::add_poly(m, corners) } -> std::convertible_to<poly_t<M>>; };
+template<class M> concept has_add_face =
+    requires(std::remove_cvref_t<M>& m, std::span<const vert_t<M>> corners) { { traits<M>::add_face(m, corners) } -> std::convertible_to<face_t<M>>; };
+template<class M> concept has_add_poly_of_faces = requires(std::remove_cvref_t<M>& m, std::span<const face_t<M>> faces, std::span<const unsigned char> outward) {
+  { traits<M>::add_poly(m, faces, outward) } -> std::convertible_to<poly_t<M>>;
+};
+template<class M> concept has_remove_poly = requires(std::remove_cvref_t<M>& m, poly_t<M> p) { traits<M>::remove_poly(m, p); };
+
+}  // namespace requirement
+
+/// A new vert at x, without edges.                                          Cost: O(1), but O(verts) the first time.
+/// Needs:  a mesh whose traits offer add_vert. Properties grow by a default value; maps made before do not know the new vert.
+template<requirement::has_add_vert M>
+vert_t<M> add_vert(M& m, const vec3& x) {
+  return traits<M>::add_vert(m, x);
+}
+
+/// A new poly on verts of m: cyclic order in surfaces, the standard order for tets and hexes. Edges and faces that are there are shared,
+/// the others are made.
+/// Result: its descriptor.                                                  Cost: the elements at its verts, but O(mesh) the first time.
+/// Errors: invalid_mesh if there are too few or too many verts, one twice, or one that is not in m; m is unchanged then.
+template<requirement::has_add_poly M>
+poly_t<M> add_poly(M& m, std::span<const vert_t<M>> corners) {
+  return traits<M>::add_poly(m, corners);
+}
+template<requirement::has_add_poly M>
+poly_t<M> add_poly(M& m, std::initializer_list<vert_t<M>> corners) {
+  return traits<M>::add_poly(m, std::span<const vert_t<M>>(corners.begin(), corners.size()));
+}
+
+/// A new face on verts of a mesh of general polyhedra, to build a poly from. Errors as for polys.
+template<requirement::has_add_face M>
+face_t<M> add_face(M& m, std::span<const vert_t<M>> corners) {
+  return traits<M>::add_face(m, corners);
+}
+template<requirement::has_add_face M>
+face_t<M> add_face(M& m, std::initializer_list<vert_t<M>> corners) {
+  return traits<M>::add_face(m, std::span<const vert_t<M>>(corners.begin(), corners.size()));
+}
+
+/// A new polyhedron of faces of m, each with whether its verts run counter-clockwise seen from outside it.
+/// Errors: invalid_mesh if there is no face, one twice, or one that is not in m; m is unchanged then.
+template<requirement::has_add_poly_of_faces M>
+poly_t<M> add_poly(M& m, std::initializer_list<std::pair<face_t<M>, bool>> face_list) {
+  std::vector<face_t<M>> list;
+  std::vector<unsigned char> outward;
+  for (const auto& [f, out] : face_list) list.push_back(f), outward.push_back(out);
+  return traits<M>::add_poly(m, std::span<const face_t<M>>(list), std::span<const unsigned char>(outward));
+}
+
+/// Takes p away, and with it the edges and faces that nothing else has; verts stay.
+/// Errors: invalid_mesh if p is not a poly of m.                            Cost: the elements at its verts, but O(mesh) the first time.
+template<requirement::has_remove_poly M>
+void remove_poly(M& m, poly_t<M> p) {
+  if (!contains(m, p)) throw invalid_mesh("poly " + std::to_string(index_of(m, p)) + " cannot be removed: it is not a poly of the mesh");
+  traits<M>::remove_poly(m, p);
+}
+
+/// Takes v away and the polys at it first.
+/// Errors: invalid_mesh if v is not a vert of m.
+template<requirement::has_remove_vert M>
+  requires requirement::has_remove_poly<M>
+void remove_vert(M& m, vert_t<M> v) {
+  if (!contains(m, v)) throw invalid_mesh("vert " + std::to_string(index_of(m, v)) + " cannot be removed: it is not a vert of the mesh");
+  std::vector<poly_t<M>> around;
+  for (const auto& p : adj_v2p(m, v)) around.push_back(p);
+  for (const auto& p : around) traits<M>::remove_poly(m, p);
+  traits<M>::remove_vert(m, v);
+}
+
+}  // namespace concino

@@ -1,0 +1,65 @@
+// What lists of verts a mesh refuses.
+#pragma once
+
+#include <concino/mesh/live.hpp>
+#include <concino/mesh/sides.hpp>
+
+#include <span>
+#include <string>
+
+namespace concino::detail {
+
+/// Lists of N, or of any lengths; refuses arrays that are no such lists.
+template<unsigned N, class T>
+rows<T, N> checked_rows(std::vector<T> values, const char* what) {
+  if (values.size() % N)
+    throw invalid_mesh(std::string(what) + " " + std::to_string(values.size() / N) + " has " + std::to_string(values.size() % N) + " verts; it needs " + std::to_string(N));
+  return rows<T, N>(std::move(values));
+}
+template<class T>
+rows<T, 0> checked_rows(offsets first, std::vector<T> values, const char* what) {
+  if (first.empty()) first.push_back(0);
+  if (first.front() != 0) throw invalid_mesh("the offsets of " + std::string(what) + "s begin with " + std::to_string(first.front()) + "; they must begin with 0");
+  for (std::size_t i = 1; i < first.size(); ++i)
+    if (first[i] < first[i - 1]) throw invalid_mesh(std::string(what) + " " + std::to_string(i - 1) + " ends before it begins; offsets must not decrease");
+  if (first.back() != values.size())
+    throw invalid_mesh("the offsets of " + std::string(what) + "s end with " + std::to_string(first.back()) + ", but the lists have " + std::to_string(values.size()) + " entries");
+  return {std::make_shared<const offsets>(std::move(first)), std::move(values)};
+}
+
+/// Refuses a list of verts that no polygon can have.
+inline void check_verts(std::span<const vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met) {
+  const auto name = [&] { return std::string(what) + " " + std::to_string(which); };
+  if (verts.size() < 3) throw invalid_mesh(name() + " has " + std::to_string(verts.size()) + " verts; it needs at least 3");
+  for (const vert_id v : verts)
+    if (v.raw() >= vert_count)
+      throw invalid_mesh(name() + " names vert " + (v.is_none() ? "-1 or beyond 2^32" : std::to_string(v.raw())) + ", but the mesh has " + std::to_string(vert_count) + " verts, numbered from 0");
+  std::size_t twice = verts.size();
+  if (verts.size() <= 16) {
+    for (std::size_t i = 1; i < verts.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (verts[i] == verts[j]) twice = i;
+  } else {
+    if (met.size() < vert_count) met.resize(vert_count, ~0u);
+    for (std::size_t i = 0; i < verts.size(); ++i) {
+      if (met[verts[i].raw()] == which) twice = i;
+      met[verts[i].raw()] = static_cast<std::uint32_t>(which);
+    }
+  }
+  if (twice != verts.size()) throw invalid_mesh(name() + " has vert " + std::to_string(verts[twice].raw()) + " twice; its verts must differ");
+}
+
+inline void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
+  if (poly_count >= across::mask) throw unsupported("the mesh has " + std::to_string(poly_count) + " polys; at most 2^30 fit");
+  if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has more than 2^32 verts or corners");
+}
+
+/// The same for a new poly or face of a mesh some of whose verts may be deleted.
+inline void check_new_verts(std::span<const vert_id> list, const live<vert_id>& all, const char* what, std::size_t which) {
+  std::vector<std::uint32_t> met;
+  check_verts(list, all.bound(), what, which, met);
+  for (const vert_id v : list)
+    if (!all.contains(v)) throw invalid_mesh(std::string(what) + " " + std::to_string(which) + " names vert " + std::to_string(v.raw()) + ", which was deleted");
+}
+
+}  // namespace concino::detail
