@@ -14,7 +14,7 @@ namespace concino::testing {
 /// test.sh counts the line. Use: `if (!ready) return skip("why");`
 inline void skip(const std::string& why) {
   const auto* test = doctest::getContextOptions()->currentTest;
-  std::printf("SKIPPED: %s: %s\n", test ? test->m_name.c_str() : "?", why.c_str());
+  std::printf("SKIPPED: %s: %s\n", test ? test->m_name : "?", why.c_str());
   std::fflush(stdout);
 }
 
@@ -41,7 +41,7 @@ inline bool long_run() {
 
 }  // namespace concino::testing
 
-/// Declares `path` as a file of the corpus, or skips the running test case by name.
-#define CONCINO_CORPUS_OR_SKIP(path, file)                                                       \
-  const std::filesystem::path path = ::concino::testing::corpus(file);                           \
-  if (path.empty()) return ::concino::testing::skip("no corpus file " + std::string(file))
+/// Declares `name` as the path of a file of the corpus, or skips the running test case by its name.
+#define CONCINO_CORPUS_OR_SKIP(name, file)                                    \
+  const std::filesystem::path name = ::concino::testing::corpus(file);        \
+  if (name.empty()) return ::concino::testing::skip("no corpus file " file)
