@@ -1,0 +1,90 @@
+// The floors of the graph searches: breadth first with an array as the queue, Dijkstra with the standard binary heap, both on rows of
+// neighbours in flat arrays, from the start to the filled array of results.
+#pragma once
+
+#include "buffer.hpp"
+
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <vector>
+
+namespace bench::floors {
+
+/// Neighbours of i: adj[off[i]] .. adj[off[i + 1]], none an allowed filler. Stride > 0: rows of that length, without offsets.
+template<u32 Stride>
+struct rows {
+  const u32* off;
+  const u32* adj;
+  u32 size;
+  u32 first(u32 i) const { return Stride ? Stride * i : off[i]; }
+  u32 last(u32 i) const { return Stride ? Stride * i + Stride : off[i + 1]; }
+};
+
+template<u32 Stride, bool Filled>
+buffer<std::int32_t> bfs(const rows<Stride>& g, u32 source) {
+  buffer<std::int32_t> hops(g.size, 0xff);
+  buffer<u32> queue(g.size);
+  u32 tail = 1;
+  queue[0] = source;
+  hops[source] = 0;
+  for (u32 head = 0; head != tail; ++head) {
+    const u32 v = queue[head];
+    const std::int32_t h = hops[v] + 1;
+    for (u32 k = g.first(v); k != g.last(v); ++k) {
+      const u32 w = g.adj[k];
+      if constexpr (Filled)
+        if (w == none) continue;
+      if (hops[w] < 0) {
+        hops[w] = h;
+        queue[tail++] = w;
+      }
+    }
+  }
+  return hops;
+}
+
+/// `points`: where the nodes lie, x y z; the length of an arc is the distance of its ends.
+template<u32 Stride, bool Filled>
+buffer<double> dijkstra(const rows<Stride>& g, const double* points, u32 source) {
+  using entry = std::pair<double, u32>;
+  buffer<double> d(g.size);
+  for (u32 i = 0; i < g.size; ++i) d[i] = std::numeric_limits<double>::infinity();
+  std::priority_queue<entry, std::vector<entry>, std::greater<>> heap;
+  d[source] = 0;
+  heap.push({0.0, source});
+  while (!heap.empty()) {
+    const auto [dv, v] = heap.top();
+    heap.pop();
+    if (dv > d[v]) continue;
+    const double* a = points + 3 * std::size_t{v};
+    for (u32 k = g.first(v); k != g.last(v); ++k) {
+      const u32 w = g.adj[k];
+      if constexpr (Filled)
+        if (w == none) continue;
+      const double* b = points + 3 * std::size_t{w};
+      const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+      const double dw = dv + std::sqrt(x * x + y * y + z * z);
+      if (dw < d[w]) {
+        d[w] = dw;
+        heap.push({dw, w});
+      }
+    }
+  }
+  return d;
+}
+
+/// Means of the verts of each poly, for searches on the dual graph.
+template<u32 K>
+buffer<double> centroids(const double* points, const u32* p2v, u32 num_polys) {
+  buffer<double> c(3 * std::size_t{num_polys});
+  for (u32 p = 0; p < num_polys; ++p)
+    for (u32 i = 0; i < 3; ++i) {
+      double sum = 0;
+      for (u32 k = 0; k < K; ++k) sum += points[3 * std::size_t{p2v[K * p + k]} + i];
+      c[3 * std::size_t{p} + i] = sum / K;
+    }
+  return c;
+}
+
+}  // namespace bench::floors

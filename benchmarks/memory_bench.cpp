@@ -1,0 +1,28 @@
+// Bytes per poly that a mesh holds once every adjacency was asked for, and the peak while reading as a multiple of it. The same walk checks that
+// the library and the floor hold the same mesh.
+#include "support/check.hpp"
+#include "support/heap.hpp"
+#include "support/kinds.hpp"
+
+#include <concino/io.hpp>
+
+int main(int argc, char** argv) {
+  return bench::run_program(argc, argv, [](const bench::program& p) {
+    bench::for_each_file(p, {"memory", "peak"}, [&](const std::string& name, const std::string& path, const auto& arrays, auto kind) {
+      using mesh = typename decltype(kind)::mesh;
+      const double polys = static_cast<double>(arrays.num_polys());
+      const auto floor = kind.read(path);
+      const bench::digest expected = bench::digest_of(floor);
+
+      const std::size_t before = bench::heap::live;
+      bench::heap::peak = before;
+      const auto m = concino::load<mesh>(path);
+      const std::size_t peak = bench::heap::peak - before;
+      bench::expect_same("memory." + name, expected, bench::digest_of(m));
+      const std::size_t held = bench::heap::live - before;
+      p.print({{"memory." + name, "floor", "B/poly", static_cast<double>(floor.bytes()) / polys, static_cast<double>(held) / static_cast<double>(floor.bytes())},
+               {"memory." + name, "concino", "B/poly", static_cast<double>(held) / polys, 1},
+               {"peak." + name, "concino", "x held", static_cast<double>(peak) / static_cast<double>(held), 1}});
+    });
+  });
+}

@@ -1,0 +1,101 @@
+// Measures contenders for the same work against one another.
+//
+// Not Google Benchmark: what counts here is a ratio that a busy or drifting machine does not bend, so each round runs every contender
+// once, in an order that changes from round to round, and the ratio is taken within each round before the median is. Google Benchmark
+// can interleave repetitions but reports each benchmark alone; it also measures by wall clock loops that would hold or free the
+// results inside the measurement, and memory is a column of the same table here.
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <sched.h>
+#include <time.h>
+
+namespace bench {
+
+/// Keeps the thread on one core, so that no contender pays for moving. The last core allowed: the first one serves interrupts.
+inline void pin_to_one_core() {
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+  for (int cpu = CPU_SETSIZE - 1; cpu >= 0; --cpu)
+    if (CPU_ISSET(cpu, &allowed)) {
+      CPU_ZERO(&allowed);
+      CPU_SET(cpu, &allowed);
+      sched_setaffinity(0, sizeof allowed, &allowed);
+      return;
+    }
+}
+
+inline double process_seconds() {
+  timespec t = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// CPU seconds of f(); its result is destroyed after the clock has stopped.
+template<class F>
+double seconds_of(F&& f) {
+  const double start = process_seconds();
+  auto result = f();
+  asm volatile("" : : "g"(&result) : "memory");
+  return process_seconds() - start;
+}
+
+inline double median(std::vector<double> x) {
+  if (x.empty()) return 0;
+  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+  std::nth_element(x.begin(), middle, x.end());
+  if (x.size() % 2) return *middle;
+  return (*middle + *std::max_element(x.begin(), middle)) / 2;
+}
+
+/// One line of the result: what was measured of whom, and `concino`'s value as a multiple of it, each a median.
+struct row {
+  std::string work, contender, unit;
+  double value, ours_over_it;
+};
+
+/// Rows go to one file as tab-separated text; report.awk joins those of all programs with the budgets.
+inline void print(std::FILE* out, const row& r) {
+  std::fprintf(out, "%s\t%s\t%s\t%.6g\t%.4g\n", r.work.c_str(), r.contender.c_str(), r.unit.c_str(), r.value, r.ours_over_it);
+  std::fflush(out);
+}
+
+struct contender {
+  std::string name;
+  std::function<double()> run;   // one run, its CPU seconds
+  int every = 1;                 // slow peers run only in every so-manieth round
+};
+
+/// `rounds` rounds of all contenders, after one that warms up and does not count (except where only one round is asked for). Work
+/// that is quicker than a few milliseconds gets more rounds by itself.
+inline std::vector<row> compare(const std::string& work, int rounds, const std::vector<contender>& them) {
+  std::vector<std::vector<double>> seconds(them.size()), ratios(them.size());
+  std::vector<std::size_t> order(them.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::size_t ours = them.size();
+  for (std::size_t i = 0; i < them.size(); ++i)
+    if (them[i].name == "concino") ours = i;
+  std::mt19937 shuffle(1);
+  if (rounds > 1)
+    for (const auto& c : them)
+      if (c.every == 1 && c.run() < 0.01) rounds = std::max(rounds, 25);
+  for (int r = 0; r < rounds; ++r) {
+    std::vector<double> now(them.size(), -1);
+    std::shuffle(order.begin(), order.end(), shuffle);
+    for (std::size_t i : order)
+      if (r % them[i].every == 0) seconds[i].push_back(now[i] = them[i].run());
+    for (std::size_t i = 0; i < them.size(); ++i)
+      if (ours < them.size() && now[i] > 0) ratios[i].push_back(now[ours] / now[i]);
+  }
+  std::vector<row> rows;
+  for (std::size_t i = 0; i < them.size(); ++i) rows.push_back({work, them[i].name, "s", median(seconds[i]), median(ratios[i])});
+  return rows;
+}
+
+}  // namespace bench
