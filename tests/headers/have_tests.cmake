@@ -1,15 +1,25 @@
 # Lists the public headers that have no test file where the mirrored tree expects it:
 #   concepts/concino/concepts/x.hpp, include/concino/graph/x.hpp, adapters/concino/adapters/x.hpp
 #   -> tests/concepts/x_test.cpp,    tests/graph/x_test.cpp,      tests/adapters/x_test.cpp
-# Needs none: a convenience header (x.hpp beside a folder x/), anything below a folder detail/, and what without_test.txt lists with a reason.
-file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/without_test.txt listed REGEX "^[^#]")
+# Needs none: a convenience header (x.hpp beside a folder x/), anything below a folder detail/, and what tested_elsewhere.txt lists together
+# with the test file that covers it.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/tested_elsewhere.txt listed REGEX "^[^#]")
 set(excused "")
+set(missing "")
 foreach(line IN LISTS listed)
-  string(REGEX REPLACE "[ \t].*" "" header "${line}")
+  separate_arguments(words UNIX_COMMAND "${line}")
+  list(POP_FRONT words header)
   list(APPEND excused ${header})
+  foreach(test IN LISTS words)
+    if(NOT test MATCHES "_test\\.cpp$" OR NOT EXISTS ${source}/${test})
+      list(APPEND missing "  ${header}: tested_elsewhere.txt names ${test}, which is no test file")
+    endif()
+  endforeach()
+  if(NOT words)
+    list(APPEND missing "  ${header}: tested_elsewhere.txt names no test file")
+  endif()
 endforeach()
 
-set(missing "")
 foreach(root IN ITEMS concepts include adapters)
   file(GLOB_RECURSE headers RELATIVE ${source} ${source}/${root}/concino/*.hpp)
   foreach(header IN LISTS headers)
@@ -27,7 +37,7 @@ foreach(root IN ITEMS concepts include adapters)
   endforeach()
 endforeach()
 foreach(header IN LISTS excused)
-  list(APPEND missing "  ${header}: listed in without_test.txt, but there is no such header")
+  list(APPEND missing "  ${header}: listed in tested_elsewhere.txt, but there is no such header")
 endforeach()
 if(missing)
   list(JOIN missing "\n" missing)
