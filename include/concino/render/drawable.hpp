@@ -1,0 +1,142 @@
+// What a picture is made of: the visible polygons of any mesh, with triangles to hit, normals to shade and values to colour them.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/concepts/mesh.hpp>
+#include <concino/error.hpp>
+#include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/render/colormap.hpp>
+#include <concino/render/smooth_normals.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace concino {
+
+/// How the surface of a drawable looks.
+struct appearance {
+  rgb color = srgb(0.80f, 0.80f, 0.82f);   // where there are no values
+  rgb no_value = srgb(0.55f, 0.55f, 0.55f);  // where a value is infinite or not a number
+  colormap map = blue_to_yellow;
+  double low = 0, high = 1;        // the values at the ends of the map
+  int bands = 0;                   // white iso-bands between low and high, evenly spaced; 0: none
+  double band_width = 0.12;        // of the distance between two bands, in [0, 1]
+  double edge_width = 0;           // lines along the edges of the mesh, in pixels; 0: none
+  rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
+  double edge_opacity = 0.6;       // in [0, 1]
+  double shine = 1;                // of the highlights, 0: none
+};
+
+/// Polygons of the surface of a mesh, ready for drawing. All in units of the mesh.
+struct drawable {
+  std::vector<vec3> points;
+  std::vector<double> values;                    // per point; empty: no values
+  std::vector<std::uint32_t> offsets = {0};      // polygon p has the corners offsets[p] .. offsets[p+1]-1
+  std::vector<std::uint32_t> corners;            // a point each
+  std::vector<std::array<float, 3>> normals;     // per corner, unit
+  std::vector<std::uint32_t> polys;              // per polygon: index_of the poly of the mesh that it shows
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // three corners each
+  std::vector<std::uint32_t> polygon_of;         // per triangle
+  appearance look;
+
+  polygon_list polygons() const { return {points, offsets, corners}; }
+};
+
+struct drawable_options {
+  double crease_angle = 40;  // degrees: edges bent more look sharp; 0: every polygon looks flat, 180: everything looks smooth
+};
+
+namespace detail {
+
+/// Calls f(poly, range of its verts in cyclic order, reversed?) for each polygon of a surface, each outer face of a volume.
+template<class M, class F>
+void each_outer_polygon(const M& m, F&& f) {
+  if constexpr (SurfaceMesh<M>) {
+    for (const auto p : polys(m)) f(static_cast<poly_t<M>>(p), adj_p2v(m, p), false);
+  } else {
+    for (const auto q : faces(m)) {
+      const auto sides = adj_f2p(m, q);
+      auto it = sides.begin();
+      if (!(it != sides.end())) continue;
+      const poly_t<M> p = *it;
+      ++it;
+      if (it != sides.end()) continue;
+      f(p, adj_f2v(m, q), !face_is_outward(m, p, q));
+    }
+  }
+}
+
+inline void add_triangles(drawable& d) {
+  polygon_triangulator cut;
+  std::vector<vec3> polygon;
+  for (std::size_t p = 0; p + 1 < d.offsets.size(); ++p) {
+    const std::uint32_t first = d.offsets[p], last = d.offsets[p + 1], index = static_cast<std::uint32_t>(p);
+    if (last - first == 3) {
+      d.triangles.push_back({first, first + 1, first + 2});
+      d.polygon_of.push_back(index);
+      continue;
+    }
+    polygon.clear();
+    for (std::uint32_t c = first; c < last; ++c) polygon.push_back(d.points[d.corners[c]]);
+    for (const polygon_triangle& t : cut(polygon)) {
+      d.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+      d.polygon_of.push_back(index);
+    }
+  }
+}
+
+template<class M, class Value>
+drawable make_drawable(const M& m, const drawable_options& options, bool with_values, Value&& value) {
+  if (!(options.crease_angle >= 0 && options.crease_angle <= 180)) throw invalid_argument("make_drawable: crease_angle must be in [0, 180] degrees");
+  constexpr std::uint32_t unseen = ~std::uint32_t{0};
+  drawable d;
+  std::vector<std::uint32_t> point_of(static_cast<std::size_t>(vert_index_bound(m)), unseen);
+  each_outer_polygon(m, [&](poly_t<M> p, const auto& ring, bool reversed) {
+    for (const auto r : ring) {
+      const vert_t<M> v = r;
+      std::uint32_t& at = point_of[static_cast<std::size_t>(index_of(m, v))];
+      if (at == unseen) {
+        at = static_cast<std::uint32_t>(d.points.size());
+        d.points.push_back(to_vec3(point(m, v)));
+        if (!is_finite(d.points.back()))
+          throw invalid_mesh("make_drawable: vert " + std::to_string(static_cast<std::size_t>(index_of(m, v))) + " has a coordinate that is not a finite number");
+        if (with_values) d.values.push_back(value(v));
+      }
+      d.corners.push_back(at);
+    }
+    if (reversed) std::reverse(d.corners.begin() + d.offsets.back(), d.corners.end());
+    d.offsets.push_back(static_cast<std::uint32_t>(d.corners.size()));
+    d.polys.push_back(static_cast<std::uint32_t>(index_of(m, p)));
+  });
+  add_triangles(d);
+  d.normals = smooth_normals(d.polygons(), options.crease_angle);
+  return d;
+}
+
+}  // namespace detail
+
+/// The surface of a mesh for drawing: the polygons of a surface, the faces of a volume that have exactly one poly.
+/// Needs:  AnyMesh and Embedded M.      Result: in a plain colour; change `look` at will.
+/// Cost:   O(polygons), more where many meet in a vert.
+/// Errors: invalid_mesh if a vert that is shown has a coordinate that is not finite; invalid_argument if crease_angle is out of range.
+template<class M>
+  requires AnyMesh<M> && Embedded<M>
+drawable make_drawable(const M& m, const drawable_options& options = {}) {
+  return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
+}
+
+/// The same coloured by a value per vert, interpolated over each polygon. `look.low` and `high` span the finite values.
+template<class M, class U>
+  requires AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
+drawable make_drawable(const M& m, const U& u, const drawable_options& options = {}) {
+  drawable d = detail::make_drawable(m, options, true, [&](const auto& v) { return static_cast<double>(u[v]); });
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double x : d.values)
+    if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
+  if (low <= high) d.look.low = low, d.look.high = high;
+  return d;
+}
+
+}  // namespace concino

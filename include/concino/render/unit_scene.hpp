@@ -1,0 +1,75 @@
+// All drawables of a picture as one set of triangles about the origin, whatever the size and place of the mesh.
+#pragma once
+
+#include <concino/render/camera.hpp>
+#include <concino/render/drawable.hpp>
+#include <concino/render/ray_caster.hpp>
+
+#include <span>
+
+namespace concino::detail {
+
+/// Moves the middle of the bounding box to 0 and makes half its diagonal 1, so that single precision is enough for meshes of any size.
+class unit_scene {
+  std::span<const drawable> drawables_;
+  std::vector<std::uint32_t> first_point_, first_triangle_;
+  vec3 center_;
+  double radius_ = 1;
+
+ public:
+  triangle_soup soup;
+
+  explicit unit_scene(std::span<const drawable> drawables) : drawables_(drawables) {
+    const double inf = std::numeric_limits<double>::infinity();
+    vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
+    std::size_t points = 0, triangles = 0;
+    for (const drawable& d : drawables_) {
+      first_point_.push_back(static_cast<std::uint32_t>(points));
+      first_triangle_.push_back(static_cast<std::uint32_t>(triangles));
+      points += d.points.size();
+      triangles += d.triangles.size();
+      for (const vec3& p : d.points)
+        for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+    }
+    if (points > 0) {
+      center_ = low / 2 + high / 2;
+      const double half = norm(high / 2 - low / 2);
+      radius_ = half > 0 ? half : 1;
+    }
+    soup.points.reserve(points);
+    soup.triangles.reserve(triangles);
+    for (std::size_t i = 0; i < drawables_.size(); ++i) {
+      const drawable& d = drawables_[i];
+      for (const vec3& p : d.points) soup.points.push_back(to_normal3(to_unit(p)));
+      for (const auto& t : d.triangles)
+        soup.triangles.push_back({first_point_[i] + d.corners[t[0]], first_point_[i] + d.corners[t[1]], first_point_[i] + d.corners[t[2]]});
+    }
+  }
+
+  vec3 to_unit(const vec3& p) const { return (p - center_) / radius_; }
+  double to_unit(double length) const { return length / radius_; }
+  camera to_unit(camera c) const {
+    c.eye = to_unit(c.eye);
+    if (c.parallel) c.half_height /= radius_;
+    return c;
+  }
+
+  vec3 point(std::uint32_t i) const { return to_vec3(soup.points[i]); }
+
+  /// The drawable that triangle t of the soup belongs to, and its number there.
+  std::pair<std::size_t, std::uint32_t> owner(std::uint32_t t) const {
+    const auto it = std::upper_bound(first_triangle_.begin(), first_triangle_.end(), t) - 1;
+    return {static_cast<std::size_t>(it - first_triangle_.begin()), t - *it};
+  }
+  const drawable& operator[](std::size_t i) const { return drawables_[i]; }
+  std::uint32_t first_point(std::size_t i) const { return first_point_[i]; }
+
+  /// How low the scene reaches along a direction.
+  double lowest(const vec3& up) const {
+    double low = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < soup.points.size(); ++i) low = std::min(low, dot(point(static_cast<std::uint32_t>(i)), up));
+    return low;
+  }
+};
+
+}  // namespace concino::detail
