@@ -1,0 +1,40 @@
+// The smallest box along the axes that holds all verts.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/concepts/primal_graph.hpp>
+#include <concino/geometry/vec3.hpp>
+
+#include <limits>
+
+namespace concino {
+
+/// All points x with min <= x <= max in each coordinate; empty where min > max, as it is at first.
+struct box {
+  vec3 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  vec3 max = -min;
+
+  bool is_empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
+  vec3 centre() const { return 0.5 * min + 0.5 * max; }
+  /// From corner to corner; 0 if empty.
+  double diagonal() const { return is_empty() ? 0 : norm(max - min); }
+
+  void add(const vec3& x) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (x[k] < min[k]) min[k] = x[k];
+      if (x[k] > max[k]) max[k] = x[k];
+    }
+  }
+};
+
+/// The box of all verts of m, those of no poly included.
+/// Needs:  Embedded M with verts.      Result: an empty box where there are no verts.      Cost: O(V).      Errors: none.
+template<Embedded M>
+  requires requirement::has_verts<M>
+box bounding_box(const M& m) {
+  box b;
+  for (const vert_t<M> v : verts(m)) b.add(to_vec3(point(m, v)));
+  return b;
+}
+
+}  // namespace concino

@@ -1,0 +1,51 @@
+#include <concino/geometry/centroid.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+double off(const vec3& a, const vec3& b) { return norm(a - b); }
+}
+
+TEST_CASE_TEMPLATE("centroid: weighted by measure, those of all polys average to that of the whole", M, CONCINO_ALL_KINDS) {
+  auto arrays = grid_arrays<M>(3);
+  for (vec3& x : arrays.points) x = {2 * x.x + 0.5 * x.y + 100, x.y - 7, x.z};  // affine, so the centre is known
+  const M m(arrays);
+  vec3 sum;
+  for (const auto p : polys(m)) sum += measure(m, p) * centroid(m, p);
+  const vec3 expected = {2 * 0.5 + 0.25 + 100, 0.5 - 7, SurfaceMesh<M> ? 0.0 : 0.5};
+  CHECK(off(sum / total_measure(m), expected) < 1e-11);
+}
+
+TEST_CASE_TEMPLATE("centroid: on the archetype the same", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.05));
+  const auto g = only_embedded_mesh(m);
+  for (const auto p : polys(m)) {
+    CHECK(off(centroid(g, g.poly(p)), centroid(m, p)) < 1e-14);
+    CHECK(off(vert_mean(g, g.poly(p)), vert_mean(m, p)) < 1e-14);
+  }
+}
+
+TEST_CASE("centroid: of an L, of a pyramid, of a poly turned inside out") {
+  const polygonmesh l({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}});
+  for (const auto p : polys(l)) CHECK(off(centroid(l, p), vec3{5.0 / 6, 5.0 / 6, 0}) < 1e-15);
+  CHECK(off(vert_mean(l, poly_id{0}), vec3{1, 1, 0}) < 1e-15);
+  // a hex squeezed to a pyramid: its centre of mass is a quarter of the height up
+  const hexmesh pyramid({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 4}, {1, 1, 4}, {1, 1, 4}, {1, 1, 4}}, {{0, 1, 2, 3, 4, 5, 6, 7}});
+  CHECK(off(centroid(pyramid, poly_id{0}), vec3{1, 1, 1}) < 1e-14);
+  const tetmesh t({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 1, 2, 3}, {1, 0, 2, 3}});
+  for (const auto p : polys(t)) CHECK(off(centroid(t, p), vec3{1, 1, 1}) < 1e-14);
+}
+
+TEST_CASE("centroid: of a poly without measure it is the mean of the verts") {
+  const trimesh line({{0, 0, 0}, {1, 1, 1}, {5, 5, 5}}, {{0, 1, 2}});
+  CHECK(centroid(line, poly_id{0}) == vec3{2, 2, 2});
+  const tetmesh flat({{0, 0, 0}, {0.1, 0.7, 0}, {0.3, 0.9, 0}, {1, 0.3, 0}}, {{0, 1, 2, 3}});
+  CHECK(centroid(flat, poly_id{0}) == vert_mean(flat, poly_id{0}));
+}

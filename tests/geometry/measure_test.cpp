@@ -1,0 +1,104 @@
+#include <concino/geometry/measure.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// A rotation about (1, 2, 3) and a shift, that leave sizes alone.
+vec3 moved(const vec3& x) {
+  const vec3 axis = vec3{1, 2, 3} / std::sqrt(14.0);
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  return c * x + s * cross(axis, x) + (1 - c) * dot(axis, x) * axis + vec3{10, -20, 30};
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("measure: grids fill the unit square or cube, wherever they are and at any scale", M, CONCINO_ALL_KINDS) {
+  const auto arrays = grid_arrays<M>(3);
+  const M m(arrays);
+  CHECK(total_measure(m) == doctest::Approx(1).epsilon(1e-14));
+  auto turned = arrays;
+  for (vec3& x : turned.points) x = moved(x);
+  CHECK(total_measure(M(turned)) == doctest::Approx(1).epsilon(1e-12));
+  for (const double scale : {0x1p-40, 0x1p30}) {
+    auto scaled = arrays;
+    for (vec3& x : scaled.points) x *= scale;
+    const M s(scaled);
+    for (const auto p : polys(m)) {
+      CHECK(measure(m, p) > 0);
+      CHECK(measure(s, p) == measure(m, p) * (SurfaceMesh<M> ? scale * scale : scale * scale * scale));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("measure: interior points may move anywhere, cells with warped faces still fill the cube", M, CONCINO_VOLUME_KINDS) {
+  auto arrays = grid_arrays<M>(4);
+  const auto wild = jittered(arrays, 0.1);
+  for (std::size_t i = 0; i < arrays.points.size(); ++i) {
+    vec3& x = arrays.points[i];
+    if (std::min({x.x, x.y, x.z}) > 0 && std::max({x.x, x.y, x.z}) < 1) x = wild.points[i];
+  }
+  CHECK(total_measure(M(arrays)) == doctest::Approx(1).epsilon(1e-13));
+}
+
+TEST_CASE_TEMPLATE("measure: on the archetype the same bits", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.1));
+  const auto g = only_embedded_mesh(m);
+  for (const auto p : polys(m)) CHECK(measure(g, g.poly(p)) == doctest::Approx(measure(m, p)).epsilon(1e-14));
+  CHECK(total_measure(g) == doctest::Approx(total_measure(m)).epsilon(1e-14));
+  if constexpr (VolumeMesh<M>)
+    for (const auto f : faces(m)) CHECK(area(g, g.face(f)) == area(m, f));
+}
+
+TEST_CASE("area: concave, folded and degenerate polygons") {
+  const polygonmesh m({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}, {0, 1, 2, 5}});
+  CHECK(area(m, poly_id{0}) == 3);
+  CHECK(area_vector(m, poly_id{0}) == vec3{0, 0, 3});
+  CHECK(area_vector(m, poly_id{1}) == vec3{0, 0, -3});
+  const trimesh flat({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}, {{0, 1, 2}});
+  CHECK(area(flat, poly_id{0}) == 0);
+  const trimesh spot({{2, 1, 5}, {2, 1, 5}, {2, 1, 5}}, {{0, 1, 2}});
+  CHECK(area(spot, poly_id{0}) == 0);
+  const quadmesh saddle({{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}}, {{0, 1, 2, 3}});
+  CHECK(area_vector(saddle, poly_id{0}) == vec3{0, 0, 1});
+}
+
+TEST_CASE("volume: sign, frustum, degenerate cells") {
+  const tetmesh t({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}, {0, 2, 1, 3}});
+  CHECK(volume(t, poly_id{0}) == doctest::Approx(1.0 / 6));
+  CHECK(volume(t, poly_id{1}) == doctest::Approx(-1.0 / 6));
+  double skin = 0;
+  for (const auto f : faces(t)) skin += area(t, f);
+  CHECK(skin == doctest::Approx(1.5 + std::sqrt(3.0) / 2));
+
+  // a frustum with a 2 x 2 bottom, a 1 x 1 top and height 3: h/3 (A + B + sqrt(A B))
+  const hexmesh frustum({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0.5, 0.5, 3}, {1.5, 0.5, 3}, {1.5, 1.5, 3}, {0.5, 1.5, 3}}, {{0, 1, 2, 3, 4, 5, 6, 7}});
+  CHECK(volume(frustum, poly_id{0}) == doctest::Approx(7).epsilon(1e-14));
+  const hexmesh pressed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3, 4, 5, 6, 7}});
+  CHECK(volume(pressed, poly_id{0}) == 0);
+}
+
+TEST_CASE("volume: a polyhedron turned inside out is negative, its faces' areas are not") {
+  auto arrays = polyhedra_grid(1);
+  const polyhedralmesh m(arrays);
+  for (auto& out : arrays.outward) out = !out;
+  const polyhedralmesh inside_out(arrays);
+  CHECK(total_measure(m) == doctest::Approx(1));
+  CHECK(total_measure(inside_out) == -total_measure(m));
+  double surface = 0;
+  for (const auto f : faces(m)) surface += area(m, f);
+  CHECK(surface == doctest::Approx(6 + 1));  // the cube and the two walls between L and cube
+}
+
+TEST_CASE_TEMPLATE("measure: empty meshes measure nothing", M, CONCINO_ALL_KINDS) {
+  CHECK(total_measure(M()) == 0);
+}
