@@ -29,7 +29,27 @@ concept DualGraph = requirement::is_adapted<M> && requirement::has_poly<M> && re
 
 /// Fails to compile with one sentence that names the first thing M lacks to be a DualGraph and what to write.
 template<class M>
-consteval void explain_dual_graph();
+consteval void explain_dual_graph() {
+  using detail::missing;
+  // One line per message, so that compilers show it in one.
+  // clang-format off
+  if constexpr (!requirement::is_adapted<M>)
+    static_assert(missing<M>, "concino: DualGraph: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+  else if constexpr (!requirement::has_poly<M>)
+    static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::poly: using poly = a std::regular type; names one poly");
+  else if constexpr (!requirement::has_polys<M>)
+    static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::polys: static ElementRange<poly> polys(const M&); all polys");
+  else if constexpr (!requirement::has_num_polys<M>)
+    static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::num_polys: static std::size_t num_polys(const M&); how many polys the walk meets");
+  else if constexpr (!requirement::has_poly_index_bound<M>)
+    static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::poly_index_bound: static std::size_t poly_index_bound(const M&); exclusive bound of index_of");
+  else if constexpr (!requirement::has_poly_index_of<M>)
+    static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, poly); below poly_index_bound, different for different polys");
+  else if constexpr (!requirement::has_adj_p2p<M>)
+    static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::adj_p2p: static ElementRange<poly> adj_p2p(const M&, poly); the polys across an edge (surface) or a face (volume)");
+  else static_assert(DualGraph<M>);
+  // clang-format on
+}
 
 }  // namespace concino
 

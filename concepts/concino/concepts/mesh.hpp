@@ -29,7 +29,42 @@ template<class M> concept MutablePoints = Embedded<M> && requirement::has_set_po
 
 /// Fails to compile with one sentence that names the first thing M lacks to be Embedded and what to write.
 template<class M>
-consteval void explain_embedded();
+consteval void explain_embedded() {
+  using detail::missing;
+  // One line per message, so that compilers show it in one.
+  // clang-format off
+  if constexpr (!requirement::is_adapted<M>)
+    static_assert(missing<M>, "concino: Embedded: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+  else if constexpr (!requirement::has_vert<M>)
+    static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
+  else if constexpr (!requirement::has_point<M>)
+    static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::point: static P point(const M&, vert); P has p[0], p[1], p[2] that convert to double");
+  else static_assert(Embedded<M>);
+  // clang-format on
+}
+
+/// Fails to compile with one sentence that names the first thing M lacks to have MutablePoints and what to write.
+template<class M>
+consteval void explain_mutable_points() {
+  using detail::missing;
+  if constexpr (!Embedded<M>) explain_embedded<M>();
+  else if constexpr (!requirement::has_set_point<M>)
+    static_assert(missing<M>, "concino: MutablePoints needs mesh_traits<M>::set_point: static void set_point(M&, vert, const X& x); X has x[0], x[1], x[2]");
+}
+
+/// Fails to compile with one sentence that names the first thing M lacks to be an AnyMesh and what to write.
+template<class M>
+consteval void explain_any_mesh() {
+  using detail::missing;
+  // clang-format off
+  if constexpr (!requirement::is_adapted<M>)
+    static_assert(missing<M>, "concino: AnyMesh: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+  else if constexpr (dimension_v<M> == 2) explain_surface_mesh<M>();
+  else if constexpr (dimension_v<M> == 3) explain_volume_mesh<M>();
+  else
+    static_assert(missing<M>, "concino: AnyMesh needs mesh_traits<M>::dimension: static constexpr int dimension = 2 for a surface, 3 for a volume");
+  // clang-format on
+}
 
 /// Whether x is an element of m now. Constant time where the traits offer `contains`, else one walk over the elements of its kind.
 inline constexpr struct contains_verb {

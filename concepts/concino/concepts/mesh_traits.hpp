@@ -41,6 +41,9 @@ concept is_adapted = !std::is_base_of_v<no_traits, traits<M>>;
 
 namespace detail {
 
+/// False, but only once M is known: what the assertions of explain_primal_graph<M>() and its siblings stand on.
+template<class M> inline constexpr bool missing = false;
+
 template<class T> struct dimension_of : std::integral_constant<int, 0> {};
 template<class T>
   requires requires { T::dimension; }

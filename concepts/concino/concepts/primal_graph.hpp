@@ -28,7 +28,27 @@ concept PrimalGraph = requirement::is_adapted<M> && requirement::has_vert<M> && 
 
 /// Fails to compile with one sentence that names the first thing M lacks to be a PrimalGraph and what to write.
 template<class M>
-consteval void explain_primal_graph();
+consteval void explain_primal_graph() {
+  using detail::missing;
+  // One line per message, so that compilers show it in one.
+  // clang-format off
+  if constexpr (!requirement::is_adapted<M>)
+    static_assert(missing<M>, "concino: PrimalGraph: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+  else if constexpr (!requirement::has_vert<M>)
+    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
+  else if constexpr (!requirement::has_verts<M>)
+    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::verts: static ElementRange<vert> verts(const M&); all verts");
+  else if constexpr (!requirement::has_num_verts<M>)
+    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::num_verts: static std::size_t num_verts(const M&); how many verts the walk meets");
+  else if constexpr (!requirement::has_vert_index_bound<M>)
+    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::vert_index_bound: static std::size_t vert_index_bound(const M&); exclusive bound of index_of");
+  else if constexpr (!requirement::has_vert_index_of<M>)
+    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, vert); below vert_index_bound, different for different verts");
+  else if constexpr (!requirement::has_adj_v2v<M>)
+    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::adj_v2v: static ElementRange<vert> adj_v2v(const M&, vert); the verts joined to a vert by an edge");
+  else static_assert(PrimalGraph<M>);
+  // clang-format on
+}
 
 }  // namespace concino
 

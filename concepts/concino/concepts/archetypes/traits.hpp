@@ -86,6 +86,7 @@ struct mesh_traits<archetypes::only<M, P>> : archetypes::vert_type<M, has(P, arc
   template<class O, class F> static constexpr auto out(const F& make) { return archetypes::rewrap<O>(make); }
 
  public:
+  // clang-format off
   template<class X = M> requires primal static constexpr auto verts(const A& a) { return out<v<X>>([&]() -> decltype(auto) { return T::verts(a.base()); }); }
   template<class X = M> requires mesh static constexpr auto edges(const A& a) { return out<e<X>>([&]() -> decltype(auto) { return T::edges(a.base()); }); }
   template<class X = M> requires volume static constexpr auto faces(const A& a) { return out<f<X>>([&]() -> decltype(auto) { return T::faces(a.base()); }); }
@@ -123,6 +124,8 @@ struct mesh_traits<archetypes::only<M, P>> : archetypes::vert_type<M, has(P, arc
   template<class X = M> requires mesh static constexpr auto adj_p2e(const A& a, const p<X>& x) { return out<e<X>>([&]() -> decltype(auto) { return T::adj_p2e(a.base(), in(x)); }); }
   template<class X = M> requires volume static constexpr auto adj_p2f(const A& a, const p<X>& x) { return out<f<X>>([&]() -> decltype(auto) { return T::adj_p2f(a.base(), in(x)); }); }
   template<class X = M> requires dual static constexpr auto adj_p2p(const A& a, const p<X>& x) { return out<p<X>>([&]() -> decltype(auto) { return T::adj_p2p(a.base(), in(x)); }); }
+
+  // clang-format on
 
   template<class X = M> requires volume static constexpr archetypes::truth face_is_outward(const A& a, const p<X>& x, const f<X>& y) {
     return archetypes::truth(T::face_is_outward(a.base(), in(x), in(y)));

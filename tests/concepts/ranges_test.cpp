@@ -1,0 +1,37 @@
+// What counts as a range of elements, and the two small ranges of the library.
+#include <concino/concepts/descriptors.hpp>
+#include <concino/concepts/ranges.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <vector>
+
+namespace cn = concino;
+
+static_assert(!cn::ElementRange<std::array<unsigned, 2>, cn::vert_id> && !cn::ElementRange<std::array<cn::poly_id, 2>, cn::vert_id>);
+static_assert(cn::ElementRange<std::array<cn::vert_id, 2>, cn::vert_id> && cn::ElementRange<const std::vector<cn::vert_id>&, cn::vert_id>);
+static_assert(cn::ElementRange<cn::id_span<cn::vert_id>, cn::vert_id> && cn::ElementRange<cn::id_range<cn::vert_id>, cn::vert_id>);
+static_assert(!cn::ElementRange<cn::vert_id, cn::vert_id> && !cn::ElementRange<int, int>);
+
+TEST_CASE("id_range walks what is alive, and both small ranges may be walked again") {
+  const unsigned char dead[] = {1, 0, 1, 1, 0, 1};
+  const cn::id_range<cn::poly_id> r(6, dead);
+  for (int walk = 0; walk < 2; ++walk) {
+    std::vector<unsigned> met;
+    for (auto p : r) met.push_back(p.raw());
+    CHECK(met == std::vector<unsigned>{1, 4});
+  }
+  const unsigned char all_dead[] = {1, 1};
+  const cn::id_range<cn::poly_id> none(2, all_dead);
+  CHECK_FALSE(none.begin() != none.end());
+}
+
+TEST_CASE("id_span shows memory that is not its own") {
+  const std::vector<cn::vert_id> ids{cn::vert_id{4}, cn::vert_id{2}};
+  const cn::id_span<cn::vert_id> r(ids.data(), ids.data() + ids.size());
+  CHECK(r.size() == 2);
+  CHECK(r[1] == cn::vert_id{2});
+  CHECK(*r.begin() == cn::vert_id{4});
+  CHECK(cn::id_span<cn::vert_id>().empty());
+}

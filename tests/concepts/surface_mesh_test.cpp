@@ -1,0 +1,46 @@
+// Surfaces: models, non-models, and the choice among overloads.
+#include <concino/concepts/surface_mesh.hpp>
+
+#include "../support/models.hpp"
+#include "../support/tiny.hpp"
+
+#include <doctest/doctest.h>
+
+namespace cn = concino;
+using cn::testing::models_in_all_forms;
+
+namespace {
+
+static_assert(models_in_all_forms<tiny::surface>(cn::testing::surface | cn::testing::embedded));
+struct triangles : tiny::surface {};
+struct one_descriptor : tiny::surface {};
+
+}  // namespace
+template<>
+struct concino::mesh_traits<triangles> : mesh_traits<tiny::surface> {
+  static constexpr int arity = 3;
+};
+template<>
+struct concino::mesh_traits<one_descriptor> : mesh_traits<tiny::surface> {
+  using edge = vert;
+};
+namespace {
+
+static_assert(models_in_all_forms<triangles>(cn::testing::surface | cn::testing::embedded | cn::testing::fixed_arity));
+static_assert(cn::TriMesh<const triangles&> && !cn::QuadMesh<triangles> && !cn::TetMesh<triangles>);
+// One type for two kinds of elements: only the graphs are left.
+static_assert(models_in_all_forms<one_descriptor>(cn::testing::primal_graph | cn::testing::dual_graph | cn::testing::embedded));
+
+constexpr int pick(const cn::PrimalGraph auto&) { return 1; }
+constexpr int pick(const cn::AnyMesh auto&) { return 2; }
+constexpr int pick(const cn::SurfaceMesh auto&) { return 3; }
+constexpr int pick(const cn::TriMesh auto&) { return 4; }
+
+}  // namespace
+
+TEST_CASE("overloads are chosen by the most particular concept") {
+  cn::explain_surface_mesh<const tiny::surface>();
+  CHECK(pick(tiny::volume()) == 2);
+  CHECK(pick(tiny::surface()) == 3);
+  CHECK(pick(triangles()) == 4);
+}

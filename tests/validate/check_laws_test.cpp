@@ -1,0 +1,67 @@
+// check_laws on the six native meshes: whole, in two pieces with a vert of no poly, empty, non-manifold; and through every archetype.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/validate.hpp>
+
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace cn = concino;
+
+namespace {
+
+template<class M>
+void keeps_all_laws(const M& m) {
+  const auto found = cn::check_laws(m);
+  for (const auto& b : found) MESSAGE(b.law << ": " << b.what << " [" << b.witness << "]");
+  CHECK(found.empty());
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("native meshes keep all laws", M, CONCINO_ALL_KINDS) {
+  keeps_all_laws(M());
+  for (unsigned n : {1u, 2u, 3u, 5u}) keeps_all_laws(cn::testing::grid<M>(n));
+  const M two = cn::testing::two_grids<M>(2);
+  keeps_all_laws(two);
+  keeps_all_laws(cn::only_primal_graph(two));
+  keeps_all_laws(cn::only_embedded_graph(two));
+  keeps_all_laws(cn::only_dual_graph(two));
+  keeps_all_laws(cn::only_graphs(two));
+  keeps_all_laws(cn::only_mesh(two));
+  keeps_all_laws(cn::only_embedded_mesh(two));
+  if constexpr (cn::arity_v<M> > 0) keeps_all_laws(cn::only_fixed_arity_mesh(two));
+}
+
+TEST_CASE("non-manifold surfaces keep all laws") {
+  // Three polys at an edge, two of which are wound the same way; two fans that touch in a vert; the same poly twice.
+  const std::vector<cn::vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {-1, -1, 0}, {-1, 0, 0}};
+  keeps_all_laws(cn::trimesh(x, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 5, 6}, {0, 6, 5}, {0, 5, 6}}));
+  keeps_all_laws(cn::polygonmesh(x, std::vector<std::vector<int>>{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 4, 5, 6}, {0, 4, 5, 6}, {0, 1, 4, 5}}));
+  keeps_all_laws(cn::quadmesh(x, std::vector<std::array<int, 4>>{{0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 6, 5}, {0, 1, 2, 3}}));
+}
+
+TEST_CASE("non-manifold volumes keep all laws") {
+  const std::vector<cn::vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 1}, {9, 9, 9}};
+  // Three tets at a face, one of them inside out, and one that only shares an edge.
+  keeps_all_laws(cn::tetmesh(x, std::vector<std::array<int, 4>>{{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 5}, {0, 3, 4, 6}}));
+  keeps_all_laws(cn::tetmesh(x, std::vector<std::array<int, 4>>{{0, 1, 2, 3}, {0, 1, 2, 3}}));
+  // A poly that is not closed, and a face of no poly.
+  using faces = std::vector<std::vector<int>>;
+  using cells = std::vector<std::vector<std::pair<int, bool>>>;
+  keeps_all_laws(cn::polyhedralmesh(x, faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 2, 5}}, cells{{{0, true}, {1, true}, {2, true}, {3, true}}, {{3, false}, {0, false}}}));
+}
+
+TEST_CASE("a native mesh with a point that is no point breaks EM1 only") {
+  cn::trimesh m = cn::testing::grid<cn::trimesh>(2);
+  cn::set_point(m, cn::vert_id{3}, cn::vec3{0, std::nan(""), 0});
+  const auto found = cn::check_laws(m);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].law == "EM1");
+  CHECK(found[0].witness == "v3");
+}
