@@ -15,7 +15,8 @@ template<class A, class B>
 void expect_equal(const std::string& work, const A& a, const B& b) {
   for (u32 i = 0; i < a.size(); ++i) {
     const auto x = static_cast<double>(a[i]), y = static_cast<double>(b[i]);
-    if (!(x == y || std::abs(x - y) <= 1e-9 * std::abs(x))) throw std::runtime_error(work + ": results differ at node " + std::to_string(i));
+    if (!(x == y || std::abs(x - y) <= 1e-9 * std::abs(x)))
+      throw std::runtime_error(work + ": results differ at node " + std::to_string(i));
   }
 }
 

@@ -30,7 +30,8 @@ END {
     work = order[i]; n = split(names[work], name, SUBSEP); best = ""
     line = ""
     for (k = 1; k <= n; ++k) {
-      line = line (k > 1 ? ", " : "") sprintf("\"%s\": {\"value\": %s, \"concino_over_it\": %s}", name[k], value[work, name[k]], ours_over[work, name[k]])
+      line = line (k > 1 ? ", " : "") \
+        sprintf("\"%s\": {\"value\": %s, \"concino_over_it\": %s}", name[k], value[work, name[k]], ours_over[work, name[k]])
       if (name[k] != "floor" && name[k] != "concino" && (best == "" || value[work, name[k]] + 0 < value[work, best] + 0)) best = name[k]
     }
     is = work in limit ? measured(work) : ""
@@ -38,12 +39,13 @@ END {
     if (met == "NO") ++missed
     if (met != "") ++judged
     budget = !(work in limit) ? "" : "<= " limit[work] (against[work] == "-" ? "" : " x " against[work])
-    printf format, work, unit[work], show(value[work, "floor"]), show(value[work, "concino"]), (work, "floor") in value ? show(ours_over[work, "floor"]) : "-",
+    printf format, work, unit[work], show(value[work, "floor"]), show(value[work, "concino"]), show(ours_over[work, "floor"]),
       best, best == "" ? "" : show(value[work, best]), best == "" ? "" : show(ours_over[work, best]), budget, show(is), met
     printf "%s    {\"work\": \"%s\", \"unit\": \"%s\", \"contenders\": {%s}", comma, work, unit[work], line > json
     comma = ",\n"
     truth = met == "yes" ? "true" : "false"
-    if (is != "") printf ", \"budget\": {\"against\": \"%s\", \"limit\": %s, \"is\": %.4g, \"met\": %s}", against[work], limit[work], is, truth > json
+    if (is != "")
+      printf ", \"budget\": {\"against\": \"%s\", \"limit\": %s, \"is\": %.4g, \"met\": %s}", against[work], limit[work], is, truth > json
     printf "}" > json
   }
   print "\n  ]\n}" > json

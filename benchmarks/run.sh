@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds the benchmarks for this processor and runs them all: one table on the terminal, the same as JSON.
-# usage: benchmarks/run.sh [--json FILE] [--build FOLDER] [options of the programs, such as --rounds 5, --only load.tri1m, --base bunny.obj]
+# usage: benchmarks/run.sh [--json FILE] [--build FOLDER] [options of the programs: --rounds 5, --only load.tri1m, --base bunny.obj, --tiny]
 set -eu
 source=$(cd "$(dirname "$0")/.." && pwd)
 build=$source/build/benchmarks
@@ -15,9 +15,10 @@ while [ $# -gt 0 ]; do
 done
 json=${json:-$build/benchmarks.json}
 
-cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCONCINO_BUILD_BENCHMARKS=ON -DCONCINO_BUILD_TESTS=OFF -DCONCINO_BUILD_EXAMPLES=OFF \
-  -DCONCINO_BUILD_TOOLS=OFF > "$build.log" 2>&1 || { mkdir -p "$build"; cat "$build.log"; exit 1; }
-cmake --build "$build" --target benchmarks >> "$build.log" 2>&1 || { cat "$build.log"; exit 1; }
+mkdir -p "$build"
+cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCONCINO_BUILD_BENCHMARKS=ON \
+  -DCONCINO_BUILD_TESTS=OFF -DCONCINO_BUILD_EXAMPLES=OFF -DCONCINO_BUILD_TOOLS=OFF > "$build/log" 2>&1 || { cat "$build/log"; exit 1; }
+cmake --build "$build" --target benchmarks >> "$build/log" 2>&1 || { cat "$build/log"; exit 1; }
 
 rows=
 for program in $(cat "$build/benchmarks/programs"); do

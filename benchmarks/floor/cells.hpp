@@ -60,8 +60,8 @@ struct cells {
   u32 num_faces() const { return static_cast<u32>(f2h.size()); }
   u32 num_polys() const { return static_cast<u32>(p2v.size() / S::verts); }
   std::size_t bytes() const {
-    return points.bytes() + p2v.bytes() + p2e.bytes() + p2f.bytes() + p2p.bytes() + e2v.bytes() + e2p.bytes() + f2h.bytes() + v_off.bytes() +
-           v2v.bytes() + v2e.bytes() + vp_off.bytes() + v2p.bytes();
+    return points.bytes() + p2v.bytes() + p2e.bytes() + p2f.bytes() + p2p.bytes() + e2v.bytes() + e2p.bytes() + f2h.bytes() +
+           v_off.bytes() + v2v.bytes() + v2e.bytes() + vp_off.bytes() + v2p.bytes();
   }
 };
 

@@ -24,8 +24,8 @@ struct surface {
   u32 first(u32 p) const { return K ? K * p : p_off[p]; }
   u32 last(u32 p) const { return K ? K * p + K : p_off[p + 1]; }
   std::size_t bytes() const {
-    return points.bytes() + p_off.bytes() + p2v.bytes() + p2e.bytes() + p2p.bytes() + e2v.bytes() + e2p.bytes() + v_off.bytes() + v2v.bytes() +
-           v2e.bytes() + vp_off.bytes() + v2p.bytes();
+    return points.bytes() + p_off.bytes() + p2v.bytes() + p2e.bytes() + p2p.bytes() + e2v.bytes() + e2p.bytes() + v_off.bytes() +
+           v2v.bytes() + v2e.bytes() + vp_off.bytes() + v2p.bytes();
   }
 };
 

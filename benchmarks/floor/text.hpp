@@ -1,5 +1,6 @@
 // What reading numbers from a file costs at least: the file mapped into memory, digit loops for indices and short decimals,
-// std::from_chars for the rest. Only what the benchmark's own files contain is understood; anything else is an error, so that a wrong file is noticed.
+// std::from_chars for the rest. Only what the benchmark's own files contain is understood; anything else is an error, so that a wrong
+// file is noticed.
 #pragma once
 
 #include "buffer.hpp"

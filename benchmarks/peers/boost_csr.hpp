@@ -60,13 +60,15 @@ class searches {
     std::fill(hops_.begin(), hops_.end(), -1);
     hops_[source] = 0;
     const auto hops = boost::make_iterator_property_map(hops_.begin(), get(boost::vertex_index, g_));
-    boost::breadth_first_search(g_, source, boost::visitor(boost::make_bfs_visitor(boost::record_distances(hops, boost::on_tree_edge()))).color_map(colors()));
+    const auto visitor = boost::make_bfs_visitor(boost::record_distances(hops, boost::on_tree_edge()));
+    boost::breadth_first_search(g_, source, boost::visitor(visitor).color_map(colors()));
     return hops_;
   }
   const std::vector<double>& dijkstra(u32 source) { return dijkstra(source, get(&stored_length::length, g_)); }
   const std::vector<double>& dijkstra_measuring(u32 source, const double* points) {
     using arc = boost::graph_traits<csr_graph>::edge_descriptor;
-    return dijkstra(source, boost::make_function_property_map<arc>([points, this](arc e) { return distance(points, boost::source(e, g_), boost::target(e, g_)); }));
+    const auto length = [points, this](arc e) { return distance(points, boost::source(e, g_), boost::target(e, g_)); };
+    return dijkstra(source, boost::make_function_property_map<arc>(length));
   }
 };
 

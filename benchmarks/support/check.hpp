@@ -85,7 +85,8 @@ std::uint64_t sum(u32 n, First first, Last last, const floors::buffer<u32>& to, 
 }
 
 template<class M, class First, class Last, class FirstEdge, class LastEdge>
-digest common(const M& m, const floors::buffer<u32>& p2v, const floors::buffer<u32>& p2e, First pv, Last pv_end, FirstEdge pe, LastEdge pe_end) {
+digest common(const M& m, const floors::buffer<u32>& p2v, const floors::buffer<u32>& p2e, First pv, Last pv_end, FirstEdge pe,
+              LastEdge pe_end) {
   digest d;
   d["V"] = m.num_verts();
   d["E"] = m.num_edges();

@@ -1,9 +1,10 @@
 // The meshes that are measured, made from nothing, as the flat arrays of <concino/mesh/arrays.hpp>.
 //
 // Surfaces are what one gets from a scan that was reconstructed by marching cubes and then refined: a closed bumpy torus with
-// random diagonals (4 to 8 triangles at a vert), verts and triangles numbered in the order in which a sweep through thin slabs meets them, the
-// first corner of each triangle at random; then split 1-to-4 twice, new verts numbered after the old. So neighbours are mostly near
-// one another in memory, but not as near as in a grid, as in the files of the Stanford bunny. A triangle mesh from a file can take the base's place.
+// random diagonals (4 to 8 triangles at a vert), verts and triangles numbered in the order in which a sweep through thin slabs meets
+// them, the first corner of each triangle at random; then split 1-to-4 twice, new verts numbered after the old. So neighbours are mostly
+// near one another in memory, but not as near as in a grid, as in the files of the Stanford bunny. A triangle mesh from a file can take
+// the torus' place.
 // Volumes are grids, in the order of the grid, as hex meshers and voxel tools write them, with verts moved a little.
 #pragma once
 

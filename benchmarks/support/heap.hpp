@@ -12,7 +12,9 @@ namespace bench::heap {
 inline std::size_t live = 0, peak = 0;
 
 inline void* take(std::size_t n, std::size_t alignment) {
-  void* p = alignment > alignof(std::max_align_t) ? std::aligned_alloc(alignment, (n + alignment - 1) / alignment * alignment) : std::malloc(n ? n : 1);
+  void* p = nullptr;
+  if (alignment > alignof(std::max_align_t)) p = std::aligned_alloc(alignment, (n + alignment - 1) / alignment * alignment);
+  else p = std::malloc(n ? n : 1);
   if (!p) throw std::bad_alloc();
   live += malloc_usable_size(p);
   if (live > peak) peak = live;
