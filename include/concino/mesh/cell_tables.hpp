@@ -176,16 +176,20 @@ class cell_tables {
  private:
   /// The face that side k of a poly with these corners would be, none if there is no such face yet.
   face_id face_on(std::span<const vert_id> corners, unsigned k) const {
-    const auto is_on = [&](vert_id v) {
-      for (const std::uint8_t i : Shape::face_vert[k])
-        if (corners[i] == v) return true;
-      return false;
-    };
-    for (const poly_id q : adj_v2p(corners[Shape::face_vert[k][0]]))
+    constexpr unsigned n = Shape::face_verts;
+    const auto corner = [&](unsigned i) { return corners[Shape::face_vert[k][i % n]]; };
+    for (const poly_id q : adj_v2p(corner(0)))
       for (unsigned j = 0; j < Shape::faces; ++j) {
-        unsigned same = 0;
-        for (const std::uint8_t i : Shape::face_vert[j]) same += is_on(adj_p2v(q)[i]);
-        if (same == Shape::face_verts) return adj_p2f(q)[j];
+        const auto other = [&](unsigned i) { return p2v_.begin(q.raw())[Shape::face_vert[j][i % n]]; };
+        unsigned at = 0;
+        while (at < n && other(at) != corner(0)) ++at;
+        if (at == n) continue;
+        bool along = true, against = true;
+        for (unsigned i = 1; i < n; ++i) {
+          along = along && corner(i) == other(at + i);
+          against = against && corner(i) == other(at + n - i);
+        }
+        if (along || against) return adj_p2f(q)[j];
       }
     return {};
   }
@@ -209,7 +213,7 @@ class cell_tables {
     }
   }
 
-  /// A face met at its smallest vert: the other verts, sorted, and the next face with the same second one.
+  /// A face met at its smallest vert: the verts after the smaller neighbour of that one, and the next face with the same smaller neighbour.
   struct met_face {
     std::uint32_t other[Shape::face_verts - 2];
     std::uint32_t next;
@@ -229,7 +233,7 @@ class cell_tables {
     for (std::size_t c = 0; c < p2v_.num_values(); ++c) corners[edge_to[corner_vert[c].raw()]++] = poly_id{c};
 
     // Every edge and face is met at its smallest vert a. edge_to[b] is the edge from a to b if it is at least the first edge of a;
-    // face_from[b] likewise begins the chain of a's faces whose second smallest vert is b.
+    // face_from[b] likewise begins the chain of a's faces in which b is the smaller neighbour of a.
     p2e_ = detail::rows<edge_id, Shape::edges>(poly_count, edge_id{});
     sides_ = {detail::rows<face_id, Shape::faces>(poly_count, face_id{}), detail::rows<detail::across, Shape::faces>(poly_count, detail::across{})};
     std::fill(edge_to.begin(), edge_to.end(), ~0u);
@@ -285,17 +289,16 @@ class cell_tables {
 
   void meet_face(std::uint32_t a, std::uint32_t p, std::uint32_t k, const vert_id* pv, std::uint32_t first_face, std::uint32_t& face_count,
                  std::vector<std::uint32_t>& face_from, std::vector<met_face>& met) {
+    // The verts that follow a in the face, turned so that the smaller neighbour of a comes first: the same for every poly at the face.
     std::uint32_t other[Shape::face_verts - 1];
-    unsigned n = 0;
+    unsigned at = 0;
     for (unsigned i = 0; i < Shape::face_verts; ++i) {
       const std::uint32_t v = pv[Shape::face_vert[k][i]].raw();
       if (v < a) return;
-      if (v != a) {
-        unsigned at = n++;
-        for (; at > 0 && other[at - 1] > v; --at) other[at] = other[at - 1];
-        other[at] = v;
-      }
+      if (v == a) at = i;
     }
+    for (unsigned i = 1; i < Shape::face_verts; ++i) other[i - 1] = pv[Shape::face_vert[k][(at + i) % Shape::face_verts]].raw();
+    if (other[0] > other[Shape::face_verts - 2]) std::reverse(other, std::end(other));
     std::uint32_t f = face_from[other[0]];
     if (f != ~0u && f < first_face) f = ~0u;
     const std::uint32_t chain = f;

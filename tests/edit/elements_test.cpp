@@ -1,0 +1,184 @@
+// Adding and removing: after any sequence the mesh keeps all laws, equals one built afresh, and nothing else was renamed.
+#include <concino/edit.hpp>
+#include <concino/mesh.hpp>
+#include <concino/validate/check_laws.hpp>
+
+#include <support/soups.hpp>
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+namespace cn = concino;
+
+namespace {
+
+template<class M>
+void keeps_all_laws(const M& m) {
+  for (const auto& b : cn::check_laws(m)) FAIL_CHECK(b.law << ": " << b.what << " [" << b.witness << "]");
+}
+
+using list = std::vector<unsigned>;
+
+template<class R>
+list raw(const R& range) {
+  list all;
+  for (const auto x : range) all.push_back(x.raw());
+  return all;
+}
+template<class R>
+std::set<unsigned> raw_set(const R& range) {
+  const list l = raw(range);
+  return {l.begin(), l.end()};
+}
+
+/// A mesh built afresh from the live polys of m, on the same verts, with the polys' old names.
+template<class M>
+std::pair<M, list> rebuilt(const M& m) {
+  std::vector<cn::vec3> points(cn::vert_index_bound(m));
+  for (const auto v : cn::verts(m)) points[v.raw()] = cn::point(m, v);
+  const list old = raw(cn::polys(m));
+  if constexpr (std::same_as<M, cn::polyhedralmesh>) {
+    std::vector<list> faces;
+    std::map<unsigned, unsigned> fresh;
+    for (const auto f : cn::faces(m)) fresh[f.raw()] = static_cast<unsigned>(faces.size()), faces.push_back(raw(cn::adj_f2v(m, f)));
+    std::vector<std::vector<std::pair<unsigned, bool>>> polys;
+    for (const unsigned p : old) {
+      polys.emplace_back();
+      for (const auto f : cn::adj_p2f(m, cn::poly_id{p})) polys.back().emplace_back(fresh[f.raw()], cn::face_is_outward(m, cn::poly_id{p}, f));
+    }
+    return {M(points, faces, polys), old};
+  } else {
+    std::vector<list> polys;
+    for (const unsigned p : old) polys.push_back(raw(cn::adj_p2v(m, cn::poly_id{p})));
+    return {M(points, polys), old};
+  }
+}
+
+template<class M>
+void equals_rebuilt(const M& m) {
+  const auto [fresh, old] = rebuilt(m);
+  CHECK(cn::num_edges(m) == cn::num_edges(fresh));
+  if constexpr (cn::VolumeMesh<M>) CHECK(cn::num_faces(m) == cn::num_faces(fresh));
+  for (const auto v : cn::verts(m)) CHECK(raw_set(cn::adj_v2v(m, v)) == raw_set(cn::adj_v2v(fresh, v)));
+  for (unsigned i = 0; i < old.size(); ++i) {
+    std::set<unsigned> across;
+    for (const auto q : cn::adj_p2p(fresh, cn::poly_id{i})) across.insert(old[q.raw()]);
+    CHECK(raw_set(cn::adj_p2p(m, cn::poly_id{old[i]})) == across);
+    CHECK(raw_set(cn::adj_p2v(m, cn::poly_id{old[i]})) == raw_set(cn::adj_p2v(fresh, cn::poly_id{i})));
+  }
+}
+
+template<class M>
+void add_random_poly(M& m, std::mt19937& random) {
+  const list verts = raw(cn::verts(m));
+  if (verts.size() < 8) return;
+  const auto pick = [&](unsigned n) {
+    std::vector<cn::vert_id> corners;
+    for (const unsigned i : cn::testing::some_of(random, static_cast<unsigned>(verts.size()), n)) corners.push_back(cn::vert_id{verts[i]});
+    return corners;
+  };
+  if constexpr (std::same_as<M, cn::polyhedralmesh>) {
+    const auto corners = pick(4);
+    using span = std::span<const cn::vert_id>;
+    cn::face_id f[4];
+    for (unsigned k = 0; k < 4; ++k) {
+      std::vector<cn::vert_id> three;
+      for (unsigned i = 0; i < 4; ++i)
+        if (i != k) three.push_back(corners[i]);
+      f[k] = cn::add_face(m, span(three));
+    }
+    const list all = raw(cn::faces(m));
+    const cn::face_id shared{all[random() % (all.size() - 4)]};  // one that is there already
+    cn::add_poly(m, {{f[0], true}, {f[1], false}, {f[2], true}, {f[3], false}, {shared, true}});
+  } else {
+    const unsigned n = cn::arity_v<M> ? cn::arity_v<M> : 3 + random() % 4;
+    cn::add_poly(m, std::span<const cn::vert_id>(pick(n)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("random adding and removing", M, CONCINO_ALL_KINDS) {
+  std::mt19937 random(4);
+  for (unsigned round = 0; round < 8; ++round) {
+    M m = round % 2 ? cn::testing::grid<M>(2) : cn::testing::random_soup<M>(random, 14, 12).mesh();
+    for (unsigned step = 0; step < 40; ++step) {
+      const list polys = raw(cn::polys(m)), verts = raw(cn::verts(m));
+      switch (random() % 5) {
+        case 0:
+          CHECK(cn::add_vert(m, {1, 2, 3}).raw() == cn::vert_index_bound(m) - 1);
+          break;
+        case 1:
+        case 2:
+          if (!polys.empty()) {
+            const cn::poly_id p{polys[random() % polys.size()]};
+            cn::remove_poly(m, p);
+            CHECK_FALSE(cn::contains(m, p));
+            CHECK(cn::num_polys(m) == polys.size() - 1);
+          }
+          break;
+        case 3:
+          if (!verts.empty() && random() % 4 == 0) cn::remove_vert(m, cn::vert_id{verts[random() % verts.size()]});
+          break;
+        default:
+          if constexpr (std::same_as<M, cn::polyhedralmesh>) {
+            if (cn::num_faces(m) == 0) break;
+          }
+          add_random_poly(m, random);
+      }
+      keeps_all_laws(m);
+    }
+    equals_rebuilt(m);
+  }
+}
+
+TEST_CASE_TEMPLATE("a mesh taken apart and put together again", M, cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
+  const M whole = cn::testing::grid<M>(3);
+  M m = whole;
+  for (const auto p : cn::polys(whole)) cn::remove_poly(m, p);
+  CHECK(cn::num_polys(m) + cn::num_edges(m) == 0);
+  CHECK(cn::num_verts(m) == cn::num_verts(whole));
+  keeps_all_laws(m);
+  for (const auto p : cn::polys(whole)) {
+    const auto corners = cn::adj_p2v(whole, p);
+    cn::add_poly(m, std::span<const cn::vert_id>(corners.begin(), corners.size()));
+  }
+  CHECK(cn::num_edges(m) == cn::num_edges(whole));
+  keeps_all_laws(m);
+  equals_rebuilt(m);
+}
+
+TEST_CASE("a mesh from nothing") {
+  cn::polygonmesh m;
+  std::vector<cn::vert_id> v;
+  for (int i = 0; i < 4; ++i) v.push_back(cn::add_vert(m, {i % 2, i / 2, 0}));
+  CHECK(cn::add_poly(m, {v[0], v[1], v[3], v[2]}) == cn::poly_id{0});
+  CHECK(cn::num_edges(m) == 4);
+  keeps_all_laws(m);
+}
+
+TEST_CASE_TEMPLATE("a refused edit changes nothing", M, CONCINO_ALL_KINDS) {
+  M m = cn::testing::grid<M>(2);
+  const std::size_t edges = cn::num_edges(m), polys = cn::num_polys(m);
+  if constexpr (std::same_as<M, cn::polyhedralmesh>) {
+    CHECK_THROWS_AS(cn::add_poly(m, {{cn::face_id{0}, true}, {cn::face_id{0}, false}}), cn::invalid_mesh);
+    CHECK_THROWS_AS(cn::add_poly(m, {{cn::face_id{100000}, true}}), cn::invalid_mesh);
+    CHECK_THROWS_AS(cn::add_face(m, {cn::vert_id{0}, cn::vert_id{1}}), cn::invalid_mesh);
+  } else {
+    CHECK_THROWS_AS(cn::add_poly(m, {cn::vert_id{0}, cn::vert_id{1}}), cn::invalid_mesh);
+    std::vector<cn::vert_id> corners;
+    for (const auto v : cn::adj_p2v(m, cn::poly_id{0})) corners.push_back(v);
+    corners.back() = cn::vert_id{100000};
+    CHECK_THROWS_AS(cn::add_poly(m, std::span<const cn::vert_id>(corners)), cn::invalid_mesh);
+    corners.back() = corners.front();
+    CHECK_THROWS_AS(cn::add_poly(m, std::span<const cn::vert_id>(corners)), cn::invalid_mesh);
+  }
+  CHECK(cn::num_edges(m) == edges);
+  CHECK(cn::num_polys(m) == polys);
+  keeps_all_laws(m);
+  cn::remove_poly(m, cn::poly_id{0});
+  CHECK_THROWS_AS(cn::remove_poly(m, cn::poly_id{0}), cn::invalid_mesh);
+  CHECK_THROWS_AS(cn::remove_vert(m, cn::vert_id{}), cn::invalid_mesh);
+}

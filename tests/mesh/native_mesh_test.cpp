@@ -1,0 +1,205 @@
+// The six meshes: how they are built, what they refuse, and that every adjacency is right on whatever can be represented.
+#include <concino/mesh.hpp>
+#include <concino/validate/check_laws.hpp>
+
+#include <support/soups.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace cn = concino;
+
+namespace {
+
+template<class M>
+void keeps_all_laws(const M& m) {
+  for (const auto& b : cn::check_laws(m)) FAIL_CHECK(b.law << ": " << b.what << " [" << b.witness << "]");
+}
+
+template<class R>
+std::set<unsigned> raw_set(const R& range) {
+  std::set<unsigned> all;
+  for (const auto x : range) all.insert(x.raw());
+  return all;
+}
+
+/// The sides of polys as sets of verts, found without the tables that are tested.
+template<class M>
+std::vector<std::set<std::set<unsigned>>> sides_of_polys(const cn::testing::soup<M>& s) {
+  std::vector<std::set<std::set<unsigned>>> all;
+  if constexpr (cn::SurfaceMesh<M>) {
+    for (const auto& verts : s.verts) {
+      all.emplace_back();
+      for (std::size_t i = 0; i < verts.size(); ++i) all.back().insert({verts[i], verts[(i + 1) % verts.size()]});
+    }
+  } else if constexpr (cn::TetMesh<M>) {
+    for (const auto& v : s.verts) all.push_back({{v[0], v[1], v[2]}, {v[0], v[1], v[3]}, {v[0], v[2], v[3]}, {v[1], v[2], v[3]}});
+  } else if constexpr (cn::HexMesh<M>) {
+    // Two quads on the same verts are the same face only if they walk them in the same order: the diagonals tell.
+    const auto quad = [](unsigned a, unsigned b, unsigned c, unsigned d) {
+      return std::set<unsigned>{a, b, c, d, 1000 * (1 + std::min(a, c)) + std::max(a, c), 1000 * (1 + std::min(b, d)) + std::max(b, d)};
+    };
+    for (const auto& v : s.verts)
+      all.push_back({quad(v[0], v[1], v[2], v[3]), quad(v[4], v[5], v[6], v[7]), quad(v[0], v[1], v[5], v[4]), quad(v[1], v[2], v[6], v[5]),
+                     quad(v[2], v[3], v[7], v[6]), quad(v[3], v[0], v[4], v[7])});
+  } else {
+    for (const auto& faces : s.poly_faces) {
+      all.emplace_back();
+      for (const auto& [f, outward] : faces) all.back().insert({1000000 + f});  // polyhedra share faces by number, not by verts
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("any soup of polys is represented", M, CONCINO_ALL_KINDS) {
+  std::mt19937 random(2);
+  for (unsigned round = 0; round < 120; ++round) {
+    const unsigned vert_count = 8 + random() % 12, poly_count = 1 + random() % 24;
+    const auto soup = cn::testing::random_soup<M>(random, vert_count, poly_count);
+    const M m = soup.mesh();
+    REQUIRE(cn::num_verts(m) == vert_count);
+    REQUIRE(cn::num_polys(m) == poly_count);
+    keeps_all_laws(m);
+    const auto sides = sides_of_polys(soup);
+    for (unsigned p = 0; p < poly_count; ++p) {
+      std::set<unsigned> expected;
+      for (unsigned q = 0; q < poly_count; ++q)
+        for (const auto& side : sides[p])
+          if (q != p && sides[q].count(side)) expected.insert(q);
+      CHECK(raw_set(cn::adj_p2p(m, cn::poly_id{p})) == expected);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("lists of verts are kept in their order", M, cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
+  std::mt19937 random(3);
+  const auto soup = cn::testing::random_soup<M>(random, 20, 30);
+  const M m = soup.mesh();
+  for (unsigned p = 0; p < 30; ++p) {
+    std::vector<unsigned> found;
+    for (const auto v : cn::adj_p2v(m, cn::poly_id{p})) found.push_back(v.raw());
+    CHECK(found == soup.verts[p]);
+  }
+}
+
+TEST_CASE("counts and Euler characteristic of grids") {
+  const auto chi = [](const auto& m) {
+    auto x = static_cast<long>(cn::num_verts(m)) - static_cast<long>(cn::num_edges(m));
+    if constexpr (cn::VolumeMesh<decltype(m)>) x += static_cast<long>(cn::num_faces(m)) - static_cast<long>(cn::num_polys(m));
+    else x += static_cast<long>(cn::num_polys(m));
+    return x;
+  };
+  CHECK(chi(cn::testing::grid<cn::trimesh>(7)) == 1);
+  CHECK(chi(cn::testing::grid<cn::quadmesh>(7)) == 1);
+  CHECK(chi(cn::testing::grid<cn::polygonmesh>(7)) == 1);
+  CHECK(chi(cn::testing::grid<cn::tetmesh>(5)) == 1);
+  CHECK(chi(cn::testing::grid<cn::hexmesh>(5)) == 1);
+  CHECK(chi(cn::testing::grid<cn::polyhedralmesh>(5)) == 1);
+  const auto hexes = cn::testing::grid<cn::hexmesh>(4);
+  std::size_t arcs = 0;
+  for (const auto p : cn::polys(hexes))
+    for ([[maybe_unused]] const auto q : cn::adj_p2p(hexes, p)) ++arcs;
+  CHECK(arcs / 2 == 3 * 4 * 4 * 3);  // 3 n^2 (n-1)
+}
+
+TEST_CASE("from braces with variables, containers, arrays") {
+  const int i = 0, j = 1;
+  const long k = 2;
+  CHECK(cn::num_edges(cn::trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1.5, 0}}, {{i, j, k}})) == 3);
+  const std::vector<std::array<float, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  CHECK(cn::num_edges(cn::polygonmesh(points, std::vector<std::vector<long>>{{0, 1, 2, 3}})) == 4);
+  CHECK(cn::point(cn::quadmesh(points, std::vector<std::array<unsigned char, 4>>{{0, 1, 2, 3}}), cn::vert_id{2}) == cn::vec3{1, 1, 0});
+  const cn::polyhedralmesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
+                               {{{0, true}, {1, true}, {2, true}, {3, true}}});
+  CHECK(cn::num_edges(tet) == 6);
+  CHECK(cn::face_is_outward(tet, cn::poly_id{0}, cn::face_id{3}));
+}
+
+TEST_CASE("a face shared by two cells is outward for one and inward for the other") {
+  const cn::tetmesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
+  unsigned shared = 0;
+  for (const auto f : cn::faces(m)) {
+    const auto two = cn::adj_f2p(m, f);
+    if (two.size() != 2) continue;
+    ++shared;
+    CHECK(cn::face_is_outward(m, two[0], f) != cn::face_is_outward(m, two[1], f));
+  }
+  CHECK(shared == 1);
+}
+
+TEST_CASE("what cannot be a mesh is refused by name") {
+  const auto message = [](auto make) -> std::string {
+    try {
+      make();
+    } catch (const cn::invalid_mesh& e) {
+      return e.what();
+    }
+    return "nothing was thrown";
+  };
+  const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  const std::vector<cn::vec3> p{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  using lists = std::vector<std::vector<int>>;
+  CHECK(has(message([&] { cn::trimesh(p, lists{{0, 1, 2}, {0, 1, 4}}); }), "poly 1 names vert 4"));
+  CHECK(has(message([&] { cn::trimesh(p, lists{{0, 1, -1}}); }), "poly 0 names vert -1"));
+  CHECK(has(message([&] { cn::trimesh(p, lists{{0, 1, 2, 3}}); }), "poly 0 has 4 verts"));
+  CHECK(has(message([&] { cn::polygonmesh(p, lists{{0, 1}}); }), "poly 0 has 2 verts"));
+  CHECK(has(message([&] { cn::polygonmesh(p, lists{{0, 1, 2, 1}}); }), "poly 0 has vert 1 twice"));
+  CHECK(has(message([&] { cn::tetmesh(p, lists{{0, 1, 2, 2}}); }), "poly 0 has vert 2 twice"));
+  CHECK(has(message([&] { cn::hexmesh(p, lists{{0, 1, 2, 3}}); }), "poly 0 has 4 verts"));
+  using cells = std::vector<std::vector<std::pair<int, bool>>>;
+  CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}}, cells{{{1, true}}}); }), "poly 0 names face 1"));
+  CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}}, cells{{{0, true}, {0, false}}}); }), "poly 0 has face 0 twice"));
+  CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}}, cells{{}}); }), "poly 0 has no faces"));
+  CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 7}}, cells{}); }), "face 0 names vert 7"));
+  CHECK(has(message([&] { cn::polygonmesh(cn::surface_arrays{p, {0, 3}, {cn::vert_id{0}}, 0}); }), "offsets"));
+  CHECK(has(message([&] { cn::polygonmesh(cn::surface_arrays{p, {0, 3, 1}, {cn::vert_id{0}}, 0}); }), "must not decrease"));
+  CHECK(has(message([&] { cn::trimesh(cn::surface_arrays{p, {}, {cn::vert_id{0}}, 3}); }), "has 1 verts"));
+  CHECK(has(message([&] { cn::tetmesh(cn::cell_arrays{p, {}, 8}); }), "polys of 8 verts"));
+  CHECK(has(message([&] {
+    cn::polyhedralmesh(cn::polyhedra_arrays{p, {0, 3}, {cn::vert_id{0}, cn::vert_id{1}, cn::vert_id{2}}, {0, 1}, {cn::face_id{0}}, {}});
+  }), "outward flags"));
+  std::vector<int> large;
+  for (int n = 0; n < 40; ++n) large.push_back(n % 39);
+  CHECK(has(message([&] { cn::polygonmesh(std::vector<cn::vec3>(39), lists{large}); }), "vert 0 twice"));
+}
+
+TEST_CASE_TEMPLATE("empty meshes, copies, moves", M, CONCINO_ALL_KINDS) {
+  const M empty;
+  CHECK(cn::num_verts(empty) + cn::num_edges(empty) + cn::num_polys(empty) == 0);
+  keeps_all_laws(empty);
+  M m = cn::testing::grid<M>(2);
+  cn::vert_property<int>(m, "n")[cn::vert_id{1}] = 7;
+  M copy = m;
+  cn::set_point(copy, cn::vert_id{0}, cn::vec3{9, 9, 9});
+  cn::vert_property<int>(copy, "n")[cn::vert_id{1}] = 8;
+  CHECK(cn::point(m, cn::vert_id{0}) != cn::vec3{9, 9, 9});
+  CHECK(cn::vert_property<int>(m, "n")[cn::vert_id{1}] == 7);
+  const std::size_t edges = cn::num_edges(m);
+  const M moved = std::move(m);
+  CHECK(cn::num_edges(moved) == edges);
+  keeps_all_laws(moved);
+  m = copy;
+  keeps_all_laws(m);
+  CHECK(cn::num_edges(m) == edges);
+}
+
+TEST_CASE_TEMPLATE("a const mesh is read by several threads at once", M, CONCINO_ALL_KINDS) {
+  const M m = cn::testing::grid<M>(4);
+  std::array<std::size_t, 4> sums{};
+  std::vector<std::thread> threads;
+  for (std::size_t& sum : sums)
+    threads.emplace_back([&m, &sum] {
+      for (const auto e : cn::edges(m))
+        for (const auto p : cn::adj_e2p(m, e)) sum += p.raw();
+      for (const auto p : cn::polys(m))
+        for (const auto q : cn::adj_p2p(m, p)) sum += q.raw();
+    });
+  for (auto& t : threads) t.join();
+  for (const std::size_t sum : sums) CHECK(sum == sums[0]);
+}

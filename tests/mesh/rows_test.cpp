@@ -1,0 +1,98 @@
+// Rows of values: packed, shared and edited.
+#include <concino/mesh/rows.hpp>
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <vector>
+
+using concino::detail::make_rows;
+using concino::detail::rows;
+
+namespace {
+
+std::vector<int> row(const rows<int, 0>& r, std::size_t i) { return {r.begin(i), r.end(i)}; }
+
+rows<int, 0> three_rows() {
+  rows<int, 0> r = make_rows<int>({0, 2, 0, 3});
+  int next = 0;
+  for (int* at = r.begin(0); at != r.begin(0) + 5; ++at) *at = next++;
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("packed rows are where the offsets say") {
+  const rows<int, 0> r = three_rows();
+  CHECK(r.size() == 3);
+  CHECK(row(r, 0) == std::vector<int>{0, 1});
+  CHECK(row(r, 1).empty());
+  CHECK(row(r, 2) == std::vector<int>{2, 3, 4});
+}
+
+TEST_CASE("rows of equal lengths share their offsets until one is edited") {
+  rows<int, 0> a = three_rows(), b(a.shape(), std::vector<int>(5, 7));
+  CHECK(a.shape() == b.shape());
+  b.push(0, 8);
+  CHECK(a.shape() != b.shape());
+  CHECK(row(a, 0) == std::vector<int>{0, 1});
+  CHECK(row(b, 0) == std::vector<int>{7, 7, 8});
+  CHECK(row(b, 2) == std::vector<int>{7, 7, 7});
+}
+
+TEST_CASE("copies are independent, moved-from rows are empty") {
+  rows<int, 0> a = three_rows();
+  a.push(1, 9);
+  rows<int, 0> b = a;
+  b.push(1, 10);
+  CHECK(row(a, 1) == std::vector<int>{9});
+  CHECK(row(b, 1) == std::vector<int>{9, 10});
+  const rows<int, 0> c = std::move(b);
+  CHECK(row(c, 1) == std::vector<int>{9, 10});
+  CHECK(b.size() == 0);
+  a = c;
+  CHECK(row(a, 1) == std::vector<int>{9, 10});
+}
+
+TEST_CASE("random edits agree with vectors of vectors") {
+  std::mt19937 random(1);
+  rows<int, 0> r = three_rows();
+  std::vector<std::vector<int>> oracle{{0, 1}, {}, {2, 3, 4}};
+  for (int step = 0; step < 3000; ++step) {
+    const std::size_t i = random() % oracle.size();
+    switch (random() % 8) {
+      case 0: {
+        const std::vector<int> fresh(random() % 4, step);
+        r.add_row(fresh.begin(), fresh.end());
+        oracle.push_back(fresh);
+        break;
+      }
+      case 1:
+        r.clear_row(i);
+        oracle[i].clear();
+        break;
+      case 2:
+      case 3:
+        if (!oracle[i].empty()) {
+          const int value = oracle[i][random() % oracle[i].size()];
+          r.remove(i, value);
+          oracle[i].erase(std::find(oracle[i].begin(), oracle[i].end(), value));
+        }
+        break;
+      default:
+        r.push(i, step);
+        oracle[i].push_back(step);
+    }
+  }
+  REQUIRE(r.size() == oracle.size());
+  for (std::size_t i = 0; i < oracle.size(); ++i) CHECK(row(r, i) == oracle[i]);
+}
+
+TEST_CASE("rows of one length") {
+  rows<int, 2> r(std::vector<int>{1, 2, 3, 4});
+  const int more[] = {5, 6};
+  r.add_row(more, more + 2);
+  CHECK(r.size() == 3);
+  CHECK(r[2][1] == 6);
+  CHECK(r.length(0) == 2);
+}
