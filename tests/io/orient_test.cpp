@@ -1,0 +1,75 @@
+#include <concino/io/orient.hpp>
+
+#include <support/meshes.hpp>
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace concino;
+using namespace concino::testing;
+using namespace concino::detail;
+
+TEST_CASE("orient_polyhedra: outward flags of any pattern are found again") {
+  for (const polyhedra_arrays& right : {polyhedra_grid(3), to_polyhedra(tet_grid(2)), to_polyhedra(jittered(hex_grid(3), 0.05))}) {
+    polyhedra_arrays m = right;
+    CHECK(orient_polyhedra(m) == 0);
+    CHECK(m.outward == right.outward);
+    std::mt19937 random(11);
+    std::size_t changed = 0;
+    for (std::size_t p = 0; p < m.num_polys(); ++p) {
+      bool any = false;
+      if (p % 3 != 0)
+        for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i)
+          if (random() % 2 || p % 3 == 1) {
+            m.outward[i] = !m.outward[i];
+            any = true;
+          }
+      changed += any;
+    }
+    CHECK(orient_polyhedra(m) == changed);
+    CHECK(m.outward == right.outward);
+  }
+}
+
+TEST_CASE("orient_polyhedra: the wall of a cavity looks into it") {
+  // a cube of side 3 around one of side 1
+  polyhedra_arrays m;
+  for (const auto& [low, high] : {std::pair{0.0, 3.0}, std::pair{1.0, 2.0}})
+    for (const auto& [x, y, z] : {std::array{low, low, low}, {high, low, low}, {high, high, low}, {low, high, low}, {low, low, high}, {high, low, high}, {high, high, high}, {low, high, high}})
+      m.points.push_back({x, y, z});
+  m.face_offsets = {0};
+  m.poly_offsets = {0, 12};
+  for (unsigned shift : {0u, 8u})
+    for (unsigned f = 0; f < 6; ++f) {
+      for (const unsigned v : hex_shape::face_vert[f]) m.face_verts.push_back(vert_id{v + shift});
+      m.face_offsets.push_back(static_cast<std::uint32_t>(m.face_verts.size()));
+      m.poly_faces.push_back(face_id{f + (shift ? 6 : 0)});
+      m.outward.push_back(shift == 0);
+    }
+  CHECK(six_volumes(m, 0) == doctest::Approx(6 * 26));
+  polyhedra_arrays copy = m;
+  CHECK(orient_polyhedra(copy) == 0);
+  for (auto& o : copy.outward) o = !o;
+  CHECK(orient_polyhedra(copy) == 1);
+  CHECK(copy.outward == m.outward);
+  copy.outward[3] = !copy.outward[3];
+  copy.outward[8] = !copy.outward[8];
+  CHECK(orient_polyhedra(copy) == 1);
+  CHECK(copy.outward == m.outward);
+}
+
+TEST_CASE("orient_polyhedra: open, flat and empty polyhedra") {
+  polyhedra_arrays m = to_polyhedra(hex_grid(1));
+  m.poly_offsets.back() = 5;  // no lid
+  m.poly_faces.pop_back();
+  m.outward.pop_back();
+  m.outward[2] = 0;
+  CHECK(orient_polyhedra(m) == 1);
+  CHECK(m.outward == std::vector<std::uint8_t>{1, 1, 1, 1, 1});
+  for (vec3& p : m.points) p.z = 0;
+  for (auto& o : m.outward) o = 0;
+  CHECK(orient_polyhedra(m) == 0);
+  polyhedra_arrays none;
+  CHECK(orient_polyhedra(none) == 0);
+}

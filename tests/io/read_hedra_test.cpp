@@ -1,0 +1,88 @@
+#include <concino/io/read_hedra.hpp>
+
+#include <support/reading.hpp>
+
+#include <doctest/doctest.h>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string face_rows = "3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n";
+const std::string tet = "4 4 1\n" + points + face_rows + "4 1 2 3 4\n";
+
+template<class M = polyhedra_arrays>
+M hedra(const std::string& text, const load_options& options = {}) {
+  return load_text<M>(text, file_format::hedra, options, "t.hedra");
+}
+template<class M = polyhedra_arrays>
+std::size_t line(const std::string& text) {
+  return bad_line<M>(text, file_format::hedra);
+}
+
+}  // namespace
+
+TEST_CASE("read_hedra: verts, faces and signed faces of polyhedra") {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    load_report r;
+    const polyhedra_arrays m = hedra(with_line_ends(tet, end), {.report = &r});
+    CHECK(m.points.size() == 4);
+    CHECK(m.face_offsets == std::vector<std::uint32_t>{0, 3, 6, 9, 12});
+    CHECK(raw(m.face_verts) == std::vector<unsigned>{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2});
+    CHECK(raw(m.poly_faces) == std::vector<unsigned>{0, 1, 2, 3});
+    CHECK(m.outward == std::vector<std::uint8_t>{1, 1, 1, 1});
+    CHECK(r.reoriented_polys == 0);
+    CHECK(r.notes.empty());
+  }
+  CHECK(hedra("0 0 0").num_polys() == 0);
+  CHECK(hedra("4 4 0\n" + points + face_rows).num_faces() == 4);
+}
+
+TEST_CASE("read_hedra: windings are made to agree and to point outward, and counted") {
+  for (const char* cell : {"4 -1 -2 -3 -4", "4 -1 2 3 4", "4 1 -2 3 -4", "4 -1 -2 -3 4"}) {
+    load_report r;
+    const auto m = hedra("4 4 1\n" + points + face_rows + cell, {.report = &r});
+    CHECK(m.outward == std::vector<std::uint8_t>{1, 1, 1, 1});
+    CHECK(r.reoriented_polys == 1);
+    CHECK(r.notes == std::vector<std::string>{"1 of 1 polyhedra were wound inconsistently or inside out: their faces were turned outward"});
+  }
+}
+
+TEST_CASE("read_hedra: errors name their line") {
+  CHECK(line("") == 1);
+  CHECK(line("OFF") == 1);
+  CHECK(line("4 4") == 1);
+  CHECK(line("4 -4 1") == 1);
+  CHECK(line("2 0 0\n0 0 0\n0 inf 0\n") == 3);
+  CHECK(line("2 0 0\n0 0 0\n0 0\n") == 3);
+  CHECK(line("4 1 0\n" + points + "2 1 2\n") == 6);
+  CHECK(line("4 1 0\n" + points + "3 1 2 2\n") == 6);
+  CHECK(line("4 1 0\n" + points + "3 1 2 5\n") == 6);
+  CHECK(line("4 1 0\n" + points + "3 0 2 3\n") == 6);
+  CHECK(line("4 1 0\n" + points + "1000000000000 1 2 3\n") == 6);
+  CHECK(line("4 4 1\n" + points + face_rows + "4 0 1 2 3\n") == 10);
+  CHECK(line("4 4 1\n" + points + face_rows + "4 1 2 3 5\n") == 10);
+  CHECK(line("4 4 1\n" + points + face_rows + "4 1 2 3 -5\n") == 10);
+  CHECK(line("4 4 1\n" + points + face_rows + "4 1 2 3 -3\n") == 10);
+  CHECK(line("4 4 1\n" + points + face_rows + "0\n") == 10);
+  CHECK(line("4 4 1\n" + points + face_rows + "4 1 2 3\n") == 10);
+  CHECK(line("4 4 1\n" + points + face_rows + "4 1 2 3 4\n\n7\n") == 12);
+  CHECK(line("1000000000000 1 1\n0 0 0\n") == 2);
+}
+
+TEST_CASE("read_hedra: a mesh of tets takes tets only, whatever their faces' order") {
+  load_report r;
+  const auto c = hedra<cell_arrays>("4 4 2\n" + points + face_rows + "4 4 2 1 3\n4 1 2 3 4", {.report = &r});
+  CHECK(c.arity == 4);
+  CHECK(c.num_polys() == 2);
+  for (std::size_t p = 0; p < 2; ++p) CHECK(detail::six_volumes(detail::cell_shape::tet, c.verts.data() + 4 * p, c.points) == 1);
+  CHECK(r.skipped == std::vector<std::string>{"the numbering of the faces"});
+  CHECK(line<cell_arrays>("5 8 2\n" + points + "1 1 1\n" + face_rows + "4 2 3 4 5\n3 2 3 5\n3 3 4 5\n3 2 5 4\n4 1 2 3 4\n\n3 6 7 \n8\n") == 17);
+}
+
+TEST_CASE("read_hedra: a volume asked for as a surface") {
+  CHECK_THROWS_AS(hedra<surface_arrays>(tet), unsupported);
+  CHECK_THROWS_AS(hedra<surface_arrays>("0 0 0"), unsupported);
+}

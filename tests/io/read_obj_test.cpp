@@ -1,0 +1,120 @@
+#include <concino/io/read_obj.hpp>
+
+#include <support/reading.hpp>
+
+#include <doctest/doctest.h>
+
+#include <clocale>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string tet = points + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const std::vector<unsigned> tet_verts = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+
+std::size_t line(const std::string& text) { return bad_line<surface_arrays>(text, file_format::obj); }
+
+}  // namespace
+
+TEST_CASE("read_obj: points and polys, whatever the line ends") {
+  for (const std::string end : {"\n", "\r\n", "\r"})
+    for (const std::string& last : {end, std::string()}) {
+      const std::string text = with_line_ends(tet, end);
+      const surface_arrays s = obj(text.substr(0, text.size() - end.size()) + last);
+      CHECK(s.points.size() == 4);
+      CHECK(s.points[3] == vec3{0, 0, 1});
+      CHECK(s.arity == 3);
+      CHECK(s.offsets.empty());
+      CHECK(raw(s.verts) == tet_verts);
+    }
+}
+
+TEST_CASE("read_obj: offsets appear with the first poly of another size") {
+  const surface_arrays quads = obj(points + "f 1 2 3 4\nf 4 3 2 1\n");
+  CHECK(quads.arity == 4);
+  CHECK(quads.num_polys() == 2);
+  const surface_arrays mixed = obj(points + "f 1 2 3\nf 2 3 4\nf 1 2 3 4\nf 1 2 4\n");
+  CHECK(mixed.arity == 0);
+  CHECK(mixed.offsets == std::vector<std::uint32_t>{0, 3, 6, 10, 13});
+  CHECK(mixed.num_polys() == 4);
+  const surface_arrays none = obj(points);
+  CHECK(none.points.size() == 4);
+  CHECK(none.num_polys() == 0);
+}
+
+TEST_CASE("read_obj: indices from the start, from the end, before their verts") {
+  CHECK(raw(obj(points + "f -4 -2 -3\nv 9 9 9\nf -5 -2 5\n").verts) == std::vector<unsigned>{0, 2, 1, 0, 3, 4});
+  CHECK(raw(obj("f 1 2 3\n" + points).verts) == std::vector<unsigned>{0, 1, 2});
+  CHECK(line("v 0 0 0\nf -1 1 2\n") == 2);
+  CHECK(line("# forward\nf 1 2 5\nf 1 2 3\n" + points) == 2);
+  CHECK(line("f 1 2 -1\n" + points) == 1);
+  CHECK(line(points + "f 1 2 0\n") == 5);
+  CHECK(line(points + "f 1 2 3\n\nf 1 2 5\nf 1 2 6\n") == 7);
+  CHECK(line(points + "f 1 2 -5\n") == 5);
+  CHECK(line(points + "f 1 2 99999999999999999999\n") == 5);
+  CHECK(line(points + "f 1 2 4294967297\n") == 5);
+}
+
+TEST_CASE("read_obj: corners with texture coordinates and normals") {
+  const std::string attributes = points + "vt 0 0\nvt 1 0\nvn 0 0 1\n";
+  CHECK(raw(obj(attributes + "f 1/1 2/2 3/-1\nf 1//1 2//-1 3//1\nf 1/2/1 2/1/1 4/1/1\nf 1/ 2/ 3/\nf 1// 2/1/ 3\n").verts) ==
+        std::vector<unsigned>{0, 1, 2, 0, 1, 2, 0, 1, 3, 0, 1, 2, 0, 1, 2});
+  CHECK(raw(obj("f 1/2/1 2/1/1 4/1/1\n" + attributes).verts) == std::vector<unsigned>{0, 1, 3});
+  for (const std::string bad : {"f 1/3 2/1 3/1", "f 1//2 2 3", "f 1/0 2 3", "f 1/x 2 3", "f 1/1/1/1 2 3", "f 1 2 3x", "f 1 2 3.0"}) CHECK_MESSAGE(line(attributes + bad) == 8, bad);
+}
+
+TEST_CASE("read_obj: blanks, comments, lines that go on, letters in capitals") {
+  const surface_arrays s = obj("   # leading\n\n\tv\t0 0   0   # tail\nv 1 0 0\n#v 5 5 5\n  v 0 1 0 \nv 0 0 1 1.0\ng\no name\ns off\nf 1 3 \\\n2 # c\nf 1 2 \\\r\n 4\\\n\n# ends \\\nf 2 3 4#\n");
+  CHECK(s.points.size() == 4);
+  CHECK(raw(s.verts) == std::vector<unsigned>{0, 2, 1, 0, 1, 3, 1, 2, 3});
+  CHECK(line(points + "f 1 2 \\\n 9\n") == 6);
+  CHECK(line(points + "f 1 2 \\3\n") == 5);
+}
+
+TEST_CASE("read_obj: a vert needs three finite numbers") {
+  for (const std::string bad : {"v 1 0", "v", "v 1 O 0", "v nan 0 0", "v 0 inf 0", "v 0 0 -inf", "v 1e999 0 0", "v 1,0 0 0", "v 0 0 0 x", "v 0 0 0 1 nan"})
+    CHECK_MESSAGE(line("v 0 0 0\n" + bad + "\nv 0 1 0\n") == 2, bad);
+  CHECK(obj("v 0 0 0 0.5 0.5 0.5\nv 1e-400 -0 +1\n").points[1] == vec3{0, 0, 1});
+}
+
+TEST_CASE("read_obj: a poly needs three verts, all different") {
+  CHECK(line(points + "f\n") == 5);
+  CHECK(line(points + "f 1 2\n") == 5);
+  CHECK(line(points + "f 1 2 2\n") == 5);
+  CHECK(line(points + "f 1 2 3\nf 1 2 3 -4\n") == 6);
+  std::string many, ring = "f";
+  for (int i = 1; i <= 100; ++i) {
+    many += "v " + std::to_string(i) + " 0 0\n";
+    ring += " " + std::to_string(i);
+  }
+  CHECK(obj(many + ring).num_polys() == 1);
+  CHECK(line(many + ring + " 50") == 101);
+}
+
+TEST_CASE("read_obj: what is no OBJ file is an error, never an empty mesh") {
+  CHECK(line("") == 1);
+  CHECK(line(" \n\t\r\n") == 1);
+  CHECK(line("OFF\n3 1 3\n0 0 0\n") == 2);
+  CHECK(line("solid cube\nfacet normal\nendsolid\n") == 3);
+  CHECK(line(std::string("v 0 0 0\n\x00\x01\x02\n", 12)) == 2);
+  CHECK(obj("# nothing\n").points.empty());
+}
+
+TEST_CASE("read_obj: what has no place in the mesh is counted in the report") {
+  load_report r;
+  obj(tet + "vt 0 0\nvt 1 0\nvn 0 0 1\nl 1 2\np 1\nusemtl red\nmtllib x.mtl\ng a\ng b\ng c\ns 1\nvp 0 0\nv 0 0 0 1\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"2 texture coordinates (vt)", "1 normals (vn)", "1 weights or colours of verts", "2 points and lines (p, l)",
+                                              "3 names of groups and objects (g, o)", "2 uses of materials (usemtl, mtllib)", "1 smoothing groups (s)",
+                                              "1 lines with other keywords, the first 'vp' on line 20"});
+  obj(tet, {.report = &r});
+  CHECK(r.skipped.empty());
+}
+
+TEST_CASE("read_obj: the locale does not matter") {
+  const char* const set = std::setlocale(LC_ALL, "de_DE.UTF-8");
+  CHECK(obj("v 1.5 -2.25 1e-3\n").points[0] == vec3{1.5, -2.25, 0.001});
+  if (set) std::setlocale(LC_ALL, "C");
+}

@@ -1,0 +1,102 @@
+#include <concino/io/text_cursor.hpp>
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace concino;
+using namespace concino::detail;
+
+TEST_CASE("text_cursor: LF, CRLF and CR end lines, each once") {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string text = "a" + end + "b" + end + end + "c";
+    const text_cursor in(text, "t");
+    CHECK(in.line_of(text.data()) == 1);
+    CHECK(in.line_of(text.data() + text.find('b')) == 2);
+    CHECK(in.line_of(text.data() + text.find('c')) == 4);
+  }
+  const std::string mixed = "a\r\n\rb\n\nc";
+  CHECK(text_cursor(mixed, "t").line_of(mixed.data() + mixed.size() - 1) == 5);
+}
+
+TEST_CASE("text_cursor: the end of the file is on the last line that says something") {
+  const std::string text = "a\nb\n\n \n";
+  CHECK(text_cursor(text, "t").line_of(text.data() + text.size()) == 2);
+  CHECK(text_cursor("", "t").line_of(text_cursor("", "t").end()) == 1);
+}
+
+TEST_CASE("text_cursor: errors name file, line, what was expected and what was found") {
+  const std::string text = "1\n2 x\x01y \n";
+  token_cursor in(text, "some.file", nullptr, '#');
+  CHECK(in.next_integer("a number") == 1);
+  CHECK(in.next_integer("a number") == 2);
+  try {
+    in.next_integer("a number");
+    FAIL("no error");
+  } catch (const parse_error& e) {
+    CHECK(e.file == "some.file");
+    CHECK(e.line == 2);
+    CHECK(e.expected == "a number");
+    CHECK(e.found == "'x\\x01y'");
+    CHECK(std::string(e.what()) == "some.file:2: expected a number, found 'x\\x01y'");
+  }
+  const std::string long_word(1000, 'w');
+  CHECK(text_cursor(long_word, "t").found_at(long_word.data()) == "'" + std::string(40, 'w') + "...'");
+  CHECK(text_cursor("", "t").found_at(nullptr) == "an empty file");
+}
+
+TEST_CASE("text_cursor: comments, byte order marks, numbers that run into words") {
+  token_cursor in("\xEF\xBB\xBF# one\r2 # three\n 4#five\n6x", "t", nullptr, '#');
+  CHECK(in.next_integer("i") == 2);
+  CHECK(in.next_real("i") == 4);
+  CHECK_THROWS_AS(in.next_integer("i"), parse_error);
+  token_cursor none("# 2", "t", nullptr, 0);
+  CHECK_THROWS_AS(none.next_integer("i"), parse_error);
+  token_cursor infinite("inf", "t", nullptr, 0);
+  CHECK_THROWS_WITH_AS(infinite.next_real("x"), "t:1: expected x, a finite number, found 'inf'", parse_error);
+}
+
+TEST_CASE("token_cursor: counts are not believed, indices are checked") {
+  token_cursor in("1000000000000 -1 3 0", "t", nullptr, 0);
+  const auto n = in.next_count("how many", 2);
+  CHECK(n == 1000000000000);
+  CHECK(in.room(n, 2) < 6);
+  CHECK_THROWS_AS(in.next_count("how many", 2), parse_error);
+  CHECK(in.next_index(3, "an index") == 2);
+  CHECK_THROWS_WITH_AS(in.next_index(3, "an index"), "t:1: expected an index from 1 to 3, found '0'", parse_error);
+}
+
+TEST_CASE("text_cursor: progress rises to the end of the text and can stop") {
+  const std::string text(100000, ' ');
+  std::vector<double> told;
+  const auto hear = [&](double f, const char* label) {
+    CHECK(std::string(label) == "reading");
+    told.push_back(f);
+    return told.size() < 50;
+  };
+  const concino::progress p = hear;
+  text_cursor in(text, "t", &p);
+  const auto read = [&] {
+    while (!in.at_end()) {
+      in.tell();
+      ++in.at;
+    }
+  };
+  CHECK_THROWS_AS(read(), cancelled);
+  CHECK(told.size() == 50);
+  CHECK(std::is_sorted(told.begin(), told.end()));
+  CHECK(told.front() == 0);
+  CHECK(told.back() < 0.6);
+}
+
+TEST_CASE("first_repeated: few and many") {
+  std::vector<vert_id> v, scratch;
+  for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});
+  for (const std::size_t n : {5u, 32u, 33u, 100u}) CHECK(first_repeated(v.data(), n, scratch) == n);
+  v[20] = vert_id{3};
+  v[70] = vert_id{60};
+  CHECK(first_repeated(v.data(), 25, scratch) == 20);
+  CHECK(first_repeated(v.data(), 100, scratch) == 20);
+  CHECK(first_repeated(v.data() + 21, 79, scratch) == 49);
+}
