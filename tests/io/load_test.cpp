@@ -1,0 +1,139 @@
+#include <concino/io/load.hpp>
+
+#include <support/kinds.hpp>
+#include <support/reading.hpp>
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+const std::string tet_and_labels = "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 7\n0 1 0 0\n0 0 1 0\nTetrahedra\n1\n1 2 3 4 -3\nEnd\n";
+const std::string mixed = "MeshVersionFormatted 2\nDimension 3\nVertices 9\n0 0 0 0  1 0 0 0  1 1 0 0  0 1 0 0\n0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0  0.5 0.5 2 0\n"
+                          "Hexahedra 1\n1 2 3 4 5 6 7 8 0\nPyramids 1\n5 6 7 8 9 0\nEnd";
+
+template<class M>
+M from(const std::string& text, file_format f) {
+  return load_text<M>(text, f);
+}
+
+static_assert(Loadable<trimesh> && Loadable<polyhedralmesh> && Loadable<surface_arrays> && !Loadable<int> && !Loadable<std::string>);
+static_assert(detail::from_surface<trimesh> && !detail::from_cells<trimesh> && !detail::from_polyhedra<trimesh>);
+static_assert(!detail::from_surface<tetmesh> && detail::from_cells<tetmesh> && !detail::from_polyhedra<tetmesh>);
+static_assert(!detail::from_surface<polyhedralmesh> && !detail::from_cells<polyhedralmesh> && detail::from_polyhedra<polyhedralmesh>);
+
+}  // namespace
+
+TEST_CASE("load: the extension decides, in any case") {
+  const temporary_folder dir;
+  for (const std::string name : {"a.obj", "b.OBJ", "c.tar.Obj"}) {
+    write_file(dir / name, square + "f 1 2 3\n");
+    CHECK(num_polys(load<trimesh>(dir / name)) == 1);
+  }
+  write_file(dir / "d.txt", square + "f 1 2 3 4\n");
+  CHECK_THROWS_WITH_AS(load<polygonmesh>(dir / "d.txt"), ((dir / "d.txt") + ": the extension names no format known here; known are .obj, .mesh, .hedra").c_str(), unsupported);
+  CHECK(num_polys(load<polygonmesh>(dir / "d.txt", {.format = file_format::obj})) == 1);
+  CHECK_THROWS_AS(load<trimesh>(".obj"), unsupported);
+  CHECK_THROWS_AS(load<trimesh>(""), unsupported);
+  CHECK_THROWS_AS(load<trimesh>(dir / "none.obj"), io_error);
+  CHECK_THROWS_AS(load_text<trimesh>("", file_format::by_extension), invalid_argument);
+}
+
+TEST_CASE("load: parse errors name the path") {
+  const temporary_folder dir;
+  write_file(dir / "bad.obj", square + "f 1 2 9\n");
+  try {
+    load<trimesh>(dir / "bad.obj");
+    FAIL("no error");
+  } catch (const parse_error& e) {
+    CHECK(e.file == dir / "bad.obj");
+    CHECK(e.line == 5);
+    CHECK(e.found == "'9'");
+  }
+}
+
+TEST_CASE("load: a mesh takes only polys that it can hold, and the line of the first other is named") {
+  const std::string both = square + "f 1 2 3\nf 1 2 3 4\n";
+  CHECK(bad_line<trimesh>(both, file_format::obj) == 6);
+  CHECK(bad_line<quadmesh>(both, file_format::obj) == 5);
+  CHECK(num_polys(from<polygonmesh>(both, file_format::obj)) == 2);
+  CHECK(num_polys(from<polygonmesh>(square + "f 1 2 3\n", file_format::obj)) == 1);
+
+  const std::string surface = "MeshVersionFormatted 2\nDimension 3\nVertices 4 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0\nQuadrilaterals 1\n1 2 3 4 0\nTriangles 1\n1 2 3 0\nEnd";
+  CHECK(bad_line<trimesh>(surface, file_format::medit) == 5);
+  CHECK(bad_line<quadmesh>(surface, file_format::medit) == 7);
+  CHECK(num_polys(from<polygonmesh>(surface, file_format::medit)) == 2);
+
+  CHECK(bad_line<tetmesh>(mixed, file_format::medit) == 7);
+  CHECK(bad_line<hexmesh>(mixed, file_format::medit) == 9);
+  CHECK(bad_line<hexmesh>(tet_and_labels, file_format::medit) == 11);
+  const auto all = from<polyhedralmesh>(mixed, file_format::medit);
+  CHECK(num_polys(all) == 2);
+  CHECK(num_faces(all) == 10);
+
+  const std::string hedra = "4 4 1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n4 1 2 3 4\n";
+  CHECK(num_polys(from<tetmesh>(hedra, file_format::hedra)) == 1);
+  CHECK(bad_line<hexmesh>(hedra, file_format::hedra) == 10);
+}
+
+TEST_CASE("load: any volume becomes a polyhedralmesh") {
+  const auto m = from<polyhedralmesh>(tet_and_labels, file_format::medit);
+  CHECK(num_polys(m) == 1);
+  CHECK(num_faces(m) == 4);
+  for (const auto f : adj_p2f(m, poly_id{0})) CHECK(face_is_outward(m, poly_id{0}, f));
+}
+
+TEST_CASE_TEMPLATE("load: volumes are no surfaces and the reverse", M, CONCINO_ALL_KINDS) {
+  if constexpr (dimension_v<M> == 2) {
+    CHECK_THROWS_WITH_AS(from<M>(tet_and_labels, file_format::medit), "text: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any", unsupported);
+    CHECK_THROWS_AS(from<M>(mixed, file_format::medit), unsupported);
+    CHECK_THROWS_AS(from<M>("0 0 0", file_format::hedra), unsupported);
+  } else {
+    CHECK_THROWS_WITH_AS(from<M>(square + "f 1 2 3\n", file_format::obj), "text: holds a surface of 1 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
+  }
+}
+
+TEST_CASE("load: labels become a property, if any is not zero") {
+  const auto m = from<tetmesh>(tet_and_labels, file_format::medit);
+  const auto v = find_vert_property<int>(m, "label");
+  const auto p = find_poly_property<int>(m, "label");
+  REQUIRE(bool(v));
+  REQUIRE(bool(p));
+  CHECK(v[vert_id{0}] == 0);
+  CHECK(v[vert_id{1}] == 7);
+  CHECK(v[vert_id{3}] == 0);
+  CHECK(p[poly_id{0}] == -3);
+  CHECK(property_list(from<polyhedralmesh>(mixed, file_format::medit)).empty());
+  load_report r;
+  load_text<cell_arrays>(tet_and_labels, file_format::medit, {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"labels of verts", "labels of polys"});
+}
+
+TEST_CASE("load: progress ends at 1, and stopping throws") {
+  std::string text = square;
+  for (int i = 0; i < 1000; ++i) text += "f 1 2 3\n";
+  std::vector<double> told;
+  const auto hear = [&](double f, const char*) {
+    told.push_back(f);
+    return true;
+  };
+  load_text<trimesh>(text, file_format::obj, {.progress = hear});
+  CHECK(told.size() > 50);
+  CHECK(std::is_sorted(told.begin(), told.end()));
+  CHECK(told.back() == 1);
+  CHECK_THROWS_AS(load_text<trimesh>(text, file_format::obj, {.progress = [](double f, const char*) { return f < 0.5; }}), cancelled);
+}
+
+TEST_CASE("load: a report is cleared first") {
+  load_report r;
+  r.notes = r.skipped = {"old"};
+  r.reoriented_polys = 9;
+  load_text<trimesh>(square + "f 1 2 3\n", file_format::obj, {.report = &r});
+  CHECK(r.notes.empty());
+  CHECK(r.skipped.empty());
+  CHECK(r.reoriented_polys == 0);
+}
