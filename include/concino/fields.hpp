@@ -1,0 +1,4 @@
+// Functions on meshes.
+#pragma once
+
+#include <concino/fields/harmonic_map.hpp>

@@ -1,0 +1,166 @@
+// Harmonic maps: the smoothest function through given values at some verts. The paper's example, on any mesh.
+#pragma once
+
+#include <concino/concepts/sparse_solver.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/graph/bfs.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/operators/detail/assembly.hpp>
+#include <concino/operators/mass_matrix.hpp>
+#include <concino/operators/weights.hpp>
+#include <concino/progress.hpp>
+#include <concino/solve/ldlt.hpp>
+#include <concino/solve/detail/residual.hpp>
+
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+struct harmonic_map_options {
+  concino::weights weights = concino::weights::uniform;
+  int exponent = 1;                       // n >= 1: L (M^-1 L)^(n-1) u = 0; 1: harmonic, 2: biharmonic, ...
+  double isolated_value = 0;              // of verts without edges that have no value prescribed; any, NaN too
+  concino::progress progress = nullptr;
+};
+
+namespace detail {
+
+/// The verts whose values are to be found, numbered; the others are prescribed or stand alone.
+template<class M>
+struct dirichlet_problem {
+  enum : int { prescribed = -1, isolated = -2 };
+  vert_map<M, double> value;
+  vert_map<M, int> unknown;  // number, prescribed or isolated
+  int unknowns = 0;
+};
+
+template<class M, class D>
+dirichlet_problem<M> dirichlet(const M& m, const D& given, double isolated_value, const char* who) {
+  using problem = dirichlet_problem<M>;
+  problem r{make_vert_map<double>(m, isolated_value), make_vert_map<int>(m, problem::isolated)};
+  std::vector<vert_t<M>> sources;
+  for (const auto& [vert, number] : given) {
+    const vert_t<M> v = vert;
+    const double x = static_cast<double>(number);
+    if (!contains(m, v)) throw invalid_mesh(std::string(who) + ": a value is given at something that is no vert of the mesh; take verts from verts(m)");
+    const auto at = [&] { return " at vert " + number_text(index_of(m, v)); };
+    if (!std::isfinite(x)) throw invalid_argument(std::string(who) + ": the value given" + at() + " is not finite");
+    if (r.unknown[v] == problem::prescribed && r.value[v] != x)
+      throw invalid_argument(std::string(who) + ": two values are given" + at() + ", " + number_text(r.value[v]) + " and " + number_text(x) + "; keep one");
+    if (r.unknown[v] != problem::prescribed) sources.push_back(v);
+    r.unknown[v] = problem::prescribed;
+    r.value[v] = x;
+  }
+  const auto hops = bfs(m, sources);
+  for (const vert_t<M> v : verts(m)) {
+    if (r.unknown[v] == problem::prescribed) continue;
+    const auto& around = adj_v2v(m, v);
+    if (!(around.begin() != around.end())) continue;
+    if (hops[v] < 0) {
+      std::size_t size = 0;
+      const auto component = bfs(m, v);
+      for (const vert_t<M> w : verts(m)) size += component[w] >= 0;
+      throw solver_error(std::string(who) + ": singular, because the component of vert " + number_text(index_of(m, v)) + " (" + number_text(size) +
+                         " verts) has no value prescribed; give one at any of its verts");
+    }
+    r.unknown[v] = r.unknowns++;
+  }
+  return r;
+}
+
+/// K = A (M^-1 A)^(n-1) with A = -L over all verts.
+template<class M, class W>
+Eigen::SparseMatrix<double> polyharmonic(const M& m, const W& weights, concino::weights which, int exponent) {
+  const auto a = assemble<whole_matrix>(m, weights, static_cast<std::size_t>(vert_index_bound(m)), 1.0,
+                                        [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); }, [](int, const vert_t<M>&, double) {});
+  Eigen::VectorXd inverse_mass = Eigen::VectorXd::Ones(a.rows());
+  if constexpr (AnyMesh<M> && Embedded<M>) {
+    if (which != weights::uniform) {
+      const auto mass = vert_masses(m);
+      for (const vert_t<M> v : verts(m)) {
+        const auto i = static_cast<Eigen::Index>(index_of(m, v));
+        if (mass[v] > 0) inverse_mass[i] = 1 / mass[v];
+        else if (a.coeff(i, i) != 0) throw invalid_mesh("harmonic_map: vert " + number_text(i) + " has edges but no polys, so no mass; use uniform weights");
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> k = a;
+  for (int n = 1; n < exponent; ++n) {
+    const Eigen::SparseMatrix<double> scaled = inverse_mass.asDiagonal() * k;
+    k = a * scaled;
+  }
+  return k;
+}
+
+/// The rows and columns of the unknowns, lower triangle; what the prescribed values contribute goes to b.
+template<class M>
+Eigen::SparseMatrix<double> restrict_to_unknowns(const Eigen::SparseMatrix<double>& k, const M& m, const dirichlet_problem<M>& problem, Eigen::VectorXd& b) {
+  Eigen::SparseMatrix<double> r(problem.unknowns, problem.unknowns);
+  r.reserve(k.nonZeros() / 2 + problem.unknowns);
+  std::vector<Eigen::Index> column(static_cast<std::size_t>(problem.unknowns));
+  for (const vert_t<M> v : verts(m))
+    if (const int c = problem.unknown[v]; c >= 0) column[static_cast<std::size_t>(c)] = static_cast<Eigen::Index>(index_of(m, v));
+  std::vector<std::pair<int, double>> entries;
+  for (int c = 0; c < problem.unknowns; ++c) {
+    entries.clear();
+    for (Eigen::SparseMatrix<double>::InnerIterator it(k, column[static_cast<std::size_t>(c)]); it; ++it) {
+      const auto i = static_cast<std::size_t>(it.row());
+      const int row = problem.unknown.values()[i];
+      if (row < 0) b[c] -= it.value() * problem.value.values()[i];
+      else if (row >= c) entries.push_back({row, it.value()});
+    }
+    std::sort(entries.begin(), entries.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+    r.startVec(c);
+    for (const auto& [row, x] : entries) r.insertBack(row, c) = x;
+  }
+  r.finalize();
+  return r;
+}
+
+}  // namespace detail
+
+/// The function u on the verts with the given values that is harmonic everywhere else: L u = 0, or L (M^-1 L)^(n-1) u = 0 for
+/// exponent n, with M the identity for uniform weights and the lumped mass otherwise.
+/// Needs:  PrimalGraph M; for cotangent weights an Embedded mesh of triangles or tets. `values`: verts and numbers, in braces
+///         ({{a, 0.0}, {b, 1.0}}) or any container of pairs; the same vert twice is fine if the value is the same.
+///         solver: a SparseSolver for symmetric positive definite matrices.
+/// Result: a map of double, u[v]. Given values are exact. Verts without edges get isolated_value unless one is given. With uniform
+///         weights and exponent 1 every value lies between the extrema of those given in its component.
+/// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
+/// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert gets two, or
+///         exponent < 1; solver_error if a component that has edges has no value prescribed (one of its verts is named), or if the
+///         system cannot be solved in double precision; with cotangent weights also those of `laplacian`; cancelled.
+/// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
+template<class M, class D = std::initializer_list<std::pair<vert_t<M>, double>>, class Solver = ldlt>
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> harmonic_map(M&& m, const D& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
+  using mesh = std::remove_cvref_t<M>;
+  const mesh& mesh_in = m;
+  if (options.exponent < 1)
+    throw invalid_argument("harmonic_map: exponent is " + detail::number_text(options.exponent) + "; it must be 1 or more");
+  detail::tell(options.progress, 0, "harmonic map: assembling");
+  auto problem = detail::dirichlet(mesh_in, values, options.isolated_value, "harmonic_map");
+
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(problem.unknowns);
+  const Eigen::SparseMatrix<double> a = detail::with_weights(mesh_in, options.weights, [&](const auto& weights) {
+    if (options.exponent > 1) return detail::restrict_to_unknowns(detail::polyharmonic(mesh_in, weights, options.weights, options.exponent), mesh_in, problem, b);
+    return detail::assemble<detail::lower_triangle>(
+        mesh_in, weights, static_cast<std::size_t>(problem.unknowns), 1.0, [&](const vert_t<M>& v) { return problem.unknown[v]; },
+        [&](int row, const vert_t<M>& w, double weight) { b[row] += weight * problem.value[w]; });
+  });
+  if (problem.unknowns > 0) {
+    detail::tell(options.progress, 0.1, "harmonic map: factorising");
+    solver.factorize(a);
+    detail::tell(options.progress, 0.9, "harmonic map: solving");
+    const Eigen::VectorXd u = detail::solve_and_check(solver, a, b, "harmonic_map");
+    for (const vert_t<M> v : verts(mesh_in))
+      if (const int i = problem.unknown[v]; i >= 0) problem.value[v] = u[i];
+  }
+  detail::tell(options.progress, 1, "harmonic map: done");
+  return std::move(problem.value);
+}
+
+}  // namespace concino

@@ -1,0 +1,5 @@
+// Linear systems.
+#pragma once
+
+#include <concino/concepts/sparse_solver.hpp>
+#include <concino/solve/ldlt.hpp>

@@ -1,0 +1,59 @@
+// Symmetric sparse systems by factorisation.
+#pragma once
+
+#include <concino/detail/number_text.hpp>
+#include <concino/error.hpp>
+
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace concino {
+
+/// Factorises a symmetric matrix as L D L^T, fill-reducing, and solves with it. A SparseSolver; the default of all problems.
+/// Only the lower triangle of the matrix is read.
+/// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular;
+///         from solve if nothing was factorised, the right-hand side has another size or the solution is not finite.
+/// Source: Eigen's SimplicialLDLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996).
+class ldlt {
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+  Eigen::Index size_ = -1;
+
+ public:
+  void factorize(const Eigen::SparseMatrix<double>& a) {
+    size_ = -1;
+    if (a.rows() != a.cols())
+      throw solver_error("ldlt: the matrix has " + detail::number_text(a.rows()) + " rows and " + detail::number_text(a.cols()) + " columns; it must be square");
+    for (Eigen::Index k = 0; k < a.nonZeros(); ++k)
+      if (!std::isfinite(a.valuePtr()[k])) throw solver_error("ldlt: the matrix has an entry that is not finite");
+    if (a.rows() > 0) {
+      factors_.compute(a);
+      if (factors_.info() != Eigen::Success) throw solver_error("ldlt: the matrix is singular: a pivot is 0");
+      // A pivot is a diagonal entry minus what elimination takes away. Where nothing but rounding errors is left, it says nothing.
+      const auto pivots = factors_.vectorD();
+      const auto& place = factors_.permutationP().indices();
+      for (Eigen::Index c = 0; c < a.cols(); ++c) {
+        const double pivot = std::abs(pivots[place[c]]), diagonal = std::abs(a.coeff(c, c));
+        if (!(pivot > 1e-15 * diagonal && pivot < std::numeric_limits<double>::infinity()))
+          throw solver_error("ldlt: the matrix is singular to working precision in row " + detail::number_text(c) + ": of the diagonal entry " +
+                             detail::number_text(diagonal) + " elimination leaves " + detail::number_text(pivot));
+      }
+    }
+    size_ = a.rows();
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    if (size_ < 0) throw solver_error("ldlt: solve without a factorised matrix; call factorize first");
+    if (b.size() != size_)
+      throw solver_error("ldlt: the right-hand side has " + detail::number_text(b.size()) + " entries, the matrix " + detail::number_text(size_) + " rows");
+    if (size_ == 0) return b;
+    Eigen::VectorXd x = factors_.solve(b);
+    for (const double xi : x)
+      if (!std::isfinite(xi)) throw solver_error("ldlt: the solution is not finite; the matrix is singular or the right-hand side is not finite");
+    return x;
+  }
+};
+
+}  // namespace concino
