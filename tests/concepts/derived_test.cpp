@@ -1,0 +1,94 @@
+// adj_e2e and adj_f2f are what they say by brute force, on foreign meshes, on the weakest model and where edges are shared twice.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/concepts/derived.hpp>
+
+#include "../support/tiny.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace cn = concino;
+
+namespace {
+
+template<class X, class R>
+std::vector<int> numbers(const R& ring, const X& number) {
+  std::vector<int> r;
+  for (auto x : ring) r.push_back(number(x));
+  std::sort(r.begin(), r.end());
+  return r;
+}
+
+/// Elements x != a of `all` that share one of the ring's answers with a.
+template<class A, class All, class Ring>
+std::vector<int> sharing(A a, const All& all, const Ring& ring) {
+  std::vector<int> r;
+  const auto mine = ring(a);
+  for (A x : all) {
+    bool shares = false;
+    for (auto y : ring(x)) shares = shares || std::find(mine.begin(), mine.end(), y) != mine.end();
+    if (shares && !(x == a)) r.push_back(x.i);
+  }
+  return r;
+}
+
+template<class M>
+void check_edges(const M& m) {
+  const auto plain = [](auto x) { return x.i; };
+  const auto a = cn::only_mesh(m);
+  const auto base = [&](auto x) { return a.base(x).i; };
+  static_assert(cn::ElementRange<decltype(cn::adj_e2e(m, tiny::segment())), tiny::segment>);
+  for (auto e : cn::edges(m)) {
+    const auto expected = sharing(e, cn::edges(m), [&](auto x) { return cn::adj_e2v(m, x); });
+    CHECK(numbers(cn::adj_e2e(m, e), plain) == expected);
+    CHECK(numbers(cn::adj_e2e(a, a.edge(e)), base) == expected);
+  }
+}
+
+void check_faces(const tiny::volume& m) {
+  const auto plain = [](auto x) { return x.i; };
+  const auto a = cn::only_mesh(m);
+  const auto base = [&](auto x) { return a.base(x).i; };
+  static_assert(cn::ElementRange<decltype(cn::adj_f2f(m, tiny::facet())), tiny::facet>);
+  for (auto f : cn::faces(m)) {
+    const auto expected = sharing(f, cn::faces(m), [&](auto x) { return cn::adj_f2e(m, x); });
+    CHECK(numbers(cn::adj_f2f(m, f), plain) == expected);
+    CHECK(numbers(cn::adj_f2f(a, a.face(f)), base) == expected);
+  }
+}
+
+// Traits with their own are believed.
+struct knows_better : tiny::surface {};
+
+template<class M> concept has_f2f = requires(const M& m) { cn::adj_f2f(m, cn::face_t<M>()); };
+static_assert(has_f2f<tiny::volume> && !has_f2f<tiny::surface>);
+template<class M> concept has_e2e = requires(const M& m) { cn::adj_e2e(m, cn::edge_t<M>()); };
+static_assert(has_e2e<tiny::surface> && !has_e2e<int>);
+
+}  // namespace
+template<>
+struct concino::mesh_traits<knows_better> : mesh_traits<tiny::surface> {
+  static std::vector<edge> adj_e2e(const knows_better&, edge e) { return {e, e, e}; }
+};
+
+TEST_CASE("edges that share a vert") {
+  check_edges(tiny::surface_example());
+  check_edges(tiny::volume_example());
+  // One edge alone on a polygon of two verts' worth of points, and two edges between the same verts.
+  tiny::surface twice({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  twice.es.push_back(twice.es[0]);
+  check_edges(twice);
+}
+
+TEST_CASE("faces that share an edge, some of them more than one") {
+  check_faces(tiny::volume_example());
+  // Two faces on the same verts: they share three edges.
+  check_faces(tiny::volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}}, {{{0, true}, {1, true}}}));
+}
+
+TEST_CASE("the traits' own are used where there are any") {
+  const knows_better m{tiny::surface_example()};
+  CHECK(cn::adj_e2e(m, tiny::segment{2}).size() == 3);
+}
