@@ -1,0 +1,116 @@
+// Readers never crash, hang, read out of bounds or make a mesh that does not hold together, whatever the text. Sanitizers watch.
+#include <concino/io/load.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <random>
+#include <string>
+
+using namespace concino;
+
+namespace {
+
+std::size_t fuzz_rounds() {
+  const char* const asked = std::getenv("CONCINO_LONG");
+  return asked && *asked && std::string(asked) != "0" ? 40000 : 2000;
+}
+
+struct seed {
+  file_format format;
+  std::string text;
+};
+
+const seed seeds[] = {
+    {file_format::obj, "# cube corner\nv 0 0 0\nv 1.5 0 0 1.0\nv 0 1e0 0\nv 0 0 .25\nvt 0 1\nvn 0 0 1\nusemtl a\ng b c\nf 1 3 2\nf 1/1 2/1 4/1\nf -3//1 3//1 \\\n-1//-1\nf 1/1/1 4/1/1 3/1/1\nl 1 2\n"},
+    {file_format::obj, "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nv 0.12345678901234567 2 3\r\nf 1 2 3 4\r\nf 1 2 3\r\nf 5 4 3 2 1\r\n"},
+    {file_format::medit, "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 1\n0 1 0 0\n0 0 1 0\n1 1 1 2\nEdges 1\n1 2 0\nTriangles 1\n1 2 3 0\nTetrahedra\n2\n1 2 3 4 7\n2 3 4 5 0\nEnd\n"},
+    {file_format::medit, "MeshVersionFormatted 1 Dimension 3 # c\nHexahedra 1 1 2 3 4 5 6 7 8 0\nVertices 10 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0\n0 0 1 0 1 0 1 0 1 1 1 0 0 1 1 0\n.5 .5 2 0 2 0 0 0\n"
+                         "Pyramids 1 5 6 7 8 9 1\nPrisms 1 1 2 3 5 6 7 2 Tetrahedra 1 1 2 10 9 0\nEnd"},
+    {file_format::medit, "MeshVersionFormatted 1\nDimension\n2\nVertices\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\nTriangles 1\n1 2 3 0\nQuadrilaterals\n1\n1 2 3 4 0\nEnd"},
+    {file_format::hedra, "5 7 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n3 1 2 5\n3 2 3 5\n3 1 3 5\n4 1 2 3 4\n4 -1 5 6 -7\n"},
+};
+
+bool holds_together(const surface_arrays& a) {
+  if (a.arity ? !a.offsets.empty() || a.verts.size() % a.arity : a.offsets.empty() || a.offsets.front() != 0 || a.offsets.back() != a.verts.size()) return false;
+  for (std::size_t i = 1; i < a.offsets.size(); ++i)
+    if (a.offsets[i] < a.offsets[i - 1] + 3) return false;
+  return std::all_of(a.verts.begin(), a.verts.end(), [&](vert_id v) { return v.raw() < a.points.size(); });
+}
+bool holds_together(const cell_arrays& a) {
+  return (a.arity == 4 || a.arity == 8) && a.verts.size() % a.arity == 0 && std::all_of(a.verts.begin(), a.verts.end(), [&](vert_id v) { return v.raw() < a.points.size(); });
+}
+bool holds_together(const polyhedra_arrays& a) {
+  return !a.face_offsets.empty() && !a.poly_offsets.empty() && a.face_offsets.back() == a.face_verts.size() && a.poly_offsets.back() == a.poly_faces.size() && a.outward.size() == a.poly_faces.size() &&
+         std::all_of(a.face_verts.begin(), a.face_verts.end(), [&](vert_id v) { return v.raw() < a.points.size(); }) &&
+         std::all_of(a.poly_faces.begin(), a.poly_faces.end(), [&](face_id f) { return f.raw() < a.num_faces(); });
+}
+
+/// Reads a text that ends where its memory ends, as M and finds it whole, refused with a line of the text, or of the wrong kind.
+template<class M>
+bool survives(const std::string& text, file_format format) {
+  const std::unique_ptr<char[]> exact(new char[text.size()]);
+  std::copy(text.begin(), text.end(), exact.get());
+  try {
+    const M m = load_text<M>({exact.get(), text.size()}, format);
+    for (const vec3& p : m.points)
+      if (!is_finite(p)) return false;
+    return holds_together(m);
+  } catch (const parse_error& e) {
+    const auto lines = static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; })) + 1;
+    return e.line >= 1 && e.line <= lines;
+  } catch (const unsupported&) {
+    return true;
+  }
+}
+
+bool survives_all(const std::string& text, file_format format) {
+  return survives<surface_arrays>(text, format) && survives<cell_arrays>(text, format) && survives<polyhedra_arrays>(text, format);
+}
+
+}  // namespace
+
+TEST_CASE("fuzz: every truncation") {
+  for (const seed& s : seeds)
+    for (std::size_t n = 0; n <= s.text.size(); ++n) CHECK(survives_all(s.text.substr(0, n), s.format));
+}
+
+TEST_CASE("fuzz: bytes changed, cut out, repeated") {
+  std::mt19937 random(20);
+  const auto below = [&](std::size_t n) { return n ? static_cast<std::size_t>(random()) % n : 0; };
+  const std::string likely = "0123456789-+.eE/\\#\n\r\t vf\0\x80nai";
+  std::size_t failed = 0;
+  for (std::size_t round = 0; round < fuzz_rounds(); ++round) {
+    const seed& s = seeds[round % std::size(seeds)];
+    std::string text = s.text;
+    for (std::size_t k = 1 + below(4); k > 0 && !text.empty(); --k) {
+      const std::size_t at = below(text.size()), n = 1 + below(12);
+      switch (below(5)) {
+        case 0: text[at] = static_cast<char>(random()); break;
+        case 1: text[at] = likely[below(likely.size())]; break;
+        case 2: text.erase(at, n); break;
+        case 3: text.insert(at, text.substr(below(text.size()), n)); break;
+        default: text.insert(at, 1 + below(20), likely[below(10)]);
+      }
+    }
+    if (below(8) == 0) text.resize(below(text.size() + 1));
+    if (!survives_all(text, s.format)) {
+      ++failed;
+      FAIL_CHECK(text);
+    }
+  }
+  CHECK(failed == 0);
+}
+
+TEST_CASE("fuzz: a text of one format read as another, and no text at all") {
+  for (const seed& s : seeds)
+    for (const file_format f : {file_format::obj, file_format::medit, file_format::hedra}) CHECK(survives_all(s.text, f));
+  std::mt19937 random(4);
+  for (const file_format f : {file_format::obj, file_format::medit, file_format::hedra})
+    for (int i = 0; i < 200; ++i) {
+      std::string noise(static_cast<std::size_t>(i), ' ');
+      for (char& c : noise) c = static_cast<char>(random());
+      CHECK(survives_all(noise, f));
+    }
+}
