@@ -3,6 +3,7 @@
 
 #include <concino/io/mapped_file.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
