@@ -1,0 +1,166 @@
+// A half-edge mesh becomes a SurfaceMesh by about ten one-liners: say how its half-edges are linked, and inherit all adjacencies.
+//
+//   struct my_links {
+//     using vert = ..., edge = ..., poly = ..., halfedge = ...;         // descriptors, std::regular
+//     static halfedge next(const my_mesh& m, halfedge h);               // along the poly, or along the border
+//     static halfedge opposite(const my_mesh& m, halfedge h);
+//     static vert target(const my_mesh& m, halfedge h);
+//     static bool is_border(const my_mesh& m, halfedge h);              // has h no poly?
+//     static poly poly_of(const my_mesh& m, halfedge h);                // asked only where h is not at the border
+//     static edge edge_of(const my_mesh& m, halfedge h);
+//     static bool is_isolated(const my_mesh& m, vert v);                // has v no edge?
+//     static halfedge halfedge_of(const my_mesh& m, vert v);            // one that leaves v; asked only where v is not isolated
+//     static halfedge halfedge_of(const my_mesh& m, edge e);            // either of the two
+//     static halfedge halfedge_of(const my_mesh& m, poly p);            // one along p
+//     static std::size_t num_verts(const my_mesh& m);                   // num_edges, num_polys alike
+//     // verts(m), vert_index_bound(m), index_of(m, v) and so on: not needed where the descriptors are vert_id, edge_id and poly_id numbered
+//     // without gaps.  point(m, v) for Embedded, arity, set_point ... as in any mesh_traits.
+//   };
+//   template<> struct concino::mesh_traits<my_mesh> : concino::halfedge_kernel<my_mesh, my_links> {};
+//
+// What the links must keep: every edge has two half-edges, opposite to each other, also at the border; `next` leads around each poly and
+// along each border; and stepping from h to next(opposite(h)) meets every half-edge that leaves the vert before it comes back to h. At a
+// vert with several gaps (fans of polys that only touch there) this means that the border half-edges are linked from one fan to the next,
+// as OpenMesh and CGAL do. No two edges join the same two verts. check_laws finds where any of this is not so.
+#pragma once
+
+#include <concino/concepts/surface_mesh.hpp>
+
+namespace concino {
+
+namespace requirement {
+
+template<class K, class M>
+concept has_link_types = std::regular<typename K::vert> && std::regular<typename K::edge> && std::regular<typename K::poly> && std::regular<typename K::halfedge>;
+template<class K, class M> concept has_next = requires(const M& m, typename K::halfedge h) { { K::next(m, h) } -> std::convertible_to<typename K::halfedge>; };
+template<class K, class M> concept has_opposite = requires(const M& m, typename K::halfedge h) { { K::opposite(m, h) } -> std::convertible_to<typename K::halfedge>; };
+template<class K, class M> concept has_target = requires(const M& m, typename K::halfedge h) { { K::target(m, h) } -> std::convertible_to<typename K::vert>; };
+template<class K, class M> concept has_is_border = requires(const M& m, typename K::halfedge h) { { K::is_border(m, h) } -> std::convertible_to<bool>; };
+template<class K, class M> concept has_poly_of = requires(const M& m, typename K::halfedge h) { { K::poly_of(m, h) } -> std::convertible_to<typename K::poly>; };
+template<class K, class M> concept has_edge_of = requires(const M& m, typename K::halfedge h) { { K::edge_of(m, h) } -> std::convertible_to<typename K::edge>; };
+template<class K, class M> concept has_is_isolated = requires(const M& m, typename K::vert v) { { K::is_isolated(m, v) } -> std::convertible_to<bool>; };
+template<class K, class M, class X> concept has_halfedge_of = requires(const M& m, X x) { { K::halfedge_of(m, x) } -> std::convertible_to<typename K::halfedge>; };
+template<class K, class M>
+concept has_numbers = requires(const M& m) {
+  { K::num_verts(m) } -> std::convertible_to<std::size_t>;
+  { K::num_edges(m) } -> std::convertible_to<std::size_t>;
+  { K::num_polys(m) } -> std::convertible_to<std::size_t>;
+};
+
+}  // namespace requirement
+
+/// K says how the half-edges of M are linked: the list above.
+template<class K, class M>
+concept HalfedgeLinks = requirement::has_link_types<K, M> && requirement::has_next<K, M> && requirement::has_opposite<K, M> && requirement::has_target<K, M> &&
+                        requirement::has_is_border<K, M> && requirement::has_poly_of<K, M> && requirement::has_edge_of<K, M> && requirement::has_is_isolated<K, M> &&
+                        requirement::has_halfedge_of<K, M, typename K::vert> && requirement::has_halfedge_of<K, M, typename K::edge> &&
+                        requirement::has_halfedge_of<K, M, typename K::poly> && requirement::has_numbers<K, M>;
+
+/// Fails to compile with one sentence that names the first thing K lacks to be HalfedgeLinks of M and what to write.
+template<class K, class M>
+consteval void explain_halfedge_links() {
+  using detail::missing;
+  // One line per message, so that compilers show it in one.
+  // clang-format off
+  if constexpr (!requirement::has_link_types<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs using vert, edge, poly, halfedge = four std::regular types");
+  else if constexpr (!requirement::has_next<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge next(const M&, halfedge); along the poly, or along the border");
+  else if constexpr (!requirement::has_opposite<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge opposite(const M&, halfedge); the other half-edge of the edge");
+  else if constexpr (!requirement::has_target<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static vert target(const M&, halfedge); the vert that the half-edge leads to");
+  else if constexpr (!requirement::has_is_border<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static bool is_border(const M&, halfedge); whether the half-edge has no poly");
+  else if constexpr (!requirement::has_poly_of<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static poly poly_of(const M&, halfedge); asked only where is_border is false");
+  else if constexpr (!requirement::has_edge_of<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static edge edge_of(const M&, halfedge)");
+  else if constexpr (!requirement::has_is_isolated<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static bool is_isolated(const M&, vert); whether the vert has no edge");
+  else if constexpr (!requirement::has_halfedge_of<K, M, typename K::vert>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge halfedge_of(const M&, vert); one that leaves the vert");
+  else if constexpr (!requirement::has_halfedge_of<K, M, typename K::edge>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge halfedge_of(const M&, edge); either of the two");
+  else if constexpr (!requirement::has_halfedge_of<K, M, typename K::poly>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge halfedge_of(const M&, poly); one along the poly");
+  else if constexpr (!requirement::has_numbers<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static std::size_t num_verts(const M&), num_edges(const M&), num_polys(const M&)");
+  else static_assert(HalfedgeLinks<K, M>);
+  // clang-format on
+}
+
+}  // namespace concino
+
+#include <concino/concepts/halfedge_rings.hpp>
+
+namespace concino {
+
+/// mesh_traits from links: inherit mesh_traits<M> from it.
+/// Cost: every ring in time proportional to its length, adj_p2p besides that to the polys across; nothing is stored.
+template<class M, class K>
+struct halfedge_kernel : K {
+  static constexpr int dimension = 2;
+  using vert = typename K::vert;
+  using edge = typename K::edge;
+  using poly = typename K::poly;
+
+ private:
+  template<class X, class Tag> static constexpr bool is_id = std::same_as<X, id<Tag>>;
+  template<detail::around Ring> using ring = detail::halfedge_ring<M, K, Ring>;
+
+ public:
+  static decltype(auto) verts(const M& m) requires(requires { K::verts(m); } || is_id<vert, vert_tag>) {
+    if constexpr (requires { K::verts(m); }) return K::verts(m);
+    else return id_range<vert>(K::num_verts(m));
+  }
+  static decltype(auto) edges(const M& m) requires(requires { K::edges(m); } || is_id<edge, edge_tag>) {
+    if constexpr (requires { K::edges(m); }) return K::edges(m);
+    else return id_range<edge>(K::num_edges(m));
+  }
+  static decltype(auto) polys(const M& m) requires(requires { K::polys(m); } || is_id<poly, poly_tag>) {
+    if constexpr (requires { K::polys(m); }) return K::polys(m);
+    else return id_range<poly>(K::num_polys(m));
+  }
+  static std::size_t vert_index_bound(const M& m) requires(requires { K::vert_index_bound(m); } || is_id<vert, vert_tag>) {
+    if constexpr (requires { K::vert_index_bound(m); }) return K::vert_index_bound(m);
+    else return K::num_verts(m);
+  }
+  static std::size_t edge_index_bound(const M& m) requires(requires { K::edge_index_bound(m); } || is_id<edge, edge_tag>) {
+    if constexpr (requires { K::edge_index_bound(m); }) return K::edge_index_bound(m);
+    else return K::num_edges(m);
+  }
+  static std::size_t poly_index_bound(const M& m) requires(requires { K::poly_index_bound(m); } || is_id<poly, poly_tag>) {
+    if constexpr (requires { K::poly_index_bound(m); }) return K::poly_index_bound(m);
+    else return K::num_polys(m);
+  }
+  template<class X>
+    requires requires(const M& m, X x) { K::index_of(m, x); } || is_id<X, vert_tag> || is_id<X, edge_tag> || is_id<X, poly_tag>
+  static std::size_t index_of(const M& m, X x) {
+    if constexpr (requires { K::index_of(m, x); }) return static_cast<std::size_t>(K::index_of(m, x));
+    else return x.raw();
+  }
+
+  static auto adj_v2v(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::around::v2v>::of(m, v); }
+  static auto adj_v2e(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::around::v2e>::of(m, v); }
+  static auto adj_v2p(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::around::v2p>::of(m, v); }
+  static auto adj_p2v(const M& m, poly p) requires HalfedgeLinks<K, M> { return ring<detail::around::p2v>::of(m, p); }
+  static auto adj_p2e(const M& m, poly p) requires HalfedgeLinks<K, M> { return ring<detail::around::p2e>::of(m, p); }
+  static auto adj_p2p(const M& m, poly p) requires HalfedgeLinks<K, M> { return detail::halfedge_neighbours<M, K>(m, p); }
+  static auto adj_e2v(const M& m, edge e) requires HalfedgeLinks<K, M> {
+    const typename K::halfedge h = K::halfedge_of(m, e);
+    return detail::up_to_two<vert>(K::target(m, K::opposite(m, h)), K::target(m, h));
+  }
+  static auto adj_e2p(const M& m, edge e) requires HalfedgeLinks<K, M> {
+    const typename K::halfedge h = K::halfedge_of(m, e), o = K::opposite(m, h);
+    const bool has_left = !K::is_border(m, h), has_right = !K::is_border(m, o);
+    if (!has_left && !has_right) return detail::up_to_two<poly>();
+    if (!has_right) return detail::up_to_two<poly>(K::poly_of(m, h));
+    const poly right = K::poly_of(m, o);
+    if (!has_left) return detail::up_to_two<poly>(right);
+    const poly left = K::poly_of(m, h);
+    return left == right ? detail::up_to_two<poly>(left) : detail::up_to_two<poly>(left, right);
+  }
+};
+
+}  // namespace concino

@@ -1,0 +1,191 @@
+// A small half-edge mesh, written as anybody might, is a SurfaceMesh by its links, and its rings equal those found by brute force.
+#include <concino/concepts/halfedge_kernel.hpp>
+#include <concino/validate/check_laws.hpp>
+
+#include "../support/models.hpp"
+#include "../support/tiny.hpp"
+
+#include <doctest/doctest.h>
+
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace cn = concino;
+
+namespace {
+
+/// Half-edges 2e and 2e + 1 are opposite; -1 is no poly, no half-edge.
+struct linked {
+  std::vector<int> next, target, poly, leaving, along;
+};
+
+/// The links of a surface whose polys agree in orientation. Border half-edges are linked so that all fans of a vert are in one round.
+linked link(const tiny::surface& s) {
+  linked m;
+  const std::size_t n = 2 * s.es.size();
+  m.next.assign(n, -1);
+  m.target.assign(n, -1);
+  m.poly.assign(n, -1);
+  m.leaving.assign(s.points.size(), -1);
+  m.along.assign(s.polygons.size(), -1);
+  std::map<std::pair<int, int>, int> id;
+  for (std::size_t e = 0; e < s.es.size(); ++e) {
+    const auto [a, b] = s.es[e];
+    id[{a, b}] = static_cast<int>(2 * e);
+    id[{b, a}] = static_cast<int>(2 * e + 1);
+    m.target[2 * e] = b;
+    m.target[2 * e + 1] = a;
+    m.leaving[std::size_t(a)] = static_cast<int>(2 * e);
+    m.leaving[std::size_t(b)] = static_cast<int>(2 * e + 1);
+  }
+  for (std::size_t p = 0; p < s.polygons.size(); ++p) {
+    const auto& q = s.polygons[p];
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const int h = id.at({q[i], q[(i + 1) % q.size()]});
+      m.next[std::size_t(h)] = id.at({q[(i + 1) % q.size()], q[(i + 2) % q.size()]});
+      m.poly[std::size_t(h)] = static_cast<int>(p);
+      m.along[p] = h;
+    }
+  }
+  // At each vert the k-th border half-edge that comes in is followed by the one that leaves at the other side of the next fan.
+  for (std::size_t v = 0; v < s.points.size(); ++v) {
+    std::vector<int> in, out;
+    for (int h = 0; h < static_cast<int>(n); ++h)
+      if (m.poly[std::size_t(h)] < 0 && m.target[std::size_t(h)] == static_cast<int>(v)) {
+        // Turn through the fan from the incoming border to the border that leaves.
+        int o = h ^ 1;
+        while (m.poly[std::size_t(o)] >= 0) {
+          int back = m.next[std::size_t(o)];
+          while (m.next[std::size_t(back)] != o) back = m.next[std::size_t(back)];
+          o = back ^ 1;
+        }
+        in.push_back(h);
+        out.push_back(o);
+      }
+    for (std::size_t k = 0; k < in.size(); ++k) m.next[std::size_t(in[k])] = out[(k + 1) % out.size()];
+  }
+  return m;
+}
+
+struct links {
+  using vert = cn::vert_id;
+  using edge = cn::edge_id;
+  using poly = cn::poly_id;
+  using halfedge = int;
+  static int next(const linked& m, int h) { return m.next[std::size_t(h)]; }
+  static int opposite(const linked&, int h) { return h ^ 1; }
+  static vert target(const linked& m, int h) { return vert(m.target[std::size_t(h)]); }
+  static bool is_border(const linked& m, int h) { return m.poly[std::size_t(h)] < 0; }
+  static poly poly_of(const linked& m, int h) { return poly(m.poly[std::size_t(h)]); }
+  static edge edge_of(const linked&, int h) { return edge(h / 2); }
+  static bool is_isolated(const linked& m, vert v) { return m.leaving[v.raw()] < 0; }
+  static int halfedge_of(const linked& m, vert v) { return m.leaving[v.raw()]; }
+  static int halfedge_of(const linked&, edge e) { return int(2 * e.raw()); }
+  static int halfedge_of(const linked& m, poly p) { return m.along[p.raw()]; }
+  static std::size_t num_verts(const linked& m) { return m.leaving.size(); }
+  static std::size_t num_edges(const linked& m) { return m.next.size() / 2; }
+  static std::size_t num_polys(const linked& m) { return m.along.size(); }
+};
+
+/// Links of a mesh with descriptors of its own and with verts that were deleted.
+struct own_handles : links {
+  struct vert {
+    int i = 0;
+    friend bool operator==(vert, vert) = default;
+  };
+  static vert target(const linked& m, int h) { return {m.target[std::size_t(h)]}; }
+  static bool is_isolated(const linked& m, vert v) { return m.leaving[std::size_t(v.i)] < 0; }
+  static int halfedge_of(const linked& m, vert v) { return m.leaving[std::size_t(v.i)]; }
+  static int halfedge_of(const linked& m, edge e) { return links::halfedge_of(m, e); }
+  static int halfedge_of(const linked& m, poly p) { return links::halfedge_of(m, p); }
+  static std::vector<vert> verts(const linked& m) {
+    std::vector<vert> r;
+    for (int i = 0; i < static_cast<int>(m.leaving.size()); ++i) if (m.leaving[std::size_t(i)] >= 0) r.push_back({i});
+    return r;
+  }
+  static std::size_t num_verts(const linked& m) { return verts(m).size(); }
+  static std::size_t vert_index_bound(const linked& m) { return m.leaving.size(); }
+  static std::size_t index_of(const linked&, vert v) { return std::size_t(v.i); }
+};
+struct gappy : linked {};
+
+struct lacking : links {
+  static void next(const linked&, int);
+};
+struct hopeless {};
+
+}  // namespace
+
+template<> struct concino::mesh_traits<linked> : halfedge_kernel<linked, links> {};
+template<> struct concino::mesh_traits<gappy> : halfedge_kernel<gappy, own_handles> {};
+template<> struct concino::mesh_traits<hopeless> : halfedge_kernel<linked, lacking> {};
+
+static_assert(cn::testing::models_in_all_forms<linked>(cn::testing::surface));
+static_assert(cn::testing::models_in_all_forms<gappy>(cn::testing::surface));
+static_assert(!cn::PrimalGraph<hopeless> && !cn::SurfaceMesh<hopeless>);
+static_assert(cn::HalfedgeLinks<links, linked> && !cn::HalfedgeLinks<lacking, linked> && !cn::HalfedgeLinks<int, linked>);
+static_assert(std::forward_iterator<decltype(cn::adj_v2v(linked(), cn::vert_id()).begin())>);
+static_assert(std::forward_iterator<decltype(cn::adj_p2p(linked(), cn::poly_id()).begin())>);
+
+namespace {
+
+template<class R>
+std::multiset<std::size_t> numbers(const R& r) {
+  std::multiset<std::size_t> s;
+  for (auto x : r) {
+    if constexpr (requires { x.raw(); }) s.insert(x.raw());
+    else s.insert(std::size_t(x.i));
+  }
+  return s;
+}
+
+void same_rings(const tiny::surface& s) {
+  const linked m = link(s);
+  const gappy g{m};
+  for (const auto& b : cn::check_laws(m)) MESSAGE(b.law << ": " << b.what);
+  CHECK(cn::check_laws(m).empty());
+  CHECK(cn::check_laws(g).empty());
+  for (int i = 0; i < static_cast<int>(s.points.size()); ++i) {
+    const cn::vert_id v(i);
+    const tiny::vertex w{i};
+    CHECK(numbers(cn::adj_v2v(m, v)) == numbers(cn::adj_v2v(s, w)));
+    CHECK(numbers(cn::adj_v2e(m, v)) == numbers(cn::adj_v2e(s, w)));
+    CHECK(numbers(cn::adj_v2p(m, v)) == numbers(cn::adj_v2p(s, w)));
+    CHECK(numbers(cn::adj_v2v(g, own_handles::vert{i})) == numbers(cn::adj_v2v(s, w)));
+  }
+  for (int i = 0; i < static_cast<int>(s.es.size()); ++i) {
+    CHECK(numbers(cn::adj_e2v(m, cn::edge_id(i))) == numbers(cn::adj_e2v(s, tiny::segment{i})));
+    CHECK(numbers(cn::adj_e2p(m, cn::edge_id(i))) == numbers(cn::adj_e2p(s, tiny::segment{i})));
+  }
+  for (int i = 0; i < static_cast<int>(s.polygons.size()); ++i) {
+    const cn::poly_id p(i);
+    CHECK(numbers(cn::adj_p2v(m, p)) == numbers(cn::adj_p2v(s, tiny::cell{i})));
+    CHECK(numbers(cn::adj_p2e(m, p)) == numbers(cn::adj_p2e(s, tiny::cell{i})));
+    CHECK(numbers(cn::adj_p2p(m, p)) == numbers(cn::adj_p2p(s, tiny::cell{i})));
+  }
+}
+
+using points = std::vector<std::array<double, 3>>;
+
+}  // namespace
+
+TEST_CASE("open, closed, in pieces, with isolated verts") {
+  same_rings(tiny::surface_example());
+  same_rings({points(4), {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
+  same_rings({points(9), {{0, 1, 2}, {3, 4, 5, 6}}});
+  same_rings(tiny::surface());
+}
+
+TEST_CASE("fans that touch in a vert") {
+  same_rings({points(7), {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}}});
+  same_rings({points(8), {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 6, 7}}});
+}
+
+TEST_CASE("polys that share several edges are each other's neighbours once") {
+  // Two polygons over the same verts; and one that wraps around another, with more polys in between.
+  same_rings({points(6), {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}}});
+  same_rings({points(14), {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, {1, 0, 12}, {2, 1, 13}, {3, 2, 13}, {5, 4, 3, 13, 1, 12}, {7, 6, 5, 12, 0, 11, 10, 9}, {9, 8, 7}}});
+}
+
+TEST_CASE("what is missing is said") { cn::explain_halfedge_links<links, linked>(); }
