@@ -12,7 +12,7 @@
 namespace concino {
 
 template<class S, class Matrix, class Vector>
-concept SparseSolver = requires(std::remove_cvref_t<S>& s, const std::remove_cvref_t<S>& solved, const Matrix& a, const Vector& b) {
+concept SparseSolver = requires(std::remove_reference_t<S>& s, const std::remove_cvref_t<S>& solved, const Matrix& a, const Vector& b) {
   s.factorize(a);
   { solved.solve(b) } -> std::convertible_to<Vector>;
 };

@@ -1,0 +1,204 @@
+#include <concino/operators/laplacian.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+double cot(const vec3& at, const vec3& a, const vec3& b) { return dot(a - at, b - at) / norm(cross(a - at, b - at)); }
+
+/// Every column sorted, no row twice, all rows inside.
+void check_compressed(const Eigen::SparseMatrix<double>& l) {
+  CHECK(l.isCompressed());
+  for (Eigen::Index c = 0; c < l.cols(); ++c) {
+    Eigen::Index last = -1;
+    for (Eigen::SparseMatrix<double>::InnerIterator it(l, c); it; ++it) {
+      REQUIRE(it.row() > last);
+      last = it.row();
+    }
+    REQUIRE(last < l.rows());
+  }
+}
+
+template<class M>
+void check_is_laplacian(const M& m, const Eigen::SparseMatrix<double>& l, double tolerance) {
+  check_compressed(l);
+  const Eigen::MatrixXd d = l;
+  CHECK(d == d.transpose());
+  CHECK((d * Eigen::VectorXd::Ones(d.rows())).cwiseAbs().maxCoeff() <= tolerance);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(d, Eigen::EigenvaluesOnly);
+  CHECK(eigen.eigenvalues().maxCoeff() <= tolerance * 10);
+  CHECK(static_cast<std::size_t>(d.rows()) == vert_index_bound(m));
+}
+
+Eigen::Index kernel_size(const Eigen::SparseMatrix<double>& l) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Eigen::MatrixXd(l), Eigen::EigenvaluesOnly);
+  return (eigen.eigenvalues().array() > -1e-10).count();
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("laplacian, uniform: minus the degree and ones; the kernel counts components", M, CONCINO_ALL_KINDS) {
+  const M m = two_grids<M>(2);
+  const auto l = laplacian(m);
+  check_is_laplacian(m, l, 1e-13);
+  for (const auto v : verts(m)) {
+    double degree = 0;
+    for (const auto w : adj_v2v(m, v)) {
+      degree += 1;
+      CHECK(l.coeff(static_cast<Eigen::Index>(index_of(m, w)), static_cast<Eigen::Index>(index_of(m, v))) == 1);
+    }
+    const auto i = static_cast<Eigen::Index>(index_of(m, v));
+    CHECK(l.coeff(i, i) == -degree);
+  }
+  CHECK(static_cast<std::size_t>(l.nonZeros()) == num_verts(m) + 2 * num_edges(m));
+  CHECK(kernel_size(l) == 3);  // two grids and the lonely vert
+}
+
+TEST_CASE_TEMPLATE("laplacian, uniform: uses nothing but a primal graph", M, CONCINO_ALL_KINDS) {
+  const M m = grid<M>(2);
+  const auto l = laplacian(m, {.weights = weights::uniform});
+  CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m))) == Eigen::MatrixXd(l));
+}
+
+TEST_CASE("laplacian, cotangent: half the sum of the cotangents opposite each edge; at the boundary one of them") {
+  const trimesh m({{0, 0, 0}, {2, 0, 0.3}, {0.5, 1, 0}, {1.5, -1, 0.2}}, {{0, 1, 2}, {1, 0, 3}});
+  const auto l = laplacian(m, {.weights = weights::cotangent});
+  const auto x = [&](unsigned i) { return to_vec3(point(m, vert_id{i})); };
+  CHECK(l.coeff(0, 1) == doctest::Approx(0.5 * (cot(x(2), x(0), x(1)) + cot(x(3), x(0), x(1)))).epsilon(1e-14));
+  CHECK(l.coeff(1, 2) == doctest::Approx(0.5 * cot(x(0), x(1), x(2))).epsilon(1e-14));
+  CHECK(l.coeff(0, 3) == doctest::Approx(0.5 * cot(x(1), x(0), x(3))).epsilon(1e-14));
+  CHECK(l.coeff(2, 3) == 0);
+}
+
+TEST_CASE("laplacian, cotangent: negative weights are kept") {
+  const trimesh m({{0, 0, 0}, {4, 0, 0}, {2, 0.5, 0}}, {{0, 1, 2}});
+  const auto l = laplacian(m, {.weights = weights::cotangent});
+  CHECK(l.coeff(0, 1) < -0.9);
+  check_is_laplacian(m, l, 1e-13);
+}
+
+TEST_CASE("laplacian, cotangent: of a tet, length times cotangent of the dihedral angle at the opposite edge") {
+  const std::vector<vec3> x = {{0, 0, 0}, {2, 0.1, 0}, {0.4, 1.5, 0.2}, {0.3, 0.6, 1.7}};
+  const tetmesh m(x, std::vector<std::vector<int>>{{0, 1, 2, 3}});
+  const tetmesh inverted(x, std::vector<std::vector<int>>{{1, 0, 2, 3}});
+  const auto l = laplacian(m, {.weights = weights::cotangent});
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      std::size_t others[2], n = 0;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (k != i && k != j) others[n++] = k;
+      const vec3 axis = x[others[1]] - x[others[0]];
+      const auto beside = [&](std::size_t k) { return (x[k] - x[others[0]]) - dot(x[k] - x[others[0]], axis) / dot(axis, axis) * axis; };
+      const vec3 a = beside(i), b = beside(j);
+      const double expected = norm(axis) * dot(a, b) / norm(cross(a, b)) / 6;
+      CHECK(l.coeff(static_cast<int>(i), static_cast<int>(j)) == doctest::Approx(expected).epsilon(1e-13));
+    }
+  check_is_laplacian(m, l, 1e-13);
+  CHECK((Eigen::MatrixXd(l) - Eigen::MatrixXd(laplacian(inverted, {.weights = weights::cotangent}))).cwiseAbs().maxCoeff() < 1e-14);
+}
+
+TEST_CASE_TEMPLATE("laplacian, cotangent: linear functions are harmonic at interior verts", M, trimesh, tetmesh) {
+  const M m(jittered(grid_arrays<M>(4), 0.06, VolumeMesh<M>));
+  const auto l = laplacian(m, {.weights = weights::cotangent});
+  check_is_laplacian(m, l, 1e-11);
+  Eigen::VectorXd f(l.rows());
+  for (const auto v : verts(m)) f[static_cast<Eigen::Index>(index_of(m, v))] = 2 * point(m, v)[0] - 3 * point(m, v)[1] + point(m, v)[2] + 4;
+  const Eigen::VectorXd lf = l * f;
+  std::size_t interior = 0;
+  for (const auto v : verts(m)) {
+    bool inside = true;
+    for (std::size_t k = 0; k < (VolumeMesh<M> ? 3u : 2u); ++k) inside = inside && point(m, v)[k] > 0.1 && point(m, v)[k] < 0.9;
+    if (!inside) continue;
+    ++interior;
+    CHECK(std::abs(lf[static_cast<Eigen::Index>(index_of(m, v))]) < 1e-11);
+  }
+  CHECK(interior == (VolumeMesh<M> ? 27 : 9));
+}
+
+TEST_CASE_TEMPLATE("laplacian, cotangent: scales as lengths to the dimension minus two", M, trimesh, tetmesh) {
+  auto arrays = jittered(grid_arrays<M>(2), 0.05);
+  const auto l = Eigen::MatrixXd(laplacian(M(arrays), {.weights = weights::cotangent}));
+  for (vec3& x : arrays.points) x *= 0x1p-30;
+  const auto s = Eigen::MatrixXd(laplacian(M(arrays), {.weights = weights::cotangent}));
+  CHECK(s == l * (VolumeMesh<M> ? 0x1p-30 : 1.0));
+}
+
+TEST_CASE("laplacian, cotangent: decided poly by poly, so polygons that all are triangles and polyhedra that all are tets will do") {
+  const auto arrays = jittered(triangle_grid(2), 0.05);
+  const auto as_polygons = laplacian(polygonmesh(with_offsets(arrays)), {.weights = weights::cotangent});
+  CHECK(Eigen::MatrixXd(as_polygons) == Eigen::MatrixXd(laplacian(trimesh(arrays), {.weights = weights::cotangent})));
+
+  const std::vector<vec3> x = {{0, 0, 0}, {2, 0.1, 0}, {0.4, 1.5, 0.2}, {0.3, 0.6, 1.7}};
+  polyhedra_arrays tet;
+  tet.points = x;
+  tet.face_offsets = {0, 3, 6, 9, 12};
+  for (const unsigned v : {0u, 2u, 1u, 0u, 1u, 3u, 0u, 3u, 2u, 1u, 2u, 3u}) tet.face_verts.push_back(vert_id{v});
+  tet.poly_offsets = {0, 4};
+  for (const unsigned f : {0u, 1u, 2u, 3u}) tet.poly_faces.push_back(face_id{f});
+  tet.outward = {1, 1, 1, 1};
+  const auto l = laplacian(polyhedralmesh(tet), {.weights = weights::cotangent});
+  const auto expected = laplacian(tetmesh(x, std::vector<std::vector<int>>{{0, 1, 2, 3}}), {.weights = weights::cotangent});
+  CHECK((Eigen::MatrixXd(l) - Eigen::MatrixXd(expected)).cwiseAbs().maxCoeff() < 1e-14);
+}
+
+TEST_CASE("laplacian, cotangent: works on archetypes of meshes, is refused on bare graphs") {
+  const auto m = grid<tetmesh>(2);
+  const auto t = grid<trimesh>(2);
+  CHECK(Eigen::MatrixXd(laplacian(only_embedded_mesh(t), {.weights = weights::cotangent})).isApprox(Eigen::MatrixXd(laplacian(t, {.weights = weights::cotangent}))));
+  CHECK(Eigen::MatrixXd(laplacian(only_embedded_mesh(m), {.weights = weights::cotangent})).isApprox(Eigen::MatrixXd(laplacian(m, {.weights = weights::cotangent}))));
+  CHECK_THROWS_WITH_AS(laplacian(only_primal_graph(m), {.weights = weights::cotangent}),
+                       "cotangent weights: the mesh type is a graph without polys or points; use uniform weights", unsupported);
+}
+
+TEST_CASE("laplacian, cotangent: errors name the poly") {
+  const polygonmesh mixed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{1, 4, 2}, {0, 1, 2, 3}});
+  CHECK_THROWS_WITH_AS(laplacian(mixed, {.weights = weights::cotangent}),
+                       "cotangent weights: poly 1 has 4 verts and is no triangle; use uniform weights, or split the polys", unsupported);
+  CHECK_THROWS_WITH_AS(laplacian(grid<hexmesh>(1), {.weights = weights::cotangent}),
+                       "cotangent weights: poly 0 has 8 verts and is no tet; use uniform weights, or split the polys", unsupported);
+  const trimesh flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
+  CHECK_THROWS_WITH_AS(laplacian(flat, {.weights = weights::cotangent}), doctest::Contains("poly 1 is degenerate"), invalid_mesh);
+  const tetmesh pressed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});
+  CHECK_THROWS_WITH_AS(laplacian(pressed, {.weights = weights::cotangent}), doctest::Contains("poly 0 is degenerate"), invalid_mesh);
+}
+
+TEST_CASE_TEMPLATE("laplacian: of an empty mesh and of verts alone", M, CONCINO_ALL_KINDS) {
+  CHECK(laplacian(M()).size() == 0);
+  auto arrays = grid_arrays<M>(1);
+  using arrays_type = decltype(arrays);
+  arrays_type alone;
+  alone.points = arrays.points;
+  if constexpr (requires { alone.arity; }) alone.arity = arrays.arity;
+  const auto l = laplacian(M(alone));
+  CHECK(static_cast<std::size_t>(l.rows()) == arrays.points.size());
+  CHECK(Eigen::MatrixXd(l).isZero(0));
+}
+
+TEST_CASE("laplacian: a fan of a thousand triangles, three of them at one edge") {
+  std::vector<vec3> x = {{0, 0, 0}};
+  std::vector<std::vector<int>> polys_;
+  const int n = 1000;
+  for (int i = 0; i < n; ++i) x.push_back({std::cos(i * 6.28 / n), std::sin(i * 6.28 / n), 0});
+  for (int i = n; i > 1; --i) polys_.push_back({0, i - 1, i});
+  x.push_back({0.2, 0.1, 1});
+  polys_.push_back({0, 1, n + 1});
+  polys_.push_back({0, 2, n + 1});
+  const trimesh m(x, polys_);
+  for (const auto w : {weights::uniform, weights::cotangent}) {
+    const auto l = laplacian(m, {.weights = w});
+    check_compressed(l);
+    CHECK((l * Eigen::VectorXd::Ones(l.rows())).cwiseAbs().maxCoeff() < 1e-9);
+  }
+  CHECK(laplacian(m).coeff(0, 0) == -(n + 1));
+}

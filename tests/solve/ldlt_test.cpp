@@ -1,0 +1,94 @@
+#include <concino/solve/ldlt.hpp>
+
+#include <concino/concepts/sparse_solver.hpp>
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <random>
+
+using namespace concino;
+
+namespace {
+
+static_assert(SparseSolver<ldlt, Eigen::SparseMatrix<double>, Eigen::VectorXd>);
+
+/// The path of n verts with both ends held: tridiagonal, positive definite.
+Eigen::SparseMatrix<double> path(int n, double diagonal = 2) {
+  Eigen::SparseMatrix<double> a(n, n);
+  for (int i = 0; i < n; ++i) {
+    a.insert(i, i) = diagonal;
+    if (i > 0) a.insert(i, i - 1) = a.insert(i - 1, i) = -1;
+  }
+  a.makeCompressed();
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE("ldlt: factorises once, solves many, small and large") {
+  std::mt19937 random(3);
+  for (const int n : {1, 2, 50, 3000}) {
+    const auto a = path(n);
+    ldlt solver;
+    solver.factorize(a);
+    for (int k = 0; k < 3; ++k) {
+      Eigen::VectorXd x(n);
+      for (double& xi : x) xi = static_cast<double>(random() % 1000) / 1000;
+      const Eigen::VectorXd b = a * x;
+      CHECK((solver.solve(b) - x).cwiseAbs().maxCoeff() < 1e-8);
+    }
+  }
+}
+
+TEST_CASE("ldlt: reads the lower triangle only, solves indefinite systems, and again after another matrix") {
+  ldlt solver;
+  solver.factorize(path(5).triangularView<Eigen::Lower>());
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(5);
+  CHECK((path(5) * solver.solve(one) - one).norm() < 1e-14);
+  solver.factorize(path(5, 0.5));
+  CHECK((path(5, 0.5) * solver.solve(one) - one).norm() < 1e-13);
+  solver.factorize(path(3));
+  CHECK(solver.solve(Eigen::VectorXd::Ones(3)).size() == 3);
+}
+
+TEST_CASE("ldlt: an empty system has an empty solution") {
+  ldlt solver;
+  solver.factorize(Eigen::SparseMatrix<double>(0, 0));
+  CHECK(solver.solve(Eigen::VectorXd(0)).size() == 0);
+}
+
+TEST_CASE("ldlt: what it cannot solve it says") {
+  ldlt solver;
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(3);
+  CHECK_THROWS_WITH_AS(solver.solve(one), "ldlt: solve without a factorised matrix; call factorize first", solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(Eigen::SparseMatrix<double>(2, 3)), doctest::Contains("it must be square"), solver_error);
+  auto broken = path(3);
+  broken.coeffRef(1, 1) = std::nan("");
+  CHECK_THROWS_WITH_AS(solver.factorize(broken), doctest::Contains("not finite"), solver_error);
+  auto free_ends = path(3);  // constants are in the kernel
+  free_ends.coeffRef(0, 0) = free_ends.coeffRef(2, 2) = 1;
+  CHECK_THROWS_WITH_AS(solver.factorize(free_ends), doctest::Contains("singular"), solver_error);
+  auto nothing = path(3);
+  nothing.coeffRef(1, 1) = nothing.coeffRef(0, 1) = nothing.coeffRef(1, 0) = nothing.coeffRef(2, 1) = nothing.coeffRef(1, 2) = 0;
+  CHECK_THROWS_WITH_AS(solver.factorize(nothing), doctest::Contains("singular"), solver_error);
+  CHECK_THROWS_AS(solver.solve(one), solver_error);  // a failed factorisation leaves none
+  solver.factorize(path(3));
+  CHECK_THROWS_WITH_AS(solver.solve(Eigen::VectorXd::Ones(4)), doctest::Contains("4 entries, the matrix 3 rows"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.solve(one * std::nan("")), doctest::Contains("not finite"), solver_error);
+}
+
+TEST_CASE("ldlt: badly scaled rows are not mistaken for singular ones") {
+  auto a = path(6);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (a.coeff(i, j) != 0) a.coeffRef(i, j) *= std::ldexp(1.0, -20 * (i + j));
+  ldlt solver;
+  solver.factorize(a);
+  Eigen::VectorXd x(6);
+  for (int i = 0; i < 6; ++i) x[i] = std::ldexp(1.0, 20 * i);
+  const Eigen::VectorXd b = a * x;
+  CHECK(((solver.solve(b) - x).array() / x.array()).abs().maxCoeff() < 1e-12);
+}
