@@ -1,0 +1,12 @@
+// Which of the small files beside this one holds which kind.
+#pragma once
+
+#include <concino/mesh.hpp>
+
+template<class M> constexpr const char* file_of = "";
+template<> constexpr const char* file_of<concino::trimesh> = "triangles.obj";
+template<> constexpr const char* file_of<concino::quadmesh> = "quads.obj";
+template<> constexpr const char* file_of<concino::polygonmesh> = "polygons.obj";
+template<> constexpr const char* file_of<concino::tetmesh> = "tets.mesh";
+template<> constexpr const char* file_of<concino::hexmesh> = "hexes.mesh";
+template<> constexpr const char* file_of<concino::polyhedralmesh> = "polyhedra.hedra";
