@@ -1,0 +1,62 @@
+// All meshes of the corpus in the formats that concino reads, and the figures known of them.
+#pragma once
+
+#include <concino/io/load_any.hpp>
+
+#include <support/corpus.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace concino::testing {
+
+/// A row of INDEX.tsv: what the column names say, as text.
+struct corpus_row {
+  std::filesystem::path file;
+  std::string name;
+  double area = 0, volume = 0;  // columns area_vec and volume_ctr; 0 where empty
+};
+
+/// Those rows whose files can be read, without those that are broken on purpose; empty where there is no corpus.
+inline std::vector<corpus_row> corpus_meshes() {
+  std::vector<corpus_row> rows;
+  const auto index = corpus("INDEX.tsv");
+  if (index.empty()) return rows;
+  std::ifstream in(index);
+  std::string line;
+  std::vector<std::string> names;
+  const auto split = [](const std::string& text) {
+    std::vector<std::string> cells;
+    std::stringstream s(text);
+    for (std::string cell; std::getline(s, cell, '\t');) cells.push_back(cell);
+    return cells;
+  };
+  while (std::getline(in, line)) {
+    const auto cells = split(line);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    const auto cell = [&](const char* name) {
+      const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+      return i < cells.size() ? cells[i] : std::string();
+    };
+    const auto number = [&](const char* name) {
+      double x = 0;
+      std::istringstream(cell(name)) >> x;
+      return x;
+    };
+    const std::filesystem::path path = corpus(cell("path"));
+    const auto extension = path.extension();
+    if (cell("path").rfind("bad/", 0) == 0) continue;  // those belong to the readers
+    if (extension == ".obj" || extension == ".mesh" || extension == ".hedra")
+      rows.push_back({path, cell("path"), number("area_vec"), number("volume_ctr")});
+  }
+  return rows;
+}
+
+}  // namespace concino::testing
