@@ -2,6 +2,7 @@
 // <concino/adapters/stb.hpp>.
 #pragma once
 
+#include <concino/render/best_view.hpp>
 #include <concino/render/camera.hpp>
 #include <concino/render/color.hpp>
 #include <concino/render/colormap.hpp>
@@ -12,3 +13,4 @@
 #include <concino/render/render.hpp>
 #include <concino/render/shapes.hpp>
 #include <concino/render/smooth_normals.hpp>
+#include <concino/render/value_scale.hpp>

@@ -7,9 +7,9 @@
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/render/colormap.hpp>
 #include <concino/render/smooth_normals.hpp>
+#include <concino/render/value_scale.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,8 +20,8 @@ struct appearance {
   rgb color = srgb(0.80f, 0.80f, 0.82f);   // where there are no values
   rgb no_value = srgb(0.55f, 0.55f, 0.55f);  // where a value is infinite or not a number
   colormap map = blue_to_yellow;
-  double low = 0, high = 1;        // the values at the ends of the map
-  int bands = 0;                   // white iso-bands between low and high, evenly spaced; 0: none
+  value_scale scale;               // which values are at which place of the map
+  int bands = 0;                   // white iso-bands, at even distances of the scale; 0: none
   double band_width = 0.12;        // of the distance between two bands, in [0, 1]
   double edge_width = 0;           // lines along the edges of the mesh, in pixels; 0: none
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
@@ -45,7 +45,7 @@ struct drawable {
 };
 
 struct drawable_options {
-  double crease_angle = 40;  // degrees: edges bent more look sharp; 0: every polygon looks flat, 180: everything looks smooth
+  double crease_angle = 60;  // degrees: edges bent more look sharp; 0: every polygon looks flat, 180: everything looks smooth
 };
 
 namespace detail {
@@ -127,15 +127,12 @@ drawable make_drawable(const M& m, const drawable_options& options = {}) {
   return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
 }
 
-/// The same coloured by a value per vert, interpolated over each polygon. `look.low` and `high` span the finite values.
+/// The same coloured by a value per vert, interpolated over each polygon. `look.scale` is linear over the finite values shown.
 template<class M, class U>
   requires AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
 drawable make_drawable(const M& m, const U& u, const drawable_options& options = {}) {
   drawable d = detail::make_drawable(m, options, true, [&](const auto& v) { return static_cast<double>(u[v]); });
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const double x : d.values)
-    if (std::isfinite(x)) low = std::min(low, x), high = std::max(high, x);
-  if (low <= high) d.look.low = low, d.look.high = high;
+  d.look.scale = value_scale::linear(d.values);
   return d;
 }
 

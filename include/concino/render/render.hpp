@@ -16,8 +16,8 @@ namespace concino {
 struct render_options {
   std::size_t width = 1600, height = 1200;   // pixels
   int samples = 3;                           // per pixel along each side, 1 to 32; 9 in all for 3
-  int sky_rays = 72;                         // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
-  double sky_distance = 1.2;                 // up to where things shade one another, in half diagonals of the bounding box
+  int sky_rays = 54;                         // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
+  double sky_distance = 0.9;                 // up to where things shade one another, in half diagonals of the bounding box
   bool ground = true;                        // catches the shadow on a plane under the lowest point; shown from above only
   vec3 up = {0, 1, 0};                       // away from the ground
   vec3 light = {-0.55, 0.9, 0.75};           // towards the light, as seen by the camera: right, up, back
@@ -54,48 +54,58 @@ class painter {
   const render_options& options_;
   camera camera_;
   vec3 up_, light_;
-  double light_cosine_, ground_;
+  frame light_frame_{{0, 0, 1}};
+  double light_cosine_, light_sine_, ground_, ball_, mean_sky_;
+  cosine_directions sky_;
   static constexpr double gap_ = 3e-5;  // rays start this far off the surface, to miss it in single precision
   static constexpr double far_ = 1e30;
-
-  int rays_of_sample(int s) const {  // sky rays of a pixel dealt out to its samples
-    const int all = options_.samples * options_.samples;
-    return options_.sky_rays * (s + 1) / all - options_.sky_rays * s / all;
-  }
+  static constexpr std::size_t light_rays_ = 2;  // for each sample
 
   /// What falls in from the sky and the ground, 1 for a point that sees only sky overhead.
-  double sky_light(const vec3& place, const vec3& normal, const vec3& flat, int sample, const unit_point& shift) const {
-    const int rays = rays_of_sample(sample);
-    const std::uint64_t first = static_cast<std::uint64_t>(options_.sky_rays) * static_cast<std::uint64_t>(sample) / static_cast<std::uint64_t>(options_.samples * options_.samples);
+  double sky_light(const vec3& place, const vec3& normal, const vec3& flat, std::size_t sample, const cosine_directions::turn& turn) const {
+    const std::size_t all = static_cast<std::size_t>(options_.samples) * static_cast<std::size_t>(options_.samples);
+    const std::size_t first = sky_.size() * sample / all, last = sky_.size() * (sample + 1) / all;  // each sample casts its share
+    if (first == last) return brightness(normal);
     const frame f(normal);
-    if (rays == 0) return brightness(normal);
     double sum = 0;
-    for (int k = 0; k < rays; ++k) {
-      vec3 d = cosine_direction(f, spread_point(first + static_cast<std::uint64_t>(k), shift));
+    for (std::size_t k = first; k < last; ++k) {
+      vec3 d = sky_(k, turn, f);
       const double above = dot(d, flat);
       if (above < 0) d -= flat * (2 * above);  // the smooth normal's hemisphere reaches below the triangle
-      if (!caster_.occluded(place, d, 0, options_.sky_distance)) sum += brightness(d);
+      if (misses_all(place, d) || !caster_.occluded(place, d, 0, options_.sky_distance)) sum += brightness(d);
     }
-    return sum / rays;
+    return sum / static_cast<double>(last - first);
+  }
+
+  /// A quick answer for rays from the ground, most of which pass by the ball about the scene.
+  bool misses_all(const vec3& place, const vec3& d) const {
+    const double away = dot(place, place), along = -dot(place, d);
+    return away > ball_ && (along <= 0 || away - along * along > ball_);
   }
 
   double brightness(const vec3& d) const { return 0.80 + 0.20 * dot(d, up_); }
 
-  double key_light(const vec3& place, const vec3& normal, const vec3& flat, const vec3& to_light) const {
-    const double cosine = dot(normal, to_light);
-    if (cosine <= 0 || dot(flat, to_light) <= 0) return 0;
-    return caster_.occluded(place, to_light, 0, far_) ? 0 : cosine;
+  /// What comes from the light, 1 where it falls in straight and unshaded. Every sample looks at another part of it.
+  double key_light(const vec3& place, const vec3& normal, const vec3& flat, std::size_t sample, const unit_point& shift) const {
+    if (dot(normal, light_) <= -light_sine_) return 0;
+    double sum = 0;
+    for (std::size_t k = 0; k < light_rays_; ++k) {
+      const vec3 d = cone_direction(light_frame_, light_cosine_, spread_point(sample * light_rays_ + k, shift));
+      const double cosine = dot(normal, d);
+      if (cosine > 0 && dot(flat, d) > 0 && (misses_all(place, d) || !caster_.occluded(place, d, 0, far_))) sum += cosine;
+    }
+    return sum / static_cast<double>(light_rays_);
   }
 
-  rgb paint_surface(const surface_point& s, const sight& ray, int sample, const unit_point& shift, const vec3& to_light) const {
+  rgb paint_surface(const surface_point& s, const sight& ray, std::size_t sample, const cosine_directions::turn& turn, const unit_point& shift) const {
     const vec3 start = s.lifted + s.flat * gap_;
-    const double sky = sky_light(start, s.normal, s.flat, sample, shift);
-    const double key = key_light(start, s.normal, s.flat, to_light);
+    const double sky = sky_light(start, s.normal, s.flat, sample, turn);
+    const double key = key_light(start, s.normal, s.flat, sample, shift);
     const double front = std::max(0.0, -dot(s.normal, ray.direction));
     const double light = 0.60 * sky + 0.50 * key + 0.07 * front;
     rgb c = s.color * static_cast<float>(light);
     if (key > 0 && s.shine > 0) {
-      const vec3 half = to_light - ray.direction;
+      const vec3 half = light_ - ray.direction;
       const double glint = std::pow(std::max(0.0, dot(s.normal, half) / norm(half)), 50);
       const float g = static_cast<float>(0.10 * s.shine * glint);
       c += {g, g, g};
@@ -103,46 +113,47 @@ class painter {
     return c;
   }
 
-  rgb paint_ground(const vec3& place, int sample, const unit_point& shift, const vec3& to_light) const {
+  rgb paint_ground(const vec3& place, std::size_t sample, const cosine_directions::turn& turn, const unit_point& shift) const {
     const double away = norm(place);
+    const vec3 start = place + up_ * gap_;
     double sky = 1, key = 1;
-    if (away < 1 + options_.sky_distance) sky = sky_light(place + up_ * gap_, up_, up_, sample, shift) / mean_sky_;
-    const double along = dot(-place, to_light);
-    if (along > 0 && away * away - along * along < 1.1 && caster_.occluded(place + up_ * gap_, to_light, 0, far_)) key = 0;
+    if (away < 1 + options_.sky_distance) sky = sky_light(start, up_, up_, sample, turn) / mean_sky_;
+    if (const double straight = dot(up_, light_); straight > 0) key = std::min(1.0, key_light(start, up_, up_, sample, shift) / straight);
     return options_.background * static_cast<float>(1 - 0.62 * (1 - std::min(1.0, sky)) - 0.22 * (1 - key));
   }
 
-  double mean_sky_ = 1;
-
  public:
-  painter(const unit_scene& scene, const C& caster, const camera& c, const render_options& o) : scene_(scene), caster_(caster), options_(o), camera_(scene.to_unit(c)) {
+  painter(const unit_scene& scene, const C& caster, const camera& c, const render_options& o) : scene_(scene), caster_(caster), options_(o), camera_(scene.to_unit(c)), sky_(static_cast<std::size_t>(o.sky_rays)) {
     up_ = o.up / norm(o.up);
     light_ = camera_.right * o.light.x + camera_.up * o.light.y + camera_.back * o.light.z;
     light_ /= norm(light_);
+    light_frame_ = frame(light_);
     light_cosine_ = std::cos(o.light_size * 3.14159265358979323846 / 180);
+    light_sine_ = std::sin(o.light_size * 3.14159265358979323846 / 180);
     ground_ = scene.lowest(up_);
+    ball_ = scene.squared_reach() * 1.0001;
     mean_sky_ = o.sky_rays > 0 ? 0.80 + 0.20 * 2 / 3 : 1.0;  // a cosine-weighted direction rises by 2/3
   }
 
   rgb pixel(std::size_t x, std::size_t y, surface_reader& read) const {
     const std::uint64_t seed = scrambled(y * options_.width + x);
-    const unit_point shift = random_point(seed);
+    const cosine_directions::turn turn(random_point(seed));
+    const unit_point shift = random_point(seed + 1);
     const int n = options_.samples;
     const double unit = 2.0 / static_cast<double>(options_.height);
     rgb sum;
     for (int s = 0; s < n * n; ++s) {
-      const unit_point jitter = random_point(seed + static_cast<std::uint64_t>(s) * 2 + 1), toward = random_point(seed + static_cast<std::uint64_t>(s) * 2 + 2);
+      const unit_point jitter = random_point(seed + static_cast<std::uint64_t>(s) + 2);
       const double px = tent((s % n + jitter.x) / n), py = tent((s / n + jitter.y) / n);
       const film_point film{(static_cast<double>(x) + 0.5 + px - 0.5 * static_cast<double>(options_.width)) * unit,
                             (0.5 * static_cast<double>(options_.height) - static_cast<double>(y) - 0.5 - py) * unit};
       const sight ray = camera_.through(film);
-      // Each sample gets its own part of the light, so that nine samples see nine parts.
-      const vec3 to_light = cone_direction(frame(light_), light_cosine_, {(s / n + toward.x) / n, (s % n + toward.y) / n});
+      const std::size_t at = static_cast<std::size_t>(s);
       const ray_hit hit = caster_.intersect(ray.origin, ray.direction, 0, far_);
       const double down = -dot(ray.direction, up_), above = dot(ray.origin, up_) - ground_;
       const double ground_at = options_.ground && down > 1e-6 && above > 0 ? above / down : far_;
-      if (hit && hit.t < ground_at) sum += paint_surface(read(hit, ray, film), ray, s, shift, to_light);
-      else if (ground_at < 1e3) sum += paint_ground(ray.origin + ray.direction * ground_at, s, shift, to_light);
+      if (hit && hit.t < ground_at) sum += paint_surface(read(hit, ray, film), ray, at, turn, shift);
+      else if (ground_at < 1e3) sum += paint_ground(ray.origin + ray.direction * ground_at, at, turn, shift);
       else sum += options_.background;
     }
     return sum * (1 / static_cast<float>(n * n));

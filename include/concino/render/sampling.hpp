@@ -4,7 +4,9 @@
 #include <concino/geometry/vec3.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace concino::detail {
 
@@ -49,6 +51,33 @@ inline vec3 cosine_direction(const frame& f, const unit_point& u) {
   const double r = std::sqrt(u.x), angle = 6.28318530717958647693 * u.y;
   return f.to_world(r * std::cos(angle), r * std::sin(angle), std::sqrt(std::fmax(0.0, 1 - u.x)));
 }
+
+/// The same for all points of a spread sequence moved by a shift, with the sines and cosines taken once: rays come by the million.
+class cosine_directions {
+  struct ray { double x, cosine, sine; };
+  std::vector<ray> rays_;
+
+ public:
+  explicit cosine_directions(std::size_t n) : rays_(n) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const unit_point u = spread_point(i, {});
+      rays_[i] = {u.x, std::cos(6.28318530717958647693 * u.y), std::sin(6.28318530717958647693 * u.y)};
+    }
+  }
+  std::size_t size() const { return rays_.size(); }
+
+  /// How one point of the picture turns the sequence.
+  struct turn {
+    double x, cosine, sine;
+    explicit turn(const unit_point& shift)
+        : x(shift.x), cosine(std::cos(6.28318530717958647693 * shift.y)), sine(std::sin(6.28318530717958647693 * shift.y)) {}
+  };
+  vec3 operator()(std::size_t i, const turn& by, const frame& f) const {
+    const ray& d = rays_[i];
+    const double moved = d.x + by.x, x = moved < 1 ? moved : moved - 1, r = std::sqrt(x);
+    return f.to_world(r * (d.cosine * by.cosine - d.sine * by.sine), r * (d.cosine * by.sine + d.sine * by.cosine), std::sqrt(1 - x));
+  }
+};
 
 /// A direction within the cone about f.n whose half-angle has the given cosine, evenly by solid angle.
 inline vec3 cone_direction(const frame& f, double cosine, const unit_point& u) {

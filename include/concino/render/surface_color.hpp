@@ -104,11 +104,12 @@ class surface_reader {
 
   rgb value_color(const appearance& look, double value, double step) const {
     if (!std::isfinite(value)) return look.no_value;
-    const double range = look.high - look.low, x = range > 0 ? std::min(1.0, std::max(0.0, (value - look.low) / range)) : 0.5;
+    const double x = look.scale(value);
     const rgb color = look.map(x);
-    if (look.bands <= 0 || !(range > 0)) return color;
+    const double slope = look.scale.slope(value);
+    if (look.bands <= 0 || !(slope > 0)) return color;
     const double width = std::min(1.0, std::max(0.0, look.band_width));
-    return mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.bands, step / range * look.bands, width)));
+    return mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.bands, step * slope * look.bands, width)));
   }
 
   // How much the value changes from one sample to the next, by following the rays beside this one to the triangle's plane.

@@ -5,7 +5,11 @@
 #include <concino/render/drawable.hpp>
 #include <concino/render/ray_caster.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace concino::detail {
 
@@ -63,6 +67,13 @@ class unit_scene {
   }
   const drawable& operator[](std::size_t i) const { return drawables_[i]; }
   std::uint32_t first_point(std::size_t i) const { return first_point_[i]; }
+
+  /// The square of the greatest distance from 0.
+  double squared_reach() const {
+    double reach = 0;
+    for (std::size_t i = 0; i < soup.points.size(); ++i) reach = std::max(reach, dot(point(static_cast<std::uint32_t>(i)), point(static_cast<std::uint32_t>(i))));
+    return reach;
+  }
 
   /// How low the scene reaches along a direction.
   double lowest(const vec3& up) const {

@@ -1,0 +1,79 @@
+// How values are spread over a colour map.
+#pragma once
+
+#include <concino/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace concino {
+
+/// A rising function from values to [0, 1], linear between knots. Values beyond its ends map to 0 and 1.
+class value_scale {
+  std::vector<double> values_ = {0, 1}, places_ = {0, 1};  // of the knots; values never fall, places run from 0 to 1
+
+  std::size_t step_of(double value) const {
+    const auto i = static_cast<std::size_t>(std::upper_bound(values_.begin(), values_.end(), value) - values_.begin());
+    return std::min(std::max<std::size_t>(i, 1), values_.size() - 1) - 1;
+  }
+
+ public:
+  value_scale() = default;
+
+  /// In proportion, from `low` to `high`.      Errors: invalid_argument unless both are finite and low <= high.
+  static value_scale linear(double low, double high) {
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high)) throw invalid_argument("value_scale: low and high must be finite, low <= high");
+    value_scale s;
+    s.values_ = {low, high};
+    return s;
+  }
+
+  /// In proportion from the least to the greatest finite value; 0 to 1 if there is none.
+  static value_scale linear(std::span<const double> values) { return equalized(values, 0); }
+
+  /// Between in proportion (share 0) and equal parts of the map for equally many values (share 1): a field that is steep in a few
+  /// places and flat elsewhere, as potentials of points are, shows its course everywhere.
+  /// Errors: invalid_argument if share is not in [0, 1].      Cost: O(n log n).
+  static value_scale equalized(std::span<const double> values, double share = 0.6) {
+    if (!(share >= 0 && share <= 1)) throw invalid_argument("value_scale: share must be in [0, 1]");
+    std::vector<double> sorted;
+    for (const double x : values)
+      if (std::isfinite(x)) sorted.push_back(x);
+    if (sorted.empty()) return {};
+    std::sort(sorted.begin(), sorted.end());
+    value_scale s = linear(sorted.front(), sorted.back());
+    const double range = sorted.back() / 2 - sorted.front() / 2;  // halves: their difference cannot overflow
+    if (share == 0 || !(range > 0)) return s;
+    constexpr std::size_t steps = 48;
+    s.values_.clear();
+    s.places_.clear();
+    for (std::size_t k = 0; k <= steps; ++k) {
+      const double x = sorted[(sorted.size() - 1) * k / steps], rank = static_cast<double>(k) / steps;
+      s.values_.push_back(x);
+      s.places_.push_back(share * rank + (1 - share) * std::min(1.0, (x / 2 - sorted.front() / 2) / range));
+    }
+    return s;
+  }
+
+  double low() const { return values_.front(); }
+  double high() const { return values_.back(); }
+
+  double operator()(double value) const {
+    const std::size_t i = step_of(value);
+    const double a = values_[i], b = values_[i + 1];
+    const double part = b > a ? std::min(1.0, std::max(0.0, (value - a) / (b - a))) : 0.5;
+    return places_[i] + part * (places_[i + 1] - places_[i]);
+  }
+
+  /// By how much the result rises per unit of value; 0 outside and where all values are the same.
+  double slope(double value) const {
+    const std::size_t i = step_of(value);
+    const double a = values_[i], b = values_[i + 1];
+    return b > a && value >= a && value <= b ? (places_[i + 1] - places_[i]) / (b - a) : 0;
+  }
+};
+
+}  // namespace concino

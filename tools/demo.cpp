@@ -1,0 +1,235 @@
+// A harmonic field between two far ends of any mesh, and its picture:  concino_demo mesh picture.png [field.txt]
+
+#include <concino/adapters/embree.hpp>
+#include <concino/adapters/stb.hpp>
+#include <concino/fields.hpp>
+#include <concino/geometry.hpp>
+#include <concino/graph.hpp>
+#include <concino/io.hpp>
+#include <concino/mesh.hpp>
+#include <concino/render.hpp>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cn = concino;
+
+namespace {
+
+using seconds = std::chrono::duration<double>;
+
+/// Seconds since it was made or last asked.
+class stopwatch {
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return seconds(now - std::exchange(last_, now)).count();
+  }
+};
+
+/// A line on the terminal that says how far the work is; silent where stderr is a file or a pipe.
+class progress_line {
+  bool shown_ = isatty(STDERR_FILENO) == 1;
+  std::string text_;
+
+ public:
+  bool operator()(double fraction, const char* label) {
+    if (!shown_) return true;
+    std::string text = fmt::format("{} {:3.0f} %", label, 100 * fraction);
+    if (text != text_) fmt::print(stderr, "\r\033[K{}", text_ = std::move(text));
+    return true;
+  }
+  ~progress_line() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+};
+
+const char* name_of(const cn::trimesh&) { return "trimesh"; }
+const char* name_of(const cn::quadmesh&) { return "quadmesh"; }
+const char* name_of(const cn::polygonmesh&) { return "polygonmesh"; }
+const char* name_of(const cn::tetmesh&) { return "tetmesh"; }
+const char* name_of(const cn::hexmesh&) { return "hexmesh"; }
+const char* name_of(const cn::polyhedralmesh&) { return "polyhedralmesh"; }
+
+/// Two verts of one component that are far apart, and the number of verts of the component.
+template<class M>
+struct far_ends {
+  cn::vert_t<M> first, second;
+  std::size_t verts = 0;
+};
+
+template<class M>
+auto farthest(const M& m, cn::vert_t<M> from) {
+  const auto distance = cn::dijkstra(m, from);
+  cn::vert_t<M> best = from;
+  for (const auto v : cn::verts(m))
+    if (distance[v] < std::numeric_limits<double>::infinity() && distance[v] > distance[best]) best = v;
+  return best;
+}
+
+/// The ends of an approximately longest shortest path in every component that has edges, the largest component first: from any vert to
+/// the farthest and from there to the farthest again. Distances are lengths in the largest component and hops in the others.
+template<class M>
+std::vector<far_ends<M>> ends_of_components(const M& m) {
+  std::vector<far_ends<M>> components;
+  auto round = cn::make_vert_map<int>(m, 0);
+  std::vector<cn::vert_t<M>> queue;
+  const auto sweep = [&](cn::vert_t<M> from, int number) {  // breadth first; the last vert found is a farthest one
+    queue.assign(1, from);
+    round[from] = number;
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (const auto w : cn::adj_v2v(m, cn::vert_t<M>(queue[i])))
+        if (round[w] != number) {
+          round[w] = number;
+          queue.push_back(w);
+        }
+    return queue.back();
+  };
+  for (const auto v : cn::verts(m)) {
+    if (round[v] != 0) continue;
+    const auto first = sweep(v, 1), second = sweep(first, 2);
+    if (queue.size() > 1) components.push_back({first, second, queue.size()});
+  }
+  for (auto& c : components)
+    if (c.verts > components.front().verts) std::swap(c, components.front());
+  if (!components.empty()) {
+    auto& largest = components.front();
+    largest.first = farthest(m, largest.first);
+    largest.second = farthest(m, largest.first);
+  }
+  return components;
+}
+
+/// Cotangent weights where they are defined; the field then does not follow the lines of the mesh.
+template<class M, class D>
+auto solve(const M& m, const D& values, const cn::progress& progress, std::string& weights) {
+  if constexpr (cn::TriMesh<M> || cn::TetMesh<M>) {
+    try {
+      weights = "cotangent";
+      return cn::harmonic_map(m, values, {.weights = cn::weights::cotangent, .progress = progress});
+    } catch (const cn::invalid_mesh& e) {
+      fmt::print(stderr, "concino_demo: {}; using uniform weights\n", e.what());
+    }
+  }
+  weights = "uniform";
+  return cn::harmonic_map(m, values, {.progress = progress});
+}
+
+/// One number a line, in the order of the verts of the file.
+template<class M, class U>
+void write_field(const M& m, const U& u, const std::string& path) {
+  const std::string unfinished = path + ".part";
+  std::FILE* file = std::fopen(unfinished.c_str(), "w");
+  if (!file) throw cn::io_error(path + ": cannot be created");
+  fmt::memory_buffer text;
+  for (const auto v : cn::verts(m)) fmt::format_to(std::back_inserter(text), "{}\n", u[v]);
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (std::fclose(file) != 0 || !written || std::rename(unfinished.c_str(), path.c_str()) != 0) {
+    std::remove(unfinished.c_str());
+    throw cn::io_error(path + ": cannot be written");
+  }
+}
+
+template<class M, class U>
+cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& ends, const cn::progress& progress) {
+  std::vector<cn::drawable> scene = {cn::make_drawable(m, u)};
+  if (scene[0].polys.empty()) throw cn::invalid_mesh("the mesh has no polygon to draw");
+  auto& look = scene[0].look;
+  look.scale = cn::value_scale::equalized(scene[0].values);
+  look.bands = 30;
+  if (scene[0].polys.size() < 12000) look.edge_width = 1.3;
+
+  const double ball = 0.013 * cn::bounding_box(m).diagonal();
+  std::vector<cn::vec3> low, high;
+  for (std::size_t i = 0; i < std::min<std::size_t>(ends.size(), 8); ++i) {
+    low.push_back(cn::to_vec3(cn::point(m, ends[i].first)));
+    high.push_back(cn::to_vec3(cn::point(m, ends[i].second)));
+  }
+  if (!ends.empty() && ball > 0) {
+    scene.push_back(cn::make_balls(low, ball, cn::srgb(0.13f, 0.13f, 0.15f)));
+    scene.push_back(cn::make_balls(high, ball, cn::srgb(0.84f, 0.13f, 0.14f)));
+  }
+
+  cn::render_options options;
+  options.progress = progress;
+  const double aspect = static_cast<double>(options.width) / static_cast<double>(options.height);
+  return cn::render(scene, cn::best_view(scene, aspect, {}, cn::embree{}), options, cn::embree{});
+}
+
+template<class M>
+void run(const M& m, double read, double build, const std::string& picture, const std::string& field) {
+  progress_line line;
+  stopwatch watch;
+  const auto ends = ends_of_components(m);
+  std::vector<std::pair<cn::vert_t<M>, double>> values;
+  for (const auto& e : ends) {
+    values.push_back({e.first, 0.0});
+    values.push_back({e.second, 1.0});
+  }
+  const double choose = watch.lap();
+  std::string weights;
+  const auto u = solve(m, values, line, weights);
+  const double solved = watch.lap();
+  write_field(m, u, field);
+  const double written = watch.lap();
+  const cn::image image = picture_of(m, u, ends, line);
+  const double rendered = watch.lap();
+  cn::write_png(image, picture);
+  const double saved = watch.lap();
+
+  fmt::print("{:<12}{}\n{:<12}{}\n{:<12}{}\n", "kind", name_of(m), "verts", cn::num_verts(m), "edges", cn::num_edges(m));
+  if constexpr (cn::VolumeMesh<M>) fmt::print("{:<12}{}\n", "faces", cn::num_faces(m));
+  fmt::print("{:<12}{}\n{:<12}{}\n{:<12}{}\n", "polys", cn::num_polys(m), "components", ends.size(), "weights", weights);
+  if (!ends.empty()) {
+    cn::vert_t<M> low = ends[0].first, high = low;
+    for (const auto v : cn::verts(m)) {
+      if (u[v] < u[low]) low = v;
+      if (u[v] > u[high]) high = v;
+    }
+    fmt::print("{:<12}{} at vert {}, {} at vert {}\n", "extrema", u[low], cn::index_of(m, low), u[high], cn::index_of(m, high));
+  }
+  const std::pair<const char*, double> stages[] = {{"read", read}, {"build", build}, {"choose ends", choose}, {"solve", solved}, {"write field", written}, {"render", rendered}, {"write PNG", saved}};
+  for (const auto& [stage, time] : stages) fmt::print("{:<12}{:.3f} s\n", stage, time);
+  fmt::print("{:<12}{}\n{:<12}{}\n", "field", field, "picture", picture);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3 || argc > 4) {
+    fmt::print(stderr, "usage: concino_demo mesh picture.png [field.txt]\n");
+    return 2;
+  }
+  const std::string path = argv[1], picture = argv[2];
+  const std::size_t dot = picture.find_last_of("./");
+  const std::string stem = dot != std::string::npos && dot > 0 && picture[dot] == '.' ? picture.substr(0, dot) : picture;
+  const std::string field = argc == 4 ? argv[3] : stem + ".txt";
+  try {
+    stopwatch watch, total;
+    double read = 0;
+    const auto mesh = [&] {
+      progress_line line;
+      const auto told = [&](double fraction, const char* label) {
+        read += watch.lap();  // the last time it is told is when all of the file is read
+        return line(fraction, label);
+      };
+      return cn::load_any(path, {.progress = told});
+    }();
+    const double loaded = total.lap();
+    std::visit([&](const auto& m) { run(m, read, loaded - read, picture, field); }, mesh);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "concino_demo: {}\n", e.what());
+    return 1;
+  }
+}
