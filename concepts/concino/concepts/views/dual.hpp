@@ -1,0 +1,31 @@
+// dual(m): the polys of a mesh as a graph and nothing else, for algorithms that must be told which graph is meant.
+#pragma once
+
+#include <concino/concepts/views/forward.hpp>
+
+namespace concino {
+
+namespace views {
+
+template<DualGraph M>
+class dual_view : public shown<M> {
+ public:
+  using shown<M>::shown;
+};
+
+}  // namespace views
+
+template<class M>
+struct mesh_traits<views::dual_view<M>> : detail::forward_polys<views::dual_view<M>, M> {
+  static constexpr bool is_view = true;
+};
+
+/// Needs:  DualGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
+/// Result: models DualGraph, but no PrimalGraph: its nodes are the polys of m, joined where they share an edge (surface) or a face (volume).
+/// Cost:   none.
+template<DualGraph M> constexpr auto dual(const M& m) { return views::dual_view<M>(m); }
+template<DualGraph M>
+  requires(!is_view_v<M>)
+void dual(const M&& m) = delete;
+
+}  // namespace concino

@@ -1,0 +1,31 @@
+// primal(m): the verts of a mesh as a graph and nothing else, for algorithms that must be told which graph is meant.
+#pragma once
+
+#include <concino/concepts/views/forward.hpp>
+
+namespace concino {
+
+namespace views {
+
+template<PrimalGraph M>
+class primal_view : public shown<M> {
+ public:
+  using shown<M>::shown;
+};
+
+}  // namespace views
+
+template<class M>
+struct mesh_traits<views::primal_view<M>> : detail::forward_verts<views::primal_view<M>, M>, detail::forward_points<views::primal_view<M>, M> {
+  static constexpr bool is_view = true;
+};
+
+/// Needs:  PrimalGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
+/// Result: models PrimalGraph, and Embedded where M does, but no DualGraph. Its descriptors are those of m.
+/// Cost:   none.
+template<PrimalGraph M> constexpr auto primal(const M& m) { return views::primal_view<M>(m); }
+template<PrimalGraph M>
+  requires(!is_view_v<M>)
+void primal(const M&& m) = delete;
+
+}  // namespace concino

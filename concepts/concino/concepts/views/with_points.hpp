@@ -1,0 +1,60 @@
+// with_points(m, map): a mesh with the coordinates of a map instead of, or for want of, its own.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/concepts/views/forward.hpp>
+
+namespace concino {
+
+namespace requirement {
+
+template<class P, class E> concept is_point_map = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
+  { p[e][0] } -> std::convertible_to<double>;
+  { p[e][1] } -> std::convertible_to<double>;
+  { p[e][2] } -> std::convertible_to<double>;
+};
+
+}  // namespace requirement
+
+namespace views {
+
+/// P is the map itself, or a const reference to it.
+template<PrimalGraph M, class P>
+class with_points_view : public shown<M> {
+  static constexpr bool by_reference = std::is_reference_v<P>;
+  using kept = std::conditional_t<by_reference, const std::remove_cvref_t<P>*, std::remove_cvref_t<P>>;
+  kept points_;
+
+ public:
+  constexpr with_points_view(const M& m, const std::remove_cvref_t<P>& points) requires by_reference : shown<M>(m), points_(&points) {}
+  constexpr with_points_view(const M& m, std::remove_cvref_t<P>&& points) requires(!by_reference)
+      : shown<M>(m), points_(static_cast<std::remove_cvref_t<P>&&>(points)) {}
+  constexpr const auto& points() const {
+    if constexpr (by_reference) return *points_;
+    else return points_;
+  }
+};
+
+}  // namespace views
+
+template<class M, class P>
+struct mesh_traits<views::with_points_view<M, P>> : detail::forward_all<views::with_points_view<M, P>, M>, detail::fixed_arity<arity_v<M>> {
+  static constexpr bool is_view = true;
+  static decltype(auto) point(const views::with_points_view<M, P>& m, const vert_t<M>& v) { return m.points()[v]; }
+};
+
+/// Needs:  PrimalGraph M; points[v] is a point p with p[0], p[1], p[2] for each vert v. A mesh that owns its elements must outlive the view,
+///         so a temporary one is refused. A map with a name must outlive it too; a temporary map is kept in the view.
+/// Result: models what M models, and Embedded. Its descriptors are those of m.
+/// Cost:   none; copying the view copies a map that it keeps.
+template<PrimalGraph M, class P>
+  requires requirement::is_point_map<P, vert_t<M>>
+constexpr auto with_points(const M& m, P&& points) {
+  if constexpr (std::is_lvalue_reference_v<P>) return views::with_points_view<M, const std::remove_cvref_t<P>&>(m, points);
+  else return views::with_points_view<M, std::remove_cvref_t<P>>(m, static_cast<P&&>(points));
+}
+template<PrimalGraph M, class P>
+  requires(!is_view_v<M>)
+void with_points(const M&& m, P&& points) = delete;
+
+}  // namespace concino

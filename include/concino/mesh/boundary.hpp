@@ -1,0 +1,160 @@
+// boundary(m): the surface of a volume mesh, as a surface mesh.
+#pragma once
+
+#include <concino/concepts/derived.hpp>
+#include <concino/mesh/detail/filtered.hpp>
+
+#include <cstdint>
+
+namespace concino {
+
+namespace views {
+
+/// Shows faces of M as polys. Those that M lists clockwise, seen from outside, are kept here the other way round.
+template<VolumeMesh M>
+class boundary_view : public partial<M> {
+ public:
+  struct turned_faces {
+    std::vector<vert_t<M>> verts;
+    std::vector<std::size_t> first;  // by face index, one more than the bound; empty where no face is turned
+  };
+
+  boundary_view(const M& m, std::shared_ptr<const detail::shown_elements> elements, std::shared_ptr<const turned_faces> turned)
+      : partial<M>(m, std::move(elements)), turned_(std::move(turned)) {}
+  const turned_faces& turned() const { return *turned_; }
+
+ private:
+  std::shared_ptr<const turned_faces> turned_;
+};
+
+}  // namespace views
+
+namespace detail {
+
+/// The verts of a face as the mesh lists them, or as they were turned round.
+template<class M>
+class outward_ring {
+  using vert = vert_t<M>;
+  using ring = decltype(adj_f2v(std::declval<const M&>(), std::declval<face_t<M>>()));
+  using step = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
+
+  ring listed_;
+  const vert* first_ = nullptr;
+  const vert* last_ = nullptr;
+
+ public:
+  struct sentinel {};
+  class iterator {
+    const outward_ring* r_;
+    step listed_;
+    const vert* turned_;
+
+   public:
+    explicit iterator(const outward_ring& r) : r_(&r), listed_(r.listed_.begin()), turned_(r.first_) {}
+    vert operator*() const { return turned_ ? *turned_ : vert(*listed_); }
+    iterator& operator++() {
+      if (turned_) ++turned_;
+      else ++listed_;
+      return *this;
+    }
+    bool operator!=(sentinel) const { return turned_ ? turned_ != r_->last_ : listed_ != r_->listed_.end(); }
+  };
+
+  outward_ring(const views::boundary_view<M>& b, const face_t<M>& f) : listed_(adj_f2v(b.base(), f)) {
+    const auto& t = b.turned();
+    if (t.first.empty()) return;
+    const std::size_t i = index_of(b.base(), f);
+    if (t.first[i] == t.first[i + 1]) return;
+    first_ = t.verts.data() + t.first[i];
+    last_ = t.verts.data() + t.first[i + 1];
+  }
+  outward_ring(const outward_ring&) = delete;
+  iterator begin() const { return iterator(*this); }
+  sentinel end() const { return {}; }
+};
+
+}  // namespace detail
+
+template<class M>
+struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boundary_view<M>, M>, detail::fixed_arity<arity_v<M> == 4 ? 3 : arity_v<M> == 8 ? 4 : 0> {
+  using V = views::boundary_view<M>;
+  using base = detail::partial_traits<V, M>;
+  using vert = vert_t<M>;
+  using edge = edge_t<M>;
+  using poly = face_t<M>;
+  static constexpr int dimension = 2;
+
+  static std::size_t num_polys(const V& m) { return m.elements().faces.count; }
+  static std::size_t poly_index_bound(const V& m) { return face_index_bound(m.base()); }
+  static std::size_t index_of(const V& m, const vert& x) { return concino::index_of(m.base(), x); }
+  static std::size_t index_of(const V& m, const edge& x) { return concino::index_of(m.base(), x); }
+  static std::size_t index_of(const V& m, const poly& x) { return concino::index_of(m.base(), x); }
+
+  using base::contains;
+  static bool contains(const V& m, const poly& x) { return base::shows(m, m.elements().faces, x); }
+
+  static auto polys(const V& m) { return detail::filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::shown_in(m, m.elements().faces)); }
+  static auto adj_v2p(const V& m, const vert& v) {
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::shown_in(m, m.elements().faces));
+  }
+  static auto adj_e2p(const V& m, const edge& e) {
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); }, base::shown_in(m, m.elements().faces));
+  }
+  static auto adj_p2p(const V& m, const poly& p) {
+    return detail::filtered([&]() -> decltype(auto) { return adj_f2f(m.base(), p); }, base::shown_in(m, m.elements().faces));
+  }
+  static auto adj_p2v(const V& m, const poly& p) { return detail::outward_ring<M>(m, p); }
+  static decltype(auto) adj_p2e(const V& m, const poly& p) { return traits<M>::adj_f2e(m.base(), p); }
+};
+
+/// Needs:  VolumeMesh M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
+/// Result: a SurfaceMesh (a TriMesh of tets, a QuadMesh of hexes) whose polys are the faces with exactly one poly, wound counter-clockwise seen
+///         from outside that poly, and whose verts and edges are those of these faces. Descriptors and indices are those of m, so a poly of
+///         the surface is a face_t<M>. It does not follow later changes of m.
+/// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts of faces that m lists clockwise, which copies share.
+template<VolumeMesh M>
+auto boundary(const M& m) {
+  auto s = std::make_shared<detail::shown_elements>(detail::shown_elements{detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)),
+                                                                           detail::element_mask(face_index_bound(m)), detail::element_mask(0),
+                                                                           detail::element_mask(vert_index_bound(m))});
+  auto turned = std::make_shared<typename views::boundary_view<M>::turned_faces>();
+  std::vector<std::uint32_t> sizes;  // of the turned faces, by face index
+  for (const auto f : faces(m)) {
+    poly_t<M> inside{};
+    int count = 0;
+    for (const auto p : adj_f2p(m, f)) {
+      inside = p;
+      if (++count > 1) break;
+    }
+    if (count != 1) continue;
+    s->faces.set(index_of(m, f));
+    std::uint32_t size = 0;
+    for (const auto v : adj_f2v(m, f)) {
+      s->verts.set(index_of(m, v));
+      ++size;
+    }
+    for (const auto e : adj_f2e(m, f)) s->edges.set(index_of(m, e));
+    if (face_is_outward(m, inside, f)) continue;
+    sizes.resize(face_index_bound(m));
+    sizes[index_of(m, f)] = size;
+  }
+  if (!sizes.empty()) {
+    turned->first.reserve(sizes.size() + 1);
+    turned->first.push_back(0);
+    for (const std::uint32_t n : sizes) turned->first.push_back(turned->first.back() + n);
+    turned->verts.resize(turned->first.back());
+    for (const auto f : faces(m)) {
+      const std::size_t i = index_of(m, f);
+      std::size_t k = turned->first[i + 1];
+      if (k == turned->first[i]) continue;
+      for (const auto v : adj_f2v(m, f)) turned->verts[--k] = v;
+    }
+  }
+  detail::mark_whole_verts(m, *s);
+  return views::boundary_view<M>(m, std::move(s), std::move(turned));
+}
+template<VolumeMesh M>
+  requires(!is_view_v<M>)
+void boundary(const M&& m) = delete;
+
+}  // namespace concino

@@ -1,0 +1,46 @@
+// primal(m) is the graph of verts and no more.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/concepts/views/primal.hpp>
+#include <concino/validate/check_laws.hpp>
+
+#include "../../support/models.hpp"
+#include "../../support/tiny.hpp"
+
+#include <doctest/doctest.h>
+
+namespace cn = concino;
+using cn::testing::models_in_all_forms;
+
+namespace {
+
+const tiny::surface s = tiny::surface_example();
+const tiny::volume w = tiny::volume_example();
+using bare = decltype(cn::only_graphs(s));
+
+static_assert(models_in_all_forms<decltype(cn::primal(s))>(cn::testing::primal_graph | cn::testing::embedded));
+static_assert(models_in_all_forms<decltype(cn::primal(w))>(cn::testing::primal_graph | cn::testing::embedded));
+static_assert(models_in_all_forms<decltype(cn::primal(std::declval<bare>()))>(cn::testing::primal_graph));
+static_assert(cn::is_view_v<decltype(cn::primal(s))> && std::copyable<decltype(cn::primal(s))> && sizeof(cn::primal(s)) == sizeof(void*));
+
+// A temporary mesh is refused, a temporary view is not.
+template<class M> concept takes_temporary = requires(M&& m) { cn::primal(static_cast<M&&>(m)); };
+static_assert(!takes_temporary<tiny::surface> && !takes_temporary<const tiny::surface> && takes_temporary<tiny::surface&> && takes_temporary<const tiny::surface&>);
+static_assert(takes_temporary<decltype(cn::primal(s))> && takes_temporary<decltype(cn::only_mesh(w))>);
+
+}  // namespace
+
+TEST_CASE("primal answers as the mesh does") {
+  const auto g = cn::primal(s);
+  CHECK(cn::num_verts(g) == 8);
+  CHECK(cn::adj_v2v(g, tiny::vertex{0}) == cn::adj_v2v(s, tiny::vertex{0}));
+  CHECK(cn::point(g, tiny::vertex{2})[1] == 1);
+  CHECK(&cn::point(g, tiny::vertex{2}) == &cn::point(s, tiny::vertex{2}));
+  CHECK(cn::contains(g, tiny::vertex{7}));
+  CHECK_FALSE(cn::contains(g, tiny::vertex{8}));
+}
+
+TEST_CASE("laws hold for views, views of views and views of the weakest model") {
+  CHECK(cn::check_laws(cn::primal(s)).empty());
+  CHECK(cn::check_laws(cn::primal(cn::primal(w))).empty());
+  CHECK(cn::check_laws(cn::primal(cn::only_primal_graph(w))).empty());
+}

@@ -1,0 +1,91 @@
+// submesh(m, keep) equals the mesh that has only the kept polys, law for law and element for element.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/concepts/derived.hpp>
+#include <concino/mesh/submesh.hpp>
+#include <concino/validate/check_laws.hpp>
+
+#include "../support/models.hpp"
+#include "../support/tiny.hpp"
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+namespace cn = concino;
+
+namespace {
+
+template<class M>
+void keeps_all_laws(const M& m) {
+  const auto found = cn::check_laws(m);
+  for (const auto& b : found) MESSAGE(b.law << ": " << b.what << " [" << b.witness << "]");
+  CHECK(found.empty());
+}
+
+const tiny::surface s = tiny::surface_example();
+const tiny::volume w = tiny::volume_example();
+constexpr auto all = [](auto) { return true; };
+constexpr auto none = [](auto) { return false; };
+
+using cn::testing::models_in_all_forms;
+static_assert(models_in_all_forms<decltype(cn::submesh(s, all))>(cn::testing::surface | cn::testing::embedded));
+static_assert(models_in_all_forms<decltype(cn::submesh(w, all))>(cn::testing::volume | cn::testing::embedded));
+static_assert(models_in_all_forms<decltype(cn::submesh(cn::only_mesh(s), all))>(cn::testing::surface));
+static_assert(cn::HexMesh<decltype(cn::submesh(std::declval<const cn::hexmesh&>(), all))>);
+static_assert(std::copyable<decltype(cn::submesh(s, all))> && cn::is_view_v<decltype(cn::submesh(s, all))>);
+template<class M> concept takes_temporary = requires(M&& m) { cn::submesh(static_cast<M&&>(m), all); };
+static_assert(!takes_temporary<tiny::surface> && takes_temporary<const tiny::surface&> && takes_temporary<decltype(cn::submesh(w, all))>);
+
+}  // namespace
+
+TEST_CASE("a part of a surface") {
+  const auto part = cn::submesh(s, [](tiny::cell p) { return p.i == 0 || p.i == 3; });
+  keeps_all_laws(part);
+  CHECK(cn::num_polys(part) == 2);
+  CHECK(cn::num_verts(part) == 6);
+  CHECK(cn::num_edges(part) == 7);
+  CHECK(cn::contains(part, tiny::vertex{2}));
+  CHECK_FALSE(cn::contains(part, tiny::vertex{3}));
+  CHECK_FALSE(cn::contains(part, tiny::vertex{100}));
+  // v0 keeps its edges to v1, v2, v4, v6, and the two polys are no neighbours.
+  std::set<int> next;
+  for (auto v : cn::adj_v2v(part, tiny::vertex{0})) next.insert(v.i);
+  CHECK(next == std::set<int>{1, 2, 4, 6});
+  CHECK_FALSE(cn::adj_p2p(part, tiny::cell{0}).begin() != cn::adj_p2p(part, tiny::cell{0}).end());
+}
+
+TEST_CASE("a part of a volume") {
+  const auto top = cn::submesh(w, [](tiny::cell p) { return p.i == 1; });
+  keeps_all_laws(top);
+  CHECK(cn::num_polys(top) == 1);
+  CHECK(cn::num_verts(top) == 5);
+  CHECK(cn::num_edges(top) == 8);
+  CHECK(cn::num_faces(top) == 5);
+  CHECK(cn::vert_index_bound(top) == cn::vert_index_bound(w));
+}
+
+TEST_CASE("all and none") {
+  keeps_all_laws(cn::submesh(w, all));
+  CHECK(cn::num_faces(cn::submesh(w, all)) == cn::num_faces(w));
+  CHECK(cn::num_verts(cn::submesh(w, all)) == 9);  // v9 is used by no poly
+  keeps_all_laws(cn::submesh(s, none));
+  CHECK(cn::num_verts(cn::submesh(s, none)) == 0);
+}
+
+TEST_CASE_TEMPLATE("parts of every kind of mesh, also through archetypes and views", M, CONCINO_ALL_KINDS) {
+  const M m = cn::testing::grid<M>(3);
+  int asked = 0;
+  const auto some = [&](auto p) { return ++asked, cn::index_of(m, p) % 3 != 0; };
+  const auto part = cn::submesh(m, some);
+  CHECK(asked == int(cn::num_polys(m)));
+  keeps_all_laws(part);
+  CHECK(cn::arity_v<decltype(part)> == cn::arity_v<M>);
+  const auto opaque = cn::only_embedded_mesh(m);
+  keeps_all_laws(cn::submesh(opaque, [&](auto p) { return some(opaque.base(p)); }));
+  const auto twice = cn::submesh(part, [&](auto p) { return cn::index_of(m, p) % 2 != 0; });
+  keeps_all_laws(twice);
+  std::size_t n = 0;
+  for (auto p : cn::polys(m)) n += cn::index_of(m, p) % 3 != 0 && cn::index_of(m, p) % 2 != 0;
+  CHECK(cn::num_polys(twice) == n);
+}
