@@ -275,9 +275,9 @@ class cell_tables {
       // All faces at these edges are linked by now, since a is the smallest vert of each or was passed before.
       for (std::uint32_t e = first_edge; e < edge_count; ++e) check_fan(edge_id{e}, uses[e - first_edge]);
     }
-    if (ends.capacity() > ends.size() + ends.size() / 32) ends.shrink_to_fit();
+    detail::drop_spare_room(ends);
     e2v_ = detail::rows<vert_id, 2>(std::move(ends));
-    e2p_.shrink_to_fit();
+    detail::drop_spare_room(e2p_);
     crowd_edges();
     sides_.finish();
     detail::fill_stars(std::move(degrees), e2v_, edge_to, v2v_, v2e_);

@@ -14,6 +14,7 @@ template<unsigned N, class T>
 rows<T, N> checked_rows(std::vector<T> values, const char* what) {
   if (values.size() % N)
     throw invalid_mesh(std::string(what) + " " + std::to_string(values.size() / N) + " has " + std::to_string(values.size() % N) + " verts; it needs " + std::to_string(N));
+  drop_spare_room(values);
   return rows<T, N>(std::move(values));
 }
 template<class T>
@@ -24,6 +25,8 @@ rows<T, 0> checked_rows(offsets first, std::vector<T> values, const char* what) 
     if (first[i] < first[i - 1]) throw invalid_mesh(std::string(what) + " " + std::to_string(i - 1) + " ends before it begins; offsets must not decrease");
   if (first.back() != values.size())
     throw invalid_mesh("the offsets of " + std::string(what) + "s end with " + std::to_string(first.back()) + ", but the lists have " + std::to_string(values.size()) + " entries");
+  drop_spare_room(first);
+  drop_spare_room(values);
   return {std::make_shared<const offsets>(std::move(first)), std::move(values)};
 }
 

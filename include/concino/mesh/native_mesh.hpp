@@ -114,7 +114,7 @@ class native_mesh {
   property_set properties_;
 
  protected:
-  native_mesh(std::vector<vec3> points, Tables tables) : points_(std::move(points)), tables_(std::move(tables)) {}
+  native_mesh(std::vector<vec3> points, Tables tables) : points_(std::move(points)), tables_(std::move(tables)) { drop_spare_room(points_); }
 
  public:
   native_mesh() = default;

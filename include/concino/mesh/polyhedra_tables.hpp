@@ -36,6 +36,7 @@ class polyhedra_tables {
     const ragged<face_id> given = detail::checked_rows(std::move(poly_offsets), std::move(poly_faces), "poly");
     if (outward.size() != given.num_values())
       throw invalid_mesh(std::to_string(outward.size()) + " outward flags were given for " + std::to_string(given.num_values()) + " faces of polys; each needs one");
+    detail::drop_spare_room(outward);
     outward_ = {given.shape(), std::move(outward)};
     check(vert_count, given);
     build(vert_count, given);
@@ -250,7 +251,7 @@ class polyhedra_tables {
         f2e[halves[i].corner] = edge_id{e};
       }
     }
-    if (ends.capacity() > ends.size() + ends.size() / 32) ends.shrink_to_fit();
+    detail::drop_spare_room(ends);
     e2v_ = detail::rows<vert_id, 2>(std::move(ends));
     detail::fill_stars(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
     return edge_to;

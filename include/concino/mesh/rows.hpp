@@ -18,6 +18,12 @@ namespace concino::detail {
 
 using offsets = std::vector<std::uint32_t>;
 
+/// Gives back the room that a growing vector has left over, unless that is little.
+template<class T>
+void drop_spare_room(std::vector<T>& v) {
+  if (v.capacity() > v.size() + v.size() / 64) v.shrink_to_fit();
+}
+
 /// Turns counts[i + 1] = size of row i into where each row begins.
 inline void sum_up(offsets& counts) {
   std::uint64_t sum = 0;

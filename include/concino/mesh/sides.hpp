@@ -80,7 +80,7 @@ class sides {
 
   /// Builds: after the last link, so that a poly met across two sides is listed once.
   void finish() {
-    owner_.shrink_to_fit();
+    drop_spare_room(owner_);
     std::vector<std::uint32_t> met;
     for (std::uint32_t p = 0; p < num_polys(); ++p) mark_repeats(p, met);
   }

@@ -176,7 +176,7 @@ class surface_tables {
       }
     }
     sides_.finish();
-    if (ends.capacity() > ends.size() + ends.size() / 32) ends.shrink_to_fit();
+    detail::drop_spare_room(ends);
     e2v_ = detail::rows<vert_id, 2>(std::move(ends));
 
     detail::fill_stars(std::move(degrees), e2v_, fill, v2v_, v2e_);
