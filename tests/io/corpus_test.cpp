@@ -164,8 +164,8 @@ TEST_CASE("corpus: every bad file has the outcome it should have, line included"
 TEST_CASE("corpus: saved and loaded again, every file is the same mesh") {
   const temporary_folder dir;
   std::size_t files = 0;
-  for (const char* name : {"tri/spot_textured.obj", "quad/bamboo_pen_genus8.obj", "polygon/dodecahedron.obj", "hex/hollow_sphere.mesh", "tet/quarter_crown.mesh", "polyhedral/voronoi_cube_250.hedra",
-                           "polyhedral/agglomerated_crown.hedra"}) {
+  for (const char* name : {"tri/spot_textured.obj", "quad/bamboo_pen_genus8.obj", "polygon/dodecahedron.obj", "hex/hollow_sphere.mesh",
+                           "tet/quarter_crown.mesh", "polyhedral/voronoi_cube_250.hedra", "polyhedral/agglomerated_crown.hedra"}) {
     const auto file = corpus(name);
     if (file.empty()) continue;
     ++files;

@@ -9,7 +9,8 @@ using namespace concino;
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-const std::string cube = "MeshVersionFormatted 2 Dimension 3 Vertices 8 0 0 0 0  1 0 0 0  1 1 0 0  0 1 0 0 0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0\n";
+const std::string cube =
+    "MeshVersionFormatted 2 Dimension 3 Vertices 8 0 0 0 0  1 0 0 0  1 1 0 0  0 1 0 0 0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0\n";
 
 }  // namespace
 

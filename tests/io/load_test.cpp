@@ -12,9 +12,11 @@ using namespace concino::testing;
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-const std::string tet_and_labels = "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 7\n0 1 0 0\n0 0 1 0\nTetrahedra\n1\n1 2 3 4 -3\nEnd\n";
-const std::string mixed = "MeshVersionFormatted 2\nDimension 3\nVertices 9\n0 0 0 0  1 0 0 0  1 1 0 0  0 1 0 0\n0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0  0.5 0.5 2 0\n"
-                          "Hexahedra 1\n1 2 3 4 5 6 7 8 0\nPyramids 1\n5 6 7 8 9 0\nEnd";
+const std::string tet_and_labels =
+    "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 7\n0 1 0 0\n0 0 1 0\nTetrahedra\n1\n1 2 3 4 -3\nEnd\n";
+const std::string mixed =
+    "MeshVersionFormatted 2\nDimension 3\nVertices 9\n0 0 0 0  1 0 0 0  1 1 0 0  0 1 0 0\n0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0  0.5 0.5 2 0\n"
+    "Hexahedra 1\n1 2 3 4 5 6 7 8 0\nPyramids 1\n5 6 7 8 9 0\nEnd";
 
 template<class M>
 M from(const std::string& text, file_format f) {
@@ -35,7 +37,9 @@ TEST_CASE("load: the extension decides, in any case") {
     CHECK(num_polys(load<trimesh>(dir / name)) == 1);
   }
   write_file(dir / "d.txt", square + "f 1 2 3 4\n");
-  CHECK_THROWS_WITH_AS(load<polygonmesh>(dir / "d.txt"), ((dir / "d.txt") + ": the extension names no format known here; known are .obj, .mesh, .hedra").c_str(), unsupported);
+  CHECK_THROWS_WITH_AS(load<polygonmesh>(dir / "d.txt"),
+                       ((dir / "d.txt") + ": the extension names no format known here; known are .obj, .mesh, .hedra").c_str(),
+                       unsupported);
   CHECK(num_polys(load<polygonmesh>(dir / "d.txt", {.format = file_format::obj})) == 1);
   CHECK_THROWS_AS(load<trimesh>(".obj"), unsupported);
   CHECK_THROWS_AS(load<trimesh>(""), unsupported);
@@ -63,7 +67,9 @@ TEST_CASE("load: a mesh takes only polys that it can hold, and the line of the f
   CHECK(num_polys(from<polygonmesh>(both, file_format::obj)) == 2);
   CHECK(num_polys(from<polygonmesh>(square + "f 1 2 3\n", file_format::obj)) == 1);
 
-  const std::string surface = "MeshVersionFormatted 2\nDimension 3\nVertices 4 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0\nQuadrilaterals 1\n1 2 3 4 0\nTriangles 1\n1 2 3 0\nEnd";
+  const std::string surface =
+      "MeshVersionFormatted 2\nDimension 3\nVertices 4 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0\nQuadrilaterals 1\n1 2 3 4 0\nTriangles 1\n1 2 3 "
+      "0\nEnd";
   CHECK(bad_line<trimesh>(surface, file_format::medit) == 5);
   CHECK(bad_line<quadmesh>(surface, file_format::medit) == 7);
   CHECK(num_polys(from<polygonmesh>(surface, file_format::medit)) == 2);
@@ -89,11 +95,15 @@ TEST_CASE("load: any volume becomes a polyhedralmesh") {
 
 TEST_CASE_TEMPLATE("load: volumes are no surfaces and the reverse", M, CONCINO_ALL_KINDS) {
   if constexpr (dimension_v<M> == 2) {
-    CHECK_THROWS_WITH_AS(from<M>(tet_and_labels, file_format::medit), "text: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any", unsupported);
+    CHECK_THROWS_WITH_AS(from<M>(tet_and_labels, file_format::medit),
+                         "text: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any",
+                         unsupported);
     CHECK_THROWS_AS(from<M>(mixed, file_format::medit), unsupported);
     CHECK_THROWS_AS(from<M>("0 0 0", file_format::hedra), unsupported);
   } else {
-    CHECK_THROWS_WITH_AS(from<M>(square + "f 1 2 3\n", file_format::obj), "text: holds a surface of 1 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
+    CHECK_THROWS_WITH_AS(from<M>(square + "f 1 2 3\n", file_format::obj),
+                         "text: holds a surface of 1 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any",
+                         unsupported);
   }
 }
 

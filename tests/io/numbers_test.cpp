@@ -53,7 +53,8 @@ TEST_CASE("numbers: shortest and full decimals of any double read back as it") {
   std::size_t wrong = 0;
   char buffer[64];
   for (int i = 0; i < 200000; ++i) {
-    const double x = i % 2 ? std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 80) - 90) : std::bit_cast<double>(random());
+    const double x =
+        i % 2 ? std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 80) - 90) : std::bit_cast<double>(random());
     if (!std::isfinite(x)) continue;
     const auto short_end = std::to_chars(buffer, buffer + 64, x).ptr;
     wrong += parsed(std::string(buffer, short_end)) != x;

@@ -1,5 +1,7 @@
 #include <concino/io/orient.hpp>
 
+#include <concino/mesh/face_soup.hpp>
+
 #include <support/meshes.hpp>
 
 #include <doctest/doctest.h>
@@ -36,13 +38,20 @@ TEST_CASE("orient_polyhedra: the wall of a cavity looks into it") {
   // a cube of side 3 around one of side 1
   polyhedra_arrays m;
   for (const auto& [low, high] : {std::pair{0.0, 3.0}, std::pair{1.0, 2.0}})
-    for (const auto& [x, y, z] : {std::array{low, low, low}, {high, low, low}, {high, high, low}, {low, high, low}, {low, low, high}, {high, low, high}, {high, high, high}, {low, high, high}})
+    for (const auto& [x, y, z] : {std::array{low, low, low},
+                                  {high, low, low},
+                                  {high, high, low},
+                                  {low, high, low},
+                                  {low, low, high},
+                                  {high, low, high},
+                                  {high, high, high},
+                                  {low, high, high}})
       m.points.push_back({x, y, z});
   m.face_offsets = {0};
   m.poly_offsets = {0, 12};
   for (unsigned shift : {0u, 8u})
     for (unsigned f = 0; f < 6; ++f) {
-      for (const unsigned v : hex_shape::face_vert[f]) m.face_verts.push_back(vert_id{v + shift});
+      for (const unsigned v : table_of(cell_shape::hex).face_vert[f]) m.face_verts.push_back(vert_id{v + shift});
       m.face_offsets.push_back(static_cast<std::uint32_t>(m.face_verts.size()));
       m.poly_faces.push_back(face_id{f + (shift ? 6 : 0)});
       m.outward.push_back(shift == 0);

@@ -79,7 +79,8 @@ TEST_CASE("read_hedra: a mesh of tets takes tets only, whatever their faces' ord
   CHECK(c.num_polys() == 2);
   for (std::size_t p = 0; p < 2; ++p) CHECK(detail::six_volumes(detail::cell_shape::tet, c.verts.data() + 4 * p, c.points) == 1);
   CHECK(r.skipped == std::vector<std::string>{"the numbering of the faces"});
-  CHECK(line<cell_arrays>("5 8 2\n" + points + "1 1 1\n" + face_rows + "4 2 3 4 5\n3 2 3 5\n3 3 4 5\n3 2 5 4\n4 1 2 3 4\n\n3 6 7 \n8\n") == 17);
+  CHECK(line<cell_arrays>("5 8 2\n" + points + "1 1 1\n" + face_rows + "4 2 3 4 5\n3 2 3 5\n3 3 4 5\n3 2 5 4\n4 1 2 3 4\n\n3 6 7 \n8\n") ==
+        17);
 }
 
 TEST_CASE("read_hedra: a volume asked for as a surface") {

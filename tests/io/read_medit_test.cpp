@@ -38,13 +38,16 @@ TEST_CASE("read_medit: tets, hexes, triangles, quads") {
   const auto triangles = medit<surface_arrays>(head + points + "Triangles 2\n1 2 3 0\n1 2 4 0\nEnd");
   CHECK(triangles.arity == 3);
   CHECK(triangles.num_polys() == 2);
-  const auto mixed = medit<surface_arrays>(head + points + "Triangles 2\n1 2 3 0\n1 2 4 0\nQuadrilaterals 1\n1 2 3 4 0\nTriangles 1 2 3 4 0 End");
+  const auto mixed =
+      medit<surface_arrays>(head + points + "Triangles 2\n1 2 3 0\n1 2 4 0\nQuadrilaterals 1\n1 2 3 4 0\nTriangles 1 2 3 4 0 End");
   CHECK(mixed.arity == 0);
   CHECK(mixed.offsets == std::vector<std::uint32_t>{0, 3, 6, 10, 13});
 }
 
 TEST_CASE("read_medit: free layout, comments, sections in any order, dimension 2") {
-  const auto t = medit<cell_arrays>("# c\nMeshVersionFormatted # d\n1 Tetrahedra 1 1 2 3 4 7 # e\nCorners 1 1 Dimension\n3 Vertices 4 0 0 0 1 1 0 0 1 0 1 0 1 0 0 1 1 End rest is not read");
+  const auto t = medit<cell_arrays>(
+      "# c\nMeshVersionFormatted # d\n1 Tetrahedra 1 1 2 3 4 7 # e\nCorners 1 1 Dimension\n3 Vertices 4 0 0 0 1 1 0 0 1 0 1 0 1 0 0 1 1 "
+      "End rest is not read");
   CHECK(raw(t.verts) == std::vector<unsigned>{0, 1, 2, 3});
   const auto flat = medit<surface_arrays>("MeshVersionFormatted 1 Dimension 2 Triangles 1 1 2 3 0 Vertices 3 0 0 0 1 0 0 0 1 0 End");
   CHECK(flat.points[2] == vec3{0, 1, 0});
@@ -53,10 +56,13 @@ TEST_CASE("read_medit: free layout, comments, sections in any order, dimension 2
 
 TEST_CASE("read_medit: surface elements of a volume and other sections are skipped, and the report says so") {
   load_report r;
-  const auto t = medit<cell_arrays>(head + "NormalAtVertices 1\n1 2\n" + points + "Edges 1\n1 2 0\nTriangles 2\n1 2 3 0\n1 2 9 0\nRidges\n1\n1\nNormals 1\n0 1e-3 2.5E+1\nTetrahedra 1\n1 2 3 4 0\nEnd\n", {.report = &r});
+  const auto t = medit<cell_arrays>(
+      head + "NormalAtVertices 1\n1 2\n" + points +
+          "Edges 1\n1 2 0\nTriangles 2\n1 2 3 0\n1 2 9 0\nRidges\n1\n1\nNormals 1\n0 1e-3 2.5E+1\nTetrahedra 1\n1 2 3 4 0\nEnd\n",
+      {.report = &r});
   CHECK(t.num_polys() == 1);
-  CHECK(r.skipped == std::vector<std::string>{"section NormalAtVertices, 1 rows", "section Edges, 1 rows", "section Ridges, 1 rows", "section Normals, 1 rows",
-                                              "section Triangles, 2 rows"});
+  CHECK(r.skipped == std::vector<std::string>{"section NormalAtVertices, 1 rows", "section Edges, 1 rows", "section Ridges, 1 rows",
+                                              "section Normals, 1 rows", "section Triangles, 2 rows"});
   CHECK(r.notes.empty());
   medit<cell_arrays>(one_tet.substr(0, one_tet.size() - 4), {.report = &r});
   CHECK(r.notes == std::vector<std::string>{"the file has no End: it may be cut off"});
@@ -76,8 +82,8 @@ TEST_CASE("read_medit: mixed cells share their faces") {
 }
 
 TEST_CASE("read_medit: cells of negative volume are turned into the standard order and counted") {
-  for (const std::string cells : {"Tetrahedra 2\n1 3 2 5 0\n1 2 3 5 0\n", "Hexahedra 2\n1 4 3 2 5 8 7 6 0\n1 2 3 4 5 6 7 8 0\n", "Prisms 2\n1 3 2 5 7 6 0\n1 2 3 5 6 7 0\n",
-                            "Pyramids 2\n5 8 7 6 9 0\n5 6 7 8 9 0\n"}) {
+  for (const std::string cells : {"Tetrahedra 2\n1 3 2 5 0\n1 2 3 5 0\n", "Hexahedra 2\n1 4 3 2 5 8 7 6 0\n1 2 3 4 5 6 7 8 0\n",
+                                  "Prisms 2\n1 3 2 5 7 6 0\n1 2 3 5 6 7 0\n", "Pyramids 2\n5 8 7 6 9 0\n5 6 7 8 9 0\n"}) {
     load_report r;
     const auto m = medit<polyhedra_arrays>(cube + cells + "End", {.report = &r});
     CHECK_MESSAGE(r.reoriented_polys == 1, cells);
@@ -119,7 +125,9 @@ TEST_CASE("read_medit: cells of two kinds do not fit into cell_arrays, and the f
 }
 
 TEST_CASE("read_medit: surfaces asked for as volumes and the reverse") {
-  CHECK_THROWS_WITH_AS(medit<surface_arrays>(one_tet), "t.mesh: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any", unsupported);
+  CHECK_THROWS_WITH_AS(medit<surface_arrays>(one_tet),
+                       "t.mesh: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any",
+                       unsupported);
   CHECK_THROWS_AS(medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd"), unsupported);
   CHECK_THROWS_AS(medit<surface_arrays>("MeshVersionFormatted 1 Tetrahedra 1 1 2 3 4 0 Dimension 3 " + points + " End"), unsupported);
   CHECK(medit<cell_arrays>(head + points + "End").points.size() == 4);

@@ -63,11 +63,14 @@ TEST_CASE("read_obj: corners with texture coordinates and normals") {
   CHECK(raw(obj(attributes + "f 1/1 2/2 3/-1\nf 1//1 2//-1 3//1\nf 1/2/1 2/1/1 4/1/1\nf 1/ 2/ 3/\nf 1// 2/1/ 3\n").verts) ==
         std::vector<unsigned>{0, 1, 2, 0, 1, 2, 0, 1, 3, 0, 1, 2, 0, 1, 2});
   CHECK(raw(obj("f 1/2/1 2/1/1 4/1/1\n" + attributes).verts) == std::vector<unsigned>{0, 1, 3});
-  for (const std::string bad : {"f 1/3 2/1 3/1", "f 1//2 2 3", "f 1/0 2 3", "f 1/x 2 3", "f 1/1/1/1 2 3", "f 1 2 3x", "f 1 2 3.0"}) CHECK_MESSAGE(line(attributes + bad) == 8, bad);
+  for (const std::string bad : {"f 1/3 2/1 3/1", "f 1//2 2 3", "f 1/0 2 3", "f 1/x 2 3", "f 1/1/1/1 2 3", "f 1 2 3x", "f 1 2 3.0"})
+    CHECK_MESSAGE(line(attributes + bad) == 8, bad);
 }
 
 TEST_CASE("read_obj: blanks, comments, lines that go on, letters in capitals") {
-  const surface_arrays s = obj("   # leading\n\n\tv\t0 0   0   # tail\nv 1 0 0\n#v 5 5 5\n  v 0 1 0 \nv 0 0 1 1.0\ng\no name\ns off\nf 1 3 \\\n2 # c\nf 1 2 \\\r\n 4\\\n\n# ends \\\nf 2 3 4#\n");
+  const surface_arrays s =
+      obj("   # leading\n\n\tv\t0 0   0   # tail\nv 1 0 0\n#v 5 5 5\n  v 0 1 0 \nv 0 0 1 1.0\ng\no name\ns off\nf 1 3 \\\n2 # c\nf 1 2 "
+          "\\\r\n 4\\\n\n# ends \\\nf 2 3 4#\n");
   CHECK(s.points.size() == 4);
   CHECK(raw(s.verts) == std::vector<unsigned>{0, 2, 1, 0, 1, 3, 1, 2, 3});
   CHECK(line(points + "f 1 2 \\\n 9\n") == 6);
@@ -75,7 +78,8 @@ TEST_CASE("read_obj: blanks, comments, lines that go on, letters in capitals") {
 }
 
 TEST_CASE("read_obj: a vert needs three finite numbers") {
-  for (const std::string bad : {"v 1 0", "v", "v 1 O 0", "v nan 0 0", "v 0 inf 0", "v 0 0 -inf", "v 1e999 0 0", "v 1,0 0 0", "v 0 0 0 x", "v 0 0 0 1 nan"})
+  for (const std::string bad :
+       {"v 1 0", "v", "v 1 O 0", "v nan 0 0", "v 0 inf 0", "v 0 0 -inf", "v 1e999 0 0", "v 1,0 0 0", "v 0 0 0 x", "v 0 0 0 1 nan"})
     CHECK_MESSAGE(line("v 0 0 0\n" + bad + "\nv 0 1 0\n") == 2, bad);
   CHECK(obj("v 0 0 0 0.5 0.5 0.5\nv 1e-400 -0 +1\n").points[1] == vec3{0, 0, 1});
 }
@@ -106,8 +110,9 @@ TEST_CASE("read_obj: what is no OBJ file is an error, never an empty mesh") {
 TEST_CASE("read_obj: what has no place in the mesh is counted in the report") {
   load_report r;
   obj(tet + "vt 0 0\nvt 1 0\nvn 0 0 1\nl 1 2\np 1\nusemtl red\nmtllib x.mtl\ng a\ng b\ng c\ns 1\nvp 0 0\nv 0 0 0 1\n", {.report = &r});
-  CHECK(r.skipped == std::vector<std::string>{"2 texture coordinates (vt)", "1 normals (vn)", "1 weights or colours of verts", "2 points and lines (p, l)",
-                                              "3 names of groups and objects (g, o)", "2 uses of materials (usemtl, mtllib)", "1 smoothing groups (s)",
+  CHECK(r.skipped == std::vector<std::string>{"2 texture coordinates (vt)", "1 normals (vn)", "1 weights or colours of verts",
+                                              "2 points and lines (p, l)", "3 names of groups and objects (g, o)",
+                                              "2 uses of materials (usemtl, mtllib)", "1 smoothing groups (s)",
                                               "1 lines with other keywords, the first 'vp' on line 20"});
   obj(tet, {.report = &r});
   CHECK(r.skipped.empty());

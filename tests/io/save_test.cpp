@@ -129,8 +129,10 @@ TEST_CASE_TEMPLATE("save: .mesh holds tris, quads, tets and hexes in order", M, 
 }
 
 TEST_CASE("save: .mesh holds polyhedra that are standard cells") {
-  const std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices 11\n0 0 0 1  1 0 0 0  1 1 0 0  0 1 0 0\n0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0  0.5 0.5 2 0  2 0 0 0  2 0 1 0\n"
-                           "Pyramids 1\n5 6 7 8 9 1\nHexahedra 1\n1 2 3 4 5 6 7 8 2\nPrisms 1\n2 10 3 6 11 7 3\nTetrahedra 1\n6 11 7 9 4\nEnd";
+  const std::string text =
+      "MeshVersionFormatted 2\nDimension 3\nVertices 11\n0 0 0 1  1 0 0 0  1 1 0 0  0 1 0 0\n0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0  0.5 0.5 2 "
+      "0  2 0 0 0  2 0 1 0\n"
+      "Pyramids 1\n5 6 7 8 9 1\nHexahedra 1\n1 2 3 4 5 6 7 8 2\nPrisms 1\n2 10 3 6 11 7 3\nTetrahedra 1\n6 11 7 9 4\nEnd";
   const auto m = load_text<polyhedralmesh>(text, file_format::medit);
   save_report r;
   const std::string written = save_text(m, file_format::medit, {.report = &r});
@@ -164,7 +166,8 @@ TEST_CASE("save: a format that cannot hold the mesh names the first poly and whe
   refuses(grid<tetmesh>(1), "a.obj", ": .obj cannot hold volumes; save it as .mesh or .hedra");
   refuses(grid<trimesh>(1), "a.hedra", ": .hedra cannot hold surfaces; save it as .obj, or .mesh if it has triangles and quads only");
   refuses(polygonmesh(with_offsets(polygon_grid(1))), "a.mesh", ": .mesh cannot hold poly 0, a polygon of 8 verts; save it as .obj");
-  refuses(grid<polyhedralmesh>(1), "a.mesh", ": .mesh cannot hold poly 0, a polyhedron of 10 faces that is no tet, hex, prism or pyramid; save it as .hedra");
+  refuses(grid<polyhedralmesh>(1), "a.mesh",
+          ": .mesh cannot hold poly 0, a polyhedron of 10 faces that is no tet, hex, prism or pyramid; save it as .hedra");
   CHECK_THROWS_AS(save(grid<trimesh>(1), dir / "a.stl"), unsupported);
   CHECK_THROWS_AS(save_text(grid<trimesh>(1), file_format::by_extension), invalid_argument);
 }
@@ -175,7 +178,8 @@ TEST_CASE("save: coordinates that are not finite are refused") {
     auto points = tiny::surface_example();
     points.points[3][1] = x;
     for (const file_format f : {file_format::obj, file_format::medit})
-      CHECK_THROWS_WITH_AS(save_text(points, f), "text: vert 3 has a coordinate that is not a finite number; no file can hold it", invalid_mesh);
+      CHECK_THROWS_WITH_AS(save_text(points, f), "text: vert 3 has a coordinate that is not a finite number; no file can hold it",
+                           invalid_mesh);
   }
 }
 
@@ -214,7 +218,8 @@ TEST_CASE("save: labels go to .mesh, other properties are reported as lost") {
   const auto again = load_text<quadmesh>(save_text(m, file_format::medit, {.report = &r}), file_format::medit);
   CHECK(find_vert_property<int>(again, "label")[vert_id{4}] == -9);
   CHECK(find_poly_property<int>(again, "label")[poly_id{1}] == 12);
-  CHECK(r.lost == std::vector<std::string>{"vert property \"heat\": .mesh has no place for it", "edge property \"label\": .mesh has no place for it"});
+  CHECK(r.lost == std::vector<std::string>{"vert property \"heat\": .mesh has no place for it",
+                                           "edge property \"label\": .mesh has no place for it"});
   save_text(m, file_format::obj, {.report = &r});
   CHECK(r.lost.size() == 4);
   auto odd = grid<quadmesh>(1);
@@ -253,7 +258,8 @@ TEST_CASE("save: whatever fails, the target stays as it was and nothing else rem
   CHECK(read_file(dir / "a.obj") == "old");
   CHECK(dir.num_files() == 1);
 
-  CHECK_THROWS_WITH_AS(save(m, dir / "none/a.obj"), ((dir / "none/a.obj") + ": cannot be written: No such file or directory").c_str(), io_error);
+  CHECK_THROWS_WITH_AS(save(m, dir / "none/a.obj"), ((dir / "none/a.obj") + ": cannot be written: No such file or directory").c_str(),
+                       io_error);
   std::filesystem::create_directory(dir / "d.obj");
   CHECK_THROWS_AS(save(m, dir / "d.obj"), io_error);
   CHECK_THROWS_AS(save(m, "/dev/null", {.format = file_format::obj}), io_error);

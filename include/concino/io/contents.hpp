@@ -33,14 +33,19 @@ struct read_context {
 };
 
 inline const char* name_of_poly(bool volume, std::uint32_t arity) {
-  return volume ? (arity == 4 ? "a tet" : arity == 8 ? "a hex" : "a polyhedron") : (arity == 3 ? "a triangle" : arity == 4 ? "a quad" : "a polygon");
+  return volume ? (arity == 4   ? "a tet"
+                   : arity == 8 ? "a hex"
+                                : "a polyhedron")
+                : (arity == 3   ? "a triangle"
+                   : arity == 4 ? "a quad"
+                                : "a polygon");
 }
 
 /// The volume of a file, asked for as a surface, or the reverse.
 [[noreturn]] inline void throw_wrong_dimension(std::string_view name, bool holds_volume, std::size_t polys) {
-  throw unsupported(std::string(name) + ": holds a " + (holds_volume ? "volume" : "surface") + " of " + std::to_string(polys) + (holds_volume ? " polyhedra" : " polygons") +
-                    ", but a " + (holds_volume ? "surface" : "volume") + " mesh was asked for; load it as " +
-                    (holds_volume ? "polyhedralmesh" : "polygonmesh") + " or by load_any");
+  throw unsupported(std::string(name) + ": holds a " + (holds_volume ? "volume" : "surface") + " of " + std::to_string(polys) +
+                    (holds_volume ? " polyhedra" : " polygons") + ", but a " + (holds_volume ? "surface" : "volume") +
+                    " mesh was asked for; load it as " + (holds_volume ? "polyhedralmesh" : "polygonmesh") + " or by load_any");
 }
 
 }  // namespace concino::detail

@@ -7,6 +7,7 @@
 #include <concino/io/read_hedra.hpp>
 #include <concino/io/read_medit.hpp>
 #include <concino/io/read_obj.hpp>
+#include <concino/mesh/face_soup.hpp>
 
 #include <concepts>
 
@@ -18,11 +19,14 @@ template<class M> inline constexpr bool from_surface = std::constructible_from<M
 template<class M> inline constexpr bool from_cells = std::constructible_from<M, cell_arrays&&>;
 template<class M> inline constexpr bool from_polyhedra = std::constructible_from<M, polyhedra_arrays&&>;
 
-inline file_contents read_contents(std::string_view text, std::string_view name, file_format format, const wanted_mesh& wanted, const load_options& options) {
+inline file_contents read_contents(std::string_view text, std::string_view name, file_format format, const wanted_mesh& wanted,
+                                   const load_options& options) {
   load_report unheard, &report = options.report ? *options.report : unheard;
   report = {};
   const read_context context{text, name, wanted, &report, &options.progress};
-  file_contents contents = format == file_format::obj ? read_obj(context) : format == file_format::medit ? read_medit(context) : read_hedra(context);
+  file_contents contents = format == file_format::obj     ? read_obj(context)
+                           : format == file_format::medit ? read_medit(context)
+                                                          : read_hedra(context);
   if (options.progress) tell(options.progress, 1.0, "reading");
   return contents;
 }
@@ -61,12 +65,12 @@ concept Loadable = detail::from_surface<M> || detail::from_cells<M> || detail::f
 
 /// Reads a mesh from a file; which format it is in follows from the extension: .obj, .mesh, .hedra, in any case.
 /// Needs:  Loadable M.
-/// Result: the mesh, elements in the order of the file. Any volume becomes a polyhedralmesh, any surface a polygonmesh; the other kinds take
-///         only what they can hold. Labels become the property "label" (int) of verts and polys. What was skipped, turned or worth a remark is
-///         in options.report.
+/// Result: the mesh, elements in the order of the file. Any volume becomes a polyhedralmesh, any surface a polygonmesh; the other kinds
+///         take only what they can hold. Labels become the property "label" (int) of verts and polys. What was skipped, turned or worth a
+///         remark is in options.report.
 /// Cost:   one pass over the file, which is mapped, not copied; the arrays are handed over to the mesh.
-/// Errors: io_error if the file cannot be read; parse_error with the line if it breaks its format or holds a poly that M cannot; unsupported if
-///         the extension is not known, or the file holds a volume and M is a surface, or the reverse; cancelled.
+/// Errors: io_error if the file cannot be read; parse_error with the line if it breaks its format or holds a poly that M cannot;
+///         unsupported if the extension is not known, or the file holds a volume and M is a surface, or the reverse; cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);

@@ -23,7 +23,9 @@ inline any_mesh load_any(const std::string& path, const load_options& options = 
   const file_format format = detail::format_of(path, options.format);
   const detail::mapped_file file(path);
   detail::file_contents contents = detail::read_contents(file.text(), path, format, {}, options);
-  const auto make = [&]<class M>(std::type_identity<M>) -> any_mesh { return detail::mesh_of<M>(std::move(contents), path, options.report); };
+  const auto make = [&]<class M>(std::type_identity<M>) -> any_mesh {
+    return detail::mesh_of<M>(std::move(contents), path, options.report);
+  };
   if (const auto* surface = std::get_if<surface_arrays>(&contents.arrays)) {
     if (surface->arity == 3) return make(std::type_identity<trimesh>{});
     if (surface->arity == 4) return make(std::type_identity<quadmesh>{});

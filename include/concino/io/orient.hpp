@@ -1,7 +1,10 @@
 // Turning the faces of polyhedra outward.
 #pragma once
 
-#include <concino/mesh/standard_cells.hpp>
+#include <concino/mesh/arrays.hpp>
+#include <concino/mesh/cell_recogniser.hpp>
+
+#include <numeric>
 
 namespace concino::detail {
 
@@ -24,7 +27,8 @@ inline double six_volumes(const polyhedra_arrays& m, std::size_t p) {
   const vec3 apex = m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()];
   for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i) {
     const std::uint32_t f = m.poly_faces[i].raw(), first = m.face_offsets[f];
-    const double one = six_volumes_under(m.face_offsets[f + 1] - first, [&](std::size_t k) -> const vec3& { return m.points[m.face_verts[first + k].raw()]; }, apex);
+    const double one = six_volumes_under(
+        m.face_offsets[f + 1] - first, [&](std::size_t k) -> const vec3& { return m.points[m.face_verts[first + k].raw()]; }, apex);
     sum += m.outward[i] ? one : -one;
   }
   return sum;
@@ -61,7 +65,8 @@ inline std::size_t orient_polyhedra(polyhedra_arrays& m) {
         a = b;
       }
     }
-    std::sort(sides.begin(), sides.end(), [](const side& x, const side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
+    std::sort(sides.begin(), sides.end(),
+              [](const side& x, const side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
 
     // Two faces at an edge agree if one runs up and the other down. Edges with one face, or more than two, say nothing.
     const auto pairs = [&](const auto& use) {

@@ -49,7 +49,8 @@ template<class M>
 void tell_of_lost_properties(const M& m, bool keeps_labels, std::string_view format, std::vector<std::string>& lost) {
   if constexpr (HasProperties<M>)
     for (const property_info& p : property_list(m))
-      if (!keeps_labels || !is_label(p)) lost.push_back(std::string(to_string(p.kind)) + " property \"" + p.name + "\": " + std::string(format) + " has no place for it");
+      if (!keeps_labels || !is_label(p))
+        lost.push_back(std::string(to_string(p.kind)) + " property \"" + p.name + "\": " + std::string(format) + " has no place for it");
 }
 
 }  // namespace concino::detail

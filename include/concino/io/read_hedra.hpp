@@ -19,18 +19,21 @@ class hedra_reader : token_cursor {
   file_contents read() {
     skip();
     if (at_end()) fail(end(), "the numbers of verts, faces and polyhedra", "an empty file");
-    const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8), np = next_count("the number of polyhedra", 4);
+    const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8),
+                        np = next_count("the number of polyhedra", 4);
     if (np > 0 && !wanted_.cells && !wanted_.polyhedra) throw_wrong_dimension(name(), true, np);
     verts(nv);
     faces(nf);
     skip();
     first_cell_ = at;
     polys(np);
+    trim(out_.face_verts), trim(out_.poly_faces), trim(out_.outward);
     skip();
     if (!at_end()) fail("the end of the file after the last polyhedron");
     report_.reoriented_polys = orient_polyhedra(out_);
     if (report_.reoriented_polys)
-      report_.notes.push_back(std::to_string(report_.reoriented_polys) + " of " + std::to_string(np) + " polyhedra were wound inconsistently or inside out: their faces were turned outward");
+      report_.notes.push_back(std::to_string(report_.reoriented_polys) + " of " + std::to_string(np) +
+                              " polyhedra were wound inconsistently or inside out: their faces were turned outward");
     file_contents contents;
     if (wanted_.polyhedra || !wanted_.cells) contents.arrays = std::move(out_);
     else contents.arrays = cells();
@@ -111,8 +114,11 @@ class hedra_reader : token_cursor {
           first_cell_ = at;
           for (std::int64_t i = next_integer("a number"); i > 0; --i) next_integer("a number");
         }
-        fail(first_cell_, std::string(n ? name_of_poly(true, cells.arity) : name_of_poly(true, wanted_.arity ? wanted_.arity : 4)) + " (polyhedralmesh and load_any take any polyhedron)",
-             std::string("a ") + (s == cell_shape::general ? "polyhedron" : table_of(s).name) + " of " + std::to_string(out_.poly_offsets[p + 1] - out_.poly_offsets[p]) + " faces");
+        fail(first_cell_,
+             std::string(n ? name_of_poly(true, cells.arity) : name_of_poly(true, wanted_.arity ? wanted_.arity : 4)) +
+                 " (polyhedralmesh and load_any take any polyhedron)",
+             std::string("a ") + (s == cell_shape::general ? "polyhedron" : table_of(s).name) + " of " +
+                 std::to_string(out_.poly_offsets[p + 1] - out_.poly_offsets[p]) + " faces");
       }
       cells.verts.insert(cells.verts.end(), known.cell, known.cell + n);
     }
@@ -124,10 +130,10 @@ class hedra_reader : token_cursor {
 };
 
 /// Needs:  text of a .hedra file: numbers in any layout.
-/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces do not agree on the outside, or are inside out, are put right and counted.
-///         Cost: O(size of the text), and sorting the edges of each polyhedron.
-/// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a polyhedron
-///         that the wanted mesh cannot hold, text after the last; unsupported if a surface was wanted.
+/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces do not agree on the outside, or are inside out, are put right
+///         and counted. Cost: O(size of the text), and sorting the edges of each polyhedron.
+/// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
+///         polyhedron that the wanted mesh cannot hold, text after the last; unsupported if a surface was wanted.
 inline file_contents read_hedra(const read_context& context) { return hedra_reader(context).read(); }
 
 }  // namespace concino::detail

@@ -2,21 +2,11 @@
 #pragma once
 
 #include <concino/io/contents.hpp>
+#include <concino/io/medit_sections.hpp>
 #include <concino/io/text_cursor.hpp>
-#include <concino/mesh/standard_cells.hpp>
+#include <concino/mesh/face_soup.hpp>
 
 namespace concino::detail {
-
-struct medit_section {
-  std::string_view keyword;
-  bool volume;
-  std::uint32_t arity;
-  cell_shape shape;
-};
-inline constexpr medit_section medit_sections[] = {
-    {"Triangles", false, 3, cell_shape::general}, {"Quadrilaterals", false, 4, cell_shape::general}, {"Tetrahedra", true, 4, cell_shape::tet},
-    {"Hexahedra", true, 8, cell_shape::hex},      {"Prisms", true, 6, cell_shape::prism},            {"Pyramids", true, 5, cell_shape::pyramid},
-};
 
 class medit_reader : token_cursor {
   const wanted_mesh& wanted_;
@@ -180,7 +170,9 @@ class medit_reader : token_cursor {
   }
 
   [[noreturn]] void refuse(const medit_section& s, std::uint32_t arity) const {
-    fail(at, std::string(name_of_poly(s.volume, arity)) + (s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"),
+    fail(at,
+         std::string(name_of_poly(s.volume, arity)) +
+             (s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"),
          "an element of section " + std::string(s.keyword));
   }
 
@@ -204,7 +196,8 @@ class medit_reader : token_cursor {
     for (const auto& [keyword, n] : skipped_)
       report_.skipped.push_back("section " + keyword + (n ? ", " + std::to_string(n) + " rows" : ""));
     if (report_.reoriented_polys)
-      report_.notes.push_back(std::to_string(report_.reoriented_polys) + " of " + std::to_string(polys_) + " cells had a negative volume: their verts were put into the standard order");
+      report_.notes.push_back(std::to_string(report_.reoriented_polys) + " of " + std::to_string(polys_) +
+                              " cells had a negative volume: their verts were put into the standard order");
     if (has_cells && !wanted_.cells && !wanted_.polyhedra) throw_wrong_dimension(name(), true, polys_);
     if (!has_cells && !wanted_.surface && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
 
@@ -213,10 +206,12 @@ class medit_reader : token_cursor {
     if (!poly_labels_.empty()) poly_labels_.resize(polys_, 0);
     out.vert_labels = std::move(vert_labels_);
     out.poly_labels = std::move(poly_labels_);
-    if (polys_ == 0 && wanted_.cells && !wanted_.surface) out.arrays = cell_arrays{std::move(points_), {}, wanted_.arity ? wanted_.arity : 4};
+    if (polys_ == 0 && wanted_.cells && !wanted_.surface)
+      out.arrays = cell_arrays{std::move(points_), {}, wanted_.arity ? wanted_.arity : 4};
     else if (polys_ == 0 && !wanted_.surface) out.arrays = polyhedra();
     else if (!has_cells) out.arrays = surface();
-    else if (shapes_.empty() && (only_->arity == 4 || only_->arity == 8)) out.arrays = cell_arrays{std::move(points_), std::move(verts_), only_->arity};
+    else if (shapes_.empty() && (only_->arity == 4 || only_->arity == 8))
+      out.arrays = cell_arrays{std::move(points_), std::move(verts_), only_->arity};
     else out.arrays = polyhedra();
     return out;
   }
@@ -245,11 +240,12 @@ class medit_reader : token_cursor {
 };
 
 /// Needs:  text of a MEDIT file: keywords, counts and rows in any layout, sections in any order, `#` comments, Dimension 2 (z is 0) or 3.
-/// Result: a volume if there is any cell, else a surface. Elements keep their order. Cells of negative volume are turned into the standard order
-///         and counted. References become labels unless all are zero. Surface elements of a volume, and sections that a mesh has no place for, are
-///         reported as skipped.   Cost: O(size of the text)
-/// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the wanted mesh
-///         cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted, or the reverse.
+/// Result: a volume if there is any cell, else a surface. Elements keep their order. Cells of negative volume are turned into the standard
+///         order and counted. References become labels unless all are zero. Surface elements of a volume, and sections that a mesh has no
+///         place for, are reported as skipped.   Cost: O(size of the text)
+/// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the
+///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
+///         or the reverse.
 inline file_contents read_medit(const read_context& context) { return medit_reader(context).read(); }
 
 }  // namespace concino::detail

@@ -33,10 +33,12 @@ class obj_reader : text_cursor {
       restart(all.data());
     }
     if (out_.points.empty() && num_other_ > 0)
-      fail(end(), "verts (v x y z)", "none, and " + std::to_string(num_other_) + " lines that are not of an OBJ file, the first '" + other_ + "'");
+      fail(end(), "verts (v x y z)",
+           "none, and " + std::to_string(num_other_) + " lines that are not of an OBJ file, the first '" + other_ + "'");
     if (out_.verts.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 corners");
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
+    trim(out_.points), trim(out_.verts), trim(out_.offsets);
     tell_of_skipped(report);
     return std::move(out_);
   }
@@ -110,7 +112,8 @@ class obj_reader : text_cursor {
   std::uint64_t absolute(const char* place, std::int64_t i, std::uint64_t so_far, std::uint64_t bound, const char* what) const {
     if (i < 0) i += static_cast<std::int64_t>(so_far) + 1;
     if (i < 1 || static_cast<std::uint64_t>(i) > bound)
-      fail(place, std::string("the index of ") + what + (bound < max_ids || so_far > 0 ? " from 1 to " + std::to_string(bound < max_ids ? bound : so_far) : " from 1") +
+      fail(place, std::string("the index of ") + what +
+                      (bound < max_ids || so_far > 0 ? " from 1 to " + std::to_string(bound < max_ids ? bound : so_far) : " from 1") +
                       ", or from -1 back to the first read so far");
     return static_cast<std::uint64_t>(i);
   }
@@ -158,7 +161,8 @@ class obj_reader : text_cursor {
     if (const std::size_t i = first_repeated(corners, size, scratch_); i != size)
       fail(line, "different verts at the corners of a face", "vert " + std::to_string(corners[i].raw() + 1) + " twice");
     if (wanted_.surface && wanted_.arity && size != wanted_.arity)
-      fail(line, std::string(name_of_poly(false, wanted_.arity)) + " (polygonmesh and load_any take any polygon)", "a polygon of " + std::to_string(size) + " corners");
+      fail(line, std::string(name_of_poly(false, wanted_.arity)) + " (polygonmesh and load_any take any polygon)",
+           "a polygon of " + std::to_string(size) + " corners");
     if (out_.offsets.empty()) {
       if (first == 0) arity_ = static_cast<std::uint32_t>(size);
       if (size == arity_) return;
@@ -198,7 +202,8 @@ class obj_reader : text_cursor {
     skipped(num_materials_, "uses of materials (usemtl, mtllib)");
     skipped(num_smooth_, "smoothing groups (s)");
     if (num_other_)
-      report.skipped.push_back(std::to_string(num_other_) + " lines with other keywords, the first '" + other_ + "' on line " + std::to_string(line_of(begin() + first_other_)));
+      report.skipped.push_back(std::to_string(num_other_) + " lines with other keywords, the first '" + other_ + "' on line " +
+                               std::to_string(line_of(begin() + first_other_)));
   }
 };
 

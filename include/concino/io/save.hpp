@@ -26,10 +26,12 @@ void write_to(text_sink& out, const M& m, std::string_view name, file_format for
 /// prisms and pyramids, which are told by their faces; .hedra for volumes.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the file, complete, in the place of what was there; coordinates read back as the same numbers. Verts (and faces) are numbered as
-///         they are walked. A property "label" (int) of verts and polys goes to .mesh; properties that are lost are named in options.report.
+///         they are walked. A property "label" (int) of verts and polys goes to .mesh; properties that are lost are named in
+///         options.report.
 /// Cost:   O(size of the mesh) time; O(verts) memory, O(corners) for .mesh.
 /// Errors: unsupported if the extension is not known, or the format cannot hold the mesh, naming the first poly that it cannot and formats
-///         that can; invalid_mesh if a coordinate is not finite; io_error if the file cannot be written; cancelled. The target then is as it was.
+///         that can; invalid_mesh if a coordinate is not finite; io_error if the file cannot be written; cancelled. The target then is as
+///         it was.
 template<class M>
   requires(AnyMesh<M> && Embedded<M>)
 void save(const M& m, const std::string& path, const save_options& options = {}) {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace concino::detail {
 
@@ -143,14 +144,15 @@ struct token_cursor : text_cursor {
     skip();
     return integer(expected, comment);
   }
-  /// A number of elements that take at least `bytes` each. What a file announces is not believed: reserve no more than room() says, and read
-  /// until the elements or the file end.
+  /// A number of elements that take at least `bytes` each. What a file announces is not believed: reserve no more than room() says, and
+  /// read until the elements or the file end.
   std::uint64_t next_count(const char* what, std::uint64_t bytes) {
     skip();
     const char* const from = at;
     const std::int64_t n = integer(what, comment);
     if (n < 0) fail(from, what);
-    if (static_cast<std::uint64_t>(n) > max_ids && room(max_ids + 1, bytes) > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 elements of one kind");
+    if (static_cast<std::uint64_t>(n) > max_ids && room(max_ids + 1, bytes) > max_ids)
+      throw unsupported(std::string(name()) + ": more than 4294967294 elements of one kind");
     return static_cast<std::uint64_t>(n);
   }
   /// How many of n announced elements the rest of the file can hold; the last needs no line end.
@@ -160,11 +162,18 @@ struct token_cursor : text_cursor {
     skip();
     std::int64_t i = 0;
     const char* p = parse_integer(at, end(), i);
-    if (!p || !ends_token(p, comment) || i < 1 || static_cast<std::uint64_t>(i) > bound) fail(std::string(what) + " from 1 to " + std::to_string(bound));
+    if (!p || !ends_token(p, comment) || i < 1 || static_cast<std::uint64_t>(i) > bound)
+      fail(std::string(what) + " from 1 to " + std::to_string(bound));
     at = p;
     return static_cast<std::uint32_t>(i - 1);
   }
 };
+
+/// Gives back what a vector that grew has too much, unless that is little.
+template<class T>
+void trim(std::vector<T>& v) {
+  if (v.capacity() - v.size() > v.size() / 16) v.shrink_to_fit();
+}
 
 /// The first corner that a list of verts repeats, or its length. Quadratic for the few corners that polys have, sorting for many.
 template<class Ids>

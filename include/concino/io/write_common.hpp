@@ -21,7 +21,8 @@ struct write_context {
   std::vector<std::uint32_t> number;  // of each vert in the file, from 0: deleted verts leave no gap
   std::size_t done = 0, all = 0;
 
-  write_context(const M& m, std::string_view n, text_sink& o, save_report& r, const concino::progress& p) : mesh(m), name(n), out(o), report(r), progress(p) {
+  write_context(const M& m, std::string_view n, text_sink& o, save_report& r, const concino::progress& p)
+      : mesh(m), name(n), out(o), report(r), progress(p) {
     all = static_cast<std::size_t>(num_verts(m)) + static_cast<std::size_t>(num_polys(m));
   }
 
@@ -42,7 +43,9 @@ void write_points(write_context<M>& c, std::string_view before, const After& aft
     const std::size_t i = index_of(c.mesh, v);
     c.number[i] = n++;
     const vec3 p = to_vec3(point(c.mesh, v));
-    if (!is_finite(p)) throw invalid_mesh(std::string(c.name) + ": vert " + std::to_string(i) + " has a coordinate that is not a finite number; no file can hold it");
+    if (!is_finite(p))
+      throw invalid_mesh(std::string(c.name) + ": vert " + std::to_string(i) +
+                         " has a coordinate that is not a finite number; no file can hold it");
     c.out << before << p.x << ' ' << p.y << ' ' << p.z;
     after(v);
     c.out << '\n';

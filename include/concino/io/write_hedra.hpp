@@ -11,7 +11,8 @@ void write_hedra(write_context<M>& c) {
     throw_cannot_hold(c.name, ".hedra", "surfaces", ".obj, or .mesh if it has triangles and quads only");
   } else {
     const M& m = c.mesh;
-    c.out << static_cast<std::size_t>(num_verts(m)) << ' ' << static_cast<std::size_t>(num_faces(m)) << ' ' << static_cast<std::size_t>(num_polys(m)) << '\n';
+    c.out << static_cast<std::size_t>(num_verts(m)) << ' ' << static_cast<std::size_t>(num_faces(m)) << ' '
+          << static_cast<std::size_t>(num_polys(m)) << '\n';
     write_points(c, "", [](const auto&) {});
     std::vector<std::uint32_t> face_number(static_cast<std::size_t>(face_index_bound(m)), 0);
     std::vector<std::uint32_t> row;

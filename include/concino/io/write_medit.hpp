@@ -1,9 +1,10 @@
 // Writes MEDIT .mesh: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids, told by their faces.
 #pragma once
 
+#include <concino/io/medit_sections.hpp>
 #include <concino/io/properties.hpp>
-#include <concino/io/read_medit.hpp>
 #include <concino/io/write_common.hpp>
+#include <concino/mesh/cell_recogniser.hpp>
 
 namespace concino::detail {
 
@@ -28,7 +29,9 @@ void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, cell_rec
     for (vert_t<M> v : adj_p2v(m, p)) rows.verts.push_back(c.number_of(v));
     const std::size_t n = rows.verts.size() - before;
     if (n == 3 || n == 4) s = n - 3;
-    else throw_cannot_hold(c.name, ".mesh", "poly " + std::to_string(index_of(m, p)) + ", a polygon of " + std::to_string(n) + " verts", ".obj");
+    else
+      throw_cannot_hold(c.name, ".mesh", "poly " + std::to_string(index_of(m, p)) + ", a polygon of " + std::to_string(n) + " verts",
+                        ".obj");
   } else if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {
     for (vert_t<M> v : adj_p2v(m, p)) rows.verts.push_back(c.number_of(v));
     s = arity_v<M> == 4 ? 2 : 3;
@@ -43,7 +46,10 @@ void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, cell_rec
     }
     const cell_shape shape = known.recognise();
     if (shape == cell_shape::general)
-      throw_cannot_hold(c.name, ".mesh", "poly " + std::to_string(index_of(m, p)) + ", a polyhedron of " + std::to_string(n) + " faces that is no tet, hex, prism or pyramid", ".hedra");
+      throw_cannot_hold(c.name, ".mesh",
+                        "poly " + std::to_string(index_of(m, p)) + ", a polyhedron of " + std::to_string(n) +
+                            " faces that is no tet, hex, prism or pyramid",
+                        ".hedra");
     for (unsigned i = 0; i < table_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
     s = 2 + static_cast<std::size_t>(shape);
   }

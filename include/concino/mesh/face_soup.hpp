@@ -1,0 +1,115 @@
+// Polyhedra made of cells that each bring their own faces: equal faces become one.
+#pragma once
+
+#include <concino/mesh/arrays.hpp>
+#include <concino/mesh/standard_cells.hpp>
+
+#include <numeric>
+
+namespace concino::detail {
+
+/// Makes polyhedra of lists of verts face by face: equal faces become one, seen from its two sides.
+/// Faces are numbered as they are first met, and are outward for the poly that has them first. Linear time but for the sorting of the few
+/// faces that have the same smallest vert.
+struct face_soup {
+  std::vector<std::uint32_t> face_offsets{0};  // of the faces of all polys, one after another, common ones twice
+  std::vector<vert_id> face_verts;
+  std::vector<std::uint32_t> poly_offsets{0};
+
+  void add_cell(cell_shape s, const vert_id* v) {
+    const standard_cell& t = table_of(s);
+    for (unsigned f = 0; f < t.num_faces; ++f) {
+      for (unsigned i = 0; i < t.face_size[f]; ++i) face_verts.push_back(v[t.face_vert[f][i]]);
+      face_offsets.push_back(static_cast<std::uint32_t>(face_verts.size()));
+    }
+    poly_offsets.push_back(static_cast<std::uint32_t>(face_offsets.size() - 1));
+  }
+
+  polyhedra_arrays unite(std::vector<vec3> points) && {
+    struct entry {
+      std::uint64_t others;  // the second and third smallest verts
+      std::uint32_t face;
+    };
+    const std::size_t n = face_offsets.size() - 1;
+    const auto size = [&](std::size_t f) { return face_offsets[f + 1] - face_offsets[f]; };
+    const auto first = [&](std::size_t f) { return face_verts.data() + face_offsets[f]; };
+    const auto smallest = [&](std::size_t f) { return std::min_element(first(f), first(f) + size(f))->raw(); };
+
+    std::vector<std::uint32_t> where(points.size() + 1, 0);
+    for (std::size_t f = 0; f < n; ++f) ++where[smallest(f) + 1];
+    std::partial_sum(where.begin(), where.end(), where.begin());
+    std::vector<entry> entries(n);
+    for (std::size_t f = 0; f < n; ++f) {
+      std::uint32_t low[3] = {~0u, ~0u, ~0u};
+      for (const vert_id *v = first(f), *last = v + size(f); v != last; ++v) {
+        const std::uint32_t x = v->raw();
+        if (x < low[0]) low[2] = low[1], low[1] = low[0], low[0] = x;
+        else if (x < low[1]) low[2] = low[1], low[1] = x;
+        else if (x < low[2]) low[2] = x;
+      }
+      entries[where[low[0]]++] = {std::uint64_t{low[1]} << 32 | low[2], static_cast<std::uint32_t>(f)};
+    }
+
+    // twin[f]: the first face equal to f, and whether f runs the other way
+    std::vector<std::uint32_t> twin(n);
+    std::vector<std::uint8_t> outward(n, 1);
+    for (std::size_t v = 0, from = 0; v < points.size(); from = where[v++]) {
+      const auto b = entries.begin() + static_cast<std::ptrdiff_t>(from), e = entries.begin() + where[v];
+      std::sort(b, e, [](const entry& x, const entry& y) { return x.others != y.others ? x.others < y.others : x.face < y.face; });
+      auto run = b;
+      for (auto i = b; i != e; ++i) {
+        if (i->others != run->others) run = i;
+        twin[i->face] = i->face;
+        for (auto j = run; j != i; ++j) {
+          if (twin[j->face] != j->face || size(j->face) != size(i->face)) continue;
+          if (const int way = compare_cycles(first(j->face), first(i->face), size(i->face))) {
+            twin[i->face] = j->face;
+            outward[i->face] = way > 0;
+            break;
+          }
+        }
+      }
+    }
+    entries = {};
+    where = {};
+
+    polyhedra_arrays out;
+    out.points = std::move(points);
+    out.poly_offsets = std::move(poly_offsets);
+    out.poly_faces.resize(n);
+    out.outward = std::move(outward);
+    out.face_offsets.push_back(0);
+    std::uint32_t corners = 0, faces = 0;
+    // In place: a kept face moves to the front, over what has been read; twin becomes the new number.
+    for (std::size_t f = 0; f < n; ++f) {
+      if (twin[f] == f) {
+        const std::uint32_t k = size(f);
+        std::copy_n(first(f), k, face_verts.data() + corners);
+        out.face_offsets.push_back(corners += k);
+        out.poly_faces[f] = face_id{faces++};
+      } else {
+        out.poly_faces[f] = out.poly_faces[twin[f]];
+      }
+    }
+    face_verts.resize(corners);
+    face_verts.shrink_to_fit();
+    out.face_verts = std::move(face_verts);
+    return out;
+  }
+};
+
+/// The same volume as general polyhedra; polys keep their order.
+inline polyhedra_arrays to_polyhedra(cell_arrays&& cells) {
+  const cell_shape s = cells.arity == 4 ? cell_shape::tet : cell_shape::hex;
+  const standard_cell& t = table_of(s);
+  const std::size_t n = cells.num_polys();
+  face_soup soup;
+  soup.face_offsets.reserve(n * t.num_faces + 1);
+  soup.face_verts.reserve(n * (s == cell_shape::tet ? 12 : 24));
+  soup.poly_offsets.reserve(n + 1);
+  for (std::size_t c = 0; c < n; ++c) soup.add_cell(s, cells.verts.data() + c * t.num_verts);
+  std::vector<vert_id>().swap(cells.verts);
+  return std::move(soup).unite(std::move(cells.points));
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,36 @@
+#include <concino/mesh/face_soup.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+using namespace concino;
+using namespace concino::detail;
+
+TEST_CASE("face_soup: common faces are found, of equal verts in another cycle too are not") {
+  // two tets on one face, a third whose copy of it runs the same way
+  cell_arrays c{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}}, {}, 4};
+  for (const int v : {0, 1, 2, 3, 0, 2, 1, 4}) c.verts.push_back(vert_id{v});
+  const polyhedra_arrays two = to_polyhedra(cell_arrays(c));
+  CHECK(two.num_faces() == 7);
+  CHECK(two.num_polys() == 2);
+  CHECK(two.poly_offsets == std::vector<std::uint32_t>{0, 4, 8});
+  CHECK(two.poly_faces[4] == face_id{0});
+  CHECK(two.outward == std::vector<std::uint8_t>{1, 1, 1, 1, 0, 1, 1, 1});
+  for (const int v : {0, 1, 2, 4}) c.verts.push_back(vert_id{v});
+  const polyhedra_arrays three = to_polyhedra(std::move(c));
+  CHECK(three.num_faces() == 7);
+  CHECK(three.outward[8] == 1);
+
+  face_soup soup;
+  for (const auto& face : {std::array{0u, 1u, 2u, 3u}, std::array{0u, 2u, 1u, 3u}, std::array{3u, 2u, 1u, 0u}}) {
+    for (const unsigned v : face) soup.face_verts.push_back(vert_id{v});
+    soup.face_offsets.push_back(static_cast<std::uint32_t>(soup.face_verts.size()));
+  }
+  soup.poly_offsets.push_back(3);
+  const auto m = std::move(soup).unite(std::vector<vec3>(4));
+  CHECK(m.num_faces() == 2);
+  CHECK(m.poly_faces == std::vector<face_id>{face_id{0}, face_id{1}, face_id{0}});
+  CHECK(m.outward == std::vector<std::uint8_t>{1, 1, 0});
+  CHECK(to_polyhedra(cell_arrays{}).num_polys() == 0);
+}
