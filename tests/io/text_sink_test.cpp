@@ -1,0 +1,76 @@
+#include <concino/io/text_sink.hpp>
+
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace concino;
+using namespace concino::testing;
+using concino::detail::replacing_file;
+using concino::detail::text_sink;
+
+TEST_CASE("text_sink: characters, texts and numbers, kept") {
+  text_sink out;
+  out << 'a' << " b " << std::string_view("c\n") << 0.1 << ' ' << -0.0 << ' ' << 1e300 << ' ' << 5e-324 << ' ' << std::size_t{7} << ' ' << -12;
+  CHECK(std::move(out).take() == "a b c\n0.1 -0 1e+300 5e-324 7 -12");
+  CHECK(text_sink().take().empty());
+}
+
+TEST_CASE("text_sink: more than its buffer holds, in one piece and in many") {
+  const std::string large(700000, 'x');
+  text_sink kept;
+  kept << 'a' << large;
+  for (int i = 0; i < 100000; ++i) kept << i << '\n';
+  const std::string text = std::move(kept).take();
+  CHECK(text.substr(0, 700001) == "a" + large);
+  CHECK(text.ends_with("99998\n99999\n"));
+
+  const temporary_folder dir;
+  replacing_file file(dir / "f");
+  text_sink written(file.descriptor(), dir / "f");
+  written << 'a' << large;
+  for (int i = 0; i < 100000; ++i) written << i << '\n';
+  written.flush();
+  file.commit();
+  CHECK(read_file(dir / "f") == text);
+}
+
+TEST_CASE("replacing_file: what is there is replaced by commit and by nothing else") {
+  const temporary_folder dir;
+  write_file(dir / "f", "old");
+  {
+    replacing_file file(dir / "f");
+    text_sink out(file.descriptor(), dir / "f");
+    out << "new";
+    out.flush();
+    CHECK(read_file(dir / "f") == "old");
+    CHECK(dir.num_files() == 2);
+  }
+  CHECK(read_file(dir / "f") == "old");
+  CHECK(dir.num_files() == 1);
+  {
+    // two writers at once: the last to commit wins, whole
+    replacing_file a(dir / "f"), b(dir / "f");
+    text_sink out_a(a.descriptor(), dir / "f"), out_b(b.descriptor(), dir / "f");
+    out_a << "aaa";
+    out_b << "bbbbbb";
+    out_a.flush(), out_b.flush();
+    b.commit();
+    CHECK(read_file(dir / "f") == "bbbbbb");
+    a.commit();
+  }
+  CHECK(read_file(dir / "f") == "aaa");
+  CHECK(dir.num_files() == 1);
+}
+
+TEST_CASE("text_sink: what cannot be written is an io_error with the reason") {
+  const temporary_folder dir;
+  const int read_only = ::open((dir / "f").c_str(), O_RDONLY | O_CREAT, 0600);
+  text_sink refused(read_only, dir / "f");
+  refused << "x";
+  CHECK_THROWS_WITH_AS(refused.flush(), ((dir / "f") + ": cannot be written: Bad file descriptor").c_str(), io_error);
+  ::close(read_only);
+}
