@@ -60,7 +60,7 @@ std::vector<std::set<std::set<unsigned>>> sides_of_polys(const cn::testing::soup
 TEST_CASE_TEMPLATE("any soup of polys is represented", M, CONCINO_ALL_KINDS) {
   std::mt19937 random(2);
   for (unsigned round = 0; round < 120; ++round) {
-    const unsigned vert_count = 8 + random() % 12, poly_count = 1 + random() % 24;
+    const unsigned vert_count = 8 + static_cast<unsigned>(random() % 12), poly_count = 1 + static_cast<unsigned>(random() % 24);
     const auto soup = cn::testing::random_soup<M>(random, vert_count, poly_count);
     const M m = soup.mesh();
     REQUIRE(cn::num_verts(m) == vert_count);

@@ -49,7 +49,7 @@ soup<M> random_soup(std::mt19937& random, unsigned vert_count, unsigned poly_cou
     for (unsigned f = 0; f < face_count; ++f) s.verts.push_back(some_of(random, vert_count, size()));
     for (unsigned p = 0; p < poly_count; ++p) {
       auto& faces = s.poly_faces.emplace_back();
-      for (const unsigned f : some_of(random, face_count, 1 + random() % std::min(face_count, 5u))) faces.emplace_back(f, random() % 2 == 0);
+      for (const unsigned f : some_of(random, face_count, 1 + static_cast<unsigned>(random() % std::min(face_count, 5u)))) faces.emplace_back(f, random() % 2 == 0);
     }
   } else {
     for (unsigned p = 0; p < poly_count; ++p) s.verts.push_back(some_of(random, vert_count, size()));
