@@ -1,11 +1,14 @@
-// The six meshes, their properties and maps.
+// The six meshes, their properties and maps, and views of any mesh.
 #pragma once
 
+#include <concino/concepts/views.hpp>
+#include <concino/mesh/boundary.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
 #include <concino/mesh/property.hpp>
 #include <concino/mesh/quadmesh.hpp>
+#include <concino/mesh/submesh.hpp>
 #include <concino/mesh/tetmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
