@@ -119,7 +119,7 @@ rings read_rings(const M& m, const element_table<A>& from, const element_table<B
           r.items.push_back(b);
           continue;
         }
-        ++faults;
+        if (faults++ > 0) continue;  // one witness per ring
         if (b != no_position) log.add(law, call() + " holds " + to.name(b) + " twice", from.name(a) + " " + to.name(b));
         else if (to.sound)  // else it may be one that was left out of the table and has been reported
           log.add(law, call() + " holds something that is not a " + to.kind() + " of the mesh", from.name(a) + " " + to.letter + std::to_string(index_of(m, x)));
