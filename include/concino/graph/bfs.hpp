@@ -3,8 +3,7 @@
 
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/graph_of.hpp>
-
-#include <vector>
+#include <concino/graph/detail/once_queue.hpp>
 
 namespace concino {
 
@@ -19,25 +18,25 @@ namespace detail {
 template<class G, class S>
 auto bfs(const G& g, const S& sources, const bfs_options<typename G::node>& options) {
   using node = typename G::node;
+  const auto may_enter = options.may_enter;
   auto hops = make_node_map<int>(g, -1);
-  const auto value = hops.values();
-  std::vector<node> queue;
-  queue.reserve(g.num_nodes());
+  int* const value = hops.values().data();
+  once_queue<node> queue(g.bound());
 
   for_each_source(g, sources, "bfs", [&](const node& s) {
     if (int& h = value[g.index(s)]; h < 0) {
       h = 0;
-      queue.push_back(s);
+      queue.push(s);
     }
   });
-  for (std::size_t head = 0; head != queue.size(); ++head) {
-    const node v = queue[head];
+  while (!queue.empty()) {
+    const node v = queue.pop();
     const int next = value[g.index(v)] + 1;
     for (const node w : g.neighbours(v)) {
       int& h = value[g.index(w)];
-      if (h >= 0 || (options.may_enter && !options.may_enter(w))) continue;
+      if (h >= 0 || (may_enter && !may_enter(w))) continue;
       h = next;
-      queue.push_back(w);
+      queue.push(w);
     }
   }
   return hops;

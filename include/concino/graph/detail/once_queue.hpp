@@ -1,0 +1,31 @@
+// The queue of breadth-first search: every node enters at most once, so the room is known beforehand.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+namespace concino::detail {
+
+/// First in, first out, for at most `room` nodes ever. Memory is not touched before it is needed, pushing checks nothing.
+template<class Node>
+class once_queue {
+  std::allocator<Node> memory_;
+  std::size_t room_;
+  Node* nodes_;
+  std::size_t head_ = 0, tail_ = 0;
+
+ public:
+  explicit once_queue(std::size_t room) : room_(room), nodes_(memory_.allocate(room)) {}
+  once_queue(const once_queue&) = delete;
+  once_queue& operator=(const once_queue&) = delete;
+  ~once_queue() {
+    std::destroy_n(nodes_, tail_);
+    memory_.deallocate(nodes_, room_);
+  }
+
+  bool empty() const { return head_ == tail_; }
+  void push(const Node& x) { std::construct_at(nodes_ + tail_++, x); }
+  Node pop() { return nodes_[head_++]; }
+};
+
+}  // namespace concino::detail
