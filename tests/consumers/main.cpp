@@ -1,14 +1,11 @@
 // What a stranger's first program may look like.
-#include <concino/concepts/mesh.hpp>
-#include <concino/error.hpp>
+#include <concino/fields.hpp>
+#include <concino/mesh.hpp>
 
 #include <cstdio>
 
 int main() {
-  static_assert(!concino::PrimalGraph<int>);
-  try {
-    throw concino::invalid_mesh("hello");
-  } catch (const concino::error& e) {
-    std::printf("%s\n", e.what());
-  }
+  const concino::quadmesh m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
+  const auto u = concino::harmonic_map(m, {{concino::vert_id{0}, 0.0}, {concino::vert_id{2}, 1.0}});
+  for (auto v : concino::verts(m)) std::printf("%g\n", u[v]);
 }

@@ -1,0 +1,3 @@
+#include <concino/concepts/mesh.hpp>
+
+static_assert(!concino::AnyMesh<int>);
