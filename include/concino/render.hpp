@@ -2,6 +2,7 @@
 // <concino/adapters/stb.hpp>.
 #pragma once
 
+#include <concino/render/ambient_occlusion.hpp>
 #include <concino/render/best_view.hpp>
 #include <concino/render/camera.hpp>
 #include <concino/render/color.hpp>

@@ -6,8 +6,8 @@
 #include <concino/render/camera.hpp>
 #include <concino/render/image.hpp>
 #include <concino/render/ray_caster.hpp>
-#include <concino/render/sampling.hpp>
-#include <concino/render/surface_color.hpp>
+#include <concino/render/detail/sampling.hpp>
+#include <concino/render/detail/surface_color.hpp>
 
 #include <span>
 

@@ -50,10 +50,15 @@ class value_scale {
     constexpr std::size_t steps = 48;
     s.values_.clear();
     s.places_.clear();
-    for (std::size_t k = 0; k <= steps; ++k) {
-      const double x = sorted[(sorted.size() - 1) * k / steps], rank = static_cast<double>(k) / steps;
+    const auto place = [&](double x, double rank) { return share * rank + (1 - share) * std::min(1.0, (x / 2 - sorted.front() / 2) / range); };
+    for (std::size_t k = 0; k <= steps;) {
+      const double x = sorted[(sorted.size() - 1) * k / steps];
+      const std::size_t first = k;
+      while (k <= steps && sorted[(sorted.size() - 1) * k / steps] == x) ++k;
+      const std::size_t last = k - 1;  // a value that many share is one knot: at an end the end, else the middle of its ranks
+      const double rank = first == 0 ? 0 : last == steps ? 1 : static_cast<double>(first + last) / (2.0 * steps);
       s.values_.push_back(x);
-      s.places_.push_back(share * rank + (1 - share) * std::min(1.0, (x / 2 - sorted.front() / 2) / range));
+      s.places_.push_back(place(x, rank));
     }
     return s;
   }
@@ -64,7 +69,7 @@ class value_scale {
   double operator()(double value) const {
     const std::size_t i = step_of(value);
     const double a = values_[i], b = values_[i + 1];
-    const double part = b > a ? std::min(1.0, std::max(0.0, (value - a) / (b - a))) : 0.5;
+    const double part = b > a ? std::min(1.0, std::max(0.0, (value / 2 - a / 2) / (b / 2 - a / 2))) : 0.5;
     return places_[i] + part * (places_[i + 1] - places_[i]);
   }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/render/polygon_weights.hpp>
-#include <concino/render/unit_scene.hpp>
+#include <concino/render/detail/unit_scene.hpp>
 
 namespace concino::detail {
 

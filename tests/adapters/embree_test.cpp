@@ -1,0 +1,98 @@
+#include <concino/adapters/embree.hpp>
+#include <concino/render/ambient_occlusion.hpp>
+#include <concino/render/best_view.hpp>
+#include <concino/render/shapes.hpp>
+
+#include <doctest/doctest.h>
+#include <support/brute_force.hpp>
+#include <support/kinds.hpp>
+
+#include <random>
+#include <utility>
+
+using namespace concino;
+using testing::brute_force;
+
+namespace {
+
+triangle_soup random_soup(std::size_t n) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  triangle_soup soup;
+  for (std::size_t i = 0; i < 3 * n; ++i) soup.points.push_back({unit(random), unit(random), unit(random)});
+  for (std::uint32_t i = 0; i < n; ++i) soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  return soup;
+}
+
+}  // namespace
+
+TEST_CASE("Embree hits what brute force hits") {
+  const triangle_soup soup = random_soup(60);
+  const auto fast = embree{}.build(soup);
+  const auto slow = brute_force{}.build(soup);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int hits = 0, differ = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const vec3 origin{2 * unit(random), 2 * unit(random), 2 * unit(random)}, toward{unit(random), unit(random), unit(random)};
+    vec3 d = toward - origin;
+    d /= norm(d);
+    const double far = i % 3 ? 1e30 : 1.0;
+    const ray_hit a = fast.intersect(origin, d, 0, far), b = slow.intersect(origin, d, 0, far);
+    CHECK(fast.occluded(origin, d, 0, far) == static_cast<bool>(a));
+    differ += a.triangle != b.triangle;  // single precision: a ray on an edge may fall on either side
+    if (!a || a.triangle != b.triangle) continue;
+    ++hits;
+    CHECK(a.t == doctest::Approx(b.t).epsilon(1e-3));
+    CHECK(a.u == doctest::Approx(b.u).epsilon(1e-2));
+    CHECK(a.v == doctest::Approx(b.v).epsilon(1e-2));
+  }
+  CHECK(hits > 1000);
+  CHECK(differ <= 4);
+}
+
+TEST_CASE("nothing to hit, and casters that move") {
+  const auto empty = embree{}.build({});
+  CHECK(!empty.intersect({0, 0, 5}, {0, 0, -1}, 0, 1e30));
+  CHECK(!empty.occluded({0, 0, 5}, {0, 0, -1}, 0, 1e30));
+  embree_caster a({{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  const embree_caster b = std::move(a);
+  const ray_hit hit = b.intersect({0, 0, 5}, {0, 0, -1}, 0, 1e30);
+  REQUIRE(hit);
+  CHECK(hit.t == doctest::Approx(5));
+  CHECK(hit.u == doctest::Approx(0.25));
+  CHECK(hit.v == doctest::Approx(0.5));
+}
+
+TEST_CASE("casters made and given back again and again") {
+  for (int i = 0; i < 20; ++i) CHECK(embree{}.build(random_soup(2)).occluded({0, 0, 9}, {0, 0, 1}, 0, 1) == false);
+}
+
+TEST_CASE_TEMPLATE("pictures by Embree look like those by brute force", M, CONCINO_ALL_KINDS) {
+  const drawable d = make_drawable(testing::grid<M>(2));
+  const render_options o{.width = 40, .height = 30, .samples = 2, .sky_rays = 8};
+  const camera c = frame({&d, 1}, 4.0 / 3);
+  const image fast = render({&d, 1}, c, o, embree{}), slow = render({&d, 1}, c, o, brute_force{});
+  int differ = 0;
+  for (std::size_t y = 0; y < 30; ++y)
+    for (std::size_t x = 0; x < 40; ++x) differ += std::abs(fast(x, y).g - slow(x, y).g) > 0.02f;
+  CHECK(differ < 12);
+  CHECK(render({&d, 1}, c, o, embree{}) == fast);
+}
+
+TEST_CASE("ambient occlusion by Embree: a plane is free") {
+  const quadmesh m = testing::grid<quadmesh>(4);
+  const auto ao = ambient_occlusion(m, {}, embree{});
+  for (const auto p : polys(m)) CHECK(ao[p] == 1);
+}
+
+TEST_CASE("the best view shows a mark on the far side; without marks the first choice stays") {
+  const view_options first;
+  const vec3 middle{0.5, 0.5, 0.5}, behind{0.5, 0.5, 0};
+  std::vector<drawable> scene = {make_balls({&middle, 1}, 0.5, srgb(1, 1, 1))};
+  const camera plain = best_view(scene, 1, first, embree{});
+  CHECK(norm(plain.back - first.towards / norm(first.towards)) == doctest::Approx(0));
+  scene.push_back(make_balls({&behind, 1}, 0.05, srgb(1, 0, 0)));
+  CHECK(best_view(scene, 1, first, embree{}).back.z < 0);
+  CHECK_THROWS_AS(best_view(scene, 1), unsupported);
+}

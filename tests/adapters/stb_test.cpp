@@ -1,0 +1,73 @@
+#include <concino/adapters/stb.hpp>
+
+// A program's own copy of stb beside that of the adapter.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#include <stb/stb_image.h>
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+using namespace concino;
+
+namespace {
+
+struct scratch_folder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / "concino_stb_test";
+  scratch_folder() { std::filesystem::create_directories(path); }
+  ~scratch_folder() { std::filesystem::remove_all(path); }
+};
+
+}  // namespace
+
+TEST_CASE("a PNG holds the bytes of the picture") {
+  const scratch_folder scratch;
+  const std::string file = (scratch.path / "a.png").string();
+  image picture(7, 5);
+  for (std::size_t y = 0; y < 5; ++y)
+    for (std::size_t x = 0; x < 7; ++x) picture(x, y) = srgb(static_cast<float>(x) / 6, static_cast<float>(y) / 4, 0.5f);
+  picture(6, 4) = {7, -1, std::numeric_limits<float>::quiet_NaN()};
+  write_png(picture, file);
+  write_png(picture, file);  // over an old one
+  int width = 0, height = 0, channels = 0;
+  unsigned char* bytes = stbi_load(file.c_str(), &width, &height, &channels, 0);
+  REQUIRE(bytes);
+  CHECK(width == 7);
+  CHECK(height == 5);
+  CHECK(channels == 3);
+  const auto expected = srgb_bytes(picture);
+  CHECK(std::equal(expected.begin(), expected.end(), bytes));
+  stbi_image_free(bytes);
+  CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);  // nothing unfinished is left
+}
+
+TEST_CASE("what cannot be written is said, and nothing is left behind") {
+  const scratch_folder scratch;
+  CHECK_THROWS_AS(write_png(image(2, 2), (scratch.path / "no" / "such" / "folder.png").string()), io_error);
+  CHECK_THROWS_AS(write_png(image(), (scratch.path / "empty.png").string()), invalid_argument);
+  std::filesystem::create_directory(scratch.path / "folder.png");
+  CHECK_THROWS_AS(write_png(image(2, 2), (scratch.path / "folder.png").string()), io_error);
+  CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);
+}
+
+TEST_CASE("bytes are sRGB and back") {
+  for (int i = 0; i < 256; ++i) {
+    const float x = static_cast<float>(i) / 255;
+    CHECK(srgb_bytes(srgb(x, x, x))[1] == i);
+  }
+  CHECK_THROWS_AS(image(0, 3), invalid_argument);
+  CHECK_THROWS_AS(image(3, 65536), invalid_argument);
+  CHECK(lightness({1, 1, 1}) == doctest::Approx(100));
+  CHECK(lightness({0, 0, 0}) == 0);
+}

@@ -1,0 +1,166 @@
+#include <concino/render/render.hpp>
+#include <concino/render/shapes.hpp>
+
+#include <concino/mesh/element_map.hpp>
+
+#include <doctest/doctest.h>
+#include <support/brute_force.hpp>
+#include <support/kinds.hpp>
+
+#include <string>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+using namespace concino;
+using testing::brute_force;
+
+namespace {
+
+const render_options small{.width = 48, .height = 36, .samples = 2, .sky_rays = 8};
+
+std::vector<drawable> one(drawable d) {
+  std::vector<drawable> scene;
+  scene.push_back(std::move(d));
+  return scene;
+}
+
+bool is_white(const rgb& c) { return c.r > 0.98f && c.g > 0.98f && c.b > 0.98f; }
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("a grid of any kind fills the middle of its picture and leaves the corners white", M, CONCINO_ALL_KINDS) {
+  const auto scene = one(make_drawable(testing::grid<M>(2)));
+  const image picture = render(scene, frame(scene, 4.0 / 3), small, brute_force{});
+  CHECK(!is_white(picture(24, 18)));
+  CHECK(is_white(picture(0, 0)));
+  CHECK(is_white(picture(47, 0)));
+}
+
+TEST_CASE("the same scene far away or at another size gives the same picture") {
+  const auto scene = one(make_drawable(testing::grid<hexmesh>(2)));
+  const image picture = render(scene, frame(scene, 4.0 / 3), small, brute_force{});
+  for (const double scale : {0x1p-300, 0x1p+200}) {
+    auto other = scene;
+    for (vec3& p : other[0].points) p *= scale;
+    CHECK(render(other, frame(other, 4.0 / 3), small, brute_force{}) == picture);
+  }
+}
+
+TEST_CASE("values, bands and edges change what is seen; a value that is not finite is grey") {
+  const quadmesh m = testing::grid<quadmesh>(1);
+  auto u = make_vert_map<double>(m, 0.0);
+  for (const auto v : verts(m)) u[v] = point(m, v)[0];
+  const view_options front{.towards = {0, 0, 1}, .angle = 0, .margin = 0};
+  render_options plain = small;
+  plain.ground = false;
+  plain.width = plain.height = 40;
+  const auto shot = [&](const drawable& d) { return render({&d, 1}, frame({&d, 1}, 1, front), plain, brute_force{}); };
+  drawable d = make_drawable(m, u);
+  d.look.shine = 0;
+  const image smooth = shot(d);
+  CHECK(smooth(3, 20).b > 3 * smooth(3, 20).r);   // blue at the low end
+  CHECK(smooth(36, 20).r > 3 * smooth(36, 20).b);  // yellow at the high end
+  d.look.bands = 4;
+  const image bands = shot(d);
+  CHECK(bands(5, 20).r > 3 * smooth(5, 20).r);     // white at 1/8
+  CHECK(bands(10, 20) == smooth(10, 20));          // and not at 2/8
+  d.look.bands = 0;
+  d.look.edge_width = 6;
+  d.look.edge_opacity = 1;
+  const image lines = shot(d);
+  CHECK(lines(20, 1).g < 0.3f * smooth(20, 1).g);
+  CHECK(lines(20, 20) == smooth(20, 20));          // on the diagonal along which the square was cut: no edge of the mesh
+  d.look.edge_width = 0;
+  d.values.assign(4, std::numeric_limits<double>::quiet_NaN());
+  const rgb grey = shot(d)(20, 20);
+  CHECK(grey.r == grey.g);
+  CHECK(grey.g == grey.b);
+}
+
+TEST_CASE("bands are anti-aliased exactly") {
+  for (const double band : {0.1, 0.5})
+    for (const double w : {1e-6, 0.2, 1.0, 7.3}) {
+      double sum = 0;
+      const int n = 4000;
+      for (int i = 0; i < n; ++i) {
+        const double c = detail::band_coverage((i + 0.5) / n * 3, w, band);
+        CHECK_MESSAGE((c >= 0 && c <= 1), c);
+        sum += c;
+      }
+      CHECK(sum / n == doctest::Approx(band).epsilon(0.02));
+    }
+  CHECK(detail::band_coverage(0.5, 0.01, 0.2) == doctest::Approx(1));
+  CHECK(detail::band_coverage(1, 0.01, 0.2) == doctest::Approx(0));
+  CHECK(detail::band_coverage(2.6, 0.1, 0.2) == doctest::Approx(0.5));
+}
+
+TEST_CASE("what stands on the ground casts a shadow, and shade falls into corners") {
+  const auto cube = one(make_drawable(testing::grid<hexmesh>(1)));
+  render_options o = small;
+  const camera c = frame(cube, 4.0 / 3, {.margin = 0.4});
+  const image with = render(cube, c, o, brute_force{});
+  o.ground = false;
+  const image without = render(cube, c, o, brute_force{});
+  std::size_t darker = 0;
+  for (std::size_t y = 0; y < 36; ++y)
+    for (std::size_t x = 0; x < 48; ++x) darker += is_white(without(x, y)) && with(x, y).r < 0.9f;
+  CHECK(darker > 20);
+}
+
+TEST_CASE("progress is told from 0 to 1 and can stop the work") {
+  const auto scene = one(make_drawable(testing::grid<trimesh>(1)));
+  render_options o = small;
+  double last = -1, first = -1;
+  bool rises = true;
+  const auto listen = [&](double fraction, const char* label) {
+    if (first < 0) first = fraction;
+    rises = rises && fraction >= last && std::string(label) == "rendering";
+    last = fraction;
+    return true;
+  };
+  o.progress = listen;
+  render(scene, frame(scene, 1), o, brute_force{});
+  CHECK(first == 0);
+  CHECK(last == 1);
+  CHECK(rises);
+  const auto stop = [](double fraction, const char*) { return fraction < 0.3; };
+  o.progress = stop;
+  CHECK_THROWS_AS(render(scene, frame(scene, 1), o, brute_force{}), cancelled);
+}
+
+TEST_CASE("an empty scene is a white picture; options out of range and a missing ray tracer are refused") {
+  const std::vector<drawable> nothing;
+  const image white = render(nothing, frame(nothing, 1), small, brute_force{});
+  CHECK(white == image(48, 36, {1, 1, 1}));
+  const auto scene = one(make_drawable(testing::grid<trimesh>(1)));
+  const camera c = frame(scene, 1);
+  const auto refused = [&](auto change) {
+    render_options o = small;
+    change(o);
+    CHECK_THROWS_AS(render(scene, c, o, brute_force{}), invalid_argument);
+  };
+  refused([](render_options& o) { o.width = 0; });
+  refused([](render_options& o) { o.height = 70000; });
+  refused([](render_options& o) { o.samples = 0; });
+  refused([](render_options& o) { o.sky_rays = -1; });
+  refused([](render_options& o) { o.sky_distance = 0; });
+  refused([](render_options& o) { o.light_size = 90; });
+  refused([](render_options& o) { o.up = {0, 0, 0}; });
+  refused([](render_options& o) { o.light = {0, 0, 0}; });
+  CHECK_THROWS_AS(render(scene, c, small), unsupported);
+}
+
+#ifdef _OPENMP
+TEST_CASE("the picture does not depend on the number of threads") {
+  const auto scene = one(make_drawable(testing::grid<tetmesh>(1)));
+  const camera c = frame(scene, 4.0 / 3);
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const image alone = render(scene, c, small, brute_force{});
+  omp_set_num_threads(3);
+  CHECK(render(scene, c, small, brute_force{}) == alone);
+  omp_set_num_threads(threads);
+}
+#endif
