@@ -21,15 +21,17 @@ struct dijkstra_options {
 
 namespace detail {
 
-[[noreturn]] inline void throw_bad_length(const std::string& from, const std::string& to, double length) {
-  throw invalid_mesh("dijkstra: the length from " + from + " to " + to + " is " + (length < 0 ? number_text(length) : std::string("not a number")) +
-                     "; lengths must be 0 or more");
+template<class G>
+[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_length(const G& g, const typename G::node& from, const typename G::node& to, double length) {
+  throw invalid_mesh("dijkstra: the length from " + name_of(g, from) + " to " + name_of(g, to) + " is " +
+                     (length < 0 ? number_text(length) : std::string("not a number")) + "; lengths must be 0 or more");
 }
 
 template<class G, class S, class L>
 auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node>& options) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto may_enter = options.may_enter;
   indexed_heap<node> queue(g.bound());
   for_each_source(g, sources, "dijkstra", [&](const node& s) {
     if (const auto slot = g.index(s); queue.key(slot) == infinity) queue.lower(s, slot, 0);
@@ -51,11 +53,11 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
     if (targets_left > 0 && is_target[v_slot] && --targets_left == 0) limit = d;
     const auto length_to = lengths.from(v);
     for (const node w : g.neighbours(v)) {
-      if (options.may_enter && !options.may_enter(w)) continue;
+      if (may_enter && !may_enter(w)) continue;
       const auto w_slot = g.index(w);
       const double known = queue.key(w_slot);
       const double length = length_to(w, known - d);
-      if (!(length >= 0)) throw_bad_length(name_of(g, v), name_of(g, w), length);
+      if (!(length >= 0)) [[unlikely]] throw_bad_length(g, v, w, length);
       if (d + length < known) queue.lower(w, w_slot, d + length);
     }
   }
