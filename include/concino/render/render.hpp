@@ -16,7 +16,7 @@ namespace concino {
 struct render_options {
   std::size_t width = 1600, height = 1200;   // pixels
   int samples = 3;                           // per pixel along each side, 1 to 32; 9 in all for 3
-  int sky_rays = 54;                         // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
+  int sky_rays = 45;                         // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
   double sky_distance = 0.9;                 // up to where things shade one another, in half diagonals of the bounding box
   bool ground = true;                        // catches the shadow on a plane under the lowest point; shown from above only
   vec3 up = {0, 1, 0};                       // away from the ground
@@ -149,7 +149,7 @@ class painter {
                             (0.5 * static_cast<double>(options_.height) - static_cast<double>(y) - 0.5 - py) * unit};
       const sight ray = camera_.through(film);
       const std::size_t at = static_cast<std::size_t>(s);
-      const ray_hit hit = caster_.intersect(ray.origin, ray.direction, 0, far_);
+      const ray_hit hit = misses_all(ray.origin, ray.direction) ? ray_hit{} : caster_.intersect(ray.origin, ray.direction, 0, far_);
       const double down = -dot(ray.direction, up_), above = dot(ray.origin, up_) - ground_;
       const double ground_at = options_.ground && down > 1e-6 && above > 0 ? above / down : far_;
       if (hit && hit.t < ground_at) sum += paint_surface(read(hit, ray, film), ray, at, turn, shift);
