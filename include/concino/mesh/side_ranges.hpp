@@ -78,32 +78,47 @@ class polys_across {
  public:
   using value_type = poly_id;
   class iterator {
+    /// Where the iterator stands: at a side, and at the n-th poly of it if it leads to a crowd.
+    struct place {
+      const across* at;
+      std::uint32_t nth;
+    };
     const across* at_ = nullptr;
     const across* last_ = nullptr;
     const across* first_ = nullptr;
     const rows<poly_id, 0>* crowds_ = nullptr;
     poly_id self_;
-    std::uint32_t nth_ = 0;  // within a crowd
+    std::uint32_t nth_ = 0;
 
-    bool met_before(poly_id q) const {
-      for (const across* s = first_; s != at_; ++s) {
+    // Crowds are rare. Their code stays out of the loop, and works on values, so that an iterator lives in registers.
+    [[gnu::noinline]] static bool met_before(const across* first, const across* at, const rows<poly_id, 0>& crowds, poly_id q) {
+      for (const across* s = first; s != at; ++s) {
         if (s->is_none()) continue;
         if (!s->is_crowd()) {
           if (s->poly() == q.raw()) return true;
         } else {
-          for (poly_id r : (*crowds_)[s->crowd()])
+          for (const poly_id r : crowds[s->crowd()])
             if (r == q) return true;
         }
       }
       return false;
     }
+    [[gnu::noinline]] static place next_in_crowd(place p, const across* first, const across* last, const rows<poly_id, 0>& crowds, poly_id self) {
+      for (; p.at != last && !p.at->is_first(); ++p.at, p.nth = 0) {
+        if (!p.at->is_crowd()) continue;
+        const id_span<poly_id> crowd = crowds[p.at->crowd()];
+        for (; p.nth < crowd.size(); ++p.nth)
+          if (crowd[p.nth] != self && !met_before(first, p.at, crowds, crowd[p.nth])) return p;
+      }
+      return {p.at, 0};
+    }
     void settle() {
       while (at_ != last_ && !at_->is_first()) [[unlikely]] {
         if (at_->is_crowd()) {
-          const auto crowd = (*crowds_)[at_->crowd()];
-          while (nth_ < crowd.size() && (crowd[nth_] == self_ || met_before(crowd[nth_]))) ++nth_;
-          if (nth_ < crowd.size()) return;
-          nth_ = 0;
+          const place p = next_in_crowd({at_, nth_}, first_, last_, *crowds_, self_);
+          at_ = p.at;
+          nth_ = p.nth;
+          return;
         }
         ++at_;
       }
