@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 namespace cn = concino;
@@ -231,6 +232,46 @@ TEST_CASE_TEMPLATE("meshes that throw or answer nonsense everywhere are describe
     m.number = [&](std::string_view verb, int, int, std::size_t real) { return verb.ends_with("bound") ? n : real; };
     CHECK(cn::check_laws(m).empty() == (n > 1));  // a bound may be generous
   }
+}
+
+TEST_CASE_TEMPLATE("whatever one ring holds too much, too little or wrongly is found", M, surface, volume) {
+  M m = example(static_cast<M*>(nullptr));
+  // Every ring there is, found by listening.
+  std::vector<std::pair<std::string, int>> asked;
+  m.ring = [&](std::string_view verb, int a, std::vector<int>&) { asked.emplace_back(verb, a); };
+  cn::check_laws(m);
+  std::mt19937 random(3);
+  for (int lie = 0; lie < 400; ++lie) {
+    const auto& call = asked[random() % asked.size()];
+    const std::string verb = call.first;
+    const int at = call.second;
+    const auto what = random() % 3, where = random() % 8;
+    bool lied = false;
+    m.ring = [&](std::string_view v, int a, std::vector<int>& ring) {
+      if (v != verb || a != at) return;
+      if (what == 0 && !ring.empty()) ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(where % ring.size()));
+      else if (what == 1 && !ring.empty()) ring[where % ring.size()] = ring[where % ring.size()] == 0 ? 1 : 0;
+      else ring.push_back(static_cast<int>(where));
+      lied = true;
+    };
+    INFO(verb << " " << at << " kind " << what << " number " << where);
+    const auto found = cn::check_laws(m);
+    CHECK(lied);
+    CHECK_FALSE(found.empty());
+    for (const auto& b : found) CHECK_FALSE(b.what.empty());
+  }
+}
+
+TEST_CASE("every single face turned the wrong way is found") {
+  volume m(tiny::volume_example());
+  for (auto p : cn::polys(m))
+    for (auto f : cn::adj_p2f(m, p)) {
+      m.number = [=](std::string_view verb, int a, int b, std::size_t n) { return verb == "face_is_outward" && a == p.i && b == f.i ? 1 - n : n; };
+      const auto found = cn::check_laws(m);
+      CHECK_FALSE(found.empty());
+      only(found, "VM6");
+      m.number = [](auto, auto, auto, std::size_t n) { return n; };
+    }
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include "../support/models.hpp"
 #include "../support/tiny.hpp"
 #include <support/kinds.hpp>
+#include <support/soups.hpp>
 
 #include <doctest/doctest.h>
 
@@ -87,4 +88,21 @@ TEST_CASE_TEMPLATE("the surface of a grid is a closed box", M, CONCINO_VOLUME_KI
   keeps_all_laws(cn::submesh(b, [&](auto f) { return cn::index_of(m, f) % 2 == 0; }));
   const M empty;
   keeps_all_laws(cn::boundary(empty));
+}
+
+TEST_CASE_TEMPLATE("non-manifold volumes have a surface too", M, CONCINO_VOLUME_KINDS) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 30; ++round) {
+    const M m = cn::testing::random_soup<M>(random, 9, 1 + unsigned(round) / 2).mesh();
+    const auto b = cn::boundary(m);
+    keeps_all_laws(b);
+    std::size_t n = 0;
+    for (auto f : cn::faces(m)) {
+      int sides = 0;
+      for ([[maybe_unused]] auto p : cn::adj_f2p(m, f)) ++sides;
+      n += sides == 1;
+      CHECK(cn::contains(b, f) == (sides == 1));
+    }
+    CHECK(cn::num_polys(b) == n);
+  }
 }

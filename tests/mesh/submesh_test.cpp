@@ -7,9 +7,11 @@
 #include "../support/models.hpp"
 #include "../support/tiny.hpp"
 #include <support/kinds.hpp>
+#include <support/soups.hpp>
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace cn = concino;
@@ -21,6 +23,17 @@ void keeps_all_laws(const M& m) {
   const auto found = cn::check_laws(m);
   for (const auto& b : found) MESSAGE(b.law << ": " << b.what << " [" << b.witness << "]");
   CHECK(found.empty());
+}
+
+/// The same laws as m, if it is a volume wound at random.
+template<class M, class V>
+void keeps_laws_of(const M& m, const V& part) {
+  const auto winding = [](const auto& found) { return std::any_of(found.begin(), found.end(), [](const auto& b) { return b.law == "VM6"; }); };
+  const bool wound_at_random = winding(cn::check_laws(m));
+  for (const auto& b : cn::check_laws(part)) {
+    INFO(b.what);
+    CHECK((b.law == "VM6" && wound_at_random));
+  }
 }
 
 const tiny::surface s = tiny::surface_example();
@@ -88,4 +101,14 @@ TEST_CASE_TEMPLATE("parts of every kind of mesh, also through archetypes and vie
   std::size_t n = 0;
   for (auto p : cn::polys(m)) n += cn::index_of(m, p) % 3 != 0 && cn::index_of(m, p) % 2 != 0;
   CHECK(cn::num_polys(twice) == n);
+}
+
+TEST_CASE_TEMPLATE("parts of non-manifold meshes", M, CONCINO_ALL_KINDS) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 30; ++round) {
+    const M m = cn::testing::random_soup<M>(random, 9, 1 + unsigned(round) / 2).mesh();
+    const auto part = cn::submesh(m, [&](auto p) { return cn::index_of(m, p) % 2 == 0; });
+    CHECK(cn::num_polys(part) == (cn::num_polys(m) + 1) / 2);
+    keeps_laws_of(m, part);
+  }
 }
