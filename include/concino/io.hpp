@@ -1,6 +1,7 @@
-// Reading and writing files: OBJ, MEDIT .mesh, .hedra.
+// Reading and writing files: OBJ, MEDIT .mesh, .hedra; functions on verts as text.
 #pragma once
 
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/save.hpp>
+#include <concino/io/scalar_field.hpp>

@@ -108,13 +108,14 @@ TEST_CASE("corpus: masses of the sphere sum to its area, the Laplacian of its po
   CHECK(most == doctest::Approx(7.03603419647).epsilon(1e-9));
 }
 
-TEST_CASE("corpus: uniform harmonic maps between one low and one high vert per component keep between them, on every mesh") {
+TEST_CASE("corpus: uniform harmonic maps between one low and one high vert per component keep between them, on every mesh of up to 10,000 verts") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   for (const auto& row : rows) {
     INFO(row.name);
     std::visit(
         [](const auto& m) {
+          if (num_verts(m) > 10000 && !long_run()) return;
           values given;
           auto seen = make_vert_map<bool>(m, false);
           for (const auto v : verts(m)) {
