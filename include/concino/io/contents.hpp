@@ -1,6 +1,7 @@
 // What readers make of a file, before it becomes a mesh.
 #pragma once
 
+#include <concino/io/message.hpp>
 #include <concino/io/options.hpp>
 #include <concino/mesh/arrays.hpp>
 
@@ -41,11 +42,11 @@ inline const char* name_of_poly(bool volume, std::uint32_t arity) {
                                 : "a polygon");
 }
 
-/// The volume of a file, asked for as a surface, or the reverse.
-[[noreturn]] inline void throw_wrong_dimension(std::string_view name, bool holds_volume, std::size_t polys) {
-  throw unsupported(std::string(name) + ": holds a " + (holds_volume ? "volume" : "surface") + " of " + std::to_string(polys) +
-                    (holds_volume ? " polyhedra" : " polygons") + ", but a " + (holds_volume ? "surface" : "volume") +
-                    " mesh was asked for; load it as " + (holds_volume ? "polyhedralmesh" : "polygonmesh") + " or by load_any");
+/// The volume of a file, asked for as a surface, or the reverse. How many polys it holds is told if known.
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_wrong_dimension(std::string_view name, bool holds_volume, std::size_t polys = 0) {
+  const std::string of = polys ? joined({" of ", polys, holds_volume ? " polyhedra" : " polygons"}) : std::string();
+  throw_joined<unsupported>({name, ": holds a ", holds_volume ? "volume" : "surface", of, ", but a ", holds_volume ? "surface" : "volume",
+                             " mesh was asked for; load it as ", holds_volume ? "polyhedralmesh" : "polygonmesh", " or by load_any"});
 }
 
 }  // namespace concino::detail

@@ -19,15 +19,25 @@ template<class M> inline constexpr bool from_surface = std::constructible_from<M
 template<class M> inline constexpr bool from_cells = std::constructible_from<M, cell_arrays&&>;
 template<class M> inline constexpr bool from_polyhedra = std::constructible_from<M, polyhedra_arrays&&>;
 
-inline file_contents read_contents(std::string_view text, std::string_view name, file_format format, const wanted_mesh& wanted,
-                                   const load_options& options) {
+/// Readers of what M cannot be are not compiled.
+template<class M>
+file_contents read_contents(std::string_view text, std::string_view name, file_format format, const load_options& options) {
+  constexpr bool surface = from_surface<M>, volume = from_cells<M> || from_polyhedra<M>;
   load_report unheard, &report = options.report ? *options.report : unheard;
   report = {};
+  const wanted_mesh wanted{surface, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
   const read_context context{text, name, wanted, &report, &options.progress};
-  file_contents contents = format == file_format::obj     ? read_obj(context)
-                           : format == file_format::medit ? read_medit(context)
-                                                          : read_hedra(context);
-  if (options.progress) tell(options.progress, 1.0, "reading");
+  file_contents contents;
+  if (format == file_format::obj) {
+    if constexpr (surface) contents = read_obj(context);
+    else throw_wrong_dimension(name, false);
+  } else if (format == file_format::medit) {
+    contents = read_medit<surface, volume>(context);
+  } else {
+    if constexpr (volume) contents = read_hedra(context);
+    else throw_wrong_dimension(name, true);
+  }
+  tell(options.progress, 1.0, "reading");
   return contents;
 }
 
@@ -53,8 +63,7 @@ M mesh_of(file_contents&& contents, std::string_view name, load_report* report) 
 
 template<class M>
 M load_from(std::string_view text, std::string_view name, file_format format, const load_options& options) {
-  const wanted_mesh wanted{from_surface<M>, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
-  return mesh_of<M>(read_contents(text, name, format, wanted, options), name, options.report);
+  return mesh_of<M>(read_contents<M>(text, name, format, options), name, options.report);
 }
 
 }  // namespace detail

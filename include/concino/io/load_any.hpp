@@ -19,11 +19,12 @@ using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, 
 ///         polyhedra. A .hedra file is always a polyhedralmesh, a file without polys a polygonmesh unless it says that it is a volume.
 /// Cost:   as load.
 /// Errors: as load, but for kinds that do not fit: every kind does.
-inline any_mesh load_any(const std::string& path, const load_options& options = {}) {
+template<class Variant = any_mesh>  // a template, so that programs that do not call it need not compile six meshes
+Variant load_any(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
   const detail::mapped_file file(path);
-  detail::file_contents contents = detail::read_contents(file.text(), path, format, {}, options);
-  const auto make = [&]<class M>(std::type_identity<M>) -> any_mesh {
+  auto contents = detail::read_contents<std::variant<surface_arrays, cell_arrays, polyhedra_arrays>>(file.text(), path, format, options);
+  const auto make = [&]<class M>(std::type_identity<M>) -> Variant {
     return detail::mesh_of<M>(std::move(contents), path, options.report);
   };
   if (const auto* surface = std::get_if<surface_arrays>(&contents.arrays)) {

@@ -86,7 +86,7 @@ inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
 }
 
 /// What from_chars does, and: a leading '+'; numbers too small for a double are 0, too large ones infinite.
-inline const char* parse_real_slowly(const char* first, const char* last, double& x) {
+[[gnu::noinline]] inline const char* parse_real_slowly(const char* first, const char* last, double& x) {
   const char* p = first;
   if (p != last && *p == '+') {
     ++p;
@@ -124,7 +124,7 @@ inline const char* parse_real_slowly(const char* first, const char* last, double
 }
 
 /// Reads a real at `first`; returns where it ends, or null where there is none. "nan" and "inf" are read: the caller decides.
-inline const char* parse_real(const char* first, const char* last, double& x) {
+[[gnu::noinline]] inline const char* parse_real(const char* first, const char* last, double& x) {
   const char* p = first;
   const bool negative = p != last && *p == '-';
   if (p != last && (*p == '-' || *p == '+')) ++p;

@@ -18,10 +18,9 @@ class hedra_reader : token_cursor {
 
   file_contents read() {
     skip();
-    if (at_end()) fail(end(), "the numbers of verts, faces and polyhedra", "an empty file");
+    if (at_end()) fail(end(), {"the numbers of verts, faces and polyhedra"});
     const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8),
                         np = next_count("the number of polyhedra", 4);
-    if (np > 0 && !wanted_.cells && !wanted_.polyhedra) throw_wrong_dimension(name(), true, np);
     verts(nv);
     faces(nf);
     skip();
@@ -29,13 +28,13 @@ class hedra_reader : token_cursor {
     polys(np);
     trim(out_.face_verts), trim(out_.poly_faces), trim(out_.outward);
     skip();
-    if (!at_end()) fail("the end of the file after the last polyhedron");
+    if (!at_end()) fail(at, {"the end of the file after the last polyhedron"});
     report_.reoriented_polys = orient_polyhedra(out_);
     if (report_.reoriented_polys)
-      report_.notes.push_back(std::to_string(report_.reoriented_polys) + " of " + std::to_string(np) +
-                              " polyhedra were wound inconsistently or inside out: their faces were turned outward");
+      report_.notes.push_back(joined({report_.reoriented_polys, " of ", np,
+                                      " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
     file_contents contents;
-    if (wanted_.polyhedra || !wanted_.cells) contents.arrays = std::move(out_);
+    if (wanted_.polyhedra) contents.arrays = std::move(out_);
     else contents.arrays = cells();
     return contents;
   }
@@ -61,12 +60,12 @@ class hedra_reader : token_cursor {
       skip();
       const char* const from = at;
       const std::uint64_t size = next_count("the number of verts of a face", 2);
-      if (size < 3) fail(from, "a face of at least three verts", "one of " + std::to_string(size));
+      if (size < 3) fail(from, {"a face of at least three verts"}, {"one of ", size});
       for (std::uint64_t i = 0; i < size; ++i) out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index")});
       const vert_id* const corners = out_.face_verts.data() + (out_.face_verts.size() - size);
       if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
-        fail(from, "different verts at the corners of a face", "vert " + std::to_string(corners[i].raw() + 1) + " twice");
-      if (out_.face_verts.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 corners");
+        fail(from, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
+      if (out_.face_verts.size() > max_ids) fail_to_count("corners");
       out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
       tell();
     }
@@ -80,19 +79,19 @@ class hedra_reader : token_cursor {
       skip();
       const char* const from = at;
       const std::uint64_t size = next_count("the number of faces of a polyhedron", 2);
-      if (size == 0) fail(from, "a polyhedron of at least one face", "one of none");
+      if (size == 0) fail(from, {"a polyhedron of at least one face"}, {"one of none"});
       for (std::uint64_t i = 0; i < size; ++i) {
         skip();
         const char* const here = at;
         const std::int64_t f = next_integer("a face index");
         const auto k = static_cast<std::uint64_t>(f < 0 ? -f : f);
-        if (k < 1 || k > out_.num_faces()) fail(here, "a face index from 1 to " + std::to_string(out_.num_faces()) + ", or its negative");
-        if (last_poly[k - 1] == p) fail(here, "different faces in a polyhedron", "face " + std::to_string(k) + " twice");
+        if (k < 1 || k > out_.num_faces()) fail(here, {"a face index from 1 to ", out_.num_faces(), ", or its negative"});
+        if (last_poly[k - 1] == p) fail(here, {"different faces in a polyhedron"}, {"face ", k, " twice"});
         last_poly[k - 1] = static_cast<std::uint32_t>(p);
         out_.poly_faces.push_back(face_id{k - 1});
         out_.outward.push_back(f > 0);
       }
-      if (out_.poly_faces.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 faces of polyhedra");
+      if (out_.poly_faces.size() > max_ids) fail_to_count("faces of polyhedra");
       out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
       tell();
     }
@@ -115,10 +114,12 @@ class hedra_reader : token_cursor {
           for (std::int64_t i = next_integer("a number"); i > 0; --i) next_integer("a number");
         }
         fail(first_cell_,
-             std::string(n ? name_of_poly(true, cells.arity) : name_of_poly(true, wanted_.arity ? wanted_.arity : 4)) +
-                 " (polyhedralmesh and load_any take any polyhedron)",
-             std::string("a ") + (s == cell_shape::general ? "polyhedron" : table_of(s).name) + " of " +
-                 std::to_string(out_.poly_offsets[p + 1] - out_.poly_offsets[p]) + " faces");
+             {name_of_poly(true, n               ? cells.arity
+                                 : wanted_.arity ? wanted_.arity
+                                                 : 4),
+              " (polyhedralmesh and load_any take any polyhedron)"},
+             {"a ", s == cell_shape::general ? "polyhedron" : table_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
+              " faces"});
       }
       cells.verts.insert(cells.verts.end(), known.cell, known.cell + n);
     }
@@ -131,9 +132,10 @@ class hedra_reader : token_cursor {
 
 /// Needs:  text of a .hedra file: numbers in any layout.
 /// Result: its verts, faces and polyhedra in order. Polyhedra whose faces do not agree on the outside, or are inside out, are put right
-///         and counted. Cost: O(size of the text), and sorting the edges of each polyhedron.
+///         and counted.
+/// Cost:   O(size of the text), and sorting the edges of each polyhedron.
 /// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
-///         polyhedron that the wanted mesh cannot hold, text after the last; unsupported if a surface was wanted.
+///         polyhedron that the wanted mesh cannot hold, text after the last.
 inline file_contents read_hedra(const read_context& context) { return hedra_reader(context).read(); }
 
 }  // namespace concino::detail

@@ -8,6 +8,8 @@
 
 namespace concino::detail {
 
+/// What the mesh to be made cannot be is not compiled: surfaces, volumes.
+template<bool Surfaces, bool Volumes>
 class medit_reader : token_cursor {
   const wanted_mesh& wanted_;
   load_report& report_;
@@ -34,9 +36,9 @@ class medit_reader : token_cursor {
 
   file_contents read() {
     skip();
-    if (at_end()) fail(end(), "MeshVersionFormatted", "an empty file");
+    if (at_end()) fail(end(), {"MeshVersionFormatted"});
     const char* const from = at;
-    if (word() != "MeshVersionFormatted") fail(from, "MeshVersionFormatted (MEDIT in ASCII)");
+    if (word() != "MeshVersionFormatted") fail(from, {"MeshVersionFormatted (MEDIT in ASCII)"});
     next_integer("the version of the format, an integer");
     while (!ended_) {
       skip();
@@ -44,7 +46,7 @@ class medit_reader : token_cursor {
       section();
     }
     if (!ended_) report_.notes.push_back("the file has no End: it may be cut off");
-    if (!has_verts_) fail(end(), "a section Vertices");
+    if (!has_verts_) fail(end(), {"a section Vertices"});
     return finish();
   }
 
@@ -58,18 +60,18 @@ class medit_reader : token_cursor {
       skip();
       const char* const number = at;
       dimension_ = static_cast<int>(std::clamp<std::int64_t>(next_integer("the dimension, 2 or 3"), 0, 4));
-      if (dimension_ != 2 && dimension_ != 3) fail(number, "the dimension, 2 or 3");
+      if (dimension_ != 2 && dimension_ != 3) fail(number, {"the dimension, 2 or 3"});
     } else if (keyword == "Vertices") {
-      if (dimension_ == 0) fail(from, "Dimension before Vertices");
-      if (has_verts_) fail(from, "one section Vertices", "another");
+      if (dimension_ == 0) fail(from, {"Dimension before Vertices"});
+      if (has_verts_) fail(from, {"one section Vertices"}, {"another"});
       vertices();
     } else if (keyword.empty()) {
-      fail(from, "a keyword, such as Tetrahedra or End");
+      fail(from, {"a keyword, such as Tetrahedra or End"});
     } else {
       for (const medit_section& s : medit_sections)
         if (keyword == s.keyword) {
           const part here{&s, at, next_count("a number of elements", 2 * s.arity + 2)};
-          if (s.volume && has_verts_) {
+          if (Volumes && s.volume && has_verts_) {
             elements(here);
           } else {
             put_off_.push_back(here);
@@ -106,7 +108,7 @@ class medit_reader : token_cursor {
     skip();
     const char* const from = at;
     const std::int64_t label = next_integer(what);
-    if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) fail(from, std::string(what) + " of 32 bits");
+    if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) fail(from, {what, " of 32 bits"});
     return static_cast<int>(label);
   }
 
@@ -155,25 +157,26 @@ class medit_reader : token_cursor {
       for (std::uint32_t k = 0; k < s.arity; ++k) verts_.push_back(vert_id{next_index(points_.size(), "a vertex index")});
       vert_id* const corners = verts_.data() + (verts_.size() - s.arity);
       if (const std::size_t k = first_repeated(corners, s.arity, scratch); k != s.arity)
-        fail(from, "different vertices in an element", "vertex " + std::to_string(corners[k].raw() + 1) + " twice");
+        fail(from, {"different vertices in an element"}, {"vertex ", corners[k].raw() + 1, " twice"});
       add_label(poly_labels_, polys_ + i, next_label("the reference of an element, an integer"));
-      if (s.volume) report_.reoriented_polys += make_positive(s.shape, corners, points_);
+      if constexpr (Volumes)
+        if (s.volume) report_.reoriented_polys += make_positive(s.shape, corners, points_);
       if (!shapes_.empty()) {
         shapes_.push_back(s.shape);
         poly_begin_.push_back(static_cast<std::uint32_t>(verts_.size()));
       }
       tell();
     }
-    if (verts_.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 corners");
+    if (verts_.size() > max_ids) fail_to_count("corners");
     polys_ += all.count;
     if (!only_) only_ = &s;
   }
 
   [[noreturn]] void refuse(const medit_section& s, std::uint32_t arity) const {
     fail(at,
-         std::string(name_of_poly(s.volume, arity)) +
-             (s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"),
-         "an element of section " + std::string(s.keyword));
+         {name_of_poly(s.volume, arity),
+          s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"},
+         {"an element of section ", s.keyword});
   }
 
   file_contents finish() {
@@ -185,7 +188,7 @@ class medit_reader : token_cursor {
         continue;
       }
       // Where the kind is wrong anyway, load() says so better than the line of some element would.
-      if (has_cells ? !wanted_.cells && !wanted_.polyhedra : !wanted_.surface) {
+      if (has_cells ? !Volumes : !Surfaces) {
         polys_ += p.count;
         continue;
       }
@@ -194,25 +197,27 @@ class medit_reader : token_cursor {
       elements(p);
     }
     for (const auto& [keyword, n] : skipped_)
-      report_.skipped.push_back("section " + keyword + (n ? ", " + std::to_string(n) + " rows" : ""));
+      report_.skipped.push_back(n ? joined({"section ", keyword, ", ", n, " rows"}) : joined({"section ", keyword}));
     if (report_.reoriented_polys)
-      report_.notes.push_back(std::to_string(report_.reoriented_polys) + " of " + std::to_string(polys_) +
-                              " cells had a negative volume: their verts were put into the standard order");
-    if (has_cells && !wanted_.cells && !wanted_.polyhedra) throw_wrong_dimension(name(), true, polys_);
-    if (!has_cells && !wanted_.surface && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
+      report_.notes.push_back(joined({report_.reoriented_polys, " of ", polys_,
+                                      " cells had a negative volume: their verts were put into the standard order"}));
+    if (has_cells && !Volumes) throw_wrong_dimension(name(), true, polys_);
+    if (!has_cells && !Surfaces && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
 
     file_contents out;
     if (!vert_labels_.empty()) vert_labels_.resize(points_.size(), 0);
     if (!poly_labels_.empty()) poly_labels_.resize(polys_, 0);
     out.vert_labels = std::move(vert_labels_);
     out.poly_labels = std::move(poly_labels_);
-    if (polys_ == 0 && wanted_.cells && !wanted_.surface)
-      out.arrays = cell_arrays{std::move(points_), {}, wanted_.arity ? wanted_.arity : 4};
-    else if (polys_ == 0 && !wanted_.surface) out.arrays = polyhedra();
-    else if (!has_cells) out.arrays = surface();
-    else if (shapes_.empty() && (only_->arity == 4 || only_->arity == 8))
-      out.arrays = cell_arrays{std::move(points_), std::move(verts_), only_->arity};
-    else out.arrays = polyhedra();
+    const bool volume = has_cells || !Surfaces;
+    if constexpr (Surfaces)
+      if (!volume) out.arrays = surface();
+    if constexpr (Volumes)
+      if (volume) {
+        const bool fits = wanted_.cells && shapes_.empty() && (!only_ || only_->arity == 4 || only_->arity == 8);
+        if (fits) out.arrays = cell_arrays{std::move(points_), std::move(verts_), only_ ? only_->arity : wanted_.arity ? wanted_.arity : 4};
+        else out.arrays = polyhedra();
+      }
     return out;
   }
 
@@ -246,6 +251,9 @@ class medit_reader : token_cursor {
 /// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the
 ///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
 ///         or the reverse.
-inline file_contents read_medit(const read_context& context) { return medit_reader(context).read(); }
+template<bool Surfaces, bool Volumes>
+file_contents read_medit(const read_context& context) {
+  return medit_reader<Surfaces, Volumes>(context).read();
+}
 
 }  // namespace concino::detail

@@ -23,7 +23,7 @@ class obj_reader : text_cursor {
 
   surface_arrays read(load_report& report) {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
-    if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), "verts and faces", "an empty file");
+    if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), {"verts and faces"}, {"an empty file"});
     if (wanted_.surface) arity_ = wanted_.arity;
     lines();
     // Indices may name what comes later in the file, so the bounds are known only now. A file that breaks them is read once more, with
@@ -33,9 +33,8 @@ class obj_reader : text_cursor {
       restart(all.data());
     }
     if (out_.points.empty() && num_other_ > 0)
-      fail(end(), "verts (v x y z)",
-           "none, and " + std::to_string(num_other_) + " lines that are not of an OBJ file, the first '" + other_ + "'");
-    if (out_.verts.size() > max_ids) throw unsupported(std::string(name()) + ": more than 4294967294 corners");
+      fail(end(), {"verts (v x y z)"}, {"none, and ", num_other_, " lines that are not of an OBJ file, the first '", other_, "'"});
+    if (out_.verts.size() > max_ids) fail_to_count("corners");
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
     trim(out_.points), trim(out_.verts), trim(out_.offsets);
@@ -112,9 +111,7 @@ class obj_reader : text_cursor {
   std::uint64_t absolute(const char* place, std::int64_t i, std::uint64_t so_far, std::uint64_t bound, const char* what) const {
     if (i < 0) i += static_cast<std::int64_t>(so_far) + 1;
     if (i < 1 || static_cast<std::uint64_t>(i) > bound)
-      fail(place, std::string("the index of ") + what +
-                      (bound < max_ids || so_far > 0 ? " from 1 to " + std::to_string(bound < max_ids ? bound : so_far) : " from 1") +
-                      ", or from -1 back to the first read so far");
+      fail(place, {"the index of ", what, " from 1 to ", bound < max_ids ? bound : so_far, ", or from -1 back to the first read so far"});
     return static_cast<std::uint64_t>(i);
   }
 
@@ -125,11 +122,11 @@ class obj_reader : text_cursor {
       const char* const corner = at;
       std::int64_t i = 0;
       const char* p = parse_integer(at, end(), i);
-      if (!p) fail("the index of a vert");
+      if (!p) fail(at, {"the index of a vert"});
       const std::uint64_t v = absolute(corner, i, out_.points.size(), points_, "a vert");
       if (v > max_point_) max_point_ = v;
       if (p != end() && *p == '/') p = attributes(corner, p);
-      if (!ends_token(p, '#')) fail(corner, "a corner v, v/vt, v//vn or v/vt/vn");
+      if (!ends_token(p, '#')) fail(corner, {"a corner v, v/vt, v//vn or v/vt/vn"});
       at = p;
       out_.verts.push_back(vert_id{static_cast<std::uint32_t>(v - 1)});
     }
@@ -156,13 +153,12 @@ class obj_reader : text_cursor {
 
   void end_face(const char* line, std::size_t first) {
     const std::size_t size = out_.verts.size() - first;
-    if (size < 3) fail(line, "a face of at least three corners", "one of " + std::to_string(size));
+    if (size < 3) fail(line, {"a face of at least three corners"}, {"one of ", size});
     const vert_id* corners = out_.verts.data() + first;
     if (const std::size_t i = first_repeated(corners, size, scratch_); i != size)
-      fail(line, "different verts at the corners of a face", "vert " + std::to_string(corners[i].raw() + 1) + " twice");
+      fail(line, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
     if (wanted_.surface && wanted_.arity && size != wanted_.arity)
-      fail(line, std::string(name_of_poly(false, wanted_.arity)) + " (polygonmesh and load_any take any polygon)",
-           "a polygon of " + std::to_string(size) + " corners");
+      fail(line, {name_of_poly(false, wanted_.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", size, " corners"});
     if (out_.offsets.empty()) {
       if (first == 0) arity_ = static_cast<std::uint32_t>(size);
       if (size == arity_) return;
@@ -172,11 +168,11 @@ class obj_reader : text_cursor {
     out_.offsets.push_back(static_cast<std::uint32_t>(out_.verts.size()));
   }
 
-  void other() {
+  [[gnu::noinline]] void other() {
     const char* const from = at;
     while (at != end() && (is_letter(*at) || is_digit(*at) || *at == '_')) ++at;
     const std::string_view word{from, static_cast<std::size_t>(at - from)};
-    if (!is_letter(*from) || !(ends_token(at, '#'))) fail(from, "a keyword of OBJ such as v or f");
+    if (!is_letter(*from) || !(ends_token(at, '#'))) fail(from, {"a keyword of OBJ such as v or f"});
     if (word == "vt") ++num_textures_;
     else if (word == "vn") ++num_normals_;
     else if (word == "l" || word == "p") ++num_lines_;
@@ -190,9 +186,9 @@ class obj_reader : text_cursor {
     skip_joined_line();
   }
 
-  void tell_of_skipped(load_report& report) const {
+  [[gnu::noinline, gnu::cold]] void tell_of_skipped(load_report& report) const {
     const auto skipped = [&](std::uint64_t n, const char* what) {
-      if (n) report.skipped.push_back(std::to_string(n) + " " + what);
+      if (n) report.skipped.push_back(joined({n, " ", what}));
     };
     skipped(num_textures_, "texture coordinates (vt)");
     skipped(num_normals_, "normals (vn)");
@@ -202,8 +198,8 @@ class obj_reader : text_cursor {
     skipped(num_materials_, "uses of materials (usemtl, mtllib)");
     skipped(num_smooth_, "smoothing groups (s)");
     if (num_other_)
-      report.skipped.push_back(std::to_string(num_other_) + " lines with other keywords, the first '" + other_ + "' on line " +
-                               std::to_string(line_of(begin() + first_other_)));
+      report.skipped.push_back(
+          joined({num_other_, " lines with other keywords, the first '", other_, "' on line ", line_of(begin() + first_other_)}));
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/descriptors.hpp>
 #include <concino/error.hpp>
+#include <concino/io/message.hpp>
 #include <concino/io/numbers.hpp>
 #include <concino/progress.hpp>
 
@@ -48,28 +49,35 @@ class text_cursor {
 
   /// Says how far it is, about a hundred times a file.
   void tell() {
-    if (at >= next_tell_ && next_tell_ != end_) {
-      detail::tell(*progress_, static_cast<double>(at - begin_) / static_cast<double>(end_ - begin_), "reading");
-      next_tell_ = static_cast<std::size_t>(end_ - at) > 1 ? at + std::min<std::ptrdiff_t>(end_ - at, (end_ - begin_) / 100 + 1) : end_;
-    }
+    if (at >= next_tell_ && next_tell_ != end_) [[unlikely]] tell_now();
   }
 
+ private:
+  [[gnu::noinline, gnu::cold]] void tell_now() {
+    detail::tell(*progress_, static_cast<double>(at - begin_) / static_cast<double>(end_ - begin_), "reading");
+    next_tell_ = static_cast<std::size_t>(end_ - at) > 1 ? at + std::min<std::ptrdiff_t>(end_ - at, (end_ - begin_) / 100 + 1) : end_;
+  }
+
+ public:
+
   /// Line of a place, from 1; LF, CRLF and CR each end one. The end of the text counts as the end of its last line that says something.
-  std::size_t line_of(const char* place) const {
+  [[gnu::noinline, gnu::cold]] std::size_t line_of(const char* place) const {
     if (place == end_) while (place != begin_ && is_space(place[-1])) --place;
     std::size_t line = 1;
     for (const char* p = begin_; p != place; ++p) line += *p == '\n' ? (p == begin_ || p[-1] != '\r') : *p == '\r';
     return line;
   }
 
-  [[noreturn]] void fail(const char* place, std::string expected, std::string found) const {
-    throw parse_error(std::string(name_), line_of(place), std::move(expected), std::move(found));
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, message expected, message found) const {
+    throw parse_error(std::string(name_), line_of(place), joined(expected), joined(found));
   }
   /// Says what stands at `place` itself.
-  [[noreturn]] void fail(const char* place, std::string expected) const { fail(place, std::move(expected), found_at(place)); }
-  [[noreturn]] void fail(std::string expected) const { fail(at, std::move(expected)); }
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, message expected) const { fail(place, expected, {found_at(place)}); }
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_to_count(const char* what) const {
+    throw_joined<unsupported>({name_, ": more than 4294967294 ", what});
+  }
 
-  std::string found_at(const char* place) const {
+  [[gnu::noinline, gnu::cold]] std::string found_at(const char* place) const {
     if (begin_ == end_) return "an empty file";
     if (place == end_) return "the end of the file";
     if (is_line_end(*place)) return "the end of the line";
@@ -111,8 +119,8 @@ class text_cursor {
   double real(const char* expected, char comment = '#') {
     double x = 0;
     const char* p = parse_real(at, end_, x);
-    if (!p || !ends_token(p, comment)) fail(expected);
-    if (!std::isfinite(x)) fail(std::string(expected) + ", a finite number");
+    if (!p || !ends_token(p, comment)) fail(at, {expected});
+    if (!std::isfinite(x)) fail(at, {expected, ", a finite number"});
     at = p;
     return x;
   }
@@ -120,7 +128,7 @@ class text_cursor {
   std::int64_t integer(const char* expected, char comment = '#') {
     std::int64_t i = 0;
     const char* p = parse_integer(at, end_, i);
-    if (!p || !ends_token(p, comment)) fail(expected);
+    if (!p || !ends_token(p, comment)) fail(at, {expected});
     at = p;
     return i;
   }
@@ -150,9 +158,8 @@ struct token_cursor : text_cursor {
     skip();
     const char* const from = at;
     const std::int64_t n = integer(what, comment);
-    if (n < 0) fail(from, what);
-    if (static_cast<std::uint64_t>(n) > max_ids && room(max_ids + 1, bytes) > max_ids)
-      throw unsupported(std::string(name()) + ": more than 4294967294 elements of one kind");
+    if (n < 0) fail(from, {what});
+    if (static_cast<std::uint64_t>(n) > max_ids && room(max_ids + 1, bytes) > max_ids) fail_to_count("elements of one kind");
     return static_cast<std::uint64_t>(n);
   }
   /// How many of n announced elements the rest of the file can hold; the last needs no line end.
@@ -162,8 +169,7 @@ struct token_cursor : text_cursor {
     skip();
     std::int64_t i = 0;
     const char* p = parse_integer(at, end(), i);
-    if (!p || !ends_token(p, comment) || i < 1 || static_cast<std::uint64_t>(i) > bound)
-      fail(std::string(what) + " from 1 to " + std::to_string(bound));
+    if (!p || !ends_token(p, comment) || i < 1 || static_cast<std::uint64_t>(i) > bound) fail(at, {what, " from 1 to ", bound});
     at = p;
     return static_cast<std::uint32_t>(i - 1);
   }
@@ -175,21 +181,23 @@ void trim(std::vector<T>& v) {
   if (v.capacity() - v.size() > v.size() / 16) v.shrink_to_fit();
 }
 
-/// The first corner that a list of verts repeats, or its length. Quadratic for the few corners that polys have, sorting for many.
-template<class Ids>
-std::size_t first_repeated(const vert_id* verts, std::size_t n, Ids& scratch) {
-  if (n <= 32) {
-    for (std::size_t i = 1; i < n; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (verts[i] == verts[j]) return i;
-    return n;
-  }
+/// The first corner that a list of verts repeats, or its length: by sorting, for lists of many.
+[[gnu::noinline, gnu::cold]] inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, std::vector<vert_id>& scratch) {
   scratch.assign(verts, verts + n);
   std::sort(scratch.begin(), scratch.end());
   const auto twice = std::adjacent_find(scratch.begin(), scratch.end());
   if (twice == scratch.end()) return n;
-  const auto first = static_cast<std::size_t>(std::find(verts, verts + n, *twice) - verts);
-  return static_cast<std::size_t>(std::find(verts + first + 1, verts + n, *twice) - verts);
+  const vert_id* const first = std::find(verts, verts + n, *twice);
+  return static_cast<std::size_t>(std::find(first + 1, verts + n, *twice) - verts);
+}
+
+/// The same, quadratic for the few corners that polys have.
+inline std::size_t first_repeated(const vert_id* verts, std::size_t n, std::vector<vert_id>& scratch) {
+  if (n > 32) return first_repeated_of_many(verts, n, scratch);
+  for (std::size_t i = 1; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (verts[i] == verts[j]) return i;
+  return n;
 }
 
 }  // namespace concino::detail

@@ -22,11 +22,17 @@ class text_sink {
   std::string path_;
 
   char* room(std::size_t n) {
-    if (text_.size() - used_ < n) {
-      if (file_ >= 0) flush();
-      if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, file_ < 0 ? 2 * text_.size() : 0}));
-    }
+    if (text_.size() - used_ < n) make_room(n);
     return text_.data() + used_;
+  }
+  [[gnu::noinline]] void make_room(std::size_t n) {
+    if (file_ >= 0) flush();
+    if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, file_ < 0 ? 2 * text_.size() : 0}));
+  }
+  [[gnu::noinline]] text_sink& put(std::uint64_t i) {
+    char* const p = room(24);
+    used_ += static_cast<std::size_t>(std::to_chars(p, p + 24, i).ptr - p);
+    return *this;
   }
 
  public:
@@ -38,23 +44,21 @@ class text_sink {
     ++used_;
     return *this;
   }
-  text_sink& operator<<(std::string_view s) {
+  [[gnu::noinline]] text_sink& operator<<(std::string_view s) {
     std::memcpy(room(s.size()), s.data(), s.size());
     used_ += s.size();
     return *this;
   }
   text_sink& operator<<(const char* s) { return *this << std::string_view(s); }
   /// The shortest digits that read back as the same number.
-  text_sink& operator<<(double x) {
+  [[gnu::noinline]] text_sink& operator<<(double x) {
     char* const p = room(32);
     used_ += static_cast<std::size_t>(std::to_chars(p, p + 32, x).ptr - p);
     return *this;
   }
   template<std::integral I>
   text_sink& operator<<(I i) {
-    char* const p = room(24);
-    used_ += static_cast<std::size_t>(std::to_chars(p, p + 24, i).ptr - p);
-    return *this;
+    return i < 0 ? (*this << '-').put(0 - static_cast<std::uint64_t>(i)) : put(static_cast<std::uint64_t>(i));
   }
 
   void flush() {
