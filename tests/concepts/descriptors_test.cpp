@@ -9,7 +9,8 @@ namespace cn = concino;
 
 TEST_CASE("an id knows its number and whether it names anything") {
   static_assert(std::regular<cn::vert_id> && std::totally_ordered<cn::vert_id>);
-  static_assert(!std::convertible_to<cn::vert_id, unsigned> && !std::convertible_to<unsigned, cn::vert_id> && !std::convertible_to<cn::vert_id, cn::poly_id>);
+  static_assert(!std::convertible_to<cn::vert_id, unsigned> && !std::convertible_to<unsigned, cn::vert_id> &&
+                !std::convertible_to<cn::vert_id, cn::poly_id>);
   CHECK(cn::vert_id{}.is_none());
   CHECK(cn::vert_id{3}.raw() == 3);
   CHECK(cn::vert_id{3} < cn::vert_id{4});

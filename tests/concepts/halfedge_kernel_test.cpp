@@ -185,7 +185,14 @@ TEST_CASE("fans that touch in a vert") {
 TEST_CASE("polys that share several edges are each other's neighbours once") {
   // Two polygons over the same verts; and one that wraps around another, with more polys in between.
   same_rings({points(6), {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}}});
-  same_rings({points(14), {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, {1, 0, 12}, {2, 1, 13}, {3, 2, 13}, {5, 4, 3, 13, 1, 12}, {7, 6, 5, 12, 0, 11, 10, 9}, {9, 8, 7}}});
+  same_rings({points(14),
+              {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
+               {1, 0, 12},
+               {2, 1, 13},
+               {3, 2, 13},
+               {5, 4, 3, 13, 1, 12},
+               {7, 6, 5, 12, 0, 11, 10, 9},
+               {9, 8, 7}}});
 }
 
 TEST_CASE("what is missing is said") { cn::explain_halfedge_links<links, linked>(); }

@@ -21,9 +21,11 @@ struct proxy_map {  // written through a proxy
   bool operator[](cn::vert_id v) const { return bits[v.raw()]; }
 };
 
-static_assert(cn::ReadableMap<heights, cn::vert_id> && cn::ReadableMap<const heights&, cn::vert_id> && !cn::ReadableMap<heights, cn::poly_id>);
+static_assert(cn::ReadableMap<heights, cn::vert_id> && cn::ReadableMap<const heights&, cn::vert_id> &&
+              !cn::ReadableMap<heights, cn::poly_id>);
 static_assert(!cn::WritableMap<heights, cn::vert_id, double>);
-static_assert(cn::WritableMap<proxy_map&, cn::vert_id, bool> && cn::WritableMap<proxy_map, cn::vert_id, bool> && !cn::WritableMap<const proxy_map, cn::vert_id, bool>);
+static_assert(cn::WritableMap<proxy_map&, cn::vert_id, bool> && cn::WritableMap<proxy_map, cn::vert_id, bool> &&
+              !cn::WritableMap<const proxy_map, cn::vert_id, bool>);
 static_assert(cn::WritableMap<std::map<cn::vert_id, double>, cn::vert_id, double>);
 static_assert(!cn::ReadableMap<int, cn::vert_id> && !cn::ReadableMap<std::vector<double>, cn::vert_id>);
 

@@ -21,7 +21,9 @@ struct concino::mesh_traits<ring_graph> {
   static unsigned num_verts(const ring_graph& g) { return g.n; }
   static unsigned vert_index_bound(const ring_graph& g) { return g.n; }
   static unsigned index_of(const ring_graph&, vert_id v) { return v.raw(); }
-  static std::array<vert_id, 2> adj_v2v(const ring_graph& g, vert_id v) { return {vert_id{(v.raw() + 1) % g.n}, vert_id{(v.raw() + g.n - 1) % g.n}}; }
+  static std::array<vert_id, 2> adj_v2v(const ring_graph& g, vert_id v) {
+    return {vert_id{(v.raw() + 1) % g.n}, vert_id{(v.raw() + g.n - 1) % g.n}};
+  }
 };
 
 namespace {

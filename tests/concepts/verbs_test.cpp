@@ -26,7 +26,8 @@ struct concino::mesh_traits<greedy> : mesh_traits<tiny::surface> {};
 
 TEST_CASE("numbers come as std::size_t, whatever the traits return") {
   const auto s = tiny::surface_example();
-  static_assert(std::same_as<decltype(cn::num_verts(s)), std::size_t> && std::same_as<decltype(cn::index_of(s, tiny::vertex{2})), std::size_t>);
+  static_assert(std::same_as<decltype(cn::num_verts(s)), std::size_t> &&
+                std::same_as<decltype(cn::index_of(s, tiny::vertex{2})), std::size_t>);
   CHECK(cn::num_verts(s) == 8);
   CHECK(cn::num_edges(s) == 10);
   CHECK(cn::num_polys(s) == 4);

@@ -176,16 +176,19 @@ struct concino::mesh_traits<shaped<Arity>> : mesh_traits<tiny::volume> {
 };
 
 TEST_CASE("the standard order of tets and hexes") {
-  const tiny::volume one_tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {2, 3, 0}, {1, 2, 3}}, {{{0, true}, {1, true}, {2, false}, {3, true}}});
+  const tiny::volume one_tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {2, 3, 0}, {1, 2, 3}},
+                             {{{0, true}, {1, true}, {2, false}, {3, true}}});
   tiny::volume tet(one_tet);
   tet.facets[2] = {0, 2, 3};  // stored inward
   static_assert(cn::TetMesh<shaped<4>> && cn::HexMesh<shaped<8>>);
   CHECK(cn::check_laws(shaped<4>{tet, {0, 1, 2, 3}}).empty());
   CHECK(cn::check_laws(shaped<4>{tet, {1, 2, 0, 3}}).empty());
-  for (const std::vector<int>& order : {std::vector<int>{0, 1, 3, 2}, {1, 0, 2, 3}, {0, 1, 2}}) CHECK(names(cn::check_laws(shaped<4>{tet, order}), "VM7", "p0"));
+  for (const std::vector<int>& order : {std::vector<int>{0, 1, 3, 2}, {1, 0, 2, 3}, {0, 1, 2}})
+    CHECK(names(cn::check_laws(shaped<4>{tet, order}), "VM7", "p0"));
 
   const tiny::volume hex({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
-                         {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}, {{{0, true}, {1, true}, {2, true}, {3, true}, {4, true}, {5, true}}});
+                         {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}},
+                         {{{0, true}, {1, true}, {2, true}, {3, true}, {4, true}, {5, true}}});
   CHECK(cn::check_laws(shaped<8>{hex, {0, 1, 2, 3, 4, 5, 6, 7}}).empty());
   CHECK(cn::check_laws(shaped<8>{hex, {1, 2, 3, 0, 5, 6, 7, 4}}).empty());
   CHECK(names(cn::check_laws(shaped<8>{hex, {0, 1, 3, 2, 4, 5, 7, 6}}), "VM7", "p0"));
@@ -209,8 +212,8 @@ TEST_CASE("the arity of a surface") {
 
 TEST_CASE_TEMPLATE("meshes that throw or answer nonsense everywhere are described, at most four times per law", M, surface, volume) {
   M m = example(static_cast<M*>(nullptr));
-  for (const char* verb : {"verts", "edges", "faces", "polys", "adj_v2v", "adj_v2e", "adj_v2f", "adj_v2p", "adj_e2v", "adj_e2f", "adj_e2p", "adj_f2v", "adj_f2e", "adj_f2p",
-                           "adj_p2v", "adj_p2e", "adj_p2f", "adj_p2p"}) {
+  for (const char* verb : {"verts", "edges", "faces", "polys", "adj_v2v", "adj_v2e", "adj_v2f", "adj_v2p", "adj_e2v", "adj_e2f", "adj_e2p",
+                           "adj_f2v", "adj_f2e", "adj_f2p", "adj_p2v", "adj_p2e", "adj_p2f", "adj_p2p"}) {
     if (cn::dimension_v<M> == 2 && std::string_view(verb).find('f') != std::string_view::npos) continue;
     INFO(std::string(verb));
     m.ring = [&](std::string_view asked, int, std::vector<int>&) { if (asked == verb) throw std::out_of_range("no such element"); };
@@ -266,7 +269,9 @@ TEST_CASE("every single face turned the wrong way is found") {
   volume m(tiny::volume_example());
   for (auto p : cn::polys(m))
     for (auto f : cn::adj_p2f(m, p)) {
-      m.number = [=](std::string_view verb, int a, int b, std::size_t n) { return verb == "face_is_outward" && a == p.i && b == f.i ? 1 - n : n; };
+      m.number = [=](std::string_view verb, int a, int b, std::size_t n) {
+        return verb == "face_is_outward" && a == p.i && b == f.i ? 1 - n : n;
+      };
       const auto found = cn::check_laws(m);
       CHECK_FALSE(found.empty());
       only(found, "VM6");

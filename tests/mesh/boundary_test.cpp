@@ -40,7 +40,8 @@ const tiny::volume w = tiny::volume_example();
 using cn::testing::models_in_all_forms;
 static_assert(models_in_all_forms<decltype(cn::boundary(w))>(cn::testing::surface | cn::testing::embedded));
 static_assert(models_in_all_forms<decltype(cn::boundary(cn::only_mesh(w)))>(cn::testing::surface));
-static_assert(cn::TriMesh<decltype(cn::boundary(std::declval<const cn::tetmesh&>()))> && cn::QuadMesh<decltype(cn::boundary(std::declval<const cn::hexmesh&>()))>);
+static_assert(cn::TriMesh<decltype(cn::boundary(std::declval<const cn::tetmesh&>()))> &&
+              cn::QuadMesh<decltype(cn::boundary(std::declval<const cn::hexmesh&>()))>);
 static_assert(std::same_as<cn::poly_t<decltype(cn::boundary(w))>, tiny::facet>);
 template<class M> concept takes_temporary = requires(M&& m) { cn::boundary(static_cast<M&&>(m)); };
 static_assert(!takes_temporary<tiny::volume> && takes_temporary<const tiny::volume&> && !takes_temporary<const tiny::surface&>);

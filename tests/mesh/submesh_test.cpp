@@ -28,7 +28,9 @@ void keeps_all_laws(const M& m) {
 /// The same laws as m, if it is a volume wound at random.
 template<class M, class V>
 void keeps_laws_of(const M& m, const V& part) {
-  const auto winding = [](const auto& found) { return std::any_of(found.begin(), found.end(), [](const auto& b) { return b.law == "VM6"; }); };
+  const auto winding = [](const auto& found) {
+    return std::any_of(found.begin(), found.end(), [](const auto& b) { return b.law == "VM6"; });
+  };
   const bool wound_at_random = winding(cn::check_laws(m));
   for (const auto& b : cn::check_laws(part)) {
     INFO(b.what);

@@ -43,21 +43,29 @@ struct mesh_traits<tiny::liar<B>> {
   using poly = tiny::cell;
   static constexpr int dimension = T::dimension;
 
-#define TINY_ALL(kind) \
-  static auto kind##s(const L& m) requires requires { T::kind##s(m); } { return m.bend(#kind "s", -1, T::kind##s(m)); } \
-  static std::size_t num_##kind##s(const L& m) requires requires { T::kind##s(m); } { return m.number("num_" #kind "s", -1, -1, T::num_##kind##s(m)); } \
-  static std::size_t kind##_index_bound(const L& m) requires requires { T::kind##s(m); } { return m.number(#kind "_index_bound", -1, -1, T::kind##_index_bound(m)); }
-  TINY_ALL(vert) TINY_ALL(edge) TINY_ALL(face) TINY_ALL(poly)
+#define TINY_ALL(kind)                                                                   \
+  static auto kind##s(const L& m) requires requires { T::kind##s(m); }                   \
+  { return m.bend(#kind "s", -1, T::kind##s(m)); }                                       \
+  static std::size_t num_##kind##s(const L& m) requires requires { T::kind##s(m); }      \
+  { return m.number("num_" #kind "s", -1, -1, T::num_##kind##s(m)); }                    \
+  static std::size_t kind##_index_bound(const L& m) requires requires { T::kind##s(m); } \
+  { return m.number(#kind "_index_bound", -1, -1, T::kind##_index_bound(m)); }
+  TINY_ALL(vert)
+  TINY_ALL(edge) TINY_ALL(face) TINY_ALL(poly)
 #undef TINY_ALL
 #define TINY_RING(verb, kind) \
   static auto verb(const L& m, kind x) requires requires { T::verb(m, x); } { return m.bend(#verb, x.i, T::verb(m, x)); }
-  TINY_RING(adj_v2v, vert) TINY_RING(adj_v2e, vert) TINY_RING(adj_v2f, vert) TINY_RING(adj_v2p, vert)
-  TINY_RING(adj_e2v, edge) TINY_RING(adj_e2f, edge) TINY_RING(adj_e2p, edge)
-  TINY_RING(adj_f2v, face) TINY_RING(adj_f2e, face) TINY_RING(adj_f2p, face)
-  TINY_RING(adj_p2v, poly) TINY_RING(adj_p2e, poly) TINY_RING(adj_p2f, poly) TINY_RING(adj_p2p, poly)
+      TINY_RING(adj_v2v, vert) TINY_RING(adj_v2e, vert) TINY_RING(adj_v2f, vert) TINY_RING(adj_v2p, vert) TINY_RING(adj_e2v, edge)
+          TINY_RING(adj_e2f, edge) TINY_RING(adj_e2p, edge) TINY_RING(adj_f2v, face) TINY_RING(adj_f2e, face) TINY_RING(adj_f2p, face)
+              TINY_RING(adj_p2v, poly) TINY_RING(adj_p2e, poly) TINY_RING(adj_p2f, poly) TINY_RING(adj_p2p, poly)
 #undef TINY_RING
-  template<char C> static std::size_t index_of(const L& m, tiny::handle<C> x) { return m.number(std::string("index_of ") + C, x.i, -1, T::index_of(m, x)); }
-  static bool face_is_outward(const L& m, poly p, face f) requires(dimension == 3) { return m.number("face_is_outward", p.i, f.i, T::face_is_outward(m, p, f)) != 0; }
+                  template<char C>
+                  static std::size_t index_of(const L& m, tiny::handle<C> x) {
+    return m.number(std::string("index_of ") + C, x.i, -1, T::index_of(m, x));
+  }
+  static bool face_is_outward(const L& m, poly p, face f) requires(dimension == 3) {
+    return m.number("face_is_outward", p.i, f.i, T::face_is_outward(m, p, f)) != 0;
+  }
   static auto point(const L& m, vert v) { return T::point(m, v); }
 };
 

@@ -6,20 +6,32 @@
 namespace concino::testing {
 
 /// A sum of the following.
-enum modelled { nothing = 0, primal_graph = 1, dual_graph = 2, surface_mesh = 4, volume_mesh = 8, any_mesh = 16, embedded = 32, mutable_points = 64, fixed_arity = 128,
-                surface = primal_graph | dual_graph | surface_mesh | any_mesh, volume = primal_graph | dual_graph | volume_mesh | any_mesh };
+enum modelled {
+  nothing = 0,
+  primal_graph = 1,
+  dual_graph = 2,
+  surface_mesh = 4,
+  volume_mesh = 8,
+  any_mesh = 16,
+  embedded = 32,
+  mutable_points = 64,
+  fixed_arity = 128,
+  surface = primal_graph | dual_graph | surface_mesh | any_mesh,
+  volume = primal_graph | dual_graph | volume_mesh | any_mesh
+};
 
 template<class M>
 constexpr int models() {
-  return (PrimalGraph<M> ? primal_graph : 0) | (DualGraph<M> ? dual_graph : 0) | (SurfaceMesh<M> ? surface_mesh : 0) | (VolumeMesh<M> ? volume_mesh : 0) |
-         (AnyMesh<M> ? any_mesh : 0) | (Embedded<M> ? embedded : 0) | (MutablePoints<M> ? mutable_points : 0) |
-         (TriMesh<M> || QuadMesh<M> || TetMesh<M> || HexMesh<M> ? fixed_arity : 0);
+  return (PrimalGraph<M> ? primal_graph : 0) | (DualGraph<M> ? dual_graph : 0) | (SurfaceMesh<M> ? surface_mesh : 0) |
+         (VolumeMesh<M> ? volume_mesh : 0) | (AnyMesh<M> ? any_mesh : 0) | (Embedded<M> ? embedded : 0) |
+         (MutablePoints<M> ? mutable_points : 0) | (TriMesh<M> || QuadMesh<M> || TetMesh<M> || HexMesh<M> ? fixed_arity : 0);
 }
 
 /// M models exactly `expected`, and so do const M, M&, const M& and M&&.
 template<class M>
 constexpr bool models_in_all_forms(int expected) {
-  return models<M>() == expected && models<const M>() == expected && models<M&>() == expected && models<const M&>() == expected && models<M&&>() == expected;
+  return models<M>() == expected && models<const M>() == expected && models<M&>() == expected && models<const M&>() == expected &&
+         models<M&&>() == expected;
 }
 
 }  // namespace concino::testing

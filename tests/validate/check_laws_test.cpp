@@ -45,7 +45,8 @@ TEST_CASE("non-manifold surfaces keep all laws") {
   // Three polys at an edge, two of which are wound the same way; two fans that touch in a vert; the same poly twice.
   const std::vector<cn::vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {-1, -1, 0}, {-1, 0, 0}};
   keeps_all_laws(cn::trimesh(x, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 5, 6}, {0, 6, 5}, {0, 5, 6}}));
-  keeps_all_laws(cn::polygonmesh(x, std::vector<std::vector<int>>{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 4, 5, 6}, {0, 4, 5, 6}, {0, 1, 4, 5}}));
+  keeps_all_laws(
+      cn::polygonmesh(x, std::vector<std::vector<int>>{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 4, 5, 6}, {0, 4, 5, 6}, {0, 1, 4, 5}}));
   keeps_all_laws(cn::quadmesh(x, std::vector<std::array<int, 4>>{{0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 6, 5}, {0, 1, 2, 3}}));
 }
 
@@ -57,7 +58,8 @@ TEST_CASE("non-manifold volumes keep all laws") {
   // A poly that is not closed, and a face of no poly.
   using faces = std::vector<std::vector<int>>;
   using cells = std::vector<std::vector<std::pair<int, bool>>>;
-  keeps_all_laws(cn::polyhedralmesh(x, faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 2, 5}}, cells{{{0, true}, {1, true}, {2, true}, {3, true}}, {{3, false}, {0, false}}}));
+  keeps_all_laws(cn::polyhedralmesh(x, faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 2, 5}},
+                                    cells{{{0, true}, {1, true}, {2, true}, {3, true}}, {{3, false}, {0, false}}}));
 }
 
 TEST_CASE("a native mesh with a point that is no point breaks EM1 only") {

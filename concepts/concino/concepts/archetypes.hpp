@@ -57,8 +57,9 @@ template<class M> void only_embedded_mesh(const M&& m) = delete;
 
 /// The same, and still known to be of triangles, quads, tets or hexes: TriMesh, QuadMesh, TetMesh or HexMesh, and Embedded.
 template<AnyMesh M>
-  requires Embedded<M> && (arity_v<M> > 0)
-constexpr auto only_fixed_arity_mesh(const M& m) { return archetypes::only<M, archetypes::mesh | archetypes::points | archetypes::arity>(m); }
+  requires Embedded<M> &&(arity_v<M> > 0) constexpr auto only_fixed_arity_mesh(const M& m) {
+    return archetypes::only<M, archetypes::mesh | archetypes::points | archetypes::arity>(m);
+  }
 template<class M> void only_fixed_arity_mesh(const M&& m) = delete;
 
 }  // namespace concino

@@ -1,5 +1,5 @@
-// Adjacencies that follow from the others on every mesh: adj_e2e, the edges that share a vert with an edge, and in volumes adj_f2f, the faces
-// that share an edge with a face. Traits that can do better offer their own.
+// Adjacencies that follow from the others on every mesh: adj_e2e, the edges that share a vert with an edge, and in volumes adj_f2f, the
+// faces that share an edge with a face. Traits that can do better offer their own.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>

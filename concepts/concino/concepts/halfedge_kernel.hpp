@@ -13,8 +13,8 @@
 //     static halfedge halfedge_of(const my_mesh& m, edge e);            // either of the two
 //     static halfedge halfedge_of(const my_mesh& m, poly p);            // one along p
 //     static std::size_t num_verts(const my_mesh& m);                   // num_edges, num_polys alike
-//     // verts(m), vert_index_bound(m), index_of(m, v) and so on: not needed where the descriptors are vert_id, edge_id and poly_id numbered
-//     // without gaps.  point(m, v) for Embedded, arity, set_point ... as in any mesh_traits.
+//     // verts(m), vert_index_bound(m), index_of(m, v) and so on: not needed where the descriptors are vert_id, edge_id and poly_id
+//     // numbered without gaps.  point(m, v) for Embedded, arity, set_point ... as in any mesh_traits.
 //   };
 //   template<> struct concino::mesh_traits<my_mesh> : concino::halfedge_kernel<my_mesh, my_links> {};
 //
@@ -31,15 +31,32 @@ namespace concino {
 namespace requirement {
 
 template<class K, class M>
-concept has_link_types = std::regular<typename K::vert> && std::regular<typename K::edge> && std::regular<typename K::poly> && std::regular<typename K::halfedge>;
-template<class K, class M> concept has_next = requires(const M& m, typename K::halfedge h) { { K::next(m, h) } -> std::convertible_to<typename K::halfedge>; };
-template<class K, class M> concept has_opposite = requires(const M& m, typename K::halfedge h) { { K::opposite(m, h) } -> std::convertible_to<typename K::halfedge>; };
-template<class K, class M> concept has_target = requires(const M& m, typename K::halfedge h) { { K::target(m, h) } -> std::convertible_to<typename K::vert>; };
-template<class K, class M> concept has_is_border = requires(const M& m, typename K::halfedge h) { { K::is_border(m, h) } -> std::convertible_to<bool>; };
-template<class K, class M> concept has_poly_of = requires(const M& m, typename K::halfedge h) { { K::poly_of(m, h) } -> std::convertible_to<typename K::poly>; };
-template<class K, class M> concept has_edge_of = requires(const M& m, typename K::halfedge h) { { K::edge_of(m, h) } -> std::convertible_to<typename K::edge>; };
-template<class K, class M> concept has_is_isolated = requires(const M& m, typename K::vert v) { { K::is_isolated(m, v) } -> std::convertible_to<bool>; };
-template<class K, class M, class X> concept has_halfedge_of = requires(const M& m, X x) { { K::halfedge_of(m, x) } -> std::convertible_to<typename K::halfedge>; };
+concept has_link_types = std::regular<typename K::vert> && std::regular<typename K::edge> && std::regular<typename K::poly> &&
+    std::regular<typename K::halfedge>;
+template<class K, class M> concept has_next = requires(const M& m, typename K::halfedge h) {
+  { K::next(m, h) } -> std::convertible_to<typename K::halfedge>;
+};
+template<class K, class M> concept has_opposite = requires(const M& m, typename K::halfedge h) {
+  { K::opposite(m, h) } -> std::convertible_to<typename K::halfedge>;
+};
+template<class K, class M> concept has_target = requires(const M& m, typename K::halfedge h) {
+  { K::target(m, h) } -> std::convertible_to<typename K::vert>;
+};
+template<class K, class M> concept has_is_border = requires(const M& m, typename K::halfedge h) {
+  { K::is_border(m, h) } -> std::convertible_to<bool>;
+};
+template<class K, class M> concept has_poly_of = requires(const M& m, typename K::halfedge h) {
+  { K::poly_of(m, h) } -> std::convertible_to<typename K::poly>;
+};
+template<class K, class M> concept has_edge_of = requires(const M& m, typename K::halfedge h) {
+  { K::edge_of(m, h) } -> std::convertible_to<typename K::edge>;
+};
+template<class K, class M> concept has_is_isolated = requires(const M& m, typename K::vert v) {
+  { K::is_isolated(m, v) } -> std::convertible_to<bool>;
+};
+template<class K, class M, class X> concept has_halfedge_of = requires(const M& m, X x) {
+  { K::halfedge_of(m, x) } -> std::convertible_to<typename K::halfedge>;
+};
 template<class K, class M>
 concept has_numbers = requires(const M& m) {
   { K::num_verts(m) } -> std::convertible_to<std::size_t>;
@@ -51,10 +68,11 @@ concept has_numbers = requires(const M& m) {
 
 /// K says how the half-edges of M are linked: the list above.
 template<class K, class M>
-concept HalfedgeLinks = requirement::has_link_types<K, M> && requirement::has_next<K, M> && requirement::has_opposite<K, M> && requirement::has_target<K, M> &&
-                        requirement::has_is_border<K, M> && requirement::has_poly_of<K, M> && requirement::has_edge_of<K, M> && requirement::has_is_isolated<K, M> &&
-                        requirement::has_halfedge_of<K, M, typename K::vert> && requirement::has_halfedge_of<K, M, typename K::edge> &&
-                        requirement::has_halfedge_of<K, M, typename K::poly> && requirement::has_numbers<K, M>;
+concept HalfedgeLinks = requirement::has_link_types<K, M> && requirement::has_next<K, M> && requirement::has_opposite<K, M> &&
+    requirement::has_target<K, M> && requirement::has_is_border<K, M> && requirement::has_poly_of<K, M> && requirement::has_edge_of<K, M> &&
+    requirement::has_is_isolated<K, M> && requirement::has_halfedge_of<K, M, typename K::vert> &&
+    requirement::has_halfedge_of<K, M, typename K::edge> && requirement::has_halfedge_of<K, M, typename K::poly> &&
+    requirement::has_numbers<K, M>;
 
 /// Fails to compile with one sentence that names the first thing K lacks to be HalfedgeLinks of M and what to write.
 template<class K, class M>

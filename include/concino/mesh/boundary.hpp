@@ -76,7 +76,10 @@ class outward_ring {
 }  // namespace detail
 
 template<class M>
-struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boundary_view<M>, M>, detail::fixed_arity<arity_v<M> == 4 ? 3 : arity_v<M> == 8 ? 4 : 0> {
+struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boundary_view<M>, M>,
+                                              detail::fixed_arity<arity_v<M> == 4   ? 3
+                                                                  : arity_v<M> == 8 ? 4
+                                                                                    : 0> {
   using V = views::boundary_view<M>;
   using base = detail::partial_traits<V, M>;
   using vert = vert_t<M>;
@@ -93,7 +96,9 @@ struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boun
   using base::contains;
   static bool contains(const V& m, const poly& x) { return base::shows(m, m.elements().faces, x); }
 
-  static auto polys(const V& m) { return detail::filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::shown_in(m, m.elements().faces)); }
+  static auto polys(const V& m) {
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::shown_in(m, m.elements().faces));
+  }
   static auto adj_v2p(const V& m, const vert& v) {
     return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::shown_in(m, m.elements().faces));
   }
@@ -108,15 +113,15 @@ struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boun
 };
 
 /// Needs:  VolumeMesh M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
-/// Result: a SurfaceMesh (a TriMesh of tets, a QuadMesh of hexes) whose polys are the faces with exactly one poly, wound counter-clockwise seen
-///         from outside that poly, and whose verts and edges are those of these faces. Descriptors and indices are those of m, so a poly of
-///         the surface is a face_t<M>. It does not follow later changes of m.
+/// Result: a SurfaceMesh (a TriMesh of tets, a QuadMesh of hexes) whose polys are the faces with exactly one poly, wound counter-clockwise
+///         seen from outside that poly, and whose verts and edges are those of these faces. Descriptors and indices are those of m, so a
+///         poly of the surface is a face_t<M>. It does not follow later changes of m.
 /// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts of faces that m lists clockwise, which copies share.
 template<VolumeMesh M>
 auto boundary(const M& m) {
-  auto s = std::make_shared<detail::shown_elements>(detail::shown_elements{detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)),
-                                                                           detail::element_mask(face_index_bound(m)), detail::element_mask(0),
-                                                                           detail::element_mask(vert_index_bound(m))});
+  auto s = std::make_shared<detail::shown_elements>(detail::shown_elements{
+      detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(face_index_bound(m)),
+      detail::element_mask(0), detail::element_mask(vert_index_bound(m))});
   auto turned = std::make_shared<typename views::boundary_view<M>::turned_faces>();
   std::vector<std::uint32_t> sizes;  // of the turned faces, by face index
   for (const auto f : faces(m)) {

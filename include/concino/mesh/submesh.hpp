@@ -35,7 +35,9 @@ struct submesh_traits : partial_traits<views::submesh_view<M>, M>, fixed_arity<a
   using base::contains;
   static bool contains(const V& m, const poly& x) { return base::shows(m, m.elements().polys, x); }
 
-  static auto polys(const V& m) { return filtered([&]() -> decltype(auto) { return traits<M>::polys(m.base()); }, base::shown_in(m, m.elements().polys)); }
+  static auto polys(const V& m) {
+    return filtered([&]() -> decltype(auto) { return traits<M>::polys(m.base()); }, base::shown_in(m, m.elements().polys));
+  }
   static auto adj_v2p(const V& m, const vert& v) {
     return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2p(m.base(), v); }, base::shown_in(m, m.elements().polys));
   }
@@ -66,7 +68,9 @@ struct submesh_volume_traits : submesh_traits<M> {
   using base::contains;
   static bool contains(const V& m, const face& x) { return base::shows(m, m.elements().faces, x); }
 
-  static auto faces(const V& m) { return filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::shown_in(m, m.elements().faces)); }
+  static auto faces(const V& m) {
+    return filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::shown_in(m, m.elements().faces));
+  }
   static auto adj_v2f(const V& m, const vert& v) {
     return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::shown_in(m, m.elements().faces));
   }
@@ -85,19 +89,20 @@ struct submesh_volume_traits : submesh_traits<M> {
 }  // namespace detail
 
 template<class M>
-struct mesh_traits<views::submesh_view<M>> : std::conditional_t<VolumeMesh<M>, detail::submesh_volume_traits<M>, detail::submesh_traits<M>> {};
+struct mesh_traits<views::submesh_view<M>>
+    : std::conditional_t<VolumeMesh<M>, detail::submesh_volume_traits<M>, detail::submesh_traits<M>> {};
 
 /// Needs:  AnyMesh M; keep(p) says whether poly p is shown, asked once for each. A mesh that owns its elements must outlive the view, so a
 ///         temporary one is refused; of a view it keeps a copy.
-/// Result: a mesh of the same kind with the kept polys, and the verts, edges and faces that these use. Its descriptors and indices are those
-///         of m. It does not follow later changes of m.
+/// Result: a mesh of the same kind with the kept polys, and the verts, edges and faces that these use. Its descriptors and indices are
+///         those of m. It does not follow later changes of m.
 /// Cost:   O(elements of m) time; five bits per vert, edge, face and poly, which copies of the view share.
 template<AnyMesh M, class Keep>
   requires requires(const Keep& keep, const poly_t<M>& p) { { keep(p) } -> std::convertible_to<bool>; }
 auto submesh(const M& m, const Keep& keep) {
-  auto s = std::make_shared<detail::shown_elements>(detail::shown_elements{
-      detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(0), detail::element_mask(poly_index_bound(m)),
-      detail::element_mask(vert_index_bound(m))});
+  auto s = std::make_shared<detail::shown_elements>(
+      detail::shown_elements{detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(0),
+                             detail::element_mask(poly_index_bound(m)), detail::element_mask(vert_index_bound(m))});
   if constexpr (VolumeMesh<M>) s->faces = detail::element_mask(face_index_bound(m));
   for (const auto p : polys(m)) {
     if (!keep(p)) continue;

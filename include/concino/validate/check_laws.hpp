@@ -15,7 +15,8 @@ void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) 
   for (position v = 0; v < vs.size() && !log.full("EM1"); ++v) {
     try {
       const auto& x = point(m, vs.items[v]);
-      if (!std::isfinite(static_cast<double>(x[0])) || !std::isfinite(static_cast<double>(x[1])) || !std::isfinite(static_cast<double>(x[2])))
+      if (!std::isfinite(static_cast<double>(x[0])) || !std::isfinite(static_cast<double>(x[1])) ||
+          !std::isfinite(static_cast<double>(x[2])))
         log.add("EM1", "point(" + vs.name(v) + ") is not three finite numbers", vs.name(v));
     } catch (const std::exception& e) {
       log.add("EM1", "point(" + vs.name(v) + ") throws: " + e.what(), vs.name(v));
@@ -29,7 +30,8 @@ void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) 
 /// Needs:  PrimalGraph or DualGraph M; AnyMesh and Embedded are checked where M models them.
 /// Result: at most four witnesses per law, in the order of the concepts. Meshes that answer nonsense (indices out of bounds, one-sided
 ///         adjacency, endless walks, exceptions) are described, not believed: nothing is asked about an element that the walks do not meet.
-///         Where the indices of a kind of elements are at fault (PG1, DG1, SM1, VM1), repair these first: what follows from them is not told.
+///         Where the indices of a kind of elements are at fault (PG1, DG1, SM1, VM1), repair these first: what follows from them is not
+///         told.
 /// Cost:   O(elements + adjacencies) time and memory.
 template<class M>
   requires PrimalGraph<M> || DualGraph<M>

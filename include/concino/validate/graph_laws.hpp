@@ -18,7 +18,9 @@ void check_graph(const graph_tables<D>& g, const char* symmetry, const char* loo
   compare_sets(
       g.next, transposed(g.next, n.size()), n.size(),
       [&](position a, position b) {
-        log.add(symmetry, verb + ("(" + n.name(a)) + ") holds " + n.name(b) + ", but " + verb + "(" + n.name(b) + ") does not hold " + n.name(a), n.name(a) + " " + n.name(b));
+        log.add(symmetry,
+                verb + ("(" + n.name(a)) + ") holds " + n.name(b) + ", but " + verb + "(" + n.name(b) + ") does not hold " + n.name(a),
+                n.name(a) + " " + n.name(b));
         return !log.full(symmetry);
       },
       [](position, position) { return true; });  // the same pair from the other side

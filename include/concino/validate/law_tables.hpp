@@ -40,7 +40,8 @@ struct element_table {
 
 /// Reads all elements of a kind; breaks `indices` where index_of is at fault and `counting` where the walk is.
 template<class D, class M, class Walk>
-element_table<D> read_elements(const M& m, char letter, const Walk& walk, std::size_t num, std::size_t bound, const char* indices, const char* counting, law_log& log) {
+element_table<D> read_elements(const M& m, char letter, const Walk& walk, std::size_t num, std::size_t bound, const char* indices,
+                               const char* counting, law_log& log) {
   element_table<D> t{letter, {}, {}, {}, true};
   const std::string kind = t.kind();
   std::size_t walked = 0, faults = 0;
@@ -59,11 +60,16 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, std::s
       if (i >= bound) {
         fault(indices, "index_of gives " + std::to_string(i) + ", which is not below " + t.index_bound() + ", " + std::to_string(bound), i);
       } else if (i / 1024 > walked + 65536) {
-        fault(indices, "index_of gives " + std::to_string(i) + " for one of the first " + std::to_string(walked + 1) + " " + kind + "s: too sparse for arrays", i);
+        fault(indices,
+              "index_of gives " + std::to_string(i) + " for one of the first " + std::to_string(walked + 1) + " " + kind +
+                  "s: too sparse for arrays",
+              i);
       } else if (i < t.slot.size() && t.slot[i] != no_position) {
         const bool again = t.items[t.slot[i]] == x;
         fault(again ? counting : indices,
-              again ? "walking the " + kind + "s meets this one twice" : "index_of gives " + std::to_string(i) + " for two different " + kind + "s", i);
+              again ? "walking the " + kind + "s meets this one twice"
+                    : "index_of gives " + std::to_string(i) + " for two different " + kind + "s",
+              i);
       } else {
         if (i >= t.slot.size()) t.slot.resize(std::max(i + 1, std::min(bound, 2 * t.slot.size())), no_position);
         t.slot[i] = t.size();
@@ -75,14 +81,19 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, std::s
     }
     const bool ended = !(it != range.end());
     if (walked != num && faults == 0)
-      log.add(counting, "walking the " + kind + "s meets " + std::to_string(walked) + (ended ? "" : " or more") + ", but num_" + kind + "s is " + std::to_string(num), "");
+      log.add(counting,
+              "walking the " + kind + "s meets " + std::to_string(walked) + (ended ? "" : " or more") + ", but num_" + kind + "s is " +
+                  std::to_string(num),
+              "");
     if (!ended) t.sound = false;
     // Ranges are multi-pass, and keep their order while the mesh does not change.
     position i = 0;
     bool same = true;
     if (t.sound)
-      for (auto again = range.begin(); same && again != range.end(); ++again, ++i) same = i < t.size() && t.items[i] == static_cast<D>(*again);
-    if (t.sound && (!same || i != t.size())) log.add(counting, "walking the " + kind + "s a second time meets others than the first time", "");
+      for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
+        same = i < t.size() && t.items[i] == static_cast<D>(*again);
+    if (t.sound && (!same || i != t.size()))
+      log.add(counting, "walking the " + kind + "s a second time meets others than the first time", "");
   } catch (const std::exception& e) {
     log.add(counting, "walking the " + kind + "s throws: " + e.what(), "");
     t.sound = false;
@@ -102,7 +113,8 @@ struct rings {
 
 /// Reads one adjacency. Every one holds elements of the mesh only, none twice, and gives the same each time: else `law` is broken.
 template<class M, class A, class B, class Ring>
-rings read_rings(const M& m, const element_table<A>& from, const element_table<B>& to, const Ring& ring_of, const char* law, const char* verb, law_log& log) {
+rings read_rings(const M& m, const element_table<A>& from, const element_table<B>& to, const Ring& ring_of, const char* law,
+                 const char* verb, law_log& log) {
   rings r;
   r.offsets.reserve(from.items.size() + 1);
   std::vector<position> seen(to.items.size(), no_position);
@@ -122,13 +134,16 @@ rings read_rings(const M& m, const element_table<A>& from, const element_table<B
         if (faults++ > 0) continue;  // one witness per ring
         if (b != no_position) log.add(law, call() + " holds " + to.name(b) + " twice", from.name(a) + " " + to.name(b));
         else if (to.sound)  // else it may be one that was left out of the table and has been reported
-          log.add(law, call() + " holds something that is not a " + to.kind() + " of the mesh", from.name(a) + " " + to.letter + std::to_string(index_of(m, x)));
+          log.add(law, call() + " holds something that is not a " + to.kind() + " of the mesh",
+                  from.name(a) + " " + to.letter + std::to_string(index_of(m, x)));
       }
       if (faults == 0) {
         std::size_t i = r.offsets.back();
         bool same = true;
-        for (auto it = ring.begin(); same && it != ring.end(); ++it, ++i) same = i < r.items.size() && to.items[r.items[i]] == static_cast<B>(*it);
-        if (!same || i != r.items.size()) log.add(law, "walking " + call() + " a second time meets others than the first time", from.name(a));
+        for (auto it = ring.begin(); same && it != ring.end(); ++it, ++i)
+          same = i < r.items.size() && to.items[r.items[i]] == static_cast<B>(*it);
+        if (!same || i != r.items.size())
+          log.add(law, "walking " + call() + " a second time meets others than the first time", from.name(a));
       }
     } catch (const std::exception& e) {
       log.add(law, call() + " throws: " + e.what(), from.name(a));
@@ -177,7 +192,8 @@ void compare_sets(const rings& x, const rings& y, position num_b, const InX& onl
 
 /// adj_b2a is adj_a2b seen from the other side.
 template<class A, class B>
-void check_mirror(const element_table<A>& as, const element_table<B>& bs, const rings& ab, const rings& ba, const char* law, const char* a2b, const char* b2a, law_log& log) {
+void check_mirror(const element_table<A>& as, const element_table<B>& bs, const rings& ab, const rings& ba, const char* law,
+                  const char* a2b, const char* b2a, law_log& log) {
   const auto one_sided = [&](const std::string& x, const std::string& y, const char* x2y, const char* y2x) {
     log.add(law, x2y + ("(" + x) + ") holds " + y + ", but " + y2x + "(" + y + ") does not hold " + x, x + " " + y);
     return !log.full(law);
@@ -189,7 +205,8 @@ void check_mirror(const element_table<A>& as, const element_table<B>& bs, const 
 
 /// A ring of `verb` is, as a set, what follows from other adjacencies, called `rule`.
 template<class A, class B>
-void check_same(const element_table<A>& as, const element_table<B>& bs, const rings& given, const rings& expected, const char* law, const char* verb, const char* rule, law_log& log) {
+void check_same(const element_table<A>& as, const element_table<B>& bs, const rings& given, const rings& expected, const char* law,
+                const char* verb, const char* rule, law_log& log) {
   compare_sets(
       given, expected, bs.size(),
       [&](position a, position b) {

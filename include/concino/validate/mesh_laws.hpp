@@ -39,8 +39,9 @@ enum class sense : std::uint8_t { along, against, astray };
 
 /// Checks that each polygon's verts, in their order, walk along its edges and meet each once. Gives the sense of each entry of `edges_of`.
 template<class A, class V, class E>
-std::vector<sense> check_cycles(const element_table<A>& polygons, const element_table<V>& vs, const element_table<E>& es, const rings& verts_of, const rings& edges_of,
-                                const rings& e2v, const char* law, const char* a2v, const char* a2e, law_log& log) {
+std::vector<sense> check_cycles(const element_table<A>& polygons, const element_table<V>& vs, const element_table<E>& es,
+                                const rings& verts_of, const rings& edges_of, const rings& e2v, const char* law, const char* a2v,
+                                const char* a2e, law_log& log) {
   std::vector<sense> senses(edges_of.items.size(), sense::astray);
   std::vector<position> at(vs.items.size()), owner(vs.items.size(), no_position), walked(vs.items.size(), no_position);
   for (position a = 0; a < polygons.size(); ++a) {
@@ -52,7 +53,10 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
     }
     const std::string args = "(" + polygons.name(a) + ")";
     if (edges_of[a].size() != n && vs.sound && es.sound)
-      log.add(law, a2e + args + " has " + std::to_string(edges_of[a].size()) + " edges, but " + a2v + args + " has " + std::to_string(n) + " verts", polygons.name(a));
+      log.add(
+          law,
+          a2e + args + " has " + std::to_string(edges_of[a].size()) + " edges, but " + a2v + args + " has " + std::to_string(n) + " verts",
+          polygons.name(a));
     for (std::size_t k = edges_of.offsets[a]; k < edges_of.offsets[a + std::size_t{1}]; ++k) {
       const position e = edges_of.items[k];
       const auto ends = e2v[e];
@@ -73,12 +77,14 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
         }
       }
       if (!on_rim && vs.sound)
-        log.add(law, a2e + args + " holds " + es.name(e) + ", whose ends do not follow one another in " + a2v + args, polygons.name(a) + " " + es.name(e));
+        log.add(law, a2e + args + " holds " + es.name(e) + ", whose ends do not follow one another in " + a2v + args,
+                polygons.name(a) + " " + es.name(e));
     }
     for (position i = 0; i < n && es.sound; ++i)
       if (walked[ring[i]] != a) {
         const std::string here = vs.name(ring[i]), next = vs.name(ring[(i + 1) % n]);
-        log.add(law, a2v + args + " goes from " + here + " to " + next + ", which are not the ends of one of " + a2e + args, polygons.name(a) + " " + here + " " + next);
+        log.add(law, a2v + args + " goes from " + here + " to " + next + ", which are not the ends of one of " + a2e + args,
+                polygons.name(a) + " " + here + " " + next);
       }
   }
   return senses;
@@ -87,7 +93,8 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
 /// adj_p2p(p) is the polys that share a side (an edge or a face) with p. Stops at the first difference of each p, so that a side which
 /// claims every poly costs no more than the answers that were given.
 template<class P, class S>
-void check_neighbours(const element_table<P>& ps, const element_table<S>& sides, const rings& p2p, const rings& p2s, const rings& s2p, const char* law, law_log& log) {
+void check_neighbours(const element_table<P>& ps, const element_table<S>& sides, const rings& p2p, const rings& p2s, const rings& s2p,
+                      const char* law, law_log& log) {
   std::vector<position> given(ps.items.size(), no_position), expected(ps.items.size(), no_position);
   const std::string side = sides.kind() == "edge" ? "an edge" : "a face";
   for (position p = 0; p < ps.size() && !log.full(law); ++p) {
@@ -99,12 +106,15 @@ void check_neighbours(const element_table<P>& ps, const element_table<S>& sides,
         if (q == p) continue;
         expected[q] = p;
         good = given[q] == p;
-        if (!good) log.add(law, "adj_p2p(" + ps.name(p) + ") lacks " + ps.name(q) + ", across " + sides.name(s), ps.name(p) + " " + ps.name(q) + " " + sides.name(s));
+        if (!good)
+          log.add(law, "adj_p2p(" + ps.name(p) + ") lacks " + ps.name(q) + ", across " + sides.name(s),
+                  ps.name(p) + " " + ps.name(q) + " " + sides.name(s));
       }
     for (const position q : p2p[p]) {
       if (good && q != p && expected[q] != p) {
         good = false;
-        log.add(law, "adj_p2p(" + ps.name(p) + ") holds " + ps.name(q) + ", but they share not even " + side, ps.name(p) + " " + ps.name(q));
+        log.add(law, "adj_p2p(" + ps.name(p) + ") holds " + ps.name(q) + ", but they share not even " + side,
+                ps.name(p) + " " + ps.name(q));
       }
     }
   }

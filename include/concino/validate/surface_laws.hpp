@@ -25,7 +25,10 @@ void check_surface_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const
   if constexpr (arity_v<M> > 0) {
     for (position p = 0; p < ps.size() && !log.full("SM6"); ++p)
       if (p2v[p].size() != static_cast<std::size_t>(arity_v<M>) && vs.sound)
-        log.add("SM6", "adj_p2v(" + ps.name(p) + ") has " + std::to_string(p2v[p].size()) + " verts, but the arity of the type is " + std::to_string(arity_v<M>), ps.name(p));
+        log.add("SM6",
+                "adj_p2v(" + ps.name(p) + ") has " + std::to_string(p2v[p].size()) + " verts, but the arity of the type is " +
+                    std::to_string(arity_v<M>),
+                ps.name(p));
   }
 }
 

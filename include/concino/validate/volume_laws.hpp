@@ -9,7 +9,8 @@ namespace concino::detail {
 
 /// The faces of a cell in the standard order, wound counter-clockwise seen from outside; -1 ends a face of fewer verts.
 template<int Arity> inline constexpr std::array<std::array<int, 4>, 0> standard_faces{};
-template<> inline constexpr std::array<std::array<int, 4>, 4> standard_faces<4>{{{0, 2, 1, -1}, {0, 1, 3, -1}, {0, 3, 2, -1}, {1, 2, 3, -1}}};
+template<>
+inline constexpr std::array<std::array<int, 4>, 4> standard_faces<4>{{{0, 2, 1, -1}, {0, 1, 3, -1}, {0, 3, 2, -1}, {1, 2, 3, -1}}};
 template<> inline constexpr std::array<std::array<int, 4>, 6> standard_faces<8>{
     {{0, 3, 2, 1}, {1, 2, 6, 5}, {4, 5, 6, 7}, {3, 0, 4, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}}};
 
@@ -30,7 +31,8 @@ int standard_face(std::span<const int> face) {
 
 /// VM7: the verts of tets and hexes come in the standard order.
 template<int Arity, class P, class V>
-void check_standard_order(const element_table<P>& ps, const element_table<V>& vs, const rings& p2v, const rings& p2f, const rings& f2v, const std::vector<bool>& outward, law_log& log) {
+void check_standard_order(const element_table<P>& ps, const element_table<V>& vs, const rings& p2v, const rings& p2f, const rings& f2v,
+                          const std::vector<bool>& outward, law_log& log) {
   std::vector<int> local;
   for (position p = 0; p < ps.size() && !log.full("VM7"); ++p) {
     const auto ring = p2v[p];
@@ -49,13 +51,17 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
       if (good) met |= 1u << which;
     }
     if (!good && vs.sound)
-      log.add("VM7", "adj_p2v(" + ps.name(p) + ") is not the standard order of a " + (Arity == 4 ? "tet" : "hex") + " with the faces adj_p2f gives, turned outward", ps.name(p));
+      log.add("VM7",
+              "adj_p2v(" + ps.name(p) + ") is not the standard order of a " + (Arity == 4 ? "tet" : "hex") +
+                  " with the faces adj_p2f gives, turned outward",
+              ps.name(p));
   }
 }
 
 /// VM6: where each edge of a poly lies in two of its faces, these, turned outward, run along it in opposite senses.
 template<class P, class E>
-void check_winding(const element_table<P>& ps, const element_table<E>& es, const rings& p2f, const rings& f2e, const std::vector<sense>& senses, const std::vector<bool>& outward, law_log& log) {
+void check_winding(const element_table<P>& ps, const element_table<E>& es, const rings& p2f, const rings& f2e,
+                   const std::vector<sense>& senses, const std::vector<bool>& outward, law_log& log) {
   struct tally { position poly = no_position; int faces = 0, sum = 0; };
   std::vector<tally> at(es.items.size());
   for (position p = 0; p < ps.size() && !log.full("VM6"); ++p) {
@@ -80,7 +86,10 @@ void check_winding(const element_table<P>& ps, const element_table<E>& es, const
       const position e = f2e.items[j];
       if (good && at[e].sum != 0) {
         good = false;
-        log.add("VM6", "the two faces of " + ps.name(p) + " at " + es.name(e) + ", turned outward as face_is_outward says, run along it in the same sense", ps.name(p) + " " + es.name(e));
+        log.add("VM6",
+                "the two faces of " + ps.name(p) + " at " + es.name(e) +
+                    ", turned outward as face_is_outward says, run along it in the same sense",
+                ps.name(p) + " " + es.name(e));
       }
     });
   }

@@ -24,7 +24,8 @@ static_assert(cn::is_view_v<decltype(cn::primal(s))> && std::copyable<decltype(c
 
 // A temporary mesh is refused, a temporary view is not.
 template<class M> concept takes_temporary = requires(M&& m) { cn::primal(static_cast<M&&>(m)); };
-static_assert(!takes_temporary<tiny::surface> && !takes_temporary<const tiny::surface> && takes_temporary<tiny::surface&> && takes_temporary<const tiny::surface&>);
+static_assert(!takes_temporary<tiny::surface> && !takes_temporary<const tiny::surface> && takes_temporary<tiny::surface&> &&
+              takes_temporary<const tiny::surface&>);
 static_assert(takes_temporary<decltype(cn::primal(s))> && takes_temporary<decltype(cn::only_mesh(w))>);
 
 }  // namespace

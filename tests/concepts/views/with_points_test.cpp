@@ -67,7 +67,8 @@ TEST_CASE("a map with a name is not copied, and changes of it are seen") {
 TEST_CASE("what has no points gets them, and views may be of views") {
   const auto bare = cn::only_mesh(w);
   const auto v = cn::with_points(bare, through<decltype(cn::only_mesh(w))>{bare});
-  static_assert(models_in_all_forms<decltype(cn::with_points(bare, through<decltype(cn::only_mesh(w))>{bare}))>(cn::testing::volume | cn::testing::embedded));
+  static_assert(models_in_all_forms<decltype(cn::with_points(bare, through<decltype(cn::only_mesh(w))>{bare}))>(cn::testing::volume |
+                                                                                                                cn::testing::embedded));
   CHECK(cn::check_laws(v).empty());
   const auto g = cn::with_points(cn::only_primal_graph(s), through<decltype(cn::only_primal_graph(s))>{cn::only_primal_graph(s)});
   CHECK(cn::Embedded<decltype(g)>);

@@ -21,7 +21,8 @@ struct mesh_traits<views::dual_view<M>> : detail::forward_polys<views::dual_view
 };
 
 /// Needs:  DualGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
-/// Result: models DualGraph, but no PrimalGraph: its nodes are the polys of m, joined where they share an edge (surface) or a face (volume).
+/// Result: models DualGraph, but no PrimalGraph: its nodes are the polys of m, joined where they share an edge (surface) or a face
+///         (volume).
 /// Cost:   none.
 template<DualGraph M> constexpr auto dual(const M& m) { return views::dual_view<M>(m); }
 template<DualGraph M>

@@ -16,7 +16,8 @@ class primal_view : public shown<M> {
 }  // namespace views
 
 template<class M>
-struct mesh_traits<views::primal_view<M>> : detail::forward_verts<views::primal_view<M>, M>, detail::forward_points<views::primal_view<M>, M> {
+struct mesh_traits<views::primal_view<M>> : detail::forward_verts<views::primal_view<M>, M>,
+                                            detail::forward_points<views::primal_view<M>, M> {
   static constexpr bool is_view = true;
 };
 

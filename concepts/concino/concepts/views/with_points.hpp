@@ -43,8 +43,8 @@ struct mesh_traits<views::with_points_view<M, P>> : detail::forward_all<views::w
   static decltype(auto) point(const views::with_points_view<M, P>& m, const vert_t<M>& v) { return m.points()[v]; }
 };
 
-/// Needs:  PrimalGraph M; points[v] is a point p with p[0], p[1], p[2] for each vert v. A mesh that owns its elements must outlive the view,
-///         so a temporary one is refused. A map with a name must outlive it too; a temporary map is kept in the view.
+/// Needs:  PrimalGraph M; points[v] is a point p with p[0], p[1], p[2] for each vert v. A mesh that owns its elements must outlive the
+///         view, so a temporary one is refused. A map with a name must outlive it too; a temporary map is kept in the view.
 /// Result: models what M models, and Embedded. Its descriptors are those of m.
 /// Cost:   none; copying the view copies a map that it keeps.
 template<PrimalGraph M, class P>

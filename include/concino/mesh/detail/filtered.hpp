@@ -120,8 +120,12 @@ struct partial_traits : forward_points<V, M> {
   static std::size_t vert_index_bound(const V& m) { return concino::vert_index_bound(m.base()); }
   static std::size_t edge_index_bound(const V& m) { return concino::edge_index_bound(m.base()); }
 
-  static auto verts(const V& m) { return filtered([&]() -> decltype(auto) { return traits<M>::verts(m.base()); }, shown_in(m, m.elements().verts)); }
-  static auto edges(const V& m) { return filtered([&]() -> decltype(auto) { return traits<M>::edges(m.base()); }, shown_in(m, m.elements().edges)); }
+  static auto verts(const V& m) {
+    return filtered([&]() -> decltype(auto) { return traits<M>::verts(m.base()); }, shown_in(m, m.elements().verts));
+  }
+  static auto edges(const V& m) {
+    return filtered([&]() -> decltype(auto) { return traits<M>::edges(m.base()); }, shown_in(m, m.elements().edges));
+  }
   static decltype(auto) adj_e2v(const V& m, const edge& e) { return traits<M>::adj_e2v(m.base(), e); }
   static auto adj_v2e(const V& m, const vert& v) {
     return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2e(m.base(), v); }, shown_in(m, m.elements().edges));
@@ -130,13 +134,16 @@ struct partial_traits : forward_points<V, M> {
     const shown_elements* s = &m.elements();
     const M* base = &m.base();
     const bool whole = s->whole_verts[concino::index_of(*base, v)];
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2v(*base, v); }, [=](const vert& w) { return whole || joined(*base, *s, v, w); });
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2v(*base, v); },
+                    [=](const vert& w) { return whole || joined(*base, *s, v, w); });
   }
 
  protected:
   /// The mesh is asked first: the index of something else means nothing.
   template<class X>
-  static bool shows(const V& m, const element_mask& mask, const X& x) { return concino::contains(m.base(), x) && mask[concino::index_of(m.base(), x)]; }
+  static bool shows(const V& m, const element_mask& mask, const X& x) {
+    return concino::contains(m.base(), x) && mask[concino::index_of(m.base(), x)];
+  }
   static auto shown_in(const V& m, const element_mask& mask) {
     return [base = &m.base(), mask = &mask](const auto& x) { return (*mask)[concino::index_of(*base, x)]; };
   }
