@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <random>
 #include <vector>
 
 namespace cn = concino;
@@ -86,6 +87,21 @@ TEST_CASE("faces that share an edge, some of them more than one") {
   check_faces(tiny::volume_example());
   // Two faces on the same verts: they share three edges.
   check_faces(tiny::volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}}, {{{0, true}, {1, true}}}));
+}
+
+TEST_CASE("random faces over few verts") {
+  std::mt19937 random(5);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<tiny::polygon> facets;
+    std::vector<int> verts{0, 1, 2, 3, 4, 5};
+    for (int f = 0; f < 6; ++f) {
+      std::shuffle(verts.begin(), verts.end(), random);
+      facets.emplace_back(verts.begin(), verts.begin() + 3 + f % 3);
+    }
+    const tiny::volume m(std::vector<std::array<double, 3>>(6), facets, {});
+    check_edges(m);
+    check_faces(m);
+  }
 }
 
 TEST_CASE("the traits' own are used where there are any") {
