@@ -63,9 +63,15 @@ TEST_CASE("values, bands and edges change what is seen; a value that is not fini
   CHECK(smooth(3, 20).b > 3 * smooth(3, 20).r);   // blue at the low end
   CHECK(smooth(36, 20).r > 3 * smooth(36, 20).b);  // yellow at the high end
   d.look.bands = 4;
+  d.look.band_width = 0.3;
+  d.look.band_limit = 1;
   const image bands = shot(d);
   CHECK(bands(5, 20).r > 3 * smooth(5, 20).r);     // white at 1/8
   CHECK(bands(10, 20) == smooth(10, 20));          // and not at 2/8
+  d.look.band_limit = 0.01;                        // less than half a pixel
+  const image thin = shot(d);
+  CHECK(thin(5, 20).r < 0.7f * bands(5, 20).r);
+  CHECK(thin(5, 20).r > 1.1f * smooth(5, 20).r);
   d.look.bands = 0;
   d.look.edge_width = 6;
   d.look.edge_opacity = 1;

@@ -56,7 +56,7 @@ camera best_view(std::span<const drawable> drawables, double aspect, const view_
       view.towards = (front * std::cos(angle) + side * std::sin(angle)) * std::cos(height) + up * std::sin(height);
       const camera c = turn == 0 && lift == 0 ? first : frame(drawables, aspect, view);
       const camera unit = scene.to_unit(c);
-      double score = -0.30 * std::abs(angle) / pi - 0.08 * (lift != 0);
+      double score = -0.30 * std::abs(angle) / pi - 0.12 * (lift != 0);
       part whole{0, 0};
       for (std::size_t i = 0; i < drawables.size(); ++i) {
         const part p = visible(unit, i);
@@ -65,7 +65,7 @@ camera best_view(std::span<const drawable> drawables, double aspect, const view_
         whole.seen += p.seen;
         whole.area += p.area;
       }
-      if (whole.area > 0) score += 2 * whole.seen / whole.area;
+      if (whole.area > 0) score += 3 * whole.seen / whole.area;
       if (score > best_score + 1e-9) best_score = score, best = c;
     }
   return best;

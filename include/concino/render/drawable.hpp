@@ -23,6 +23,7 @@ struct appearance {
   value_scale scale;               // which values are at which place of the map
   int bands = 0;                   // white iso-bands, at even distances of the scale; 0: none
   double band_width = 0.12;        // of the distance between two bands, in [0, 1]
+  double band_limit = 0.008;       // no band looks wider, as a fraction of the picture's height: where the field is flat, bands stay lines
   double edge_width = 0;           // lines along the edges of the mesh, in pixels; 0: none
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
   double edge_opacity = 0.6;       // in [0, 1]

@@ -47,7 +47,7 @@ class value_scale {
     value_scale s = linear(sorted.front(), sorted.back());
     const double range = sorted.back() / 2 - sorted.front() / 2;  // halves: their difference cannot overflow
     if (share == 0 || !(range > 0)) return s;
-    constexpr std::size_t steps = 48;
+    constexpr std::size_t steps = 16;  // few, so that the slope does not jump from band to band
     s.values_.clear();
     s.places_.clear();
     const auto place = [&](double x, double rank) { return share * rank + (1 - share) * std::min(1.0, (x / 2 - sorted.front() / 2) / range); };

@@ -108,8 +108,10 @@ class surface_reader {
     const rgb color = look.map(x);
     const double slope = look.scale.slope(value);
     if (look.bands <= 0 || !(slope > 0)) return color;
-    const double width = std::min(1.0, std::max(0.0, look.band_width));
-    return mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.bands, step * slope * look.bands, width)));
+    const double rise = step * slope * look.bands;  // from sample to sample, in distances between bands
+    const double limit = look.band_limit / pixel_ * 2 * fineness_ * rise;
+    const double width = std::min({1.0, std::max(0.0, look.band_width), limit});
+    return mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.bands, 1.5 * rise, width)));
   }
 
   // How much the value changes from one sample to the next, by following the rays beside this one to the triangle's plane.
@@ -124,7 +126,7 @@ class surface_reader {
       if (toward == 0) return std::numeric_limits<double>::infinity();
       return std::abs(dot(gradient, beside.origin + beside.direction * (dot(place - beside.origin, n) / toward) - place));
     };
-    return 1.5 * std::max(step(pixel_ / fineness_, 0), step(0, pixel_ / fineness_));
+    return std::max(step(pixel_ / fineness_, 0), step(0, pixel_ / fineness_));
   }
 
   double edge_coverage(std::size_t which, const drawable& d, const std::array<std::uint32_t, 3>& t, std::uint32_t first, std::uint32_t n, const film_point& film) const {
