@@ -63,12 +63,13 @@ TEST_CASE("orient_polyhedra: the wall of a cavity looks into it") {
   CHECK(orient_polyhedra(copy) == 1);
   CHECK(copy.outward == m.outward);
   // in either wall one face alone is wrong: the majority is believed, the cavity does not turn over
-  for (const std::size_t first : {0u, 3u, 5u}) {
-    copy.outward[first] = !copy.outward[first];
-    copy.outward[first + 6] = !copy.outward[first + 6];
-    CHECK(orient_polyhedra(copy) == 1);
-    CHECK(copy.outward == m.outward);
-  }
+  for (const std::size_t outer : {0u, 3u, 5u})
+    for (const std::size_t inner : {6u, 7u, 11u}) {
+      copy.outward[outer] = !copy.outward[outer];
+      copy.outward[inner] = !copy.outward[inner];
+      CHECK(orient_polyhedra(copy) == 1);
+      CHECK(copy.outward == m.outward);
+    }
 }
 
 TEST_CASE("orient_polyhedra: open, flat and empty polyhedra") {
