@@ -2,16 +2,18 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/geometry/measure.hpp>
 #include <concino/graph/bfs.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/assembly.hpp>
+#include <concino/operators/detail/product.hpp>
+#include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/weights.hpp>
 #include <concino/progress.hpp>
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/detail/residual.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -71,27 +73,27 @@ dirichlet_problem<M> dirichlet(const M& m, const D& given, double isolated_value
   return r;
 }
 
-/// K = A (M^-1 A)^(n-1) with A = -L over all verts.
-template<class M, class W>
-Eigen::SparseMatrix<double> polyharmonic(const M& m, const W& weights, concino::weights which, int exponent) {
-  const auto a = assemble<whole_matrix>(m, weights, static_cast<std::size_t>(vert_index_bound(m)), 1.0,
-                                        [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); }, [](int, const vert_t<M>&, double) {});
-  Eigen::VectorXd inverse_mass = Eigen::VectorXd::Ones(a.rows());
+/// 1 / mass of each vert, for M^-1 in powers of the Laplacian: 1 for uniform weights, else by the lumped mass. `a` is minus the Laplacian.
+template<class M>
+std::vector<double> inverse_masses(const M& m, const Eigen::SparseMatrix<double>& a, concino::weights which) {
+  std::vector<double> inverse(static_cast<std::size_t>(a.cols()), 1.0);
   if constexpr (AnyMesh<M> && Embedded<M>) {
-    if (which != weights::uniform) {
-      const auto mass = vert_masses(m);
-      for (const vert_t<M> v : verts(m)) {
-        const auto i = static_cast<Eigen::Index>(index_of(m, v));
-        if (mass[v] > 0) inverse_mass[i] = 1 / mass[v];
-        else if (a.coeff(i, i) != 0) throw invalid_mesh("harmonic_map: vert " + number_text(i) + " has edges but no polys, so no mass; use uniform weights");
-      }
+    if (which == weights::uniform) return inverse;
+    const auto mass = vert_masses(m);
+    for (const vert_t<M> v : verts(m)) {
+      const std::size_t i = index_of(m, v);
+      if (mass[v] > 0) inverse[i] = 1 / mass[v];
+      else if (a.coeff(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) != 0)
+        throw invalid_mesh("harmonic_map: vert " + number_text(i) + " has edges but no polys with a measure, so no mass; use uniform weights");
     }
   }
+  return inverse;
+}
+
+/// A (M^-1 A)^(n-1).
+inline Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& inverse_mass, int exponent) {
   Eigen::SparseMatrix<double> k = a;
-  for (int n = 1; n < exponent; ++n) {
-    const Eigen::SparseMatrix<double> scaled = inverse_mass.asDiagonal() * k;
-    k = a * scaled;
-  }
+  for (int n = 1; n < exponent; ++n) k = scaled_product(a, inverse_mass, k);
   return k;
 }
 
@@ -145,12 +147,18 @@ vert_map<M, double> harmonic_map(M&& m, const D& values, const harmonic_map_opti
   auto problem = detail::dirichlet(mesh_in, values, options.isolated_value, "harmonic_map");
 
   Eigen::VectorXd b = Eigen::VectorXd::Zero(problem.unknowns);
-  const Eigen::SparseMatrix<double> a = detail::with_weights(mesh_in, options.weights, [&](const auto& weights) {
-    if (options.exponent > 1) return detail::restrict_to_unknowns(detail::polyharmonic(mesh_in, weights, options.weights, options.exponent), mesh_in, problem, b);
-    return detail::assemble<detail::lower_triangle>(
-        mesh_in, weights, static_cast<std::size_t>(problem.unknowns), 1.0, [&](const vert_t<M>& v) { return problem.unknown[v]; },
-        [&](int row, const vert_t<M>& w, double weight) { b[row] += weight * problem.value[w]; });
-  });
+  const Eigen::SparseMatrix<double> a = [&] {
+    if (options.exponent > 1) {
+      const Eigen::SparseMatrix<double> all = -laplacian(mesh_in, {.weights = options.weights});
+      const auto k = detail::polyharmonic(all, detail::inverse_masses(mesh_in, all, options.weights), options.exponent);
+      return detail::restrict_to_unknowns(k, mesh_in, problem, b);
+    }
+    return detail::with_weights(mesh_in, options.weights, [&](const auto& weights) {
+      return detail::assemble<detail::lower_triangle>(
+          mesh_in, weights, static_cast<std::size_t>(problem.unknowns), 1.0, [&](const vert_t<M>& v) { return problem.unknown[v]; },
+          [&](int row, const vert_t<M>& w, double weight) { b[row] += weight * problem.value[w]; });
+    });
+  }();
   if (problem.unknowns > 0) {
     detail::tell(options.progress, 0.1, "harmonic map: factorising");
     solver.factorize(a);
