@@ -15,11 +15,12 @@ namespace concino {
 
 using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, polyhedralmesh>;
 
+/// Reads a file as what it is; std::visit goes on from there.
 /// Result: of the six kinds the most special that holds the file: triangles only, quads only, any polygons; tets only, hexes only, any
 ///         polyhedra. A .hedra file is always a polyhedralmesh, a file without polys a polygonmesh unless it says that it is a volume.
 /// Cost:   as load.
 /// Errors: as load, but for kinds that do not fit: every kind does.
-template<class Variant = any_mesh>  // a template, so that programs that do not call it need not compile six meshes
+template<class Variant = any_mesh>  // a template only so that programs that do not call it need not compile six meshes
 Variant load_any(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
   const detail::mapped_file file(path);

@@ -247,7 +247,8 @@ class medit_reader : token_cursor {
 /// Needs:  text of a MEDIT file: keywords, counts and rows in any layout, sections in any order, `#` comments, Dimension 2 (z is 0) or 3.
 /// Result: a volume if there is any cell, else a surface. Elements keep their order. Cells of negative volume are turned into the standard
 ///         order and counted. References become labels unless all are zero. Surface elements of a volume, and sections that a mesh has no
-///         place for, are reported as skipped.   Cost: O(size of the text)
+///         place for, are reported as skipped.
+/// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the
 ///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
 ///         or the reverse.

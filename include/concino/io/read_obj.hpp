@@ -204,7 +204,8 @@ class obj_reader : text_cursor {
 };
 
 /// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
-/// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are.   Cost: O(size of the text)
+/// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are.
+/// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a number that is none or not finite, of an index out of range, of a poly of fewer than three
 ///         verts or with a vert twice, of a poly that the wanted mesh cannot hold; of an empty file.
 inline file_contents read_obj(const read_context& context) {
