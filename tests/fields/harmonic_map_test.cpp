@@ -1,6 +1,7 @@
 #include <concino/fields/harmonic_map.hpp>
 
 #include <concino/concepts/archetypes.hpp>
+#include <concino/edit/elements.hpp>
 #include <concino/operators/laplacian.hpp>
 
 #include <support/kinds.hpp>
@@ -300,4 +301,29 @@ TEST_CASE("harmonic_map: solves with the solver that is handed in, which keeps i
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return 0.5 * ldlt::solve(b) + Eigen::VectorXd::Ones(b.size()); }
   };
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{26}, 1.0}}, {}, wrong{}), doctest::Contains("too badly conditioned"), solver_error);
+}
+
+TEST_CASE_TEMPLATE("harmonic_map, laplacian, masses: on a mesh with elements removed and not renumbered", M, CONCINO_ALL_KINDS) {
+  M m(jittered(grid_arrays<M>(4), 0.02));
+  const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)};
+  remove_vert(m, gone);
+  const auto l = laplacian(m);
+  CHECK(static_cast<std::size_t>(l.rows()) == vert_index_bound(m));
+  CHECK(l.col(static_cast<Eigen::Index>(gone.raw())).nonZeros() == 0);
+  CHECK((l * Eigen::VectorXd::Ones(l.rows())).cwiseAbs().maxCoeff() < 1e-12);
+  CHECK(mass_matrix(m).coeff(static_cast<Eigen::Index>(gone.raw()), static_cast<Eigen::Index>(gone.raw())) == 0);
+  const vert_id a{0}, b{static_cast<unsigned>(vert_index_bound(m) - 1)};
+  const auto u = harmonic_map(m, {{a, 0}, {b, 1}});
+  for (const auto v : verts(m)) {
+    double mean = 0, n = 0;
+    for (const auto w : adj_v2v(m, v)) {
+      mean += u[w];
+      n += 1;
+    }
+    if (n == 0) CHECK(u[v] == 0);
+    else if (v != a && v != b) CHECK(u[v] == doctest::Approx(mean / n).epsilon(1e-11));
+  }
+  const auto squared = harmonic_map(m, {{a, 0}, {b, 1}}, {.exponent = 2});
+  CHECK(squared[b] == 1);
+  CHECK_THROWS_AS(harmonic_map(m, {{gone, 1}}), invalid_mesh);
 }

@@ -1,6 +1,8 @@
 #include <concino/graph/dijkstra.hpp>
 
 #include <concino/concepts/archetypes.hpp>
+#include <concino/edit/elements.hpp>
+#include <concino/graph/bfs.hpp>
 
 #include <support/boost_graph.hpp>
 #include <support/kinds.hpp>
@@ -206,4 +208,30 @@ TEST_CASE("dijkstra: around a regular polygon, to the last vert before the antip
   const polygonmesh m(points, polygon);
   const auto d = dijkstra(m, vert_id{0});
   for (int i = 0; i < n; ++i) CHECK(d[vert_id{i}] == doctest::Approx(std::min(i, n - i) * 2 * std::sin(std::numbers::pi / n)).epsilon(1e-13));
+}
+
+TEST_CASE_TEMPLATE("dijkstra, bfs: on a mesh with elements removed and not renumbered", M, CONCINO_ALL_KINDS) {
+  M m(jittered(grid_arrays<M>(3), 0.05));
+  const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)};
+  const poly_id hole = *adj_v2p(m, gone).begin();
+  remove_vert(m, gone);
+  remove_poly(m, *polys(m).begin());
+  CHECK(vert_index_bound(m) > num_verts(m));
+  const auto g = make_boost_graph(vert_index_bound(m), primal_arcs(m, straight(m)));
+  const auto dual = make_boost_graph(poly_index_bound(m), dual_arcs(m, centre_to_centre(m)));
+  const auto s = *verts(m).begin();
+  const auto p = *polys(m).begin();
+  const auto d = dijkstra(m, s);
+  const auto expected = boost_distances(g, index_of(m, s));
+  const auto hops = bfs(m, s);
+  const auto expected_hops = boost_hops(g, index_of(m, s));
+  for (const auto v : verts(m)) {
+    CHECK(std::min(d[v], 1e9) == doctest::Approx(std::min(expected[index_of(m, v)], 1e9)).epsilon(1e-13));
+    CHECK(hops[v] == expected_hops[index_of(m, v)]);
+  }
+  const auto across = dijkstra(m, p);
+  const auto expected_across = boost_distances(dual, index_of(m, p));
+  for (const auto q : polys(m)) CHECK(std::min(across[q], 1e9) == doctest::Approx(std::min(expected_across[index_of(m, q)], 1e9)).epsilon(1e-13));
+  CHECK_THROWS_AS(dijkstra(m, gone), invalid_mesh);
+  CHECK_THROWS_AS(bfs(m, hole), invalid_mesh);
 }

@@ -47,7 +47,7 @@ constexpr vec3 cross(const vec3& a, const vec3& b) {
 inline double norm(const vec3& a) {
   const double squared = dot(a, a);
   if (squared > 1e-280 && squared < 1e290) return std::sqrt(squared);
-  return std::hypot(a.x, a.y, a.z);
+  return std::hypot(std::hypot(a.x, a.y), a.z);  // the form of three arguments is not a number for infinite ones (libstdc++ 12)
 }
 inline double distance(const vec3& a, const vec3& b) { return norm(a - b); }
 inline bool is_finite(const vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
