@@ -16,7 +16,7 @@ namespace concino {
 struct render_options {
   std::size_t width = 1600, height = 1200;   // pixels
   int samples = 3;                           // per pixel along each side, 1 to 32; 9 in all for 3
-  int sky_rays = 45;                         // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
+  int sky_rays = 36;                         // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
   double sky_distance = 0.9;                 // up to where things shade one another, in half diagonals of the bounding box
   bool ground = true;                        // catches the shadow on a plane under the lowest point; shown from above only
   vec3 up = {0, 1, 0};                       // away from the ground
@@ -59,7 +59,7 @@ class painter {
   cosine_directions sky_;
   static constexpr double gap_ = 3e-5;  // rays start this far off the surface, to miss it in single precision
   static constexpr double far_ = 1e30;
-  static constexpr std::size_t light_rays_ = 2;  // for each sample
+  static constexpr std::size_t light_rays_ = 1;  // for each sample
 
   /// What falls in from the sky and the ground, 1 for a point that sees only sky overhead.
   double sky_light(const vec3& place, const vec3& normal, const vec3& flat, std::size_t sample, const cosine_directions::turn& turn) const {
