@@ -199,7 +199,9 @@ void run(const M& m, double read, double build, const std::string& picture, cons
     }
     fmt::print("{:<12}{} at vert {}, {} at vert {}\n", "extrema", u[low], cn::index_of(m, low), u[high], cn::index_of(m, high));
   }
-  const std::pair<const char*, double> stages[] = {{"read", read}, {"build", build}, {"choose ends", choose}, {"solve", solved}, {"write field", written}, {"render", rendered}, {"write PNG", saved}};
+  const std::pair<const char*, double> stages[] = {{"read", read},      {"build", build},         {"choose ends", choose},
+                                                   {"solve", solved},   {"write field", written}, {"render", rendered},
+                                                   {"write PNG", saved}};
   for (const auto& [stage, time] : stages) fmt::print("{:<12}{:.3f} s\n", stage, time);
   fmt::print("{:<12}{}\n{:<12}{}\n", "field", field, "picture", picture);
 }

@@ -47,7 +47,8 @@ TEST_CASE("framing: every point within the margin, two opposite margins touched,
       for (const double scale : {1e-12, 1.0, 1e12})
         for (const vec3& stretch : {vec3{1, 1, 1}, vec3{5, 0.1, 0.1}, vec3{0.1, 4, 1}}) {
           std::vector<vec3> points;
-          for (int i = 0; i < 200; ++i) points.push_back(vec3{unit(random) * stretch.x + 7, unit(random) * stretch.y, unit(random) * stretch.z} * scale);
+          for (int i = 0; i < 200; ++i)
+            points.push_back(vec3{unit(random) * stretch.x + 7, unit(random) * stretch.y, unit(random) * stretch.z} * scale);
           framing f(aspect, {.angle = angle, .margin = 0.1});
           f.show(points);
           const camera c = f.best();

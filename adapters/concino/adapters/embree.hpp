@@ -21,18 +21,24 @@ class embree_caster {
     void operator()(RTCScene s) const { rtcReleaseScene(s); }
     void operator()(RTCGeometry g) const { rtcReleaseGeometry(g); }
   };
-  template<class T> using handle = std::unique_ptr<std::remove_pointer_t<T>, release>;
+  template<class T>
+  using handle = std::unique_ptr<std::remove_pointer_t<T>, release>;
 
   handle<RTCDevice> device_;  // before the scene, which it outlives
   handle<RTCScene> scene_;
 
   static void check(RTCDevice device, const char* doing) {
     switch (rtcGetDeviceError(device)) {
-      case RTC_ERROR_NONE: return;
-      case RTC_ERROR_OUT_OF_MEMORY: throw std::bad_alloc();
-      case RTC_ERROR_UNSUPPORTED_CPU: throw unsupported(std::string("embree: ") + doing + ": this processor is not supported, it needs SSE2");
-      case RTC_ERROR_INVALID_ARGUMENT: throw invalid_argument(std::string("embree: ") + doing + ": invalid argument");
-      default: throw unsupported(std::string("embree: ") + doing + ": failed inside Embree");
+      case RTC_ERROR_NONE:
+        return;
+      case RTC_ERROR_OUT_OF_MEMORY:
+        throw std::bad_alloc();
+      case RTC_ERROR_UNSUPPORTED_CPU:
+        throw unsupported(std::string("embree: ") + doing + ": this processor is not supported, it needs SSE2");
+      case RTC_ERROR_INVALID_ARGUMENT:
+        throw invalid_argument(std::string("embree: ") + doing + ": invalid argument");
+      default:
+        throw unsupported(std::string("embree: ") + doing + ": failed inside Embree");
     }
   }
 

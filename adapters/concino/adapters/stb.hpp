@@ -63,8 +63,8 @@ namespace concino {
   const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
   const std::vector<std::uint8_t> pixels = srgb_bytes(picture);
   int length = 0;
-  const std::unique_ptr<unsigned char, decltype(&std::free)> png(detail::stb::stbi_write_png_to_mem(pixels.data(), width * 3, width, height, 3, &length),
-                                                                 &std::free);
+  unsigned char* const bytes = detail::stb::stbi_write_png_to_mem(pixels.data(), width * 3, width, height, 3, &length);
+  const std::unique_ptr<unsigned char, decltype(&std::free)> png(bytes, &std::free);
   if (!png) throw io_error("write_png: " + path + ": not enough memory to compress the picture");
 
   const std::string unfinished = path + ".part";

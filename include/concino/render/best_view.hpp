@@ -20,7 +20,7 @@ camera best_view(std::span<const drawable> drawables, double aspect, const view_
   const auto caster = tracer.build(scene.soup);
   constexpr double pi = 3.14159265358979323846;
   constexpr std::size_t looks = 1024;  // at triangles of each drawable
-  constexpr double enough = 0.08;     // of a drawable's area; to see more of it is no great gain
+  constexpr double enough = 0.08;      // of a drawable's area; to see more of it is no great gain
   const vec3 up = options.up / norm(options.up), side = first.right, front = cross(side, up);
   const double rise = std::atan2(dot(first.back, up), dot(first.back, front));
 

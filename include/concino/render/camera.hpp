@@ -25,7 +25,7 @@ struct sight {
 struct camera {
   vec3 eye;
   vec3 right = {1, 0, 0}, up = {0, 1, 0}, back = {0, 0, 1};  // orthonormal; it looks along -back
-  double half_height = 1;     // of the film: at distance 1 from the eye, or of what is seen if parallel
+  double half_height = 1;                                    // of the film: at distance 1 from the eye, or of what is seen if parallel
   bool parallel = false;
 
   sight through(const film_point& f) const {
@@ -49,7 +49,8 @@ inline camera looking(const vec3& eye, const vec3& back, const vec3& up) {
   camera c;
   c.eye = eye;
   const double length = norm(back), up_length = norm(up);
-  if (!(length > 0) || !std::isfinite(length) || !is_finite(eye)) throw invalid_argument("camera: the eye and its target must be finite and apart");
+  if (!(length > 0) || !std::isfinite(length) || !is_finite(eye))
+    throw invalid_argument("camera: the eye and its target must be finite and apart");
   if (!(up_length > 0) || !std::isfinite(up_length)) throw invalid_argument("camera: up must be a finite direction");
   c.back = back / length;
   vec3 right = cross(up / up_length, c.back);
@@ -97,8 +98,7 @@ class framing {
  public:
   /// Needs:  aspect = width / height of the picture.
   /// Errors: invalid_argument if an option is out of its range.
-  explicit framing(double aspect, const view_options& options = {})
-      : camera_(detail::looking({}, options.towards, options.up)) {
+  explicit framing(double aspect, const view_options& options = {}) : camera_(detail::looking({}, options.towards, options.up)) {
     if (!(aspect > 0) || !std::isfinite(aspect)) throw invalid_argument("framing: the aspect of the picture must be positive");
     if (!(options.margin >= 0 && options.margin < 1)) throw invalid_argument("framing: margin must be in [0, 1)");
     camera_.parallel = options.angle == 0;

@@ -11,8 +11,18 @@ namespace concino {
 struct rgb {
   float r = 0, g = 0, b = 0;
 
-  constexpr rgb& operator+=(const rgb& o) { r += o.r; g += o.g; b += o.b; return *this; }
-  constexpr rgb& operator*=(float s) { r *= s; g *= s; b *= s; return *this; }
+  constexpr rgb& operator+=(const rgb& o) {
+    r += o.r;
+    g += o.g;
+    b += o.b;
+    return *this;
+  }
+  constexpr rgb& operator*=(float s) {
+    r *= s;
+    g *= s;
+    b *= s;
+    return *this;
+  }
   friend constexpr rgb operator+(rgb x, const rgb& y) { return x += y; }
   friend constexpr rgb operator*(rgb x, float s) { return x *= s; }
   friend constexpr rgb operator*(const rgb& x, const rgb& y) { return {x.r * y.r, x.g * y.g, x.b * y.b}; }
@@ -30,7 +40,9 @@ inline rgb srgb(float r, float g, float b) { return {linear_from_srgb(r), linear
 
 /// Three bytes for a file. What is brighter than white becomes white, what is not a number black.
 inline std::array<std::uint8_t, 3> srgb_bytes(const rgb& c) {
-  const auto byte = [](float x) { return !(x > 0) ? std::uint8_t{0} : x >= 1 ? std::uint8_t{255} : static_cast<std::uint8_t>(srgb_from_linear(x) * 255 + 0.5f); };
+  const auto byte = [](float x) {
+    return !(x > 0) ? std::uint8_t{0} : x >= 1 ? std::uint8_t{255} : static_cast<std::uint8_t>(srgb_from_linear(x) * 255 + 0.5f);
+  };
   return {byte(c.r), byte(c.g), byte(c.b)};
 }
 

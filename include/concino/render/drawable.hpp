@@ -17,29 +17,29 @@ namespace concino {
 
 /// How the surface of a drawable looks.
 struct appearance {
-  rgb color = srgb(0.80f, 0.80f, 0.82f);   // where there are no values
+  rgb color = srgb(0.80f, 0.80f, 0.82f);     // where there are no values
   rgb no_value = srgb(0.55f, 0.55f, 0.55f);  // where a value is infinite or not a number
   colormap map = blue_to_yellow;
-  value_scale scale;               // which values are at which place of the map
-  int bands = 0;                   // white iso-bands, at even distances of the scale; 0: none
-  double band_width = 0.12;        // of the distance between two bands, in [0, 1]
-  double band_limit = 0.008;       // no band looks wider, as a fraction of the picture's height: where the field is flat, bands stay lines
-  double edge_width = 0;           // lines along the edges of the mesh, in pixels; 0: none
+  value_scale scale;          // which values are at which place of the map
+  int bands = 0;              // white iso-bands, at even distances of the scale; 0: none
+  double band_width = 0.12;   // of the distance between two bands, in [0, 1]
+  double band_limit = 0.008;  // no band looks wider, as a fraction of the picture's height: where the field is flat, bands stay lines
+  double edge_width = 0;      // lines along the edges of the mesh, in pixels; 0: none
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
-  double edge_opacity = 0.6;       // in [0, 1]
-  double shine = 1;                // of the highlights, 0: none
+  double edge_opacity = 0.6;  // in [0, 1]
+  double shine = 1;           // of the highlights, 0: none
 };
 
 /// Polygons of the surface of a mesh, ready for drawing. All in units of the mesh.
 struct drawable {
   std::vector<vec3> points;
-  std::vector<double> values;                    // per point; empty: no values
-  std::vector<std::uint32_t> offsets = {0};      // polygon p has the corners offsets[p] .. offsets[p+1]-1
-  std::vector<std::uint32_t> corners;            // a point each
-  std::vector<std::array<float, 3>> normals;     // per corner, unit
-  std::vector<std::uint32_t> polys;              // per polygon: index_of the poly of the mesh that it shows
+  std::vector<double> values;                           // per point; empty: no values
+  std::vector<std::uint32_t> offsets = {0};             // polygon p has the corners offsets[p] .. offsets[p+1]-1
+  std::vector<std::uint32_t> corners;                   // a point each
+  std::vector<std::array<float, 3>> normals;            // per corner, unit
+  std::vector<std::uint32_t> polys;                     // per polygon: index_of the poly of the mesh that it shows
   std::vector<std::array<std::uint32_t, 3>> triangles;  // three corners each
-  std::vector<std::uint32_t> polygon_of;         // per triangle
+  std::vector<std::uint32_t> polygon_of;                // per triangle
   appearance look;
 
   polygon_list polygons() const { return {points, offsets, corners}; }
@@ -90,7 +90,8 @@ inline void add_triangles(drawable& d) {
 
 template<class M, class Value>
 drawable make_drawable(const M& m, const drawable_options& options, bool with_values, Value&& value) {
-  if (!(options.crease_angle >= 0 && options.crease_angle <= 180)) throw invalid_argument("make_drawable: crease_angle must be in [0, 180] degrees");
+  if (!(options.crease_angle >= 0 && options.crease_angle <= 180))
+    throw invalid_argument("make_drawable: crease_angle must be in [0, 180] degrees");
   constexpr std::uint32_t unseen = ~std::uint32_t{0};
   drawable d;
   std::vector<std::uint32_t> point_of(static_cast<std::size_t>(vert_index_bound(m)), unseen);
@@ -102,7 +103,8 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
         at = static_cast<std::uint32_t>(d.points.size());
         d.points.push_back(to_vec3(point(m, v)));
         if (!is_finite(d.points.back()))
-          throw invalid_mesh("make_drawable: vert " + std::to_string(static_cast<std::size_t>(index_of(m, v))) + " has a coordinate that is not a finite number");
+          throw invalid_mesh("make_drawable: vert " + std::to_string(static_cast<std::size_t>(index_of(m, v))) +
+                             " has a coordinate that is not a finite number");
         if (with_values) d.values.push_back(value(v));
       }
       d.corners.push_back(at);
@@ -123,18 +125,17 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
 /// Cost:   O(polygons), more where many meet in a vert.
 /// Errors: invalid_mesh if a vert that is shown has a coordinate that is not finite; invalid_argument if crease_angle is out of range.
 template<class M>
-  requires AnyMesh<M> && Embedded<M>
-drawable make_drawable(const M& m, const drawable_options& options = {}) {
-  return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
-}
+  requires AnyMesh<M> && Embedded<M> drawable make_drawable(const M& m, const drawable_options& options = {}) {
+    return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
+  }
 
 /// The same coloured by a value per vert, interpolated over each polygon. `look.scale` is linear over the finite values shown.
 template<class M, class U>
-  requires AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
-drawable make_drawable(const M& m, const U& u, const drawable_options& options = {}) {
-  drawable d = detail::make_drawable(m, options, true, [&](const auto& v) { return static_cast<double>(u[v]); });
-  d.look.scale = value_scale::linear(d.values);
-  return d;
-}
+  requires AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>> drawable make_drawable(const M& m, const U& u,
+                                                                                         const drawable_options& options = {}) {
+    drawable d = detail::make_drawable(m, options, true, [&](const auto& v) { return static_cast<double>(u[v]); });
+    d.look.scale = value_scale::linear(d.values);
+    return d;
+  }
 
 }  // namespace concino

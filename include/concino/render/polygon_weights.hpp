@@ -19,7 +19,10 @@ namespace concino {
 inline void polygon_weights(std::span<const vec3> corners, const vec3& normal, const vec3& x, std::vector<double>& weights) {
   const std::size_t n = corners.size();
   weights.assign(n, 0);
-  const auto flat = [&](const vec3& p) { const vec3 d = p - x; return d - normal * dot(d, normal); };
+  const auto flat = [&](const vec3& p) {
+    const vec3 d = p - x;
+    return d - normal * dot(d, normal);
+  };
   const auto half_tangent = [&](const vec3& a, const vec3& b, double ra, double rb) {  // of half the angle from a to b, seen from x
     const double area = dot(normal, cross(a, b)), along = dot(a, b);
     return area != 0 ? (ra * rb - along) / area : 0;

@@ -27,15 +27,13 @@ struct ray_hit {
 };
 
 /// Answers from several threads at once. Hits count if their t is within [t_near, t_far].
-template<class C>
-concept RayCaster = requires(const C& c, const vec3& origin, const vec3& direction, double t_near, double t_far) {
+template<class C> concept RayCaster = requires(const C& c, const vec3& origin, const vec3& direction, double t_near, double t_far) {
   { c.intersect(origin, direction, t_near, t_far) } -> std::convertible_to<ray_hit>;
   { c.occluded(origin, direction, t_near, t_far) } -> std::convertible_to<bool>;
 };
 
 /// Builds a ray caster for given triangles.
-template<class T>
-concept RayTracer = requires(const T& t, const triangle_soup& soup) {
+template<class T> concept RayTracer = requires(const T& t, const triangle_soup& soup) {
   { t.build(soup) } -> RayCaster;
 };
 
@@ -46,8 +44,9 @@ struct no_ray_tracer {
     bool occluded(const vec3&, const vec3&, double, double) const { return false; }
   };
   caster build(const triangle_soup&) const {
-    throw unsupported("rendering needs a ray tracer: include <concino/adapters/embree.hpp> (Debian: libembree-dev) and hand in concino::embree{} as the "
-                      "last argument");
+    throw unsupported(
+        "rendering needs a ray tracer: include <concino/adapters/embree.hpp> (Debian: libembree-dev) and hand in concino::embree{} as the "
+        "last argument");
   }
 };
 

@@ -4,26 +4,26 @@
 #include <concino/parallel.hpp>
 #include <concino/progress.hpp>
 #include <concino/render/camera.hpp>
-#include <concino/render/image.hpp>
-#include <concino/render/ray_caster.hpp>
 #include <concino/render/detail/sampling.hpp>
 #include <concino/render/detail/surface_color.hpp>
+#include <concino/render/image.hpp>
+#include <concino/render/ray_caster.hpp>
 
 #include <span>
 
 namespace concino {
 
 struct render_options {
-  std::size_t width = 1600, height = 1200;   // pixels
-  int samples = 3;                           // per pixel along each side, 1 to 32; 9 in all for 3
-  int sky_rays = 36;                         // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
-  double sky_distance = 0.9;                 // up to where things shade one another, in half diagonals of the bounding box
-  bool ground = true;                        // catches the shadow on a plane under the lowest point; shown from above only
-  vec3 up = {0, 1, 0};                       // away from the ground
-  vec3 light = {-0.55, 0.9, 0.75};           // towards the light, as seen by the camera: right, up, back
-  double light_size = 9;                     // degrees from its middle to its rim: how soft shadows are
+  std::size_t width = 1600, height = 1200;  // pixels
+  int samples = 3;                          // per pixel along each side, 1 to 32; 9 in all for 3
+  int sky_rays = 36;                        // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
+  double sky_distance = 0.9;                // up to where things shade one another, in half diagonals of the bounding box
+  bool ground = true;                       // catches the shadow on a plane under the lowest point; shown from above only
+  vec3 up = {0, 1, 0};                      // away from the ground
+  vec3 light = {-0.55, 0.9, 0.75};          // towards the light, as seen by the camera: right, up, back
+  double light_size = 9;                    // degrees from its middle to its rim: how soft shadows are
   rgb background = {1, 1, 1};
-  concino::progress progress = {};           // told "rendering"
+  concino::progress progress = {};  // told "rendering"
 };
 
 /// The nearest camera that sees all of the drawables.      Errors: as framing.
@@ -97,7 +97,8 @@ class painter {
     return sum / static_cast<double>(light_rays_);
   }
 
-  rgb paint_surface(const surface_point& s, const sight& ray, std::size_t sample, const cosine_directions::turn& turn, const unit_point& shift) const {
+  rgb paint_surface(const surface_point& s, const sight& ray, std::size_t sample, const cosine_directions::turn& turn,
+                    const unit_point& shift) const {
     const vec3 start = s.lifted + s.flat * gap_;
     const double sky = sky_light(start, s.normal, s.flat, sample, turn);
     const double key = key_light(start, s.normal, s.flat, sample, shift);
@@ -123,7 +124,8 @@ class painter {
   }
 
  public:
-  painter(const unit_scene& scene, const C& caster, const camera& c, const render_options& o) : scene_(scene), caster_(caster), options_(o), camera_(scene.to_unit(c)), sky_(static_cast<std::size_t>(o.sky_rays)) {
+  painter(const unit_scene& scene, const C& caster, const camera& c, const render_options& o)
+      : scene_(scene), caster_(caster), options_(o), camera_(scene.to_unit(c)), sky_(static_cast<std::size_t>(o.sky_rays)) {
     up_ = o.up / norm(o.up);
     light_ = camera_.right * o.light.x + camera_.up * o.light.y + camera_.back * o.light.z;
     light_ /= norm(light_);

@@ -80,24 +80,27 @@ inline std::vector<std::array<float, 3>> smooth_normals(const polygon_list& list
   }
 
   const double cosine = std::cos(crease_angle * 3.14159265358979323846 / 180);
-  parallel_for(list.points.size(), [&](std::size_t v) {
-    const std::span<const std::uint32_t> ring(around.data() + starts[v], around.data() + starts[v + 1]);
-    const auto normal_of = [&](std::uint32_t c) { return to_vec3(polygon[polygon_of[c]]); };
-    const auto mean = [&](const vec3& like, double at_least) {
-      vec3 sum;
-      for (const std::uint32_t c : ring)
-        if (dot(normal_of(c), like) >= at_least) sum += normal_of(c) * static_cast<double>(angle[c]);
-      return sum;
-    };
-    const bool many = ring.size() > 64;
-    const vec3 all = many ? mean({}, -1) : vec3{};
-    for (const std::uint32_t c : ring) {
-      const vec3 own = normal_of(c), sum = many ? all : mean(own, cosine);
-      const double length = norm(sum);
-      const bool fits = length > 0 && (!many || dot(own, sum) >= cosine * length);
-      normals[c] = fits ? detail::to_normal3(sum / length) : polygon[polygon_of[c]];
-    }
-  }, 256);
+  parallel_for(
+      list.points.size(),
+      [&](std::size_t v) {
+        const std::span<const std::uint32_t> ring(around.data() + starts[v], around.data() + starts[v + 1]);
+        const auto normal_of = [&](std::uint32_t c) { return to_vec3(polygon[polygon_of[c]]); };
+        const auto mean = [&](const vec3& like, double at_least) {
+          vec3 sum;
+          for (const std::uint32_t c : ring)
+            if (dot(normal_of(c), like) >= at_least) sum += normal_of(c) * static_cast<double>(angle[c]);
+          return sum;
+        };
+        const bool many = ring.size() > 64;
+        const vec3 all = many ? mean({}, -1) : vec3{};
+        for (const std::uint32_t c : ring) {
+          const vec3 own = normal_of(c), sum = many ? all : mean(own, cosine);
+          const double length = norm(sum);
+          const bool fits = length > 0 && (!many || dot(own, sum) >= cosine * length);
+          normals[c] = fits ? detail::to_normal3(sum / length) : polygon[polygon_of[c]];
+        }
+      },
+      256);
   return normals;
 }
 

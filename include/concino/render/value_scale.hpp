@@ -25,7 +25,8 @@ class value_scale {
 
   /// In proportion, from `low` to `high`.      Errors: invalid_argument unless both are finite and low <= high.
   static value_scale linear(double low, double high) {
-    if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high)) throw invalid_argument("value_scale: low and high must be finite, low <= high");
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high))
+      throw invalid_argument("value_scale: low and high must be finite, low <= high");
     value_scale s;
     s.values_ = {low, high};
     return s;
@@ -50,7 +51,9 @@ class value_scale {
     constexpr std::size_t steps = 16;  // few, so that the slope does not jump from band to band
     s.values_.clear();
     s.places_.clear();
-    const auto place = [&](double x, double rank) { return share * rank + (1 - share) * std::min(1.0, (x / 2 - sorted.front() / 2) / range); };
+    const auto place = [&](double x, double rank) {
+      return share * rank + (1 - share) * std::min(1.0, (x / 2 - sorted.front() / 2) / range);
+    };
     for (std::size_t k = 0; k <= steps;) {
       const double x = sorted[(sorted.size() - 1) * k / steps];
       const std::size_t first = k;

@@ -54,7 +54,9 @@ inline vec3 cosine_direction(const frame& f, const unit_point& u) {
 
 /// The same for all points of a spread sequence moved by a shift, with the sines and cosines taken once: rays come by the million.
 class cosine_directions {
-  struct ray { double x, cosine, sine; };
+  struct ray {
+    double x, cosine, sine;
+  };
   std::vector<ray> rays_;
 
  public:

@@ -1,8 +1,8 @@
 // The colour of a point of a drawable before light falls on it: values through the colour map, iso-bands and edges.
 #pragma once
 
-#include <concino/render/polygon_weights.hpp>
 #include <concino/render/detail/unit_scene.hpp>
+#include <concino/render/polygon_weights.hpp>
 
 namespace concino::detail {
 
@@ -25,8 +25,8 @@ inline double segment_distance(const film_point& p, const film_point& a, const f
 
 /// Where a ray met the surface, with all that shading needs.
 struct surface_point {
-  vec3 place, lifted;    // on the triangle; on the smooth surface that the triangle stands for
-  vec3 flat, normal;     // of the triangle and of the smooth surface, towards the viewer
+  vec3 place, lifted;  // on the triangle; on the smooth surface that the triangle stands for
+  vec3 flat, normal;   // of the triangle and of the smooth surface, towards the viewer
   rgb color;
   double shine = 0;
 };
@@ -70,8 +70,10 @@ class surface_reader {
       polygon_weights(corners_, length > 0 ? along / length : s.flat, s.place, weights_);
     }
     const auto mean = [&](auto&& of_corner, auto sum) {
-      if (whole) for (std::uint32_t i = 0; i < n; ++i) sum += of_corner(first + i) * weights_[i];
-      else for (std::size_t k = 0; k < 3; ++k) sum += of_corner(t[k]) * bary[k];
+      if (whole)
+        for (std::uint32_t i = 0; i < n; ++i) sum += of_corner(first + i) * weights_[i];
+      else
+        for (std::size_t k = 0; k < 3; ++k) sum += of_corner(t[k]) * bary[k];
       return sum;
     };
     const auto corner_normal = [&](std::uint32_t i) { return to_vec3(d.normals[i]); };
@@ -95,7 +97,8 @@ class surface_reader {
       const double ends_value[3] = {value(t[0]), value(t[1]), value(t[2])};
       s.color = value_color(d.look, mean(value, 0.0), value_step(a, b, c, ends_value, s.place, film));
     }
-    if (d.look.edge_width > 0) s.color = mix(s.color, d.look.edge_color, static_cast<float>(d.look.edge_opacity * edge_coverage(which, d, t, first, n, film)));
+    if (d.look.edge_width > 0)
+      s.color = mix(s.color, d.look.edge_color, static_cast<float>(d.look.edge_opacity * edge_coverage(which, d, t, first, n, film)));
     return s;
   }
 
@@ -129,7 +132,8 @@ class surface_reader {
     return std::max(step(pixel_ / fineness_, 0), step(0, pixel_ / fineness_));
   }
 
-  double edge_coverage(std::size_t which, const drawable& d, const std::array<std::uint32_t, 3>& t, std::uint32_t first, std::uint32_t n, const film_point& film) const {
+  double edge_coverage(std::size_t which, const drawable& d, const std::array<std::uint32_t, 3>& t, std::uint32_t first, std::uint32_t n,
+                       const film_point& film) const {
     double nearest = std::numeric_limits<double>::infinity();
     const auto side = [&](std::uint32_t i, std::uint32_t j) {
       nearest = std::min(nearest, segment_distance(film, camera_.project(corner(which, i)), camera_.project(corner(which, j))));

@@ -71,7 +71,8 @@ class unit_scene {
   /// The square of the greatest distance from 0.
   double squared_reach() const {
     double reach = 0;
-    for (std::size_t i = 0; i < soup.points.size(); ++i) reach = std::max(reach, dot(point(static_cast<std::uint32_t>(i)), point(static_cast<std::uint32_t>(i))));
+    for (std::size_t i = 0; i < soup.points.size(); ++i)
+      reach = std::max(reach, dot(point(static_cast<std::uint32_t>(i)), point(static_cast<std::uint32_t>(i))));
     return reach;
   }
 
