@@ -6,6 +6,7 @@
 
 #include <support/boost_graph.hpp>
 #include <support/kinds.hpp>
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 
@@ -234,4 +235,16 @@ TEST_CASE_TEMPLATE("dijkstra, bfs: on a mesh with elements removed and not renum
   for (const auto q : polys(m)) CHECK(std::min(across[q], 1e9) == doctest::Approx(std::min(expected_across[index_of(m, q)], 1e9)).epsilon(1e-13));
   CHECK_THROWS_AS(dijkstra(m, gone), invalid_mesh);
   CHECK_THROWS_AS(bfs(m, hole), invalid_mesh);
+}
+
+TEST_CASE("dijkstra: a mesh of a stranger, with coordinates that are no numbers") {
+  tiny::surface m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 2}});
+  const auto d = dijkstra(m, tiny::vertex{0});
+  CHECK(d[tiny::vertex{4}] == 2);
+  CHECK(dijkstra(m, {tiny::cell{0}})[tiny::cell{1}] == doctest::Approx(std::hypot(4.0 / 3 - 0.5, 1.0 / 3 - 0.5)));
+  m.points[4][1] = std::nan("");
+  for (const auto v : verts(m)) CHECK_THROWS_WITH_AS(dijkstra(m, v), doctest::Contains("is not a number"), invalid_mesh);
+  for (const auto p : polys(m)) CHECK_THROWS_WITH_AS(dijkstra(m, p), doctest::Contains("is not a number"), invalid_mesh);
+  m.points[4][1] = inf;
+  CHECK(dijkstra(m, tiny::vertex{0})[tiny::vertex{4}] == inf);
 }

@@ -3,6 +3,7 @@
 #include <concino/concepts/archetypes.hpp>
 
 #include <support/kinds.hpp>
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 
@@ -201,4 +202,15 @@ TEST_CASE("laplacian: a fan of a thousand triangles, three of them at one edge")
     CHECK((l * Eigen::VectorXd::Ones(l.rows())).cwiseAbs().maxCoeff() < 1e-9);
   }
   CHECK(laplacian(m).coeff(0, 0) == -(n + 1));
+}
+
+TEST_CASE("laplacian, cotangent: a mesh of a stranger; coordinates that are no numbers are refused, not passed on") {
+  tiny::surface m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  const auto l = laplacian(m, {.weights = weights::cotangent});
+  CHECK(l.coeff(1, 2) == doctest::Approx(0));
+  CHECK(l.coeff(0, 1) == doctest::Approx(0.5));
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    m.points[1][0] = bad;
+    CHECK_THROWS_AS(laplacian(m, {.weights = weights::cotangent}), invalid_mesh);
+  }
 }
