@@ -13,7 +13,7 @@
 namespace concino {
 
 struct ambient_occlusion_options {
-  int directions = 128;                                       // per polygon, 1 or more
+  int directions = 128;  // per polygon, 1 or more
   double distance = std::numeric_limits<double>::infinity();  // in units of the mesh: what is farther away shades nothing
   concino::progress progress = {};                            // told "ambient occlusion"
 };
@@ -26,54 +26,56 @@ struct ambient_occlusion_options {
 /// Errors: invalid_argument if an option is out of its range; as make_drawable; unsupported without a ray tracer; cancelled.
 /// Source: Zhukov, Iones and Kronin 1998; Malley's sampling of the cosine.
 template<class M, RayTracer T = no_ray_tracer>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> poly_map<M, double> ambient_occlusion(
-      M&& m, const ambient_occlusion_options& options = {}, const T& tracer = {}) {
-    if (options.directions < 1) throw invalid_argument("ambient_occlusion: directions must be 1 or more");
-    if (!(options.distance > 0)) throw invalid_argument("ambient_occlusion: distance must be positive");
-    const drawable d = make_drawable(m, {.crease_angle = 0});
-    const detail::unit_scene scene({&d, 1});
-    const auto caster = tracer.build(scene.soup);
-    const double far = std::min(1e30, scene.to_unit(options.distance));
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& options = {}, const T& tracer = {}) {
+  if (options.directions < 1) throw invalid_argument("ambient_occlusion: directions must be 1 or more");
+  if (!(options.distance > 0)) throw invalid_argument("ambient_occlusion: distance must be positive");
+  const drawable d = make_drawable(m, {.crease_angle = 0});
+  const detail::unit_scene scene({&d, 1});
+  const auto caster = tracer.build(scene.soup);
+  const double far = std::min(1e30, scene.to_unit(options.distance));
 
-    const std::size_t n = d.polygons().size();
-    std::vector<std::uint32_t> first(n + 1, 0);
-    for (const std::uint32_t p : d.polygon_of) ++first[p + 1];
-    for (std::size_t p = 0; p < n; ++p) first[p + 1] += first[p];
-    std::vector<double> free(n), area(n);
-    detail::tell(options.progress, 0, "ambient occlusion");
-    const auto polygon = [&](std::size_t p) {
-      const auto triangles = first[p + 1] - first[p],
-                 each = std::max(1u, static_cast<unsigned>(options.directions) / std::max(1u, triangles));
-      for (std::uint32_t t = first[p]; t < first[p + 1]; ++t) {
-        const auto at = [&](std::size_t k) { return scene.point(d.corners[d.triangles[t][k]]); };
-        const vec3 a = at(0), b = at(1), c = at(2), normal = cross(b - a, c - a);
-        const double size = norm(normal);
-        if (!(size > 0)) continue;
-        const vec3 up = normal / size, start = (a + b + c) / 3 + up * 3e-5;
-        const detail::frame around(up);
-        const detail::unit_point shift = detail::random_point(t);
-        unsigned open = 0;
-        for (unsigned k = 0; k < each; ++k)
-          open += !caster.occluded(start, detail::cosine_direction(around, detail::spread_point(k, shift)), 0, far);
-        free[p] += size * open / each;
-        area[p] += size;
+  const std::size_t n = d.polygons().size();
+  std::vector<std::uint32_t> first(n + 1, 0);
+  for (const std::uint32_t p : d.polygon_of) ++first[p + 1];
+  for (std::size_t p = 0; p < n; ++p) first[p + 1] += first[p];
+  std::vector<double> free(n), area(n);
+  detail::tell(options.progress, 0, "ambient occlusion");
+  const auto polygon = [&](std::size_t p) {
+    const unsigned triangles = first[p + 1] - first[p];
+    const unsigned each = std::max(1u, static_cast<unsigned>(options.directions) / std::max(1u, triangles));
+    for (std::uint32_t t = first[p]; t < first[p + 1]; ++t) {
+      const auto at = [&](std::size_t k) { return scene.point(d.corners[d.triangles[t][k]]); };
+      const vec3 a = at(0), b = at(1), c = at(2), normal = cross(b - a, c - a);
+      const double size = norm(normal);
+      if (!(size > 0)) continue;
+      const vec3 up = normal / size, start = (a + b + c) / 3 + up * 3e-5;
+      const detail::frame around(up);
+      const detail::unit_point shift = detail::random_point(t);
+      unsigned open = 0;
+      for (unsigned k = 0; k < each; ++k) {
+        const vec3 direction = detail::cosine_direction(around, detail::spread_point(k, shift));
+        open += !caster.occluded(start, direction, 0, far);
       }
-    };
-    parallel_for(n, polygon, 64, [&](double fraction) {
-      detail::tell(options.progress, fraction, "ambient occlusion");
-      return false;
-    });
-
-    auto result = make_poly_map<double>(m, 0.0);
-    std::vector<double> whole(result.values().size(), 0.0);
-    for (std::size_t p = 0; p < n; ++p) {
-      result.values()[d.polys[p]] += free[p];
-      whole[d.polys[p]] += area[p];
+      free[p] += size * open / each;
+      area[p] += size;
     }
-    for (std::size_t i = 0; i < whole.size(); ++i)
-      if (whole[i] > 0) result.values()[i] /= whole[i];
-    detail::tell(options.progress, 1, "ambient occlusion");
-    return result;
+  };
+  parallel_for(n, polygon, 64, [&](double fraction) {
+    detail::tell(options.progress, fraction, "ambient occlusion");
+    return false;
+  });
+
+  auto result = make_poly_map<double>(m, 0.0);
+  std::vector<double> whole(result.values().size(), 0.0);
+  for (std::size_t p = 0; p < n; ++p) {
+    result.values()[d.polys[p]] += free[p];
+    whole[d.polys[p]] += area[p];
   }
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    if (whole[i] > 0) result.values()[i] /= whole[i];
+  detail::tell(options.progress, 1, "ambient occlusion");
+  return result;
+}
 
 }  // namespace concino

@@ -125,17 +125,18 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
 /// Cost:   O(polygons), more where many meet in a vert.
 /// Errors: invalid_mesh if a vert that is shown has a coordinate that is not finite; invalid_argument if crease_angle is out of range.
 template<class M>
-  requires AnyMesh<M> && Embedded<M> drawable make_drawable(const M& m, const drawable_options& options = {}) {
-    return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
-  }
+  requires AnyMesh<M> && Embedded<M>
+drawable make_drawable(const M& m, const drawable_options& options = {}) {
+  return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
+}
 
 /// The same coloured by a value per vert, interpolated over each polygon. `look.scale` is linear over the finite values shown.
 template<class M, class U>
-  requires AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>> drawable make_drawable(const M& m, const U& u,
-                                                                                         const drawable_options& options = {}) {
-    drawable d = detail::make_drawable(m, options, true, [&](const auto& v) { return static_cast<double>(u[v]); });
-    d.look.scale = value_scale::linear(d.values);
-    return d;
-  }
+  requires AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
+drawable make_drawable(const M& m, const U& u, const drawable_options& options = {}) {
+  drawable d = detail::make_drawable(m, options, true, [&](const auto& v) { return static_cast<double>(u[v]); });
+  d.look.scale = value_scale::linear(d.values);
+  return d;
+}
 
 }  // namespace concino
