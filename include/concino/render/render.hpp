@@ -16,7 +16,7 @@ namespace concino {
 struct render_options {
   std::size_t width = 1600, height = 1200;  // pixels
   int samples = 3;                          // per pixel along each side, 1 to 32; 9 in all for 3
-  int sky_rays = 36;                        // per pixel, to see how much of the sky each point sees; 0: no ambient occlusion
+  int sky_rays = 36;                        // per pixel, at least one for each sample, to see how much of the sky is free; 0: no ambient occlusion
   double sky_distance = 0.9;                // up to where things shade one another, in half diagonals of the bounding box
   bool ground = true;                       // catches the shadow on a plane under the lowest point; shown from above only
   vec3 up = {0, 1, 0};                      // away from the ground
@@ -64,8 +64,9 @@ class painter {
   /// What falls in from the sky and the ground, 1 for a point that sees only sky overhead.
   double sky_light(const vec3& place, const vec3& normal, const vec3& flat, std::size_t sample, const cosine_directions::turn& turn) const {
     const std::size_t all = static_cast<std::size_t>(options_.samples) * static_cast<std::size_t>(options_.samples);
-    const std::size_t first = sky_.size() * sample / all, last = sky_.size() * (sample + 1) / all;  // each sample casts its share
-    if (first == last) return brightness(normal);
+    if (sky_.size() == 0) return brightness(normal);
+    const std::size_t first = sky_.size() * sample / all;  // each sample casts its share, but at least one
+    const std::size_t last = std::max(first + 1, sky_.size() * (sample + 1) / all);
     const frame f(normal);
     double sum = 0;
     for (std::size_t k = first; k < last; ++k) {
