@@ -16,7 +16,7 @@ namespace concino {
 struct render_options {
   std::size_t width = 1600, height = 1200;  // pixels
   int samples = 3;                          // per pixel along each side, 1 to 32; 9 in all for 3
-  int sky_rays = 36;                        // per pixel, at least one for each sample, to see how much of the sky is free; 0: no ambient occlusion
+  int sky_rays = 36;                        // per pixel, one or more for each sample, to see how much sky is free; 0: none
   double sky_distance = 0.9;                // up to where things shade one another, in half diagonals of the bounding box
   bool ground = true;                       // catches the shadow on a plane under the lowest point; shown from above only
   vec3 up = {0, 1, 0};                      // away from the ground
