@@ -107,9 +107,11 @@ TEST_CASE_TEMPLATE("random adding and removing", M, CONCINO_ALL_KINDS) {
     for (unsigned step = 0; step < 40; ++step) {
       const list polys = raw(cn::polys(m)), verts = raw(cn::verts(m));
       switch (random() % 5) {
-        case 0:
-          CHECK(cn::add_vert(m, {1, 2, 3}).raw() == cn::vert_index_bound(m) - 1);
+        case 0: {
+          const cn::vert_id added = cn::add_vert(m, {1, 2, 3});
+          CHECK(added.raw() == cn::vert_index_bound(m) - 1);
           break;
+        }
         case 1:
         case 2:
           if (!polys.empty()) {
