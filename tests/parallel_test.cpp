@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -33,16 +34,20 @@ TEST_CASE("parallel_for carries out the exception of the lowest index") {
 
 TEST_CASE("parallel_for stops when asked, and says how far it is") {
   std::vector<int> calls(100000, 0);
-  std::atomic<bool> asked{false};
+  std::atomic<bool> over{false};
   double last = 0;
+  const auto caller = std::this_thread::get_id();
   const auto work = [&](std::size_t i) {
-    while (i > calls.size() / 2 && !asked) std::this_thread::yield();  // else another thread may finish before the calling one begins
+    if (i > calls.size() / 2 && std::this_thread::get_id() != caller) {  // else the others may finish before the calling thread goes on
+      while (!over) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::microseconds(1));
+    }
     ++calls[i];
   };
   parallel_for(calls.size(), work, 1, [&](double fraction) {
-    asked = true;
     last = fraction;
-    return fraction > 0.1;
+    over = fraction > 0.1;
+    return over.load();
   });
   std::size_t total = 0;
   for (const int c : calls) total += static_cast<std::size_t>(c);
