@@ -32,7 +32,8 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto may_enter = options.may_enter;
-  indexed_heap<node> queue(g.bound());
+  auto distance = make_node_map<double>(g, infinity);
+  indexed_heap<node> queue(distance.values());
   for_each_source(g, sources, "dijkstra", [&](const node& s) {
     if (const auto slot = g.index(s); queue.key(slot) == infinity) queue.lower(s, slot, 0);
   });
@@ -62,10 +63,6 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
     }
   }
   queue.forget_waiting();
-
-  auto distance = make_node_map<double>(g, infinity);
-  const auto value = distance.values();
-  for (std::size_t i = 0; i < value.size(); ++i) value[i] = queue.key(i);
   return distance;
 }
 

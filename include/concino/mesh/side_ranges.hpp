@@ -78,17 +78,20 @@ class polys_across {
  public:
   using value_type = poly_id;
   class iterator {
-    /// Where the iterator stands: at a side, and at the n-th poly of it if it leads to a crowd.
-    struct place {
-      const across* at;
-      std::uint32_t nth;
-    };
     const across* at_ = nullptr;
     const across* last_ = nullptr;
     const across* first_ = nullptr;
     const rows<poly_id, 0>* crowds_ = nullptr;
     poly_id self_;
-    std::uint32_t nth_ = 0;
+    poly_id now_;            // read once, when the iterator comes here: what the caller writes in between may look like the same memory
+    std::uint32_t nth_ = 0;  // in a crowd: which of it, counted from 1
+
+    /// Where to go on, and what is there.
+    struct place {
+      const across* at;
+      poly_id now;
+      std::uint32_t nth;
+    };
 
     // Crowds are rare. Their code stays out of the loop, and works on values, so that an iterator lives in registers.
     [[gnu::noinline]] static bool met_before(const across* first, const across* at, const rows<poly_id, 0>& crowds, poly_id q) {
@@ -103,24 +106,28 @@ class polys_across {
       }
       return false;
     }
-    [[gnu::noinline]] static place next_in_crowd(place p, const across* first, const across* last, const rows<poly_id, 0>& crowds, poly_id self) {
-      for (; p.at != last && !p.at->is_first(); ++p.at, p.nth = 0) {
-        if (!p.at->is_crowd()) continue;
-        const id_span<poly_id> crowd = crowds[p.at->crowd()];
-        for (; p.nth < crowd.size(); ++p.nth)
-          if (crowd[p.nth] != self && !met_before(first, p.at, crowds, crowd[p.nth])) return p;
+    [[gnu::noinline]] static place next_in_crowd(const across* at, std::uint32_t nth, const across* first, const across* last, const rows<poly_id, 0>& crowds,
+                                                 poly_id self) {
+      for (; at != last; ++at, nth = 0) {
+        if (at->is_first()) return {at, poly_id{at->raw}, 0};
+        if (!at->is_crowd()) continue;
+        const id_span<poly_id> crowd = crowds[at->crowd()];
+        for (; nth < crowd.size(); ++nth)
+          if (crowd[nth] != self && !met_before(first, at, crowds, crowd[nth])) return {at, crowd[nth], nth + 1};
       }
-      return {p.at, 0};
+      return {at, {}, 0};
+    }
+    void go_to(const place& p) {
+      at_ = p.at;
+      now_ = p.now;
+      nth_ = p.nth;
     }
     void settle() {
-      while (at_ != last_ && !at_->is_first()) [[unlikely]] {
-        if (at_->is_crowd()) {
-          const place p = next_in_crowd({at_, nth_}, first_, last_, *crowds_, self_);
-          at_ = p.at;
-          nth_ = p.nth;
-          return;
-        }
-        ++at_;
+      for (; at_ != last_; ++at_) {
+        const across x = *at_;
+        now_ = poly_id{x.raw};
+        if (x.is_first()) [[likely]] return;
+        if (x.is_crowd()) return go_to(next_in_crowd(at_, 0, first_, last_, *crowds_, self_));
       }
     }
 
@@ -133,14 +140,14 @@ class polys_across {
         : at_(at), last_(last), first_(at), crowds_(crowds), self_(self) {
       settle();
     }
-    poly_id operator*() const {
-      if (at_->is_first()) [[likely]] return poly_id{at_->raw};
-      return (*crowds_)[at_->crowd()][nth_];
-    }
+    poly_id operator*() const { return now_; }
     iterator& operator++() {
-      if (at_->is_first()) [[likely]] ++at_;
-      else ++nth_;
-      settle();
+      if (nth_ == 0) [[likely]] {
+        ++at_;
+        settle();
+      } else {
+        go_to(next_in_crowd(at_, nth_, first_, last_, *crowds_, self_));
+      }
       return *this;
     }
     iterator operator++(int) { iterator old = *this; ++*this; return old; }

@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace concino::detail {
 
-/// A heap of four children per entry that knows where each node stands. Distance and place of a node share a cache line, so that
-/// lowering a distance touches nothing else; taking the least moves the hole down to a leaf before the last entry is put back, which
+/// A heap of four children per entry that knows where each node stands, over keys that the caller keeps by slot (+inf: not met yet), so
+/// that the last keys are the result. Taking the least moves the hole down to a leaf before the last entry is put back, which
 /// compares less than sinking it from the top.
 template<class Node>
 class indexed_heap {
@@ -18,18 +20,15 @@ class indexed_heap {
     Node node;
     std::uint32_t slot;
   };
-  struct slot_state {
-    double key = std::numeric_limits<double>::infinity();
-    std::uint32_t place = 0;
-  };
   static constexpr std::size_t arity = 4;
 
   std::vector<entry> heap_;
-  std::vector<slot_state> slots_;
+  double* const keys_;
+  const std::unique_ptr<std::uint32_t[]> places_;  // of waiting nodes
 
   void put(std::size_t i, const entry& e) {
     heap_[i] = e;
-    slots_[e.slot].place = static_cast<std::uint32_t>(i);
+    places_[e.slot] = static_cast<std::uint32_t>(i);
   }
   void rise(std::size_t i, const entry& e) {
     while (i > 0) {
@@ -42,22 +41,20 @@ class indexed_heap {
   }
 
  public:
-  explicit indexed_heap(std::size_t bound) : slots_(bound) {}
+  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), places_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {}
 
   bool empty() const { return heap_.empty(); }
   double least() const { return heap_.front().key; }
   /// The lowest distance set so far, +inf if none was.
-  double key(std::size_t slot) const { return slots_[slot].key; }
+  double key(std::size_t slot) const { return keys_[slot]; }
 
   /// Needs: key < this->key(slot).
   void lower(const Node& node, std::size_t slot, double key) {
     const entry e{key, node, static_cast<std::uint32_t>(slot)};
-    std::size_t i = slots_[slot].place;
-    if (slots_[slot].key == std::numeric_limits<double>::infinity()) {
-      i = heap_.size();
-      heap_.push_back(e);
-    }
-    slots_[slot].key = key;
+    std::size_t i = heap_.size();
+    if (keys_[slot] == std::numeric_limits<double>::infinity()) heap_.push_back(e);
+    else i = places_[slot];
+    keys_[slot] = key;
     rise(i, e);
   }
 
@@ -87,7 +84,7 @@ class indexed_heap {
 
   /// Takes back the distances of the nodes that still wait.
   void forget_waiting() {
-    for (const entry& e : heap_) slots_[e.slot].key = std::numeric_limits<double>::infinity();
+    for (const entry& e : heap_) keys_[e.slot] = std::numeric_limits<double>::infinity();
     heap_.clear();
   }
 };
