@@ -213,7 +213,14 @@ class cell_tables {
     }
   }
 
-  /// A face met at its smallest vert: the verts after the smaller neighbour of that one, and the next face with the same smaller neighbour.
+  static constexpr unsigned valence = detail::shape_tables<Shape>::valence;
+
+  /// An edge met at its smaller vert: how many polys have it, and the first of the faces met there whose smaller neighbour it leads to.
+  struct met_edge {
+    std::uint32_t uses, faces;
+  };
+  /// A face met at its smallest vert: its other verts but the smaller neighbour of that one, and the next face with the same smaller
+  /// neighbour.
   struct met_face {
     std::uint32_t other[Shape::face_verts - 2];
     std::uint32_t next;
@@ -232,13 +239,14 @@ class cell_tables {
     poly_id* const corners = v2p_.begin(0);
     for (std::size_t c = 0; c < p2v_.num_values(); ++c) corners[edge_to[corner_vert[c].raw()]++] = poly_id{c};
 
-    // Every edge and face is met at its smallest vert a. edge_to[b] is the edge from a to b if it is at least the first edge of a;
-    // face_from[b] likewise begins the chain of a's faces in which b is the smaller neighbour of a.
+    // Every edge and face is met at its smallest vert a. edge_to[b] is the edge from a to b if it is at least the first edge of a. A
+    // face is found among those of a at the same edge, the one to the smaller of its two neighbours of a.
     p2e_ = detail::rows<edge_id, Shape::edges>(poly_count, edge_id{});
-    sides_ = {detail::rows<face_id, Shape::faces>(poly_count, face_id{}), detail::rows<detail::across, Shape::faces>(poly_count, detail::across{})};
+    sides_ = {detail::rows<face_id, Shape::faces>(poly_count, face_id{}),
+              detail::rows<detail::across, Shape::faces>(poly_count, detail::across{})};
     std::fill(edge_to.begin(), edge_to.end(), ~0u);
-    std::vector<std::uint32_t> face_from(vert_count, ~0u), uses;
-    std::vector<met_face> met;
+    std::vector<met_edge> met_edges;
+    std::vector<met_face> met_faces;
     std::vector<vert_id> ends;
     const std::size_t guess = vert_count + (Shape::faces / 2 - 1) * std::size_t{poly_count} + poly_count / 8 + 64;
     ends.reserve(2 * std::min(guess, std::size_t{poly_count} * Shape::edges));
@@ -248,13 +256,15 @@ class cell_tables {
     std::uint32_t edge_count = 0, face_count = 0;
     for (std::uint32_t a = 0; a < vert_count; ++a) {
       const std::uint32_t first_edge = edge_count, first_face = face_count;
-      met.clear();
-      uses.clear();
+      met_edges.clear();
+      met_faces.clear();
       for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
         const std::uint32_t p = c->raw() / nv, i = c->raw() % nv;
         const vert_id* const pv = p2v_.begin(p);
-        for (const std::uint8_t j : shape.vert_edge[i]) {
-          const std::uint32_t b = pv[Shape::edge_vert[j][Shape::edge_vert[j][0] == i]].raw();
+        edge_id* const pe = p2e_.begin(p);
+        std::uint32_t far[valence], met[valence];  // the neighbours of a in p, and which of met_edges leads there if they are larger
+        for (unsigned j = 0; j < valence; ++j) {
+          const std::uint32_t b = far[j] = pv[shape.vert_far[i][j]].raw();
           if (b < a) continue;
           std::uint32_t e = edge_to[b];
           if (e == ~0u || e < first_edge) {
@@ -262,18 +272,41 @@ class cell_tables {
             ends.push_back(vert_id{a});
             ends.push_back(vert_id{b});
             e2p_.push_back(p);
-            uses.push_back(0);
-            ++degrees[a + 1];
+            met_edges.push_back({0, ~0u});
             ++degrees[b + 1];
           }
-          ++uses[e - first_edge];
-          p2e_.begin(p)[j] = edge_id{e};
+          met[j] = e - first_edge;
+          ++met_edges[met[j]].uses;
+          pe[shape.vert_edge[i][j]] = edge_id{e};
         }
-        for (const std::uint8_t j : shape.vert_face[i]) meet_face(a, p, j, pv, first_face, face_count, face_from, met);
+        for (unsigned k = 0; k < valence; ++k) {
+          // The neighbours of a in the face, the smaller first, and what lies between them: the same for every poly at the face.
+          const std::uint8_t* const along = shape.vert_face_vert[i][k];
+          unsigned x = shape.vert_face_edge[i][k][0], y = shape.vert_face_edge[i][k][1];
+          if (far[x] < a || far[y] < a) continue;
+          if constexpr (Shape::face_verts == 4)
+            if (pv[along[1]].raw() < a) continue;
+          if (far[x] > far[y]) std::swap(x, y);
+          met_face wanted;
+          wanted.other[0] = far[y];
+          if constexpr (Shape::face_verts == 4) wanted.other[1] = pv[along[1]].raw();
+          std::uint32_t& first = met_edges[met[x]].faces;
+          std::uint32_t f = first;
+          while (f != ~0u && !std::equal(wanted.other, std::end(wanted.other), met_faces[f].other)) f = met_faces[f].next;
+          if (f == ~0u) {
+            wanted.next = first;
+            first = static_cast<std::uint32_t>(met_faces.size());
+            met_faces.push_back(wanted);
+            sides_.add_facet(p, shape.vert_face[i][k], face_id{face_count++});
+          } else {
+            sides_.link(p, shape.vert_face[i][k], face_id{first_face + f});
+          }
+        }
         *c = poly_id{p};
       }
+      degrees[a + 1] += edge_count - first_edge;
       // All faces at these edges are linked by now, since a is the smallest vert of each or was passed before.
-      for (std::uint32_t e = first_edge; e < edge_count; ++e) check_fan(edge_id{e}, uses[e - first_edge]);
+      for (std::uint32_t e = first_edge; e < edge_count; ++e) check_fan(edge_id{e}, met_edges[e - first_edge].uses);
     }
     detail::drop_spare_room(ends);
     e2v_ = detail::rows<vert_id, 2>(std::move(ends));
@@ -285,32 +318,6 @@ class cell_tables {
     edges_ = detail::live<edge_id>(edge_count);
     faces_ = detail::live<face_id>(face_count);
     polys_ = detail::live<poly_id>(poly_count);
-  }
-
-  void meet_face(std::uint32_t a, std::uint32_t p, std::uint32_t k, const vert_id* pv, std::uint32_t first_face, std::uint32_t& face_count,
-                 std::vector<std::uint32_t>& face_from, std::vector<met_face>& met) {
-    // The verts that follow a in the face, turned so that the smaller neighbour of a comes first: the same for every poly at the face.
-    std::uint32_t other[Shape::face_verts - 1];
-    unsigned at = 0;
-    for (unsigned i = 0; i < Shape::face_verts; ++i) {
-      const std::uint32_t v = pv[Shape::face_vert[k][i]].raw();
-      if (v < a) return;
-      if (v == a) at = i;
-    }
-    for (unsigned i = 1; i < Shape::face_verts; ++i) other[i - 1] = pv[Shape::face_vert[k][(at + i) % Shape::face_verts]].raw();
-    if (other[0] > other[Shape::face_verts - 2]) std::reverse(other, std::end(other));
-    std::uint32_t f = face_from[other[0]];
-    if (f != ~0u && f < first_face) f = ~0u;
-    const std::uint32_t chain = f;
-    while (f != ~0u && !std::equal(other + 1, std::end(other), met[f - first_face].other)) f = met[f - first_face].next;
-    if (f == ~0u) {
-      face_from[other[0]] = f = face_count++;
-      met_face& fresh = met.emplace_back();
-      std::copy(other + 1, std::end(other), fresh.other);
-      fresh.next = chain;
-      sides_.add_facet();
-    }
-    sides_.link(p, k, face_id{f});
   }
 
   /// Marks e as crowded unless stepping around it meets as many polys as use it.

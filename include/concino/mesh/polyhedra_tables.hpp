@@ -199,8 +199,17 @@ class polyhedra_tables {
 
     sides_ = {{polys.shape(), std::vector<face_id>(polys.num_values())}, {polys.shape(), std::vector<detail::across>(polys.num_values())}};
     sides_.resize_facets(f2v_.size());
+    std::vector<detail::sides<face_id, 0>::side> met_first(f2v_.size());
     for (std::uint32_t p = 0; p < polys.size(); ++p)
-      for (std::uint32_t k = 0; k < polys.length(p); ++k) sides_.link(p, k, polys.begin(p)[k]);
+      for (std::uint32_t k = 0; k < polys.length(p); ++k) {
+        const face_id f = polys.begin(p)[k];
+        if (sides_.is_owned(f)) {
+          sides_.link(p, k, f, met_first[f.raw()]);
+        } else {
+          met_first[f.raw()] = {p, k};
+          sides_.link(p, k, f);
+        }
+      }
     sides_.finish();
 
     build_corners(vert_count, f2e, std::move(scratch));

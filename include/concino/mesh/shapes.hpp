@@ -27,6 +27,9 @@ struct shape_tables {
   std::uint8_t edge_face[Shape::edges][2] = {};
   std::uint8_t vert_edge[Shape::verts][valence] = {};
   std::uint8_t vert_face[Shape::verts][valence] = {};
+  std::uint8_t vert_far[Shape::verts][valence] = {};                               // the other ends of vert_edge
+  std::uint8_t vert_face_vert[Shape::verts][valence][Shape::face_verts - 1] = {};   // the verts that follow in vert_face
+  std::uint8_t vert_face_edge[Shape::verts][valence][2] = {};                      // where in vert_edge the first and last of them are
 
   constexpr shape_tables() {
     for (unsigned f = 0; f < Shape::faces; ++f)
@@ -49,7 +52,16 @@ struct shape_tables {
       n = 0;
       for (unsigned f = 0; f < Shape::faces; ++f)
         for (unsigned i = 0; i < Shape::face_verts; ++i)
-          if (Shape::face_vert[f][i] == v) vert_face[v][n++] = static_cast<std::uint8_t>(f);
+          if (Shape::face_vert[f][i] == v) {
+            for (unsigned j = 1; j < Shape::face_verts; ++j) vert_face_vert[v][n][j - 1] = Shape::face_vert[f][(i + j) % Shape::face_verts];
+            vert_face[v][n++] = static_cast<std::uint8_t>(f);
+          }
+      for (unsigned j = 0; j < valence; ++j) vert_far[v][j] = Shape::edge_vert[vert_edge[v][j]][Shape::edge_vert[vert_edge[v][j]][0] == v];
+      for (unsigned k = 0; k < valence; ++k)
+        for (unsigned j = 0; j < valence; ++j) {
+          if (vert_far[v][j] == vert_face_vert[v][k][0]) vert_face_edge[v][k][0] = static_cast<std::uint8_t>(j);
+          if (vert_far[v][j] == vert_face_vert[v][k][Shape::face_verts - 2]) vert_face_edge[v][k][1] = static_cast<std::uint8_t>(j);
+        }
     }
   }
 };

@@ -57,6 +57,11 @@ class sides {
 
   /// Builds: a facet that no side has met yet.
   void add_facet() { owner_.push_back(~0u); }
+  /// Builds: the next facet, which is side k of p and no other so far.
+  void add_facet(std::uint32_t p, std::uint32_t k, Facet f) {
+    facets_.begin(p)[k] = f;
+    owner_.push_back(N > 0 ? N * p + k : p);
+  }
   void reserve_facets(std::size_t n) { owner_.reserve(n); }
   void resize_facets(std::size_t n) { owner_.resize(n, ~0u); }
 
@@ -68,14 +73,12 @@ class sides {
       o = N > 0 ? N * p + k : p;
       return;
     }
-    const side s = owner(f);
-    across& first = across_.begin(s.poly)[s.k];
-    if (first.is_none()) {
-      first.raw = p;
-      across_.begin(p)[k].raw = s.poly;
-    } else {
-      crowd_in(s, first, p, k);
-    }
+    join(owner(f), p, k);
+  }
+  /// The same where it is known which side met f first: looking that up takes long where polys have many sides.
+  void link(std::uint32_t p, std::uint32_t k, Facet f, side first) {
+    facets_.begin(p)[k] = f;
+    join(first, p, k);
   }
 
   /// Builds: after the last link, so that a poly met across two sides is listed once.
@@ -180,6 +183,16 @@ class sides {
     } else {
       crowds_.clear_row(before.crowd());
       for (const poly_id q : polys) crowds_.push(before.crowd(), q);
+    }
+  }
+
+  void join(side s, std::uint32_t p, std::uint32_t k) {
+    across& first = across_.begin(s.poly)[s.k];
+    if (first.is_none()) {
+      first.raw = p;
+      across_.begin(p)[k].raw = s.poly;
+    } else {
+      crowd_in(s, first, p, k);
     }
   }
 

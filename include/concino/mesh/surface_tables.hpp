@@ -114,23 +114,29 @@ class surface_tables {
     const std::size_t corner_count = p2v_.num_values();
     const vert_id* const corner_vert = p2v_.begin(0);
 
-    // Where poly p's corners begin and, for polygons of any size, which poly a corner is of.
+    // Polys by vert, in which the vert is looked up later; but where some polygon is long, that would take too long: then corners by vert
+    // (as always where all polygons have as many), and poly_of says which poly a corner is of.
     detail::offsets poly_of;
     if constexpr (Arity == 0) {
-      poly_of.resize(corner_count);
-      std::uint32_t c = 0;
-      for (std::uint32_t p = 0; p < poly_count; ++p)
-        for (std::uint32_t k = p2v_.length(p); k > 0; --k) poly_of[c++] = p;
+      std::uint32_t longest = 0;
+      for (std::uint32_t p = 0; p < poly_count; ++p) longest = std::max(longest, p2v_.length(p));
+      if (longest > 32) {
+        poly_of.reserve(corner_count);
+        for (std::uint32_t p = 0; p < poly_count; ++p) poly_of.insert(poly_of.end(), p2v_.length(p), p);
+      }
     }
-
-    // Corners by vert; they become the polys of the vert at the end.
     detail::offsets counts(vert_count + 1, 0);
     for (std::size_t c = 0; c < corner_count; ++c) ++counts[corner_vert[c].raw() + 1];
     v2p_ = detail::make_rows<poly_id>(std::move(counts));
     std::vector<std::uint32_t> fill(vert_count);
     for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p_.begin(v) - v2p_.begin(0));
     poly_id* const corners = v2p_.begin(0);
-    for (std::size_t c = 0; c < corner_count; ++c) corners[fill[corner_vert[c].raw()]++] = poly_id{c};
+    if (Arity > 0 || !poly_of.empty()) {
+      for (std::size_t c = 0; c < corner_count; ++c) corners[fill[corner_vert[c].raw()]++] = poly_id{c};
+    } else {
+      for (std::uint32_t p = 0; p < poly_count; ++p)
+        for (const vert_id v : p2v_[p]) corners[fill[v.raw()]++] = poly_id{p};
+    }
 
     // Every edge is met at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
     if constexpr (Arity == 0) sides_ = {{p2v_.shape(), std::vector<edge_id>(corner_count)}, {p2v_.shape(), std::vector<detail::across>(corner_count)}};
@@ -143,6 +149,7 @@ class surface_tables {
     sides_.reserve_facets(std::min(guess, corner_count));
     detail::offsets degrees(vert_count + 1, 0);
     std::uint32_t edge_count = 0;
+    std::vector<typename detail::sides<edge_id, Arity>::side> met_first;  // per edge of a, where polygons may be long
     const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) {
       if (b.raw() < a) return;
       std::uint32_t e = edge_to[b.raw()];
@@ -153,20 +160,28 @@ class surface_tables {
         ++degrees[a + 1];
         ++degrees[b.raw() + 1];
         sides_.add_facet();
+        if constexpr (Arity == 0) met_first.push_back({p, k});
+      } else if constexpr (Arity == 0) {
+        return sides_.link(p, k, edge_id{e}, met_first[e - first_edge]);
       }
       sides_.link(p, k, edge_id{e});
     };
     for (std::uint32_t a = 0; a < vert_count; ++a) {
       const std::uint32_t first_edge = edge_count;
+      met_first.clear();
       for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
         std::uint32_t p = 0, k = 0, n = Arity;
         if constexpr (Arity > 0) {
           p = c->raw() / Arity;
           k = c->raw() % Arity;
+        } else if (poly_of.empty()) {
+          p = c->raw();
+          n = p2v_.length(p);
+          for (const vert_id* v = p2v_.begin(p); v[k].raw() != a;) ++k;
         } else {
           p = poly_of[c->raw()];
-          k = c->raw() - static_cast<std::uint32_t>(p2v_.begin(p) - corner_vert);
           n = p2v_.length(p);
+          k = c->raw() - static_cast<std::uint32_t>(p2v_.begin(p) - corner_vert);
         }
         const vert_id* const pv = p2v_.begin(p);
         const std::uint32_t next = k + 1 == n ? 0 : k + 1, previous = k == 0 ? n - 1 : k - 1;
