@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <string>
 
+#include <malloc.h>
 #include <unistd.h>
 
 namespace bench {
@@ -25,6 +26,7 @@ struct program {
   std::filesystem::path folder;    // for the files, removed at the end
 
   program(int argc, char** argv) {
+    bool warm = false;
     for (int i = 1; i < argc; ++i) {
       const std::string a = argv[i];
       const auto value = [&] {
@@ -35,6 +37,7 @@ struct program {
       else if (a == "--rounds") rounds = std::atoi(value().c_str());
       else if (a == "--only") only = value();
       else if (a == "--out") out = std::fopen(value().c_str(), "w");
+      else if (a == "--warm") warm = true;
       else if (a == "--base") data.base = arrays_from_obj(value());
       else usage(argv[0]);
     }
@@ -42,6 +45,9 @@ struct program {
     folder = std::filesystem::temp_directory_path() / ("concino-benchmark-" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     pin_to_one_core();
+    // Large arrays come from the system in every run and go back to it, as in a program that does the work once. Left alone, malloc
+    // learns to keep them, and then who runs after whom decides who pays for fresh pages (--warm: all the same, as in a long session).
+    if (!warm) mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   }
   program(const program&) = delete;
   program& operator=(const program&) = delete;
@@ -60,8 +66,9 @@ struct program {
  private:
   [[noreturn]] static void usage(const char* name) {
     std::fprintf(stderr,
-                 "usage: %s [--tiny] [--rounds N] [--only TEXT] [--out ROWS.tsv] [--base TRIANGLES.obj]\n"
+                 "usage: %s [--tiny] [--warm] [--rounds N] [--only TEXT] [--out ROWS.tsv] [--base TRIANGLES.obj]\n"
                  "  --tiny    some hundred elements, to see that everything runs\n"
+                 "  --warm    let malloc keep what it got, instead of fresh pages for every run\n"
                  "  --only    only work whose name contains TEXT, such as load.tri1m or dijkstra\n"
                  "  --base    a closed triangle mesh to refine into the surfaces, instead of the generated torus\n",
                  name);
