@@ -56,9 +56,9 @@ TEST_CASE("cell_recogniser: every shape from its faces, in any order and from an
 
 TEST_CASE("cell_recogniser: cells that only count like a standard one are general") {
   cell_recogniser known;
-  const auto recognise = [&](std::initializer_list<std::initializer_list<unsigned>> faces) {
+  const auto recognise = [&](std::initializer_list<std::initializer_list<unsigned>> list) {
     known.clear();
-    for (const auto& f : faces) {
+    for (const auto& f : list) {
       known.begin_face();
       for (const unsigned v : f) known.push(vert_id{v});
     }

@@ -69,12 +69,12 @@ TEST_CASE("framing: every point within the margin, two opposite margins touched,
         }
 }
 
-TEST_CASE("framing nothing, a point, a line of sight") {
+TEST_CASE("framing nothing, a single, a line of sight") {
   CHECK_NOTHROW(framing(1.0).best());
   for (const double angle : {0.0, 30.0}) {
-    framing point(1.0, {.angle = angle});
-    point.show(std::vector<vec3>{{5, 5, 5}});
-    const camera c = point.best();
+    framing single(1.0, {.angle = angle});
+    single.show(std::vector<vec3>{{5, 5, 5}});
+    const camera c = single.best();
     CHECK(dot(vec3{5, 5, 5} - c.eye, c.back) < 0);
     CHECK(c.project({5, 5, 5}).x == doctest::Approx(0));
     framing line(1.0, {.towards = {0, 0, 1}, .angle = angle});

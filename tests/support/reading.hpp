@@ -9,7 +9,9 @@
 
 namespace concino::testing {
 
-inline surface_arrays obj(const std::string& text, const load_options& options = {}) { return load_text<surface_arrays>(text, file_format::obj, options, "t.obj"); }
+inline surface_arrays obj(const std::string& text, const load_options& options = {}) {
+  return load_text<surface_arrays>(text, file_format::obj, options, "t.obj");
+}
 
 /// The line that reading M from the text complains of; 0 if it does not.
 template<class M>
