@@ -69,7 +69,7 @@ TEST_CASE("framing: every point within the margin, two opposite margins touched,
         }
 }
 
-TEST_CASE("framing nothing, a single, a line of sight") {
+TEST_CASE("framing nothing, a point, a line of sight") {
   CHECK_NOTHROW(framing(1.0).best());
   for (const double angle : {0.0, 30.0}) {
     framing single(1.0, {.angle = angle});
