@@ -4,7 +4,11 @@
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/cell_recogniser.hpp>
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
 namespace concino::detail {
 
@@ -34,6 +38,51 @@ inline double six_volumes(const polyhedra_arrays& m, std::size_t p) {
   return sum;
 }
 
+/// Whether the faces of a polyhedron agree at every edge that two of them share: the quick answer for the many that need no repair. The edges
+/// of one polyhedron at a time are kept in a small table, open addressed, at most a quarter full.
+class winding_check {
+  struct entry {
+    std::uint64_t edge;
+    std::int32_t faces, sum;
+  };
+  std::vector<entry> table_;
+  std::vector<std::uint32_t> used_;
+
+ public:
+  bool operator()(const polyhedra_arrays& m, std::uint32_t begin, std::uint32_t end) {
+    std::size_t sides = 0;
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t f = m.poly_faces[i].raw();
+      sides += m.face_offsets[f + 1] - m.face_offsets[f];
+    }
+    if (table_.size() < 2 * sides) table_.assign(std::bit_ceil(4 * sides), {0, 0, 0});
+    const std::uint64_t mask = table_.size() - 1;
+    used_.clear();
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t f = m.poly_faces[i].raw();
+      std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
+      for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
+        const std::uint32_t b = m.face_verts[k].raw();
+        const std::uint64_t edge = a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
+        std::uint64_t at = (edge * 0x9e3779b97f4a7c15u >> 32) & mask;
+        while (table_[at].faces != 0 && table_[at].edge != edge) at = (at + 1) & mask;
+        if (table_[at].faces++ == 0) {
+          table_[at].edge = edge;
+          used_.push_back(static_cast<std::uint32_t>(at));
+        }
+        table_[at].sum += (a < b) == (m.outward[i] != 0) ? 1 : -1;
+        a = b;
+      }
+    }
+    bool agree = true;
+    for (const std::uint32_t at : used_) {
+      agree = agree && (table_[at].faces != 2 || table_[at].sum == 0);
+      table_[at] = {0, 0, 0};
+    }
+    return agree;
+  }
+};
+
 /// Makes the faces of each poly agree on what is outside, by walking from face to face over the edges that two of them share, and the
 /// outside such that volumes are positive. Polys that are right, or without volume and consistent, stay as they are.
 /// Result: how many polys changed.   Cost: O(n log n) in the edges of a poly.
@@ -51,34 +100,33 @@ inline std::size_t orient_polyhedra(polyhedra_arrays& m) {
   std::vector<std::uint32_t> first_link, component, queue;
   std::vector<link> links;
   std::vector<std::uint8_t> flip;
+  winding_check wound_well;
   std::size_t changed = 0;
 
   for (std::size_t p = 0; p < m.num_polys(); ++p) {
     const std::uint32_t begin = m.poly_offsets[p], end = m.poly_offsets[p + 1], n = end - begin;
-    sides.clear();
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t f = m.poly_faces[i].raw();
-      std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
-      for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
-        const std::uint32_t b = m.face_verts[k].raw();
-        sides.push_back({a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a, i - begin, (a < b) == (m.outward[i] != 0)});
-        a = b;
-      }
-    }
-    std::sort(sides.begin(), sides.end(),
-              [](const side& x, const side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
-
-    // Two faces at an edge agree if one runs up and the other down. Edges with one face, or more than two, say nothing.
-    const auto pairs = [&](const auto& use) {
-      for (std::size_t i = 0, j; i < sides.size(); i = j) {
-        for (j = i + 1; j < sides.size() && sides[j].edge == sides[i].edge;) ++j;
-        if (j - i == 2 && sides[i].face != sides[i + 1].face) use(sides[i], sides[i + 1]);
-      }
-    };
-    bool consistent = true;
-    pairs([&](const side& x, const side& y) { consistent = consistent && x.up != y.up; });
     bool touched = false;
-    if (!consistent) {
+    if (!wound_well(m, begin, end)) {
+      sides.clear();
+      for (std::uint32_t i = begin; i < end; ++i) {
+        const std::uint32_t f = m.poly_faces[i].raw();
+        std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
+        for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
+          const std::uint32_t b = m.face_verts[k].raw();
+          sides.push_back({a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a, i - begin, (a < b) == (m.outward[i] != 0)});
+          a = b;
+        }
+      }
+      std::sort(sides.begin(), sides.end(),
+                [](const side& x, const side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
+
+      // Two faces at an edge agree if one runs up and the other down. Edges with one face, or more than two, say nothing.
+      const auto pairs = [&](const auto& use) {
+        for (std::size_t i = 0, j; i < sides.size(); i = j) {
+          for (j = i + 1; j < sides.size() && sides[j].edge == sides[i].edge;) ++j;
+          if (j - i == 2 && sides[i].face != sides[i + 1].face) use(sides[i], sides[i + 1]);
+        }
+      };
       first_link.assign(n + 1, 0);
       pairs([&](const side& x, const side& y) { ++first_link[x.face + 1], ++first_link[y.face + 1]; });
       std::partial_sum(first_link.begin(), first_link.end(), first_link.begin());

@@ -4,6 +4,7 @@
 #include <concino/io/contents.hpp>
 #include <concino/io/orient.hpp>
 #include <concino/io/text_cursor.hpp>
+#include <concino/io/text_sample.hpp>
 
 namespace concino::detail {
 
@@ -40,6 +41,12 @@ class hedra_reader : token_cursor {
   }
 
  private:
+  /// Room for all of n lists, told from the first few; no more than the text can hold.
+  std::size_t expected(std::size_t entries, std::uint64_t lists, std::uint64_t n) const {
+    const double all = static_cast<double>(entries) / static_cast<double>(lists) * static_cast<double>(n);
+    return entries + std::min(room_for(all), static_cast<std::size_t>(end() - at) / 2 + 1);
+  }
+
   void verts(std::uint64_t n) {
     out_.points.reserve(room(n, 6));
     for (std::uint64_t i = 0; i < n; ++i) {
@@ -66,6 +73,7 @@ class hedra_reader : token_cursor {
       if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
         fail(from, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
       if (out_.face_verts.size() > max_ids) fail_to_count("corners");
+      if (f == 4095) out_.face_verts.reserve(expected(out_.face_verts.size(), f + 1, n));
       out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
       tell();
     }
@@ -92,6 +100,10 @@ class hedra_reader : token_cursor {
         out_.outward.push_back(f > 0);
       }
       if (out_.poly_faces.size() > max_ids) fail_to_count("faces of polyhedra");
+      if (p == 4095) {
+        out_.poly_faces.reserve(expected(out_.poly_faces.size(), p + 1, n));
+        out_.outward.reserve(out_.poly_faces.capacity());
+      }
       out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
       tell();
     }

@@ -3,6 +3,7 @@
 
 #include <concino/io/contents.hpp>
 #include <concino/io/text_cursor.hpp>
+#include <concino/io/text_sample.hpp>
 
 namespace concino::detail {
 
@@ -25,6 +26,7 @@ class obj_reader : text_cursor {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
     if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), {"verts and faces"}, {"an empty file"});
     if (wanted_.surface) arity_ = wanted_.arity;
+    make_room(all);
     lines();
     // Indices may name what comes later in the file, so the bounds are known only now. A file that breaks them is read once more, with
     // them, to find the line.
@@ -43,6 +45,17 @@ class obj_reader : text_cursor {
   }
 
  private:
+  void make_room(std::string_view all) {
+    std::size_t points = 0, corners = 0;
+    const double scale = sample_lines(all, [&](const char* line, const char* last) {
+      if (last - line < 2 || !is_blank(line[1])) return;
+      if (*line == 'v') ++points;
+      else if (*line == 'f') corners += words_of_line(line, last) - 1;
+    });
+    out_.points.reserve(room_for(scale * static_cast<double>(points)));
+    out_.verts.reserve(room_for(scale * static_cast<double>(corners)));
+  }
+
   void restart(const char* from) {
     out_ = {};
     at = from;

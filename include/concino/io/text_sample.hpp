@@ -1,0 +1,38 @@
+// How many lines of which kind a text probably has, told from short pieces all over it: room for what will be read is then made once.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace concino::detail {
+
+/// Calls visit(line start, end of the text) for the lines that begin in the pieces, and returns by what their counts are to be multiplied; 0 for a text
+/// so short that making room does not matter.
+template<class F>
+double sample_lines(std::string_view text, F&& visit) {
+  constexpr std::size_t pieces = 512, length = 512;
+  if (text.size() < 4 * pieces * length) return 0;
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const char* at = text.data() + (text.size() - length - 1) / pieces * i;
+    for (const char* const last = at + length; at != last; ++at)
+      if (*at == '\n') visit(at + 1, end);
+  }
+  return static_cast<double>(text.size()) / (pieces * length);
+}
+
+/// Words of the line that begins at `at`.
+inline std::size_t words_of_line(const char* at, const char* end) {
+  std::size_t n = 0;
+  for (bool in_word = false; at != end && *at != '\n' && *at != '\r'; ++at) {
+    const bool blank = *at == ' ' || *at == '\t';
+    n += !blank && !in_word;
+    in_word = !blank;
+  }
+  return n;
+}
+
+/// A capacity for about n values: a little too large, so that the last few do not make everything move.
+inline std::size_t room_for(double n) { return static_cast<std::size_t>(n * 1.01) + 16; }
+
+}  // namespace concino::detail
