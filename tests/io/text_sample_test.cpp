@@ -18,8 +18,8 @@ TEST_CASE("samples of a long text tell how many lines there are to about a perce
     f += *line == 'f';
     if (*line == 'f') words += words_of_line(line, end);
   });
-  CHECK(scale * static_cast<double>(v) == doctest::Approx(verts).epsilon(0.02));
-  CHECK(scale * static_cast<double>(f) == doctest::Approx(faces).epsilon(0.02));
+  CHECK(scale * static_cast<double>(v) == doctest::Approx(static_cast<double>(verts)).epsilon(0.02));
+  CHECK(scale * static_cast<double>(f) == doctest::Approx(static_cast<double>(faces)).epsilon(0.02));
   CHECK(words == 4 * f);
   CHECK(room_for(1000) >= 1000);
 }
