@@ -3,6 +3,7 @@
 #include <concino/mesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
+#include <support/corpus.hpp>
 #include <support/soups.hpp>
 
 #include <doctest/doctest.h>
@@ -102,7 +103,8 @@ void add_random_poly(M& m, std::mt19937& random) {
 
 TEST_CASE_TEMPLATE("random adding and removing", M, CONCINO_ALL_KINDS) {
   std::mt19937 random(4);
-  for (unsigned round = 0; round < 8; ++round) {
+  const unsigned rounds = concino::testing::long_run() ? 200 : 8;
+  for (unsigned round = 0; round < rounds; ++round) {
     M m = round % 2 ? cn::testing::grid<M>(2) : cn::testing::random_soup<M>(random, 14, 12).mesh();
     for (unsigned step = 0; step < 40; ++step) {
       const list polys = raw(cn::polys(m)), verts = raw(cn::verts(m));
