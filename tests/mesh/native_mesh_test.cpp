@@ -108,6 +108,30 @@ TEST_CASE("counts and Euler characteristic of grids") {
   CHECK(arcs / 2 == 3 * 4 * 4 * 3);  // 3 n^2 (n-1)
 }
 
+TEST_CASE("polygons with many verts, glued along many edges") {
+  const unsigned n = 3000;
+  std::vector<cn::vec3> points;
+  for (unsigned i = 0; i < n; ++i) points.push_back({i, i % 7, 0});
+  points.push_back({0, 0, 5});
+  std::vector<std::vector<unsigned>> lists(2);
+  for (unsigned i = 0; i < n; ++i) lists[0].push_back(i);
+  lists[1].assign(lists[0].rbegin(), lists[0].rend());
+  for (unsigned i = 0; i < n; i += 3) lists.push_back({i, i + 1, n});  // every third edge has three polys
+  const cn::polygonmesh m(points, lists);
+  CHECK(cn::num_edges(m) == n + 2 * (n / 3));
+  keeps_all_laws(m);
+  CHECK(raw_set(cn::adj_p2p(m, cn::poly_id{0})).size() == 1 + n / 3);
+  std::size_t crowded = 0;
+  for (const auto e : cn::edges(m)) crowded += cn::adj_e2p(m, e).size() == 3;
+  CHECK(crowded == n / 3);
+
+  // The two as the faces of a flat polyhedron, one of them also of another that is open.
+  const cn::polyhedralmesh w(points, std::vector<std::vector<unsigned>>(lists.begin(), lists.begin() + 2),
+                             std::vector<std::vector<std::pair<unsigned, bool>>>{{{0, true}, {1, true}}, {{0, false}}});
+  CHECK(raw_set(cn::adj_p2p(w, cn::poly_id{0})) == std::set<unsigned>{1});
+  keeps_all_laws(w);
+}
+
 TEST_CASE("from braces with variables, containers, arrays") {
   const int i = 0, j = 1;
   const long k = 2;
