@@ -2,4 +2,9 @@
 #pragma once
 
 #include <concino/graph/bfs.hpp>
+#include <concino/graph/boundary_loops.hpp>
+#include <concino/graph/cut_along.hpp>
 #include <concino/graph/dijkstra.hpp>
+#include <concino/graph/edge_walk.hpp>
+#include <concino/graph/homology.hpp>
+#include <concino/graph/tree_cotree.hpp>

@@ -1,0 +1,159 @@
+// The border of a surface, as loops of edges.
+#pragma once
+
+#include <concino/graph/detail/sides.hpp>
+#include <concino/graph/detail/union_find.hpp>
+#include <concino/graph/edge_walk.hpp>
+
+#include <limits>
+#include <utility>
+
+namespace concino {
+
+template<class M>
+struct boundary_loops_result {
+  std::size_t count = 0;            // borders: connected components of the graph of boundary edges
+  std::vector<edge_walk<M>> loops;  // every boundary edge in one of them
+};
+
+namespace detail {
+
+/// Boundary edges with the direction in which their only poly walks them, waiting at both of their ends.
+template<class M>
+class border_edges {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  struct side {
+    edge_t<M> edge;
+    vert_t<M> from, to;
+    std::uint32_t next_out = none, next_in = none;
+    bool taken = false;
+  };
+  const M& m_;
+  std::vector<side> sides_;
+  std::vector<std::uint32_t> out_, in_;  // by vert: the first side that leaves or enters it; lists go on in next_out, next_in
+  std::vector<std::uint32_t> degree_;
+
+  void pass_taken(std::uint32_t& i, std::uint32_t side::*next) {
+    while (i != none && sides_[i].taken) i = sides_[i].*next;
+  }
+
+ public:
+  explicit border_edges(const M& m) : m_(m) {
+    std::vector<unsigned char> on_border(static_cast<std::size_t>(edge_index_bound(m)));
+    bool any = false;
+    for (const edge_t<M> e : edges(m)) {
+      std::size_t n = 0;
+      for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) ++n;
+      if (n != 1) continue;
+      on_border[index_of(m, e)] = 1;
+      any = true;
+    }
+    if (!any) return;
+    side_walker<M> walker(m);
+    for (const poly_t<M> p : polys(m)) {
+      bool here = false;
+      for (const edge_t<M> e : adj_p2e(m, p)) here = here || on_border[index_of(m, e)];
+      if (!here) continue;
+      walker.read(p);
+      walker.for_each_side(p, [&](const edge_t<M>& e, std::size_t i, std::size_t j) {
+        if (on_border[index_of(m, e)]) sides_.push_back({e, walker.ring()[i], walker.ring()[j]});
+      });
+    }
+    out_.assign(static_cast<std::size_t>(vert_index_bound(m)), none);
+    in_ = out_;
+    degree_.assign(out_.size(), 0);
+    for (std::size_t i = sides_.size(); i-- > 0;) {  // backwards, so that lists run forwards
+      sides_[i].next_out = std::exchange(out_[index_of(m, sides_[i].from)], static_cast<std::uint32_t>(i));
+      sides_[i].next_in = std::exchange(in_[index_of(m, sides_[i].to)], static_cast<std::uint32_t>(i));
+      ++degree_[index_of(m, sides_[i].from)];
+      ++degree_[index_of(m, sides_[i].to)];
+    }
+  }
+
+  std::size_t size() const { return sides_.size(); }
+  bool is_taken(std::size_t i) const { return sides_[i].taken; }
+  const vert_t<M>& from(std::size_t i) const { return sides_[i].from; }
+  const vert_t<M>& to(std::size_t i) const { return sides_[i].to; }
+  bool is_odd(const vert_t<M>& v) const { return degree_[index_of(m_, v)] % 2; }
+
+  /// Takes an edge that waits at v and goes along it, forwards if one leaves v. False if none waits.
+  bool step(vert_t<M>& v, edge_t<M>& e) {
+    const std::size_t slot = index_of(m_, v);
+    pass_taken(out_[slot], &side::next_out);
+    const bool forwards = out_[slot] != none;
+    if (!forwards) pass_taken(in_[slot], &side::next_in);
+    const std::uint32_t i = forwards ? out_[slot] : in_[slot];
+    if (i == none) return false;
+    sides_[i].taken = true;
+    e = sides_[i].edge;
+    v = forwards ? sides_[i].to : sides_[i].from;
+    return true;
+  }
+
+  std::size_t num_components() const {
+    union_find sets(out_.size());
+    std::vector<unsigned char> used(out_.size());
+    std::size_t n = 0;
+    for (const side& s : sides_) {
+      const std::size_t a = index_of(m_, s.from), b = index_of(m_, s.to);
+      n += !std::exchange(used[a], static_cast<unsigned char>(1));
+      n += !std::exchange(used[b], static_cast<unsigned char>(1));
+      n -= sets.join(a, b);
+    }
+    return n;
+  }
+};
+
+}  // namespace detail
+
+/// The border of a surface: its edges with exactly one poly.
+/// Needs:  SurfaceMesh M.
+/// Result: loops, together every boundary edge once. A loop is a simple cycle, walked as its polys are; where these are wound alike it has the
+///         surface on its left. Where borders touch at a vert, each loop passes it once; they are several loops but one border, so that
+///         `count` may be less than their number. Only where an odd number of boundary edges meet at a vert (an edge with three polys may
+///         end there), what is left over after the cycles is walks that are not closed. The same mesh always gives the same loops.
+/// Cost:   O(elements) time and memory.      Errors: none.
+template<SurfaceMesh M>
+boundary_loops_result<M> boundary_loops(const M& m) {
+  boundary_loops_result<M> result;
+  detail::border_edges<M> border(m);
+  if (border.size() == 0) return result;
+  result.count = border.num_components();
+
+  // Go ahead until a vert is met twice, and take what lies between out as a cycle.
+  constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> place(static_cast<std::size_t>(vert_index_bound(m)), nowhere);
+  edge_walk<M> walk;
+  const auto go_from = [&](vert_t<M> v) {
+    edge_t<M> e{};
+    walk.verts.assign(1, v);
+    walk.edges.clear();
+    place[index_of(m, v)] = 0;
+    while (border.step(v, e)) {
+      walk.edges.push_back(e);
+      const std::size_t back = place[index_of(m, v)];
+      if (back == nowhere) {
+        place[index_of(m, v)] = static_cast<std::uint32_t>(walk.verts.size());
+        walk.verts.push_back(v);
+        continue;
+      }
+      const auto first_vert = walk.verts.begin() + static_cast<std::ptrdiff_t>(back);
+      const auto first_edge = walk.edges.begin() + static_cast<std::ptrdiff_t>(back);
+      result.loops.push_back({{first_vert, walk.verts.end()}, {first_edge, walk.edges.end()}});
+      for (auto it = first_vert + 1; it != walk.verts.end(); ++it) place[index_of(m, *it)] = nowhere;
+      walk.verts.erase(first_vert + 1, walk.verts.end());
+      walk.edges.erase(first_edge, walk.edges.end());
+    }
+    for (const vert_t<M>& w : walk.verts) place[index_of(m, w)] = nowhere;
+    if (!walk.edges.empty()) result.loops.push_back(walk);
+  };
+  // A walk from a vert with an odd number of edges ends at another such vert. After these, all walks come back.
+  for (std::size_t i = 0; i < border.size(); ++i)
+    for (const vert_t<M>& v : {border.from(i), border.to(i)})
+      if (!border.is_taken(i) && border.is_odd(v)) go_from(v);
+  for (std::size_t i = 0; i < border.size(); ++i)
+    if (!border.is_taken(i)) go_from(border.from(i));
+  return result;
+}
+
+}  // namespace concino

@@ -1,0 +1,57 @@
+// Corners of polygons, joined around verts: what is one vert of a surface, and what would be several if it were cut.
+#pragma once
+
+#include <concino/graph/detail/sides.hpp>
+#include <concino/graph/detail/union_find.hpp>
+
+#include <limits>
+
+namespace concino::detail {
+
+/// Corner i of a poly, in the order of adj_p2v, is number first[index of the poly] + i. Two corners of a vert are one class if one can turn
+/// from the one to the other around the vert without crossing an edge e that is_cut(index of e). Linear time, but for union_find.
+template<SurfaceMesh M>
+struct corner_classes {
+  std::vector<std::size_t> first;
+  union_find classes;
+
+  template<class IsCut>
+  corner_classes(const M& m, const IsCut& is_cut)
+      : first(static_cast<std::size_t>(poly_index_bound(m))), classes(number_corners(m, first)) {
+    std::vector<edge_ends> known(static_cast<std::size_t>(edge_index_bound(m)));
+    side_walker<M> sides(m);
+    for (const poly_t<M> p : polys(m)) {
+      sides.read(p);
+      const std::size_t start = first[index_of(m, p)];
+      sides.for_each_side(p, [&](const edge_t<M>& e, std::size_t i, std::size_t j) {
+        const std::size_t slot = index_of(m, e);
+        if (is_cut(slot)) return;
+        if (index_of(m, sides.ring()[i]) > index_of(m, sides.ring()[j])) std::swap(i, j);
+        edge_ends& there = known[slot];
+        if (there.low == unknown) {
+          there = {start + i, start + j};
+          return;
+        }
+        classes.join(there.low, start + i);
+        classes.join(there.high, start + j);
+      });
+    }
+  }
+
+ private:
+  static constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
+  struct edge_ends {  // the corners of the poly met first at an edge, by index of the verts
+    std::size_t low = unknown, high = unknown;
+  };
+
+  static std::size_t number_corners(const M& m, std::vector<std::size_t>& first) {
+    std::size_t n = 0;
+    for (const poly_t<M> p : polys(m)) {
+      first[index_of(m, p)] = n;
+      for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) ++n;
+    }
+    return n;
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,204 @@
+#include <concino/graph/boundary_loops.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+#include <concino/io/load.hpp>
+#include <concino/mesh/boundary.hpp>
+
+#include <support/closed_surfaces.hpp>
+#include <support/corpus.hpp>
+#include <support/kinds.hpp>
+#include <support/tiny.hpp>
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+template<class M>
+std::vector<edge_t<M>> edges_with_one_poly(const M& m) {
+  std::vector<edge_t<M>> r;
+  for (const auto e : edges(m)) {
+    int n = 0;
+    for ([[maybe_unused]] const auto p : adj_e2p(m, e)) ++n;
+    if (n == 1) r.push_back(e);
+  }
+  return r;
+}
+
+template<class M>
+bool joins(const M& m, const edge_t<M>& e, const vert_t<M>& a, const vert_t<M>& b) {
+  int n = 0;
+  bool yes = !(a == b);
+  for (const auto v : adj_e2v(m, e)) {
+    ++n;
+    yes = yes && (v == a || v == b);
+  }
+  return yes && n == 2;
+}
+
+/// How many there are by counting slowly.
+template<class M>
+std::size_t count_borders(const M& m) {
+  std::map<std::size_t, std::size_t> label;
+  const auto border = edges_with_one_poly(m);
+  for (const auto& e : border)
+    for (const auto v : adj_e2v(m, e)) label[index_of(m, v)] = index_of(m, v);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& e : border) {
+      std::size_t least = ~std::size_t{0};
+      for (const auto v : adj_e2v(m, e)) least = std::min(least, label[index_of(m, v)]);
+      for (const auto v : adj_e2v(m, e))
+        if (label[index_of(m, v)] != least) {
+          label[index_of(m, v)] = least;
+          changed = true;
+        }
+    }
+  }
+  std::set<std::size_t> different;
+  for (const auto& [v, l] : label) different.insert(l);
+  return different.size();
+}
+
+template<class M>
+void check_borders(const M& m) {
+  const auto b = boundary_loops(m);
+  CHECK(b.count == count_borders(m));
+  const auto border = edges_with_one_poly(m);
+  std::map<std::size_t, int> met, degree;
+  for (const auto& e : border)
+    for (const auto v : adj_e2v(m, e)) ++degree[index_of(m, v)];
+  int odd = 0;
+  for (const auto& [v, n] : degree) odd += n % 2;
+  int open = 0;
+  std::size_t total = 0;
+  for (const auto& loop : b.loops) {
+    std::set<std::size_t> different;
+    for (const auto& v : loop.verts) different.insert(index_of(m, v));
+    CHECK(different.size() == loop.verts.size());  // simple
+    const std::size_t n = loop.verts.size();
+    REQUIRE(loop.edges.size() == (loop.is_closed() ? n : n - 1));
+    open += !loop.is_closed();
+    for (std::size_t i = 0; i < loop.edges.size(); ++i) {
+      CHECK(joins(m, loop.edges[i], loop.verts[i], loop.verts[(i + 1) % n]));
+      CHECK(++met[index_of(m, loop.edges[i])] == 1);
+    }
+    total += loop.edges.size();
+  }
+  for (const auto& e : border) CHECK(met[index_of(m, e)] == 1);
+  CHECK(total == border.size());
+  CHECK(2 * open == odd);
+  CHECK(b.loops.size() >= b.count);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("boundary_loops: the rim of a grid, with the surface on its left", M, CONCINO_SURFACE_KINDS) {
+  for (const unsigned n : {1u, 2u, 5u}) {
+    const M m = grid<M>(n);
+    check_borders(m);
+    const auto b = boundary_loops(m);
+    REQUIRE(b.count == 1);
+    REQUIRE(b.loops.size() == 1);
+    double twice_area = 0;
+    const auto& rim = b.loops[0].verts;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const vec3 p = point(m, rim[i]), q = point(m, rim[(i + 1) % rim.size()]);
+      twice_area += p.x * q.y - q.x * p.y;
+    }
+    CHECK(twice_area == doctest::Approx(2.0));
+  }
+}
+
+TEST_CASE_TEMPLATE("boundary_loops: none on closed and empty surfaces, two on two grids", M, CONCINO_SURFACE_KINDS) {
+  CHECK(boundary_loops(M()).count == 0);
+  const M torus = from_quads<M>(rolled_grid(5, 4));
+  CHECK(boundary_loops(torus).count == 0);
+  CHECK(boundary_loops(torus).loops.empty());
+  const M two = two_grids<M>(3);
+  check_borders(two);
+  CHECK(boundary_loops(two).count == 2);
+}
+
+TEST_CASE("boundary_loops: triangles that share one vert are two loops and one border") {
+  const trimesh bow({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
+  check_borders(bow);
+  const auto b = boundary_loops(bow);
+  CHECK(b.count == 1);
+  CHECK(b.loops.size() == 2);
+  const trimesh turned({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 4, 3}});
+  check_borders(turned);
+  CHECK(boundary_loops(turned).loops.size() == 2);
+}
+
+TEST_CASE("boundary_loops: three triangles at one edge leave a walk that is not closed") {
+  const trimesh fan({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+  check_borders(fan);
+  const auto b = boundary_loops(fan);
+  CHECK(b.count == 1);
+  REQUIRE(b.loops.size() == 2);
+  CHECK(b.loops[0].is_closed() != b.loops[1].is_closed());
+}
+
+TEST_CASE("boundary_loops: soups of random triangles, open and not manifold") {
+  std::mt19937 random(3);
+  for (int round = 0; round < 1000; ++round) {
+    const unsigned n = 4 + static_cast<unsigned>(random() % 6);
+    std::vector<vec3> points;
+    for (unsigned i = 0; i < n; ++i) points.push_back({double(i), double(i * i), 0});
+    std::set<std::array<unsigned, 3>> triangles;
+    for (int i = static_cast<int>(random() % 12); i >= 0; --i) {
+      const auto a = unsigned(random() % n), b = unsigned(random() % n), c = unsigned(random() % n);
+      if (a != b && b != c && a != c) triangles.insert({a, b, c});
+    }
+    check_borders(polygonmesh(points, triangles));
+  }
+}
+
+TEST_CASE_TEMPLATE("boundary_loops: uses nothing but a surface, and runs on foreign ones", M, CONCINO_SURFACE_KINDS) {
+  const M m = two_grids<M>(2);
+  const auto s = only_surface_mesh(m);
+  check_borders(s);
+  const auto b = boundary_loops(m);
+  const auto stripped = boundary_loops(s);
+  REQUIRE(stripped.loops.size() == b.loops.size());
+  for (std::size_t i = 0; i < b.loops.size(); ++i)
+    for (std::size_t k = 0; k < b.loops[i].verts.size(); ++k) CHECK(s.base(stripped.loops[i].verts[k]) == b.loops[i].verts[k]);
+}
+
+TEST_CASE("boundary_loops: a stranger's mesh, and the skin of a volume, which is closed") {
+  check_borders(tiny::surface_example());
+  const hexmesh cube = grid<hexmesh>(2);
+  CHECK(boundary_loops(boundary(cube)).count == 0);
+}
+
+TEST_CASE("boundary_loops: known numbers of the corpus") {
+  const std::pair<const char*, std::size_t> known[] = {{"tri/bunny.obj", 0},
+                                                       {"tri/circle_disk.obj", 1},
+                                                       {"tri/fan3_nonmanifold_edge.obj", 1},
+                                                       {"tri/gravgen_nonmanifold.obj", 662},
+                                                       {"tri/maxFace_open.obj", 1},
+                                                       {"tri/two_spheres.obj", 0},
+                                                       {"quad/moebius.obj", 1},
+                                                       {"tri/hourglass_nonmanifold_vertex.obj", 0},
+                                                       {"polygon/E_concave.obj", 1},
+                                                       {"polygon/dodecahedron.obj", 0}};
+  CONCINO_CORPUS_OR_SKIP(index, "INDEX.tsv");
+  for (const auto& [file, count] : known) {
+    const std::string name = file;
+    INFO(name);
+    const auto m = load<polygonmesh>((index.parent_path() / file).string());
+    const auto b = boundary_loops(m);
+    CHECK(b.count == count);
+    std::size_t in_loops = 0;
+    for (const auto& loop : b.loops) in_loops += loop.edges.size();
+    CHECK(in_loops == edges_with_one_poly(m).size());
+    if (name == "tri/maxFace_open.obj") CHECK(in_loops == 227);
+  }
+}

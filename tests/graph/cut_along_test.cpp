@@ -1,0 +1,166 @@
+#include <concino/graph/cut_along.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+#include <concino/graph/boundary_loops.hpp>
+
+#include <support/closed_surfaces.hpp>
+#include <support/disk.hpp>
+#include <support/kinds.hpp>
+#include <support/tiny.hpp>
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// The polys are the same ones, at the same places.
+template<class M>
+void check_same_polys(const M& m, const cut_along_result<M>& cut) {
+  const polygonmesh c(cut.surface);
+  REQUIRE(num_polys(c) == num_polys(m));
+  REQUIRE(cut.verts.size() == num_verts(c));
+  REQUIRE(cut.polys.size() == num_polys(c));
+  for (const auto v : verts(c)) CHECK(norm(to_vec3(point(c, v)) - to_vec3(point(m, cut.verts[v.raw()]))) == 0);
+  std::size_t n = 0;
+  for (const auto v : verts(m)) CHECK(cut.verts[n++] == v);
+  for (const auto p : polys(c)) {
+    auto it = adj_p2v(c, p).begin();
+    for (const auto v : adj_p2v(m, cut.polys[p.raw()])) {
+      REQUIRE(cut.verts[(*it).raw()] == v);
+      ++it;
+    }
+  }
+}
+
+template<class M>
+edge_t<M> edge_between(const M& m, unsigned a, unsigned b) {
+  for (const auto e : edges(m)) {
+    unsigned found = 0;
+    for (const auto v : adj_e2v(m, e)) found += index_of(m, v) == a || index_of(m, v) == b;
+    if (found == 2) return e;
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("cut_along: a grid from side to side, half way, and inside") {
+  const quadmesh m = grid<quadmesh>(4);  // vert (i, j) is number 5 j + i
+  const auto cut = [&](unsigned edges_of_way) {
+    std::vector<edge_id> way;
+    for (unsigned j = 0; j < edges_of_way; ++j) way.push_back(edge_between(m, 5 * j + 2, 5 * j + 7));
+    const auto r = cut_along(m, way);
+    check_same_polys(m, r);
+    return quadmesh(r.surface);
+  };
+  CHECK(num_verts(cut(0)) == 25);
+  CHECK(num_verts(cut(1)) == 26);
+  CHECK(num_verts(cut(3)) == 28);
+  CHECK(topology_of(cut(3)).pieces == 1);
+  CHECK(num_verts(cut(4)) == 30);
+  CHECK(topology_of(cut(4)).pieces == 2);
+  CHECK(topology_of(cut(4)).chi == 2);
+
+  const auto slit = cut_along(m, {edge_between(m, 7, 12), edge_between(m, 12, 17)});
+  CHECK(slit.verts.size() == 26);
+  CHECK(slit.verts.back() == vert_id{12});
+  CHECK(boundary_loops(quadmesh(slit.surface)).count == 2);
+  CHECK(cut_along(m, {edge_between(m, 7, 12)}).verts.size() == 25);  // both ends inside: nothing to open
+  CHECK(cut_along(m, {edge_between(m, 0, 1)}).verts.size() == 25);   // on the border: open already
+}
+
+TEST_CASE_TEMPLATE("cut_along: all edges leave the polys one by one", M, CONCINO_SURFACE_KINDS) {
+  for (const M& m : {two_grids<M>(2), from_quads<M>(rolled_grid(4, 3, true)), from_quads<M>(holed_board(2)), M()}) {
+    std::vector<edge_id> all;
+    for (const auto e : edges(m)) all.push_back(e);
+    const auto cut = cut_along(m, all);
+    check_same_polys(m, cut);
+    CHECK(cut.surface.arity == static_cast<unsigned>(arity_v<M>));
+    const auto shape = topology_of(M(cut.surface));
+    CHECK(shape.pieces == static_cast<int>(num_polys(m)));
+    CHECK(shape.chi == static_cast<int>(num_polys(m)));
+  }
+}
+
+TEST_CASE_TEMPLATE("cut_along: random cuts join only what is joined without them", M, CONCINO_SURFACE_KINDS) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round) {
+    const M m = round % 2 ? from_quads<M>(holed_board(1)) : grid<M>(3);
+    std::vector<edge_id> cut;
+    std::vector<unsigned char> is_cut(edge_index_bound(m));
+    for (const auto e : edges(m))
+      if (random() % 3 == 0) {
+        cut.push_back(e);
+        is_cut[e.raw()] = 1;
+      }
+    const auto r = cut_along(m, cut);
+    check_same_polys(m, r);
+    const M c(r.surface);
+    CHECK(topology_of(c).verts_are_manifold);
+    // Whatever is joined in m by an edge that is not cut stays so.
+    for (const auto e : edges(m)) {
+      if (is_cut[e.raw()]) continue;
+      std::vector<poly_id> sides;
+      for (const auto p : adj_e2p(m, e)) sides.push_back(p);
+      if (sides.size() < 2) continue;
+      bool neighbours = false;
+      for (const auto q : adj_p2p(c, sides[0])) neighbours = neighbours || q == sides[1];
+      CHECK(neighbours);
+    }
+    // As many verts as there are fans between cut edges, counted one vert after another.
+    std::size_t fans = 0;
+    for (const auto v : verts(m)) {
+      std::vector<poly_id> star;
+      for (const auto p : adj_v2p(m, v)) star.push_back(p);
+      std::vector<std::size_t> label(star.size());
+      for (std::size_t i = 0; i < star.size(); ++i) label[i] = i;
+      std::size_t n = star.size();
+      for (const auto e : adj_v2e(m, v)) {
+        if (is_cut[e.raw()]) continue;
+        std::vector<std::size_t> here;
+        for (const auto p : adj_e2p(m, e))
+          for (std::size_t i = 0; i < star.size(); ++i)
+            if (star[i] == p) here.push_back(i);
+        if (here.size() < 2 || label[here[0]] == label[here[1]]) continue;
+        --n;
+        const std::size_t old = label[here[1]];
+        for (auto& l : label)
+          if (l == old) l = label[here[0]];
+      }
+      fans += n;
+    }
+    CHECK(num_verts(c) == fans);
+  }
+}
+
+TEST_CASE("cut_along: three polys at an edge come apart there, and verts that are not on the cut stay one") {
+  const trimesh fan({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+  const auto cut = cut_along(fan, {edge_between(fan, 0, 1)});
+  check_same_polys(fan, cut);
+  CHECK(cut.verts.size() == 9);
+  const trimesh bow({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
+  CHECK(cut_along(bow, {edge_between(bow, 1, 2)}).verts.size() == 5);
+  CHECK(cut_along(bow, {edge_between(bow, 0, 2)}).verts.size() == 6);
+}
+
+TEST_CASE_TEMPLATE("cut_along: uses nothing but a surface with points", M, CONCINO_SURFACE_KINDS) {
+  const M m = grid<M>(2);
+  const auto s = only_embedded_mesh(m);
+  std::vector<edge_t<decltype(s)>> all;
+  for (const auto e : edges(s)) all.push_back(e);
+  const auto cut = cut_along(s, all);
+  check_same_polys(s, cut);
+  CHECK(cut.surface.arity == 0);
+  check_same_polys(tiny::surface_example(), cut_along(tiny::surface_example(), {}));
+}
+
+TEST_CASE("cut_along: a strange edge is refused; lists without points are no surface to cut") {
+  const quadmesh m = grid<quadmesh>(2);
+  CHECK_THROWS_WITH_AS(cut_along(m, {edge_id{12}}), "cut_along: one of the edges is no edge of the mesh; take them from edges(m)",
+                       invalid_mesh);
+  CHECK_THROWS_AS(cut_along(m, {edge_id{}}), invalid_mesh);
+}
