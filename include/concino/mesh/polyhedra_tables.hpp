@@ -272,30 +272,50 @@ class polyhedra_tables {
     const vert_id* const corner_vert = f2v_.begin(0);
     std::vector<std::uint32_t> edge_met(e2v_.size(), ~0u);
     std::fill(vert_met.begin(), vert_met.end(), ~0u);
-    detail::offsets v_first(poly_count + 1, 0), e_first(poly_count + 1, 0), degrees(vert_count + 1, 0);
-    const auto walk = [&](auto&& new_vert, auto&& new_edge) {
-      for (std::uint32_t p = 0; p < poly_count; ++p)
-        for (const face_id f : sides_.facets(poly_id{p})) {
-          const auto at = static_cast<std::size_t>(f2v_.begin(f.raw()) - corner_vert);
-          for (std::size_t c = at; c < at + f2v_.length(f.raw()); ++c) {
-            const std::uint32_t v = corner_vert[c].raw(), e = f2e[c].raw();
-            if (vert_met[v] != p) vert_met[v] = p, new_vert(p, v);
-            if (edge_met[e] != p) edge_met[e] = p, new_edge(p, e);
+
+    // In a closed poly every edge is met twice, and verts and faces are two more than edges: room that most meshes fill exactly.
+    std::size_t sides = 0, twice_edges = 0;
+    for (std::uint32_t p = 0; p < poly_count; ++p)
+      for (const face_id f : sides_.facets(poly_id{p})) ++sides, twice_edges += f2v_.length(f.raw());
+    std::vector<vert_id> verts;
+    std::vector<edge_id> edges;
+    edges.reserve(twice_edges / 2);
+    if (twice_edges / 2 + 2 * poly_count > sides) verts.reserve(twice_edges / 2 + 2 * poly_count - sides);
+
+    detail::offsets v_first{0}, e_first{0}, degrees(vert_count + 1, 0);
+    v_first.reserve(poly_count + 1);
+    e_first.reserve(poly_count + 1);
+    for (std::uint32_t p = 0; p < poly_count; ++p) {
+      for (const face_id f : sides_.facets(poly_id{p})) {
+        const auto at = static_cast<std::size_t>(f2v_.begin(f.raw()) - corner_vert);
+        for (std::size_t c = at; c < at + f2v_.length(f.raw()); ++c) {
+          const vert_id v = corner_vert[c];
+          const edge_id e = f2e[c];
+          if (vert_met[v.raw()] != p) {
+            vert_met[v.raw()] = p;
+            verts.push_back(v);
+            ++degrees[v.raw() + 1];
+          }
+          if (edge_met[e.raw()] != p) {
+            edge_met[e.raw()] = p;
+            edges.push_back(e);
           }
         }
-    };
-    walk([&](std::uint32_t p, std::uint32_t v) { ++v_first[p + 1], ++degrees[v + 1]; }, [&](std::uint32_t p, std::uint32_t) { ++e_first[p + 1]; });
-    std::fill(vert_met.begin(), vert_met.end(), ~0u);
-    std::fill(edge_met.begin(), edge_met.end(), ~0u);
-    p2v_ = detail::make_rows<vert_id>(std::move(v_first));
-    p2e_ = detail::make_rows<edge_id>(std::move(e_first));
+      }
+      v_first.push_back(static_cast<std::uint32_t>(verts.size()));
+      e_first.push_back(static_cast<std::uint32_t>(edges.size()));
+    }
+    if (edges.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+    detail::drop_spare_room(verts);
+    detail::drop_spare_room(edges);
+    p2v_ = {std::make_shared<const detail::offsets>(std::move(v_first)), std::move(verts)};
+    p2e_ = {std::make_shared<const detail::offsets>(std::move(e_first)), std::move(edges)};
+
     v2p_ = detail::make_rows<poly_id>(std::move(degrees));
-    vert_id* next_vert = p2v_.begin(0);
-    edge_id* next_edge = p2e_.begin(0);
-    std::vector<std::uint32_t> next(v2p_.shape()->begin(), v2p_.shape()->end() - 1);
+    std::copy_n(v2p_.shape()->begin(), vert_count, vert_met.begin());
     poly_id* const polys = v2p_.begin(0);
-    walk([&](std::uint32_t p, std::uint32_t v) { *next_vert++ = vert_id{v}, polys[next[v]++] = poly_id{p}; },
-         [&](std::uint32_t, std::uint32_t e) { *next_edge++ = edge_id{e}; });
+    for (std::uint32_t p = 0; p < poly_count; ++p)
+      for (const vert_id v : p2v_[p]) polys[vert_met[v.raw()]++] = poly_id{p};
     if (*v2p_.shape() == *v2v_.shape()) v2p_.share_shape(v2v_);
   }
 };
