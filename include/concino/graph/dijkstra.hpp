@@ -5,65 +5,93 @@
 #include <concino/graph/detail/graph_of.hpp>
 #include <concino/graph/detail/indexed_heap.hpp>
 #include <concino/graph/detail/lengths.hpp>
+#include <concino/graph/detail/targets.hpp>
+#include <concino/graph/predecessors.hpp>
 
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace concino {
 
-/// Node is a vert (primal graph) or a poly (dual graph).
-template<class Node>
+/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them: an edge, between polys of a volume a face;
+/// void where the mesh does not offer it.
+template<class Node, class Crossed = void>
 struct dijkstra_options {
   std::vector<Node> targets = {};                // stop when all of them are reached; none: go everywhere
+  bool nearest_target = false;                   // stop when one of them is reached
   function_ref<bool(Node)> may_enter = nullptr;  // false: no path may step on this node (empty: on all). Sources are exempt.
+  detail::may_cross_t<Crossed> may_cross = nullptr;                   // false: no path may cross this edge or face (empty: all)
+  predecessors_ref<Node> predecessors = nullptr;                      // pointer to a map of nodes by nodes, filled with the last but one of each path
+  double max_distance = std::numeric_limits<double>::infinity();      // >= 0, in units of length; nodes farther than this are not reached
 };
 
 namespace detail {
 
 template<class G>
-[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_length(const G& g, const typename G::node& from, const typename G::node& to, double length) {
-  throw invalid_mesh("dijkstra: the length from " + name_of(g, from) + " to " + name_of(g, to) + " is " +
+[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_length(const G& g, const typename G::node& from, const typename G::node& to, double length,
+                                                             const char* who) {
+  throw invalid_mesh(std::string(who) + ": the length from " + name_of(g, from) + " to " + name_of(g, to) + " is " +
                      (length < 0 ? number_text(length) : std::string("not a number")) + "; lengths must be 0 or more");
 }
 
-template<class G, class S, class L>
-auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node>& options) {
+/// Full: with may_cross and predecessors, which are not even asked for otherwise.
+template<bool Full, class G, class S, class L>
+auto search_by_length(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* who) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto may_enter = options.may_enter;
+  [[maybe_unused]] const auto predecessors = options.predecessors;
   auto distance = make_node_map<double>(g, infinity);
   indexed_heap<node> queue(distance.values());
-  for_each_source(g, sources, "dijkstra", [&](const node& s) {
+  for_each_source(g, sources, who, [&](const node& s) {
     if (const auto slot = g.index(s); queue.key(slot) == infinity) queue.lower(s, slot, 0);
   });
-
-  std::vector<unsigned char> is_target;
-  std::size_t targets_left = 0;
-  if (!options.targets.empty()) {
-    is_target.resize(g.bound());
-    for (const node& t : options.targets) {
-      expect_node(g, t, "dijkstra", "target");
-      targets_left += !std::exchange(is_target[g.index(t)], static_cast<unsigned char>(1));
-    }
+  target_set targets(g, options.targets, options.nearest_target, who);
+  if constexpr (Full) {
+    if (predecessors)
+      for (const node x : g.nodes()) predecessors.put(x, x);
   }
 
-  double limit = infinity;
+  double limit = options.max_distance;
   while (!queue.empty() && queue.least() <= limit) {
     const auto [v, v_slot, d] = queue.pop();
-    if (targets_left > 0 && is_target[v_slot] && --targets_left == 0) limit = d;
+    if (targets.meet(v_slot)) limit = d;
     const auto length_to = lengths.from(v);
-    for (const node w : g.neighbours(v)) {
-      if (may_enter && !may_enter(w)) continue;
+    const auto relax = [&, from = v, far = d](const node& w) {
       const auto w_slot = g.index(w);
       const double known = queue.key(w_slot);
-      const double length = length_to(w, known - d);
-      if (!(length >= 0)) [[unlikely]] throw_bad_length(g, v, w, length);
-      if (d + length < known) queue.lower(w, w_slot, d + length);
+      const double length = length_to(w, known - far);
+      if (!(length >= 0)) [[unlikely]] throw_bad_length(g, from, w, length, who);
+      if (far + length < known) {
+        queue.lower(w, w_slot, far + length);
+        if constexpr (Full) {
+          if (predecessors) predecessors.put(w, from);
+        }
+      }
+    };
+    if constexpr (Full) {
+      for_each_step(g, v, may_enter, options.may_cross, relax);
+    } else {
+      for (const node w : g.neighbours(v)) {
+        if (may_enter && !may_enter(w)) continue;
+        relax(w);
+      }
     }
   }
-  queue.forget_waiting();
+  queue.forget_waiting([&]([[maybe_unused]] const node& x) {
+    if constexpr (Full) {
+      if (predecessors) predecessors.put(x, x);
+    }
+  });
   return distance;
+}
+
+template<class G, class S, class L>
+auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options,
+              const char* who = "dijkstra") {
+  if (!(options.max_distance >= 0)) throw invalid_argument(std::string(who) + ": max_distance must be 0 or more");
+  return options.may_cross || options.predecessors ? search_by_length<true>(g, sources, lengths, options, who)
+                                                   : search_by_length<false>(g, sources, lengths, options, who);
 }
 
 }  // namespace detail
@@ -72,33 +100,37 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
 /// sources where a container or braces of them are given. Without a length, an arc is as long as the straight line between the verts,
 /// or between the means of the verts of the polys.
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; length(from, to) >= 0. Without a length: Embedded, and AnyMesh for polys.
+///         may_cross needs the edges or faces of an AnyMesh.
 /// Result: a map of double: distance[x] in units of length, +inf where unreached. With targets, it is exact for all nodes that are not
-///         farther than the farthest target, and +inf for the others. It does not depend on the order of elements of equal distance.
+///         farther than the farthest target, or with nearest_target than the nearest, and +inf for the others. It does not depend on the
+///         order of elements of equal distance. Of predecessors by which a path is equally short, that stands which was settled first; it
+///         is the same in every run.
 /// Cost:   O(E log V) time, O(V) memory.
-/// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number.
+/// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number;
+///         invalid_argument if max_distance is negative or not a number.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S, class L>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>>& options = {}) {
+auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::given_lengths<L>{length}, options);
 }
 
 template<class M, class S, class L>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>>& options = {}) {
+auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::given_lengths<L>{length}, options);
 }
 
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
-auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>>& options = {}) {
+auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, source, detail::default_lengths(g), options);
 }
 
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>>& options = {}) {
+auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, sources, detail::default_lengths(g), options);
 }

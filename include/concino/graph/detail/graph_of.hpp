@@ -85,11 +85,20 @@ void expect_node(const G& g, const typename G::node& x, const char* who, const c
   throw invalid_mesh(std::string(who) + ": the " + role + " is no " + G::word + " of the mesh; take one from " + G::word + "s(m)");
 }
 
+/// The graph that is meant where no source says so: that of the verts, of what has none that of the polys.
+template<class M> struct graph_by_default {};
+template<PrimalGraph M> struct graph_by_default<M> { using type = primal_graph<M>; };
+template<DualGraph M>
+  requires(!PrimalGraph<M>)
+struct graph_by_default<M> { using type = dual_graph<M>; };
+template<class M> using default_graph_of = typename graph_by_default<std::remove_cvref_t<M>>::type;
+template<class M> using default_node_of = typename default_graph_of<M>::node;
+
 /// Calls visit(node) for the one source or each of several, after checking that the mesh has it.
 template<class G, class S, class F>
-void for_each_source(const G& g, const S& source, const char* who, F&& visit) {
+void for_each_source(const G& g, const S& source, const char* who, F&& visit, const char* role = "source") {
   const auto take = [&](const typename G::node& x) {
-    expect_node(g, x, who, "source");
+    expect_node(g, x, who, role);
     visit(x);
   };
   if constexpr (any_range<S>) {
@@ -102,6 +111,8 @@ void for_each_source(const G& g, const S& source, const char* who, F&& visit) {
 }  // namespace concino::detail
 
 namespace concino::requirement {
+
+template<class M> concept is_graph = PrimalGraph<M> || DualGraph<M>;
 
 /// S is a vert or a poly of M, or a container of either.
 template<class M, class S> concept is_source = requires { typename concino::detail::graph_of<M, S>; };

@@ -82,9 +82,13 @@ class indexed_heap {
     return {top.node, top.slot, top.key};
   }
 
-  /// Takes back the distances of the nodes that still wait.
-  void forget_waiting() {
-    for (const entry& e : heap_) keys_[e.slot] = std::numeric_limits<double>::infinity();
+  /// Takes back the distances of the nodes that still wait, and tells forgotten(node) which those are.
+  template<class F>
+  void forget_waiting(const F& forgotten) {
+    for (const entry& e : heap_) {
+      keys_[e.slot] = std::numeric_limits<double>::infinity();
+      forgotten(e.node);
+    }
     heap_.clear();
   }
 };

@@ -3,7 +3,7 @@
 
 #include <concino/geometry/centroid.hpp>
 #include <concino/geometry/vec3.hpp>
-#include <concino/graph/detail/graph_of.hpp>
+#include <concino/graph/detail/crossings.hpp>
 
 #include <limits>
 #include <vector>
@@ -69,8 +69,8 @@ template<class M>
 auto default_lengths(const primal_graph<M>& g) { return euclidean_vert_lengths<M>{g.m}; }
 
 template<class M>
-  requires AnyMesh<M> && Embedded<M>
-auto default_lengths(const dual_graph<M>& g) { return euclidean_poly_lengths<M>(g.m); }
+  requires AnyMesh<mesh_behind_t<M>> && Embedded<mesh_behind_t<M>>
+auto default_lengths(const dual_graph<M>& g) { return euclidean_poly_lengths<mesh_behind_t<M>>(mesh_behind(g.m)); }
 
 }  // namespace concino::detail
 
@@ -79,6 +79,7 @@ namespace concino::requirement {
 /// The graph that S means has coordinates to measure by: of verts, or of the verts of polys.
 template<class M, class S> concept has_lengths = is_source<M, S> && requires(const concino::detail::graph_of<M, S>& g) { concino::detail::default_lengths(g); };
 
+/// A callable that says how long the arc from one node to another is.
 template<class L, class N> concept is_length = requires(const L& length, const N& v) { static_cast<double>(length(v, v)); };
 
 }  // namespace concino::requirement

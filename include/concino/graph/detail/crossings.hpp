@@ -1,0 +1,91 @@
+// What lies between two nodes of a graph: the edge along which verts are joined, the edge (surface) or face (volume) that polys share.
+// Known where the mesh offers it; views of one graph, primal(m) and dual(m), ask the mesh they show.
+#pragma once
+
+#include <concino/concepts/views/dual.hpp>
+#include <concino/concepts/views/primal.hpp>
+#include <concino/function_ref.hpp>
+#include <concino/graph/detail/graph_of.hpp>
+
+#include <cstddef>
+
+namespace concino::detail {
+
+/// m, or where m is a view of one of its graphs, the mesh.
+template<class M> const M& mesh_behind(const M& m) { return m; }
+template<class M> decltype(auto) mesh_behind(const views::primal_view<M>& m) { return mesh_behind(m.base()); }
+template<class M> decltype(auto) mesh_behind(const views::dual_view<M>& m) { return mesh_behind(m.base()); }
+
+template<class M> using mesh_behind_t = std::remove_cvref_t<decltype(mesh_behind(std::declval<const M&>()))>;
+
+template<class M> concept crosses_edges_between_verts = requirement::has_adj_v2e<M> && requirement::has_adj_e2v<M>;
+template<class M> concept crosses_edges_between_polys = dimension_v<M> == 2 && requirement::has_adj_p2e<M> && requirement::has_adj_e2p<M>;
+template<class M> concept crosses_faces_between_polys = dimension_v<M> == 3 && requirement::has_adj_p2f<M> && requirement::has_adj_f2p<M>;
+
+/// `type`: what is crossed on the way from node to node, void where the mesh does not say.
+template<class G> struct crossing { using type = void; };
+template<class M>
+  requires crosses_edges_between_verts<mesh_behind_t<M>>
+struct crossing<primal_graph<M>> { using type = edge_t<mesh_behind_t<M>>; };
+template<class M>
+  requires crosses_edges_between_polys<mesh_behind_t<M>>
+struct crossing<dual_graph<M>> { using type = edge_t<mesh_behind_t<M>>; };
+template<class M>
+  requires crosses_faces_between_polys<mesh_behind_t<M>>
+struct crossing<dual_graph<M>> { using type = face_t<mesh_behind_t<M>>; };
+
+template<class G> using crossed_t = typename crossing<G>::type;
+template<class M, class S> using crossed_of = crossed_t<graph_of<M, S>>;
+
+/// Stands where nothing can be crossed: takes no predicate.
+struct nothing_to_cross {
+  constexpr nothing_to_cross() = default;
+  constexpr nothing_to_cross(std::nullptr_t) {}
+  constexpr explicit operator bool() const { return false; }
+};
+template<class C> struct crossing_test { using type = function_ref<bool(C)>; };
+template<> struct crossing_test<void> { using type = nothing_to_cross; };
+template<class C> using may_cross_t = typename crossing_test<C>::type;
+
+/// Calls visit(w, x) for each neighbour w of v and each edge or face x between them: as often as the two share one.
+template<class M, class F>
+  requires(!std::is_void_v<crossed_t<primal_graph<M>>>)
+void for_each_crossing(const primal_graph<M>& g, const vert_t<M>& v, const F& visit) {
+  const auto& m = mesh_behind(g.m);
+  for (const auto e : adj_v2e(m, v))
+    for (const vert_t<M> w : adj_e2v(m, e))
+      if (!(w == v)) visit(w, e);
+}
+
+template<class M, class F>
+  requires(!std::is_void_v<crossed_t<dual_graph<M>>>)
+void for_each_crossing(const dual_graph<M>& g, const poly_t<M>& p, const F& visit) {
+  const auto& m = mesh_behind(g.m);
+  const auto across = [&](const auto& x, const auto& polys_at_x) {
+    for (const poly_t<M> q : polys_at_x)
+      if (!(q == p)) visit(q, x);
+  };
+  if constexpr (dimension_v<mesh_behind_t<M>> == 2) {
+    for (const auto e : adj_p2e(m, p)) across(e, adj_e2p(m, e));
+  } else {
+    for (const auto f : adj_p2f(m, p)) across(f, adj_f2p(m, f));
+  }
+}
+
+/// Calls visit(w) for the neighbours of v that may_cross and may_enter (either may be empty) let pass; with may_cross perhaps more than once.
+template<class G, class F>
+void for_each_step(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
+                   [[maybe_unused]] const may_cross_t<crossed_t<G>>& may_cross, const F& visit) {
+  if constexpr (!std::is_void_v<crossed_t<G>>) {
+    if (may_cross) {
+      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {
+        if (may_cross(x) && (!may_enter || may_enter(w))) visit(w);
+      });
+      return;
+    }
+  }
+  for (const typename G::node w : g.neighbours(v))
+    if (!may_enter || may_enter(w)) visit(w);
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,36 @@
+// The targets of a search: which nodes they are, and when the search has met enough of them.
+#pragma once
+
+#include <concino/graph/detail/graph_of.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// Which of the nodes are targets. meet(slot) says whether the search has now met all of them, or the first if one is enough.
+class target_set {
+  std::vector<unsigned char> is_target_;
+  std::size_t left_ = 0;
+  bool one_is_enough_ = false;
+
+ public:
+  template<class G>
+  target_set(const G& g, const std::vector<typename G::node>& targets, bool one_is_enough, const char* who) : one_is_enough_(one_is_enough) {
+    if (targets.empty()) return;
+    is_target_.resize(g.bound());
+    for (const auto& t : targets) {
+      expect_node(g, t, who, "target");
+      left_ += !std::exchange(is_target_[g.index(t)], static_cast<unsigned char>(1));
+    }
+  }
+
+  bool meet(std::size_t slot) {
+    if (left_ == 0 || !is_target_[slot]) return false;
+    left_ = one_is_enough_ ? 0 : left_ - 1;
+    return left_ == 0;
+  }
+};
+
+}  // namespace concino::detail

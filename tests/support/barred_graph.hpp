@@ -1,0 +1,166 @@
+// Random meshes of a kind with random walls, as the mesh itself and as the plain arcs that are left: for tests of algorithms on graphs
+// against others that know no mesh.
+#pragma once
+
+#include <concino/concepts/views.hpp>
+#include <concino/edit/elements.hpp>
+
+#include <support/boost_graph.hpp>
+#include <support/soups.hpp>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
+
+#include <iterator>
+#include <random>
+#include <vector>
+
+namespace concino::testing {
+
+/// Which graph of a mesh a test is about.
+template<class M_>
+struct primal_side {
+  using M = M_;
+  using node = vert_t<M>;
+  static auto view(const M& m) { return primal(m); }
+  static auto nodes(const M& m) { return verts(m); }
+  static std::size_t bound(const M& m) { return vert_index_bound(m); }
+  static std::size_t num_crossings(const M& m) { return edge_index_bound(m); }
+  /// f(a, b, x) for each two nodes a, b and each x between them, once.
+  template<class F> static void for_each_join(const M& m, const F& f) {
+    for (const auto e : edges(m)) f(*adj_e2v(m, e).begin(), *std::next(adj_e2v(m, e).begin()), e);
+  }
+};
+template<class M_>
+struct dual_side {
+  using M = M_;
+  using node = poly_t<M>;
+  static auto view(const M& m) { return dual(m); }
+  static auto nodes(const M& m) { return polys(m); }
+  static std::size_t bound(const M& m) { return poly_index_bound(m); }
+  static std::size_t num_crossings(const M& m) {
+    if constexpr (dimension_v<M> == 2) return edge_index_bound(m);
+    else return face_index_bound(m);
+  }
+  template<class F> static void for_each_join(const M& m, const F& f) {
+    const auto pairs = [&](const auto x, const auto& at_x) {
+      for (const auto p : at_x)
+        for (const auto q : at_x)
+          if (index_of(m, p) < index_of(m, q)) f(p, q, x);
+    };
+    if constexpr (dimension_v<M> == 2) {
+      for (const auto e : edges(m)) pairs(e, adj_e2p(m, e));
+    } else {
+      for (const auto f2 : faces(m)) pairs(f2, adj_f2p(m, f2));
+    }
+  }
+};
+
+template<class Side>
+struct barred_graph {
+  using side = Side;
+  using M = typename Side::M;
+  using node = typename Side::node;
+
+  M m;
+  std::vector<char> free_node, free_crossing;  // by index_of
+  unsigned salt = 0;
+
+  auto enter() const {
+    return [this](node v) { return free_node[index_of(m, v)] != 0; };
+  }
+  auto cross() const {
+    return [this](auto x) { return free_crossing[index_of(m, x)] != 0; };
+  }
+  /// Small whole numbers, some of them zero, another one backwards; sums are exact and often equal.
+  auto length() const {
+    return [this](node a, node b) { return double(((index_of(m, a) * 31 + index_of(m, b) * 17 + salt) * 2654435761u % 1009) % 4); };
+  }
+  /// Alike in both directions.
+  auto even_length() const {
+    return [l = length()](node a, node b) { return l(a, b) + l(b, a); };
+  }
+  std::vector<node> nodes() const {
+    std::vector<node> r;
+    for (const node x : Side::nodes(m)) r.push_back(x);
+    return r;
+  }
+  std::size_t bound() const { return Side::bound(m); }
+
+  /// f(a, b) for all that are joined by an open crossing, in both directions, and for whom b is open.
+  template<class F> void for_each_arc(const F& f) const {
+    Side::for_each_join(m, [&](node a, node b, auto x) {
+      if (!cross()(x)) return;
+      if (enter()(b)) f(a, b);
+      if (enter()(a)) f(b, a);
+    });
+  }
+  template<class L> std::vector<arc> arcs(const L& length_of) const {
+    std::vector<arc> r;
+    for_each_arc([&](node a, node b) { r.push_back({index_of(m, a), index_of(m, b), length_of(a, b)}); });
+    return r;
+  }
+  bool has_arc(node a, node b) const {
+    bool found = false;
+    for_each_arc([&](node x, node y) { found = found || (x == a && y == b); });
+    return found;
+  }
+};
+
+/// About one node in five and one crossing in four are closed; in some meshes none is, in some elements have been removed.
+template<class Side>
+barred_graph<Side> random_barred_graph(std::mt19937& random) {
+  using M = typename Side::M;
+  barred_graph<Side> g;
+  const unsigned vert_count = 8 + static_cast<unsigned>(random() % 5);
+  g.m = random_soup<M>(random, vert_count, 1 + static_cast<unsigned>(random() % 7)).mesh();
+  if (random() % 4 == 0) remove_poly(g.m, *polys(g.m).begin());
+  const bool open = random() % 4 == 0;
+  const auto flags = [&](std::size_t n, unsigned closed_of) {
+    std::vector<char> r(n);
+    for (char& c : r) c = open || random() % closed_of != 0;
+    return r;
+  };
+  g.free_node = flags(Side::bound(g.m), 5);
+  g.free_crossing = flags(Side::num_crossings(g.m), 4);
+  g.salt = static_cast<unsigned>(random());
+  return g;
+}
+
+/// check(g) for random graphs of the verts and of the polys of meshes of kind M, `count` meshes each.
+template<class M, class F>
+void for_random_graphs(unsigned count, const F& check) {
+  std::mt19937 random(20);
+  for (unsigned i = 0; i < count; ++i) {
+    check(random_barred_graph<primal_side<M>>(random));
+    check(random_barred_graph<dual_side<M>>(random));
+  }
+}
+
+using boost_undirected = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, boost::property<boost::edge_weight_t, double>>;
+
+template<class Side, class L>
+boost_undirected make_undirected(const barred_graph<Side>& g, const L& length) {
+  boost_undirected r(g.bound());
+  for (const arc& a : g.arcs(length))
+    if (a.from < a.to && g.free_node[a.from]) add_edge(a.from, a.to, a.length, r);
+  return r;
+}
+
+/// The component of each index, barred nodes and gaps being components of their own.
+inline std::vector<int> boost_components(const boost_undirected& g) {
+  std::vector<int> r(num_vertices(g));
+  boost::connected_components(g, r.data());
+  return r;
+}
+
+inline double boost_tree_weight(const boost_undirected& g) {
+  std::vector<boost_undirected::edge_descriptor> tree;
+  boost::kruskal_minimum_spanning_tree(g, std::back_inserter(tree));
+  double sum = 0;
+  for (const auto& e : tree) sum += get(boost::edge_weight, g, e);
+  return sum;
+}
+
+}  // namespace concino::testing
