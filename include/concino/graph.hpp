@@ -3,8 +3,11 @@
 
 #include <concino/graph/bfs.hpp>
 #include <concino/graph/boundary_loops.hpp>
+#include <concino/graph/components.hpp>
 #include <concino/graph/cut_along.hpp>
 #include <concino/graph/dijkstra.hpp>
 #include <concino/graph/edge_walk.hpp>
 #include <concino/graph/homology.hpp>
+#include <concino/graph/predecessors.hpp>
+#include <concino/graph/shortest_path.hpp>
 #include <concino/graph/tree_cotree.hpp>

@@ -1,0 +1,91 @@
+// Connected components: which elements hang together, and how many pieces there are.
+#pragma once
+
+#include <concino/function_ref.hpp>
+#include <concino/graph/detail/crossings.hpp>
+#include <concino/graph/detail/disjoint_sets.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
+template<class Node, class Crossed = void>
+struct component_options {
+  function_ref<bool(Node)> may_enter = nullptr;      // false: the node belongs to no component (empty: all do)
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: this edge or face does not join what lies on its sides (empty: all do)
+};
+
+/// cc[x] is the number of the component of x, -1 if x was not to be entered. Components are numbered from 0 in the order in which a walk over
+/// all nodes meets them.
+template<class Map>
+struct component_labels {
+  int count = 0;
+  Map labels;
+
+  template<class X>
+    requires requires(const Map& map, const X& x) { map[x]; }
+  int operator[](const X& x) const { return labels[x]; }
+};
+
+namespace detail {
+
+/// Unites each node with its neighbours of less index: nodes of near index lie near in memory, so this reads the mesh and the labels
+/// almost in order, where a search would jump.
+template<class G>
+auto connected_components(const G& g, const component_options<typename G::node, crossed_t<G>>& options) {
+  using node = typename G::node;
+  auto labels = make_node_map<int>(g, -1);
+  int* const label = labels.values().data();
+  const auto may_enter = options.may_enter;
+  disjoint_sets sets(g.bound());
+
+  const bool barred = may_enter || options.may_cross;
+  for (const node v : g.nodes()) {
+    const std::size_t i = g.index(v);
+    if (barred) {
+      if (may_enter && !may_enter(v)) continue;
+      label[i] = 0;  // to be entered
+      for_each_step(g, v, nullptr, options.may_cross, [&](const node& w) {
+        if (const std::size_t j = g.index(w); label[j] == 0) sets.unite(i, j);
+      });
+      continue;
+    }
+    std::size_t mine = sets.root(i);
+    for (const node w : g.neighbours(v)) {
+      const std::size_t j = g.index(w);
+      if (j >= i) continue;
+      if (const std::size_t theirs = sets.root(j); theirs != mine) mine = sets.unite_roots(mine, theirs);
+    }
+  }
+
+  auto of_root = std::vector<int>(barred ? g.bound() : 0, -1);
+  int* const number = barred ? of_root.data() : label;
+  int count = 0;
+  for (const node v : g.nodes()) {
+    const std::size_t i = g.index(v);
+    if (barred && label[i] < 0) continue;
+    int& n = number[sets.root(i)];
+    if (n < 0) n = count++;
+    label[i] = n;
+  }
+  return component_labels<decltype(labels)>{count, std::move(labels)};
+}
+
+}  // namespace detail
+
+/// The connected components of the verts of a mesh or, of dual(m) and other graphs of polys alone, of its polys. Nodes or arcs that
+/// may_enter and may_cross bar part them further.
+/// Needs:  PrimalGraph M, or DualGraph M; may_cross needs the edges or faces of an AnyMesh.
+/// Result: cc.count; cc[x] is 0 .. cc.count - 1, numbered by the first element that a walk over all meets; -1 for barred nodes.
+/// Cost:   O(V + E) up to an inverse Ackermann factor in time, O(V) memory.
+/// Source: Galler, Fisher 1964; paper section 2.1, "Mesh hierarchy".
+template<class M>
+  requires requirement::is_no_temporary<M> && requirement::is_graph<M>
+auto connected_components(M&& m, const component_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
+  return detail::connected_components(detail::default_graph_of<M>{m}, options);
+}
+
+}  // namespace concino

@@ -1,0 +1,106 @@
+#include <concino/graph/components.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+#include <concino/graph/bfs.hpp>
+
+#include <support/barred_graph.hpp>
+#include <support/corpus_meshes.hpp>
+
+#include <doctest/doctest.h>
+
+#include <map>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+template<class G> concept has_components = requires { connected_components(std::declval<G>()); };
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("connected_components: those of Boost on 1,000 random meshes with barriers, numbered by their first elements", M, CONCINO_ALL_KINDS) {
+  for_random_graphs<M>(1000, [](const auto& g) {
+    using side = typename std::remove_cvref_t<decltype(g)>::side;
+    const auto graph = side::view(g.m);
+    const auto cc = connected_components(graph, {.may_enter = g.enter(), .may_cross = g.cross()});
+    const auto expected = boost_components(make_undirected(g, g.even_length()));
+    std::map<int, int> number;  // of Boost's labels
+    for (const auto x : g.nodes()) {
+      const auto i = index_of(g.m, x);
+      if (!g.free_node[i]) {
+        REQUIRE(cc[x] == -1);
+        continue;
+      }
+      const auto found = number.emplace(expected[i], static_cast<int>(number.size())).first;
+      REQUIRE(cc[x] == found->second);
+    }
+    REQUIRE(cc.count == static_cast<int>(number.size()));
+
+    const auto all = connected_components(graph);
+    int pieces = 0;
+    for (const auto x : g.nodes()) {
+      if (all[x] < pieces) continue;
+      REQUIRE(all[x] == pieces++);
+      const auto hops = bfs(graph, x);
+      for (const auto y : g.nodes()) REQUIRE((hops[y] >= 0) == (all[y] == all[x]));
+    }
+    REQUIRE(all.count == pieces);
+  });
+}
+
+TEST_CASE_TEMPLATE("connected_components: two grids and a lonely vert, by verts and by polys; the empty mesh", M, CONCINO_ALL_KINDS) {
+  const M m = two_grids<M>(2);
+  const auto cc = connected_components(m);
+  CHECK(cc.count == 3);
+  CHECK(cc[vert_id{0}] == 0);
+  CHECK(cc[vert_id{static_cast<unsigned>(num_verts(m) - 2)}] == 1);
+  CHECK(cc[vert_id{static_cast<unsigned>(num_verts(m) - 1)}] == 2);
+  const auto cd = connected_components(dual(m));
+  CHECK(cd.count == 2);
+  CHECK(cd[poly_id{static_cast<unsigned>(num_polys(m) - 1)}] == 1);
+  CHECK(connected_components(dual(m), {.may_cross = [](auto) { return false; }}).count == static_cast<int>(num_polys(m)));
+  CHECK(connected_components(m, {.may_enter = [](auto) { return false; }}).count == 0);
+  const M none;
+  CHECK(connected_components(none).count == 0);
+  CHECK(connected_components(dual(none)).count == 0);
+}
+
+TEST_CASE_TEMPLATE("connected_components: uses nothing but a primal or a dual graph", M, CONCINO_ALL_KINDS) {
+  const M m = two_grids<M>(1);
+  const auto g = only_primal_graph(m);
+  const auto d = only_dual_graph(m);
+  const auto cc = connected_components(g, {.may_enter = [](const auto&) { return true; }});
+  const auto cd = connected_components(d);
+  CHECK(cc.count == 3);
+  CHECK(cd.count == 2);
+  for (const auto v : verts(g)) CHECK(cc[v] == connected_components(m)[g.base(v)]);
+  for (const auto p : polys(d)) CHECK(cd[p] == connected_components(dual(m))[d.base(p)]);
+  static_assert(has_components<trimesh&> && !has_components<trimesh> && !has_components<int&>);
+}
+
+TEST_CASE("corpus: components of verts and polys agree with Boost.Graph on every mesh") {
+  const auto rows = corpus_meshes();
+  if (rows.empty()) return skip("no corpus");
+  for (const auto& row : rows) {
+    INFO(row.name);
+    std::visit(
+        [](const auto& m) {
+          const auto compare = [&](const auto& all, const auto& cc, const auto& arcs, std::size_t bound) {
+            boost_undirected g(bound);
+            for (const arc& a : arcs)
+              if (a.from < a.to) add_edge(a.from, a.to, g);
+            const auto expected = boost_components(g);
+            std::map<int, int> number;
+            std::size_t wrong = 0;
+            for (const auto x : all) wrong += cc[x] != number.emplace(expected[index_of(m, x)], static_cast<int>(number.size())).first->second;
+            CHECK(wrong == 0);
+            CHECK(cc.count == static_cast<int>(number.size()));
+          };
+          const auto one = [](auto, auto) { return 1.0; };
+          compare(verts(m), connected_components(m), primal_arcs(m, one), vert_index_bound(m));
+          compare(polys(m), connected_components(dual(m)), dual_arcs(m, one), poly_index_bound(m));
+        },
+        load_any(row.file.string()));
+  }
+}
