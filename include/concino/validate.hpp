@@ -2,3 +2,4 @@
 #pragma once
 
 #include <concino/validate/check_laws.hpp>
+#include <concino/validate/validate.hpp>

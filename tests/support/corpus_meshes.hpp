@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct corpus_row {
   std::filesystem::path file;
   std::string name;
   double area = 0, volume = 0;  // columns area_vec and volume_ctr; 0 where empty
+  std::map<std::string, std::string> column = {};  // every column, by its name
 };
 
 /// Those rows whose files can be read, without those that are broken on purpose; empty where there is no corpus.
@@ -53,8 +55,10 @@ inline std::vector<corpus_row> corpus_meshes() {
     const std::filesystem::path path = corpus(cell("path"));
     const auto extension = path.extension();
     if (cell("path").rfind("bad/", 0) == 0) continue;  // those belong to the readers
-    if (extension == ".obj" || extension == ".mesh" || extension == ".hedra")
+    if (extension == ".obj" || extension == ".mesh" || extension == ".hedra") {
       rows.push_back({path, cell("path"), number("area_vec"), number("volume_ctr")});
+      for (const std::string& name : names) rows.back().column[name] = cell(name.c_str());
+    }
   }
   return rows;
 }

@@ -1,0 +1,90 @@
+// Where checks put what they find: names of elements, the limit of records, and progress.
+#pragma once
+
+#include <concino/detail/number_text.hpp>
+#include <concino/progress.hpp>
+#include <concino/validate/defect.hpp>
+
+#include <utility>
+
+namespace concino {
+
+/// What validate looks for.
+struct validate_options {
+  defect_kinds kinds = {};           // the kinds to look for; all. The facts are found in any case.
+  std::size_t most_per_kind = 100;   // records kept of each kind, 0 or more; further defects are counted
+  double length_tolerance = 0;       // >= 0, times the diagonal of the box of the mesh: edges up to this length have none
+  double size_tolerance = 0;         // >= 0, times the diagonal of an element's box, squared (areas) or cubed (volumes): sizes up to this are none
+  double planarity_tolerance = 0.05; // >= 0, times the diagonal of a polygon's box: how far off its plane verts may lie
+  concino::progress progress = {};
+};
+
+namespace detail {
+
+template<class M>
+class defect_log {
+  const M* m_;
+  validation_report<M>* report_;
+  const validate_options* options_;
+  double from_ = 0, to_ = 0;
+  std::size_t done_ = 0, work_ = 1;
+
+ public:
+  defect_log(const M& m, validation_report<M>& report, const validate_options& options) : m_(&m), report_(&report), options_(&options) {}
+
+  bool wants(defect_kind kind) const { return options_->kinds.holds(kind); }
+  bool wants_any(std::initializer_list<defect_kind> kinds) const { return options_->kinds.holds_any(kinds); }
+  const validate_options& options() const { return *options_; }
+
+  /// A record to fill in with others and what; null where the kind is not wanted or enough are known.
+  defect<M>* add(defect_kind kind, const mesh_element<M>& x) { return wants(kind) ? report_->add(kind, x, options_->most_per_kind) : nullptr; }
+
+  /// "vert 7"
+  template<class X>
+  std::string name(const X& x) const {
+    const char* kind = "face ";
+    if constexpr (std::same_as<X, vert_t<M>>) kind = "vert ";
+    else if constexpr (std::same_as<X, edge_t<M>>) kind = "edge ";
+    else if constexpr (std::same_as<X, poly_t<M>>) kind = "poly ";
+    return kind + number_text(index_of(*m_, x));
+  }
+  /// "edge 7 from vert 1 to vert 2"
+  std::string edge_name(const edge_t<M>& e) const {
+    std::string text = name(e);
+    const char* join = " from ";
+    for (const vert_t<M> v : adj_e2v(*m_, e)) text += std::exchange(join, " to ") + name(v);
+    return text;
+  }
+  /// Adds some of the elements of a range to the others of a record.   Result: "poly 3, poly 4 and poly 5", "poly 3, ... and 9 more"
+  template<class R>
+  std::string list(defect<M>& d, const R& range) const {
+    constexpr std::size_t most = 6;
+    std::vector<std::string> names;
+    std::size_t n = 0;
+    for (const auto x : range)
+      if (n++ < most) {
+        names.push_back(name(x));
+        d.others.push_back(x);
+      }
+    if (n > most) names.push_back(number_text(n - most) + " more");
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    return text;
+  }
+
+  /// The next `work` calls of step() take the progress up to `to`.
+  void stage(double to, std::size_t work) {
+    from_ = to_;
+    to_ = to;
+    done_ = 0;
+    work_ = work > 0 ? work : 1;
+    tell(options_->progress, from_, "validate");
+  }
+  void step() {
+    if (++done_ % 8192 == 0) tell(options_->progress, from_ + (to_ - from_) * static_cast<double>(done_ < work_ ? done_ : work_) / static_cast<double>(work_), "validate");
+  }
+};
+
+}  // namespace detail
+
+}  // namespace concino

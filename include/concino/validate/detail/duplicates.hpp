@@ -1,0 +1,70 @@
+// Elements on the same verts, in any order and sense.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <concino/concepts/mesh.hpp>
+
+namespace concino::detail {
+
+/// Calls found(x, y) for each x of the range `all` whose verts, ring(x), are as a set those of an earlier one, y.
+/// Cost: expected linear in the verts of all rings: sets are compared only where 64 bits of a hash agree.
+template<class X, class M, class R, class Ring, class Found>
+void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, const Found& found) {
+  const auto mixed = [](std::uint64_t x) {  // the finaliser of splitmix64
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+  };
+  struct entry {
+    std::uint64_t hash = 0;
+    X x{};
+    bool used = false;
+  };
+  std::size_t size = 16;
+  while (size < 2 * count) size *= 2;
+  std::vector<entry> table(size);
+  std::vector<std::uint64_t> met(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 where it is in the sets of comparison c
+  std::uint64_t comparison = 0;
+  const auto same_verts = [&](const X& x, const X& y) {
+    const std::uint64_t in_x = 2 * ++comparison, in_both = in_x + 1;
+    std::size_t left = 0;
+    for (const vert_t<M> v : ring(x)) {
+      std::uint64_t& at = met[index_of(m, v)];
+      left += at != in_x;
+      at = in_x;
+    }
+    for (const vert_t<M> v : ring(y)) {
+      std::uint64_t& at = met[index_of(m, v)];
+      if (at != in_x && at != in_both) return false;
+      left -= at == in_x;
+      at = in_both;
+    }
+    return left == 0;
+  };
+
+  for (const X x : all) {
+    std::uint64_t hash = 0, n = 0;
+    for (const vert_t<M> v : ring(x)) {
+      hash += mixed(index_of(m, v));
+      ++n;
+    }
+    hash = mixed(hash ^ n);
+    for (std::size_t i = hash & (size - 1);; i = (i + 1) & (size - 1)) {
+      entry& e = table[i];
+      if (!e.used) {
+        e = {hash, x, true};
+        break;
+      }
+      if (e.hash == hash && same_verts(x, e.x)) {
+        found(x, e.x);
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace concino::detail

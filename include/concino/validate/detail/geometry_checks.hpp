@@ -1,0 +1,181 @@
+// What can be wrong with the shape of elements: points, lengths, areas, volumes, planarity, polygons that meet themselves.
+#pragma once
+
+#include <concino/geometry/bounding_box.hpp>
+#include <concino/validate/detail/defect_log.hpp>
+#include <concino/validate/detail/local_points.hpp>
+#include <concino/validate/detail/rim_touch.hpp>
+
+namespace concino::detail {
+
+/// The checks of one polygon after the other: polys of a surface, faces of a volume.
+template<class M>
+class polygon_checks {
+  local_points local_;
+  std::vector<plane_point> flat_;
+  rim_touch touch_;
+
+ public:
+  template<class X, class Ring>
+  void operator()(const M& m, const X& x, const Ring& ring, defect_log<M>& log) {
+    std::vector<vec3>& points = local_.points;
+    points.clear();
+    for (const vert_t<M> v : ring) points.push_back(to_vec3(point(m, v)));
+    const std::size_t n = points.size();
+    for (const vec3& p : points)
+      if (!is_finite(p)) return;  // told of the vert
+    if (n < 3) return;            // told as degenerate
+    const auto add_zero = [&](const char* why) {
+      if (defect<M>* d = log.add(defect_kind::zero_size, x)) d->what = log.name(x) + " has no area: " + why;
+    };
+    if (!local_.fit()) return add_zero("its verts are all at one point");
+
+    const vec3 area = rim_area(points, 0, n);
+    const double size = local_.size, length = norm(area);
+    const bool no_area = local_.is_zero_area(area, n);
+    if (n == 3) {
+      if (no_area) return add_zero("its verts lie on one line");
+      if (length <= log.options().size_tolerance * size * size) add_zero(tiny().c_str());
+      return;
+    }
+    const vec3 normal = no_area ? widest_normal() : area / length;
+    if (no_area && normal == vec3()) return add_zero("its verts lie on one line");
+
+    double off = 0;
+    vec3 mean;
+    for (const vec3& p : points) mean += p / static_cast<double>(n);
+    for (const vec3& p : points) off = std::max(off, std::abs(dot(p - mean, normal)));
+    const bool bent = off > 1e-9 * size;
+    const auto touch = find_touch(normal, bent);
+    if (touch) {
+      if (defect<M>* d = log.add(defect_kind::self_touching, x))
+        d->what = log.name(x) + (bent ? ", seen along its normal, touches or crosses itself: " : " touches or crosses itself: ") + side_name(m, ring, touch->first, n, log) + " meets " + side_name(m, ring, touch->second, n, log);
+    } else if (no_area) {
+      add_zero("its parts cancel out");
+    } else if (length <= log.options().size_tolerance * size * size) {
+      add_zero(tiny().c_str());
+    }
+    if (!no_area && off > log.options().planarity_tolerance * size)
+      if (defect<M>* d = log.add(defect_kind::non_planar, x))
+        d->what = log.name(x) + " is not planar: a vert lies " + number_text(rounded(100 * off / size)) + " % of its size off its plane";
+  }
+
+ private:
+  static std::string tiny() { return "it is below the tolerance"; }
+  static double rounded(double x) { return std::round(x * 100) / 100; }
+
+  /// A normal of the points where their area vector says nothing; zero if they lie on one line.
+  vec3 widest_normal() const {
+    const std::vector<vec3>& points = local_.points;
+    vec3 farthest, best;
+    for (const vec3& p : points)
+      if (norm(p) > norm(farthest)) farthest = p;
+    for (const vec3& p : points)
+      if (const vec3 c = cross(farthest, p); norm(c) > norm(best)) best = c;
+    return local_.is_zero_area(best, 3) ? vec3() : best / norm(best);
+  }
+
+  /// Looking along the normal. A planar polygon keeps its exact coordinates: leaving out the one in which the normal is largest neither
+  /// makes nor mends a touch.
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> find_touch(const vec3& normal, bool bent) {
+    const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+    flat_.clear();
+    if (bent) {
+      vec3 t = cross(normal, x < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0});
+      t /= norm(t);
+      const vec3 b = cross(normal, t);
+      for (const vec3& p : local_.points) flat_.push_back({dot(p, t), dot(p, b)});
+    } else {
+      const std::size_t out = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+      for (const vec3& p : local_.points) flat_.push_back({p[(out + 1) % 3], p[(out + 2) % 3]});
+    }
+    return touch_(flat_);
+  }
+
+  template<class Ring>
+  static std::string side_name(const M&, const Ring& ring, std::uint32_t side, std::size_t n, const defect_log<M>& log) {
+    std::string from, to;
+    std::size_t i = 0;
+    for (const vert_t<M> v : ring) {
+      if (i == side) from = log.name(v);
+      if (i == (side + 1) % n) to = log.name(v);
+      ++i;
+    }
+    return "the side from " + from + " to " + to;
+  }
+};
+
+template<VolumeMesh M>
+void check_cell_size(const M& m, const poly_t<M>& p, local_points& local, std::vector<std::pair<std::size_t, bool>>& ends, defect_log<M>& log) {
+  local.points.clear();
+  ends.clear();
+  for (const face_t<M> f : adj_p2f(m, p)) {
+    for (const vert_t<M> v : adj_f2v(m, f)) local.points.push_back(to_vec3(point(m, v)));
+    ends.push_back({local.points.size(), face_is_outward(m, p, f)});
+  }
+  for (const vec3& x : local.points)
+    if (!is_finite(x)) return;
+  double volume = 0;
+  if (local.fit()) {
+    std::size_t first = 0;
+    for (const auto& [last, outward] : ends) {
+      vec3 mean;
+      for (std::size_t i = first; i < last; ++i) mean += local.points[i];
+      const double part = last > first ? dot(mean / static_cast<double>(last - first), rim_area(local.points, first, last)) / 3 : 0;
+      volume += outward ? part : -part;
+      first = last;
+    }
+  }
+  const double size = local.size, none = local.zero_volume(local.points.size());
+  if (std::abs(volume) <= std::max(none, log.options().size_tolerance * size * size * size)) {
+    if (defect<M>* d = log.add(defect_kind::zero_size, p)) d->what = log.name(p) + (std::abs(volume) <= none ? " has no volume: it is flat" : " has no volume: it is below the tolerance");
+  } else if (volume < 0) {
+    if (defect<M>* d = log.add(defect_kind::inverted_cell, p))
+      d->what = log.name(p) + " is inside out: its volume is negative, " + number_text(std::round(-1e4 * volume / (local.box.x * local.box.y * local.box.z)) / 100) + " % of the box around it";
+  }
+}
+
+/// `sound` by index: the polys of a volume that are closed and wound consistently; others enclose nothing.
+template<AnyMesh M>
+void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>& sound, defect_log<M>& log) {
+  log.stage(1, num_verts(m) + num_edges(m) + num_polys(m));
+  box all;
+  for (const vert_t<M> v : verts(m)) {
+    log.step();
+    const vec3 x = to_vec3(point(m, v));
+    if (is_finite(x)) all.add(x);
+    else if (defect<M>* d = log.add(defect_kind::non_finite_point, v))
+      d->what = log.name(v) + " is at (" + number_text(x.x) + ", " + number_text(x.y) + ", " + number_text(x.z) + "), which is no point";
+  }
+  if (log.wants(defect_kind::zero_size)) {
+    const double shortest = all.is_empty() ? 0 : log.options().length_tolerance * distance(0.25 * all.min, 0.25 * all.max);  // a quarter does not overflow
+    for (const edge_t<M> e : edges(m)) {
+      log.step();
+      vec3 end[2];
+      int k = 0;
+      for (const vert_t<M> v : adj_e2v(m, e))
+        if (k < 2) end[k++] = to_vec3(point(m, v));
+      if (!is_finite(end[0]) || !is_finite(end[1]) || (end[0] != end[1] && !(distance(0.25 * end[0], 0.25 * end[1]) <= shortest))) continue;
+      if (defect<M>* d = log.add(defect_kind::zero_size, e))
+        d->what = log.edge_name(e) + (end[0] == end[1] ? " has no length: its ends are at one point" : " has no length: it is below the tolerance");
+    }
+  }
+  if (!log.wants_any({defect_kind::zero_size, defect_kind::inverted_cell, defect_kind::self_touching, defect_kind::non_planar})) return;
+  polygon_checks<M> check_polygon;
+  if constexpr (SurfaceMesh<M>) {
+    for (const poly_t<M> p : polys(m)) {
+      log.step();
+      check_polygon(m, p, adj_p2v(m, p), log);
+    }
+  } else {
+    for (const face_t<M> f : faces(m)) check_polygon(m, f, adj_f2v(m, f), log);
+    local_points local;
+    std::vector<std::pair<std::size_t, bool>> ends;
+    for (const poly_t<M> p : polys(m)) {
+      log.step();
+      if (sound[index_of(m, p)]) check_cell_size(m, p, local, ends, log);
+    }
+  }
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,80 @@
+// The points of one element, moved and scaled so that nothing over- or underflows, and how exactly they are known.
+#pragma once
+
+#include <concino/geometry/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace concino::detail {
+
+/// Fill `points`, call fit(): then they are relative to the first of them, in units of `unit`, with the largest coordinate in [0.5, 1).
+/// Scaling is by powers of two, so sizes are as exact as before, whatever the size of the mesh.
+struct local_points {
+  std::vector<vec3> points;
+  vec3 box;         // sides of their box, in units
+  vec3 error;       // what rounding of the mesh's coordinates may have moved a point, in each direction, in units
+  double size = 0;  // diagonal of the box, in units
+
+  /// False: some point is not finite, or all are the same.
+  bool fit() {
+    double most = 0;
+    for (const vec3& p : points) {
+      if (!is_finite(p)) return false;
+      most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    vec3 far;
+    const double first_scale = to_one(most);
+    for (vec3& p : points) {
+      p *= first_scale;
+      far = {std::max(far.x, std::abs(p.x)), std::max(far.y, std::abs(p.y)), std::max(far.z, std::abs(p.z))};
+    }
+    vec3 low, high;
+    const vec3 origin = points.empty() ? vec3() : points.front();
+    most = 0;
+    for (vec3& p : points) {
+      p -= origin;
+      most = std::max({most, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    if (!(most > 0)) return false;
+    const double scale = to_one(most);
+    for (vec3& p : points) {
+      p *= scale;
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    box = high - low;
+    size = norm(box);
+    error = std::numeric_limits<double>::epsilon() * (scale * far + box);
+    return true;
+  }
+
+  /// Whether an area vector of n corners is zero as far as their coordinates say.
+  bool is_zero_area(const vec3& a, std::size_t n) const {
+    const double k = 2 * static_cast<double>(n);
+    return std::abs(a.x) <= k * (box.y * error.z + box.z * error.y) && std::abs(a.y) <= k * (box.x * error.z + box.z * error.x) &&
+           std::abs(a.z) <= k * (box.x * error.y + box.y * error.x);
+  }
+  /// The same for a volume.
+  double zero_volume(std::size_t n) const {
+    return 2 * static_cast<double>(n) * (box.y * box.z * error.x + box.x * box.z * error.y + box.x * box.y * error.z);
+  }
+
+ private:
+  static double to_one(double x) {  // a power of two that takes x into [0.5, 1), or as near as it can
+    int e = 0;
+    std::frexp(x, &e);
+    return std::ldexp(1.0, -std::max(e, -1000));
+  }
+};
+
+/// Half the sum of cross products along the rim, points[first] .. points[last - 1], about the first of them.
+inline vec3 rim_area(const std::vector<vec3>& points, std::size_t first, std::size_t last) {
+  vec3 doubled;
+  for (std::size_t i = first + 2; i < last; ++i) doubled += cross(points[i - 1] - points[first], points[i] - points[first]);
+  return 0.5 * doubled;
+}
+
+}  // namespace concino::detail

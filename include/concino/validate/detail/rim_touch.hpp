@@ -1,0 +1,112 @@
+// Does the boundary of a polygon in the plane meet itself?
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+using plane_point = std::array<double, 2>;
+
+/// Keeps its working memory from polygon to polygon.
+class rim_touch {
+ public:
+  /// Two sides that meet elsewhere than sides that follow one another do, side i from corner i to the next; none if the polygon is simple.
+  /// Sides without length are passed over; where a point is on a line up to rounding it is on it.
+  /// Cost: O(n log n) where few sides lie above one another in one of the two directions, at worst all pairs.
+  /// Source: sweep over the sides sorted along an axis; orientation with the error bound of Shewchuk 1997.
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> operator()(std::span<const plane_point> corners) {
+    sides_.clear();
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const plane_point &a = corners[i], &b = corners[(i + 1) % n];
+      if (a != b) sides_.push_back({a, b, static_cast<std::uint32_t>(i), 0});
+    }
+    for (std::size_t i = 0; i < sides_.size(); ++i) sides_[i].rank = static_cast<std::uint32_t>(i);
+    if (sides_.size() < 3) return std::nullopt;
+    return sides_.size() <= 8 ? all_pairs() : sweep();
+  }
+
+ private:
+  struct side {
+    plane_point a, b;
+    std::uint32_t number, rank;  // in the polygon, and without the sides that have no length
+    double low(std::size_t k) const { return std::min(a[k], b[k]); }
+    double high(std::size_t k) const { return std::max(a[k], b[k]); }
+  };
+  using found = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
+
+  std::vector<side> sides_;
+  std::vector<std::uint32_t> active_;
+
+  static found pair_of(const side& s, const side& t) { return std::pair{std::min(s.number, t.number), std::max(s.number, t.number)}; }
+
+  found all_pairs() const {
+    for (std::size_t j = 0; j < sides_.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i)
+        if (meet(sides_[i], sides_[j])) return pair_of(sides_[i], sides_[j]);
+    return std::nullopt;
+  }
+
+  found sweep() {
+    // along the axis in which sides are short: then few are met at a time
+    std::array<double, 2> total{0, 0}, low{sides_[0].a}, high{sides_[0].a};
+    for (const side& s : sides_)
+      for (std::size_t k = 0; k < 2; ++k) {
+        total[k] += s.high(k) - s.low(k);
+        low[k] = std::min(low[k], s.low(k));
+        high[k] = std::max(high[k], s.high(k));
+      }
+    const std::size_t along = total[0] * (high[1] - low[1]) <= total[1] * (high[0] - low[0]) ? 0 : 1, across = 1 - along;
+    const std::uint32_t count = static_cast<std::uint32_t>(sides_.size());
+    std::sort(sides_.begin(), sides_.end(), [along](const side& s, const side& t) {
+      return s.low(along) != t.low(along) ? s.low(along) < t.low(along) : s.rank < t.rank;
+    });
+    active_.clear();
+    for (std::uint32_t j = 0; j < count; ++j) {
+      const side& t = sides_[j];
+      std::size_t kept = 0;
+      for (std::size_t k = 0; k < active_.size(); ++k) {
+        const side& s = sides_[active_[k]];
+        if (s.high(along) < t.low(along)) continue;
+        if (s.high(across) >= t.low(across) && t.high(across) >= s.low(across) && meet(s, t)) return pair_of(s, t);
+        active_[kept++] = active_[k];
+      }
+      active_.resize(kept);
+      active_.push_back(j);
+    }
+    return std::nullopt;
+  }
+
+  // 1: c is to the left of ab, -1: to the right, 0: on its line, up to rounding
+  static int turn(const plane_point& a, const plane_point& b, const plane_point& c) {
+    const double left = (a[0] - c[0]) * (b[1] - c[1]), right = (a[1] - c[1]) * (b[0] - c[0]), t = left - right;
+    const double bound = 4 * std::numeric_limits<double>::epsilon() * (std::abs(left) + std::abs(right));
+    return t > bound ? 1 : t < -bound ? -1 : 0;
+  }
+
+  bool meet(const side& s, const side& t) const {
+    const std::uint32_t n = static_cast<std::uint32_t>(sides_.size());
+    if ((s.rank + 1) % n == t.rank) return folds_back(s, t);
+    if ((t.rank + 1) % n == s.rank) return folds_back(t, s);
+    const int sa = turn(t.a, t.b, s.a), sb = turn(t.a, t.b, s.b), ta = turn(s.a, s.b, t.a), tb = turn(s.a, s.b, t.b);
+    if (sa * sb > 0 || ta * tb > 0) return false;
+    // Parallel to each other or to nothing: on one line the boxes decide, and else they are overlapped by what crosses.
+    return s.high(0) >= t.low(0) && t.high(0) >= s.low(0) && s.high(1) >= t.low(1) && t.high(1) >= s.low(1);
+  }
+  // t begins where s ends
+  static bool folds_back(const side& s, const side& t) {
+    if (turn(s.a, s.b, t.b) != 0) return false;
+    return (s.a[0] - s.b[0]) * (t.b[0] - t.a[0]) + (s.a[1] - s.b[1]) * (t.b[1] - t.a[1]) > 0;
+  }
+};
+
+}  // namespace concino::detail

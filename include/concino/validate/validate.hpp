@@ -1,0 +1,63 @@
+// validate: what is wrong with a mesh, said in typed records and in sentences. Never an exception for a bad mesh.
+#pragma once
+
+#include <concino/validate/detail/duplicates.hpp>
+#include <concino/validate/detail/geometry_checks.hpp>
+#include <concino/validate/detail/volume_checks.hpp>
+
+namespace concino {
+
+namespace detail {
+
+inline void check_options(const validate_options& options) {
+  const auto at_least_zero = [](double x, const char* name) {
+    if (!(x >= 0)) throw invalid_argument(std::string("validate: ") + name + " is " + number_text(x) + "; it must be 0 or more");
+  };
+  at_least_zero(options.length_tolerance, "length_tolerance");
+  at_least_zero(options.size_tolerance, "size_tolerance");
+  at_least_zero(options.planarity_tolerance, "planarity_tolerance");
+}
+
+template<class X, class M, class R, class Ring>
+void check_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, defect_log<M>& log) {
+  find_duplicates<X>(m, all, count, ring, [&](const X& x, const X& earlier) {
+    if (defect<M>* d = log.add(defect_kind::duplicated_element, x)) {
+      d->what = log.name(x) + " has the same verts as " + log.name(earlier);
+      d->others.push_back(earlier);
+    }
+  });
+}
+
+}  // namespace detail
+
+/// The defects of m and facts about it as a whole: `for (auto& defect : validate(m)) ... defect.kind, defect.element, defect.what`.
+/// Needs:  AnyMesh M that keeps the laws of its concept (else see check_laws); where M is Embedded, shapes are checked too.
+/// Result: a validation_report. Each defect is told once, at the place that explains it: what follows from a face of three polys, from
+///         an open poly or from a vert that is no point is not told again. Sizes are zero where they are as far as the coordinates say:
+///         edges when their ends are equal, areas and volumes when moving the coordinates by their rounding errors could make them
+///         0; larger tolerances are options. Polygons of more than three verts are looked at along their vector area.
+///         Nothing depends on the scale of the mesh, up to the largest and smallest numbers there are.
+/// Cost:   O(elements + adjacencies) time and memory (polygons of n verts: O(n log n), at worst O(n^2), to see if they touch themselves).
+/// Errors: invalid_argument if a tolerance is negative or not a number; cancelled. None for whatever is wrong with the mesh.
+/// Source: Tarjan 1975 for fans, components and windings; the definitions of manifolds are those of Hoffmann 1989, "Geometric and Solid Modeling".
+template<AnyMesh M>
+validation_report<M> validate(const M& m, const validate_options& options = {}) {
+  detail::check_options(options);
+  validation_report<M> report;
+  detail::defect_log<M> log(m, report, options);
+  std::vector<std::uint8_t> sound(VolumeMesh<M> ? poly_index_bound(m) : 0);
+  if constexpr (SurfaceMesh<M>) report.facts = detail::check_surface<M>(m, detail::surface_scope<M, M>{}, log);
+  else report.facts = detail::check_volume(m, sound, log);
+  log.stage(0.7, 1);
+  if (log.wants(defect_kind::duplicated_element)) {
+    detail::check_duplicates<poly_t<M>>(m, polys(m), num_polys(m), [&](const poly_t<M>& p) -> decltype(auto) { return adj_p2v(m, p); }, log);
+    if constexpr (VolumeMesh<M>)
+      detail::check_duplicates<face_t<M>>(m, faces(m), num_faces(m), [&](const face_t<M>& f) -> decltype(auto) { return adj_f2v(m, f); }, log);
+  }
+  if constexpr (Embedded<M>) detail::check_geometry(m, sound, log);
+  report.sort();
+  detail::tell(options.progress, 1, "validate");
+  return report;
+}
+
+}  // namespace concino
