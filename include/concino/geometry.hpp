@@ -5,4 +5,5 @@
 #include <concino/geometry/centroid.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/polygon.hpp>
+#include <concino/geometry/rgba.hpp>
 #include <concino/geometry/vec3.hpp>

@@ -1,4 +1,4 @@
-// Reading and writing files: OBJ, MEDIT .mesh, .hedra; functions on verts as text.
+// Reading and writing files: OBJ, OFF, MEDIT .mesh, .hedra; functions on verts as text.
 #pragma once
 
 #include <concino/io/load.hpp>

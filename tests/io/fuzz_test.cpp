@@ -28,6 +28,17 @@ const seed seeds[] = {
      "# cube corner\nv 0 0 0\nv 1.5 0 0 1.0\nv 0 1e0 0\nv 0 0 .25\nvt 0 1\nvn 0 0 1\nusemtl a\ng b c\nf 1 3 2\nf 1/1 2/1 4/1\nf -3//1 3//1 "
      "\\\n-1//-1\nf 1/1/1 4/1/1 3/1/1\nl 1 2\n"},
     {file_format::obj, "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nv 0.12345678901234567 2 3\r\nf 1 2 3 4\r\nf 1 2 3\r\nf 5 4 3 2 1\r\n"},
+    {file_format::obj,
+     "mtllib a.mtl b.mtl\no a b\nv 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0 0 0 1\ng label_1\nf 1 2 3\ng label_-2\\\n\nusemtl color_1\nf 3 2 1\ng x "
+     "# c\nusemtl\nf 1 "
+     "3 2\n"},
+    {file_format::off,
+     "# c\nOFF\n4 4 6 # e\n0 0 0\n1.5 0 0\n0 1e0 0\n0 0 .25 1\n3 0 2 1 7\n3 0 1 3 255 0 51\n4 0 1 2 3 0.5 0 1 1.0 # c\n3 1\n2 3\n"},
+    {file_format::off,
+     "STCN4nOFF\n3\n3 1\n0 0 0 1 0 0 1 1 0 0 1 .5 .5\n1 0 0 1 0 0 1 0.5 0 0 1 0 0\n0 1 0 2 0 0 1 255 0 0 1 1 1\n3 0 1 2\n"},
+    {file_format::off, "4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3 3 0 1 2"},
+    {file_format::off, std::string("COFF BINARY\n\0\0\0\3\0\0\0\1\0\0\0\0", 24) + std::string(84, '\0') +
+                           std::string("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\3\x3f\x80\0\0\0\0\0\0\0\0\0\0", 32)},
     {file_format::medit,
      "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 1\n0 1 0 0\n0 0 1 0\n1 1 1 2\nEdges 1\n1 2 0\nTriangles 1\n1 2 3 "
      "0\nTetrahedra\n2\n1 2 3 4 7\n2 3 4 5 0\nEnd\n"},
@@ -101,11 +112,20 @@ TEST_CASE("fuzz: bytes changed, cut out, repeated") {
     for (std::size_t k = 1 + below(4); k > 0 && !text.empty(); --k) {
       const std::size_t at = below(text.size()), n = 1 + below(12);
       switch (below(5)) {
-        case 0: text[at] = static_cast<char>(random()); break;
-        case 1: text[at] = likely[below(likely.size())]; break;
-        case 2: text.erase(at, n); break;
-        case 3: text.insert(at, text.substr(below(text.size()), n)); break;
-        default: text.insert(at, 1 + below(20), likely[below(10)]);
+        case 0:
+          text[at] = static_cast<char>(random());
+          break;
+        case 1:
+          text[at] = likely[below(likely.size())];
+          break;
+        case 2:
+          text.erase(at, n);
+          break;
+        case 3:
+          text.insert(at, text.substr(below(text.size()), n));
+          break;
+        default:
+          text.insert(at, 1 + below(20), likely[below(10)]);
       }
     }
     if (below(8) == 0) text.resize(below(text.size() + 1));
@@ -119,9 +139,9 @@ TEST_CASE("fuzz: bytes changed, cut out, repeated") {
 
 TEST_CASE("fuzz: a text of one format read as another, and no text at all") {
   for (const seed& s : seeds)
-    for (const file_format f : {file_format::obj, file_format::medit, file_format::hedra}) CHECK(survives_all(s.text, f));
+    for (const file_format f : {file_format::obj, file_format::off, file_format::medit, file_format::hedra}) CHECK(survives_all(s.text, f));
   std::mt19937 random(4);
-  for (const file_format f : {file_format::obj, file_format::medit, file_format::hedra})
+  for (const file_format f : {file_format::obj, file_format::off, file_format::medit, file_format::hedra})
     for (int i = 0; i < 200; ++i) {
       std::string noise(static_cast<std::size_t>(i), ' ');
       for (char& c : noise) c = static_cast<char>(random());

@@ -38,7 +38,7 @@ TEST_CASE("load: the extension decides, in any case") {
   }
   write_file(dir / "d.txt", square + "f 1 2 3 4\n");
   CHECK_THROWS_WITH_AS(load<polygonmesh>(dir / "d.txt"),
-                       ((dir / "d.txt") + ": the extension names no format known here; known are .obj, .mesh, .hedra").c_str(),
+                       ((dir / "d.txt") + ": the extension names no format known here; known are .obj, .off, .mesh, .hedra").c_str(),
                        unsupported);
   CHECK(num_polys(load<polygonmesh>(dir / "d.txt", {.format = file_format::obj})) == 1);
   CHECK_THROWS_AS(load<trimesh>(".obj"), unsupported);
@@ -102,8 +102,7 @@ TEST_CASE_TEMPLATE("load: volumes are no surfaces and the reverse", M, CONCINO_A
     CHECK_THROWS_AS(from<M>("0 0 0", file_format::hedra), unsupported);
   } else {
     CHECK_THROWS_WITH_AS(from<M>(square + "f 1 2 3\n", file_format::obj),
-                         "text: holds a surface, but a volume mesh was asked for; load it as polygonmesh or by load_any",
-                         unsupported);
+                         "text: holds a surface, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
   }
 }
 

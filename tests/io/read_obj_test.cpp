@@ -1,4 +1,5 @@
 #include <concino/io/read_obj.hpp>
+#include <concino/mesh/trimesh.hpp>
 
 #include <support/reading.hpp>
 
@@ -110,12 +111,71 @@ TEST_CASE("read_obj: what is no OBJ file is an error, never an empty mesh") {
 TEST_CASE("read_obj: what has no place in the mesh is counted in the report") {
   load_report r;
   obj(tet + "vt 0 0\nvt 1 0\nvn 0 0 1\nl 1 2\np 1\nusemtl red\nmtllib x.mtl\ng a\ng b\ng c\ns 1\nvp 0 0\nv 0 0 0 1\n", {.report = &r});
-  CHECK(r.skipped == std::vector<std::string>{"2 texture coordinates (vt)", "1 normals (vn)", "1 weights or colours of verts",
-                                              "2 points and lines (p, l)", "3 names of groups and objects (g, o)",
-                                              "2 uses of materials (usemtl, mtllib)", "1 smoothing groups (s)",
+  CHECK(r.skipped == std::vector<std::string>{"2 texture coordinates (vt)", "1 normals (vn)",
+                                              "1 weights of verts, or other numbers after x y z that are no r g b",
+                                              "2 points and lines (p, l)", "1 smoothing groups (s)",
                                               "1 lines with other keywords, the first 'vp' on line 20"});
+  CHECK(r.notes == std::vector<std::string>{"no material is used: the material library was not read"});
   obj(tet, {.report = &r});
   CHECK(r.skipped.empty());
+}
+
+TEST_CASE("read_obj: colours of verts, white where there is none") {
+  const auto m = load_text<trimesh>("v 0 0 0\nv 1 0 0 0.5 0.25 1\nv 0 1 0 1.0\nv 0 0 1 # c\nf 1 2 3\n", file_format::obj);
+  const auto color = find_vert_property<rgba>(m, "color");
+  REQUIRE(bool(color));
+  CHECK(color[vert_id{0}] == rgba{});
+  CHECK(color[vert_id{1}] == rgba{0.5f, 0.25f, 1});
+  CHECK(color[vert_id{2}] == rgba{});
+  CHECK(color[vert_id{3}] == rgba{});
+  load_report r;
+  obj("v 0 0 0 1 1 1\nv 0 0 0 1 1\nv 0 0 0 1 1 1 1\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"2 weights of verts, or other numbers after x y z that are no r g b", "colours of verts"});
+  CHECK(property_list(load_text<trimesh>(tet, file_format::obj)).empty());
+}
+
+TEST_CASE("read_obj: groups, objects and materials hold until the next") {
+  const auto m =
+      load_text<trimesh>(points +
+                             "f 1 2 3\ng left # c\no C# 1\nf 1 2 3\nusemtl a\tb \ng  left side\\\n 2 #c\nf 1 2 4\ng\nf 2 3 4\ng left\nf 1 "
+                             "3 4\ng unused\n",
+                         file_format::obj);
+  const auto group = find_poly_property<std::string>(m, "group"), object = find_poly_property<std::string>(m, "object"),
+             material = find_poly_property<std::string>(m, "material");
+  const auto label = find_poly_property<int>(m, "label");
+  const std::string groups[] = {"", "left", "left side  2", "", "left"}, objects[] = {"", "C# 1", "C# 1", "C# 1", "C# 1"},
+                    materials[] = {"", "", "a\tb", "a\tb", "a\tb"};
+  const int labels[] = {0, 1, 2, 0, 1};
+  for (unsigned p = 0; p < 5; ++p) {
+    CHECK(group[poly_id{p}] == groups[p]);
+    CHECK(object[poly_id{p}] == objects[p]);
+    CHECK(material[poly_id{p}] == materials[p]);
+    CHECK(label[poly_id{p}] == labels[p]);
+  }
+  CHECK(property_list(load_text<trimesh>(tet + "g\no \ng after\nusemtl last\n", file_format::obj)).empty());
+  load_report r;
+  obj(points + "g a\no b\nusemtl c\nf 1 2 3\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"labels of polys", "names of objects", "names of groups", "names of materials"});
+}
+
+TEST_CASE("read_obj: labels number objects where there are no groups; groups that say numbers are labels") {
+  const auto labels = [](const trimesh& m) {
+    std::vector<int> all;
+    for (const auto p : polys(m)) all.push_back(find_poly_property<int>(m, "label")[p]);
+    return all;
+  };
+  const auto read = [](const std::string& text) { return load_text<trimesh>(points + text, file_format::obj); };
+  const trimesh objects = read("o a\nf 1 2 3\no b\nf 1 2 4\no a\nf 1 3 4\n");
+  CHECK(labels(objects) == std::vector<int>{1, 2, 1});
+  CHECK(property_list(objects).size() == 2);
+  const trimesh numbers = read("g label_-5\nf 1 2 3\ng label_0\nf 1 2 4\ng\nf 1 3 4\n");
+  CHECK(labels(numbers) == std::vector<int>{-5, 0, 0});
+  CHECK(property_list(numbers).size() == 1);
+  const trimesh mixed = read("g label_5\nf 1 2 3\ng a\nf 1 2 4\n");
+  CHECK(labels(mixed) == std::vector<int>{1, 2});
+  CHECK(property_list(mixed).size() == 2);
+  // the verts that face 1 names come later, so the file is read twice
+  CHECK(labels(load_text<trimesh>("g a\nf 1 2 3\ng b\nf 1 2 3\n" + points, file_format::obj)) == std::vector<int>{1, 2});
 }
 
 TEST_CASE("read_obj: the locale does not matter") {

@@ -1,10 +1,13 @@
 // What readers make of a file, before it becomes a mesh.
 #pragma once
 
+#include <concino/geometry/rgba.hpp>
 #include <concino/io/message.hpp>
+#include <concino/io/name_runs.hpp>
 #include <concino/io/options.hpp>
 #include <concino/mesh/arrays.hpp>
 
+#include <array>
 #include <string_view>
 #include <variant>
 
@@ -12,16 +15,21 @@ namespace concino::detail {
 
 /// What the mesh to be made can hold, so that a reader can point at the line of what it cannot.
 struct wanted_mesh {
-  bool surface = true;     // it can be made from surface_arrays,
-  bool cells = true;       // from cell_arrays,
-  bool polyhedra = true;   // from polyhedra_arrays
+  bool surface = true;      // it can be made from surface_arrays,
+  bool cells = true;        // from cell_arrays,
+  bool polyhedra = true;    // from polyhedra_arrays
   std::uint32_t arity = 0;  // verts of every poly where fixed: 3 or 4 for surfaces, 4 or 8 for volumes
 };
 
 struct file_contents {
   std::variant<surface_arrays, cell_arrays, polyhedra_arrays> arrays;
-  std::vector<int> vert_labels;  // empty where the file has none but zeros
+  std::vector<int> vert_labels;  // empty, like all that follows, where the file has none
   std::vector<int> poly_labels;
+  std::vector<rgba> vert_colors;
+  std::vector<rgba> poly_colors;
+  std::vector<vec3> vert_normals;
+  std::vector<std::array<double, 2>> vert_textures;
+  name_runs objects, groups, materials;  // of polys
 };
 
 /// What readers are handed.
@@ -31,6 +39,7 @@ struct read_context {
   wanted_mesh wanted;
   load_report* report;  // never null
   const concino::progress* progress = nullptr;
+  bool is_file = false;  // `name` is a path, and there may be more files beside it
 };
 
 inline const char* name_of_poly(bool volume, std::uint32_t arity) {
@@ -40,6 +49,18 @@ inline const char* name_of_poly(bool volume, std::uint32_t arity) {
                 : (arity == 3   ? "a triangle"
                    : arity == 4 ? "a quad"
                                 : "a polygon");
+}
+
+/// Ends the poly whose corners begin at `first`. While all polys have `arity` corners (0: none has been seen) there are no offsets.
+inline void end_poly(surface_arrays& s, std::uint32_t& arity, std::size_t first) {
+  const std::size_t size = s.verts.size() - first;
+  if (s.offsets.empty()) {
+    if (first == 0) arity = static_cast<std::uint32_t>(size);
+    if (size == arity) return;
+    // the first of another size: from here on every poly says where it begins
+    for (std::size_t o = 0; o <= first; o += arity) s.offsets.push_back(static_cast<std::uint32_t>(o));
+  }
+  s.offsets.push_back(static_cast<std::uint32_t>(s.verts.size()));
 }
 
 /// The volume of a file, asked for as a surface, or the reverse. How many polys it holds is told if known.

@@ -11,6 +11,7 @@ namespace concino {
 enum class file_format {
   by_extension,
   obj,    // .obj: surfaces, Wavefront
+  off,    // .off: surfaces, Geomview
   medit,  // .mesh: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids, MEDIT ASCII
   hedra,  // .hedra: volumes of any polyhedra, Cinolib
 };
@@ -21,7 +22,8 @@ struct format_row {
   file_format format;
   std::string_view extension;
 };
-inline constexpr format_row known_formats[] = {{file_format::obj, ".obj"}, {file_format::medit, ".mesh"}, {file_format::hedra, ".hedra"}};
+inline constexpr format_row known_formats[] = {
+    {file_format::obj, ".obj"}, {file_format::off, ".off"}, {file_format::medit, ".mesh"}, {file_format::hedra, ".hedra"}};
 
 inline std::string_view extension_of(file_format f) {
   for (const format_row& row : known_formats)

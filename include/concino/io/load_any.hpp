@@ -24,7 +24,8 @@ template<class Variant = any_mesh>  // a template only so that programs that do 
 Variant load_any(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
   const detail::mapped_file file(path);
-  auto contents = detail::read_contents<std::variant<surface_arrays, cell_arrays, polyhedra_arrays>>(file.text(), path, format, options);
+  auto contents =
+      detail::read_contents<std::variant<surface_arrays, cell_arrays, polyhedra_arrays>>(file.text(), path, format, options, true);
   const auto make = [&]<class M>(std::type_identity<M>) -> Variant {
     return detail::mesh_of<M>(std::move(contents), path, options.report);
   };

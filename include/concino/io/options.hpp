@@ -12,9 +12,9 @@ namespace concino {
 
 /// What a reader did not take as it stood. One sentence an entry.
 struct load_report {
-  std::size_t reoriented_polys = 0;   // cells whose verts were put into the standard order or whose faces were turned outward
-  std::vector<std::string> skipped;   // in the file, not in the mesh
-  std::vector<std::string> notes;     // anything else worth knowing
+  std::size_t reoriented_polys = 0;  // cells whose verts were put into the standard order or whose faces were turned outward
+  std::vector<std::string> skipped;  // in the file, not in the mesh
+  std::vector<std::string> notes;    // anything else worth knowing
 };
 
 /// What a writer could not say in the format. One sentence an entry.
@@ -33,6 +33,7 @@ struct save_options {
   file_format format = file_format::by_extension;
   concino::save_report* report = nullptr;  // filled in if given; cleared first
   concino::progress progress = {};         // told the fraction of the elements written
+  bool binary = false;                     // .off only: 32-bit numbers, so coordinates are rounded to floats; unsupported elsewhere
 };
 
 }  // namespace concino

@@ -1,28 +1,31 @@
-// Wavefront OBJ: verts and polygons of any size. What a mesh has no place for is counted and reported.
+// Wavefront OBJ: verts and polygons of any size, with colours, groups and materials. What a mesh has no place for is counted and reported.
 #pragma once
 
 #include <concino/io/contents.hpp>
+#include <concino/io/read_mtl.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sample.hpp>
 
 namespace concino::detail {
 
 class obj_reader : text_cursor {
+  const read_context& context_;
   const wanted_mesh& wanted_;
   surface_arrays out_;
+  file_contents extra_;                                                      // but the arrays
+  std::vector<std::string> libraries_;                                       // of materials
   std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // how many there are in the end, once that is known
   std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // largest index met
-  std::uint64_t num_textures_ = 0, num_normals_ = 0, num_extra_ = 0, num_lines_ = 0, num_groups_ = 0, num_materials_ = 0, num_smooth_ = 0,
-                num_other_ = 0;
+  std::uint64_t num_textures_ = 0, num_normals_ = 0, num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
   std::size_t first_other_ = 0;
   std::string other_;
   std::uint32_t arity_ = 0;
   std::vector<vert_id> scratch_;
 
  public:
-  obj_reader(const read_context& c) : text_cursor(c.text, c.name, c.progress), wanted_(c.wanted) {}
+  obj_reader(const read_context& c) : text_cursor(c.text, c.name, c.progress), context_(c), wanted_(c.wanted) {}
 
-  surface_arrays read(load_report& report) {
+  file_contents read(load_report& report) {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
     if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), {"verts and faces"}, {"an empty file"});
     if (wanted_.surface) arity_ = wanted_.arity;
@@ -41,7 +44,10 @@ class obj_reader : text_cursor {
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
     trim(out_.points), trim(out_.verts), trim(out_.offsets);
     tell_of_skipped(report);
-    return std::move(out_);
+    if (!extra_.vert_colors.empty()) extra_.vert_colors.resize(out_.points.size());
+    end_names(report);
+    extra_.arrays = std::move(out_);
+    return std::move(extra_);
   }
 
  private:
@@ -58,6 +64,8 @@ class obj_reader : text_cursor {
 
   void restart(const char* from) {
     out_ = {};
+    extra_ = {};
+    libraries_.clear();
     at = from;
     num_textures_ = num_normals_ = 0;
     lines();
@@ -112,12 +120,24 @@ class obj_reader : text_cursor {
       text_cursor::skip_line();
       return;
     }
-    ++num_extra_;  // a weight or a colour
-    while (!line_is_over()) {
-      coordinate("a number (a weight or a colour) or the end of the line");
-      blanks();
+    after_point();
+  }
+
+  /// A weight or a colour.
+  [[gnu::noinline]] void after_point() {
+    double x[3] = {};
+    std::size_t n = 0;
+    for (; !line_is_over(); ++n, blanks()) {
+      const double value = coordinate("a number (a weight or a colour) or the end of the line");
+      if (n < 3) x[n] = value;
     }
     text_cursor::skip_line();
+    if (n != 3) {
+      ++num_extra_;
+      return;
+    }
+    extra_.vert_colors.resize(out_.points.size() - 1);
+    extra_.vert_colors.push_back({static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
   }
 
   /// An index of the file, from 1 or from the end of what has been read so far, to one from 1.
@@ -172,13 +192,48 @@ class obj_reader : text_cursor {
       fail(line, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
     if (wanted_.surface && wanted_.arity && size != wanted_.arity)
       fail(line, {name_of_poly(false, wanted_.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", size, " corners"});
-    if (out_.offsets.empty()) {
-      if (first == 0) arity_ = static_cast<std::uint32_t>(size);
-      if (size == arity_) return;
-      // the first of another size: from here on every poly says where it begins
-      for (std::size_t o = 0; o <= first; o += arity_) out_.offsets.push_back(static_cast<std::uint32_t>(o));
+    end_poly(out_, arity_, first);
+  }
+
+  std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
+
+  /// What is left of the line, without blanks around it and without a comment, which needs a blank before it.
+  std::string name_to_end_of_line() {
+    std::string name;
+    while (at != end() && !is_line_end(*at)) {
+      if (*at == '\\' && joins_lines()) {
+        name += ' ';
+        continue;
+      }
+      if (*at == '#' && (name.empty() || is_blank(name.back()))) break;
+      if (!name.empty() || !is_blank(*at)) name += *at;
+      ++at;
     }
-    out_.offsets.push_back(static_cast<std::uint32_t>(out_.verts.size()));
+    text_cursor::skip_line();
+    while (!name.empty() && is_blank(name.back())) name.pop_back();
+    return name;
+  }
+
+  /// Labels from the names of groups or objects, colours from the libraries.
+  [[gnu::noinline]] void end_names(load_report& report) {
+    const std::size_t n = out_.num_polys();
+    for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) names->end(n);
+    const name_runs& named = extra_.groups.empty() ? extra_.objects : extra_.groups;
+    if (!named.empty()) {
+      int label = 0;
+      const bool numbers = &named == &extra_.groups && named.all([&](std::string_view name) { return says_number(name, "label_", label); });
+      name_numbers number;
+      extra_.poly_labels.reserve(n);
+      named.for_each(n, [&](std::size_t, std::size_t end, std::string_view name) {
+        label = 0;
+        if (numbers) says_number(name, "label_", label);
+        else label = number(name);
+        extra_.poly_labels.resize(end, label);
+      });
+      if (numbers) extra_.groups.clear();
+    }
+    if (!extra_.materials.empty()) color_polys(context_, libraries_, n, extra_);
+    else if (!libraries_.empty()) report.notes.push_back("no material is used: the material library was not read");
   }
 
   [[gnu::noinline]] void other() {
@@ -189,8 +244,10 @@ class obj_reader : text_cursor {
     if (word == "vt") ++num_textures_;
     else if (word == "vn") ++num_normals_;
     else if (word == "l" || word == "p") ++num_lines_;
-    else if (word == "g" || word == "o") ++num_groups_;
-    else if (word == "usemtl" || word == "mtllib") ++num_materials_;
+    else if (word == "g") return extra_.groups.change(num_polys(), name_to_end_of_line());
+    else if (word == "o") return extra_.objects.change(num_polys(), name_to_end_of_line());
+    else if (word == "usemtl") return extra_.materials.change(num_polys(), name_to_end_of_line());
+    else if (word == "mtllib") return libraries_.push_back(name_to_end_of_line());
     else if (word == "s") ++num_smooth_;
     else if (num_other_++ == 0) {
       other_ = std::string(word.substr(0, 40));
@@ -205,10 +262,8 @@ class obj_reader : text_cursor {
     };
     skipped(num_textures_, "texture coordinates (vt)");
     skipped(num_normals_, "normals (vn)");
-    skipped(num_extra_, "weights or colours of verts");
+    skipped(num_extra_, "weights of verts, or other numbers after x y z that are no r g b");
     skipped(num_lines_, "points and lines (p, l)");
-    skipped(num_groups_, "names of groups and objects (g, o)");
-    skipped(num_materials_, "uses of materials (usemtl, mtllib)");
     skipped(num_smooth_, "smoothing groups (s)");
     if (num_other_)
       report.skipped.push_back(
@@ -217,14 +272,14 @@ class obj_reader : text_cursor {
 };
 
 /// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
-/// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are.
+/// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are. `v x y z r g b` gives
+/// colours
+///         of verts, white where there is none. `o`, `g` and `usemtl` give names of polys. Labels number the groups, or the objects where
+///         there are no groups, from 1 as they come; groups that are all called label_<number> are labels and nothing else. The libraries'
+///         Kd and d give colours of polys; materials called color_<number> are colours and nothing else.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a number that is none or not finite, of an index out of range, of a poly of fewer than three
 ///         verts or with a vert twice, of a poly that the wanted mesh cannot hold; of an empty file.
-inline file_contents read_obj(const read_context& context) {
-  file_contents contents;
-  contents.arrays = obj_reader(context).read(*context.report);
-  return contents;
-}
+inline file_contents read_obj(const read_context& context) { return obj_reader(context).read(*context.report); }
 
 }  // namespace concino::detail

@@ -61,6 +61,8 @@ void write_medit(write_context<M>& c) {
   const M& m = c.mesh;
   const auto vert_label = int_labels<element_kind::vert>(m);
   const auto poly_label = int_labels<element_kind::poly>(m);
+  c.template keep<int>(element_kind::vert, "label");
+  c.template keep<int>(element_kind::poly, "label");
   c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << static_cast<std::size_t>(num_verts(m)) << '\n';
   write_points(c, "", [&](const vert_t<M>& v) { c.out << ' ' << vert_label(v); });
 

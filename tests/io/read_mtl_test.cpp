@@ -1,0 +1,105 @@
+#include <concino/io/read_mtl.hpp>
+
+#include <concino/io/load.hpp>
+#include <concino/mesh/trimesh.hpp>
+
+#include <support/corpus.hpp>
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string face = "f 1 2 3\n";
+using list = std::vector<std::string>;
+
+detail::material_library library(const std::string& text, load_report& r) {
+  r = {};
+  detail::material_library l;
+  detail::read_mtl(text, "t.mtl", l, r);
+  return l;
+}
+
+}  // namespace
+
+TEST_CASE("read_mtl: colours of materials, whatever else there is") {
+  load_report r;
+  const auto l = library(
+      "# c\r\nKd 9 9 9\nnewmtl  a b # c\n  Ka 1 1 1\n\tKd 0.5 0 1 # c\nd 0.25\nmap_Kd x.png\n\nnewmtl none\nillum 2\n"
+      "newmtl xyz\nKd xyz 1 1 1\nnewmtl a b\nKd 0 0 0\nnewmtl last\nd -halo 1\nKd 1 1 0",
+      r);
+  CHECK(l.colors.size() == 2);
+  CHECK(l.colors.find("a b")->second == rgba{0.5f, 0, 1, 0.25f});
+  CHECK(l.colors.find("last")->second == rgba{1, 1, 0});
+  CHECK(l.num_textures == 1);
+  CHECK(r.notes.empty());
+  CHECK(library("", r).colors.empty());
+}
+
+TEST_CASE("read_mtl: what is wrong with a library is a note") {
+  load_report r;
+  const auto l = library("newmtl a\nKd 1 2\nKd 1 x 2\nnewmtl b\nKd 0 0 0\n", r);
+  CHECK(l.colors.size() == 1);
+  REQUIRE(r.notes.size() == 1);
+  CHECK(r.notes[0].starts_with("t.mtl:2: expected three numbers after Kd"));
+}
+
+TEST_CASE("read_mtl: colours of polys by their materials, from files beside the file") {
+  const temporary_folder dir;
+  write_file(dir / "one.mtl", "newmtl red\nKd 1 0 0\n");
+  write_file(dir / "two words.mtl", "newmtl blue\nKd 0 0 1\nmap_Kd blue.png\n");
+  const std::string uses = points + face + "usemtl red\n" + face + "usemtl blue\n" + face + "usemtl grey\n" + face;
+  const auto read = [&](const std::string& libraries, load_report& r) {
+    write_file(dir / "a.obj", libraries + uses);
+    return load<trimesh>(dir / "a.obj", {.report = &r});
+  };
+  load_report r;
+  for (const std::string libraries : {"mtllib one.mtl\nmtllib two words.mtl\n", "mtllib .\\one.mtl\nmtllib C:\\x\\two words.mtl\n",
+                                      "mtllib /elsewhere/two words.mtl\nmtllib one.mtl\n"}) {
+    const trimesh m = read(libraries, r);
+    const auto color = find_poly_property<rgba>(m, "color");
+    const auto material = find_poly_property<std::string>(m, "material");
+    REQUIRE(bool(color));
+    const rgba expected[] = {{}, {1, 0, 0}, {0, 0, 1}, {}};
+    const std::string names[] = {"", "red", "blue", "grey"};
+    for (unsigned p = 0; p < 4; ++p) {
+      CHECK(color[poly_id{p}] == expected[p]);
+      CHECK(material[poly_id{p}] == names[p]);
+    }
+    CHECK(r.skipped == list{"1 textures of materials (map_Kd and the like)"});
+    CHECK(r.notes == list{"1 materials have no colour in a library: white; 'grey'"});
+  }
+  CHECK(find_poly_property<rgba>(read("mtllib none.mtl one.mtl\n", r), "color")[poly_id{1}] == rgba{1, 0, 0});
+  CHECK(r.notes[0] == "material library 'none.mtl': there is no such file beside this one");
+  CHECK(!find_poly_property<rgba>(read("mtllib none.mtl\n", r), "color"));
+  CHECK(r.notes.size() == 1);
+  CHECK(!find_poly_property<rgba>(read("mtllib .\n", r), "color"));  // a folder
+  CHECK(r.notes.size() == 1);
+  CHECK(!find_poly_property<rgba>(read("mtllib\n", r), "color"));
+  const auto m = load_text<trimesh>("mtllib one.mtl\n" + uses, file_format::obj, {.report = &r});
+  CHECK(!find_poly_property<rgba>(m, "color"));
+  CHECK(r.notes == list{"material library 'one.mtl': not read, the text has no folder"});
+}
+
+TEST_CASE("read_mtl: a ball of the corpus has two materials") {
+  CONCINO_CORPUS_OR_SKIP(ball, "tri/soccerball_materials.obj");
+  load_report r;
+  const trimesh m = load<trimesh>(ball, {.report = &r});
+  const auto color = find_poly_property<rgba>(m, "color");
+  const auto material = find_poly_property<std::string>(m, "material");
+  REQUIRE(bool(color));
+  std::size_t wrong = 0, grey = 0;
+  for (const auto p : polys(m)) {
+    const bool is_grey = material[p] == "material_1";
+    grey += is_grey;
+    wrong += color[p] != (is_grey ? rgba{0.4f, 0.4f, 0.4f} : rgba{}) || (!is_grey && material[p] != "material_0");
+  }
+  CHECK(wrong == 0);
+  CHECK(grey > 0);
+  CHECK(grey < num_polys(m));
+  CHECK(r.notes.empty());
+}

@@ -1,0 +1,283 @@
+#include <concino/io/load_any.hpp>
+
+#include <support/reading.hpp>
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+#include <bit>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string faces_text = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+const std::string tet = "OFF\n4 4 6\n" + points + faces_text;
+const std::vector<unsigned> tet_verts = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+
+surface_arrays off(const std::string& text, load_report* report = nullptr) {
+  return load_text<surface_arrays>(text, file_format::off, {.report = report}, "t.off");
+}
+polygonmesh mesh(const std::string& text, load_report* report = nullptr) {
+  return load_text<polygonmesh>(text, file_format::off, {.report = report}, "t.off");
+}
+std::size_t line(const std::string& text) { return bad_line<surface_arrays>(text, file_format::off); }
+bool is_tet(const surface_arrays& s) {
+  return s.points.size() == 4 && s.points[1] == vec3{1, 0, 0} && s.points[3] == vec3{0, 0, 1} && s.arity == 3 && raw(s.verts) == tet_verts;
+}
+std::vector<std::string> names(const polygonmesh& m) {
+  std::vector<std::string> r;
+  for (const property_info& p : property_list(m)) r.push_back(std::string(to_string(p.kind)) + ' ' + p.name);
+  return r;
+}
+using list = std::vector<std::string>;
+
+/// Integers and floats as 32 bits, big-endian.
+struct bytes {
+  std::string text;
+  bytes& i(std::int64_t x) {
+    for (int shift = 24; shift >= 0; shift -= 8) text += static_cast<char>((static_cast<std::uint32_t>(x) >> shift) & 255);
+    return *this;
+  }
+  bytes& f(std::initializer_list<float> all) {
+    for (const float x : all) i(std::bit_cast<std::uint32_t>(x));
+    return *this;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("read_off: points and polys, whatever the line ends") {
+  for (const std::string end : {"\n", "\r\n", "\r"})
+    for (const std::string& last : {end, std::string()}) {
+      const std::string text = with_line_ends(tet, end);
+      CHECK(is_tet(off(text.substr(0, text.size() - end.size()) + last)));
+    }
+  CHECK(names(mesh(tet)).empty());
+  load_report r;
+  off(tet, &r);
+  CHECK(r.skipped.empty());
+  CHECK(r.notes.empty());
+}
+
+TEST_CASE("read_off: the head may lack the word or the edges, go on in its line, and be full of comments") {
+  const std::string rest = points + faces_text;
+  for (const std::string head : {"OFF 4 4 6\n", "4 4 6\n", "4 4\n", "OFF\n4 4\n", "OFF 4 4\n", "OFF\n4\n4\n6\n", "OFF#c\n# c\n\n 4 4 # c\n",
+                                 "\xEF\xBB\xBFOFF\n4 4 -1\n", " # c\nOFF\n4 4 # 6\n6\n"})
+    CHECK_MESSAGE(is_tet(off(head + rest)), head);
+  CHECK(is_tet(off("OFF # c\n#\n4 4 0 # c\n# 9 9 9\n0 0 0#\n\n1 0 0 # 5\n0 1 0\n0 0 1\n3 0 2 1# c\n3 0 1 3\n#\n3 1 2 3\n3 0 3 2 #")));
+  CHECK(off("OFF\n0 0 0\n").points.empty());
+  CHECK(off("OFF 0 0").num_polys() == 0);
+  CHECK(off("OFF\n2 0\n1 2 3\n4 5 6\n").points[1] == vec3{4, 5, 6});
+}
+
+TEST_CASE("read_off: numbers wherever they stand") {
+  CHECK(is_tet(off("OFF 4 4 6 0 0 0 1 0 0 0 1 0 0 0 1 3 0 2 1 3 0 1 3 3 1 2 3 3 0 3 2")));
+  CHECK(is_tet(off("OFF\n4 4 6\n0 0 0 1 0 0\n0 1 0 0 0 1\n" + faces_text)));
+  CHECK(is_tet(off("OFF\n4 4 6\n0\n0\n0\n1 0 0 0 1 0 0 0\n1\n3 0\n2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2")));
+  const auto m = mesh("OFF\n4 2 0\n0 0 0 1 0 0\n0 1 0 0 0 1\n3 0 1 2 7\n3 0 1 3\n");
+  CHECK(names(m) == list{"poly label"});
+  // a poly of many verts goes on in the next line
+  CHECK(off("OFF\n4 2 0\n" + points + "4 0 1\n2 3 # c\n3 0\n# c\n1\n2\n").num_polys() == 2);
+}
+
+TEST_CASE("read_off: offsets appear with the first poly of another size") {
+  CHECK(off("OFF\n4 2 0\n" + points + "4 0 1 2 3\n4 3 2 1 0\n").arity == 4);
+  const auto mixed = off("OFF\n4 3 0\n" + points + "3 0 1 2\n4 0 1 2 3\n3 1 2 3\n");
+  CHECK(mixed.arity == 0);
+  CHECK(mixed.offsets == std::vector<std::uint32_t>{0, 3, 7, 10});
+  std::string many = "OFF\n4 10000 0\n" + points;
+  for (int i = 0; i < 10000; ++i) many += i % 2 ? "3 0 1 2\n" : "4 0 1 2 3\n";
+  CHECK(off(many).verts.size() == 35000);
+}
+
+TEST_CASE("read_off: every prefix, and what it gives") {
+  const std::string poly = "3 0 1 2\n";
+  struct row {
+    std::string prefix, vert;
+    list properties;
+  };
+  for (const row& r : {row{"", "", {}},
+                       {"N", " 0 0 1", {"vert normal"}},
+                       {"C", " 0.5 0.25 1 1.0", {"vert color"}},
+                       {"ST", " 8 9", {"vert texture"}},
+                       {"CN", " 0 0 1 0.5 0.25 1 1.0", {"vert color", "vert normal"}},
+                       {"STN", " 0 0 1 8 9", {"vert normal", "vert texture"}},
+                       {"STC", " 0.5 0.25 1 1.0 8 9", {"vert color", "vert texture"}},
+                       {"STCN", " 0 0 1 0.5 0.25 1 1.0 8 9", {"vert color", "vert normal", "vert texture"}}})
+    for (const std::string four : {"", "4"})
+      for (const std::string n : {"", "n"}) {
+        CAPTURE(r.prefix + four + n);
+        const std::string w = four.empty() ? "" : " 2", unit = four.empty() ? "1" : "2";
+        std::string text = r.prefix + four + n + "OFF\n" + (n.empty() ? "" : "3\n") + "3 1 0\n";
+        for (const std::string x : {"0 0 0", "U 0 0", "0 U 0"}) {
+          std::string p = x;
+          if (const auto at = p.find('U'); at != p.npos) p.replace(at, 1, unit);
+          text += p + w + r.vert + '\n';
+        }
+        load_report report;
+        const polygonmesh m = mesh(text + poly, &report);
+        CHECK(report.skipped.empty());
+        CHECK(point(m, vert_id{1}) == vec3{1, 0, 0});
+        CHECK(point(m, vert_id{2}) == vec3{0, 1, 0});
+        CHECK(names(m) == r.properties);
+        for (const std::string& p : r.properties) {
+          if (p == "vert color") CHECK(find_vert_property<rgba>(m, "color")[vert_id{2}] == rgba{0.5f, 0.25f, 1, 1});
+          if (p == "vert normal") CHECK(find_vert_property<vec3>(m, "normal")[vert_id{2}] == vec3{0, 0, 1});
+          if (p == "vert texture")
+            CHECK(find_vert_property<std::array<double, 2>>(m, "texture")[vert_id{2}] == std::array<double, 2>{8, 9});
+        }
+      }
+  for (const std::string bad : {"NCOFF", "CSTOFF", "nOF", "OOFF", "off", "4COFF", "OFFX", "CCOFF", "n4OFF", "44OFF", "PLY"})
+    CHECK_MESSAGE(line("# c\n" + bad + "\n3\n0 0 0\n") == 2, bad);
+}
+
+TEST_CASE("read_off: spaces of other dimensions") {
+  load_report r;
+  CHECK(off("nOFF\n2\n3 1 0\n5 6\n1 0\n0 1\n3 0 1 2\n", &r).points[0] == vec3{5, 6, 0});
+  CHECK(r.skipped.empty());
+  CHECK(off("nOFF 1 2 0\n5\n6\n").points[1] == vec3{6, 0, 0});
+  CHECK(off("nOFF\n5\n1 0 0\n1 2 3 4 5\n", &r).points[0] == vec3{1, 2, 3});
+  CHECK(r.skipped == list{"coordinates beyond the third, of 5"});
+  CHECK(off("4nOFF\n2\n1 0 0\n1 2 4\n").points[0] == vec3{0.25, 0.5, 0});
+  CHECK(line("nOFF\n0\n1 0 0\n") == 2);
+  CHECK(line("nOFF\n999999999999\n1 0 0\n") == 2);
+  CHECK(line("4OFF\n1 0 0\n1 2 3 0\n") == 3);
+  CHECK(line("4OFF\n1 0 0\n1 2 3 1e-320\n") == 3);
+}
+
+TEST_CASE("read_off: colours of polys by how many numbers there are, and whether they are integers") {
+  load_report r;
+  const std::string head = "OFF\n4 8 0\n" + points;
+  const auto m = mesh(head +
+                          "3 0 1 2\n3 0 1 2 -7\n3 0 1 2 255 0 51\n3 0 1 2 0 255 0 102 # c\n3 0 1 2 1.0 0 0.5\n3 0 1 2 0 0 1e0 .5\n"
+                          "3 0 1 2 1 2\n3 0 1 2 .5\n",
+                      &r);
+  const auto color = find_poly_property<rgba>(m, "color");
+  const rgba expected[] = {{}, {}, {1, 0, 0.2f}, {0, 1, 0, 0.4f}, {1, 0, 0.5f}, {0, 0, 1, 0.5f}, {}, {}};
+  for (unsigned p = 0; p < 8; ++p) CHECK(color[poly_id{p}] == expected[p]);
+  const auto label = find_poly_property<int>(m, "label");
+  CHECK(label[poly_id{1}] == -7);
+  CHECK(label[poly_id{0}] == 0);
+  CHECK(r.skipped == list{"2 polys with numbers after the corners that are no colour"});
+  for (const std::string bad : {"256 0 0", "-1 0 0", "1 2 x", "nan 0 0", "3000000000", "0 0 0 300"})
+    CHECK_MESSAGE(line("OFF\n4 2 0\n" + points + "3 0 1 2\n3 0 1 2 " + bad + "\n") == 8, bad);
+  load_text<surface_arrays>(head + faces_text + faces_text.substr(0, 8) + "3 0 1 2 1\n3 0 1 2 0 0 0\n3 0 1 2\n", file_format::off,
+                            {.report = &r});
+  CHECK(r.skipped == list{"labels of polys", "colours of polys"});
+}
+
+TEST_CASE("read_off: colours of verts, of three or four numbers") {
+  load_report r;
+  const auto color = [&](const std::string& a, const std::string& b) {
+    const auto m = mesh("COFF\n2 0 0\n0 0 0 " + a + "\n1 0 0 " + b + "\n", &r);
+    return find_vert_property<rgba>(m, "color")[vert_id{0}];
+  };
+  CHECK(color("255 0 0", "0 255 51") == rgba{1, 0, 0});
+  CHECK(color("255 0 51 0", "0 255 0 102") == rgba{1, 0, 0.2f, 0});
+  CHECK(r.notes.empty());
+  CHECK(color("1 0 0 1", "0.5 0 0 1") == rgba{1, 0, 0});
+  CHECK(r.notes.size() == 1);
+  CHECK(color("1 0 0", "0 0 1") == rgba{1, 0, 0});
+  CHECK(color("1 0 0 0", "0 0 2 0") == rgba_of_bytes(1, 0, 0, 0));
+  CHECK(line("COFF\n1 0 0\n0 0 0 256 0 0 0\n") == 3);
+  CHECK(line("COFF\n2 0 0\n0 0 0 1 0 0 0\n0 0 0 1 0\n") == 4);
+}
+
+TEST_CASE("read_off: verts with more numbers than the header says") {
+  load_report r;
+  const auto s = off("OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0\n0 1 0 0.5\n3 0 1 2\n", &r);
+  CHECK(s.points[2] == vec3{0, 1, 0});
+  CHECK(s.num_polys() == 1);
+  CHECK(r.skipped == list{"2 verts with more numbers than the header says"});
+  CHECK(line("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0 x\n3 0 1 2\n") == 5);
+}
+
+TEST_CASE("read_off: what follows the last poly is reported") {
+  load_report r;
+  off(tet + "\n# c\n3 0 1 2\n", &r);
+  CHECK(r.skipped == list{"what follows the last poly, from line 13 on"});
+}
+
+TEST_CASE("read_off: errors name the line") {
+  CHECK(line("") == 1);
+  CHECK(line(" \n# c\n") == 2);
+  CHECK(line("OFF") == 1);
+  CHECK(line("OFF\n4\n") == 2);
+  CHECK(line("OFF\n-4 4 0\n" + points) == 2);
+  CHECK(line("OFF\n4 -4 0\n" + points) == 2);
+  CHECK(line("OFF\n4.5 4 0\n" + points) == 2);
+  CHECK(line("OFF\n4 4 x\n" + points + faces_text) == 2);
+  CHECK(line("OFF\n4000000000 4 0\n" + points) == 2);
+  CHECK(line("OFF\n4 999999999999999999 0\n" + points) == 2);
+  CHECK(line("OFF\n4 4 99999999999999999999\n" + points + faces_text) == 2);
+  for (const std::string bad : {"1 O 0", "1 0", "nan 0 0", "0 0 inf", "1e999 0 0", "1,0,0"})
+    CHECK_MESSAGE(line("OFF\n4 4 0\n0 0 0\n" + bad + "\n0 1 0\n0 0 1\n" + faces_text) == 4, bad);
+  for (const std::string bad :
+       {"3 0 1 4", "3 0 1 -1", "3 0 1", "2 0 1", "0", "-3 0 1 2", "3 0 1 1", "3 0 1 2.0", "3 0 1 x", "x", "99999999 0 1 2"})
+    CHECK_MESSAGE(line("OFF\n4 3 0\n" + points + "3 0 1 2\n" + bad + "\n3 0 1 2\n") == 8, bad);
+  CHECK(line("OFF\n4 2 0\n" + points + "3 0 1 2\n") == 7);
+  CHECK(line("OFF\n0 1 0\n3 0 1 2\n") == 3);
+}
+
+TEST_CASE("read_off: meshes take only polys that they can hold") {
+  const std::string both = "OFF\n4 2 0\n" + points + "3 0 1 2\n4 0 1 2 3\n";
+  CHECK(bad_line<trimesh>(both, file_format::off) == 8);
+  CHECK(bad_line<quadmesh>(both, file_format::off) == 7);
+  CHECK(num_polys(mesh(both)) == 2);
+  CHECK_THROWS_AS(load_text<tetmesh>(both, file_format::off), unsupported);
+  const temporary_folder dir;
+  write_file(dir / "a.Off", tet);
+  CHECK(load_any(dir / "a.Off").index() == 0);
+  write_file(dir / "a.off", both);
+  CHECK(load_any(dir / "a.off").index() == 2);
+}
+
+TEST_CASE("read_off: binary") {
+  bytes b;
+  b.i(4).i(3).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+  b.i(3).i(0).i(2).i(1).i(0);
+  b.i(3).i(0).i(1).i(3).i(3).f({0.5f, 0, 1});
+  b.i(4).i(0).i(1).i(2).i(3).i(1).f({6});
+  for (const std::string head : {"OFF BINARY\n", "OFF BINARY\r\n", "# c\nOFF  BINARY \n"}) {
+    load_report r;
+    const auto m = mesh(head + b.text, &r);
+    CHECK(num_verts(m) == 4);
+    CHECK(point(m, vert_id{3}) == vec3{0, 0, 1});
+    CHECK(raw(adj_p2v(m, poly_id{2})) == std::vector<unsigned>{0, 1, 2, 3});
+    CHECK(find_poly_property<rgba>(m, "color")[poly_id{1}] == rgba{0.5f, 0, 1});
+    CHECK(find_poly_property<rgba>(m, "color")[poly_id{2}] == rgba{});
+    CHECK(find_poly_property<int>(m, "label")[poly_id{2}] == 6);
+    CHECK(r.skipped.empty());
+    for (std::size_t n = 0; n < b.text.size(); ++n) CHECK(line(head + b.text.substr(0, n)) > 0);
+    off(head + b.text + "more", &r);
+    CHECK(r.skipped[0] == "4 bytes after the last poly");
+  }
+  bytes all;
+  all.i(3).i(1).i(0).i(0);
+  all.f({1, 2, 3, 2, 0, 0, 1, 0.5f, 0.25f, 0, 1, 8, 9});
+  const auto m = mesh("STCN4nOFF BINARY\n" + bytes().i(3).i(1).i(0).i(0).text + all.text.substr(16));
+  CHECK(point(m, vert_id{0}) == vec3{0.5, 1, 1.5});
+  CHECK(find_vert_property<vec3>(m, "normal")[vert_id{0}] == vec3{0, 0, 1});
+  CHECK(find_vert_property<rgba>(m, "color")[vert_id{0}] == rgba{0.5f, 0.25f, 0, 1});
+  CHECK(find_vert_property<std::array<double, 2>>(m, "texture")[vert_id{0}] == std::array<double, 2>{8, 9});
+  const auto fails = [](const bytes& x) { return line("OFF BINARY\n" + x.text) == 1; };
+  CHECK(fails(bytes().i(-1).i(0).i(0)));
+  CHECK(fails(bytes().i(2000000000).i(0).i(0)));
+  CHECK(fails(bytes().i(0).i(2000000000).i(0)));
+  const auto one = [](const bytes& poly) {
+    bytes x;
+    x.i(3).i(1).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    x.text += poly.text;
+    return x;
+  };
+  CHECK(!fails(one(bytes().i(3).i(0).i(1).i(2).i(0))));
+  CHECK(fails(one(bytes().i(3).i(0).i(1).i(3).i(0))));
+  CHECK(fails(one(bytes().i(3).i(0).i(1).i(1).i(0))));
+  CHECK(fails(one(bytes().i(2).i(0).i(1).i(0).i(0))));
+  CHECK(fails(one(bytes().i(3).i(0).i(1).i(2).i(5).f({0, 0, 0, 0, 0}))));
+  CHECK(fails(bytes().i(1).i(0).i(0).f({0, std::numeric_limits<float>::infinity(), 0})));
+  CHECK(line("OFF BINARY 3\n") == 1);
+}
