@@ -11,6 +11,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
@@ -124,6 +125,21 @@ TEST_CASE_TEMPLATE("boundary_loops: none on closed and empty surfaces, two on tw
   const M two = two_grids<M>(3);
   check_borders(two);
   CHECK(boundary_loops(two).count == 2);
+}
+
+TEST_CASE("boundary_loops: one polygon is walked as it is wound, whatever the numbers of its verts") {
+  std::vector<int> ring{0, 1, 2, 3};
+  do {
+    const polygonmesh m(std::vector<vec3>(4), std::vector<std::vector<int>>{ring});
+    const auto b = boundary_loops(m);
+    REQUIRE(b.loops.size() == 1);
+    const auto& loop = b.loops[0].verts;
+    REQUIRE(loop.size() == 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto at = std::find(ring.begin(), ring.end(), static_cast<int>(loop[i].raw())) - ring.begin();
+      CHECK(static_cast<int>(loop[(i + 1) % 4].raw()) == ring[static_cast<std::size_t>(at + 1) % 4]);
+    }
+  } while (std::next_permutation(ring.begin(), ring.end()));
 }
 
 TEST_CASE("boundary_loops: triangles that share one vert are two loops and one border") {

@@ -2,6 +2,7 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/graph/boundary_loops.hpp>
+#include <concino/mesh/submesh.hpp>
 
 #include <support/closed_surfaces.hpp>
 #include <support/disk.hpp>
@@ -158,9 +159,11 @@ TEST_CASE_TEMPLATE("cut_along: uses nothing but a surface with points", M, CONCI
   check_same_polys(tiny::surface_example(), cut_along(tiny::surface_example(), {}));
 }
 
-TEST_CASE("cut_along: a strange edge is refused; lists without points are no surface to cut") {
+TEST_CASE("cut_along: a strange edge is refused") {
   const quadmesh m = grid<quadmesh>(2);
   CHECK_THROWS_WITH_AS(cut_along(m, {edge_id{12}}), "cut_along: one of the edges is no edge of the mesh; take them from edges(m)",
                        invalid_mesh);
   CHECK_THROWS_AS(cut_along(m, {edge_id{}}), invalid_mesh);
+  const auto first = submesh(m, [](poly_id p) { return p == poly_id{0}; });
+  CHECK_THROWS_AS(cut_along(first, {edge_between(m, 7, 8)}), invalid_mesh);
 }

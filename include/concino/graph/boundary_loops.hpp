@@ -108,8 +108,8 @@ class border_edges {
 
 /// The border of a surface: its edges with exactly one poly.
 /// Needs:  SurfaceMesh M.
-/// Result: loops, together every boundary edge once. A loop is a simple cycle, walked as its polys are; where these are wound alike it has the
-///         surface on its left. Where borders touch at a vert, each loop passes it once; they are several loops but one border, so that
+/// Result: loops, together every boundary edge once. A loop is a simple cycle, walked as its polys are; where these are wound alike it has
+///         the surface on its left. Where borders touch at a vert, each loop passes it once; they are several loops but one border, so that
 ///         `count` may be less than their number. Only where an odd number of boundary edges meet at a vert (an edge with three polys may
 ///         end there), what is left over after the cycles is walks that are not closed. The same mesh always gives the same loops.
 /// Cost:   O(elements) time and memory.      Errors: none.
