@@ -7,7 +7,9 @@
 #include <concino/graph/cut_along.hpp>
 #include <concino/graph/dijkstra.hpp>
 #include <concino/graph/edge_walk.hpp>
+#include <concino/graph/grow_regions.hpp>
 #include <concino/graph/homology.hpp>
 #include <concino/graph/predecessors.hpp>
 #include <concino/graph/shortest_path.hpp>
+#include <concino/graph/spanning_tree.hpp>
 #include <concino/graph/tree_cotree.hpp>

@@ -4,7 +4,6 @@
 #include <concino/graph/bfs.hpp>
 
 #include <support/barred_graph.hpp>
-#include <support/corpus_meshes.hpp>
 
 #include <doctest/doctest.h>
 
@@ -77,30 +76,4 @@ TEST_CASE_TEMPLATE("connected_components: uses nothing but a primal or a dual gr
   for (const auto v : verts(g)) CHECK(cc[v] == connected_components(m)[g.base(v)]);
   for (const auto p : polys(d)) CHECK(cd[p] == connected_components(dual(m))[d.base(p)]);
   static_assert(has_components<trimesh&> && !has_components<trimesh> && !has_components<int&>);
-}
-
-TEST_CASE("corpus: components of verts and polys agree with Boost.Graph on every mesh") {
-  const auto rows = corpus_meshes();
-  if (rows.empty()) return skip("no corpus");
-  for (const auto& row : rows) {
-    INFO(row.name);
-    std::visit(
-        [](const auto& m) {
-          const auto compare = [&](const auto& all, const auto& cc, const auto& arcs, std::size_t bound) {
-            boost_undirected g(bound);
-            for (const arc& a : arcs)
-              if (a.from < a.to) add_edge(a.from, a.to, g);
-            const auto expected = boost_components(g);
-            std::map<int, int> number;
-            std::size_t wrong = 0;
-            for (const auto x : all) wrong += cc[x] != number.emplace(expected[index_of(m, x)], static_cast<int>(number.size())).first->second;
-            CHECK(wrong == 0);
-            CHECK(cc.count == static_cast<int>(number.size()));
-          };
-          const auto one = [](auto, auto) { return 1.0; };
-          compare(verts(m), connected_components(m), primal_arcs(m, one), vert_index_bound(m));
-          compare(polys(m), connected_components(dual(m)), dual_arcs(m, one), poly_index_bound(m));
-        },
-        load_any(row.file.string()));
-  }
 }

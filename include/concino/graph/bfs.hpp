@@ -100,7 +100,7 @@ auto bfs(const G& g, const S& sources, const bfs_options<typename G::node, cross
 ///         reached; sources are reached in their order, the neighbours of a node in that of the mesh.
 /// Cost:   O(V + E) time, O(V) memory.
 /// Errors: invalid_mesh if a source or target is not an element of m; invalid_argument if max_hops < 0.
-/// Source: Moore 1959; paper section 2.1, "Mesh hierarchy".
+/// Source: Moore 1959; paper section 2.1, "Architecture".
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
 auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {

@@ -1,0 +1,132 @@
+// Regions that grow from seeds, conquering element after adjacent element.
+#pragma once
+
+#include <concino/graph/detail/lengths.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+enum class growth {
+  accumulated,  // next is what costs least from its seed on, all steps summed: each node goes to the seed from which it is cheapest
+  step          // next is what costs least in the last step, however far the region has grown already
+};
+
+/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
+template<class Node, class Crossed = void>
+struct region_options {
+  growth priority = growth::accumulated;             // what is conquered next
+  function_ref<bool(Node)> may_enter = nullptr;      // false: belongs to no region (empty: any may). Seeds are exempt.
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: no region grows across this edge or face (empty: across all)
+  double max_cost = std::numeric_limits<double>::infinity();  // >= 0; what costs more, summed or in one step as priority says, is left
+};
+
+namespace detail {
+
+template<class G, class S, class C>
+auto grow_regions(const G& g, const S& seeds, const C& cost, const region_options<typename G::node, crossed_t<G>>& options) {
+  using node = typename G::node;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!(options.max_cost >= 0)) throw invalid_argument("grow_regions: max_cost must be 0 or more");
+  const bool summed = options.priority == growth::accumulated;
+  struct claim {
+    double cost;
+    int label;
+    std::size_t number;  // claims of equal cost and label are honoured in the order in which they were made
+    node on;
+  };
+  const auto later = [](const claim& a, const claim& b) {
+    if (a.cost != b.cost) return a.cost > b.cost;
+    return a.label != b.label ? a.label > b.label : a.number > b.number;
+  };
+  std::priority_queue<claim, std::vector<claim>, decltype(later)> queue(later);
+  std::size_t number = 0;
+
+  auto labels = make_node_map<int>(g, -1);
+  int* const label = labels.values().data();
+  struct offer { double cost; int label; };
+  auto best = std::vector<offer>(summed ? g.bound() : 0, offer{infinity, 0});  // made on nodes that wait
+
+  const auto conquer = [&](const node& v, int l, double so_far) {
+    for_each_step(g, v, options.may_enter, options.may_cross, [&](const node& w) {
+      const std::size_t slot = g.index(w);
+      if (label[slot] >= 0) return;
+      double step;
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(cost(v, w))>, bool>) step = cost(v, w) ? 1 : infinity;
+      else step = static_cast<double>(cost(v, w));
+      if (!(step >= 0)) [[unlikely]]
+        throw invalid_mesh("grow_regions: the cost from " + name_of(g, v) + " to " + name_of(g, w) + " is " +
+                           (step < 0 ? number_text(step) : std::string("not a number")) + "; costs must be 0 or more, +inf for never");
+      const double total = summed ? so_far + step : step;
+      if (total == infinity || total > options.max_cost) return;
+      if (summed) {
+        offer& known = best[slot];
+        if (!(total < known.cost || (total == known.cost && l < known.label))) return;
+        known = {total, l};
+      }
+      queue.push({total, l, number++, w});
+    });
+  };
+
+  std::vector<std::pair<node, int>> starts;
+  int next = 0;
+  for_each_source(
+      g, seeds, "grow_regions",
+      [&](const node& s) {
+        int& l = label[g.index(s)];
+        if (l < 0) {
+          l = next;
+          starts.emplace_back(s, next);
+        }
+        ++next;
+      },
+      "seed");
+  for (const auto& [s, l] : starts) conquer(s, l, 0);
+  while (!queue.empty()) {
+    const claim c = queue.top();
+    queue.pop();
+    int& l = label[g.index(c.on)];
+    if (l >= 0) continue;
+    l = c.label;
+    conquer(c.on, c.label, c.cost);
+  }
+  return labels;
+}
+
+}  // namespace detail
+
+namespace requirement {
+
+/// A callable that says what the step from one node to another costs, or whether it may be made.
+template<class C, class N> concept is_cost = is_length<C, N>;
+
+}  // namespace requirement
+
+/// Regions around seeds (verts, or polys): each takes adjacent elements, at every step all regions together the one that costs least. Where
+/// cost is a predicate (returns bool), a region may make the steps for which it is true, and all steps cost 1: the regions grow ring by ring.
+/// Needs:  PrimalGraph M for verts, DualGraph M for polys; cost(from, to) >= 0, +inf for never, `from` in the region and `to` in none.
+///         may_cross needs the edges or faces of an AnyMesh.
+/// Result: a map of int: rg[x] is the place of the region's seed among the seeds, -1 where none came. A seed given twice counts where it
+///         stands first. Of regions that reach an element at equal cost, that of the earlier seed takes it.
+/// Cost:   O(E log E) time, O(V + E) memory.
+/// Errors: invalid_mesh if a seed is not an element of m, or if a cost met on the way is negative or not a number; invalid_argument if
+///         max_cost is negative or not a number.
+/// Source: Adams, Bischof 1994 (growth::step); Erwig 2000, graph Voronoi diagrams (growth::accumulated); paper section 2.1, "Architecture".
+template<class M, class S, class C>
+  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
+auto grow_regions(M&& m, const S& seeds, const C& cost, const region_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+  return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
+}
+
+template<class M, class S, class C>
+  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
+auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost, const region_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+  return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
+}
+
+}  // namespace concino

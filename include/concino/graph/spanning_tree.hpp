@@ -1,0 +1,193 @@
+// Spanning trees: the fewest and shortest arcs that hold together what hangs together.
+#pragma once
+
+#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/detail/lengths.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <queue>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+enum class tree_method {
+  kruskal,  // takes arcs from the shortest to the longest, unless their ends are joined already
+  prim      // grows the tree of one component after the other from its first node
+};
+
+/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
+template<class Node, class Crossed = void>
+struct spanning_tree_options {
+  using arc = std::pair<Node, Node>;
+  tree_method method = tree_method::kruskal;         // both give the same tree
+  function_ref<bool(arc, arc)> before = nullptr;     // a strict weak order in which arcs are preferred (empty: shorter ones); ends by index_of
+  function_ref<bool(Node)> may_enter = nullptr;      // false: the tree has not this node (empty: it has all)
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the tree does not cross this edge or face (empty: it may all)
+};
+
+/// What spanning_tree finds. `edges`, the mesh edge of each arc, is there for the primal graph of a mesh that has edges.
+template<class Node, class Edge = void>
+struct spanning_arcs {
+  std::vector<std::pair<Node, Node>> arcs;
+  std::vector<Edge> edges;
+  double weight = 0;  // the sum of the lengths
+};
+template<class Node>
+struct spanning_arcs<Node, void> {
+  std::vector<std::pair<Node, Node>> arcs;
+  double weight = 0;
+};
+
+namespace detail {
+
+template<class G> struct tree_edge { using type = void; };
+template<class M> struct tree_edge<primal_graph<M>> { using type = crossed_t<primal_graph<M>>; };
+struct no_edge {};
+
+template<class G>
+class tree_builder {
+  using node = typename G::node;
+  using edge = typename tree_edge<G>::type;
+  static constexpr bool has_edges = !std::is_void_v<edge>;
+  using kept_edge = std::conditional_t<has_edges, edge, no_edge>;
+
+  struct candidate {
+    double length;
+    std::size_t low, high;
+    std::pair<node, node> ends;  // of lower and of higher index
+    bool upward;                 // found on the way from the lower to the higher
+    kept_edge via;
+  };
+
+  const G& g_;
+  const spanning_tree_options<node, crossed_t<G>>& options_;
+  spanning_arcs<node, edge> tree_;
+
+  /// A total order, so that there is one least tree: of arcs that count alike, first the one of lesser indices.
+  bool less(const candidate& a, const candidate& b) const {
+    if (options_.before) {
+      if (options_.before(a.ends, b.ends)) return true;
+      if (options_.before(b.ends, a.ends)) return false;
+    } else if (a.length != b.length) {
+      return a.length < b.length;
+    }
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  }
+
+  bool may_enter(const node& v) const { return !options_.may_enter || options_.may_enter(v); }
+
+  template<class L, class F>
+  void for_each_candidate(const L& lengths, const node& v, bool only_upward, const F& visit) const {
+    const std::size_t i = g_.index(v);
+    const auto consider = [&](const node& w, const kept_edge& via) {
+      const std::size_t j = g_.index(w);
+      const bool upward = i < j;
+      if (only_upward && !upward) return;
+      const auto& from = upward ? v : w;
+      const auto& to = upward ? w : v;
+      const double length = lengths.from(from)(to, std::numeric_limits<double>::infinity());
+      if (!(length > -std::numeric_limits<double>::infinity())) [[unlikely]]
+        throw invalid_mesh("spanning_tree: the length from " + name_of(g_, from) + " to " + name_of(g_, to) + " is " +
+                           (length < 0 ? "-inf" : "not a number") + "; lengths must be numbers, +inf for no arc");
+      if (length < std::numeric_limits<double>::infinity()) visit(candidate{length, std::min(i, j), std::max(i, j), {from, to}, upward, via});
+    };
+    if constexpr (has_edges) {
+      for_each_crossing(g_, v, [&](const node& w, const edge& e) {
+        if ((!options_.may_cross || options_.may_cross(e)) && may_enter(w)) consider(w, e);
+      });
+    } else {
+      for_each_step(g_, v, options_.may_enter, options_.may_cross, [&](const node& w) { consider(w, no_edge{}); });
+    }
+  }
+
+  void take(const candidate& c, bool turned) {
+    tree_.arcs.push_back(turned ? std::pair(c.ends.second, c.ends.first) : c.ends);
+    if constexpr (has_edges) tree_.edges.push_back(c.via);
+    tree_.weight += c.length;
+  }
+
+ public:
+  tree_builder(const G& g, const spanning_tree_options<node, crossed_t<G>>& options) : g_(g), options_(options) {}
+
+  template<class L>
+  auto kruskal(const L& lengths) {
+    std::vector<candidate> candidates;
+    for (const node v : g_.nodes())
+      if (may_enter(v)) for_each_candidate(lengths, v, true, [&](const candidate& c) { candidates.push_back(c); });
+    std::sort(candidates.begin(), candidates.end(), [this](const candidate& a, const candidate& b) { return less(a, b); });
+    disjoint_sets sets(g_.bound());
+    for (const candidate& c : candidates)
+      if (sets.unite(c.low, c.high)) take(c, false);
+    return std::move(tree_);
+  }
+
+  template<class L>
+  auto prim(const L& lengths) {
+    std::vector<unsigned char> in_tree(g_.bound());
+    const auto later = [this](const candidate& a, const candidate& b) { return less(b, a); };
+    std::priority_queue<candidate, std::vector<candidate>, decltype(later)> queue(later);
+    const auto add = [&](const node& v) {
+      in_tree[g_.index(v)] = 1;
+      for_each_candidate(lengths, v, false, [&](const candidate& c) {
+        if (!in_tree[c.upward ? c.high : c.low]) queue.push(c);
+      });
+    };
+    for (const node s : g_.nodes()) {
+      if (in_tree[g_.index(s)] || !may_enter(s)) continue;
+      add(s);
+      while (!queue.empty()) {
+        const candidate c = queue.top();
+        queue.pop();
+        if (in_tree[c.upward ? c.high : c.low]) continue;
+        take(c, !c.upward);
+        add(c.upward ? c.ends.second : c.ends.first);
+      }
+    }
+    return std::move(tree_);
+  }
+};
+
+template<class G, class L>
+auto spanning_tree(const G& g, const L& lengths, const spanning_tree_options<typename G::node, crossed_t<G>>& options) {
+  tree_builder<G> builder(g, options);
+  return options.method == tree_method::prim ? builder.prim(lengths) : builder.kruskal(lengths);
+}
+
+}  // namespace detail
+
+namespace requirement {
+
+template<class M> concept has_default_lengths = is_graph<M> && requires(const concino::detail::default_graph_of<M>& g) { concino::detail::default_lengths(g); };
+
+}  // namespace requirement
+
+/// The shortest spanning tree of each component of the verts of a mesh or, of dual(m) and other graphs of polys alone, of its polys; or the
+/// tree that prefers arcs by another order. Without a length, an arc is as long as the straight line between the verts, or between the
+/// means of the verts of the polys.
+/// Needs:  PrimalGraph M, or DualGraph M; length(v, w) is asked from lower to higher index_of, may be negative, and is +inf for no arc.
+///         Without a length: Embedded, and AnyMesh for polys. may_cross needs the edges or faces of an AnyMesh.
+/// Result: st.arcs: pairs of nodes, as many as nodes less components; st.edges: their edges, of verts of a mesh with edges; st.weight.
+///         By Kruskal in the order taken, lower index first; by Prim as the trees grow, outward. Both take the same arcs: of those that
+///         count alike first the ones whose lower, then whose higher index is less.
+/// Cost:   O(E log E) time, O(V + E) memory.
+/// Errors: invalid_mesh if a length is not a number or -inf.
+/// Source: Kruskal 1956; Prim 1957; paper section 2.1, "Architecture".
+template<class M, class L>
+  requires requirement::is_graph<M> && requirement::is_length<L, detail::default_node_of<M>>
+auto spanning_tree(const M& m, const L& length,
+                   const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
+  return detail::spanning_tree(detail::default_graph_of<M>{m}, detail::given_lengths<L>{length}, options);
+}
+
+template<class M>
+  requires requirement::has_default_lengths<M>
+auto spanning_tree(const M& m, const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
+  const detail::default_graph_of<M> g{m};
+  return detail::spanning_tree(g, detail::default_lengths(g), options);
+}
+
+}  // namespace concino
