@@ -1,4 +1,5 @@
-// Algorithms on the graph of verts and edges and on the graph of polys, one source for both.
+// Algorithms on the graph of verts and edges and on the graph of polys, one source for both. Those of Boost.Graph are not here: they cost
+// compile time, see <concino/graph/boost.hpp>.
 #pragma once
 
 #include <concino/graph/bfs.hpp>
