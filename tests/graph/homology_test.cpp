@@ -3,11 +3,10 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/graph/boundary_loops.hpp>
 #include <concino/graph/cut_along.hpp>
-#include <concino/io/load.hpp>
 #include <concino/mesh/boundary.hpp>
 
 #include <support/closed_surfaces.hpp>
-#include <support/corpus.hpp>
+#include <support/corpus_meshes.hpp>
 #include <support/disk.hpp>
 #include <support/kinds.hpp>
 
@@ -177,16 +176,25 @@ TEST_CASE("homology_generators: what is open or not manifold is refused") {
   CHECK_THROWS_WITH_AS(homology_generators(grid<trimesh>(2)), doctest::Contains("homology_generators: edge 0 has 1 poly"), invalid_mesh);
 }
 
-TEST_CASE("homology_generators: surfaces of genus 0 to 8 of the corpus; of the skin of a volume") {
-  CONCINO_CORPUS_OR_SKIP(index, "INDEX.tsv");
-  const auto file = [&](const char* name) { return (index.parent_path() / name).string(); };
-  check_generators(load<trimesh>(file("tri/sphere.obj")), 0);
-  check_generators(load<trimesh>(file("tri/torus.obj")), 2);
-  check_generators(load<trimesh>(file("tri/3holes.obj")), 6);
-  check_generators(load<quadmesh>(file("quad/bunny_quad.obj")), 0);
-  check_generators(load<quadmesh>(file("quad/bamboo_pen_genus8.obj")), 16);
-  check_generators(load<polygonmesh>(file("polygon/dodecahedron.obj")), 0);
-  CHECK_THROWS_AS(homology_generators(load<trimesh>(file("tri/hourglass_nonmanifold_vertex.obj"))), invalid_mesh);
-  const auto cells = load<polyhedralmesh>(file("polyhedral/eight_voronoi.hedra"));
+TEST_CASE("homology_generators: all closed surfaces of the corpus, of genus 0 to 8, and the skin of a volume") {
+  const auto rows = corpus_meshes();
+  if (rows.empty()) return skip("no corpus");
+  int highest = 0;
+  for (const auto& row : rows) {
+    const auto is = [&](const char* column, const char* value) { return row.column.at(column) == value; };
+    if (is("boundary_loops", "n/a")) continue;  // volumes
+    INFO(row.name);
+    const auto m = load<polygonmesh>(row.file.string());
+    if (!is("manifold", "yes") || !is("boundary_loops", "0")) {
+      CHECK_THROWS_AS(homology_generators(m), invalid_mesh);
+      continue;
+    }
+    const int genus = std::stoi(row.column.at("genus"));
+    highest = std::max(highest, genus);
+    check_generators(m, 2 * static_cast<std::size_t>(genus));
+  }
+  CHECK(highest == 8);
+  CONCINO_CORPUS_OR_SKIP(file, "polyhedral/eight_voronoi.hedra");
+  const auto cells = load<polyhedralmesh>(file.string());
   check_generators(boundary(cells), 6);
 }
