@@ -74,7 +74,7 @@ void check_searches(const G& g) {
 }
 
 struct counting_visitor : boost::default_dfs_visitor {
-  struct counts { int roots = 0, discovered = 0, finished = 0, tree = 0, back = 0; };
+  struct counts { int roots = 0, discovered = 0, finished = 0, tree = 0; };
   counts* n;
   explicit counting_visitor(counts& c) : n(&c) {}
   template<class V, class G> void start_vertex(const V&, const G&) const { ++n->roots; }
