@@ -219,6 +219,7 @@ TEST_CASE("read_off: errors name the line") {
        {"3 0 1 4", "3 0 1 -1", "3 0 1", "2 0 1", "0", "-3 0 1 2", "3 0 1 1", "3 0 1 2.0", "3 0 1 x", "x", "99999999 0 1 2"})
     CHECK_MESSAGE(line("OFF\n4 3 0\n" + points + "3 0 1 2\n" + bad + "\n3 0 1 2\n") == 8, bad);
   CHECK(line("OFF\n4 2 0\n" + points + "3 0 1 2\n") == 7);
+  CHECK(line("OFF\n4 4 0\n0 0\n1 0 0\n0 1 0\n0 0 1\n" + faces_text) == 3);
   CHECK(line("OFF\n0 1 0\n3 0 1 2\n") == 3);
 }
 
