@@ -55,7 +55,7 @@ inline std::vector<corpus_row> corpus_meshes() {
     const std::filesystem::path path = corpus(cell("path"));
     const auto extension = path.extension();
     if (cell("path").rfind("bad/", 0) == 0) continue;  // those belong to the readers
-    if (extension == ".obj" || extension == ".mesh" || extension == ".hedra") {
+    if (extension == ".obj" || extension == ".off" || extension == ".mesh" || extension == ".hedra") {
       rows.push_back({path, cell("path"), number("area_vec"), number("volume_ctr")});
       for (const std::string& name : names) rows.back().column[name] = cell(name.c_str());
     }
