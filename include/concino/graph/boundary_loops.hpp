@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/graph/detail/sides.hpp>
-#include <concino/graph/detail/union_find.hpp>
+#include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/graph/edge_walk.hpp>
 
 #include <limits>
@@ -91,14 +91,14 @@ class border_edges {
   }
 
   std::size_t num_components() const {
-    union_find sets(out_.size());
+    disjoint_sets sets(out_.size());
     std::vector<unsigned char> used(out_.size());
     std::size_t n = 0;
     for (const side& s : sides_) {
       const std::size_t a = index_of(m_, s.from), b = index_of(m_, s.to);
       n += !std::exchange(used[a], static_cast<unsigned char>(1));
       n += !std::exchange(used[b], static_cast<unsigned char>(1));
-      n -= sets.join(a, b);
+      n -= sets.unite(a, b);
     }
     return n;
   }

@@ -65,7 +65,7 @@ cut_along_result<M> cut_along(const M& m, const Cut& cut) {
       const std::size_t at = index_of(m, v), here = corner++;
       std::uint32_t n = number[at];
       if (splits[at]) {
-        const std::size_t c = corners.classes.find(here);
+        const std::size_t c = corners.classes.root(here);
         if (class_number.size() <= c) class_number.resize(c + 1, none);
         if (class_number[c] == none && is_used[at]) {
           class_number[c] = static_cast<std::uint32_t>(s.points.size());

@@ -39,7 +39,7 @@ void expect_closed_manifold(const M& m, const char* who) {
     std::size_t corner = corners.first[index_of(m, p)];
     for (const vert_t<M> v : adj_p2v(m, p)) {
       std::size_t& known = class_of[index_of(m, v)];
-      const std::size_t here = corners.classes.find(corner++);
+      const std::size_t here = corners.classes.root(corner++);
       if (known == none) known = here;
       else if (known != here)
         refuse("the polys at vert " + number_text(index_of(m, v)) +
@@ -127,12 +127,12 @@ struct tree_cotree_tables : tree_cotree_result<M> {
     for (const edge_t<M> e : edges(m))
       if (!in_tree_[index_of(m, e)]) sorted[begins_at[steps(e)]++] = e;
 
-    union_find sets(static_cast<std::size_t>(poly_index_bound(m)));
+    disjoint_sets sets(static_cast<std::size_t>(poly_index_bound(m)));
     for (const edge_t<M>& e : sorted) {
       std::size_t side[2] = {0, 0}, n = 0;
       for (const poly_t<M> p : adj_e2p(m, e))
         if (n < 2) side[n++] = index_of(m, p);
-      (sets.join(side[0], side[1]) ? this->cotree : this->rest).push_back(e);
+      (sets.unite(side[0], side[1]) ? this->cotree : this->rest).push_back(e);
     }
     std::reverse(this->rest.begin(), this->rest.end());
   }

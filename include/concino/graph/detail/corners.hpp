@@ -2,18 +2,18 @@
 #pragma once
 
 #include <concino/graph/detail/sides.hpp>
-#include <concino/graph/detail/union_find.hpp>
+#include <concino/graph/detail/disjoint_sets.hpp>
 
 #include <limits>
 
 namespace concino::detail {
 
 /// Corner i of a poly, in the order of adj_p2v, is number first[index of the poly] + i. Two corners of a vert are one class if one can turn
-/// from the one to the other around the vert without crossing an edge e that is_cut(index of e). Linear time, but for union_find.
+/// from the one to the other around the vert without crossing an edge e that is_cut(index of e). Nearly linear time.
 template<SurfaceMesh M>
 struct corner_classes {
   std::vector<std::size_t> first;
-  union_find classes;
+  disjoint_sets classes;
 
   template<class IsCut>
   corner_classes(const M& m, const IsCut& is_cut)
@@ -32,8 +32,8 @@ struct corner_classes {
           there = {start + i, start + j};
           return;
         }
-        classes.join(there.low, start + i);
-        classes.join(there.high, start + j);
+        classes.unite(there.low, start + i);
+        classes.unite(there.high, start + j);
       });
     }
   }

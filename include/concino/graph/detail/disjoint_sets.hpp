@@ -7,7 +7,8 @@
 
 namespace concino::detail {
 
-/// 0 .. n-1, each alone at first. The root of a set is its least index; paths are halved as they are walked (Tarjan, van Leeuwen 1984).
+/// 0 .. n-1, each alone at first; n < 2^32. The root of a set is its least index; paths are halved as they are walked.
+/// Source: Tarjan, van Leeuwen 1984.
 class disjoint_sets {
   std::vector<std::uint32_t> parent_;
 

@@ -1,7 +1,7 @@
 // What can be wrong with the connectivity of a surface, and of the boundary of a volume, which is a surface too.
 #pragma once
 
-#include <concino/graph/detail/union_find.hpp>
+#include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/validate/detail/rim.hpp>
 #include <concino/validate/detail/windings.hpp>
 
@@ -41,7 +41,7 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
   log.stage(is_boundary ? 0.55 : 0.3, num_polys(s) + num_edges(s));
 
   mesh_facts facts;
-  union_find fans(corner_count), pieces(vert_index_bound(s)), loops(vert_index_bound(s));
+  disjoint_sets fans(corner_count), pieces(vert_index_bound(s)), loops(vert_index_bound(s));
   std::vector<shared_by> edge_use(edge_index_bound(s));
   std::vector<corner_pair> known(edge_index_bound(s));
   rim_walker<S> rims(s);
@@ -54,14 +54,14 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
         s, adj_p2v(s, p), adj_p2e(s, p),
         [&](const vert_t<S>&, std::size_t i) {
           if (anchor == ~std::size_t{0}) anchor = i;
-          else pieces.join(anchor, i);
+          else pieces.unite(anchor, i);
         },
         [&](const edge_t<S>& e, std::uint32_t a, std::uint32_t b, bool forward) {
           const std::size_t i = index_of(s, e);
           if (edge_use[i].polys == 0) known[i] = {first + a, first + b};
           else {
-            fans.join(known[i].a, first + a);
-            fans.join(known[i].b, first + b);
+            fans.unite(known[i].a, first + a);
+            fans.unite(known[i].b, first + b);
           }
           edge_use[i].add(poly_index, forward);
         });
@@ -85,7 +85,7 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
     if constexpr (!is_boundary) check_edge_ends(s, e, log);
     if (use.polys == 1) {
       facts.closed = false;
-      loops.join(end[0], end[1]);
+      loops.unite(end[0], end[1]);
       on_border[end[0]] = on_border[end[1]] = 1;
     } else if (use.polys > 2) {
       facts.manifold = false;
@@ -102,7 +102,7 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
   for (const poly_t<S> p : polys(s)) {
     ++used_polys;
     for (const vert_t<S> v : adj_p2v(s, p)) {
-      fans_at[index_of(s, v)] += fans.find(corner) == corner;
+      fans_at[index_of(s, v)] += fans.root(corner) == corner;
       ++corner;
     }
   }
@@ -115,8 +115,8 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
       continue;
     }
     ++used_verts;
-    facts.components += pieces.find(i) == i;
-    facts.boundary_loops += on_border[i] && loops.find(i) == i;
+    facts.components += pieces.root(i) == i;
+    facts.boundary_loops += on_border[i] && loops.root(i) == i;
     if (fans_at[i] < 2) continue;
     facts.manifold = false;
     if (defect<M>* d = log.add(defect_kind::non_manifold_vert, v)) {

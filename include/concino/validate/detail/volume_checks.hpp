@@ -18,7 +18,7 @@ template<VolumeMesh M>
 mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log) {
   mesh_facts facts;
   log.stage(0.3, num_polys(m) + num_faces(m));
-  union_find pieces(poly_index_bound(m));
+  disjoint_sets pieces(poly_index_bound(m));
   std::vector<shared_by> face_use(face_index_bound(m));
   std::vector<edge_in_poly> edge_use(edge_index_bound(m));
   std::vector<std::uint8_t> vert_used(vert_index_bound(m)), told_edges(edge_index_bound(m));
@@ -34,7 +34,7 @@ mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log
       ++face_count;
       const bool outward = face_is_outward(m, p, f);
       shared_by& use = face_use[index_of(m, f)];
-      if (use.polys > 0) pieces.join(use.poly[0], poly_index);
+      if (use.polys > 0) pieces.unite(use.poly[0], poly_index);
       use.add(poly_index, outward);
       rims.walk(
           m, adj_f2v(m, f), adj_f2e(m, f), [&](const vert_t<M>&, std::size_t i) { vert_used[i] = 1; },
@@ -111,7 +111,7 @@ mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log
     if (!vert_used[index_of(m, v)])
       if (defect<M>* d = log.add(defect_kind::isolated_vert, v)) d->what = log.name(v) + " belongs to no poly";
   }
-  for (const poly_t<M> p : polys(m)) facts.components += pieces.find(index_of(m, p)) == index_of(m, p);
+  for (const poly_t<M> p : polys(m)) facts.components += pieces.root(index_of(m, p)) == index_of(m, p);
   facts.euler_characteristic = static_cast<std::ptrdiff_t>(used_verts + used_faces) - static_cast<std::ptrdiff_t>(used_edges + number);
   facts.orientable = check_windings(
       m, faces(m), [&](const face_t<M>& f) -> decltype(auto) { return adj_f2p(m, f); }, face_use, poly_index_bound(m), " have their outside on the same side of ", log);
