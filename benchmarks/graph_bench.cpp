@@ -1,4 +1,4 @@
-// Breadth-first search and Dijkstra, primal and dual, on a surface and a volume, beside the floor and Boost.Graph.
+// Breadth-first search, connected components and Dijkstra, primal and dual, on a surface and a volume, beside the floor and Boost.Graph.
 #include "floor/graph.hpp"
 #include "peers/boost_csr.hpp"
 #include "support/program.hpp"
@@ -36,6 +36,16 @@ void searches(const bench::program& p, const std::string& what, const floors::ro
                            {{"floor", [&] { return bench::seconds_of([&] { return floors::bfs<Stride, Filled>(g, s); }); }},
                             {"concino", [&] { return bench::seconds_of([&] { return concino::bfs(m, source); }); }},
                             {"boost-csr", [&] { return bench::seconds_of([&] { return &boost.bfs(s); }); }}}));
+  }
+  if (const std::string work = "components." + what; p.wants(work)) {
+    const auto ours = [&] {
+      if constexpr (std::same_as<Node, concino::vert_id>) return concino::connected_components(m);
+      else return concino::connected_components(concino::dual(m));
+    };
+    expect_equal(work, floors::components<Stride, Filled>(g), ours().labels.values());
+    p.print(bench::compare(work, p.rounds,
+                           {{"floor", [&] { return bench::seconds_of([&] { return floors::components<Stride, Filled>(g); }); }},
+                            {"concino", [&] { return bench::seconds_of(ours); }}}));
   }
   if (const std::string work = "dijkstra." + what; p.wants(work)) {
     const auto d = floors::dijkstra<Stride, Filled>(g, points.data(), s);

@@ -74,6 +74,34 @@ buffer<double> dijkstra(const rows<Stride>& g, const double* points, u32 source)
   return d;
 }
 
+/// The number of each node's component, in the order of their first nodes: a breadth-first search from every node not met yet.
+template<u32 Stride, bool Filled>
+buffer<std::int32_t> components(const rows<Stride>& g) {
+  buffer<std::int32_t> label(g.size, 0xff);
+  buffer<u32> queue(g.size);
+  std::int32_t count = 0;
+  for (u32 i = 0; i < g.size; ++i) {
+    if (label[i] >= 0) continue;
+    u32 tail = 1;
+    queue[0] = i;
+    label[i] = count;
+    for (u32 head = 0; head != tail; ++head) {
+      const u32 v = queue[head];
+      for (u32 k = g.first(v); k != g.last(v); ++k) {
+        const u32 w = g.adj[k];
+        if constexpr (Filled)
+          if (w == none) continue;
+        if (label[w] < 0) {
+          label[w] = count;
+          queue[tail++] = w;
+        }
+      }
+    }
+    ++count;
+  }
+  return label;
+}
+
 /// Means of the verts of each poly, for searches on the dual graph.
 template<u32 K>
 buffer<double> centroids(const double* points, const u32* p2v, u32 num_polys) {
