@@ -27,7 +27,6 @@ class hedra_reader : token_cursor {
     skip();
     first_cell_ = at;
     polys(np);
-    trim(out_.face_verts), trim(out_.poly_faces), trim(out_.outward);
     skip();
     if (!at_end()) fail(at, {"the end of the file after the last polyhedron"});
     report_.reoriented_polys = orient_polyhedra(out_);

@@ -42,7 +42,6 @@ class obj_reader : text_cursor {
     if (out_.verts.size() > max_ids) fail_to_count("corners");
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
-    trim(out_.points), trim(out_.verts), trim(out_.offsets);
     tell_of_skipped(report);
     if (!extra_.vert_colors.empty()) extra_.vert_colors.resize(out_.points.size());
     end_names(report);

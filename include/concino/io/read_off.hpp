@@ -37,7 +37,6 @@ class off_reader : off_cursor {
     }
     if (out_.offsets.empty()) out_.arity = arity_ ? arity_ : wanted_.arity;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
-    trim(out_.verts), trim(out_.offsets);
     finish_attributes();
     extra_.arrays = std::move(out_);
     return std::move(extra_);

@@ -175,12 +175,6 @@ struct token_cursor : text_cursor {
   }
 };
 
-/// Gives back what a vector that grew has too much, unless that is little.
-template<class T>
-void trim(std::vector<T>& v) {
-  if (v.capacity() - v.size() > v.size() / 16) v.shrink_to_fit();
-}
-
 /// The first corner that a list of verts repeats, or its length: by sorting, for lists of many.
 [[gnu::noinline, gnu::cold]] inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, std::vector<vert_id>& scratch) {
   scratch.assign(verts, verts + n);

@@ -95,7 +95,7 @@ class polyhedra_tables {
     return faces_.add();
   }
 
-  /// A poly of faces that are there; outward[k] as in the constructor. Cost: the size of its faces.
+  /// A poly of faces that are there; outward[k] as in the constructor. Cost: at most the square of the corners of its faces.
   /// Errors: invalid_mesh as in the constructor; nothing has changed then.
   poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward) {
     const poly_id p{polys_.bound()};

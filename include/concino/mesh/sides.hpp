@@ -107,8 +107,9 @@ class sides {
   /// Edits: takes p off all its facets. Those that no poly has any more are left unowned.
   void unlink(std::uint32_t p) {
     std::vector<std::uint32_t> around;
+    std::vector<poly_id> rest;
     for (const Facet f : facets_[p]) {
-      std::vector<poly_id> rest;
+      rest.clear();
       for (const poly_id q : polys_of(f))
         if (q.raw() != p) rest.push_back(q), around.push_back(q.raw());
       relink(f, rest);
