@@ -88,25 +88,39 @@ struct links {
   static std::size_t num_polys(const linked& m) { return m.along.size(); }
 };
 
+/// Made from an integer only where one says so, even from none.
+template<char Kind>
+struct own_handle {
+  int i;
+  explicit own_handle(int i_ = -1) : i(i_) {}
+  friend bool operator==(own_handle, own_handle) = default;
+};
+
 /// Links of a mesh with descriptors of its own and with verts that were deleted.
 struct own_handles : links {
-  struct vert {
-    int i = 0;
-    friend bool operator==(vert, vert) = default;
-  };
-  static vert target(const linked& m, int h) { return {m.target[std::size_t(h)]}; }
+  using vert = own_handle<'v'>;
+  using poly = own_handle<'p'>;
+  static vert target(const linked& m, int h) { return vert(m.target[std::size_t(h)]); }
+  static poly poly_of(const linked& m, int h) { return poly(m.poly[std::size_t(h)]); }
   static bool is_isolated(const linked& m, vert v) { return m.leaving[std::size_t(v.i)] < 0; }
   static int halfedge_of(const linked& m, vert v) { return m.leaving[std::size_t(v.i)]; }
   static int halfedge_of(const linked& m, edge e) { return links::halfedge_of(m, e); }
-  static int halfedge_of(const linked& m, poly p) { return links::halfedge_of(m, p); }
+  static int halfedge_of(const linked& m, poly p) { return m.along[std::size_t(p.i)]; }
   static std::vector<vert> verts(const linked& m) {
     std::vector<vert> r;
-    for (int i = 0; i < static_cast<int>(m.leaving.size()); ++i) if (m.leaving[std::size_t(i)] >= 0) r.push_back({i});
+    for (int i = 0; i < static_cast<int>(m.leaving.size()); ++i) if (m.leaving[std::size_t(i)] >= 0) r.push_back(vert(i));
+    return r;
+  }
+  static std::vector<poly> polys(const linked& m) {
+    std::vector<poly> r;
+    for (int i = 0; i < static_cast<int>(m.along.size()); ++i) r.push_back(poly(i));
     return r;
   }
   static std::size_t num_verts(const linked& m) { return verts(m).size(); }
   static std::size_t vert_index_bound(const linked& m) { return m.leaving.size(); }
+  static std::size_t poly_index_bound(const linked& m) { return m.along.size(); }
   static std::size_t index_of(const linked&, vert v) { return std::size_t(v.i); }
+  static std::size_t index_of(const linked&, poly p) { return std::size_t(p.i); }
 };
 struct gappy : linked {};
 
@@ -152,7 +166,7 @@ void same_rings(const tiny::surface& s) {
     CHECK(numbers(cn::adj_v2v(m, v)) == numbers(cn::adj_v2v(s, w)));
     CHECK(numbers(cn::adj_v2e(m, v)) == numbers(cn::adj_v2e(s, w)));
     CHECK(numbers(cn::adj_v2p(m, v)) == numbers(cn::adj_v2p(s, w)));
-    CHECK(numbers(cn::adj_v2v(g, own_handles::vert{i})) == numbers(cn::adj_v2v(s, w)));
+    CHECK(numbers(cn::adj_v2v(g, own_handles::vert(i))) == numbers(cn::adj_v2v(s, w)));
   }
   for (int i = 0; i < static_cast<int>(s.es.size()); ++i) {
     CHECK(numbers(cn::adj_e2v(m, cn::edge_id(i))) == numbers(cn::adj_e2v(s, tiny::segment{i})));

@@ -88,7 +88,9 @@ class halfedge_neighbours {
     halfedge first_{}, at_{};
     bool done_ = true;
     unsigned shown_ = 0;
-    poly recent_[4]{};  // the first polys that were shown: enough to know all of a triangle's or quad's
+    // The first polys that were shown: enough to know all of a triangle's or quad's. Named one by one, since a descriptor's default
+    // constructor may be explicit.
+    poly recent_[4] = {poly(), poly(), poly(), poly()};
 
     /// Whether an edge before at_ has shown q_. Walks back along p and around q at once: the shorter way decides, except where q borders p
     /// more than once.
@@ -159,12 +161,12 @@ class halfedge_neighbours {
 /// None, one or two elements, held in the range itself.
 template<class T>
 class up_to_two {
-  T x_[2]{};
+  T x_[2] = {T(), T()};
   unsigned n_ = 0;
 
  public:
   constexpr up_to_two() = default;
-  constexpr explicit up_to_two(const T& a) : x_{a, T{}}, n_(1) {}
+  constexpr explicit up_to_two(const T& a) : x_{a, T()}, n_(1) {}
   constexpr up_to_two(const T& a, const T& b) : x_{a, b}, n_(2) {}
   constexpr const T* begin() const { return x_; }
   constexpr const T* end() const { return x_ + n_; }
