@@ -61,9 +61,10 @@ struct graph_for<M, X> { using type = dual_graph<std::remove_cvref_t<M>>; };
 
 template<class S> concept any_range = requires(const S& s) { s.begin(); s.end(); *s.begin(); };
 
-/// What a source says: itself if it is a node, what it holds if it is a container of nodes.
+/// What a source says: itself if it is a node (be that an array of coordinates), what it holds if it is a container of nodes.
 template<class M, class S> struct graph_of_source : graph_for<M, S> {};
 template<class M, any_range S>
+  requires(!names_vert<M, S> && !names_poly<M, S>)
 struct graph_of_source<M, S> : graph_for<M, std::remove_cvref_t<decltype(*std::declval<const S&>().begin())>> {};
 
 template<class M, class S> using graph_of = typename graph_of_source<std::remove_cvref_t<M>, S>::type;
@@ -101,7 +102,7 @@ void for_each_source(const G& g, const S& source, const char* who, F&& visit, co
     expect_node(g, x, who, role);
     visit(x);
   };
-  if constexpr (any_range<S>) {
+  if constexpr (any_range<S> && !std::same_as<S, typename G::node>) {
     for (const auto& x : source) take(static_cast<typename G::node>(x));
   } else {
     take(static_cast<typename G::node>(source));

@@ -1,0 +1,188 @@
+// Boost's graphs under the algorithms of concino: compressed_sparse_row_graph and adjacency_list (verts in vecS) model PrimalGraph as they
+// are; any other graph of Boost's does through graph_view(g).
+//
+//   auto hops = cn::bfs(my_adjacency_list, 0);                                // verts are Boost's vertex_descriptors
+//   auto d = cn::dijkstra(cn::graph_view(my_graph), s, [&](auto u, auto v) { return get(boost::edge_weight, g, edge(u, v, g).first); });
+//
+// An arc leads where out_edges leads. In a directed graph (every compressed_sparse_row_graph is one) searches and shortest paths follow the
+// arcs one way, as Boost's do. What takes edges as joining both ways (components, spanning trees, Laplacians) needs each arc's opposite in
+// the graph, law PG3; and parallel edges or loops break PG4. check_laws(g) tells. The other direction, Boost's algorithms on meshes, is
+// <concino/graph/boost.hpp>.
+#pragma once
+
+#include <concino/concepts/primal_graph.hpp>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace concino::detail {
+
+/// Graphs whose vertex_descriptors are the numbers 0 .. num_vertices - 1, and classes derived from them.
+template<class D, class V, class E, class P, class I, class J>
+std::true_type numbers_its_verts(const boost::compressed_sparse_row_graph<D, V, E, P, I, J>&);
+template<class O, class D, class V, class E, class P, class L>
+std::true_type numbers_its_verts(const boost::adjacency_list<O, boost::vecS, D, V, E, P, L>&);
+template<class G> concept numbered_graph = requires(const G& g) { detail::numbers_its_verts(g); };
+
+/// Lists whose vertex_index Boost does not have and may not even be asked for.
+template<class O, class S, class D, class V, class E, class P, class L>
+  requires(!std::same_as<S, boost::vecS> && !boost::lookup_one_property<V, boost::vertex_index_t>::found)
+std::true_type lacks_index(const boost::adjacency_list<O, S, D, V, E, P, L>&);
+template<class G> concept unnumbered_graph = requires(const G& g) { detail::lacks_index(g); };
+
+template<class G> using boost_vert = typename boost::graph_traits<G>::vertex_descriptor;
+
+template<class G> concept lists_verts = requires(const G& g) { *vertices(g).first; } && std::regular<boost_vert<G>>;
+template<class G> concept lists_neighbours = requires(const G& g, boost_vert<G> v) { adjacent_vertices(v, g).first; };
+template<class G> concept lists_arcs = requires(const G& g, boost_vert<G> v) { target(*out_edges(v, g).first, g); };
+
+/// What a pair of Boost's iterators walks; at(*i) is the vert. Boost's own are no forward iterators in the sense of C++20.
+template<class Vert, class Base, class At>
+class boost_range {
+  Base first_{}, last_{};
+  [[no_unique_address]] At at_{};
+
+ public:
+  using value_type = Vert;
+  class iterator {
+    Base base_{};
+    [[no_unique_address]] At at_{};
+
+   public:
+    using value_type = Vert;
+    using reference = Vert;
+    using difference_type = std::ptrdiff_t;
+    iterator() = default;
+    iterator(Base base, At at) : base_(std::move(base)), at_(at) {}
+    Vert operator*() const { return at_(*base_); }
+    iterator& operator++() { ++base_; return *this; }
+    iterator operator++(int) { iterator old = *this; ++*this; return old; }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.base_ == b.base_; }
+  };
+
+  boost_range() = default;
+  boost_range(std::pair<Base, Base> both, At at) : first_(std::move(both.first)), last_(std::move(both.second)), at_(at) {}
+  iterator begin() const { return {first_, at_}; }
+  iterator end() const { return {last_, at_}; }
+};
+
+struct itself {
+  template<class V>
+  V operator()(const V& v) const { return v; }
+};
+template<class G>
+struct target_in {
+  const G* g = nullptr;
+  template<class Arc>
+  boost_vert<G> operator()(const Arc& a) const { return target(a, *g); }
+};
+
+template<class Vert, class Base, class At = itself>
+boost_range<Vert, Base, At> walk(std::pair<Base, Base> both, At at = {}) { return {std::move(both), at}; }
+
+/// The verts of any graph, and what each leads to.
+template<class G>
+struct boost_walks {
+  using vert = boost_vert<G>;
+  static auto verts_of(const G& g) { return detail::walk<vert>(std::pair(vertices(g))); }
+  static auto neighbours(const G& g, const vert& v) {
+    if constexpr (lists_neighbours<G>) return detail::walk<vert>(std::pair(adjacent_vertices(v, g)));
+    else return detail::walk<vert>(std::pair(out_edges(v, g)), target_in<G>{&g});
+  }
+};
+
+}  // namespace concino::detail
+
+namespace concino {
+
+namespace requirement {
+
+/// What graph_view needs of Boost's concepts: VertexListGraph, and AdjacencyGraph or IncidenceGraph.
+template<class G> concept is_boost_graph =
+    concino::detail::lists_verts<G> && (concino::detail::lists_neighbours<G> || concino::detail::lists_arcs<G>);
+template<class P, class G> concept is_vertex_index = requires(const P& index, const concino::detail::boost_vert<G>& v) {
+  { get(index, v) } -> std::convertible_to<std::size_t>;
+};
+template<class G> concept has_vertex_index = is_boost_graph<G> && !concino::detail::unnumbered_graph<G> && requires(const G& g) {
+  { get(boost::vertex_index, g) } -> is_vertex_index<G>;
+};
+
+}  // namespace requirement
+
+template<detail::numbered_graph G>
+struct mesh_traits<G> {
+  using vert = detail::boost_vert<G>;
+  static auto verts(const G& g) { return detail::boost_walks<G>::verts_of(g); }
+  static std::size_t num_verts(const G& g) { return num_vertices(g); }
+  static std::size_t vert_index_bound(const G& g) { return num_vertices(g); }
+  static std::size_t index_of(const G&, vert v) { return v; }
+  static bool contains(const G& g, vert v) { return v < num_vertices(g); }
+  static auto adj_v2v(const G& g, vert v) { return detail::boost_walks<G>::neighbours(g, v); }
+};
+
+namespace views {
+
+/// A graph of Boost's, and the map that numbers its verts.
+template<class G, class Index>
+class foreign_graph {
+  const G* g_;
+  Index index_;
+  std::size_t count_ = 0, bound_ = 0;
+
+ public:
+  foreign_graph(const G& g, Index index) : g_(&g), index_(std::move(index)) {
+    for (const auto v : detail::boost_walks<G>::verts_of(g)) {
+      ++count_;
+      bound_ = std::max(bound_, index_of(v) + 1);
+    }
+  }
+  const G& base() const { return *g_; }
+  std::size_t index_of(const detail::boost_vert<G>& v) const { return static_cast<std::size_t>(get(index_, v)); }
+  std::size_t count() const { return count_; }
+  std::size_t bound() const { return bound_; }
+};
+
+}  // namespace views
+
+template<class G, class Index>
+struct mesh_traits<views::foreign_graph<G, Index>> {
+  using view = views::foreign_graph<G, Index>;
+  using vert = detail::boost_vert<G>;
+  static constexpr bool is_view = true;
+  static auto verts(const view& g) { return detail::boost_walks<G>::verts_of(g.base()); }
+  static std::size_t num_verts(const view& g) { return g.count(); }
+  static std::size_t vert_index_bound(const view& g) { return g.bound(); }
+  static std::size_t index_of(const view& g, const vert& v) { return g.index_of(v); }
+  static auto adj_v2v(const view& g, const vert& v) { return detail::boost_walks<G>::neighbours(g.base(), v); }
+};
+
+/// A graph of Boost's as a PrimalGraph whose verts are Boost's vertex_descriptors.
+/// Needs:  VertexListGraph, and AdjacencyGraph or IncidenceGraph; vertex_index, or `index`: numbers, different for different verts. g must
+///         outlive the view, so a temporary one is refused; where verts were added or removed, a new view is needed.
+/// Result: a view. It keeps law PG3 where g is undirected or has each arc's opposite, PG4 where it has no loops and no parallel edges.
+/// Cost:   O(V) to count the verts, of which a filtered_graph shows fewer than it numbers. Nothing is copied.
+template<class G>
+  requires requirement::has_vertex_index<G>
+auto graph_view(const G& g) {
+  using index_map = std::remove_cvref_t<decltype(get(boost::vertex_index, g))>;
+  return views::foreign_graph<G, index_map>(g, get(boost::vertex_index, g));
+}
+template<class G, class Index>
+  requires requirement::is_boost_graph<G> && requirement::is_vertex_index<Index, G>
+auto graph_view(const G& g, Index index) {
+  return views::foreign_graph<G, Index>(g, std::move(index));
+}
+template<class G> requires requirement::is_boost_graph<G> void graph_view(const G&& g) = delete;
+template<class G, class Index> requires requirement::is_boost_graph<G> void graph_view(const G&& g, Index index) = delete;
+
+static_assert(PrimalGraph<boost::compressed_sparse_row_graph<>> && PrimalGraph<boost::compressed_sparse_row_graph<boost::bidirectionalS>>);
+static_assert(PrimalGraph<boost::adjacency_list<>> && PrimalGraph<boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS>>);
+
+}  // namespace concino
