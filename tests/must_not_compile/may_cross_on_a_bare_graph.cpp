@@ -1,0 +1,10 @@
+// expect: concino: may_cross needs a mesh that says what lies between its nodes: adj_v2e and adj_e2v
+// Where a graph is all there is, nothing lies between its nodes that could be barred, and the caller is told what is missing.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/graph/bfs.hpp>
+#include <concino/mesh/trimesh.hpp>
+
+int hops(const concino::trimesh& m, concino::vert_id v, concino::vert_id w) {
+  const auto g = concino::only_primal_graph(m);
+  return concino::bfs(g, g.vert(v), {.may_cross = [](auto) { return true; }})[g.vert(w)];
+}
