@@ -235,6 +235,10 @@ TEST_CASE_TEMPLATE("meshes that throw or answer nonsense everywhere are describe
     m.number = [&](std::string_view verb, int, int, std::size_t real) { return verb.ends_with("bound") ? n : real; };
     CHECK(cn::check_laws(m).empty() == (n > 1));  // a bound may be generous
   }
+  for (const char* verb : {"vert_index_bound", "edge_index_bound", "poly_index_bound", "num_verts", "num_edges", "num_polys"}) {
+    m.number = [&](std::string_view asked, int, int, std::size_t real) { return asked == verb ? throw std::out_of_range("no numbers") : real; };
+    CHECK_FALSE(cn::check_laws(m).empty());
+  }
 }
 
 TEST_CASE_TEMPLATE("whatever one ring holds too much, too little or wrongly is found", M, surface, volume) {

@@ -39,12 +39,20 @@ struct element_table {
 };
 
 /// Reads all elements of a kind; breaks `indices` where index_of is at fault and `counting` where the walk is.
-template<class D, class M, class Walk>
-element_table<D> read_elements(const M& m, char letter, const Walk& walk, std::size_t num, std::size_t bound, const char* indices,
+template<class D, class M, class Walk, class Num, class Bound>
+element_table<D> read_elements(const M& m, char letter, const Walk& walk, const Num& num_of, const Bound& bound_of, const char* indices,
                                const char* counting, law_log& log) {
   element_table<D> t{letter, {}, {}, {}, true};
   const std::string kind = t.kind();
-  std::size_t walked = 0, faults = 0;
+  std::size_t num = 0, bound = 0, walked = 0, faults = 0;
+  try {
+    num = num_of(m);
+    bound = bound_of(m);
+  } catch (const std::exception& e) {
+    log.add(indices, "num_" + kind + "s or " + t.index_bound() + " throws: " + e.what(), "");
+    t.sound = false;
+    return t;
+  }
   const auto fault = [&](const char* law, std::string what, std::size_t i) {
     log.add(law, std::move(what), letter + std::to_string(i));
     t.sound = false;

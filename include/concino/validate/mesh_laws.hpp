@@ -16,7 +16,7 @@ struct edge_tables {
 template<AnyMesh M>
 edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, law_log& log) {
   const auto& vs = primal.nodes;
-  edge_tables<M> t{read_elements<edge_t<M>>(m, 'e', edges, num_edges(m), edge_index_bound(m), "SM1", "SM1", log), {}, {}};
+  edge_tables<M> t{read_elements<edge_t<M>>(m, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", log), {}, {}};
   t.e2v = read_rings(m, t.edges, vs, adj_e2v, "SM2", "adj_e2v", log);
   t.v2e = read_rings(m, vs, t.edges, adj_v2e, "SM2", "adj_v2e", log);
   for (position e = 0; e < t.edges.size() && !log.full("SM2"); ++e)

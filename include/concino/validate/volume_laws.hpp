@@ -101,7 +101,7 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
   const auto& ps = dual.nodes;
   const edge_tables<M> edge = check_edges(m, primal, log);
   const auto& es = edge.edges;
-  const auto fs = read_elements<face_t<M>>(m, 'f', faces, num_faces(m), face_index_bound(m), "VM1", "VM1", log);
+  const auto fs = read_elements<face_t<M>>(m, 'f', faces, num_faces, face_index_bound, "VM1", "VM1", log);
 
   const rings f2v = read_rings(m, fs, vs, adj_f2v, "VM2", "adj_f2v", log);
   const rings f2e = read_rings(m, fs, es, adj_f2e, "VM2", "adj_f2e", log);
