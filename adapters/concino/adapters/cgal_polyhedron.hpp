@@ -1,0 +1,239 @@
+// CGAL::Polyhedron_3 is a SurfaceMesh, and so is a class derived from it: directly where its items carry ids, else through indexed(m).
+//
+//   CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3> p = ...;
+//   CGAL::set_halfedgeds_items_id(p);                                    // after the last change of its connectivity
+//   const auto d = cn::dijkstra(p, p.vertices_begin());
+//
+//   CGAL::Polyhedron_3<Kernel> q = ...;
+//   const auto i = cn::indexed(q);                                       // q has no ids; verts(q), adj_v2v(q, v), point(q, v) it has
+//   const auto d = cn::dijkstra(i, q.vertices_begin());
+//
+// Descriptors are CGAL's own, those of boost::graph_traits: Vertex_handle, Facet_handle, and for edges a half-edge that equals its opposite.
+// They are handles, not const handles, also of a const mesh, as everywhere in CGAL's graphs; nothing is changed through them.
+// Stored: nothing in the mesh, and no data of the mesh anywhere; see indexed(). Cost: rings in time proportional to their length.
+// point(m, v) gives doubles, as <concino/adapters/cgal_surface_mesh.hpp> says.
+// Needs: ids as CGAL::set_halfedgeds_items_id makes them, 0, 1, 2 ... in the order of the elements. Without them, or where elements were
+//        added or erased since, index bounds throw invalid_mesh, and with them whatever makes a map. No two edges join the same two verts.
+#pragma once
+
+#include <concino/adapters/detail/cgal_point.hpp>
+#include <concino/concepts/halfedge_kernel.hpp>
+#include <concino/concepts/mesh.hpp>
+#include <concino/error.hpp>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace concino {
+
+namespace detail {
+
+/// What lies between two iterators of a polyhedron, as descriptors.
+template<class Iterator, class X>
+class cgal_handles {
+  Iterator first_, last_;
+
+ public:
+  class iterator {
+    Iterator at_{};
+
+   public:
+    using value_type = X;
+    using difference_type = std::ptrdiff_t;
+
+    iterator() = default;
+    explicit iterator(const Iterator& at) : at_(at) {}
+    X operator*() const { return X(at_); }
+    iterator& operator++() {
+      ++at_;
+      return *this;
+    }
+    iterator operator++(int) {
+      iterator old = *this;
+      ++*this;
+      return old;
+    }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_; }
+  };
+
+  cgal_handles(const Iterator& first, const Iterator& last) : first_(first), last_(last) {}
+  iterator begin() const { return iterator(first_); }
+  iterator end() const { return iterator(last_); }
+};
+
+/// Links of polyhedron P. M is P itself or a view of it: handles know their neighbours without being told the mesh.
+template<class P, class M = P>
+struct cgal_polyhedron_links {
+  using vert = typename P::Vertex_handle;
+  using edge = typename boost::graph_traits<P>::edge_descriptor;
+  using poly = typename P::Facet_handle;
+  using halfedge = typename P::Halfedge_handle;
+
+  static halfedge next(const M&, halfedge h) { return h->next(); }
+  static halfedge opposite(const M&, halfedge h) { return h->opposite(); }
+  static vert target(const M&, halfedge h) { return h->vertex(); }
+  static bool is_border(const M&, halfedge h) { return h->is_border(); }
+  static poly poly_of(const M&, halfedge h) { return h->facet(); }
+  static edge edge_of(const M&, halfedge h) { return edge(h); }
+  static bool is_isolated(const M&, vert v) { return v->halfedge() == halfedge(); }
+  static halfedge halfedge_of(const M&, vert v) { return v->halfedge()->opposite(); }
+  static halfedge halfedge_of(const M&, edge e) { return e.halfedge(); }
+  static halfedge halfedge_of(const M&, poly p) { return p->halfedge(); }
+
+  static std::size_t num_verts(const M& m) { return base(m).size_of_vertices(); }
+  static std::size_t num_edges(const M& m) { return base(m).size_of_halfedges() / 2; }
+  static std::size_t num_polys(const M& m) { return base(m).size_of_facets(); }
+  static auto verts(const M& m) { return handles<vert>(base(m).vertices_begin(), base(m).vertices_end()); }
+  static auto edges(const M& m) { return handles<edge>(base(m).edges_begin(), base(m).edges_end()); }
+  static auto polys(const M& m) { return handles<poly>(base(m).facets_begin(), base(m).facets_end()); }
+  static auto point(const M&, vert v) { return read_point(v->point()); }
+
+ protected:
+  /// Not const, because handles that are not const are had from nothing else.
+  static P& base(const M& m) {
+    if constexpr (std::same_as<P, M>) return const_cast<P&>(m);
+    else return const_cast<P&>(m.base());
+  }
+  template<class X, class Iterator>
+  static cgal_handles<Iterator, X> handles(const Iterator& first, const Iterator& last) { return {first, last}; }
+};
+
+template<class P> concept has_ids = requires(const typename P::Vertex& v, const typename P::Halfedge& h, const typename P::Facet& f) {
+  { v.id() } -> std::convertible_to<std::size_t>;
+  { h.id() } -> std::convertible_to<std::size_t>;
+  { f.id() } -> std::convertible_to<std::size_t>;
+};
+
+/// Indices are the ids.
+template<class P>
+struct cgal_polyhedron_ids : cgal_polyhedron_links<P> {
+  using base = cgal_polyhedron_links<P>;
+  using typename base::edge;
+  using typename base::poly;
+  using typename base::vert;
+
+  static std::size_t vert_index_bound(const P& m) { return bound(m.size_of_vertices(), m.vertices_end(), "vert"); }
+  static std::size_t poly_index_bound(const P& m) { return bound(m.size_of_facets(), m.facets_end(), "facet"); }
+  static std::size_t edge_index_bound(const P& m) {
+    vert_index_bound(m);
+    poly_index_bound(m);  // edges come and go with verts and facets, but normalize_border() may shuffle them
+    return m.size_of_halfedges() / 2;
+  }
+  static std::size_t index_of(const P&, vert v) { return v->id(); }
+  static std::size_t index_of(const P&, edge e) { return e.halfedge()->id() / 2; }
+  static std::size_t index_of(const P&, poly p) { return p->id(); }
+  static bool contains(const P& m, vert v) { return v != vert() && v->id() < m.size_of_vertices(); }
+  static bool contains(const P& m, edge e) { return e != edge() && e.halfedge()->id() < m.size_of_halfedges(); }
+  static bool contains(const P& m, poly p) { return p != poly() && p->id() < m.size_of_facets(); }
+
+ private:
+  /// New elements are the last and copy the id of another one or have none, and where some were erased the last one's is too large: to look
+  /// at one id tells.
+  template<class Iterator>
+  static std::size_t bound(std::size_t size, Iterator end, const char* kind) {
+    if (size > 0 && (--end)->id() != size - 1)
+      throw invalid_mesh(std::string("CGAL::Polyhedron_3: the last ") + kind + " has another id than the number of those before it; call "
+                         "CGAL::set_halfedgeds_items_id(m) after changes of connectivity");
+    return size;
+  }
+};
+
+/// Verts and facets know a half-edge of theirs, and half-edges their vert and facet, as with all items of CGAL's but Polyhedron_min_items_3.
+template<class P> concept has_all_links = P::Supports_vertex_halfedge::value && P::Supports_face_halfedge::value && P::Supports_halfedge_vertex::value &&
+                                          P::Supports_halfedge_face::value;
+
+template<class T, class I, template<class, class, class> class H, class A>
+std::type_identity<CGAL::Polyhedron_3<T, I, H, A>> base_of_cgal_polyhedron(const CGAL::Polyhedron_3<T, I, H, A>*);
+template<class M> concept is_cgal_polyhedron =
+    requires(const M* m) { requires has_all_links<typename decltype(detail::base_of_cgal_polyhedron(m))::type>; };
+
+template<class P>
+struct cgal_polyhedron_traits : halfedge_kernel<P, std::conditional_t<has_ids<P>, cgal_polyhedron_ids<P>, cgal_polyhedron_links<P>>> {
+  template<class X>
+  static void set_point(P&, typename P::Vertex_handle v, const X& x) { write_point(v->point(), x); }
+};
+
+}  // namespace detail
+
+/// Of all classes that are, or derive from, a CGAL::Polyhedron_3.
+template<detail::is_cgal_polyhedron M>
+struct mesh_traits<M>
+    : detail::cgal_polyhedron_traits<typename decltype(detail::base_of_cgal_polyhedron(static_cast<const M*>(nullptr)))::type> {};
+
+namespace views {
+
+/// Polyhedron P with a number for each of its handles.
+template<class P>
+class indexed_polyhedron {
+  template<class X>
+  class table {
+    CGAL::Unique_hash_map<X, std::uint32_t> number_;
+
+   public:
+    template<class R>
+    table(std::size_t size, const R& elements) : number_(~std::uint32_t{0}, size) {
+      std::uint32_t i = 0;
+      for (const X x : elements) number_[x] = i++;
+    }
+    std::size_t operator[](const X& x) const { return number_[x]; }
+  };
+  using links = mesh_traits<P>;
+  struct tables {
+    table<vert_t<P>> verts;
+    table<edge_t<P>> edges;
+    table<poly_t<P>> polys;
+  };
+
+  const P* m_;
+  std::shared_ptr<const tables> tables_;
+
+ public:
+  explicit indexed_polyhedron(const P& m)
+      : m_(&m),
+        tables_(new tables{{links::num_verts(m), links::verts(m)}, {links::num_edges(m), links::edges(m)}, {links::num_polys(m), links::polys(m)}}) {}
+  const P& base() const { return *m_; }
+  std::size_t number_of(const vert_t<P>& v) const { return tables_->verts[v]; }
+  std::size_t number_of(const edge_t<P>& e) const { return tables_->edges[e]; }
+  std::size_t number_of(const poly_t<P>& p) const { return tables_->polys[p]; }
+};
+
+}  // namespace views
+
+namespace detail {
+
+template<class P>
+struct indexed_polyhedron_links : cgal_polyhedron_links<P, views::indexed_polyhedron<P>> {
+  using view = views::indexed_polyhedron<P>;
+  using base = cgal_polyhedron_links<P, view>;
+  static std::size_t vert_index_bound(const view& m) { return base::num_verts(m); }
+  static std::size_t edge_index_bound(const view& m) { return base::num_edges(m); }
+  static std::size_t poly_index_bound(const view& m) { return base::num_polys(m); }
+  template<class X> static std::size_t index_of(const view& m, const X& x) requires requires { m.number_of(x); } { return m.number_of(x); }
+  template<class X> static bool contains(const view& m, const X& x) requires requires { m.number_of(x); } {
+    return x != X() && m.number_of(x) != ~std::uint32_t{0};
+  }
+};
+
+}  // namespace detail
+
+template<class P>
+struct mesh_traits<views::indexed_polyhedron<P>> : halfedge_kernel<views::indexed_polyhedron<P>, detail::indexed_polyhedron_links<P>> {
+  static constexpr bool is_view = true;
+};
+
+/// A polyhedron whose items need no ids.
+/// Needs:  m: any Polyhedron_3 or a class derived from it; it must outlive the view, so a temporary one is refused. Its connectivity must not
+///         change while the view is used; points may.
+/// Result: a SurfaceMesh with the descriptors of m. Indices are the order in which m lists its verts, edges and facets.
+/// Cost:   O(V + E + F) time, and hash tables of 36 to 72 bytes per vert, edge and facet, which copies share; none of m's data. Every index_of looks up
+///         a table.
+template<detail::is_cgal_polyhedron M>
+auto indexed(const M& m) { return views::indexed_polyhedron<typename decltype(detail::base_of_cgal_polyhedron(&m))::type>(m); }
+template<detail::is_cgal_polyhedron M>
+void indexed(const M&& m) = delete;
+
+}  // namespace concino

@@ -1,0 +1,130 @@
+// CGAL::Surface_mesh, over any type of point, is a SurfaceMesh, and so is a class derived from it. CGAL's own Vertex_index, Edge_index and
+// Face_index go in and come out.
+//
+//   CGAL::Surface_mesh<Kernel::Point_3> m = ...;
+//   const auto d = cn::dijkstra(m, CGAL::SM_Vertex_index(0));
+//
+// Stored: nothing. Cost: every ring in time proportional to its length, as CGAL walks it; neighbours, ends and indices in constant time.
+// Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, and index bounds count them.
+// Property maps of the mesh are maps: map[v] reads and writes.
+// point(m, v) gives the coordinates of CGAL's points as doubles: those of inexact kernels as they are, those of exact ones by
+// CGAL::to_double (numbers that are doubles exactly, others of lazy kernels to the relative precision set there, 1e-5 unless told otherwise;
+// that may evaluate them, which is as safe from several threads as the kernel is). Points in the plane have z = 0. Other types
+// of points are given as they are, by reference, if they have p[0], p[1], p[2]; a mesh over anything else has no points.
+// Needs: connectivity that CGAL calls valid, in which no two edges join the same two verts. Euler operations can make such; check_laws finds it.
+//
+// Where all polys are known to be triangles, say so, and algorithms for a TriMesh take the mesh:
+//
+//   struct my_mesh : CGAL::Surface_mesh<Point> { ... };
+//   template<> struct concino::mesh_traits<my_mesh> : concino::mesh_traits<CGAL::Surface_mesh<Point>> { static constexpr int arity = 3; };
+#pragma once
+
+#include <concino/adapters/detail/cgal_point.hpp>
+#include <concino/concepts/halfedge_kernel.hpp>
+#include <concino/concepts/mesh.hpp>
+
+#include <CGAL/Surface_mesh.h>
+
+namespace concino {
+
+namespace detail {
+
+/// The elements of one kind that were not removed.
+template<class Mesh, class X>
+class cgal_elements {
+  const Mesh* m_;
+  unsigned bound_;
+
+ public:
+  class iterator {
+    const Mesh* m_ = nullptr;  // null where nothing was removed
+    unsigned i_ = 0, bound_ = 0;
+
+    void skip() {
+      if (m_)
+        while (i_ != bound_ && m_->is_removed(X(i_))) ++i_;
+    }
+
+   public:
+    using value_type = X;
+    using difference_type = std::ptrdiff_t;
+
+    iterator() = default;
+    iterator(const Mesh* m, unsigned i, unsigned bound) : m_(m), i_(i), bound_(bound) { skip(); }
+    X operator*() const { return X(i_); }
+    iterator& operator++() {
+      ++i_;
+      skip();
+      return *this;
+    }
+    iterator operator++(int) {
+      iterator old = *this;
+      ++*this;
+      return old;
+    }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
+  };
+
+  cgal_elements(const Mesh& m, unsigned bound) : m_(m.has_garbage() ? &m : nullptr), bound_(bound) {}
+  iterator begin() const { return {m_, 0, bound_}; }
+  iterator end() const { return {nullptr, bound_, bound_}; }
+};
+
+template<class P>
+struct cgal_surface_links {
+  using mesh = CGAL::Surface_mesh<P>;
+  using vert = typename mesh::Vertex_index;
+  using edge = typename mesh::Edge_index;
+  using poly = typename mesh::Face_index;
+  using halfedge = typename mesh::Halfedge_index;
+
+  static halfedge next(const mesh& m, halfedge h) { return m.next(h); }
+  static halfedge opposite(const mesh& m, halfedge h) { return m.opposite(h); }
+  static vert target(const mesh& m, halfedge h) { return m.target(h); }
+  static bool is_border(const mesh& m, halfedge h) { return m.is_border(h); }
+  static poly poly_of(const mesh& m, halfedge h) { return m.face(h); }
+  static edge edge_of(const mesh& m, halfedge h) { return m.edge(h); }
+  static bool is_isolated(const mesh& m, vert v) { return m.is_isolated(v); }
+  static halfedge halfedge_of(const mesh& m, vert v) { return m.opposite(m.halfedge(v)); }
+  static halfedge halfedge_of(const mesh& m, edge e) { return m.halfedge(e); }
+  static halfedge halfedge_of(const mesh& m, poly p) { return m.halfedge(p); }
+
+  // number_of_vertices() counts what is there, num_vertices() also what was removed.
+  static std::size_t num_verts(const mesh& m) { return m.number_of_vertices(); }
+  static std::size_t num_edges(const mesh& m) { return m.number_of_edges(); }
+  static std::size_t num_polys(const mesh& m) { return m.number_of_faces(); }
+  static std::size_t vert_index_bound(const mesh& m) { return m.num_vertices(); }
+  static std::size_t edge_index_bound(const mesh& m) { return m.num_edges(); }
+  static std::size_t poly_index_bound(const mesh& m) { return m.num_faces(); }
+  static auto verts(const mesh& m) { return cgal_elements<mesh, vert>(m, m.num_vertices()); }
+  static auto edges(const mesh& m) { return cgal_elements<mesh, edge>(m, m.num_edges()); }
+  static auto polys(const mesh& m) { return cgal_elements<mesh, poly>(m, m.num_faces()); }
+  static std::size_t index_of(const mesh&, vert v) { return v.idx(); }
+  static std::size_t index_of(const mesh&, edge e) { return e.idx(); }
+  static std::size_t index_of(const mesh&, poly p) { return p.idx(); }
+  static bool contains(const mesh& m, vert v) { return v.idx() < m.num_vertices() && !m.is_removed(v); }
+  static bool contains(const mesh& m, edge e) { return e.idx() < m.num_edges() && !m.is_removed(e); }
+  static bool contains(const mesh& m, poly p) { return p.idx() < m.num_faces() && !m.is_removed(p); }
+
+  static decltype(auto) point(const mesh& m, vert v) requires readable_point<P> { return read_point(m.point(v)); }
+  template<class X>
+    requires writable_point<P>
+  static void set_point(mesh& m, vert v, const X& x) { write_point(m.point(v), x); }
+};
+
+template<class P> std::type_identity<P> point_of_cgal_surface_mesh(const CGAL::Surface_mesh<P>*);
+template<class M> concept is_cgal_surface_mesh = requires(const M* m) { detail::point_of_cgal_surface_mesh(m); };
+
+}  // namespace detail
+
+/// Of all classes that are, or derive from, a CGAL::Surface_mesh<P>.
+template<class M>
+  requires detail::is_cgal_surface_mesh<M>
+struct mesh_traits<M> : mesh_traits<CGAL::Surface_mesh<typename decltype(detail::point_of_cgal_surface_mesh(std::declval<const M*>()))::type>> {};
+
+template<class P>
+struct mesh_traits<CGAL::Surface_mesh<P>> : halfedge_kernel<CGAL::Surface_mesh<P>, detail::cgal_surface_links<P>> {};
+
+static_assert(SurfaceMesh<CGAL::Surface_mesh<vec3>> && MutablePoints<CGAL::Surface_mesh<vec3>> && SurfaceMesh<CGAL::Surface_mesh<int>>);
+
+}  // namespace concino

@@ -1,0 +1,48 @@
+// Meshes of CGAL made of arrays: vert i is the i-th vertex, poly i the i-th face.
+#pragma once
+
+#include <concino/mesh/arrays.hpp>
+
+#include <support/meshes.hpp>
+
+#include <CGAL/Surface_mesh.h>
+
+#include <doctest/doctest.h>
+
+#include <concepts>
+#include <vector>
+
+namespace concino::testing {
+
+/// One after another, the verts of each poly.
+inline std::vector<std::vector<unsigned>> polys_of(const surface_arrays& s) {
+  const surface_arrays o = with_offsets(s);
+  std::vector<std::vector<unsigned>> polys;
+  for (std::size_t p = 0; p + 1 < o.offsets.size(); ++p) {
+    polys.emplace_back();
+    for (auto i = o.offsets[p]; i < o.offsets[p + 1]; ++i) polys.back().push_back(o.verts[i].raw());
+  }
+  return polys;
+}
+
+/// P is made of x, y, z, or of x, y.
+template<class P>
+P cgal_point(const vec3& x) {
+  if constexpr (requires { P{x.x, x.y, x.z}; }) return P{x.x, x.y, x.z};
+  else if constexpr (requires { P{x.x, x.y}; }) return P{x.x, x.y};
+  else return P{};
+}
+
+template<class P>
+CGAL::Surface_mesh<P> cgal_surface(const surface_arrays& s) {
+  CGAL::Surface_mesh<P> m;
+  for (const vec3& x : s.points) m.add_vertex(cgal_point<P>(x));
+  for (const auto& poly : polys_of(s)) {
+    std::vector<CGAL::SM_Vertex_index> ring;
+    for (const unsigned v : poly) ring.emplace_back(v);
+    REQUIRE(m.add_face(ring).is_valid());
+  }
+  return m;
+}
+
+}  // namespace concino::testing
