@@ -1,0 +1,215 @@
+#!/usr/bin/env bash
+# Are the tests any good? Changes one sign, index, comparison, bound, condition or constant of a header at a time and runs the tests of
+# this header: some test must fail. Prints each mutant that no test noticed, and a sum. Fails if there are any but those that
+# scripts/equivalent_mutants.txt explains.
+#   scripts/mutate.sh                  all headers of the table below
+#   scripts/mutate.sh read_obj bfs     these headers
+#   scripts/mutate.sh --all        also all of those that have to be compiled one by one, not ten for each header
+#   scripts/mutate.sh --show 123 bfs   what mutant 123 of bfs is, and what the tests say about it
+# Environment: CONCINO_MUTATE_BUILD (default build/mutate), CONCINO_JOBS (2).
+# How: scripts/mutants.hpp. Works on a copy of the tree. A mutant that does not compile does not count; one that runs into an endless loop
+# is found. Output stands in the build folder: <header>/result.tsv has one line for each mutant.
+set -u
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+. scripts/packages.sh
+
+# header below include/concino: tests that answer for it, below tests; those that find most come first.
+table='
+io/read_obj            io/read_obj io/read_mtl io/load io/name_runs
+io/read_off            io/read_off io/load
+io/off_cursor          io/read_off
+io/off_binary          io/read_off
+io/read_medit          io/read_medit io/load
+io/read_hedra          io/read_hedra io/load
+io/orient              io/orient io/read_hedra io/load
+io/text_cursor         io/text_cursor io/read_obj io/read_off io/read_medit io/read_hedra
+io/numbers             io/numbers
+fields/harmonic_map    fields/harmonic_map
+operators/weights      operators/weights operators/laplacian fields/harmonic_map
+operators/laplacian    operators/laplacian
+operators/mass_matrix  operators/mass_matrix
+operators/detail/assembly  operators/laplacian fields/harmonic_map
+operators/detail/product   fields/harmonic_map
+mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
+mesh/cell_tables       mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws
+mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
+mesh/sides             mesh/native_mesh edit/elements validate/check_laws
+mesh/rows              mesh/rows mesh/native_mesh edit/elements
+mesh/stars             mesh/native_mesh edit/elements
+mesh/checks            mesh/native_mesh edit/elements
+mesh/face_soup         mesh/face_soup io/load io/read_medit
+graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path
+graph/bfs              graph/bfs graph/predecessors
+graph/detail/indexed_heap  graph/dijkstra
+graph/detail/lengths   graph/dijkstra
+graph/detail/steps     graph/bfs graph/dijkstra graph/predecessors
+graph/detail/sides     graph/dijkstra graph/predecessors
+graph/detail/targets   graph/bfs graph/dijkstra
+graph/detail/crossings graph/bfs graph/dijkstra graph/predecessors
+graph/detail/once_queue    graph/bfs
+'
+
+root=$PWD
+build=${CONCINO_MUTATE_BUILD:-build/mutate}
+jobs=${CONCINO_JOBS:-2}
+show=0
+most_text=10
+wanted=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --all) most_text=1000000 ;;
+    --show) show=${2:?} && shift ;;
+    -*) sed -n '2,12s/^# //p' "$0"; [ "$1" = --help ] && exit 0 || exit 2 ;;
+    *) wanted+=("$1") ;;
+  esac
+  shift
+done
+mkdir -p "$build" && build=$(cd "$build" && pwd) || exit 1
+compiler=$(find_gcc) || { echo "no g++ 12 or later"; exit 1; }
+eigen=$(pkg-config --cflags-only-I eigen3 2>/dev/null) || eigen=-I/usr/include/eigen3
+eigen=${eigen//-I/-isystem}
+
+tree=$build/tree
+rm -rf "$tree"
+mkdir -p "$tree" && cp -r concepts include tests "$tree" || exit 1
+# Failed assertions of the standard library end the program: a mutant that reads out of bounds is found.
+flags=(-std=c++20 -O0 -w -Wno-narrowing -fmax-errors=0 -D_GLIBCXX_ASSERTIONS -DCONCINO_TEST_DEFAULT_CORPUS=\"none\" $eigen -I"$tree/tests")
+roots=(-I"$tree/concepts" -I"$tree/include")
+
+# What every test includes and no mutant is in, compiled once.
+printf '#include "%s/scripts/mutants.hpp"\n#include <%s>\n' "$root" doctest/doctest.h >"$build/common.hpp"
+printf '#include <%s>\n' Eigen/Sparse algorithm charconv cmath filesystem fstream memory random set span string string_view vector >>"$build/common.hpp"
+"$compiler" "${flags[@]}" -x c++-header "$build/common.hpp" -o "$build/common.hpp.gch" &&
+  "$compiler" "${flags[@]}" -c "$tree/tests/main.cpp" -o "$build/main.o" || exit 1
+
+# compile <overlay of include/> <test> <program> <log>
+compile() {
+  "$compiler" "${flags[@]}" -I"$1" "${roots[@]}" -include "$build/common.hpp" "$tree/tests/$2_test.cpp" "$build/main.o" -o "$3" -lpthread >"$4" 2>&1
+}
+
+# mutant <id>: runs the tests that met it, until one fails. Prints "id killed|survived|unmet by".
+mutant() {
+  local id=$1 test met=0 status
+  for test in $tests; do
+    grep -qx "$id" "$work/$test.met" || continue
+    met=1
+    ( ulimit -v 4000000
+      CONCINO_MUTANT=$id CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$work/$test.limit")" "$work/$test.run" --abort-after=1 -nv ) >/dev/null 2>&1
+    status=$?
+    if [ $status -ne 0 ]; then
+      [ $status -ge 124 ] && [ $status -le 137 ] && [ $status -ne 134 ] && echo "$id killed $test timeout" || echo "$id killed $test"
+      return
+    fi
+  done
+  [ $met -eq 1 ] && echo "$id survived" || echo "$id unmet"
+}
+
+# as_text <id>: the same with the change in the text, compiled alone.
+as_text() {
+  local id=$1 test place=$work/text.$1
+  mkdir -p "$place/concino/$(dirname "$header")"
+  awk -v first="$first" -v only="$id" -v header="$header" -f scripts/mutate.awk "$tree/include/concino/$header.hpp" >"$place/concino/$header.hpp"
+  local verdict=survived
+  for test in $tests; do
+    if ! compile "$place" "$test" "$place/run" "$place/log"; then
+      verdict=uncompiled
+      break
+    fi
+    if ! ( ulimit -v 4000000; CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$work/$test.limit")" "$place/run" --abort-after=1 -nv ) >/dev/null 2>&1; then
+      verdict="killed $test"
+      break
+    fi
+  done
+  rm -rf "$place"
+  echo "$id $verdict text"
+}
+export -f mutant as_text compile
+
+first=1
+killed_of_all=0 survivors_of_all=0 explained_of_all=0 failures=0
+while read -r header tests; do
+  [ -n "$header" ] || continue
+  if [ ${#wanted[@]} -gt 0 ]; then
+    case " ${wanted[*]} " in *" $(basename "$header") "* | *" $header "*) ;; *) continue ;; esac
+  fi
+  start=$SECONDS
+  work=$build/$header
+  overlay=$work/overlay
+  rm -rf "$work"
+  mkdir -p "$overlay/concino/$(dirname "$header")"
+  : >"$work/unfit"
+  for test in $tests; do mkdir -p "$(dirname "$work/$test")"; done
+
+  # With all mutants in it; lines that do not compile so are left as they were, and the rest tried again.
+  for round in 1 2 3 4 5 6; do
+    awk -v first=$first -v only=0 -v header="$header" -v list="$work/list.tsv" -v unfit="$work/unfit" -f scripts/mutate.awk \
+      "$tree/include/concino/$header.hpp" >"$overlay/concino/$header.hpp" || exit 1
+    good=1
+    for test in $tests; do
+      compile "$overlay" "$test" "$work/$test.run" "$work/log" && continue
+      good=0
+      sed -nE "s|.*overlay/concino/$header\.hpp:([0-9]+):[0-9]+: +error: .*|\1|p" "$work/log" | sort -u >"$work/lines"
+      [ -s "$work/lines" ] || sed -nE "s|.*overlay/concino/$header\.hpp:([0-9]+):.*|\1|p" "$work/log" | sort -u >"$work/lines"
+      sort -u "$work/lines" "$work/unfit" >"$work/unfit.new"
+      if cmp -s "$work/unfit.new" "$work/unfit"; then
+        cat "$work/log"
+        echo "$header: $test does not compile"
+        break 2
+      fi
+      mv "$work/unfit.new" "$work/unfit"
+      break
+    done
+    [ $good -eq 1 ] && break
+  done
+  [ $good -eq 1 ] || { echo "$header: does not compile"; failures=$((failures + 1)); continue; }
+  broken=0
+
+  for test in $tests; do
+    before=$(date +%s%N)
+    if ! CONCINO_CORPUS=/nonexistent CONCINO_MUTANTS_MET=$work/$test.met "$work/$test.run" >"$work/log" 2>&1; then
+      cat "$work/log"
+      echo "$header: $test fails without any mutant"
+      broken=1
+    fi
+    echo $((2 + 5 * ($(date +%s%N) - before) / 1000000000)) >"$work/$test.limit"
+  done
+  [ $broken -eq 0 ] || { failures=$((failures + 1)); continue; }
+  export work tests header first tree build compiler
+  if [ "$show" -ne 0 ]; then
+    awk -F'\t' -v id="$show" '$1 == id' "$work/list.tsv"
+    for test in $tests; do CONCINO_MUTANT=$show "$work/$test.run" -nv; done
+    exit 0
+  fi
+  cut -f1 "$work/list.tsv" | xargs -P "$jobs" -I{} bash -c 'mutant {}' >"$work/verdicts" 2>/dev/null
+  # An index of a type that has no next is no mutant. Constants that the compiler needs are compiled one by one.
+  awk -F'\t' 'NR == FNR { split($0, part, " "); if (part[2] == "unmet") unmet[part[1]] = 1; next } !($1 in unmet) || ($4 == "switch" && $5 ~ /^index /) { next }
+    $4 == "text" { print $1 > text; next } { print $1, "survived unmet" }' text="$work/text.all" "$work/verdicts" "$work/list.tsv" >"$work/verdicts.all"
+  grep -v ' unmet$' "$work/verdicts" >>"$work/verdicts.all"
+  # Not all of those, unless asked for: of n every (n / 10)th.
+  [ ! -e "$work/text.all" ] || awk -v n="$(grep -c . "$work/text.all")" -v most="$most_text" 'int(NR * most / n) != int((NR - 1) * most / n) || n <= most' "$work/text.all" >"$work/text"
+  [ ! -e "$work/text" ] || while read -r id; do as_text "$id"; done <"$work/text" >>"$work/verdicts.all" 2>/dev/null
+  awk -F'\t' -v OFS='\t' 'NR == FNR { i = index($0, " "); verdict[substr($0, 1, i - 1)] = substr($0, i + 1); next } ($1 in verdict) { print $1, verdict[$1], $2 ".hpp:" $3, $5, $6 }' \
+    "$work/verdicts.all" "$work/list.tsv" >"$work/result.tsv"
+
+  # Lines of equivalent_mutants.txt: header, change (* for any), part of the line, reason; with tabs between.
+  awk -F'\t' -v header="$header" -v survivors="$work/survivors" -v results="$work/result.tsv" '
+    BEGIN { printf "" > survivors }
+    FILENAME != results { if ($0 !~ /^#/ && NF == 4 && $1 == header) { ++n; change[n] = $2; text[n] = $3 } next }
+    $2 ~ /^killed/ { ++killed; next }
+    $2 ~ /^uncompiled/ { next }
+    {
+      for (i = 1; i <= n; ++i) if ((change[i] == "*" || change[i] == $4) && index($5, text[i])) { ++explained; used[i] = 1; next }
+      ++survived
+      print > survivors
+    }
+    END {
+      for (i = 1; i <= n; ++i) if (!used[i]) print header ": explained, but there is no such survivor: " change[i] " in " text[i] > "/dev/stderr"
+      print killed + 0, survived + 0, explained + 0
+    }' scripts/equivalent_mutants.txt "$work/result.tsv" >"$work/counts" || exit 1
+  read -r killed survived explained <"$work/counts"
+  awk -F'\t' '{ print "survivor: " $3 ": " $4 "    " $5 ($2 ~ /unmet/ ? "    (no test comes here)" : "") "  [" $1 "]" }' "$work/survivors"
+  printf '%-28s %4d mutants, %4d killed, %3d survived, %3d equivalent  (%d s)\n' "$header" $((killed + survived + explained)) "$killed" "$survived" "$explained" $((SECONDS - start))
+  killed_of_all=$((killed_of_all + killed)) survivors_of_all=$((survivors_of_all + survived)) explained_of_all=$((explained_of_all + explained))
+done <<<"$table"
+echo "$((killed_of_all + survivors_of_all + explained_of_all)) mutants, $killed_of_all killed, $survivors_of_all survived, $explained_of_all equivalent"
+[ "$survivors_of_all" -eq 0 ] && [ $failures -eq 0 ]
