@@ -31,7 +31,7 @@ class border_edges {
   const M& m_;
   std::vector<side> sides_;
   std::vector<std::uint32_t> out_, in_;  // by vert: the first side that leaves or enters it; lists go on in next_out, next_in
-  std::vector<std::uint32_t> degree_;
+  std::vector<std::uint32_t> degree_;    // by vert: sides there that are not taken
 
   void pass_taken(std::uint32_t& i, std::uint32_t side::*next) {
     while (i != none && sides_[i].taken) i = sides_[i].*next;
@@ -85,6 +85,8 @@ class border_edges {
     const std::uint32_t i = forwards ? out_[slot] : in_[slot];
     if (i == none) return false;
     sides_[i].taken = true;
+    --degree_[index_of(m_, sides_[i].from)];
+    --degree_[index_of(m_, sides_[i].to)];
     e = sides_[i].edge;
     v = forwards ? sides_[i].to : sides_[i].from;
     return true;
@@ -111,7 +113,7 @@ class border_edges {
 /// Result: loops, together every boundary edge once. A loop is a simple cycle, walked as its polys are; where these are wound alike it has
 ///         the surface on its left. Where borders touch at a vert, each loop passes it once; they are several loops but one border, so that
 ///         `count` may be less than their number. Only where an odd number of boundary edges meet at a vert (an edge with three polys may
-///         end there), what is left over after the cycles is walks that are not closed. The same mesh always gives the same loops.
+///         end there), what is left over after the cycles is walks that are not closed, one for two such verts. The same mesh always gives the same loops.
 /// Cost:   O(elements) time and memory.      Errors: none.
 template<SurfaceMesh M>
 boundary_loops_result<M> boundary_loops(const M& m) {
@@ -147,7 +149,7 @@ boundary_loops_result<M> boundary_loops(const M& m) {
     for (const vert_t<M>& w : walk.verts) place[index_of(m, w)] = nowhere;
     if (!walk.edges.empty()) result.loops.push_back(walk);
   };
-  // A walk from a vert with an odd number of edges ends at another such vert. After these, all walks come back.
+  // A walk from a vert with an odd number of edges left ends at another such vert. After these, all walks come back.
   for (std::size_t i = 0; i < border.size(); ++i)
     for (const vert_t<M>& v : {border.from(i), border.to(i)})
       if (!border.is_taken(i) && border.is_odd(v)) go_from(v);
