@@ -303,6 +303,49 @@ TEST_CASE("harmonic_map: solves with the solver that is handed in, which keeps i
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{26}, 1.0}}, {}, wrong{}), doctest::Contains("too badly conditioned"), solver_error);
 }
 
+TEST_CASE_TEMPLATE("harmonic_map: the solver sees positive definite matrices of the unknowns, and nothing where there are none", M, CONCINO_ALL_KINDS) {
+  struct watching : ldlt {
+    Eigen::Index unknowns = 0;
+    bool is_positive = true;
+    void factorize(const Eigen::SparseMatrix<double>& a) {
+      unknowns = a.rows();
+      is_positive = a.diagonal().minCoeff() > 0;
+      ldlt::factorize(a);
+    }
+  };
+  const M m = grid<M>(2);
+  values given;
+  for (const auto v : verts(m)) {
+    for (const int n : {1, 2, 3, 4}) {
+      watching solver;
+      const auto u = harmonic_map(m, given.empty() ? values{{v, 1}} : given, {.exponent = n}, solver);
+      CHECK(solver.unknowns == static_cast<Eigen::Index>(num_verts(m) - std::max<std::size_t>(given.size(), 1)));
+      CHECK(solver.is_positive);
+      for (const auto w : verts(m)) CHECK(u[w] == doctest::Approx(1));
+    }
+    given[v] = 1;
+  }
+  watching solver;
+  harmonic_map(m, given, {}, solver);
+  CHECK(solver.unknowns == 0);
+  struct refusing : ldlt {
+    void factorize(const Eigen::SparseMatrix<double>&) { FAIL("there is nothing to solve"); }
+  };
+  harmonic_map(m, given, {}, refusing{});
+}
+
+TEST_CASE_TEMPLATE("harmonic_map: higher exponents need no points, and points alone are no measure", M, CONCINO_ALL_KINDS) {
+  const M m = grid<M>(2);
+  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
+  const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2});
+  const auto same = [&](const auto& stripped) {
+    const auto u = harmonic_map(stripped, {{stripped.vert(a), 0.0}, {stripped.vert(b), 1.0}}, {.exponent = 2});
+    for (const auto v : verts(stripped)) CHECK(u[v] == doctest::Approx(expected[stripped.base(v)]).epsilon(1e-8));
+  };
+  same(only_mesh(m));
+  same(only_embedded_graph(m));
+}
+
 TEST_CASE_TEMPLATE("harmonic_map, laplacian, masses: on a mesh with elements removed and not renumbered", M, CONCINO_ALL_KINDS) {
   M m(jittered(grid_arrays<M>(4), 0.02));
   const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)};
