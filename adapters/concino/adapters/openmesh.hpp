@@ -5,7 +5,7 @@
 // only touch in a vert are all met by the rings of that vert: OpenMesh links their borders.
 #pragma once
 
-#include <concino/concepts/halfedge_kernel.hpp>
+#include <concino/adapters/detail/openmesh_links.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/error.hpp>
 #include <concino/geometry/vec3.hpp>
@@ -13,132 +13,12 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include <algorithm>
 #include <concepts>
-#include <cstddef>
 #include <span>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 namespace concino {
-
-namespace detail {
-
-/// The elements of one kind that are not deleted, by rising index.
-template<class Handle>
-class openmesh_elements {
-  using mesh = OpenMesh::PolyConnectivity;
-  using status_info = OpenMesh::Attributes::StatusInfo;
-
-  const mesh* m_ = nullptr;
-  const status_info* status_ = nullptr;  // null: the mesh keeps no status of these
-  int bound_ = 0;
-
-  bool is_deleted(int i) const {
-    if (status_) return status_[i].deleted();
-    // Where there is no status of edges, delete_face takes an edge away by leaving no face on either side of it.
-    if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>)
-      return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(Handle(i), 0)) && m_->is_boundary(m_->halfedge_handle(Handle(i), 1));
-    return false;
-  }
-
- public:
-  class iterator {
-    openmesh_elements r_;
-    int i_ = 0;
-    void skip() { while (i_ != r_.bound_ && r_.is_deleted(i_)) ++i_; }
-
-   public:
-    using value_type = Handle;
-    using difference_type = std::ptrdiff_t;
-
-    iterator() = default;
-    iterator(const openmesh_elements& r, int i) : r_(r), i_(i) { skip(); }
-    Handle operator*() const { return Handle(i_); }
-    iterator& operator++() { ++i_; skip(); return *this; }
-    iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
-  };
-
-  openmesh_elements() = default;
-  openmesh_elements(const mesh& m, std::size_t bound) : m_(&m), bound_(static_cast<int>(bound)) {
-    if (const auto property = m.status_pph(Handle()); property.is_valid()) status_ = m.property(property).data();
-  }
-  iterator begin() const { return {*this, 0}; }
-  iterator end() const { return {*this, bound_}; }
-  bool contains(Handle x) const { return x.is_valid() && x.idx() < bound_ && !is_deleted(x.idx()); }
-  std::size_t count() const {
-    std::size_t n = 0;
-    for (int i = 0; i < bound_; ++i) n += !is_deleted(i);
-    return n;
-  }
-};
-
-/// How OpenMesh links its half-edges.
-struct openmesh_links {
-  using mesh = OpenMesh::PolyConnectivity;
-  using vert = OpenMesh::VertexHandle;
-  using edge = OpenMesh::EdgeHandle;
-  using poly = OpenMesh::FaceHandle;
-  using halfedge = OpenMesh::HalfedgeHandle;
-
-  static halfedge next(const mesh& m, halfedge h) { return m.next_halfedge_handle(h); }
-  static halfedge opposite(const mesh& m, halfedge h) { return m.opposite_halfedge_handle(h); }
-  static vert target(const mesh& m, halfedge h) { return m.to_vertex_handle(h); }
-  static bool is_border(const mesh& m, halfedge h) { return m.is_boundary(h); }
-  static poly poly_of(const mesh& m, halfedge h) { return m.face_handle(h); }
-  static edge edge_of(const mesh& m, halfedge h) { return m.edge_handle(h); }
-  static bool is_isolated(const mesh& m, vert v) { return m.is_isolated(v); }
-  static halfedge halfedge_of(const mesh& m, vert v) { return m.halfedge_handle(v); }
-  static halfedge halfedge_of(const mesh& m, edge e) { return m.halfedge_handle(e, 0); }
-  static halfedge halfedge_of(const mesh& m, poly p) { return m.halfedge_handle(p); }
-
-  // n_vertices and its siblings count deleted elements too. They are virtual; named in full they cost no call.
-  static std::size_t vert_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_vertices(); }
-  static std::size_t edge_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_edges(); }
-  static std::size_t poly_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_faces(); }
-  static openmesh_elements<vert> verts(const mesh& m) { return {m, vert_index_bound(m)}; }
-  static openmesh_elements<edge> edges(const mesh& m) { return {m, edge_index_bound(m)}; }
-  static openmesh_elements<poly> polys(const mesh& m) { return {m, poly_index_bound(m)}; }
-  static std::size_t num_verts(const mesh& m) { return verts(m).count(); }
-  static std::size_t num_edges(const mesh& m) { return edges(m).count(); }
-  static std::size_t num_polys(const mesh& m) { return polys(m).count(); }
-  static std::size_t index_of(const mesh&, vert v) { return static_cast<std::size_t>(v.idx()); }
-  static std::size_t index_of(const mesh&, edge e) { return static_cast<std::size_t>(e.idx()); }
-  static std::size_t index_of(const mesh&, poly p) { return static_cast<std::size_t>(p.idx()); }
-  static bool contains(const mesh& m, vert v) { return verts(m).contains(v); }
-  static bool contains(const mesh& m, edge e) { return edges(m).contains(e); }
-  static bool contains(const mesh& m, poly p) { return polys(m).contains(p); }
-};
-
-template<class M> inline constexpr std::size_t openmesh_coordinates = 0;
-template<class M>
-  requires requires { typename M::Point; }
-inline constexpr std::size_t openmesh_coordinates<M> = OpenMesh::vector_traits<typename M::Point>::size_;
-
-/// Refuses polys that OpenMesh cannot hold, before anything has changed. OpenMesh would refuse them too, in words to the standard error stream.
-inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<const OpenMesh::VertexHandle> corners, int arity) {
-  const auto refuse = [&](const std::string& why) { throw invalid_mesh("poly " + std::to_string(m.n_faces()) + " " + why); };
-  const auto name = [](OpenMesh::VertexHandle v) { return "vert " + std::to_string(v.idx()); };
-  const std::size_t n = corners.size();
-  if (n < 3 || (arity != 0 && n != static_cast<std::size_t>(arity)))
-    refuse("has " + std::to_string(n) + " verts; it needs " + (arity != 0 ? std::to_string(arity) : "at least 3"));
-  for (const auto v : corners)
-    if (!openmesh_links::contains(m, v)) refuse("names " + name(v) + ", which is not in the mesh");
-  std::vector<OpenMesh::VertexHandle> sorted(corners.begin(), corners.end());
-  std::sort(sorted.begin(), sorted.end());
-  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    refuse("has " + name(*twice) + " twice; its verts must differ");
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto a = corners[i], b = corners[(i + 1) % n];
-    if (!m.is_boundary(a)) refuse("names " + name(a) + ", which has polys all around it; OpenMesh can hold no other there");
-    if (const OpenMesh::HalfedgeHandle h = m.find_halfedge(a, b); h.is_valid() && !m.is_boundary(h))
-      refuse("goes from " + name(a) + " to " + name(b) + " as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions");
-  }
-}
-
-}  // namespace detail
 
 template<std::derived_from<OpenMesh::PolyConnectivity> M>
 struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::openmesh_links> {

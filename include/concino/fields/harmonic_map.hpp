@@ -56,14 +56,14 @@ dirichlet_problem<M> dirichlet(const M& m, const D& given, double isolated_value
     r.unknown[v] = problem::prescribed;
     r.value[v] = x;
   }
-  const auto hops = bfs(m, sources);
+  const auto hops = concino::bfs(m, sources);
   for (const vert_t<M> v : verts(m)) {
     if (r.unknown[v] == problem::prescribed) continue;
     const auto& around = adj_v2v(m, v);
     if (!(around.begin() != around.end())) continue;
     if (hops[v] < 0) {
       std::size_t size = 0;
-      const auto component = bfs(m, v);
+      const auto component = concino::bfs(m, v);
       for (const vert_t<M> w : verts(m)) size += component[w] >= 0;
       throw solver_error(std::string(who) + ": singular, because the component of vert " + number_text(index_of(m, v)) + " (" + number_text(size) +
                          " verts) has no value prescribed; give one at any of its verts");

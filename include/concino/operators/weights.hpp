@@ -70,7 +70,7 @@ class cotangent_weights {
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
 
   void add(const poly_t<M>& p) {
-    std::array<vert_t<M>, corners> corner{};
+    std::array<vert_t<M>, corners> corner;
     std::array<vec3, corners> x;
     std::size_t n = 0;
     for (const vert_t<M> v : adj_p2v(m_, p)) {
