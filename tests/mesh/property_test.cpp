@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <string>
 
 namespace cn = concino;
@@ -61,4 +62,75 @@ TEST_CASE_TEMPLATE("properties follow their elements through edits", M, CONCINO_
   for (const auto v : cn::verts(m))
     if (v != fresh) CHECK(u[v] == 10 * v.raw());
   for (const auto p : cn::polys(m)) CHECK(w[p] == 10 * p.raw());
+}
+
+namespace {
+
+/// Counts itself; the one that uses up `left` throws.
+struct counted {
+  static inline int alive = 0, left = 1 << 30;
+  std::string text = "as made, and too long to be kept inside of the string";
+  counted() { arrive(); }
+  counted(const counted& o) : text(o.text) { arrive(); }
+  ~counted() { --alive; }
+
+ private:
+  static void arrive() {
+    if (left-- == 0) throw 7;
+    ++alive;
+  }
+};
+
+struct alignas(64) wide {
+  float part[16] = {1, 2};
+};
+
+}  // namespace
+
+TEST_CASE("values of any type are made, copied, moved and destroyed as they should be") {
+  {
+    auto m = cn::testing::grid<cn::trimesh>(3);
+    auto text = cn::vert_property<counted>(m, "text");
+    auto part = cn::poly_property<wide>(m, "part");
+    const cn::vert_id a{0}, z{cn::num_verts(m) - 1};
+    text[a].text = "first";
+    text[z].text += ", and more";
+    part[cn::poly_id{0}].part[1] = 3;
+    const auto copy = m;
+    text[a].text = "changed";
+    for (int i = 0; i < 100; ++i) cn::add_vert(m, {0, 0, 0});
+    CHECK(text[a].text == "changed");
+    CHECK(text[z].text == counted().text + ", and more");
+    CHECK(text[cn::vert_id{cn::num_verts(m) - 1}].text == counted().text);
+    CHECK(cn::find_vert_property<counted>(copy, "text")[a].text == "first");
+    CHECK(cn::find_poly_property<wide>(copy, "part")[cn::poly_id{0}].part[1] == 3);
+    for (const auto p : cn::polys(m)) {
+      CHECK(reinterpret_cast<std::uintptr_t>(&part[p]) % 64 == 0);
+      CHECK(part[p].part[0] == 1);
+      CHECK(part[p].part[1] == (p.raw() == 0 ? 3 : 2));
+    }
+  }
+  CHECK(counted::alive == 0);
+}
+
+TEST_CASE("a value that cannot be made or copied leaves everything as it was") {
+  {
+    auto m = cn::testing::grid<cn::trimesh>(2);
+    counted::left = 3;
+    CHECK_THROWS_AS(cn::vert_property<counted>(m, "text"), int);
+    CHECK(counted::alive == 0);
+    CHECK(cn::property_list(m).empty());
+    counted::left = 1 << 30;
+    auto text = cn::vert_property<counted>(m, "text");
+    text[cn::vert_id{1}].text = "kept";
+    const int before = counted::alive;
+    counted::left = 3;
+    CHECK_THROWS_AS(cn::trimesh{m}, int);
+    counted::left = 3;
+    CHECK_THROWS_AS(cn::add_vert(m, {0, 0, 0}), int);
+    counted::left = 1 << 30;
+    CHECK(counted::alive == before);
+    CHECK(text[cn::vert_id{1}].text == "kept");
+  }
+  CHECK(counted::alive == 0);
 }

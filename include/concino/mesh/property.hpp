@@ -13,19 +13,19 @@ namespace concino {
 /// Const: reads only.
 template<class Id, class T>
 class property_map {
-  std::shared_ptr<detail::column<std::remove_const_t<T>>> column_;
+  std::shared_ptr<detail::column> column_;
 
  public:
   using key_type = Id;
   using value_type = std::remove_const_t<T>;
 
   property_map() = default;
-  explicit property_map(std::shared_ptr<detail::column<std::remove_const_t<T>>> c) : column_(std::move(c)) {}
+  explicit property_map(std::shared_ptr<detail::column> c) : column_(std::move(c)) {}
 
   explicit operator bool() const { return column_ != nullptr; }
   T& operator[](Id x) const {
-    assert(column_ && x.raw() < column_->cells.size());
-    return column_->cells[x.raw()].value;
+    assert(column_ && x.raw() < column_->size());
+    return static_cast<T*>(column_->data())[x.raw()];
   }
 };
 
@@ -41,43 +41,46 @@ concept HasProperties = requires(std::remove_cvref_t<M>& m, const std::remove_cv
 /// Errors: invalid_argument if the property exists with values of another type.
 template<class T, HasProperties M>
 property_map<vert_t<M>, T> vert_property(M& m, std::string_view name) {
-  return property_map<vert_t<M>, T>(traits<M>::properties(m).template get<T>(element_kind::vert, name, vert_index_bound(m)));
+  return property_map<vert_t<M>, T>(traits<M>::properties(m).get(element_kind::vert, name, detail::values_of<T>, vert_index_bound(m)));
 }
 template<class T, HasProperties M>
 property_map<edge_t<M>, T> edge_property(M& m, std::string_view name) {
-  return property_map<edge_t<M>, T>(traits<M>::properties(m).template get<T>(element_kind::edge, name, edge_index_bound(m)));
+  return property_map<edge_t<M>, T>(traits<M>::properties(m).get(element_kind::edge, name, detail::values_of<T>, edge_index_bound(m)));
 }
 template<class T, HasProperties M>
 property_map<face_t<M>, T> face_property(M& m, std::string_view name) {
-  return property_map<face_t<M>, T>(traits<M>::properties(m).template get<T>(element_kind::face, name, face_index_bound(m)));
+  return property_map<face_t<M>, T>(traits<M>::properties(m).get(element_kind::face, name, detail::values_of<T>, face_index_bound(m)));
 }
 template<class T, HasProperties M>
 property_map<poly_t<M>, T> poly_property(M& m, std::string_view name) {
-  return property_map<poly_t<M>, T>(traits<M>::properties(m).template get<T>(element_kind::poly, name, poly_index_bound(m)));
+  return property_map<poly_t<M>, T>(traits<M>::properties(m).get(element_kind::poly, name, detail::values_of<T>, poly_index_bound(m)));
 }
 
 /// The property `name`, to be read only; empty (tests false) if there is none. Errors as above.
 template<class T, HasProperties M>
 property_map<vert_t<M>, const T> find_vert_property(const M& m, std::string_view name) {
-  return property_map<vert_t<M>, const T>(traits<M>::properties(m).template find_column<T>(element_kind::vert, name));
+  return property_map<vert_t<M>, const T>(traits<M>::properties(m).find(element_kind::vert, name, detail::values_of<T>));
 }
 template<class T, HasProperties M>
 property_map<edge_t<M>, const T> find_edge_property(const M& m, std::string_view name) {
-  return property_map<edge_t<M>, const T>(traits<M>::properties(m).template find_column<T>(element_kind::edge, name));
+  return property_map<edge_t<M>, const T>(traits<M>::properties(m).find(element_kind::edge, name, detail::values_of<T>));
 }
 template<class T, HasProperties M>
 property_map<face_t<M>, const T> find_face_property(const M& m, std::string_view name) {
-  return property_map<face_t<M>, const T>(traits<M>::properties(m).template find_column<T>(element_kind::face, name));
+  return property_map<face_t<M>, const T>(traits<M>::properties(m).find(element_kind::face, name, detail::values_of<T>));
 }
 template<class T, HasProperties M>
 property_map<poly_t<M>, const T> find_poly_property(const M& m, std::string_view name) {
-  return property_map<poly_t<M>, const T>(traits<M>::properties(m).template find_column<T>(element_kind::poly, name));
+  return property_map<poly_t<M>, const T>(traits<M>::properties(m).find(element_kind::poly, name, detail::values_of<T>));
 }
 
 /// Kind, name and type of every property of m, in the order in which they were made.
 template<HasProperties M>
 std::vector<property_info> property_list(const M& m) {
-  return traits<M>::properties(m).list();
+  const property_set& all = traits<M>::properties(m);
+  std::vector<property_info> list;
+  for (std::size_t i = 0; i < all.size(); ++i) list.push_back(all.info(i));
+  return list;
 }
 
 /// Takes a property out of m; false if there was none of that name. Handles to it keep its values.

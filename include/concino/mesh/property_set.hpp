@@ -4,10 +4,15 @@
 #include <concino/concepts/descriptors.hpp>
 #include <concino/error.hpp>
 
+#include <algorithm>
+#include <cstring>
 #include <memory>
+#include <new>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <typeinfo>
+#include <utility>
 #include <vector>
 
 namespace concino {
@@ -21,31 +26,94 @@ inline std::string_view to_string(element_kind k) {
 
 namespace detail {
 
-template<class Id>
-inline constexpr element_kind kind_of = std::same_as<Id, vert_id>   ? element_kind::vert
-                                        : std::same_as<Id, edge_id> ? element_kind::edge
-                                        : std::same_as<Id, face_id> ? element_kind::face
-                                                                    : element_kind::poly;
-
-struct column_base {
-  virtual ~column_base() = default;
-  virtual std::shared_ptr<column_base> clone() const = 0;
-  virtual void resize(std::size_t n) = 0;
-  virtual const std::type_info& type() const = 0;
+/// What a column has to know of the type of its values. Columns are no templates: each would take longer to compile than all that is done
+/// with most of them.
+struct value_type {
+  std::size_t size, alignment;
+  const std::type_info* type;
+  void (*make)(void* at);                    // a default value
+  void (*copy)(void* at, const void* from);  // null, like the others: copying bytes will do
+  void (*move)(void* at, void* from);        // or copy, if moving may throw
+  void (*destroy)(void* at);
 };
 
-/// A wrapper keeps bools apart, so that each value can be referred to and written by its own thread.
 template<class T>
-struct column final : column_base {
-  struct cell {
-    T value{};
-  };
-  std::vector<cell> cells;
+struct value_functions {
+  static void make(void* at) { ::new (at) T{}; }
+  static void copy(void* at, const void* from) { ::new (at) T(*static_cast<const T*>(from)); }
+  static void move(void* at, void* from) { ::new (at) T(std::move_if_noexcept(*static_cast<T*>(from))); }
+  static void destroy(void* at) { static_cast<T*>(at)->~T(); }
 
-  explicit column(std::size_t n) : cells(n) {}
-  std::shared_ptr<column_base> clone() const override { return std::make_shared<column>(*this); }
-  void resize(std::size_t n) override { cells.resize(n); }
-  const std::type_info& type() const override { return typeid(T); }
+  static constexpr value_type type() {
+    if constexpr (std::is_trivially_copyable_v<T>) return {sizeof(T), alignof(T), &typeid(T), make, nullptr, nullptr, nullptr};
+    else return {sizeof(T), alignof(T), &typeid(T), make, copy, move, destroy};
+  }
+};
+template<class T>
+inline constexpr value_type values_of = value_functions<T>::type();
+
+/// The values of one property, one after another.
+class column {
+  const value_type* type_;
+  unsigned char* data_ = nullptr;
+  std::size_t size_ = 0, room_ = 0;
+
+  unsigned char* at(std::size_t i) const { return data_ + i * type_->size; }
+
+  void make_room(std::size_t n) {
+    column fresh(*type_);
+    fresh.data_ = static_cast<unsigned char*>(::operator new(n * type_->size, std::align_val_t(type_->alignment)));
+    fresh.room_ = n;
+    if (type_->move) {
+      for (; fresh.size_ < size_; ++fresh.size_) type_->move(fresh.at(fresh.size_), at(fresh.size_));
+    } else if (size_ > 0) {
+      std::memcpy(fresh.data_, data_, size_ * type_->size);
+      fresh.size_ = size_;
+    }
+    std::swap(data_, fresh.data_), std::swap(size_, fresh.size_), std::swap(room_, fresh.room_);
+  }
+
+ public:
+  explicit column(const value_type& type) : type_(&type) {}
+  column(const value_type& type, std::size_t n) : column(type) { resize(n); }
+  column(const column& o) : column(*o.type_) {
+    if (o.size_ == 0) return;
+    make_room(o.size_);
+    if (type_->copy) {
+      for (; size_ < o.size_; ++size_) type_->copy(at(size_), o.at(size_));
+    } else {
+      std::memcpy(data_, o.data_, o.size_ * type_->size);
+      size_ = o.size_;
+    }
+  }
+  column& operator=(const column&) = delete;
+  ~column() {
+    resize(0);
+    ::operator delete(data_, std::align_val_t(type_->alignment));
+  }
+
+  void* data() const { return data_; }
+  std::size_t size() const { return size_; }
+  const std::type_info& type() const { return *type_->type; }
+
+  /// New ones are default values.
+  void resize(std::size_t n) {
+    if (n > room_) make_room(std::max(n, 2 * size_));
+    if (type_->destroy) {
+      while (size_ > n) type_->destroy(at(--size_));
+      for (; size_ < n; ++size_) type_->make(at(size_));
+      return;
+    }
+    if (size_ < n) {
+      // the first one made, then copied in ever larger blocks, but no larger than a cache
+      type_->make(at(size_));
+      for (std::size_t made = 1, more = 1; size_ + made < n; made += more) {
+        more = std::min({made, n - size_ - made, std::size_t{1024}});
+        std::memcpy(at(size_ + made), at(size_), more * type_->size);
+      }
+    }
+    size_ = n;
+  }
 };
 
 }  // namespace detail
@@ -61,23 +129,14 @@ class property_set {
   struct entry {
     element_kind kind;
     std::string name;
-    std::shared_ptr<detail::column_base> values;
+    std::shared_ptr<detail::column> values;
   };
   std::vector<entry> entries_;
 
-  detail::column_base* find(element_kind kind, std::string_view name, std::shared_ptr<detail::column_base>* shared = nullptr) const {
-    for (const entry& e : entries_)
-      if (e.kind == kind && e.name == name) {
-        if (shared) *shared = e.values;
-        return e.values.get();
-      }
-    return nullptr;
-  }
-
  public:
   property_set() = default;
-  property_set(const property_set& o) {
-    for (const entry& e : o.entries_) entries_.push_back({e.kind, e.name, e.values->clone()});
+  property_set(const property_set& o) : entries_(o.entries_) {
+    for (entry& e : entries_) e.values.reset(new detail::column(*e.values));
   }
   property_set(property_set&&) noexcept = default;
   property_set& operator=(property_set o) noexcept {
@@ -86,28 +145,32 @@ class property_set {
   }
 
   /// The column of that name, made with n default values if there is none.
-  template<class T>
-  std::shared_ptr<detail::column<T>> get(element_kind kind, std::string_view name, std::size_t n) {
-    if (auto found = find_column<T>(kind, name)) return found;
-    auto fresh = std::make_shared<detail::column<T>>(n);
+  std::shared_ptr<detail::column> get(element_kind kind, std::string_view name, const detail::value_type& type, std::size_t n) {
+    if (auto found = find(kind, name, type)) return found;
+    std::shared_ptr<detail::column> fresh(new detail::column(type, n));
     entries_.push_back({kind, std::string(name), fresh});
     return fresh;
   }
 
   /// Null if there is none of that name; invalid_argument if it holds values of another type.
-  template<class T>
-  std::shared_ptr<detail::column<T>> find_column(element_kind kind, std::string_view name) const {
-    std::shared_ptr<detail::column_base> shared;
-    const detail::column_base* const at = find(kind, name, &shared);
-    if (!at) return nullptr;
-    if (at->type() != typeid(T))
-      throw invalid_argument(std::string(to_string(kind)) + " property \"" + std::string(name) + "\" holds values of type " + at->type().name() +
-                             ", not of the type asked for (" + typeid(T).name() + "); use another name or remove it first");
-    return std::static_pointer_cast<detail::column<T>>(std::move(shared));
+  std::shared_ptr<detail::column> find(element_kind kind, std::string_view name, const detail::value_type& type) const {
+    for (const entry& e : entries_) {
+      if (e.kind != kind || e.name != name) continue;
+      if (e.values->type() != *type.type)
+        throw invalid_argument(std::string(to_string(kind)) + " property \"" + e.name + "\" holds values of type " + e.values->type().name() +
+                               ", not of the type asked for (" + type.type->name() + "); use another name or remove it first");
+      return e.values;
+    }
+    return nullptr;
   }
 
   bool remove(element_kind kind, std::string_view name) {
-    return std::erase_if(entries_, [&](const entry& e) { return e.kind == kind && e.name == name; }) > 0;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      if (entries_[i].kind != kind || entries_[i].name != name) continue;
+      entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(i));
+      return true;
+    }
+    return false;
   }
 
   /// After elements were added.
@@ -116,11 +179,8 @@ class property_set {
       if (e.kind == kind) e.values->resize(n);
   }
 
-  std::vector<property_info> list() const {
-    std::vector<property_info> all;
-    for (const entry& e : entries_) all.push_back({e.kind, e.name, &e.values->type()});
-    return all;
-  }
+  std::size_t size() const { return entries_.size(); }
+  property_info info(std::size_t i) const { return {entries_[i].kind, entries_[i].name, &entries_[i].values->type()}; }
 };
 
 }  // namespace concino
