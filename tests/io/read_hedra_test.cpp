@@ -1,4 +1,6 @@
 #include <concino/io/read_hedra.hpp>
+#include <concino/mesh/hexmesh.hpp>
+#include <concino/mesh/tetmesh.hpp>
 
 #include <support/reading.hpp>
 
@@ -15,7 +17,7 @@ const std::string tet = "4 4 1\n" + points + face_rows + "4 1 2 3 4\n";
 
 template<class M = polyhedra_arrays>
 M hedra(const std::string& text, const load_options& options = {}) {
-  return load_text<M>(text, file_format::hedra, options, "t.hedra");
+  return load_alone<M>(text, file_format::hedra, options, "t.hedra");
 }
 template<class M = polyhedra_arrays>
 std::size_t line(const std::string& text) {
@@ -70,6 +72,9 @@ TEST_CASE("read_hedra: errors name their line") {
   CHECK(line("4 4 1\n" + points + face_rows + "4 1 2 3\n") == 10);
   CHECK(line("4 4 1\n" + points + face_rows + "4 1 2 3 4\n\n7\n") == 12);
   CHECK(line("1000000000000 1 1\n0 0 0\n") == 2);
+  CHECK(line("4 4 0\n\x01\n" + points + face_rows) == 2);  // no comments
+  CHECK(complaint<polyhedra_arrays>("4 1 0\n" + points + "4 1 4 2 4\n", file_format::hedra) ==
+        "6: different verts at the corners of a face | vert 4 twice");
 }
 
 TEST_CASE("read_hedra: a mesh of tets takes tets only, whatever their faces' order") {
@@ -81,6 +86,28 @@ TEST_CASE("read_hedra: a mesh of tets takes tets only, whatever their faces' ord
   CHECK(r.skipped == std::vector<std::string>{"the numbering of the faces"});
   CHECK(line<cell_arrays>("5 8 2\n" + points + "1 1 1\n" + face_rows + "4 2 3 4 5\n3 2 3 5\n3 3 4 5\n3 2 5 4\n4 1 2 3 4\n\n3 6 7 \n8\n") ==
         17);
+}
+
+TEST_CASE("read_hedra: a mesh of hexes takes hexes only") {
+  const std::string corners = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+  const std::string cube = "4 1 4 3 2\n4 5 6 7 8\n4 1 2 6 5\n4 2 3 7 6\n4 3 4 8 7\n4 4 1 5 8\n";
+  const auto c = hedra<cell_arrays>("8 6 1\n" + corners + cube + "6 1 2 3 4 5 6\n");
+  CHECK(c.arity == 8);
+  CHECK(c.num_polys() == 1);
+  CHECK(detail::six_volumes(detail::cell_shape::hex, c.verts.data(), c.points) == doctest::Approx(6));
+  CHECK(num_polys(hedra<hexmesh>("8 6 1\n" + corners + cube + "6 1 2 3 4 5 6\n")) == 1);
+  CHECK(complaint<tetmesh>("8 6 1\n" + corners + cube + "6 1 2 3 4 5 6\n", file_format::hedra) ==
+        "16: a tet (polyhedralmesh and load_any take any polyhedron) | a hex of 6 faces");
+  CHECK(complaint<hexmesh>(tet, file_format::hedra) == "10: a hex (polyhedralmesh and load_any take any polyhedron) | a tet of 4 faces");
+  const std::string wedge = "3 1 3 2\n3 5 6 7\n4 1 2 6 5\n4 2 3 7 6\n4 3 1 5 7\n";
+  CHECK(complaint<cell_arrays>("8 5 1\n" + corners + wedge + "5 1 2 3 4 5\n", file_format::hedra) ==
+        "15: a tet (polyhedralmesh and load_any take any polyhedron) | a prism of 5 faces");
+  CHECK(complaint<hexmesh>("8 5 1\n" + corners + wedge + "5 1 2 3 4 5\n", file_format::hedra) ==
+        "15: a hex (polyhedralmesh and load_any take any polyhedron) | a prism of 5 faces");
+  CHECK(complaint<cell_arrays>("8 6 2\n" + corners + cube + "6 1 2 3 4 5 6\n4 1 2 3 4\n", file_format::hedra) ==
+        "17: a hex (polyhedralmesh and load_any take any polyhedron) | a polyhedron of 4 faces");
+  CHECK(hedra<cell_arrays>("4 4 0\n" + points + face_rows).arity == 4);
+  CHECK(num_polys(hedra<hexmesh>("4 4 0\n" + points + face_rows)) == 0);
 }
 
 TEST_CASE("read_hedra: a volume asked for as a surface") {

@@ -16,7 +16,7 @@ const std::string cube = head + "Vertices 9\n0 0 0 0  1 0 0 0  1 1 0 0  0 1 0 0\
 
 template<class M>
 M medit(const std::string& text, const load_options& options = {}) {
-  return load_text<M>(text, file_format::medit, options, "t.mesh");
+  return load_alone<M>(text, file_format::medit, options, "t.mesh");
 }
 template<class M = cell_arrays>
 std::size_t line(const std::string& text) {

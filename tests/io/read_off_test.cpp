@@ -18,7 +18,7 @@ const std::string tet = "OFF\n4 4 6\n" + points + faces_text;
 const std::vector<unsigned> tet_verts = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
 
 surface_arrays off(const std::string& text, load_report* report = nullptr) {
-  return load_text<surface_arrays>(text, file_format::off, {.report = report}, "t.off");
+  return load_alone<surface_arrays>(text, file_format::off, {.report = report}, "t.off");
 }
 polygonmesh mesh(const std::string& text, load_report* report = nullptr) {
   return load_text<polygonmesh>(text, file_format::off, {.report = report}, "t.off");

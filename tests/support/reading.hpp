@@ -9,21 +9,64 @@
 
 namespace concino::testing {
 
-inline surface_arrays obj(const std::string& text, const load_options& options = {}) {
-  return load_text<surface_arrays>(text, file_format::obj, options, "t.obj");
+/// All that is in some arrays; of a mesh how many elements.
+template<class M>
+std::string listed(const M& m) {
+  std::string r;
+  const auto list = [&](const auto& values) {
+    r += '|';
+    for (const auto& x : values) {
+      if constexpr (requires { x.raw(); }) r += std::to_string(x.raw()) + ' ';
+      else if constexpr (requires { x.z; }) r += std::to_string(x.x) + ' ' + std::to_string(x.y) + ' ' + std::to_string(x.z) + ' ';
+      else r += std::to_string(x) + ' ';
+    }
+  };
+  if constexpr (requires { m.points; }) list(m.points);
+  if constexpr (requires { m.verts; }) list(m.verts);
+  if constexpr (requires { m.offsets; }) list(m.offsets);
+  if constexpr (requires { m.arity; }) r += '|' + std::to_string(m.arity);
+  if constexpr (requires { m.face_verts; }) list(m.face_verts), list(m.face_offsets), list(m.poly_faces), list(m.poly_offsets), list(m.outward);
+  if constexpr (requires { num_verts(m); }) r += std::to_string(num_verts(m)) + ' ' + std::to_string(num_polys(m));
+  return r;
 }
 
-/// The line that reading M from the text complains of; 0 if it does not.
+/// load_text. What follows the text in memory must not be read: with that or with something else there, all is the same.
 template<class M>
-std::size_t bad_line(const std::string& text, file_format format) {
+M load_alone(const std::string& text, file_format format, const load_options& options = {}, const std::string& name = "t") {
+  const auto outcome = [&](std::string_view part) {
+    try {
+      return listed(load_text<M>(part, format, options, name));
+    } catch (const error& e) {
+      return std::string(e.what());
+    }
+  };
+  const std::string expected = outcome(text);
+  for (const char* tail : {"7", "/7", "\\\n7", "\n7", "e5", "#"}) CHECK(outcome(std::string_view(text + tail).substr(0, text.size())) == expected);
+  return load_text<M>(text, format, options, name);
+}
+
+inline surface_arrays obj(const std::string& text, const load_options& options = {}) {
+  return load_alone<surface_arrays>(text, file_format::obj, options, "t.obj");
+}
+
+/// What reading M from the text complains of: "line: expected | found". Empty if it does not.
+template<class M>
+std::string complaint(const std::string& text, file_format format) {
   try {
-    load_text<M>(text, format);
+    load_alone<M>(text, format);
   } catch (const parse_error& e) {
     CHECK(!e.expected.empty());
     CHECK(!e.found.empty());
-    return e.line;
+    return std::to_string(e.line) + ": " + e.expected + " | " + e.found;
   }
-  return 0;
+  return {};
+}
+
+/// The line that it complains of; 0 if it does not.
+template<class M>
+std::size_t bad_line(const std::string& text, file_format format) {
+  const std::string said = complaint<M>(text, format);
+  return said.empty() ? 0 : std::stoul(said);
 }
 
 template<class Ids>
