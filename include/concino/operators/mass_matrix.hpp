@@ -6,10 +6,24 @@
 
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <cmath>
-#include <vector>
+#include <cstddef>
 
 namespace concino {
+
+namespace detail {
+
+/// The area of the triangle or the volume, without a sign, of the tet with these corners.
+template<class M, std::size_t N>
+double simplex_measure(const M& m, const std::array<vert_t<M>, N>& corner) {
+  const vec3 o = to_vec3(point(m, corner[0]));
+  const vec3 normal = cross(to_vec3(point(m, corner[1])) - o, to_vec3(point(m, corner[2])) - o);
+  if constexpr (N == 3) return norm(normal) / 2;
+  else return std::abs(dot(normal, to_vec3(point(m, corner[3])) - o)) / 6;
+}
+
+}  // namespace detail
 
 /// The share of each vert in the areas or volumes around it: each poly gives equal parts to its verts.
 /// Needs:  Embedded AnyMesh, no temporary.
@@ -21,6 +35,17 @@ template<class M>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
 vert_map<M, double> vert_masses(M&& m) {
   auto mass = make_vert_map<double>(m, 0.0);
+  if constexpr (TriMesh<M> || TetMesh<M>) {  // read once
+    for (const poly_t<M> p : polys(m)) {
+      std::array<vert_t<M>, arity_v<M>> corner;
+      std::size_t n = 0;
+      for (const vert_t<M> v : adj_p2v(m, p))
+        if (n < corner.size()) corner[n++] = v;
+      const double part = detail::simplex_measure(m, corner) / arity_v<M>;
+      for (const vert_t<M>& v : corner) mass[v] += part;
+    }
+    return mass;
+  }
   for (const poly_t<M> p : polys(m)) {
     double n = 0;
     for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) n += 1;
@@ -40,12 +65,12 @@ Eigen::SparseMatrix<double> mass_matrix(const M& m) {
   const auto mass = vert_masses(m);
   const auto n = static_cast<Eigen::Index>(mass.values().size());
   Eigen::SparseMatrix<double> a(n, n);
-  a.reserve(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    a.startVec(i);
-    a.insertBack(i, i) = mass.values()[static_cast<std::size_t>(i)];
+  a.resizeNonZeros(n);
+  for (int i = 0; i < n; ++i) {
+    a.outerIndexPtr()[i] = a.innerIndexPtr()[i] = i;
+    a.valuePtr()[i] = mass.values()[static_cast<std::size_t>(i)];
   }
-  a.finalize();
+  a.outerIndexPtr()[n] = static_cast<int>(n);
   return a;
 }
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace concino {
@@ -53,6 +54,11 @@ template<PrimalGraph M>
 struct uniform_weights {
   const M& m;
 
+  int num_neighbours(const vert_t<M>& v) const {
+    int n = 0;
+    for ([[maybe_unused]] const vert_t<M> w : adj_v2v(m, v)) ++n;
+    return n;
+  }
   template<class F>
   void for_each_neighbour(const vert_t<M>& v, F&& f) const {
     for (const vert_t<M> w : adj_v2v(m, v)) f(w, 1.0);
@@ -63,11 +69,45 @@ struct uniform_weights {
 template<AnyMesh M>
   requires Embedded<M>
 class cotangent_weights {
+  static constexpr int dimension = dimension_v<M>;
+  static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
+  static constexpr std::size_t sides = dimension == 2 ? 3 : 6;
+  // In no order that one may rely on, but most often in this one.
+  static constexpr std::size_t likely_ends[2][6][2] = {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
   const M& m_;
   std::vector<double> weight_;
 
-  static constexpr int dimension = dimension_v<M>;
-  static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
+  /// Whether a and b are c and d, in this order or the other: not a matter for branches, which would be missed.
+  static bool are(const vert_t<M>& a, const vert_t<M>& b, const vert_t<M>& c, const vert_t<M>& d) {
+    return ((int{a == c} & int{b == d}) | (int{a == d} & int{b == c})) != 0;
+  }
+  [[gnu::noinline]] static double searched(std::array<vert_t<M>, corners> corner, simplex_weights<dimension> weight, const vert_t<M>& a,
+                                           const vert_t<M>& b) {
+    std::size_t i = 0, j = 0;
+    for (std::size_t k = 0; k < corners; ++k) {
+      if (corner[k] == a) i = k;
+      if (corner[k] == b) j = k;
+    }
+    return weight(i, j);
+  }
+
+  std::pair<vert_t<M>, vert_t<M>> ends(const edge_t<M>& e) const {
+    const auto& two = adj_e2v(m_, e);
+    auto it = two.begin();
+    const vert_t<M> first = *it;
+    ++it;
+    return {first, *it};
+  }
+
+  [[noreturn, gnu::noinline, gnu::cold]] void throw_no_simplex(const poly_t<M>& p, std::size_t n) const {
+    throw unsupported("cotangent weights: poly " + number_text(index_of(m_, p)) + " has " + number_text(n) + " verts and is no " +
+                      (dimension == 2 ? "triangle" : "tet") + "; use uniform weights, or split the polys");
+  }
+  [[noreturn, gnu::noinline, gnu::cold]] void throw_degenerate(const poly_t<M>& p) const {
+    throw invalid_mesh("cotangent weights: poly " + number_text(index_of(m_, p)) +
+                       " is degenerate: it has no area or volume, so its angles have no cotangents; remove it or move its verts");
+  }
 
   void add(const poly_t<M>& p) {
     std::array<vert_t<M>, corners> corner;
@@ -80,25 +120,21 @@ class cotangent_weights {
       }
       ++n;
     }
-    if (n != corners)
-      throw unsupported("cotangent weights: poly " + number_text(index_of(m_, p)) + " has " + number_text(n) + " verts and is no " +
-                        (dimension == 2 ? "triangle" : "tet") + "; use uniform weights, or split the polys");
+    if (n != corners) throw_no_simplex(p, n);
     const simplex_weights<dimension> weight(x);
     double sum = 0;
-    for (const edge_t<M> e : adj_p2e(m_, p)) {
-      std::size_t ends[2] = {0, 0}, k = 0;
-      for (const vert_t<M> v : adj_e2v(m_, e)) {
-        std::size_t i = 0;
-        while (i + 1 < corners && !(corner[i] == v)) ++i;
-        if (k < 2) ends[k++] = i;
-      }
-      const double w = weight(ends[0], ends[1]);
+    const auto& edge_list = adj_p2e(m_, p);
+    auto it = edge_list.begin();
+    for (std::size_t k = 0; k < sides; ++k, ++it) {
+      const edge_t<M> e = *it;
+      const auto [a, b] = ends(e);
+      const auto [i, j] = likely_ends[dimension - 2][k];
+      double w = weight(i, j);
+      if (!are(a, b, corner[i], corner[j])) [[unlikely]] w = searched(corner, weight, a, b);
       sum += w;
       weight_[index_of(m_, e)] += w;
     }
-    if (!std::isfinite(sum))
-      throw invalid_mesh("cotangent weights: poly " + number_text(index_of(m_, p)) +
-                         " is degenerate: it has no area or volume, so its angles have no cotangents; remove it or move its verts");
+    if (!std::isfinite(sum)) throw_degenerate(p);
   }
 
  public:
@@ -106,12 +142,16 @@ class cotangent_weights {
     for (const poly_t<M> p : polys(m)) add(p);
   }
 
+  int num_neighbours(const vert_t<M>& v) const {
+    int n = 0;
+    for ([[maybe_unused]] const edge_t<M> e : adj_v2e(m_, v)) ++n;
+    return n;
+  }
   template<class F>
   void for_each_neighbour(const vert_t<M>& v, F&& f) const {
     for (const edge_t<M> e : adj_v2e(m_, v)) {
-      const double w = weight_[index_of(m_, e)];
-      for (const vert_t<M> end : adj_e2v(m_, e))
-        if (!(end == v)) f(end, w);
+      const auto [a, b] = ends(e);
+      f(a == v ? b : a, weight_[index_of(m_, e)]);
     }
   }
 };

@@ -37,8 +37,15 @@ inline void sort_column(int* rows, double* values, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) std::tie(rows[i], values[i]) = column[i];
 }
 
-struct whole_matrix { static constexpr bool wants(int, int) { return true; } };
-struct lower_triangle { static constexpr bool wants(int row, int column) { return row >= column; } };
+/// Every entry, where every vert has a column.
+struct whole_matrix {
+  static constexpr bool is_whole = true;
+  static constexpr bool wants(int, int) { return true; }
+};
+struct lower_triangle {
+  static constexpr bool is_whole = false;
+  static constexpr bool wants(int row, int column) { return row >= column; }
+};
 
 /// The matrix with `sign` times the sum of the weights at a vert on the diagonal and minus `sign` times the weights beside it.
 /// column(v) is the row and column of vert v, negative where it has none: such a neighbour adds to the diagonal and is reported to
@@ -54,9 +61,13 @@ Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t s
     const int c = column(v);
     if (c < 0) continue;
     int n = 1;
-    weights.for_each_neighbour(v, [&](const vert_t<M>& w, double) {
-      if (const int r = column(w); r >= 0 && Part::wants(r, c)) ++n;
-    });
+    if constexpr (Part::is_whole) {
+      n += weights.num_neighbours(v);
+    } else {
+      weights.for_each_neighbour(v, [&](const vert_t<M>& w, double) {
+        if (const int r = column(w); r >= 0 && Part::wants(r, c)) ++n;
+      });
+    }
     begin[c + 1] = n;
     entries += static_cast<std::size_t>(n);
   }
