@@ -25,12 +25,12 @@ inline std::vector<std::vector<unsigned>> polys_of(const surface_arrays& s) {
   return polys;
 }
 
-/// P is made of x, y, z, or of x, y.
+/// A point of CGAL in space or in the plane, an array of three numbers, or a vec3.
 template<class P>
 P cgal_point(const vec3& x) {
-  if constexpr (requires { P{x.x, x.y, x.z}; }) return P{x.x, x.y, x.z};
-  else if constexpr (requires { P{x.x, x.y}; }) return P{x.x, x.y};
-  else return P{};
+  if constexpr (requires { requires P::Ambient_dimension::value == 2; }) return P(x.x, x.y);
+  else if constexpr (requires { typename P::value_type; }) return {typename P::value_type(x.x), typename P::value_type(x.y), typename P::value_type(x.z)};
+  else return P(x.x, x.y, x.z);
 }
 
 template<class P>

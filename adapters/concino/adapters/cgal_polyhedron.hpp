@@ -16,14 +16,12 @@
 //        added or erased since, index bounds throw invalid_mesh, and with them whatever makes a map. No two edges join the same two verts.
 #pragma once
 
-#include <concino/adapters/detail/cgal_point.hpp>
+#include <concino/adapters/detail/cgal_polyhedron_links.hpp>
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/error.hpp>
 
-#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Unique_hash_map.h>
-#include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
 #include <cstdint>
 #include <memory>
@@ -31,76 +29,6 @@
 namespace concino {
 
 namespace detail {
-
-/// What lies between two iterators of a polyhedron, as descriptors.
-template<class Iterator, class X>
-class cgal_handles {
-  Iterator first_, last_;
-
- public:
-  class iterator {
-    Iterator at_{};
-
-   public:
-    using value_type = X;
-    using difference_type = std::ptrdiff_t;
-
-    iterator() = default;
-    explicit iterator(const Iterator& at) : at_(at) {}
-    X operator*() const { return X(at_); }
-    iterator& operator++() {
-      ++at_;
-      return *this;
-    }
-    iterator operator++(int) {
-      iterator old = *this;
-      ++*this;
-      return old;
-    }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_; }
-  };
-
-  cgal_handles(const Iterator& first, const Iterator& last) : first_(first), last_(last) {}
-  iterator begin() const { return iterator(first_); }
-  iterator end() const { return iterator(last_); }
-};
-
-/// Links of polyhedron P. M is P itself or a view of it: handles know their neighbours without being told the mesh.
-template<class P, class M = P>
-struct cgal_polyhedron_links {
-  using vert = typename P::Vertex_handle;
-  using edge = typename boost::graph_traits<P>::edge_descriptor;
-  using poly = typename P::Facet_handle;
-  using halfedge = typename P::Halfedge_handle;
-
-  static halfedge next(const M&, halfedge h) { return h->next(); }
-  static halfedge opposite(const M&, halfedge h) { return h->opposite(); }
-  static vert target(const M&, halfedge h) { return h->vertex(); }
-  static bool is_border(const M&, halfedge h) { return h->is_border(); }
-  static poly poly_of(const M&, halfedge h) { return h->facet(); }
-  static edge edge_of(const M&, halfedge h) { return edge(h); }
-  static bool is_isolated(const M&, vert v) { return v->halfedge() == halfedge(); }
-  static halfedge halfedge_of(const M&, vert v) { return v->halfedge()->opposite(); }
-  static halfedge halfedge_of(const M&, edge e) { return e.halfedge(); }
-  static halfedge halfedge_of(const M&, poly p) { return p->halfedge(); }
-
-  static std::size_t num_verts(const M& m) { return base(m).size_of_vertices(); }
-  static std::size_t num_edges(const M& m) { return base(m).size_of_halfedges() / 2; }
-  static std::size_t num_polys(const M& m) { return base(m).size_of_facets(); }
-  static auto verts(const M& m) { return handles<vert>(base(m).vertices_begin(), base(m).vertices_end()); }
-  static auto edges(const M& m) { return handles<edge>(base(m).edges_begin(), base(m).edges_end()); }
-  static auto polys(const M& m) { return handles<poly>(base(m).facets_begin(), base(m).facets_end()); }
-  static auto point(const M&, vert v) { return read_point(v->point()); }
-
- protected:
-  /// Not const, because handles that are not const are had from nothing else.
-  static P& base(const M& m) {
-    if constexpr (std::same_as<P, M>) return const_cast<P&>(m);
-    else return const_cast<P&>(m.base());
-  }
-  template<class X, class Iterator>
-  static cgal_handles<Iterator, X> handles(const Iterator& first, const Iterator& last) { return {first, last}; }
-};
 
 template<class P> concept has_ids = requires(const typename P::Vertex& v, const typename P::Halfedge& h, const typename P::Facet& f) {
   { v.id() } -> std::convertible_to<std::size_t>;
