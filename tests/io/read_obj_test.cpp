@@ -1,4 +1,5 @@
 #include <concino/io/read_obj.hpp>
+#include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <support/reading.hpp>
@@ -176,6 +177,66 @@ TEST_CASE("read_obj: labels number objects where there are no groups; groups tha
   CHECK(property_list(mixed).size() == 2);
   // the verts that face 1 names come later, so the file is read twice
   CHECK(labels(load_text<trimesh>("g a\nf 1 2 3\ng b\nf 1 2 3\n" + points, file_format::obj)) == std::vector<int>{1, 2});
+}
+
+TEST_CASE("read_obj: a backslash joins lines everywhere but in comments") {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const surface_arrays s =
+        obj(with_line_ends("v\\\n0 0 0\nv 1 \\\n2\\\n 3\nv 0 1 0\\\n\nl 1\\\n2\nl 12\\\n3\nusemtl a\\\nb\nf\\\n1 2 3\n# c\\\nf 3 2 1\n", end));
+    CHECK(s.points.size() == 3);
+    CHECK(s.points[1] == vec3{1, 2, 3});
+    CHECK(raw(s.verts) == std::vector<unsigned>{0, 1, 2, 2, 1, 0});
+    CHECK(obj("v 0 0 0\\" + end).points.size() == 1);
+  }
+  CHECK(line("v 0 0 0\\") == 1);
+  CHECK(line("v") == 1);
+  CHECK(line(points + "f") == 5);
+  CHECK(obj(points + "v 0 0 9 # c\nf 1 2 3/").points.size() == 5);
+}
+
+TEST_CASE("read_obj: messages say what is wrong") {
+  const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::obj); };
+  const std::string range = ", or from -1 back to the first read so far";
+  CHECK(says(points + "f 1 2 0\n") == "5: the index of a vert from 1 to 4" + range + " | '0'");
+  CHECK(says(points + "f 1 2 9\nv 0 0 0\n") == "5: the index of a vert from 1 to 5" + range + " | '9'");
+  CHECK(says("f 0 1 2\n" + points) == "1: the index of a vert from 1 to 0" + range + " | '0'");
+  CHECK(line(points + "f 1 2 3 4\nf 1 2 9\n") == 6);
+  CHECK(line(points + "vt 0 0\nf 1/-1 2/-1 3/-1\nf 1 2 9\n") == 7);
+  CHECK(line(points + "vn 0 0\nf 1//-1 2//-1 3//-1\nf 1 2 9\n") == 7);
+  CHECK(says(points + "f 1 3 3 2\n") == "5: different verts at the corners of a face | vert 3 twice");
+  CHECK(says(points + "f 1 2\n") == "5: a face of at least three corners | one of 2");
+  CHECK(complaint<trimesh>(points + "f 1 2 3 4\n", file_format::obj) ==
+        "5: a triangle (polygonmesh and load_any take any polygon) | a polygon of 4 corners");
+  const std::string long_word(50, 'w');
+  CHECK(says(long_word + "\n") == "1: verts (v x y z) | none, and 1 lines that are not of an OBJ file, the first '" + long_word.substr(0, 40) + "'");
+  CHECK(line(points + "g! x\n") == 5);
+}
+
+TEST_CASE("read_obj: what is skipped is counted once, whatever there is besides") {
+  load_report r;
+  obj(points + "f 1 2 3\nl 1 2\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"1 points and lines (p, l)"});
+  obj("s 1\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"1 smoothing groups (s)"});
+  obj(points + "shadow_obj x\nk2 y\ns#off\nv 0 0 0 1 2 3 4 5\nf 1 2 3\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"1 weights of verts, or other numbers after x y z that are no r g b", "1 smoothing groups (s)",
+                                              "2 lines with other keywords, the first 'shadow_obj' on line 5"});
+  CHECK(obj(points).offsets == std::vector<std::uint32_t>{0});
+  CHECK(obj(points).arity == 0);
+}
+
+TEST_CASE("read_obj: groups of polygons of different sizes, from the first on") {
+  const auto labels = [](const std::string& text) {
+    const auto m = load_text<polygonmesh>(points + text, file_format::obj);
+    std::vector<int> all;
+    if (const auto label = find_poly_property<int>(m, "label"))
+      for (const auto p : polys(m)) all.push_back(label[p]);
+    return all;
+  };
+  CHECK(labels("g a\nf 1 2 3\ng b\nf 1 2 3 4\ng c\nf 1 2 4\ng a\nf 2 3 4\n") == std::vector<int>{1, 2, 3, 1});
+  CHECK(labels("g # nothing\nf 1 2 3\n").empty());
+  CHECK(labels("o label_5\nf 1 2 3\n") == std::vector<int>{1});
+  CHECK(labels("g label_7\nf 1 2 3\n") == std::vector<int>{7});
 }
 
 TEST_CASE("read_obj: the locale does not matter") {

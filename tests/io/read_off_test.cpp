@@ -25,7 +25,7 @@ polygonmesh mesh(const std::string& text, load_report* report = nullptr) {
 }
 std::size_t line(const std::string& text) { return bad_line<surface_arrays>(text, file_format::off); }
 bool is_tet(const surface_arrays& s) {
-  return s.points.size() == 4 && s.points[1] == vec3{1, 0, 0} && s.points[3] == vec3{0, 0, 1} && s.arity == 3 && raw(s.verts) == tet_verts;
+  return s.points.size() == 4 && s.points[1] == vec3{1, 0, 0} && s.points[3] == vec3{0, 0, 1} && s.arity == 3 && s.offsets.empty() && raw(s.verts) == tet_verts;
 }
 std::vector<std::string> names(const polygonmesh& m) {
   std::vector<std::string> r;
@@ -223,6 +223,102 @@ TEST_CASE("read_off: errors name the line") {
   CHECK(line("OFF\n0 1 0\n3 0 1 2\n") == 3);
 }
 
+TEST_CASE("read_off: comments between any two numbers, and no other sign begins one") {
+  const std::string verts[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"}, polys[] = {"3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"};
+  for (const std::string head : {"OFF", "nOFF\n3"})
+    for (const bool free : {false, true}) {
+      std::vector<std::string> parts{"OFF"};
+      if (head != "OFF") parts = {"nOFF", "3"};
+      const auto add = [&](const std::string& numbers) {
+        if (!free) return parts.push_back(numbers);
+        for (std::size_t i = 0; i < numbers.size(); i += 2) parts.push_back(numbers.substr(i, 1));
+      };
+      parts.push_back("4");
+      parts.push_back("4");
+      parts.push_back("6");
+      for (const std::string& v : verts) add(v);
+      for (const std::string& p : polys) add(p);
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        std::string commented, wrong;
+        for (std::size_t k = 0; k < parts.size(); ++k) {
+          commented += (k == i ? "# c\n" : "") + parts[k] + '\n';
+          wrong += (k == i ? "$ c\n" : "") + parts[k] + '\n';
+        }
+        CHECK_MESSAGE(is_tet(off(commented)), commented);
+        CHECK_MESSAGE(line(wrong) > 0, wrong);
+      }
+    }
+  CHECK(is_tet(off("OFF\n4 4\n6# c\n" + points + faces_text)));
+  CHECK(off("nOFF\n2\n2 0\n7\n5 6\n1 2\n").points[0] == vec3{5, 6, 0});
+  CHECK(off("nOFF 4\n0 0").points.empty());
+}
+
+TEST_CASE("read_off: whether lines matter is told by the first vert and the number of lines, without comments and empty ones") {
+  load_report r;
+  CHECK(off("OFF\n3 1 0\n# c\n0 0 0\n1 0 0 9\n0 1 0\n3 0 1 2\nmore\n", &r).points[2] == vec3{0, 1, 0});
+  CHECK(off("OFF\n3 1 0\n0 0 0 9\n1 0 0\n0 1 0\n3 0 1 2\nmore\n", &r).points[2] == vec3{0, 1, 0});
+  for (const std::string empty : {"# c\n", "  \n", "\n", "# c # d\n"}) CHECK(off("OFF\n2 0\n0 0 0 1 2 3\n" + empty).points[1] == vec3{1, 2, 3});
+  CHECK(line("OFF\n3 0\n0.00000\n0.00000\n0.00000\n") == 3);
+  CHECK(is_tet(off("OFF\n4 4 6\n0 0 0 1 0 0\n0 1 0 0 0 1\n3 0 2 1 3 0\n1 3 3 1 2 3 3 0 3 2")));
+  CHECK(off("OFF\n4 2 0\n" + points + "3 0 1 2\n4 0 1\n2 3\n").num_polys() == 2);
+  CHECK(line("OFF\n4 2 0\n" + points + "4 0 1\n2 3\n") == 7);
+  const auto m = mesh("COFF 2 0 0 0 0 0 0 0 255 255 1 0 0 255 0 0 255");
+  CHECK(point(m, vert_id{1}) == vec3{1, 0, 0});
+  CHECK(find_vert_property<rgba>(m, "color")[vert_id{0}] == rgba{0, 0, 1});
+}
+
+TEST_CASE("read_off: counts are no larger than the rest of the file can hold, and as large as it can") {
+  CHECK(line("OFF\n2 0 0\n0 0 0\n") == 3);
+  CHECK(line("OFF\n2 0 0\n0 0 0") == 2);
+  CHECK(line("OFF\n100 0 0\n0 0 0\n") == 2);
+  CHECK(line("COFF\n2 0\n0 0 0 0 0 0    \n") == 2);
+  CHECK(line("OFF\n0 2\n3 0 1 2\n    ") == 2);
+  std::string many = "OFF 3 100 0 0 0 0 0 0 0 0 0 0", colors = "COFF\n20 0\n";
+  for (int i = 0; i < 100; ++i) many += "\n3 0 1 2";
+  for (int i = 0; i < 20; ++i) colors += "0 0 0 1 1 1\n";
+  CHECK(off(many).num_polys() == 100);
+  CHECK(off(colors).points.size() == 20);
+}
+
+TEST_CASE("read_off: messages say what is wrong") {
+  const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
+  CHECK(says("OFF\n4 1 0\n" + points + "3 0 1 4\n") == "7: the index of a vert from 0 to 3 | '4'");
+  CHECK(says("OFF\n0 1 0\n3 0 1 2\n") == "3: no polys, as there are no verts | '0'");
+  CHECK(says("OFF BINARY 3\n") == "1: the end of the line after BINARY | '3'");
+  CHECK(says("OFF BINAR") == "1: the number of verts | 'BINAR'");
+}
+
+TEST_CASE("read_off: colours at the ends of their ranges") {
+  const auto colors = [](const std::string& numbers) {
+    const auto m = mesh("OFF\n4 1 0\n" + points + "3 0 1 2 " + numbers + "\n");
+    const auto color = find_poly_property<rgba>(m, "color");
+    return color ? color[poly_id{0}] : rgba{9, 9, 9, 9};
+  };
+  CHECK(colors("+255 0 +0") == rgba{1, 0, 0});
+  CHECK(colors("0.5 -0.5 2") == rgba{0.5f, -0.5f, 2});
+  CHECK(colors("300.0 0 0") == rgba{300, 0, 0});
+  CHECK(colors("1 2 3 4 5") == rgba{9, 9, 9, 9});
+  CHECK(colors("1 2 3 4 5 6") == rgba{9, 9, 9, 9});
+  const auto label = [](const std::string& number) {
+    const auto m = mesh("OFF\n4 1 0\n" + points + "3 0 1 2 " + number + "\n");
+    return find_poly_property<int>(m, "label")[poly_id{0}];
+  };
+  CHECK(label("-2147483648") == std::numeric_limits<int>::min());
+  CHECK(label("2147483647") == std::numeric_limits<int>::max());
+  for (const std::string bad : {"-2147483649", "2147483648", "0 -1 0", "0 0 -1", "0 0 0 -1", "0 256 0", "0 0 256"})
+    CHECK_MESSAGE(line("OFF\n4 1 0\n" + points + "3 0 1 2 " + bad + "\n") == 7, bad);
+  for (const std::string large : {"2 0 0 0", "0 2 0 0", "0 0 2 0", "0 0 0 2"}) {
+    const auto m = mesh("COFF\n2 0\n0 0 0 1 0 0 0\n0 0 0 " + large + "\n");
+    CHECK_MESSAGE(find_vert_property<rgba>(m, "color")[vert_id{0}] == rgba_of_bytes(1, 0, 0, 0), large);
+  }
+  load_report r;
+  CHECK(off("4OFF\n1 0 0\n2 4 6 2\n").points[0] == vec3{1, 2, 3});
+  off("nOFF\n4\n1 0 0\n1 2 3 4\n", &r);
+  CHECK(r.skipped == list{"coordinates beyond the third, of 4"});
+  CHECK(off("OFF 0 0").offsets == std::vector<std::uint32_t>{0});
+  CHECK(off("OFF 0 0").arity == 0);
+}
+
 TEST_CASE("read_off: meshes take only polys that they can hold") {
   const std::string both = "OFF\n4 2 0\n" + points + "3 0 1 2\n4 0 1 2 3\n";
   CHECK(bad_line<trimesh>(both, file_format::off) == 8);
@@ -242,7 +338,7 @@ TEST_CASE("read_off: binary") {
   b.i(3).i(0).i(2).i(1).i(0);
   b.i(3).i(0).i(1).i(3).i(3).f({0.5f, 0, 1});
   b.i(4).i(0).i(1).i(2).i(3).i(1).f({6});
-  for (const std::string head : {"OFF BINARY\n", "OFF BINARY\r\n", "# c\nOFF  BINARY \n"}) {
+  for (const std::string head : {"OFF BINARY\n", "OFF BINARY\r", "OFF BINARY\r\n", "# c\nOFF  BINARY \n"}) {
     load_report r;
     const auto m = mesh(head + b.text, &r);
     CHECK(num_verts(m) == 4);
