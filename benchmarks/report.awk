@@ -1,9 +1,15 @@
-# Joins the rows of the benchmark programs with the budgets: prints the table and writes everything as JSON.
+# Joins the rows of the benchmark programs with the budgets: prints the table, then the one of the curves, and writes everything as JSON.
 # usage: awk -v json=FILE -v about="COMPILER AND DATE" -f report.awk budgets.tsv rows.tsv...
 
-BEGIN { FS = "\t" }
+BEGIN { FS = "\t"; steeper = 0.15 }   # how much above the expected slope is clearly above it
 /^#/ { next }
 FILENAME == ARGV[1] { against[$1] = $2; limit[$1] = $3; next }
+$1 == "point" {
+  if (!($2 in points)) curve[++curves] = $2
+  model[$2] = $3; n = ++points[$2]
+  elements[$2, n] = $4; ours_at[$2, n] = $5; floor_at[$2, n] = $6
+  next
+}
 {
   work = $1; who = $2
   if (!(work in unit)) { order[++works] = work; unit[work] = $3; names[work] = "" }
@@ -22,10 +28,20 @@ function measured(work,   a, part) {
   return (work, a) in value ? ours_over[work, a] : ""
 }
 
-END {
-  format = "%-22s %6s %10s %10s %7s  %-20s %10s %7s  %-26s %7s  %s\n"
+# The slope of the line that fits best through the points of a curve in a log-log plot; which: whose values.
+function slope(name, which,   k, n, x, y, sx, sy, sxx, sxy) {
+  n = points[name]
+  for (k = 1; k <= n; ++k) {
+    x = log(elements[name, k])
+    y = log(which == "ours" ? ours_at[name, k] : which == "floor" ? floor_at[name, k] : elements[name, k] * (model[name] == "n" ? 1 : x))
+    sx += x; sy += y; sxx += x * x; sxy += x * y
+  }
+  return n < 2 ? 1 : (n * sxy - sx * sy) / (n * sxx - sx * sx)
+}
+
+function print_works(   i, k, n, work, name, line, best, is, met, budget, comma, missed, judged) {
+  format = "%-26s %6s %10s %10s %7s  %-20s %10s %7s  %-26s %7s  %s\n"
   printf format, "work", "unit", "floor", "concino", "ratio", "best peer", "", "ratio", "budget", "is", "met"
-  print "{\n  \"about\": \"" about "\",\n  \"works\": [" > json
   for (i = 1; i <= works; ++i) {
     work = order[i]; n = split(names[work], name, SUBSEP); best = ""
     line = ""
@@ -43,11 +59,38 @@ END {
       best, best == "" ? "" : show(value[work, best]), best == "" ? "" : show(ours_over[work, best]), budget, show(is), met
     printf "%s    {\"work\": \"%s\", \"unit\": \"%s\", \"contenders\": {%s}", comma, work, unit[work], line > json
     comma = ",\n"
-    truth = met == "yes" ? "true" : "false"
     if (is != "")
-      printf ", \"budget\": {\"against\": \"%s\", \"limit\": %s, \"is\": %.4g, \"met\": %s}", against[work], limit[work], is, truth > json
+      printf ", \"budget\": {\"against\": \"%s\", \"limit\": %s, \"is\": %.4g, \"met\": %s}", against[work], limit[work], is,
+        met == "yes" ? "true" : "false" > json
     printf "}" > json
   }
-  print "\n  ]\n}" > json
   printf "%d budgets judged, %d missed\n", judged, missed
+}
+
+# Nanoseconds or bytes per element at each size, and how the whole grows.
+function print_curves(   i, k, n, name, per, line, line_floor, ours, expected, floor, flagged, comma) {
+  printf "\n%-33s %-42s %5s  %8s  %5s\n", "growth, per poly (ns or B)", "10^4  ...  10^6.5", "slope", "expected", "floor"
+  for (i = 1; i <= curves; ++i) {
+    name = curve[i]; n = points[name]; line = line_floor = per = ""
+    for (k = 1; k <= n; ++k) {
+      per = per sprintf("%6.4g ", ours_at[name, k] / elements[name, k] * (name ~ /memory/ ? 1 : 1e9))
+      line = line (k > 1 ? ", " : "") sprintf("{\"elements\": %s, \"concino\": %s, \"floor\": %s}", elements[name, k], ours_at[name, k], floor_at[name, k])
+    }
+    ours = slope(name, "ours"); floor = slope(name, "floor"); expected = slope(name, "expected")
+    steep = ours > expected + steeper
+    flagged += steep
+    printf "%-33s %-42s %5.2f  %8.2f  %5.2f  %s\n", name, per, ours, expected, floor, steep ? "STEEP" : ""
+    printf "%s    {\"work\": \"%s\", \"model\": \"%s\", \"slope\": %.3f, \"expected\": %.3f, \"slope_of_floor\": %.3f, \"steep\": %s, \"points\": [%s]}", comma,
+      name, model[name], ours, expected, floor, steep ? "true" : "false", line > json
+    comma = ",\n"
+  }
+  printf "%d curves, %d clearly steeper than expected\n", curves, flagged
+}
+
+END {
+  print "{\n  \"about\": \"" about "\",\n  \"works\": [" > json
+  print_works()
+  print "\n  ],\n  \"curves\": [" > json
+  if (curves) print_curves()
+  print "\n  ]\n}" > json
 }

@@ -14,6 +14,7 @@ namespace bench::floors {
 /// Neighbours of i: adj[off[i]] .. adj[off[i + 1]], none an allowed filler. Stride > 0: rows of that length, without offsets.
 template<u32 Stride>
 struct rows {
+  static constexpr u32 stride = Stride;
   const u32* off;
   const u32* adj;
   u32 size;

@@ -1,43 +1,55 @@
-// Counts the bytes that this program holds on the heap: include in exactly one source file of a program.
+// Counts the bytes that this program holds on the heap, whoever asks for them and how: include in exactly one source file of a program.
+// Stands before malloc of the GNU C library, so that operator new, realloc and linked libraries are all seen.
 #pragma once
 
+#include <cerrno>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 
 #include <malloc.h>
 
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void __libc_free(void*);
+}
+
 namespace bench::heap {
 
-inline std::size_t live = 0, peak = 0;
+inline std::size_t live = 0, peak = 0, taken = 0;  // bytes now, most ever, how often memory was asked for
 
-inline void* take(std::size_t n, std::size_t alignment) {
-  void* p = nullptr;
-  if (alignment > alignof(std::max_align_t)) p = std::aligned_alloc(alignment, (n + alignment - 1) / alignment * alignment);
-  else p = std::malloc(n ? n : 1);
-  if (!p) throw std::bad_alloc();
+inline void* count(void* p) {
+  ++taken;
+  if (!p) return p;
   live += malloc_usable_size(p);
   if (live > peak) peak = live;
   return p;
 }
-
-inline void give(void* p) {
-  if (!p) return;
-  live -= malloc_usable_size(p);
-  std::free(p);
-}
+inline std::size_t size_of(void* p) { return p ? malloc_usable_size(p) : 0; }
 
 }  // namespace bench::heap
 
-void* operator new(std::size_t n) { return bench::heap::take(n, 0); }
-void* operator new[](std::size_t n) { return bench::heap::take(n, 0); }
-void* operator new(std::size_t n, std::align_val_t a) { return bench::heap::take(n, static_cast<std::size_t>(a)); }
-void* operator new[](std::size_t n, std::align_val_t a) { return bench::heap::take(n, static_cast<std::size_t>(a)); }
-void operator delete(void* p) noexcept { bench::heap::give(p); }
-void operator delete[](void* p) noexcept { bench::heap::give(p); }
-void operator delete(void* p, std::size_t) noexcept { bench::heap::give(p); }
-void operator delete[](void* p, std::size_t) noexcept { bench::heap::give(p); }
-void operator delete(void* p, std::align_val_t) noexcept { bench::heap::give(p); }
-void operator delete[](void* p, std::align_val_t) noexcept { bench::heap::give(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { bench::heap::give(p); }
-void operator delete[](void* p, std::size_t, std::align_val_t) noexcept { bench::heap::give(p); }
+extern "C" {
+void* malloc(std::size_t n) noexcept { return bench::heap::count(__libc_malloc(n)); }
+void* calloc(std::size_t n, std::size_t size) noexcept { return bench::heap::count(__libc_calloc(n, size)); }
+void* realloc(void* old, std::size_t n) noexcept {
+  const std::size_t before = bench::heap::size_of(old);
+  void* const p = __libc_realloc(old, n);
+  if (!p && n) return p;
+  bench::heap::live -= before;
+  return bench::heap::count(p);
+}
+void* memalign(std::size_t alignment, std::size_t n) noexcept { return bench::heap::count(__libc_memalign(alignment, n)); }
+void* aligned_alloc(std::size_t alignment, std::size_t n) noexcept { return bench::heap::count(__libc_memalign(alignment, n)); }
+int posix_memalign(void** p, std::size_t alignment, std::size_t n) noexcept {
+  void* const got = bench::heap::count(__libc_memalign(alignment, n));
+  if (!got) return ENOMEM;
+  *p = got;
+  return 0;
+}
+void free(void* p) noexcept {
+  bench::heap::live -= bench::heap::size_of(p);
+  __libc_free(p);
+}
+}

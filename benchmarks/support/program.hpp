@@ -62,6 +62,9 @@ struct program {
   void print(const std::vector<row>& rows) const {
     for (const row& r : rows) bench::print(out, r);
   }
+  void print_point(const std::string& work, const char* model, double elements, double ours, double floor) const {
+    bench::print_point(out, work, model, elements, ours, floor);
+  }
 
  private:
   [[noreturn]] static void usage(const char* name) {

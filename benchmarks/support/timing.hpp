@@ -66,6 +66,12 @@ inline void print(std::FILE* out, const row& r) {
   std::fflush(out);
 }
 
+/// One point of a curve: what `elements` of them cost the library and the floor. model: how that should grow, "n" or "n log n".
+inline void print_point(std::FILE* out, const std::string& work, const char* model, double elements, double ours, double floor) {
+  std::fprintf(out, "point\t%s\t%s\t%.0f\t%.6g\t%.6g\n", work.c_str(), model, elements, ours, floor);
+  std::fflush(out);
+}
+
 struct contender {
   std::string name;
   std::function<double()> run;   // one run, its CPU seconds

@@ -1,0 +1,10 @@
+// A harmonic map by the library's own solver, beside Eigen's factorisation alone.
+#include "support/harmonic.hpp"
+
+int main(int argc, char** argv) {
+  return bench::run_program(argc, argv, [](const bench::program& p) {
+    bench::compare_harmonic<concino::ldlt>(p, "", [](const Eigen::SparseMatrix<double>& a) {
+      return std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(a);
+    });
+  });
+}

@@ -1,0 +1,83 @@
+// The matrices of a triangle and a tet mesh beside their floors and Eigen's way by triplets, and a harmonic map beside the factorisation
+// that it cannot do without.
+#include "floor/operators.hpp"
+#include "support/kinds.hpp"
+
+#include <concino/fields.hpp>
+#include <concino/operators.hpp>
+
+namespace {
+
+using bench::u32;
+namespace floors = bench::floors;
+using sparse = Eigen::SparseMatrix<double>;
+
+void expect_equal(const std::string& work, const floors::matrix& f, const sparse& ours) {
+  bool same = f.rows.size() == static_cast<std::size_t>(ours.nonZeros());
+  double largest = 0;
+  for (const double x : f.values) largest = std::max(largest, std::abs(x));
+  for (std::size_t i = 0; same && i < f.begin.size(); ++i) same = f.begin[i] == ours.outerIndexPtr()[i];
+  for (std::size_t k = 0; same && k < f.rows.size(); ++k)
+    same = f.rows[k] == ours.innerIndexPtr()[k] && std::abs(f.values[k] - ours.valuePtr()[k]) <= 1e-12 * largest;
+  if (!same) throw std::runtime_error(work + ": the floor's matrix and the library's differ");
+}
+
+/// The same weights handed to Eigen as a list of triplets, as most programs do it.
+template<class F>
+sparse by_triplets(const F& f) {
+  const auto w = floors::cotangents(f);
+  std::vector<Eigen::Triplet<double>> t;
+  t.reserve(4 * w.size());
+  for (u32 e = 0; e < w.size(); ++e) {
+    const int a = static_cast<int>(f.e2v[2 * e]), b = static_cast<int>(f.e2v[2 * e + 1]);
+    t.emplace_back(a, b, w[e]);
+    t.emplace_back(b, a, w[e]);
+    t.emplace_back(a, a, -w[e]);
+    t.emplace_back(b, b, -w[e]);
+  }
+  const auto n = static_cast<Eigen::Index>(f.num_verts());
+  sparse a(n, n);
+  a.setFromTriplets(t.begin(), t.end());
+  return a;
+}
+
+template<class F, class M>
+void matrices(const bench::program& p, const std::string& name, const F& f, const M& m) {
+  using concino::weights;
+  const auto timed = [](auto work) { return [work] { return bench::seconds_of(work); }; };
+  if (const std::string work = "laplacian.uniform." + name; p.wants(work)) {
+    const auto floor = [&] { return floors::uniform_laplacian(f); };
+    const auto ours = [&] { return concino::laplacian(m); };
+    expect_equal(work, floor(), ours());
+    p.print(bench::compare(work, p.rounds, {{"floor", timed(floor)}, {"concino", timed(ours)}}));
+  }
+  if (const std::string work = "laplacian.cotangent." + name; p.wants(work)) {
+    const auto floor = [&] { return floors::cotangent_laplacian(f); };
+    const auto ours = [&] { return concino::laplacian(m, {.weights = weights::cotangent}); };
+    expect_equal(work, floor(), ours());
+    p.print(bench::compare(work, p.rounds,
+                           {{"floor", timed(floor)}, {"concino", timed(ours)}, {"eigen-triplets", timed([&] { return by_triplets(f); }), 4}}));
+  }
+  if (const std::string work = "mass." + name; p.wants(work)) {
+    const auto floor = [&] { return floors::diagonal(floors::masses(f)); };
+    const auto ours = [&] { return concino::mass_matrix(m); };
+    expect_equal(work, floor(), ours());
+    p.print(bench::compare(work, p.rounds,
+                           {{"floor", timed(floor)}, {"concino", timed(ours)}, {"face-normals", timed([&] { return floors::face_normals(f); })}}));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return bench::run_program(argc, argv, [](const bench::program& p) {
+    if (p.wants("laplacian.uniform.tri1m") || p.wants("laplacian.cotangent.tri1m") || p.wants("mass.tri1m")) {
+      const auto a = p.data.tri1m();
+      matrices(p, "tri1m", bench::built<3>(a), concino::trimesh(a));
+    }
+    if (p.wants("laplacian.uniform.tet1m") || p.wants("laplacian.cotangent.tet1m") || p.wants("mass.tet1m")) {
+      const auto a = p.data.tet1m();
+      matrices(p, "tet1m", bench::built<floors::tet_shape>(a), concino::tetmesh(a));
+    }
+  });
+}

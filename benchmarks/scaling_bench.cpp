@@ -1,0 +1,116 @@
+// How time and memory grow with the mesh: building, loading and searching at sizes from 10^4 to 10^6.5 polys. Where the cost of an
+// element does not depend on how many there are, the slope in a log-log plot is 1; report.awk fits it. The floor's curve beside it says
+// how much of a slope is the machine's, whose caches hold a small mesh and not a large one.
+#include "floor/graph.hpp"
+#include "support/heap.hpp"
+#include "support/kinds.hpp"
+
+#include <concino/graph.hpp>
+#include <concino/io.hpp>
+
+#include <cmath>
+
+namespace {
+
+using bench::u32;
+namespace floors = bench::floors;
+
+/// The neighbours of polys as rows: of equal length in meshes of one shape, else by offsets.
+template<u32 K>
+auto dual_rows(const floors::surface<K>& f) { return floors::rows<K>{f.p_off.data(), f.p2p.data(), f.num_polys()}; }
+template<class S>
+auto dual_rows(const floors::cells<S>& f) { return floors::rows<S::faces>{nullptr, f.p2p.data(), f.num_polys()}; }
+inline auto dual_rows(const floors::polyhedra& f) { return floors::rows<0>{f.p_off.data(), f.p2p.data(), f.num_polys()}; }
+
+template<u32 K>
+  requires(K > 0)
+auto centroids(const floors::surface<K>& f) { return floors::centroids<K>(f.points.data(), f.p2v.data(), f.num_polys()); }
+template<class S>
+auto centroids(const floors::cells<S>& f) { return floors::centroids<S::verts>(f.points.data(), f.p2v.data(), f.num_polys()); }
+
+/// One kind at all sizes. make(n) gives arrays of about n polys.
+template<class Kind, class Make>
+void grow(const bench::program& p, const std::string& name, Kind kind, bool with_searches, const Make& make) {
+  using mesh = typename Kind::mesh;
+  const auto wanted = [&](const char* work) { return p.wants("scaling." + std::string(work) + "." + name); };
+  const bool searches = with_searches && (wanted("bfs.primal") || wanted("bfs.dual") || wanted("components.primal") || wanted("components.dual") ||
+                                          wanted("dijkstra.primal") || wanted("dijkstra.dual"));
+  if (!searches && !wanted("load") && !wanted("build") && !wanted("memory")) return;
+  for (const double exponent : {4.0, 4.5, 5.0, 5.5, 6.0, 6.5}) {
+    if (p.data.tiny && exponent > 4.5) break;
+    const auto arrays = make(static_cast<u32>(std::pow(10.0, p.data.tiny ? exponent - 2 : exponent)));
+    const auto polys = static_cast<double>(arrays.num_polys());
+    const auto measure = [&](const char* work, const char* model, auto floor, auto ours) {
+      if (!wanted(work)) return;
+      const auto rows = bench::compare(work, std::min(p.rounds, 3), {{"floor", floor}, {"concino", ours}});
+      p.print_point("scaling." + std::string(work) + "." + name, model, polys, rows[1].value, rows[0].value);
+    };
+    const auto timed = [](auto work) { return [work] { return bench::seconds_of(work); }; };
+
+    measure("build", "n",
+            [&] {
+              auto m = kind.flat(arrays);
+              return bench::seconds_of([&] { build(m); return 0; });
+            },
+            [&] {
+              auto copy = arrays;
+              return bench::seconds_of([&] { return mesh(std::move(copy)); });
+            });
+    if (wanted("load")) {
+      const std::string path = p.file(name + Kind::ending);
+      kind.write(arrays, path);
+      measure("load", "n", timed([&] { return kind.read(path); }), timed([&] { return concino::load<mesh>(path); }));
+      std::filesystem::remove(path);
+    }
+    auto flat = kind.flat(arrays);
+    build(flat);
+    if (wanted("memory")) {
+      const std::size_t before = bench::heap::live;
+      const mesh m(arrays);
+      p.print_point("scaling.memory." + name, "n", polys, static_cast<double>(bench::heap::live - before), static_cast<double>(flat.bytes()));
+    }
+    if (!searches) continue;
+    if constexpr (requires { centroids(flat); }) {
+      const mesh m(arrays);
+      const floors::rows<0> primal{flat.v_off.data(), flat.v2v.data(), flat.num_verts()};
+      const auto dual = dual_rows(flat);
+      constexpr auto stride = decltype(dual)::stride;
+      const concino::vert_id v{0};
+      const concino::poly_id q{0};
+      measure("bfs.primal", "n", timed([&] { return floors::bfs<0, false>(primal, 0); }), timed([&] { return concino::bfs(m, v); }));
+      measure("bfs.dual", "n", timed([&] { return floors::bfs<stride, true>(dual, 0); }), timed([&] { return concino::bfs(m, q); }));
+      measure("components.primal", "n", timed([&] { return floors::components<0, false>(primal); }),
+              timed([&] { return concino::connected_components(m); }));
+      measure("components.dual", "n", timed([&] { return floors::components<stride, true>(dual); }),
+              timed([&] { return concino::connected_components(concino::dual(m)); }));
+      measure("dijkstra.primal", "n log n", timed([&] { return floors::dijkstra<0, false>(primal, flat.points.data(), 0); }),
+              timed([&] { return concino::dijkstra(m, v); }));
+      measure("dijkstra.dual", "n log n", timed([&] {
+                const auto c = centroids(flat);
+                return floors::dijkstra<stride, true>(dual, c.data(), 0);
+              }),
+              timed([&] { return concino::dijkstra(m, q); }));
+    }
+  }
+}
+
+/// A closed torus of about so many triangles.
+bench::surface_arrays torus_of(double triangles) {
+  const double rows = std::sqrt(triangles / 3);
+  return bench::torus(static_cast<u32>(rows), static_cast<u32>(1.5 * rows));
+}
+
+u32 root3(double n) { return static_cast<u32>(std::lround(std::cbrt(n))); }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return bench::run_program(argc, argv, [](const bench::program& p) {
+    grow(p, "trimesh", bench::surface_kind<3, concino::trimesh>{}, true, [](u32 n) { return torus_of(n); });
+    grow(p, "quadmesh", bench::surface_kind<4, concino::quadmesh>{}, false, [](u32 n) { return bench::split_into_quads<3>(torus_of(n / 3.0)); });
+    grow(p, "polygonmesh", bench::surface_kind<0, concino::polygonmesh>{}, false, [](u32 n) { return bench::dual_polygons(torus_of(2.0 * n)); });
+    grow(p, "tetmesh", bench::cell_kind<floors::tet_shape, concino::tetmesh>{}, true, [](u32 n) { return bench::tet_grid(root3(n / 6.0)); });
+    grow(p, "hexmesh", bench::cell_kind<floors::hex_shape, concino::hexmesh>{}, false, [](u32 n) { return bench::hex_grid(root3(n)); });
+    grow(p, "polyhedralmesh", bench::polyhedral_kind{}, false, [](u32 n) { return bench::hexes_as_polyhedra(root3(n)); });
+  });
+}

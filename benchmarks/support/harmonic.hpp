@@ -1,0 +1,38 @@
+// A harmonic map with two values given, by any solver, beside that solver's factorisation alone: what it cannot do without.
+#pragma once
+
+#include "kinds.hpp"
+
+#include <concino/fields.hpp>
+
+namespace bench {
+
+/// Keeps the matrix that a problem asks its solver to factorise.
+struct matrix_keeper {
+  Eigen::SparseMatrix<double> matrix;
+  concino::ldlt inner;
+  void factorize(const Eigen::SparseMatrix<double>& a) { inner.factorize(matrix = a); }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return inner.solve(b); }
+};
+
+/// Solver: a SparseSolver. factorise(matrix) does nothing but that.
+template<class Solver, class F>
+void compare_harmonic(const program& p, const std::string& suffix, F factorise) {
+  for (const auto& [which, name] : {std::pair{concino::weights::uniform, "uniform"}, std::pair{concino::weights::cotangent, "cotangent"}}) {
+    const std::string work = "harmonic." + std::string(name) + ".bunny16" + suffix;
+    if (!p.wants(work)) continue;
+    const concino::trimesh m(p.data.bunny16());
+    const std::vector<std::pair<concino::vert_id, double>> given = {{concino::vert_id{0}, 0.0}, {concino::vert_id{concino::num_verts(m) - 1}, 1.0}};
+    const concino::harmonic_map_options options{.weights = which};
+    matrix_keeper keeper;
+    const auto u = concino::harmonic_map(m, given, options, keeper);
+    const auto v = concino::harmonic_map(m, given, options, Solver{});
+    for (std::size_t i = 0; i < u.values().size(); ++i)
+      if (!(std::abs(u.values()[i] - v.values()[i]) <= 1e-8)) throw std::runtime_error(work + ": two solvers find different maps");
+    p.print(compare(work, std::min(p.rounds, 3),
+                    {{"factorisation", [&] { return seconds_of([&] { return factorise(keeper.matrix); }); }},
+                     {"concino", [&] { return seconds_of([&] { return concino::harmonic_map(m, given, options, Solver{}); }); }}}));
+  }
+}
+
+}  // namespace bench
