@@ -1,6 +1,7 @@
 // Surfaces of any genus for tests: skins of blocks of voxels, rolled-up grids, and one that has no inside.
 #pragma once
 
+#include <concino/concepts/mesh_traits.hpp>
 #include <concino/mesh/arrays.hpp>
 
 #include <support/meshes.hpp>

@@ -63,7 +63,7 @@ struct tree_cotree_tables : tree_cotree_result<M> {
   }
 
   std::pair<vert_t<M>, vert_t<M>> ends(const M& m, const edge_t<M>& e) const {
-    vert_t<M> end[2] = {};
+    vert_t<M> end[2] = {vert_t<M>(), vert_t<M>()};
     std::size_t n = 0;
     for (const vert_t<M> v : adj_e2v(m, e))
       if (n < 2) end[n++] = v;

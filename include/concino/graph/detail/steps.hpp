@@ -1,6 +1,7 @@
 // Pairs of iterators of one type, as Boost wants them, over ranges of elements that promise much less.
 #pragma once
 
+#include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/ranges.hpp>
 #include <concino/mesh/side_ranges.hpp>
 
@@ -21,6 +22,8 @@ template<class T> inline constexpr bool iterators_outlive<id_span<T>> = true;
 template<class Id> inline constexpr bool iterators_outlive<id_range<Id>> = true;
 template<> inline constexpr bool iterators_outlive<polys_of_facet> = true;
 template<> inline constexpr bool iterators_outlive<polys_across> = true;
+template<class M, class K, around Ring> inline constexpr bool iterators_outlive<halfedge_ring<M, K, Ring>> = true;
+template<class M, class K> inline constexpr bool iterators_outlive<halfedge_neighbours<M, K>> = true;
 
 template<class R> using begin_of = decltype(std::declval<const std::remove_reference_t<R>&>().begin());
 template<class R> using end_of = decltype(std::declval<const std::remove_reference_t<R>&>().end());
