@@ -8,6 +8,7 @@
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
+    mallopt(M_MMAP_THRESHOLD, 1 << 25);  // the most that glibc takes: blocks of whole pages would be counted rounded up
     bench::for_each_file(p, {"memory", "peak"}, [&](const std::string& name, const std::string& path, const auto& arrays, auto kind) {
       using mesh = typename decltype(kind)::mesh;
       const double polys = static_cast<double>(arrays.num_polys());

@@ -33,12 +33,17 @@ inline std::size_t size_of(void* p) { return p ? malloc_usable_size(p) : 0; }
 extern "C" {
 void* malloc(std::size_t n) noexcept { return bench::heap::count(__libc_malloc(n)); }
 void* calloc(std::size_t n, std::size_t size) noexcept { return bench::heap::count(__libc_calloc(n, size)); }
+/// A block that the system maps grows by moving its pages; any other that moves is there twice for a moment.
 void* realloc(void* old, std::size_t n) noexcept {
   const std::size_t before = bench::heap::size_of(old);
+  const bool mapped = old && (static_cast<const std::size_t*>(old)[-1] & 2);
   void* const p = __libc_realloc(old, n);
   if (!p && n) return p;
-  bench::heap::live -= before;
-  return bench::heap::count(p);
+  const bool copied = !mapped && p != old;
+  if (!copied) bench::heap::live -= before;
+  bench::heap::count(p);
+  if (copied) bench::heap::live -= before;
+  return p;
 }
 void* memalign(std::size_t alignment, std::size_t n) noexcept { return bench::heap::count(__libc_memalign(alignment, n)); }
 void* aligned_alloc(std::size_t alignment, std::size_t n) noexcept { return bench::heap::count(__libc_memalign(alignment, n)); }

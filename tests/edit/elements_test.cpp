@@ -154,6 +154,34 @@ TEST_CASE_TEMPLATE("a mesh taken apart and put together again", M, cn::trimesh, 
   equals_rebuilt(m);
 }
 
+TEST_CASE_TEMPLATE("a poly on the corners of another, named by the mesh's own range", M, cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
+  M m = cn::testing::grid<M>(2);
+  for (int twice = 0; twice < 2; ++twice) {
+    const cn::poly_id p = *cn::polys(m).begin();
+    const auto corners = cn::adj_p2v(m, p);
+    const list before = raw(corners);
+    const cn::poly_id q = cn::add_poly(m, std::span<const cn::vert_id>(corners.begin(), corners.size()));
+    CHECK(raw(cn::adj_p2v(m, q)) == before);
+    CHECK(raw(cn::adj_p2v(m, p)) == before);
+  }
+  keeps_all_laws(m);
+}
+
+TEST_CASE("a face on the corners of another, and a poly of another's faces, named by the mesh's own ranges") {
+  auto m = cn::testing::grid<cn::polyhedralmesh>(2);
+  const cn::poly_id p = *cn::polys(m).begin();
+  const cn::face_id f = *cn::adj_p2f(m, p).begin();
+  const auto corners = cn::adj_f2v(m, f);
+  const list before = raw(corners);
+  const cn::face_id g = cn::add_face(m, std::span<const cn::vert_id>(corners.begin(), corners.size()));
+  CHECK(raw(cn::adj_f2v(m, g)) == before);
+  const auto faces = cn::adj_p2f(m, p);
+  const list those = raw(faces);
+  const std::vector<std::uint8_t> outward(faces.size(), 1);
+  const cn::poly_id q = cn::mesh_traits<cn::polyhedralmesh>::add_poly(m, std::span<const cn::face_id>(faces.begin(), faces.size()), outward);
+  CHECK(raw(cn::adj_p2f(m, q)) == those);
+}
+
 TEST_CASE("a mesh from nothing") {
   cn::polygonmesh m;
   std::vector<cn::vert_id> v;

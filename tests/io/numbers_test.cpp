@@ -109,3 +109,20 @@ TEST_CASE("numbers: integers of up to 18 digits") {
   CHECK(read("0000000000000000000000000000000") == 0);
   for (const std::string none : {"", "-", "+", "1000000000000000000", "99999999999999999999", "a"}) CHECK_MESSAGE(read(none) == -77, none);
 }
+
+TEST_CASE("numbers: integers of any length, before any character, anywhere in the text") {
+  for (unsigned length = 1; length <= 18; ++length)
+    for (int after = 0; after < 256; ++after) {
+      if (is_digit(static_cast<char>(after))) continue;
+      std::string s = "7";
+      for (unsigned i = 1; i < length; ++i) s += static_cast<char>('0' + (i * 7 + static_cast<unsigned>(after)) % 10);
+      const std::int64_t expected = std::stoll(s);
+      for (const std::string& tail : {std::string(1, static_cast<char>(after)), std::string(1, static_cast<char>(after)) + "12345678"}) {
+        const std::string text = s + tail;
+        std::int64_t i = 0;
+        const char* const end = parse_integer(text.data(), text.data() + text.size(), i);
+        REQUIRE(end == text.data() + length);
+        REQUIRE(i == expected);
+      }
+    }
+}

@@ -88,6 +88,41 @@ TEST_CASE_TEMPLATE("lists of verts are kept in their order", M, cn::trimesh, cn:
   }
 }
 
+TEST_CASE("the polys around an edge: whole rings, several rings, rings beside open fans") {
+  // Each entry is one ring (closed) or fan (open) of tets around the edge 0-1, of so many tets.
+  struct fan { unsigned tets; bool closed; };
+  const std::vector<std::vector<fan>> cases = {{{3, true}},           {{5, true}},           {{6, true}},           {{7, true}},
+                                               {{3, true}, {3, true}}, {{3, true}, {4, true}}, {{4, true}, {3, true}}, {{5, true}, {9, true}},
+                                               {{3, true}, {1, false}}, {{2, false}, {3, true}}, {{6, false}},        {{1, false}, {1, false}},
+                                               {{300, true}},         {{150, true}, {151, true}}, {{254, true}},      {{255, true}},
+                                               {{254, false}, {3, true}}, {{400, false}},     {{130, false}, {130, false}}};
+  for (const auto& fans : cases) {
+    std::vector<std::array<unsigned, 4>> tets;
+    unsigned next = 2;
+    for (const fan& f : fans) {
+      const unsigned first = next;
+      for (unsigned i = 0; i < f.tets; ++i) tets.push_back({0, 1, next + i, f.closed && i + 1 == f.tets ? first : next + i + 1});
+      next += f.tets + (f.closed ? 0 : 1);
+    }
+    const cn::tetmesh m(std::vector<cn::vec3>(next), tets);
+    for (const auto e : cn::edges(m))
+      if (raw_set(cn::adj_e2v(m, e)) == std::set<unsigned>{0, 1}) {
+        std::size_t met = 0;
+        for ([[maybe_unused]] const auto p : cn::adj_e2p(m, e)) ++met;
+        CHECK(met == tets.size());
+        CHECK(raw_set(cn::adj_e2p(m, e)).size() == tets.size());
+      }
+    if (next < 20) keeps_all_laws(m);
+  }
+}
+
+TEST_CASE("the polys around an edge: where the same poly stands twice") {
+  const cn::tetmesh m(std::vector<cn::vec3>(8), std::vector<std::array<unsigned, 4>>{{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 5, 6}, {0, 1, 6, 7}, {0, 1, 7, 4}});
+  for (const auto e : cn::edges(m))
+    if (raw_set(cn::adj_e2v(m, e)) == std::set<unsigned>{0, 1}) CHECK(raw_set(cn::adj_e2p(m, e)).size() == 6);
+  keeps_all_laws(m);
+}
+
 TEST_CASE("counts and Euler characteristic of grids") {
   const auto chi = [](const auto& m) {
     auto x = static_cast<long>(cn::num_verts(m)) - static_cast<long>(cn::num_edges(m));

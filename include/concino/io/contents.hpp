@@ -6,6 +6,7 @@
 #include <concino/io/name_runs.hpp>
 #include <concino/io/options.hpp>
 #include <concino/mesh/arrays.hpp>
+#include <concino/mesh/large_pages.hpp>
 
 #include <array>
 #include <string_view>

@@ -47,19 +47,37 @@ inline constexpr inverse_powers_of_five inverse_fives = [] {
 
 inline bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 
-/// Appends the decimal digits at p to w, eight at a time; overflow wraps, the caller counts the digits.
+inline constexpr std::uint64_t small_powers_of_ten[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
+
+/// Eight characters at once: how many of the first are digits, and the number that these are.
+struct eight_characters {
+  unsigned digits;
+  std::uint32_t value;
+
+  explicit eight_characters(const char* p) {
+    std::uint64_t c;
+    std::memcpy(&c, p, 8);
+    c ^= 0x3030303030303030u;                                                       // digits become 0 to 9
+    const std::uint64_t other = ((c + 0x7676767676767676u) | c) & 0x8080808080808080u;  // the first that is set is right: no digit carries
+    digits = static_cast<unsigned>(std::countr_zero(other)) / 8;
+    c = digits == 0 ? 0 : c << (64 - 8 * digits);  // the last digit to the top, zeros in front
+    // the digits pairwise, then the pairs, then the fours: three multiplications instead of eight
+    c = c * 10 + (c >> 8);
+    value = static_cast<std::uint32_t>((((c & 0x000000FF000000FFu) * 0x000F424000000064u) + (((c >> 16) & 0x000000FF000000FFu) * 0x0000271000000001u)) >> 32);
+  }
+};
+
+/// Appends the decimal digits at p to w, up to eight at a time; overflow wraps, the caller counts the digits.
 inline const char* read_digits(const char* p, const char* last, std::uint64_t& w) {
   if constexpr (std::endian::native == std::endian::little) {
     while (last - p >= 8) {
-      std::uint64_t c;
-      std::memcpy(&c, p, 8);
-      if (((c & 0xF0F0F0F0F0F0F0F0u) | (((c + 0x0606060606060606u) & 0xF0F0F0F0F0F0F0F0u) >> 4)) != 0x3333333333333333u) break;
-      // the digits pairwise, then the pairs, then the fours: three multiplications instead of eight
-      c -= 0x3030303030303030u;
-      c = c * 10 + (c >> 8);
-      c = (((c & 0x000000FF000000FFu) * 0x000F424000000064u) + (((c >> 16) & 0x000000FF000000FFu) * 0x0000271000000001u)) >> 32;
-      w = w * 100000000 + static_cast<std::uint32_t>(c);
-      p += 8;
+      const eight_characters c(p);
+      p += c.digits;
+      if (c.digits < 8) {
+        w = w * small_powers_of_ten[c.digits] + c.value;
+        return p;
+      }
+      w = w * 100000000 + c.value;
     }
   }
   while (p != last && is_digit(*p)) w = w * 10 + static_cast<std::uint64_t>(*p++ - '0');
@@ -171,16 +189,12 @@ inline const char* parse_integer(const char* first, const char* last, std::int64
   const bool negative = p != last && *p == '-';
   if (p != last && (*p == '-' || *p == '+')) ++p;
   const char* from = p;
-  std::int64_t n = 0;
-  while (p != last && is_digit(*p)) {
-    if (p - from == 18) {  // leading zeros do not count
-      while (*from == '0' && from != p) ++from;
-      if (p - from == 18) return nullptr;
-    }
-    n = n * 10 + (*p++ - '0');
-  }
-  if (p == from) return nullptr;
-  i = negative ? -n : n;
+  std::uint64_t n = 0;
+  p = read_digits(p, last, n);
+  if (p - from > 18)  // leading zeros do not count
+    while (from != p && *from == '0') ++from;
+  if (p == first || !is_digit(p[-1]) || p - from > 18) return nullptr;
+  i = negative ? -static_cast<std::int64_t>(n) : static_cast<std::int64_t>(n);
   return p;
 }
 

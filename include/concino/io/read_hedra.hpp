@@ -47,7 +47,7 @@ class hedra_reader : token_cursor {
   }
 
   void verts(std::uint64_t n) {
-    out_.points.reserve(room(n, 6));
+    reserve_large(out_.points, room(n, 6));
     for (std::uint64_t i = 0; i < n; ++i) {
       vec3 p;
       p.x = next_real("the x of a vert");
@@ -60,7 +60,7 @@ class hedra_reader : token_cursor {
 
   void faces(std::uint64_t n) {
     std::vector<vert_id> scratch;
-    out_.face_offsets.reserve(room(n, 8) + 1);
+    reserve_large(out_.face_offsets, room(n, 8) + 1);
     out_.face_offsets.push_back(0);
     for (std::uint64_t f = 0; f < n; ++f) {
       skip();
@@ -72,7 +72,7 @@ class hedra_reader : token_cursor {
       if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
         fail(from, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
       if (out_.face_verts.size() > max_ids) fail_to_count("corners");
-      if (f == 4095) out_.face_verts.reserve(expected(out_.face_verts.size(), f + 1, n));
+      if (f == 4095) reserve_large(out_.face_verts, expected(out_.face_verts.size(), f + 1, n));
       out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
       tell();
     }
@@ -80,7 +80,7 @@ class hedra_reader : token_cursor {
 
   void polys(std::uint64_t n) {
     std::vector<std::uint32_t> last_poly(out_.num_faces(), ~0u);  // that had the face
-    out_.poly_offsets.reserve(room(n, 4) + 1);
+    reserve_large(out_.poly_offsets, room(n, 4) + 1);
     out_.poly_offsets.push_back(0);
     for (std::uint64_t p = 0; p < n; ++p) {
       skip();
@@ -100,8 +100,8 @@ class hedra_reader : token_cursor {
       }
       if (out_.poly_faces.size() > max_ids) fail_to_count("faces of polyhedra");
       if (p == 4095) {
-        out_.poly_faces.reserve(expected(out_.poly_faces.size(), p + 1, n));
-        out_.outward.reserve(out_.poly_faces.capacity());
+        reserve_large(out_.poly_faces, expected(out_.poly_faces.size(), p + 1, n));
+        reserve_large(out_.outward, out_.poly_faces.capacity());
       }
       out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
       tell();

@@ -123,7 +123,7 @@ class medit_reader : token_cursor {
 
   void vertices() {
     const std::uint64_t n = next_count("the number of vertices", least_bytes());
-    points_.reserve(room(n, least_bytes()));
+    reserve_large(points_, room(n, least_bytes()));
     for (std::uint64_t i = 0; i < n; ++i) {
       vec3 p;
       p.x = next_real("the x of a vertex");
@@ -149,7 +149,7 @@ class medit_reader : token_cursor {
       shapes_.assign(polys_, only_->shape);
       for (std::size_t p = 0; p <= polys_; ++p) poly_begin_.push_back(static_cast<std::uint32_t>(p * only_->arity));
     }
-    verts_.reserve(verts_.size() + room(all.count, 2 * s.arity + 2) * s.arity);
+    reserve_large(verts_, verts_.size() + room(all.count, 2 * s.arity + 2) * s.arity);
     std::vector<vert_id> scratch;
     for (std::uint64_t i = 0; i < all.count; ++i) {
       skip();

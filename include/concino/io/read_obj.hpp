@@ -57,8 +57,8 @@ class obj_reader : text_cursor {
       if (*line == 'v') ++points;
       else if (*line == 'f') corners += words_of_line(line, last) - 1;
     });
-    out_.points.reserve(room_for(scale * static_cast<double>(points)));
-    out_.verts.reserve(room_for(scale * static_cast<double>(corners)));
+    reserve_large(out_.points, room_for(scale * static_cast<double>(points)));
+    reserve_large(out_.verts, room_for(scale * static_cast<double>(corners)));
   }
 
   void restart(const char* from) {

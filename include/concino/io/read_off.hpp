@@ -47,7 +47,7 @@ class off_reader : off_cursor {
     skip_space('#');
     if (n == 0) return;
     choose_layout(n, polys);
-    out_.points.reserve(n);
+    reserve_large(out_.points, n);
     const bool plain = header_.numbers() == 3 && header_.dimension == 3;
     for (std::uint64_t i = 0; i < n; ++i) {
       skip_space('#');
@@ -162,7 +162,7 @@ class off_reader : off_cursor {
         blanks();
         if (!line_is_over()) poly_attributes(f);
       }
-      if (f == 4095) out_.verts.reserve(expected_corners(n));
+      if (f == 4095) reserve_large(out_.verts, expected_corners(n));
       tell();
     }
   }

@@ -143,7 +143,10 @@ struct token_cursor : text_cursor {
   token_cursor(std::string_view text, std::string_view name, const concino::progress* progress, char comment_)
       : text_cursor(text, name, progress), comment(comment_) {}
 
-  void skip() { skip_space(comment); }
+  void skip() {
+    if (!at_end() && is_space(*at)) ++at;  // mostly one blank, then the next word
+    if (at_end() || is_space(*at) || *at == comment) skip_space(comment);
+  }
   double next_real(const char* expected) {
     skip();
     return real(expected, comment);

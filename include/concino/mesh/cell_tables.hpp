@@ -22,7 +22,7 @@ class cell_tables {
   detail::rows<edge_id, Shape::edges> p2e_;
   detail::sides<face_id, Shape::faces> sides_;
   detail::rows<vert_id, 2> e2v_;
-  detail::offsets e2p_;  // one poly at the edge, or `special` and the crowd
+  detail::flat_array<std::uint32_t> e2p_;  // one poly at the edge, or `special` and the crowd
   ragged<poly_id> crowds_;
   ragged<vert_id> v2v_;
   ragged<edge_id> v2e_;
@@ -35,8 +35,6 @@ class cell_tables {
   /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
   cell_tables(std::size_t vert_count, std::vector<vert_id> polys) : p2v_(detail::checked_rows<Shape::verts>(std::move(polys), "poly")) {
     detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
-    std::vector<std::uint32_t> met;
-    for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts({p2v_.begin(p), p2v_.end(p)}, vert_count, "poly", p, met);
     build(vert_count);
   }
 
@@ -121,7 +119,7 @@ class cell_tables {
       sides_.link(p.raw(), k, f[k]);
     }
     sides_.remark(p.raw());
-    for (const vert_id v : corners) v2p_.push(v.raw(), p);
+    for (const vert_id v : adj_p2v(p)) v2p_.push(v.raw(), p);
     const poly_id added = polys_.add();
     for (const edge_id at : adj_p2e(p)) refan(at);
     return added;
@@ -215,10 +213,6 @@ class cell_tables {
 
   static constexpr unsigned valence = detail::shape_tables<Shape>::valence;
 
-  /// An edge met at its smaller vert: how many polys have it, and the first of the faces met there whose smaller neighbour it leads to.
-  struct met_edge {
-    std::uint32_t uses, faces;
-  };
   /// A face met at its smallest vert: its other verts but the smaller neighbour of that one, and the next face with the same smaller
   /// neighbour.
   struct met_face {
@@ -233,51 +227,77 @@ class cell_tables {
 
     // Corners by vert; they become the polys of the vert at the end.
     detail::offsets counts(vert_count + 1, 0);
-    for (std::size_t c = 0; c < p2v_.num_values(); ++c) ++counts[corner_vert[c].raw() + 1];
+    for (std::uint32_t p = 0; p < poly_count; ++p) {
+      if (!are_distinct_verts(p2v_.begin(p), vert_count)) {
+        std::vector<std::uint32_t> met;
+        detail::check_verts({p2v_.begin(p), p2v_.end(p)}, vert_count, "poly", p, met);
+      }
+      for (unsigned i = 0; i < nv; ++i) ++counts[p2v_.begin(p)[i].raw() + 1];
+    }
     v2p_ = detail::make_rows<poly_id>(std::move(counts));
-    std::vector<std::uint32_t> edge_to(v2p_.shape()->begin(), v2p_.shape()->end() - 1);
+    detail::flat_array<std::uint32_t> edge_to(vert_count);
+    std::copy_n(v2p_.shape()->begin(), vert_count, edge_to.data());
     poly_id* const corners = v2p_.begin(0);
     for (std::size_t c = 0; c < p2v_.num_values(); ++c) corners[edge_to[corner_vert[c].raw()]++] = poly_id{c};
 
-    // Every edge and face is met at its smallest vert a. edge_to[b] is the edge from a to b if it is at least the first edge of a. A
-    // face is found among those of a at the same edge, the one to the smaller of its two neighbours of a.
+    // Every edge and face is met at its smallest vert a. edge_to[b] is the edge between a and b if that was met at a already. A face is
+    // found among those of a at the same edge, the one to the smaller of its two neighbours of a.
     p2e_ = detail::rows<edge_id, Shape::edges>(poly_count, edge_id{});
-    sides_ = {detail::rows<face_id, Shape::faces>(poly_count, face_id{}),
-              detail::rows<detail::across, Shape::faces>(poly_count, detail::across{})};
-    std::fill(edge_to.begin(), edge_to.end(), ~0u);
-    std::vector<met_edge> met_edges;
+    sides_ = {detail::rows<face_id, Shape::faces>(poly_count, face_id{}), detail::rows<detail::across, Shape::faces>(poly_count)};
+    std::fill_n(edge_to.data(), vert_count, ~0u);
+    detail::flat_array<vert_id> ends, v2v;
+    detail::flat_array<edge_id> v2e;
+    detail::flat_array<std::uint8_t> uses;     // of each edge, by polys; `many` or more
+    std::vector<std::uint32_t> faces_to;       // per edge of a: the first of the faces met there whose smaller neighbour it leads to
     std::vector<met_face> met_faces;
-    std::vector<vert_id> ends;
-    const std::size_t guess = vert_count + (Shape::faces / 2 - 1) * std::size_t{poly_count} + poly_count / 8 + 64;
-    ends.reserve(2 * std::min(guess, std::size_t{poly_count} * Shape::edges));
-    e2p_.reserve(std::min(guess, std::size_t{poly_count} * Shape::edges));
+    const std::size_t guess = std::min(vert_count + (Shape::faces / 2 - 1) * std::size_t{poly_count} + poly_count / 8 + 64, std::size_t{poly_count} * Shape::edges);
+    ends.reserve(2 * guess);
+    v2v.reserve(2 * guess);
+    v2e.reserve(2 * guess);
+    e2p_.reserve(guess);
+    uses.reserve(guess);
     sides_.reserve_facets(Shape::faces / 2 * std::size_t{poly_count} + poly_count / 8 + 64);
-    detail::offsets degrees(vert_count + 1, 0);
+    detail::offsets star(vert_count + 1, 0);
     std::uint32_t edge_count = 0, face_count = 0;
     for (std::uint32_t a = 0; a < vert_count; ++a) {
       const std::uint32_t first_edge = edge_count, first_face = face_count;
-      met_edges.clear();
+      faces_to.clear();
       met_faces.clear();
+      const std::size_t most = std::size_t{valence} * v2p_.length(a);
+      vert_id* end = ends.room_for(2 * most);
+      vert_id* near = v2v.room_for(most);
+      edge_id* near_edge = v2e.room_for(most);
+      e2p_.room_for(most);
+      uses.room_for(most);
       for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
         const std::uint32_t p = c->raw() / nv, i = c->raw() % nv;
         const vert_id* const pv = p2v_.begin(p);
         edge_id* const pe = p2e_.begin(p);
-        std::uint32_t far[valence], met[valence];  // the neighbours of a in p, and which of met_edges leads there if they are larger
+        std::uint32_t far[valence], met[valence];  // the neighbours of a in p, and which of the edges of a leads there if they are larger
         for (unsigned j = 0; j < valence; ++j) {
           const std::uint32_t b = far[j] = pv[shape.vert_far[i][j]].raw();
-          if (b < a) continue;
+          edge_id& named = pe[shape.vert_edge[i][j]];
           std::uint32_t e = edge_to[b];
-          if (e == ~0u || e < first_edge) {
-            edge_to[b] = e = edge_count++;
-            ends.push_back(vert_id{a});
-            ends.push_back(vert_id{b});
-            e2p_.push_back(p);
-            met_edges.push_back({0, ~0u});
-            ++degrees[b + 1];
+          if (b < a) {
+            if (e == named.raw()) continue;
+            e = edge_to[b] = named.raw();
+          } else if (e - first_edge < edge_count - first_edge) {
+            met[j] = e - first_edge;
+            named = edge_id{e};
+            uses.data()[e] += uses.data()[e] < many;
+            continue;
+          } else {
+            e = edge_to[b] = edge_count++;
+            met[j] = e - first_edge;
+            named = edge_id{e};
+            *end++ = vert_id{a};
+            *end++ = vert_id{b};
+            e2p_.data()[e] = p;
+            uses.data()[e] = 1;
+            faces_to.push_back(~0u);
           }
-          met[j] = e - first_edge;
-          ++met_edges[met[j]].uses;
-          pe[shape.vert_edge[i][j]] = edge_id{e};
+          *near++ = vert_id{b};
+          *near_edge++ = edge_id{e};
         }
         for (unsigned k = 0; k < valence; ++k) {
           // The neighbours of a in the face, the smaller first, and what lies between them: the same for every poly at the face.
@@ -290,7 +310,7 @@ class cell_tables {
           met_face wanted;
           wanted.other[0] = far[y];
           if constexpr (Shape::face_verts == 4) wanted.other[1] = pv[along[1]].raw();
-          std::uint32_t& first = met_edges[met[x]].faces;
+          std::uint32_t& first = faces_to[met[x]];
           std::uint32_t f = first;
           while (f != ~0u && !std::equal(wanted.other, std::end(wanted.other), met_faces[f].other)) f = met_faces[f].next;
           if (f == ~0u) {
@@ -304,24 +324,82 @@ class cell_tables {
         }
         *c = poly_id{p};
       }
-      degrees[a + 1] += edge_count - first_edge;
+      ends.resize(2 * std::size_t{edge_count});
+      e2p_.resize(edge_count);
+      uses.resize(edge_count);
+      v2v.resize(static_cast<std::size_t>(near - v2v.data()));
+      v2e.resize(v2v.size());
+      if (v2v.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+      star[a + 1] = static_cast<std::uint32_t>(v2v.size());
       // All faces at these edges are linked by now, since a is the smallest vert of each or was passed before.
-      for (std::uint32_t e = first_edge; e < edge_count; ++e) check_fan(edge_id{e}, met_edges[e - first_edge].uses);
+      for (std::uint32_t e = first_edge; e < edge_count; ++e)
+        if (uses[e] > 5 && closes_early(edge_id{e}, polys_at(vert_id{a}, edge_id{e}, uses[e]))) e2p_[e] = detail::across::special;
     }
-    detail::drop_spare_room(ends);
+    ends.give_back_spare_room();
+    v2v.give_back_spare_room();
+    v2e.give_back_spare_room();
+    e2p_.give_back_spare_room();
     e2v_ = detail::rows<vert_id, 2>(std::move(ends));
-    detail::drop_spare_room(e2p_);
-    crowd_edges();
-    sides_.finish();
-    detail::fill_stars(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
+    v2v_ = {std::make_shared<const detail::offsets>(std::move(star)), std::move(v2v)};
+    v2e_ = {v2v_.shape(), std::move(v2e)};
     verts_ = detail::live<vert_id>(vert_count);
     edges_ = detail::live<edge_id>(edge_count);
     faces_ = detail::live<face_id>(face_count);
     polys_ = detail::live<poly_id>(poly_count);
+
+    // What closes_early() takes for granted does not hold at the boundary, in crowds, and of polys that share two faces.
+    const auto check = [&](edge_id e) { check_fan(e, polys_at(e2v_.begin(e.raw())[0], e, uses[e.raw()])); };
+    if (sides_.finish()) {
+      for (std::uint32_t e = 0; e < edge_count; ++e) check(edge_id{e});
+    } else {
+      for (std::uint32_t f = 0; f < face_count; ++f)
+        if (!sides_.has_two_polys(face_id{f}))
+          for (const edge_id e : adj_f2e(face_id{f})) check(e);
+    }
+    crowd_edges();
+  }
+
+  static bool are_distinct_verts(const vert_id* v, std::size_t vert_count) {
+    bool good = v[0].raw() < vert_count;
+    for (unsigned i = 1; i < Shape::verts; ++i) {
+      good &= v[i].raw() < vert_count;
+      for (unsigned j = 0; j < i; ++j) good &= v[i] != v[j];
+    }
+    return good;
+  }
+
+  static constexpr std::uint8_t many = 255;
+
+  /// How many polys have e, an edge of a, of which `met` were counted.
+  std::uint32_t polys_at(vert_id a, edge_id e, std::uint8_t met) const {
+    if (met != many) return met;
+    std::uint32_t n = 0;
+    for (const poly_id p : v2p_[a.raw()])
+      for (const edge_id other : adj_p2e(p)) n += other == e;
+    return n;
+  }
+
+  /// Whether stepping around e comes back to the first poly before all n polys were met. Two polys share at most one face at e, so that no way
+  /// round is shorter than 3, and the last steps need not be made. Where something ends at the boundary the answer is no.
+  bool closes_early(edge_id e, std::uint32_t n) const {
+    const poly_id first = first_poly(e);
+    poly_id p = first;
+    std::uint32_t by = faces_at(p, e)[0];
+    for (std::uint32_t steps = 3; steps < n; ++steps) {
+      const poly_id next = across(p, by);
+      if (next.is_none()) return false;
+      if (next == first) return true;
+      const face_id f = adj_p2f(p)[by];
+      const auto two = faces_at(next, e);
+      by = adj_p2f(next)[two[0]] == f ? two[1] : two[0];
+      p = next;
+    }
+    return across(p, by) == first;
   }
 
   /// Marks e as crowded unless stepping around it meets as many polys as use it.
   void check_fan(edge_id e, std::uint32_t uses) {
+    if (is_crowded(e)) return;
     std::uint32_t n = 0;
     const auto around = adj_e2p(e);
     for (auto it = around.begin(), last = around.end(); it != last && n <= uses; ++it) ++n;

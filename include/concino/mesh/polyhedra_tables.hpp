@@ -82,8 +82,9 @@ class polyhedra_tables {
     detail::check_new_verts(corners, verts_, "face", f.raw());
     f2v_.add_row(corners.begin(), corners.end());
     sides_.add_facet();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const vert_id a = corners[i], b = corners[i + 1 == corners.size() ? 0 : i + 1];
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const vert_id a = adj_f2v(f)[i], b = adj_f2v(f)[i + 1 == n ? 0 : i + 1];  // corners may have lain in the row that moved
       edge_id e = edge_between(a, b);
       if (e.is_none()) {
         e = detail::add_edge(edges_, e2v_, v2v_, v2e_, a, b);
@@ -106,15 +107,16 @@ class polyhedra_tables {
       if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), list[k]) != list.begin() + static_cast<std::ptrdiff_t>(k))
         throw invalid_mesh(name + " has face " + std::to_string(list[k].raw()) + " twice; its faces must differ");
     }
-    sides_.add_poly(static_cast<std::uint32_t>(list.size()));
+    sides_.add_poly(static_cast<std::uint32_t>(list.size()), list.data());
     outward_.add_row(outward.begin(), outward.end());
     std::vector<vert_id> corners;
     std::vector<edge_id> around;
-    for (std::uint32_t k = 0; k < list.size(); ++k) {
-      sides_.link(p.raw(), k, list[k]);
-      for (const vert_id v : adj_f2v(list[k]))
+    for (std::uint32_t k = 0; k < adj_p2f(p).size(); ++k) {  // list may have lain in a row that moved
+      const face_id f = adj_p2f(p)[k];
+      sides_.link(p.raw(), k, f);
+      for (const vert_id v : adj_f2v(f))
         if (std::find(corners.begin(), corners.end(), v) == corners.end()) corners.push_back(v), v2p_.push(v.raw(), p);
-      for (const edge_id e : adj_f2e(list[k]))
+      for (const edge_id e : adj_f2e(f))
         if (std::find(around.begin(), around.end(), e) == around.end()) around.push_back(e);
     }
     sides_.remark(p.raw());
@@ -182,24 +184,25 @@ class polyhedra_tables {
   }
 
   void build(std::size_t vert_count, const ragged<face_id>& polys) {
-    std::vector<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
-    std::vector<std::uint32_t> scratch = build_edges(vert_count, f2e);
+    detail::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
+    detail::flat_array<std::uint32_t> scratch = build_edges(vert_count, f2e);
     const std::size_t edge_count = e2v_.size();
 
     detail::offsets counts(edge_count + 1, 0);
     for (const edge_id e : f2e) ++counts[e.raw() + 1];
     e2f_ = detail::make_rows<face_id>(std::move(counts));
     {
-      std::vector<std::uint32_t> next(e2f_.shape()->begin(), e2f_.shape()->end() - 1);
+      detail::flat_array<std::uint32_t> next(edge_count);
+      std::copy_n(e2f_.shape()->begin(), edge_count, next.data());
       face_id* const faces = e2f_.begin(0);
-      const edge_id* e = f2e.data();
+      const edge_id* e = f2e.begin();
       for (std::size_t f = 0; f < f2v_.size(); ++f)
         for (std::uint32_t n = f2v_.length(f); n > 0; --n) faces[next[(e++)->raw()]++] = face_id{f};
     }
 
-    sides_ = {{polys.shape(), std::vector<face_id>(polys.num_values())}, {polys.shape(), std::vector<detail::across>(polys.num_values())}};
-    sides_.resize_facets(f2v_.size());
-    std::vector<detail::sides<face_id, 0>::side> met_first(f2v_.size());
+    sides_ = {{polys.shape(), detail::flat_array<face_id>(polys.num_values(), face_id{})}, {polys.shape(), detail::flat_array<detail::across>(polys.num_values())}};
+    sides_.set_facets(f2v_.size());
+    detail::flat_array<detail::sides<face_id, 0>::side> met_first(f2v_.size());
     for (std::uint32_t p = 0; p < polys.size(); ++p)
       for (std::uint32_t k = 0; k < polys.length(p); ++k) {
         const face_id f = polys.begin(p)[k];
@@ -220,9 +223,9 @@ class polyhedra_tables {
   }
 
   /// Edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner. Returns scratch of one number a vert.
-  std::vector<std::uint32_t> build_edges(std::size_t vert_count, std::vector<edge_id>& f2e) {
+  detail::flat_array<std::uint32_t> build_edges(std::size_t vert_count, detail::flat_array<edge_id>& f2e) {
     const std::size_t corner_count = f2v_.num_values();
-    std::vector<std::uint32_t> first(vert_count + 1, 0), edge_to(vert_count);
+    detail::flat_array<std::uint32_t> first(vert_count + 1, 0), edge_to(vert_count);
     // Corners by the smaller end of the edge that leaves them, with the other end beside.
     struct half { std::uint32_t corner, far; };
     const auto for_each_half = [&](auto&& use) {
@@ -236,13 +239,13 @@ class polyhedra_tables {
       }
     };
     for_each_half([&](std::uint32_t, std::uint32_t a, std::uint32_t) { ++first[a + 1]; });
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<half> halves(corner_count);
-    std::copy(first.begin(), first.end() - 1, edge_to.begin());
+    std::partial_sum(first.begin(), first.end(), first.data());
+    detail::flat_array<half> halves(corner_count);
+    std::copy_n(first.begin(), vert_count, edge_to.data());
     for_each_half([&](std::uint32_t c, std::uint32_t a, std::uint32_t b) { halves[edge_to[a]++] = {c, b}; });
 
-    std::fill(edge_to.begin(), edge_to.end(), ~0u);
-    std::vector<vert_id> ends;
+    std::fill_n(edge_to.data(), vert_count, ~0u);
+    detail::flat_array<vert_id> ends;
     ends.reserve(corner_count * 2 / 3);
     detail::offsets degrees(vert_count + 1, 0);
     std::uint32_t num = 0;
@@ -260,25 +263,25 @@ class polyhedra_tables {
         f2e[halves[i].corner] = edge_id{e};
       }
     }
-    detail::drop_spare_room(ends);
+    ends.give_back_spare_room();
     e2v_ = detail::rows<vert_id, 2>(std::move(ends));
     detail::fill_stars(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
     return edge_to;
   }
 
   /// Verts and edges of every poly, in the order in which its faces meet them, and polys of every vert.
-  void build_corners(std::size_t vert_count, const std::vector<edge_id>& f2e, std::vector<std::uint32_t> vert_met) {
+  void build_corners(std::size_t vert_count, const detail::flat_array<edge_id>& f2e, detail::flat_array<std::uint32_t> vert_met) {
     const std::size_t poly_count = sides_.num_polys();
     const vert_id* const corner_vert = f2v_.begin(0);
-    std::vector<std::uint32_t> edge_met(e2v_.size(), ~0u);
-    std::fill(vert_met.begin(), vert_met.end(), ~0u);
+    detail::flat_array<std::uint32_t> edge_met(e2v_.size(), ~0u);
+    std::fill_n(vert_met.data(), vert_count, ~0u);
 
     // In a closed poly every edge is met twice, and verts and faces are two more than edges: room that most meshes fill exactly.
     std::size_t sides = 0, twice_edges = 0;
     for (std::uint32_t p = 0; p < poly_count; ++p)
       for (const face_id f : sides_.facets(poly_id{p})) ++sides, twice_edges += f2v_.length(f.raw());
-    std::vector<vert_id> verts;
-    std::vector<edge_id> edges;
+    detail::flat_array<vert_id> verts;
+    detail::flat_array<edge_id> edges;
     edges.reserve(twice_edges / 2);
     if (twice_edges / 2 + 2 * poly_count > sides) verts.reserve(twice_edges / 2 + 2 * poly_count - sides);
 
@@ -306,13 +309,13 @@ class polyhedra_tables {
       e_first.push_back(static_cast<std::uint32_t>(edges.size()));
     }
     if (edges.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
-    detail::drop_spare_room(verts);
-    detail::drop_spare_room(edges);
+    verts.give_back_spare_room();
+    edges.give_back_spare_room();
     p2v_ = {std::make_shared<const detail::offsets>(std::move(v_first)), std::move(verts)};
     p2e_ = {std::make_shared<const detail::offsets>(std::move(e_first)), std::move(edges)};
 
     v2p_ = detail::make_rows<poly_id>(std::move(degrees));
-    std::copy_n(v2p_.shape()->begin(), vert_count, vert_met.begin());
+    std::copy_n(v2p_.shape()->begin(), vert_count, vert_met.data());
     poly_id* const polys = v2p_.begin(0);
     for (std::uint32_t p = 0; p < poly_count; ++p)
       for (const vert_id v : p2v_[p]) polys[vert_met[v.raw()]++] = poly_id{p};

@@ -5,6 +5,7 @@
 #include <concino/concepts/descriptors.hpp>
 #include <concino/concepts/ranges.hpp>
 #include <concino/error.hpp>
+#include <concino/mesh/flat_array.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -36,11 +37,14 @@ inline void sum_up(offsets& counts) {
 
 template<class T, unsigned N>
 class rows {
-  std::vector<T> data_;
+  flat_array<T> data_;
 
  public:
   rows() = default;
   explicit rows(std::vector<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
+  explicit rows(flat_array<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
+  /// n rows that the caller is about to write.
+  explicit rows(std::size_t n) : data_(n * N) {}
   rows(std::size_t n, const T& value) : data_(n * N, value) {}
 
   std::size_t size() const { return data_.size() / N; }
@@ -52,12 +56,10 @@ class rows {
   std::size_t num_values() const { return data_.size(); }
 
   template<class It>
-  void add_row(It first, It last) {
+  void add_row(It first, [[maybe_unused]] It last) {
     assert(last - first == N);
-    data_.insert(data_.end(), first, last);
+    data_.append(std::to_address(first), N);
   }
-  void reserve(std::size_t n) { data_.reserve(n * N); }
-  void shrink_to_fit() { data_.shrink_to_fit(); }
 };
 
 /// Rows of any lengths. While nothing was edited the rows lie one after another and row i ends where row i+1 begins, so one array of
@@ -71,7 +73,7 @@ class rows<T, 0> {
   const std::uint32_t* first_ = nullptr;
   const std::uint32_t* last_ = nullptr;
   std::size_t size_ = 0;
-  std::vector<T> data_;
+  flat_array<T> data_;
   std::size_t unused_ = 0;
 
   void aim() {
@@ -103,7 +105,7 @@ class rows<T, 0> {
     const std::size_t n = loose_last_[i] - loose_first_[i];
     const std::size_t from = loose_first_[i], to = data_.size();
     data_.resize(to + room);
-    std::copy_n(data_.begin() + static_cast<std::ptrdiff_t>(from), n, data_.begin() + static_cast<std::ptrdiff_t>(to));
+    std::copy_n(data_.data() + from, n, data_.data() + to);
     unused_ += room_[i];
     loose_first_[i] = static_cast<std::uint32_t>(to);
     loose_last_[i] = static_cast<std::uint32_t>(to + n);
@@ -112,7 +114,8 @@ class rows<T, 0> {
 
  public:
   rows() = default;
-  rows(std::shared_ptr<const offsets> where, std::vector<T> data) : packed_(std::move(where)), data_(std::move(data)) {
+  rows(std::shared_ptr<const offsets> where, std::vector<T> data) : rows(std::move(where), flat_array<T>(std::move(data))) {}
+  rows(std::shared_ptr<const offsets> where, flat_array<T> data) : packed_(std::move(where)), data_(std::move(data)) {
     assert(packed_ && !packed_->empty() && packed_->back() == data_.size());
     size_ = packed_->size() - 1;
     aim();
@@ -156,7 +159,7 @@ class rows<T, 0> {
     const auto n = static_cast<std::uint32_t>(to - from);
     check_room(n);
     loose_first_.push_back(static_cast<std::uint32_t>(data_.size()));
-    data_.insert(data_.end(), from, to);
+    data_.append(std::to_address(from), n);
     loose_last_.push_back(static_cast<std::uint32_t>(data_.size()));
     room_.push_back(n);
     ++size_;
@@ -182,12 +185,12 @@ class rows<T, 0> {
   }
 };
 
-/// Rows to be filled by the caller; lengths[i + 1] says how long row i is, lengths[0] is 0.
+/// Rows that the caller is about to write; lengths[i + 1] says how long row i is, lengths[0] is 0.
 template<class T>
-rows<T, 0> make_rows(offsets lengths, const T& value = T{}) {
+rows<T, 0> make_rows(offsets lengths) {
   sum_up(lengths);
   auto where = std::make_shared<const offsets>(std::move(lengths));
-  std::vector<T> data(where->back(), value);
+  flat_array<T> data(where->back());
   return {std::move(where), std::move(data)};
 }
 

@@ -14,7 +14,7 @@ template<class Facet, unsigned N>
 class sides {
   rows<Facet, N> facets_;        // per poly
   rows<across, N> across_;       // parallel to facets_
-  offsets owner_;                // per facet: N > 0: the side N * poly + k that met it first; N = 0: that poly; ~0: none
+  flat_array<std::uint32_t> owner_;  // per facet: N > 0: the side N * poly + k that met it first; N = 0: that poly; ~0: none
   rows<poly_id, 0> crowds_;
 
  public:
@@ -23,14 +23,19 @@ class sides {
   };
 
   sides() = default;
-  /// Begins with every side open and every facet unowned; link() each side once.
-  sides(rows<Facet, N> facets, rows<across, N> open_sides) : facets_(std::move(facets)), across_(std::move(open_sides)) {}
+  /// Begins without facets; what lies across each side is unwritten. link() each side once.
+  sides(rows<Facet, N> facets, rows<across, N> unwritten) : facets_(std::move(facets)), across_(std::move(unwritten)) {}
 
   std::size_t num_polys() const { return facets_.size(); }
   std::size_t num_facets() const { return owner_.size(); }
   id_span<Facet> facets(poly_id p) const { return facets_[p.raw()]; }
   const across* across_sides(poly_id p) const { return across_.begin(p.raw()); }
   polys_across polys(poly_id p) const { return {across_.begin(p.raw()), across_.end(p.raw()), &crowds_, p}; }
+  bool has_two_polys(Facet f) const {
+    if (!is_owned(f)) return false;
+    const side s = owner(f);
+    return across_.begin(s.poly)[s.k].is_first();
+  }
   bool is_owned(Facet f) const { return owner_[f.raw()] != ~0u; }
 
   /// The side that met f first.
@@ -60,10 +65,12 @@ class sides {
   /// Builds: the next facet, which is side k of p and no other so far.
   void add_facet(std::uint32_t p, std::uint32_t k, Facet f) {
     facets_.begin(p)[k] = f;
+    across_.begin(p)[k] = {};
     owner_.push_back(N > 0 ? N * p + k : p);
   }
   void reserve_facets(std::size_t n) { owner_.reserve(n); }
-  void resize_facets(std::size_t n) { owner_.resize(n, ~0u); }
+  /// Builds: n facets that no side has met yet.
+  void set_facets(std::size_t n) { owner_ = flat_array<std::uint32_t>(n, ~0u); }
 
   /// Builds: side k of p is facet f.
   void link(std::uint32_t p, std::uint32_t k, Facet f) {
@@ -71,6 +78,7 @@ class sides {
     std::uint32_t& o = owner_[f.raw()];
     if (o == ~0u) {
       o = N > 0 ? N * p + k : p;
+      across_.begin(p)[k] = {};
       return;
     }
     join(owner(f), p, k);
@@ -81,18 +89,22 @@ class sides {
     join(first, p, k);
   }
 
-  /// Builds: after the last link, so that a poly met across two sides is listed once.
-  void finish() {
-    drop_spare_room(owner_);
+  /// Builds: after the last link, so that a poly met across two sides is listed once. Whether some poly is.
+  bool finish() {
+    owner_.give_back_spare_room();
     std::vector<std::uint32_t> met;
-    for (std::uint32_t p = 0; p < num_polys(); ++p) mark_repeats(p, met);
+    bool any = false;
+    for (std::uint32_t p = 0; p < num_polys(); ++p)
+      if (may_repeat(p) && mark_repeats(p, met)) any = true;
+    return any;
   }
 
-  /// Edits: a poly with n sides that are still to be linked.
-  void add_poly(std::uint32_t n) {
-    const std::vector<Facet> facets(n);
+  /// Edits: a poly with n sides that are still to be linked; their facets, if they are known.
+  void add_poly(std::uint32_t n, const Facet* facets = nullptr) {
+    const std::vector<Facet> unknown(facets ? 0 : n);
     const std::vector<across> open(n);
-    facets_.add_row(facets.begin(), facets.end());
+    if (!facets) facets = unknown.data();
+    facets_.add_row(facets, facets + n);
     across_.add_row(open.begin(), open.end());
   }
 
@@ -119,35 +131,50 @@ class sides {
     for (const std::uint32_t q : around) remark_one(q);
   }
 
-  /// Marks the sides of p that lead where an earlier side does.
-  void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
+  /// The quick answer for nearly all polys.
+  bool may_repeat(std::uint32_t p) const {
+    const std::uint32_t n = facets_.length(p);
+    if (n > 24) return true;
+    const across* const s = across_.begin(p);
+    bool may = false;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      may |= s[k].is_crowd();
+      for (std::uint32_t j = 0; j < k; ++j) may |= s[k].raw == s[j].raw && !s[k].is_none();
+    }
+    return may;
+  }
+
+  /// Marks the sides of p that lead where an earlier side does; whether there are any.
+  bool mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
     across* const s = across_.begin(p);
     const std::uint32_t n = facets_.length(p);
-    bool crowded = false;
+    bool crowded = false, any = false;
     if (n <= 24) {
       for (std::uint32_t k = 1; k < n; ++k)
         if (!s[k].is_none() && !s[k].is_crowd())
           for (std::uint32_t j = 0; j < k; ++j)
             if (!s[j].is_none() && !s[j].is_crowd() && s[j].poly() == s[k].poly()) {
               s[k].raw |= across::special;
+              any = true;
               break;
             }
     } else {
       if (met.size() < num_polys()) met.resize(num_polys(), ~0u);
       for (std::uint32_t k = 0; k < n; ++k)
         if (!s[k].is_none() && !s[k].is_crowd()) {
-          if (met[s[k].poly()] == p) s[k].raw |= across::special;
+          if (met[s[k].poly()] == p) s[k].raw |= across::special, any = true;
           met[s[k].poly()] = p;
         }
     }
     for (std::uint32_t k = 0; k < n; ++k) crowded = crowded || s[k].is_crowd();
-    if (!crowded) return;
+    if (!crowded) return any;
     for (std::uint32_t k = 1; k < n; ++k)
       if (s[k].is_first())
         for (std::uint32_t j = 0; j < k && s[k].is_first(); ++j)
           if (s[j].is_crowd())
             for (poly_id q : crowds_[s[j].crowd()])
-              if (q.raw() == s[k].poly()) s[k].raw |= across::special;
+              if (q.raw() == s[k].poly()) s[k].raw |= across::special, any = true;
+    return any;
   }
 
  private:

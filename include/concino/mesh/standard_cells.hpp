@@ -36,20 +36,17 @@ inline constexpr standard_cell standard_cells[] = {
 inline constexpr const standard_cell& table_of(cell_shape s) { return standard_cells[static_cast<unsigned>(s)]; }
 
 /// The volume under one face seen from `apex`, six times: the triangles from the face's mean point to its edges, positive if they turn
-/// away from the apex. point(i) is the i-th of the n verts.
+/// away from the apex. They are the mean point times the face's vector area. point(i) is the i-th of the n verts.
 template<class Point>
 double six_volumes_under(std::size_t n, const Point& point, const vec3& apex) {
-  vec3 middle;
-  for (std::size_t i = 0; i < n; ++i) middle += point(i) - apex;
-  middle /= static_cast<double>(n);
-  double sum = 0;
-  vec3 a = point(n - 1) - apex;
+  vec3 middle, doubled_area, a = point(n - 1) - apex;
   for (std::size_t i = 0; i < n; ++i) {
     const vec3 b = point(i) - apex;
-    sum += dot(middle, cross(a, b));
+    middle += b;
+    doubled_area += cross(a, b);
     a = b;
   }
-  return sum;
+  return dot(middle, doubled_area) / static_cast<double>(n);
 }
 
 /// Six times the signed volume of a standard cell, each face a fan about its mean point.
@@ -57,10 +54,15 @@ inline double six_volumes(cell_shape s, const vert_id* v, const std::vector<vec3
   const auto at = [&](unsigned i) -> const vec3& { return points[v[i].raw()]; };
   if (s == cell_shape::tet) return dot(at(1) - at(0), cross(at(2) - at(0), at(3) - at(0)));
   const standard_cell& t = table_of(s);
-  double sum = 0;
-  for (unsigned f = 0; f < t.num_faces; ++f)
-    sum += six_volumes_under(t.face_size[f], [&](std::size_t i) -> const vec3& { return at(t.face_vert[f][i]); }, at(0));
-  return sum;
+  vec3 q[8];
+  for (unsigned i = 0; i < t.num_verts; ++i) q[i] = at(i) - at(0);
+  double of_triangles = 0, of_quads = 0;
+  for (unsigned f = 0; f < t.num_faces; ++f) {
+    const std::uint8_t* const k = t.face_vert[f];
+    if (t.face_size[f] == 3) of_triangles += dot(q[k[0]], cross(q[k[1]], q[k[2]]));
+    else of_quads += dot(q[k[0]] + q[k[1]] + q[k[2]] + q[k[3]], cross(q[k[2]] - q[k[0]], q[k[3]] - q[k[1]]));
+  }
+  return of_triangles + of_quads / 4;
 }
 
 /// Puts the verts of a cell of negative volume into the standard order. Returns whether it did.

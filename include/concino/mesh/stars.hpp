@@ -8,10 +8,10 @@ namespace concino::detail {
 
 /// Neighbours and edges of every vert from the ends of every edge. degrees[v + 1] is the number of edges at v; `next` is scratch of one
 /// number a vert.
-inline void fill_stars(offsets degrees, const rows<vert_id, 2>& ends, std::vector<std::uint32_t>& next, rows<vert_id, 0>& v2v, rows<edge_id, 0>& v2e) {
+inline void fill_stars(offsets degrees, const rows<vert_id, 2>& ends, flat_array<std::uint32_t>& next, rows<vert_id, 0>& v2v, rows<edge_id, 0>& v2e) {
   v2v = make_rows<vert_id>(std::move(degrees));
-  v2e = {v2v.shape(), std::vector<edge_id>(v2v.num_values())};
-  std::copy_n(v2v.shape()->begin(), next.size(), next.begin());
+  v2e = {v2v.shape(), flat_array<edge_id>(v2v.num_values())};
+  std::copy_n(v2v.shape()->begin(), next.size(), next.data());
   vert_id* const verts = v2v.begin(0);
   edge_id* const edges = v2e.begin(0);
   for (std::size_t e = 0; e < ends.size(); ++e) {

@@ -74,7 +74,7 @@ class surface_tables {
     p2v_.add_row(corners.begin(), corners.end());
     sides_.add_poly(n);
     for (std::uint32_t k = 0; k < n; ++k) {
-      const vert_id a = corners[k], b = corners[k + 1 == n ? 0 : k + 1];
+      const vert_id a = adj_p2v(p)[k], b = adj_p2v(p)[k + 1 == n ? 0 : k + 1];  // corners may have lain in the row that moved
       edge_id e = detail::edge_between(v2v_, v2e_, a, b);
       if (e.is_none()) {
         e = detail::add_edge(edges_, e2v_, v2v_, v2e_, a, b);
@@ -128,7 +128,7 @@ class surface_tables {
     detail::offsets counts(vert_count + 1, 0);
     for (std::size_t c = 0; c < corner_count; ++c) ++counts[corner_vert[c].raw() + 1];
     v2p_ = detail::make_rows<poly_id>(std::move(counts));
-    std::vector<std::uint32_t> fill(vert_count);
+    detail::flat_array<std::uint32_t> fill(vert_count);
     for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p_.begin(v) - v2p_.begin(0));
     poly_id* const corners = v2p_.begin(0);
     if (Arity > 0 || !poly_of.empty()) {
@@ -139,11 +139,11 @@ class surface_tables {
     }
 
     // Every edge is met at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
-    if constexpr (Arity == 0) sides_ = {{p2v_.shape(), std::vector<edge_id>(corner_count)}, {p2v_.shape(), std::vector<detail::across>(corner_count)}};
-    else sides_ = {per_poly<edge_id>(poly_count, edge_id{}), per_poly<detail::across>(poly_count, detail::across{})};
-    std::vector<std::uint32_t>& edge_to = fill;
-    std::fill(edge_to.begin(), edge_to.end(), ~0u);
-    std::vector<vert_id> ends;
+    if constexpr (Arity == 0) sides_ = {{p2v_.shape(), detail::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shape(), detail::flat_array<detail::across>(corner_count)}};
+    else sides_ = {per_poly<edge_id>(poly_count, edge_id{}), per_poly<detail::across>(poly_count)};
+    detail::flat_array<std::uint32_t>& edge_to = fill;
+    std::fill_n(edge_to.data(), vert_count, ~0u);
+    detail::flat_array<vert_id> ends;
     const std::size_t guess = vert_count + poly_count + poly_count / 64 + 16;
     ends.reserve(2 * std::min(guess, corner_count));
     sides_.reserve_facets(std::min(guess, corner_count));
@@ -191,7 +191,7 @@ class surface_tables {
       }
     }
     sides_.finish();
-    detail::drop_spare_room(ends);
+    ends.give_back_spare_room();
     e2v_ = detail::rows<vert_id, 2>(std::move(ends));
 
     detail::fill_stars(std::move(degrees), e2v_, fill, v2v_, v2e_);
