@@ -378,3 +378,69 @@ TEST_CASE("read_off: binary") {
   CHECK(fails(bytes().i(1).i(0).i(0).f({0, std::numeric_limits<float>::infinity(), 0})));
   CHECK(line("OFF BINARY 3\n") == 1);
 }
+
+TEST_CASE("read_off: in binary, messages name the byte, and counts are as large as the file can hold") {
+  const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
+  const std::string head = "OFF BINARY\n", too_many = ", no more than the rest of the file can hold | something else at byte ";
+  CHECK(says(head + bytes().i(-1).i(0).i(0).text) == "1: the number of verts, not negative | something else at byte 11");
+  CHECK(says(head + bytes().i(0x80000000).i(0).i(0).text) == "1: the number of verts, not negative | something else at byte 11");
+  CHECK(says(head + bytes().i(0x7FFFFFFF).i(0).i(0).text) == "1: the number of verts" + too_many + "11");
+  CHECK(says(head + bytes().i(2).i(0).i(0).f({0, 0, 0}).text) == "1: the number of verts" + too_many + "11");
+  CHECK(says("4" + head + bytes().i(3).i(0).i(0).text + std::string(32, '\0')) == "1: the number of verts" + too_many + "12");
+  CHECK(says("N" + head + bytes().i(3).i(0).i(0).text + std::string(56, '\0')) == "1: the number of verts" + too_many + "12");
+  CHECK(says("C" + head + bytes().i(3).i(0).i(0).text + std::string(66, '\0')) == "1: the number of verts" + too_many + "12");
+  CHECK(says("ST" + head + bytes().i(3).i(0).i(0).text + std::string(40, '\0')) == "1: the number of verts" + too_many + "13");
+  CHECK(says(head + bytes().i(2).i(2).i(0).f({0, 0, 0, 0, 0, 0}).text + std::string(10, '\0')) == "1: the number of polys" + too_many + "15");
+  CHECK(says(head + bytes().i(0).i(0).text) == "1: the number of edges | the end of the file at byte 19");
+  CHECK(says(head + bytes().i(1).i(0).i(0).f({0, INFINITY, 0}).text) == "1: a finite number | something else at byte 27");
+  CHECK(says("n" + head + bytes().i(0).i(0).i(0).i(0).text) == "1: the dimension of the space, from 1 | something else at byte 12");
+  CHECK(says("4" + head + bytes().i(1).i(0).i(0).f({1, 2, 3, 0}).text) == "1: a weight w by which x y z can be divided | something else at byte 36");
+  const std::string three = head + bytes().i(3).i(1).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0}).text;
+  CHECK(says(three + bytes().i(2).i(0).i(1).i(0).i(0).text) == "1: a poly of at least three verts | something else at byte 59");
+  CHECK(says(three + bytes().i(4).i(0).i(1).i(2).text) == "1: the number of verts of a poly" + too_many + "59");
+  CHECK(says(three + bytes().i(3).i(0).i(1).i(3).i(0).text) == "1: the index of a vert, of 3 | something else at byte 71");
+  CHECK(says(three + bytes().i(3).i(0).i(1).i(1).i(0).text) == "1: different verts at the corners of a poly | vert 1 twice");
+  CHECK(says(three + bytes().i(3).i(0).i(1).i(2).i(5).text + std::string(20, '\0')) ==
+        "1: a colour of at most 4 numbers | something else at byte 75");
+  CHECK(says("# c\r\nOFF BINARY\r\n" + bytes().i(-1).i(0).i(0).text) == "2: the number of verts, not negative | something else at byte 17");
+  CHECK(complaint<trimesh>("OFF 4 1 0\n" + points + "4 0 1 2 3\n", file_format::off) ==
+        "6: a triangle (polygonmesh and load_any take any polygon) | a polygon of 4 corners");
+
+  CHECK(off("n" + head + bytes().i(12).i(0).i(0).i(0).text).points.empty());
+  CHECK(off("n" + head + bytes().i(1).i(1).i(0).i(0).f({7}).text).points[0] == vec3{7, 0, 0});
+  CHECK(off("n" + head + bytes().i(5).i(1).i(0).i(0).f({1, 2, 3, 4, 5}).text).points[0] == vec3{1, 2, 3});
+  bytes colors, polys, ring;
+  colors.i(10).i(0).i(0);
+  for (int i = 0; i < 10; ++i) colors.f({0, 0, 0, 1, 1, 1, 1});
+  CHECK(off("C" + head + colors.text).points.size() == 10);
+  polys.i(3).i(50).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  for (int i = 0; i < 50; ++i) polys.i(3).i(0).i(1).i(2).i(0);
+  CHECK(off(head + polys.text).num_polys() == 50);
+  ring.i(30).i(1).i(0);
+  for (int i = 0; i < 30; ++i) ring.f({static_cast<float>(i), 0, 0});
+  ring.i(30);
+  for (int i = 0; i < 30; ++i) ring.i(i);
+  CHECK(off(head + ring.i(0).text).verts.size() == 30);
+}
+
+TEST_CASE("read_off: in binary, what follows the corners is a colour, an index of one, or odd") {
+  bytes b;
+  b.i(3).i(7).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const auto poly = [&]() -> bytes& { return b.i(3).i(0).i(1).i(2); };
+  poly().i(4).f({0.5f, 0.25f, 1, 0.75f});
+  poly().i(1).f({0.5f});
+  poly().i(1).f({2147483648.0f});
+  poly().i(2).f({1, 2});
+  poly().i(1).f({-2147483520.0f});
+  poly().i(3).f({1, 0, 0.5f});
+  poly().i(0);
+  load_report r;
+  const auto m = mesh("OFF BINARY\n" + b.text, &r);
+  const auto color = find_poly_property<rgba>(m, "color");
+  CHECK(color[poly_id{0}] == rgba{0.5f, 0.25f, 1, 0.75f});
+  CHECK(color[poly_id{5}] == rgba{1, 0, 0.5f});
+  CHECK(color[poly_id{6}] == rgba{});
+  CHECK(find_poly_property<int>(m, "label")[poly_id{4}] == -2147483520);
+  CHECK(find_poly_property<int>(m, "label")[poly_id{1}] == 0);
+  CHECK(r.skipped == list{"3 polys with numbers after the corners that are no colour"});
+}

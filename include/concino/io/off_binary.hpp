@@ -53,11 +53,11 @@ class off_binary_reader {
   off_header& header_;
   const wanted_mesh& wanted_;
   load_report& report_;
-  const char* line_;  // errors name the line where the numbers begin: after it there are no lines
+  const char* line_;  // errors name the line of the word BINARY: after it there are no lines
 
  public:
   off_binary_reader(text_cursor& in, off_header& header, const wanted_mesh& wanted, load_report& report)
-      : in_(in), header_(header), wanted_(wanted), report_(report), line_(in.at - 1) {}
+      : in_(in), header_(header), wanted_(wanted), report_(report), line_(in.at - 2) {}
 
   void read(surface_arrays& out, file_contents& extra, std::uint32_t& arity) {
     if (header_.any_dimension) {
