@@ -62,6 +62,20 @@ TEST_CASE("says_number: only what is written again the same way") {
   CHECK(says_number("label_7", "label_", i));
   CHECK(i == 7);
   CHECK(says_number("label_-2147483648", "label_", i));
-  for (const char* bad : {"label_", "label_07", "label_7 ", "label_+7", "label_7x", "label_2147483648", "Label_7", "7", "", "label_-0"})
+  for (const char* bad : {"label_", "label_07", "label_7 ", "label_+7", "label_7x", "label_2147483648", "Label_7", "7", "", "label_-0", "label_-07", "label_2147483648", "label_-2147483649", "label_99999999999999999999"})
     CHECK_MESSAGE(!says_number(bad, "label_", i), bad);
+}
+
+TEST_CASE("name_table: many names keep their numbers") {
+  name_table names;
+  CHECK(names.find("") == name_table::none);
+  for (std::size_t i = 0; i < 1000; ++i) CHECK(names.add("name " + std::to_string(i)) == i);
+  CHECK(names.add("") == 1000);
+  CHECK(names.size() == 1001);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    CHECK(names.find("name " + std::to_string(i)) == i);
+    CHECK(names[i] == "name " + std::to_string(i));
+  }
+  CHECK(names.add("name 7") == 7);
+  CHECK(names.find("name 1000") == name_table::none);
 }

@@ -28,22 +28,22 @@ detail::material_library library(const std::string& text, load_report& r) {
 
 TEST_CASE("read_mtl: colours of materials, whatever else there is") {
   load_report r;
-  const auto l = library(
+  auto l = library(
       "# c\r\nKd 9 9 9\nnewmtl  a b # c\n  Ka 1 1 1\n\tKd 0.5 0 1 # c\nd 0.25\nmap_Kd x.png\n\nnewmtl none\nillum 2\n"
       "newmtl xyz\nKd xyz 1 1 1\nnewmtl a b\nKd 0 0 0\nnewmtl last\nd -halo 1\nKd 1 1 0",
       r);
-  CHECK(l.colors.size() == 2);
-  CHECK(l.colors.find("a b")->second == rgba{0.5f, 0, 1, 0.25f});
-  CHECK(l.colors.find("last")->second == rgba{1, 1, 0});
+  CHECK(l.names.size() == 2);
+  CHECK(l.colors[l.names.find("a b")] == rgba{0.5f, 0, 1, 0.25f});
+  CHECK(l.colors[l.names.find("last")] == rgba{1, 1, 0});
   CHECK(l.num_textures == 1);
   CHECK(r.notes.empty());
-  CHECK(library("", r).colors.empty());
+  CHECK(library("", r).names.size() == 0);
 }
 
 TEST_CASE("read_mtl: what is wrong with a library is a note") {
   load_report r;
-  const auto l = library("newmtl a\nKd 1 2\nKd 1 x 2\nnewmtl b\nKd 0 0 0\n", r);
-  CHECK(l.colors.size() == 1);
+  auto l = library("newmtl a\nKd 1 2\nKd 1 x 2\nnewmtl b\nKd 0 0 0\n", r);
+  CHECK(l.names.size() == 1);
   REQUIRE(r.notes.size() == 1);
   CHECK(r.notes[0].starts_with("t.mtl:2: expected three numbers after Kd"));
 }

@@ -6,11 +6,12 @@
 #include <concino/io/name_runs.hpp>
 #include <concino/io/options.hpp>
 #include <concino/mesh/arrays.hpp>
+#include <concino/mesh/property_set.hpp>
 #include <concino/mesh/large_pages.hpp>
 
 #include <array>
 #include <string_view>
-#include <variant>
+#include <type_traits>
 
 namespace concino::detail {
 
@@ -22,16 +23,46 @@ struct wanted_mesh {
   std::uint32_t arity = 0;  // verts of every poly where fixed: 3 or 4 for surfaces, 4 or 8 for volumes
 };
 
+/// Values that a file gives to elements, in their order; those that it leaves out have the default.
+template<class T>
+class given_values {
+  column values_{values_of<T>};
+
+ public:
+  bool empty() const { return values_.size() == 0; }
+  std::size_t size() const { return values_.size(); }
+  T& operator[](std::size_t i) { return static_cast<T*>(values_.data())[i]; }
+  void resize(std::size_t n) { values_.resize(n); }
+  void push_back(const T& x) {
+    const std::size_t n = size();
+    values_.resize(n + 1);
+    (*this)[n] = x;
+  }
+  const column& values() const { return values_; }
+};
+
+enum class held_mesh : std::uint8_t { surface, cells, polyhedra };
+
 struct file_contents {
-  std::variant<surface_arrays, cell_arrays, polyhedra_arrays> arrays;
+  held_mesh held = held_mesh::surface;
+  surface_arrays surface;
   std::vector<int> vert_labels;  // empty, like all that follows, where the file has none
   std::vector<int> poly_labels;
-  std::vector<rgba> vert_colors;
-  std::vector<rgba> poly_colors;
-  std::vector<vec3> vert_normals;
-  std::vector<std::array<double, 2>> vert_textures;
+  given_values<rgba> vert_colors;
+  given_values<rgba> poly_colors;
+  given_values<vec3> vert_normals;
+  given_values<std::array<double, 2>> vert_textures;
   name_runs objects, groups, materials;  // of polys
 };
+
+struct volume_contents : file_contents {
+  cell_arrays cells;
+  polyhedra_arrays polyhedra;
+};
+
+/// Programs that read surfaces only need not compile the rest.
+template<bool Volumes>
+using contents_of = std::conditional_t<Volumes, volume_contents, file_contents>;
 
 /// What readers are handed.
 struct read_context {

@@ -23,54 +23,60 @@ inline constexpr bool from_cells = std::constructible_from<M, cell_arrays&&>;
 template<class M>
 inline constexpr bool from_polyhedra = std::constructible_from<M, polyhedra_arrays&&>;
 
-/// Readers of what M cannot be are not compiled.
-template<class M>
-file_contents read_contents(std::string_view text, std::string_view name, file_format format, const load_options& options, bool is_file) {
-  constexpr bool surface = from_surface<M>, volume = from_cells<M> || from_polyhedra<M>;
-  load_report unheard, &report = options.report ? *options.report : unheard;
-  report = {};
-  const wanted_mesh wanted{surface, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
-  const read_context context{text, name, wanted, &report, &options.progress, is_file};
-  file_contents contents;
+/// Readers of what is not wanted are not compiled.
+template<bool Surfaces, bool Volumes>
+void read_contents(const read_context& context, file_format format, contents_of<Volumes>& out) {
+  *context.report = {};
   if (format == file_format::obj) {
-    if constexpr (surface) contents = read_obj(context);
-    else throw_wrong_dimension(name, false);
+    if constexpr (Surfaces) read_obj(context, out);
+    else throw_wrong_dimension(context.name, false);
   } else if (format == file_format::off) {
-    if constexpr (surface) contents = read_off(context);
-    else throw_wrong_dimension(name, false);
+    if constexpr (Surfaces) read_off(context, out);
+    else throw_wrong_dimension(context.name, false);
   } else if (format == file_format::medit) {
-    contents = read_medit<surface, volume>(context);
+    read_medit<Surfaces, Volumes>(context, out);
   } else {
-    if constexpr (volume) contents = read_hedra(context);
-    else throw_wrong_dimension(name, true);
+    if constexpr (Volumes) read_hedra(context, out);
+    else throw_wrong_dimension(context.name, true);
   }
-  tell(options.progress, 1.0, "reading");
-  return contents;
+  tell(*context.progress, 1.0, "reading");
 }
 
+/// Of what M can be.
 template<class M>
-M mesh_of(file_contents&& contents, std::string_view name, load_report* report) {
+M mesh_of(file_contents& contents, load_report* report) {
+  M m(std::move(contents.surface));
+  give_properties(m, contents, report);
+  return m;
+}
+template<class M>
+M mesh_of(volume_contents& contents, std::string_view name, load_report* report) {
   const auto with_properties = [&](M m) {
     give_properties(m, contents, report);
     return m;
   };
-  if (auto* surface = std::get_if<surface_arrays>(&contents.arrays)) {
-    if constexpr (from_surface<M>) return with_properties(M(std::move(*surface)));
-    else throw_wrong_dimension(name, false, surface->num_polys());
-  } else if (auto* cells = std::get_if<cell_arrays>(&contents.arrays)) {
-    if constexpr (from_cells<M>) return with_properties(M(std::move(*cells)));
-    else if constexpr (from_polyhedra<M>) return with_properties(M(to_polyhedra(std::move(*cells))));
-    else throw_wrong_dimension(name, true, cells->num_polys());
+  if (contents.held == held_mesh::surface) {
+    if constexpr (from_surface<M>) return with_properties(M(std::move(contents.surface)));
+    else throw_wrong_dimension(name, false, contents.surface.num_polys());
+  } else if (contents.held == held_mesh::cells) {
+    if constexpr (from_cells<M>) return with_properties(M(std::move(contents.cells)));
+    else if constexpr (from_polyhedra<M>) return with_properties(M(to_polyhedra(std::move(contents.cells))));
+    else throw_wrong_dimension(name, true, contents.cells.num_polys());
   } else {
-    auto& any = std::get<polyhedra_arrays>(contents.arrays);
-    if constexpr (from_polyhedra<M>) return with_properties(M(std::move(any)));
-    else throw_wrong_dimension(name, true, any.num_polys());
+    if constexpr (from_polyhedra<M>) return with_properties(M(std::move(contents.polyhedra)));
+    else throw_wrong_dimension(name, true, contents.polyhedra.num_polys());
   }
 }
 
 template<class M>
 M load_from(std::string_view text, std::string_view name, file_format format, const load_options& options, bool is_file) {
-  return mesh_of<M>(read_contents<M>(text, name, format, options, is_file), name, options.report);
+  constexpr bool surface = from_surface<M>, volume = from_cells<M> || from_polyhedra<M>;
+  load_report unheard;
+  const wanted_mesh wanted{surface, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
+  contents_of<volume> contents;
+  read_contents<surface, volume>({text, name, wanted, options.report ? options.report : &unheard, &options.progress, is_file}, format, contents);
+  if constexpr (volume) return mesh_of<M>(contents, name, options.report);
+  else return mesh_of<M>(contents, options.report);
 }
 
 }  // namespace detail

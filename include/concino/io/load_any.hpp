@@ -24,18 +24,17 @@ template<class Variant = any_mesh>  // a template only so that programs that do 
 Variant load_any(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
   const detail::mapped_file file(path);
-  auto contents =
-      detail::read_contents<std::variant<surface_arrays, cell_arrays, polyhedra_arrays>>(file.text(), path, format, options, true);
-  const auto make = [&]<class M>(std::type_identity<M>) -> Variant {
-    return detail::mesh_of<M>(std::move(contents), path, options.report);
-  };
-  if (const auto* surface = std::get_if<surface_arrays>(&contents.arrays)) {
-    if (surface->arity == 3) return make(std::type_identity<trimesh>{});
-    if (surface->arity == 4) return make(std::type_identity<quadmesh>{});
+  load_report unheard;
+  detail::volume_contents contents;
+  detail::read_contents<true, true>({file.text(), path, {}, options.report ? options.report : &unheard, &options.progress, true}, format, contents);
+  const auto make = [&]<class M>(std::type_identity<M>) -> Variant { return detail::mesh_of<M>(contents, path, options.report); };
+  if (contents.held == detail::held_mesh::surface) {
+    if (contents.surface.arity == 3) return make(std::type_identity<trimesh>{});
+    if (contents.surface.arity == 4) return make(std::type_identity<quadmesh>{});
     return make(std::type_identity<polygonmesh>{});
   }
-  if (const auto* cells = std::get_if<cell_arrays>(&contents.arrays))
-    return cells->arity == 4 ? make(std::type_identity<tetmesh>{}) : make(std::type_identity<hexmesh>{});
+  if (contents.held == detail::held_mesh::cells)
+    return contents.cells.arity == 4 ? make(std::type_identity<tetmesh>{}) : make(std::type_identity<hexmesh>{});
   return make(std::type_identity<polyhedralmesh>{});
 }
 

@@ -23,8 +23,16 @@ class message_piece {
   message_piece(I number) : number_(number), is_number_(true) {}
 
   void add_to(std::string& s) const {
-    if (is_number_) s += std::to_string(number_);
-    else s += text_;
+    if (!is_number_) {
+      s.append(text_);
+      return;
+    }
+    char digits[20];
+    char* at = digits + 20;
+    std::uint64_t rest = number_;
+    do *--at = static_cast<char>('0' + rest % 10);
+    while (rest /= 10);
+    s.append(std::string_view(at, static_cast<std::size_t>(digits + 20 - at)));
   }
 };
 

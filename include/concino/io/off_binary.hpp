@@ -72,12 +72,12 @@ class off_binary_reader {
       out.points.push_back(point());
       if (header_.normal) {
         const double x = real(), y = real();
-        extra.vert_normals.push_back({x, y, real()});
+        extra.vert_normals.push_back(vec3{x, y, real()});
       }
       if (header_.color) extra.vert_colors.push_back(color(4));
       if (header_.texture) {
         const double s = real();
-        extra.vert_textures.push_back({s, real()});
+        extra.vert_textures.push_back(std::array<double, 2>{s, real()});
       }
       in_.tell();
     }

@@ -6,75 +6,87 @@
 
 namespace concino::detail {
 
+/// The property `name`, of values that are copied as bytes: the i-th goes to the element with index where[i].
+inline void give_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
+                        const std::vector<std::uint32_t>& where, std::size_t bound) {
+  unsigned char* const to = static_cast<unsigned char*>(all.get(kind, name, type, bound)->data());
+  const unsigned char* from = static_cast<const unsigned char*>(values);
+  for (const std::uint32_t i : where) {
+    std::memcpy(to + i * type.size, from, type.size);
+    from += type.size;
+  }
+}
+
+inline void give_to_verts(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+  const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
+    if (n) give_values(all, element_kind::vert, name, type, values, where, bound);
+  };
+  give("label", values_of<int>, contents.vert_labels.size(), contents.vert_labels.data());
+  give("color", values_of<rgba>, contents.vert_colors.size(), contents.vert_colors.values().data());
+  give("normal", values_of<vec3>, contents.vert_normals.size(), contents.vert_normals.values().data());
+  give("texture", values_of<std::array<double, 2>>, contents.vert_textures.size(), contents.vert_textures.values().data());
+}
+
+inline void give_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound) {
+  if (names.empty()) return;
+  std::string* const to = static_cast<std::string*>(all.get(element_kind::poly, name, values_of<std::string>, bound)->data());
+  names.for_each(where.size(), [&](std::size_t i, std::size_t end, std::string_view text) {
+    for (; i != end; ++i) to[where[i]].assign(text.data(), text.size());
+  });
+}
+
+inline void give_to_polys(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+  const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
+    if (n) give_values(all, element_kind::poly, name, type, values, where, bound);
+  };
+  give("label", values_of<int>, contents.poly_labels.size(), contents.poly_labels.data());
+  give("color", values_of<rgba>, contents.poly_colors.size(), contents.poly_colors.values().data());
+  give_names(all, "object", contents.objects, where, bound);
+  give_names(all, "group", contents.groups, where, bound);
+  give_names(all, "material", contents.materials, where, bound);
+}
+
+inline void tell_of_skipped(const file_contents& contents, load_report& report) {
+  const auto skipped = [&](bool is_empty, const char* what) {
+    if (!is_empty) report.skipped.push_back(what);
+  };
+  skipped(contents.vert_labels.empty(), "labels of verts");
+  skipped(contents.vert_colors.empty(), "colours of verts");
+  skipped(contents.vert_normals.empty(), "normals of verts");
+  skipped(contents.vert_textures.empty(), "texture coordinates of verts");
+  skipped(contents.poly_labels.empty(), "labels of polys");
+  skipped(contents.poly_colors.empty(), "colours of polys");
+  skipped(contents.objects.empty(), "names of objects");
+  skipped(contents.groups.empty(), "names of groups");
+  skipped(contents.materials.empty(), "names of materials");
+}
+
 /// What the file says about elements as properties, where the mesh can have them: "label", "color", "normal", "texture", "object", "group",
 /// "material". Elements are walked in the order of the file.
 template<class M>
-void give_properties(M& m, const file_contents& contents, load_report* report) {
+void give_properties(M& m, file_contents& contents, load_report* report) {
   if constexpr (HasProperties<M>) {
-    const auto give = [](const auto& values, const auto& elements, const auto& property) {
-      std::size_t i = 0;
-      for (auto x : elements) property[x] = values[i++];
-    };
-    const auto give_names = [&](const name_runs& names, const char* name) {
-      const auto property = poly_property<std::string>(m, name);
-      const auto& all = polys(m);
-      auto p = all.begin();
-      names.for_each(static_cast<std::size_t>(num_polys(m)), [&](std::size_t i, std::size_t end, std::string_view text) {
-        for (; i != end; ++i, ++p) property[*p] = text;
-      });
-    };
-    if (!contents.vert_labels.empty()) give(contents.vert_labels, verts(m), vert_property<int>(m, "label"));
-    if (!contents.vert_colors.empty()) give(contents.vert_colors, verts(m), vert_property<rgba>(m, "color"));
-    if (!contents.vert_normals.empty()) give(contents.vert_normals, verts(m), vert_property<vec3>(m, "normal"));
-    if (!contents.vert_textures.empty()) give(contents.vert_textures, verts(m), vert_property<std::array<double, 2>>(m, "texture"));
-    if (!contents.poly_labels.empty()) give(contents.poly_labels, polys(m), poly_property<int>(m, "label"));
-    if (!contents.poly_colors.empty()) give(contents.poly_colors, polys(m), poly_property<rgba>(m, "color"));
-    if (!contents.objects.empty()) give_names(contents.objects, "object");
-    if (!contents.groups.empty()) give_names(contents.groups, "group");
-    if (!contents.materials.empty()) give_names(contents.materials, "material");
+    std::vector<std::uint32_t> where;
+    if (!contents.vert_labels.empty() || !contents.vert_colors.empty() || !contents.vert_normals.empty() || !contents.vert_textures.empty()) {
+      for (const vert_t<M> v : verts(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, v)));
+      give_to_verts(traits<M>::properties(m), contents, where, vert_index_bound(m));
+      where.clear();
+    }
+    if (!contents.poly_labels.empty() || !contents.poly_colors.empty() || !contents.objects.empty() || !contents.groups.empty() ||
+        !contents.materials.empty()) {
+      for (const poly_t<M> p : polys(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, p)));
+      give_to_polys(traits<M>::properties(m), contents, where, poly_index_bound(m));
+    }
   } else if (report) {
-    const auto skipped = [&](const auto& values, const char* what) {
-      if (!values.empty()) report->skipped.push_back(what);
-    };
-    skipped(contents.vert_labels, "labels of verts");
-    skipped(contents.vert_colors, "colours of verts");
-    skipped(contents.vert_normals, "normals of verts");
-    skipped(contents.vert_textures, "texture coordinates of verts");
-    skipped(contents.poly_labels, "labels of polys");
-    skipped(contents.poly_colors, "colours of polys");
-    skipped(contents.objects, "names of objects");
-    skipped(contents.groups, "names of groups");
-    skipped(contents.materials, "names of materials");
+    tell_of_skipped(contents, *report);
   }
 }
 
-/// In the place of a property that is not there.
-template<class T>
-struct no_property {
-  explicit operator bool() const { return false; }
-  template<class X>
-  T operator[](const X&) const {
-    return T{};
-  }
-};
-
-/// The property of that name and type, to be read; tests false if there is none or it is of another type.
-template<element_kind Kind, class T, class M>
-auto property_if_any(const M& m, std::string_view name) {
-  if constexpr (HasProperties<M>) {
-    bool has = false;
-    for (const property_info& p : property_list(m)) has = has || (p.kind == Kind && p.name == name && *p.type == typeid(T));
-    if constexpr (Kind == element_kind::vert) return has ? find_vert_property<T>(m, name) : property_map<vert_t<M>, const T>{};
-    else return has ? find_poly_property<T>(m, name) : property_map<poly_t<M>, const T>{};
-  } else {
-    return no_property<T>{};
-  }
-}
-
-/// What to ask for the label of a vert or poly: the property "label" if there is one of int, else 0.
-template<element_kind Kind, class M>
-auto int_labels(const M& m) {
-  return [labels = property_if_any<Kind, int>(m, "label")](const auto& x) { return labels ? labels[x] : 0; };
+/// The values of the property of that name and type by the indices of elements; null if m has none such.
+template<class T, class M>
+const T* values_if_any(const M& m, element_kind kind, std::string_view name) {
+  if constexpr (HasProperties<M>) return static_cast<const T*>(traits<M>::properties(m).values_if_any(kind, name, typeid(T)));
+  else return nullptr;
 }
 
 /// What a format keeps of the properties of m.
@@ -84,16 +96,15 @@ struct kept_property {
   const std::type_info* type;
 };
 
-/// Says which properties of m a format drops: all but those in `kept`.
-template<class M>
-void tell_of_lost_properties(const M& m, const std::vector<kept_property>& kept, std::string_view format, std::vector<std::string>& lost) {
-  if constexpr (HasProperties<M>)
-    for (const property_info& p : property_list(m)) {
-      bool is_kept = false;
-      for (const kept_property& k : kept) is_kept = is_kept || (p.kind == k.kind && p.name == k.name && *p.type == *k.type);
-      if (!is_kept)
-        lost.push_back(std::string(to_string(p.kind)) + " property \"" + p.name + "\": " + std::string(format) + " has no place for it");
-    }
+/// Says which properties a format drops: all but those in `kept`.
+inline void tell_of_lost_properties(const property_set& all, const kept_property* kept, std::size_t num_kept, std::string_view format,
+                                    std::vector<std::string>& lost) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const property_info p = all.info(i);
+    bool is_kept = false;
+    for (std::size_t k = 0; k < num_kept; ++k) is_kept = is_kept || (p.kind == kept[k].kind && kept[k].name == p.name && *p.type == *kept[k].type);
+    if (!is_kept) lost.push_back(joined({to_string(p.kind), " property \"", p.name, "\": ", format, " has no place for it"}));
+  }
 }
 
 }  // namespace concino::detail

@@ -17,7 +17,7 @@ class hedra_reader : token_cursor {
  public:
   hedra_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {}
 
-  file_contents read() {
+  void read(volume_contents& out) {
     skip();
     if (at_end()) fail(end(), {"the numbers of verts, faces and polyhedra"});
     const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8),
@@ -33,10 +33,9 @@ class hedra_reader : token_cursor {
     if (report_.reoriented_polys)
       report_.notes.push_back(joined({report_.reoriented_polys, " of ", np,
                                       " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
-    file_contents contents;
-    if (wanted_.polyhedra) contents.arrays = std::move(out_);
-    else contents.arrays = cells();
-    return contents;
+    out.held = wanted_.polyhedra ? held_mesh::polyhedra : held_mesh::cells;
+    if (wanted_.polyhedra) out.polyhedra = std::move(out_);
+    else out.cells = cells();
   }
 
  private:
@@ -144,6 +143,6 @@ class hedra_reader : token_cursor {
 /// Cost:   O(size of the text), and sorting the edges of each polyhedron.
 /// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
 ///         polyhedron that the wanted mesh cannot hold, text after the last.
-inline file_contents read_hedra(const read_context& context) { return hedra_reader(context).read(); }
+inline void read_hedra(const read_context& context, volume_contents& out) { hedra_reader(context).read(out); }
 
 }  // namespace concino::detail

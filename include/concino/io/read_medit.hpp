@@ -34,7 +34,7 @@ class medit_reader : token_cursor {
  public:
   medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report) {}
 
-  file_contents read() {
+  void read(contents_of<Volumes>& out) {
     skip();
     if (at_end()) fail(end(), {"MeshVersionFormatted"});
     const char* const from = at;
@@ -47,7 +47,7 @@ class medit_reader : token_cursor {
     }
     if (!ended_) report_.notes.push_back("the file has no End: it may be cut off");
     if (!has_verts_) fail(end(), {"a section Vertices"});
-    return finish();
+    finish(out);
   }
 
  private:
@@ -179,7 +179,7 @@ class medit_reader : token_cursor {
          {"an element of section ", s.keyword});
   }
 
-  file_contents finish() {
+  void finish(contents_of<Volumes>& out) {
     bool has_cells = polys_ > 0;
     for (const part& p : put_off_) has_cells = has_cells || (p.section->volume && p.count > 0);
     for (const part& p : put_off_) {
@@ -204,21 +204,20 @@ class medit_reader : token_cursor {
     if (has_cells && !Volumes) throw_wrong_dimension(name(), true, polys_);
     if (!has_cells && !Surfaces && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
 
-    file_contents out;
     if (!vert_labels_.empty()) vert_labels_.resize(points_.size(), 0);
     if (!poly_labels_.empty()) poly_labels_.resize(polys_, 0);
     out.vert_labels = std::move(vert_labels_);
     out.poly_labels = std::move(poly_labels_);
     const bool volume = has_cells || !Surfaces;
     if constexpr (Surfaces)
-      if (!volume) out.arrays = surface();
+      if (!volume) out.surface = surface();
     if constexpr (Volumes)
       if (volume) {
         const bool fits = wanted_.cells && shapes_.empty() && (!only_ || only_->arity == 4 || only_->arity == 8);
-        if (fits) out.arrays = cell_arrays{std::move(points_), std::move(verts_), only_ ? only_->arity : wanted_.arity ? wanted_.arity : 4};
-        else out.arrays = polyhedra();
+        out.held = fits ? held_mesh::cells : held_mesh::polyhedra;
+        if (fits) out.cells = cell_arrays{std::move(points_), std::move(verts_), only_ ? only_->arity : wanted_.arity ? wanted_.arity : 4};
+        else out.polyhedra = polyhedra();
       }
-    return out;
   }
 
   surface_arrays surface() {
@@ -253,8 +252,8 @@ class medit_reader : token_cursor {
 ///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
 ///         or the reverse.
 template<bool Surfaces, bool Volumes>
-file_contents read_medit(const read_context& context) {
-  return medit_reader<Surfaces, Volumes>(context).read();
+void read_medit(const read_context& context, contents_of<Volumes>& out) {
+  medit_reader<Surfaces, Volumes>(context).read(out);
 }
 
 }  // namespace concino::detail

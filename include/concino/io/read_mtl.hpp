@@ -5,13 +5,12 @@
 #include <concino/io/mapped_file.hpp>
 #include <concino/io/text_cursor.hpp>
 
-#include <map>
-
 namespace concino::detail {
 
 struct material_library {
-  std::map<std::string, rgba, std::less<>> colors;  // of the materials that have one
-  std::size_t num_textures = 0;                     // map_Kd and the like
+  name_table names;           // of the materials that have a colour
+  given_values<rgba> colors;  // of each
+  std::size_t num_textures = 0;  // map_Kd and the like
 };
 
 /// Adds what a text says: newmtl, Kd and d; of materials of one name the first counts.
@@ -23,7 +22,10 @@ inline void read_mtl(std::string_view text, std::string_view name, material_libr
   bool has_color = false;
   std::size_t num_bad = 0;
   const auto end_material = [&] {
-    if (is_new && has_color) library.colors.emplace(material, color);
+    if (is_new && has_color) {
+      library.names.add(material);
+      library.colors.push_back(color);
+    }
     has_color = false;
     color = {};
   };
@@ -47,8 +49,8 @@ inline void read_mtl(std::string_view text, std::string_view name, material_libr
           else ++p;
         }
         while (to != from && is_blank(to[-1])) --to;
-        material.assign(from, to);
-        is_new = !library.colors.contains(material);
+        material.assign(from, static_cast<std::size_t>(to - from));
+        is_new = library.names.find(material) == name_table::none;
       } else if (word == "Kd" && !in.at_end() && !is_letter(*in.at)) {  // Kd spectral, Kd xyz: other ways to say a colour
         float* const parts[] = {&color.r, &color.g, &color.b};
         for (float* const part : parts) {
@@ -62,7 +64,7 @@ inline void read_mtl(std::string_view text, std::string_view name, material_libr
         ++library.num_textures;
       }
     } catch (const parse_error& e) {
-      if (num_bad++ == 0) report.notes.push_back(std::string(e.what()) + "; such lines were skipped");
+      if (num_bad++ == 0) report.notes.push_back(joined({e.what(), "; such lines were skipped"}));
       in.at = line;
     }
     in.skip_line();
@@ -72,10 +74,11 @@ inline void read_mtl(std::string_view text, std::string_view name, material_libr
 
 /// The library of that name beside the file of the context, or null.
 inline bool read_library(const read_context& context, std::string name, material_library& library) {
-  std::replace(name.begin(), name.end(), '\\', '/');
+  for (char& c : name)
+    if (c == '\\') c = '/';
   if (name.starts_with('/') || (name.size() > 1 && name[1] == ':')) name.erase(0, name.rfind('/') + 1);  // a path of another machine
   const std::size_t slash = context.name.rfind('/');
-  const std::string path = std::string(slash == std::string_view::npos ? std::string_view{} : context.name.substr(0, slash + 1)) + name;
+  const std::string path = joined({context.name.substr(0, slash == std::string_view::npos ? 0 : slash + 1), name});
   if (name.empty() || ::access(path.c_str(), F_OK) != 0) return false;
   try {
     const mapped_file file(path);
@@ -93,32 +96,37 @@ inline void color_polys(const read_context& context, const std::vector<std::stri
   material_library library;
   for (const std::string& line : lines) {
     if (!context.is_file) {
-      report.notes.push_back("material library '" + line + "': not read, the text has no folder");
+      report.notes.push_back(joined({"material library '", line, "': not read, the text has no folder"}));
       continue;
     }
     if (read_library(context, line, library)) continue;
     for (std::size_t at = 0; at < line.size();) {  // a name may have blanks, and a line many names
       const std::size_t end = std::min(line.find(' ', at), line.size());
       if (end > at && !read_library(context, line.substr(at, end - at), library))
-        report.notes.push_back("material library '" + line.substr(at, end - at) + "': there is no such file beside this one");
+        report.notes.push_back(joined({"material library '", line.substr(at, end - at), "': there is no such file beside this one"}));
       at = end + 1;
     }
   }
   if (library.num_textures) report.skipped.push_back(joined({library.num_textures, " textures of materials (map_Kd and the like)"}));
   bool any = false;
-  std::map<std::string, bool, std::less<>> missing;  // one note for all
+  name_table missing;  // one note for all
   contents.materials.for_each(polys, [&](std::size_t, std::size_t, std::string_view name) {
-    const bool known = library.colors.contains(name);
+    const bool known = library.names.find(name) != name_table::none;
     any = any || known;
-    if (!known && !name.empty()) missing.emplace(name, true);
+    if (!known && !name.empty()) missing.add(name);
   });
   if (!any) return;
-  if (!missing.empty())
-    report.notes.push_back(joined({missing.size(), " materials have no colour in a library: white; '", missing.begin()->first, "'"}));
-  contents.poly_colors.reserve(polys);
-  contents.materials.for_each(polys, [&](std::size_t, std::size_t end, std::string_view name) {
-    const auto color = library.colors.find(name);
-    contents.poly_colors.resize(end, color == library.colors.end() ? rgba{} : color->second);
+  if (missing.size() > 0) {
+    std::size_t first = 0;  // of the alphabet
+    for (std::size_t i = 1; i < missing.size(); ++i)
+      if (std::string_view(missing[i]) < missing[first]) first = i;
+    report.notes.push_back(joined({missing.size(), " materials have no colour in a library: white; '", missing[first], "'"}));
+  }
+  contents.poly_colors.resize(polys);
+  contents.materials.for_each(polys, [&](std::size_t p, std::size_t end, std::string_view name) {
+    const std::size_t color = library.names.find(name);
+    if (color == name_table::none) return;
+    for (; p != end; ++p) contents.poly_colors[p] = library.colors[color];
   });
   int ignored = 0;
   contents.materials.rename(

@@ -11,8 +11,8 @@ namespace concino::detail {
 class obj_reader : text_cursor {
   const read_context& context_;
   const wanted_mesh& wanted_;
-  surface_arrays out_;
-  file_contents extra_;                                                      // but the arrays
+  file_contents& extra_;
+  surface_arrays& out_;
   std::vector<std::string> libraries_;                                       // of materials
   std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // how many there are in the end, once that is known
   std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // largest index met
@@ -23,9 +23,10 @@ class obj_reader : text_cursor {
   std::vector<vert_id> scratch_;
 
  public:
-  obj_reader(const read_context& c) : text_cursor(c.text, c.name, c.progress), context_(c), wanted_(c.wanted) {}
+  obj_reader(const read_context& c, file_contents& out)
+      : text_cursor(c.text, c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out), out_(out.surface) {}
 
-  file_contents read(load_report& report) {
+  void read(load_report& report) {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
     if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), {"verts and faces"}, {"an empty file"});
     if (wanted_.surface) arity_ = wanted_.arity;
@@ -45,8 +46,6 @@ class obj_reader : text_cursor {
     tell_of_skipped(report);
     if (!extra_.vert_colors.empty()) extra_.vert_colors.resize(out_.points.size());
     end_names(report);
-    extra_.arrays = std::move(out_);
-    return std::move(extra_);
   }
 
  private:
@@ -62,8 +61,11 @@ class obj_reader : text_cursor {
   }
 
   void restart(const char* from) {
-    out_ = {};
-    extra_ = {};
+    out_.points.clear();
+    out_.offsets.clear();
+    out_.verts.clear();
+    extra_.vert_colors.resize(0);
+    for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) names->clear();
     libraries_.clear();
     at = from;
     num_textures_ = num_normals_ = 0;
@@ -136,7 +138,7 @@ class obj_reader : text_cursor {
       return;
     }
     extra_.vert_colors.resize(out_.points.size() - 1);
-    extra_.vert_colors.push_back({static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
+    extra_.vert_colors.push_back(rgba{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
   }
 
   /// An index of the file, from 1 or from the end of what has been read so far, to one from 1.
@@ -279,6 +281,6 @@ class obj_reader : text_cursor {
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a number that is none or not finite, of an index out of range, of a poly of fewer than three
 ///         verts or with a vert twice, of a poly that the wanted mesh cannot hold; of an empty file.
-inline file_contents read_obj(const read_context& context) { return obj_reader(context).read(*context.report); }
+inline void read_obj(const read_context& context, file_contents& out) { obj_reader(context, out).read(*context.report); }
 
 }  // namespace concino::detail

@@ -9,8 +9,8 @@ namespace concino::detail {
 class off_reader : off_cursor {
   const wanted_mesh& wanted_;
   load_report& report_;
-  surface_arrays out_;
-  file_contents extra_;  // but the arrays
+  file_contents& extra_;
+  surface_arrays& out_;
   std::uint32_t arity_ = 0;
   std::vector<vert_id> scratch_;
   bool colors_of_polys_ = true;              // what follows the corners on a line is a colour
@@ -20,9 +20,10 @@ class off_reader : off_cursor {
   std::uint64_t num_extra_ = 0, num_odd_ = 0;
 
  public:
-  off_reader(const read_context& c) : off_cursor(c.text, c.name, c.progress), wanted_(c.wanted), report_(*c.report) {}
+  off_reader(const read_context& c, file_contents& out)
+      : off_cursor(c.text, c.name, c.progress), wanted_(c.wanted), report_(*c.report), extra_(out), out_(out.surface) {}
 
-  file_contents read() {
+  void read() {
     skip_space('#');
     if (at_end()) fail(end(), {"OFF"});
     header_word();
@@ -38,8 +39,6 @@ class off_reader : off_cursor {
     if (out_.offsets.empty()) out_.arity = arity_ ? arity_ : wanted_.arity;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
     finish_attributes();
-    extra_.arrays = std::move(out_);
-    return std::move(extra_);
   }
 
  private:
@@ -97,7 +96,7 @@ class off_reader : off_cursor {
     if (header_.color) vert_color();
     if (header_.texture) {
       const double s = number("the first texture coordinate of a vert");
-      extra_.vert_textures.push_back({s, number("the second texture coordinate of a vert")});
+      extra_.vert_textures.push_back(std::array<double, 2>{s, number("the second texture coordinate of a vert")});
     }
   }
 
@@ -251,6 +250,6 @@ class off_reader : off_cursor {
 /// Errors: parse_error naming the line (in binary files, the byte) of what is no number or not finite, of counts that are negative or
 ///         larger than the file, of an index out of range, of a poly of fewer than three verts or with a vert twice, of a poly that the
 ///         wanted mesh cannot hold, of w = 0, of the end of a file that is cut off.
-inline file_contents read_off(const read_context& context) { return off_reader(context).read(); }
+inline void read_off(const read_context& context, file_contents& out) { off_reader(context, out).read(); }
 
 }  // namespace concino::detail

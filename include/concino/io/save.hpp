@@ -25,16 +25,17 @@ void write_to(text_sink& out, const M& m, std::string_view name, file_format for
   else if (format == file_format::off) write_off(context, options.binary);
   else if (format == file_format::medit) write_medit(context);
   else write_hedra(context);
-  tell_of_lost_properties(m, context.kept, extension_of(format), report.lost);
+  if constexpr (HasProperties<M>)
+    tell_of_lost_properties(traits<M>::properties(m), context.kept, context.num_kept, extension_of(format), report.lost);
   if (context.num_not_finite)
-    report.lost.push_back(std::to_string(context.num_not_finite) + " numbers of colours and the like that are not finite: written as 0");
+    report.lost.push_back(joined({context.num_not_finite, " numbers of colours and the like that are not finite: written as 0"}));
 }
 
 /// a/b.obj: a/b.mtl
 inline std::string library_path(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   const bool has_extension = dot != std::string::npos && path.find('/', dot) == std::string::npos;
-  return path.substr(0, has_extension ? dot : path.size()) + ".mtl";
+  return joined({std::string_view(path).substr(0, has_extension ? dot : path.size()), ".mtl"});
 }
 
 }  // namespace detail

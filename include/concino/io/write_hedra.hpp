@@ -8,12 +8,16 @@ namespace concino::detail {
 template<class M>
 void write_hedra(write_context<M>& c) {
   if constexpr (dimension_v<M> == 2) {
-    throw_cannot_hold(c.name, ".hedra", "surfaces", ".obj, or .mesh if it has triangles and quads only");
+    c.cannot_hold(".hedra", {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
   } else {
     const M& m = c.mesh;
     c.out << static_cast<std::size_t>(num_verts(m)) << ' ' << static_cast<std::size_t>(num_faces(m)) << ' '
           << static_cast<std::size_t>(num_polys(m)) << '\n';
-    write_points(c, "", [](const auto&) {});
+    for (const vert_t<M> v : verts(m)) {
+      write_point(c.out, c.next_point(v));
+      c.out << '\n';
+      c.tell();
+    }
     std::vector<std::uint32_t> face_number(static_cast<std::size_t>(face_index_bound(m)), 0);
     std::vector<std::uint32_t> row;
     std::uint32_t n = 0;

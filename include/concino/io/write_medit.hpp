@@ -21,7 +21,7 @@ struct medit_rows {
 };
 
 template<class M>
-void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, cell_recogniser& known) {
+void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, [[maybe_unused]] cell_recogniser& known) {
   const M& m = c.mesh;
   std::size_t s = std::size(medit_sections);
   if constexpr (dimension_v<M> == 2) {
@@ -29,9 +29,7 @@ void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, cell_rec
     for (vert_t<M> v : adj_p2v(m, p)) rows.verts.push_back(c.number_of(v));
     const std::size_t n = rows.verts.size() - before;
     if (n == 3 || n == 4) s = n - 3;
-    else
-      throw_cannot_hold(c.name, ".mesh", "poly " + std::to_string(index_of(m, p)) + ", a polygon of " + std::to_string(n) + " verts",
-                        ".obj");
+    else c.cannot_hold(".mesh", {"poly ", index_of(m, p), ", a polygon of ", n, " verts"}, ".obj");
   } else if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {
     for (vert_t<M> v : adj_p2v(m, p)) rows.verts.push_back(c.number_of(v));
     s = arity_v<M> == 4 ? 2 : 3;
@@ -46,10 +44,7 @@ void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, cell_rec
     }
     const cell_shape shape = known.recognise();
     if (shape == cell_shape::general)
-      throw_cannot_hold(c.name, ".mesh",
-                        "poly " + std::to_string(index_of(m, p)) + ", a polyhedron of " + std::to_string(n) +
-                            " faces that is no tet, hex, prism or pyramid",
-                        ".hedra");
+      c.cannot_hold(".mesh", {"poly ", index_of(m, p), ", a polyhedron of ", n, " faces that is no tet, hex, prism or pyramid"}, ".hedra");
     for (unsigned i = 0; i < table_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
     s = 2 + static_cast<std::size_t>(shape);
   }
@@ -59,19 +54,23 @@ void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, cell_rec
 template<class M>
 void write_medit(write_context<M>& c) {
   const M& m = c.mesh;
-  const auto vert_label = int_labels<element_kind::vert>(m);
-  const auto poly_label = int_labels<element_kind::poly>(m);
-  c.template keep<int>(element_kind::vert, "label");
-  c.template keep<int>(element_kind::poly, "label");
+  const int* const vert_label = values_if_any<int>(m, element_kind::vert, "label");
+  const int* const poly_label = values_if_any<int>(m, element_kind::poly, "label");
+  c.keep(element_kind::vert, "label", typeid(int));
+  c.keep(element_kind::poly, "label", typeid(int));
   c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << static_cast<std::size_t>(num_verts(m)) << '\n';
-  write_points(c, "", [&](const vert_t<M>& v) { c.out << ' ' << vert_label(v); });
+  for (const vert_t<M> v : verts(m)) {
+    write_point(c.out, c.next_point(v));
+    c.out << ' ' << (vert_label ? vert_label[index_of(m, v)] : 0) << '\n';
+    c.tell();
+  }
 
   medit_rows rows;
   cell_recogniser known;
   std::vector<int> labels;
   for (poly_t<M> p : polys(m)) {
     add_row(c, p, rows, known);
-    labels.push_back(poly_label(p));
+    labels.push_back(poly_label ? poly_label[index_of(m, p)] : 0);
     c.tell();
   }
   std::size_t kinds = 0;

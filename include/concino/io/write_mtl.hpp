@@ -3,87 +3,94 @@
 
 #include <concino/io/write_common.hpp>
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <map>
-
 namespace concino::detail {
 
 /// The material of each poly: its property "material" where that says one, and one colour; else one made up for its colour.
-template<class M>
 class mtl_names {
-  using key = std::pair<std::string, std::array<std::uint32_t, 4>>;
-
-  write_context<M>& c_;
-  decltype(property_if_any<element_kind::poly, std::string>(std::declval<const M&>(), "")) material_;
-  decltype(property_if_any<element_kind::poly, rgba>(std::declval<const M&>(), "")) color_;
-  std::map<key, std::string> names_;
-  std::map<std::string, std::size_t, std::less<>> used_;  // names, and how many colours go by each
-  std::vector<std::pair<std::string, rgba>> library_;
-  std::size_t num_renamed_ = 0;
-  int last_number_ = 0;
+  write_state& c_;
+  const std::string* material_;  // of polys, by their indices; null: none
+  const rgba* color_;            // the same
+  name_table keys_;              // names with colours
+  std::vector<std::string> names_;  // what each of these is called
+  name_table taken_;
+  std::vector<std::uint32_t> uses_;  // how many colours go by each of the names taken
+  text_sink library_;
+  std::string name_, key_;
+  std::size_t num_renamed_ = 0, last_number_ = 0;
 
  public:
   bool changed = false;  // names that no line can hold
 
   /// Colours need a file of their own: where there is none they are lost.
-  explicit mtl_names(write_context<M>& c)
-      : c_(c),
-        material_(property_if_any<element_kind::poly, std::string>(c.mesh, "material")),
-        color_(property_if_any<element_kind::poly, rgba>(c.mesh, "color")) {
+  mtl_names(write_state& c, const std::string* material, const rgba* color) : c_(c), material_(material), color_(color) {
     if (!color_) return;
     if (!c.library) {
       c.report.lost.push_back("poly property \"color\": it goes to a .mtl file beside the .obj file, and text has none beside it");
-      color_ = {};
+      color_ = nullptr;
     } else {
       c.out << "mtllib " << c.library_name << '\n';
-      if (material_)
-        for (poly_t<M> p : polys(c.mesh)) used_.try_emplace(line_name(material_[p], changed), 0);  // no made-up name may be one of these
     }
-    c.template keep<rgba>(element_kind::poly, "color");
+    c.keep(element_kind::poly, "color", typeid(rgba));
   }
 
-  explicit operator bool() const { return bool(material_) || bool(color_); }
+  bool any() const { return material_ || color_; }
+  bool any_to_take() const { return material_ && color_; }
+  /// For every poly, before the first is asked for: no name made up later may be one of these.
+  void take(std::size_t poly) { use(line_name(material_[poly], changed)); }
 
-  std::string operator()(const poly_t<M>& p) {
-    const std::string name = material_ ? line_name(material_[p], changed) : std::string();
-    if (!color_) return name;
-    const rgba color = color_[p];
-    const auto [at, is_new] = names_.try_emplace({name, std::bit_cast<std::array<std::uint32_t, 4>>(color)}, name);
-    if (is_new) {
-      if (name.empty() || ++used_[name] > 1) {
-        num_renamed_ += !name.empty();
-        at->second = made_up(name);
-      }
-      library_.push_back({at->second, color});
+  const std::string& operator()(std::size_t poly) {
+    name_.clear();
+    if (material_) name_ = line_name(material_[poly], changed);
+    if (!color_) return name_;
+    const rgba& color = color_[poly];
+    key_ = name_;
+    key_.push_back('\n');
+    key_.append(std::string_view(reinterpret_cast<const char*>(&color), sizeof(rgba)));
+    const std::size_t known = keys_.find(key_);
+    if (known != name_table::none) return names_[known];
+    keys_.add(key_);
+    if (name_.empty() || ++uses_[use(name_)] > 1) {
+      num_renamed_ += !name_.empty();
+      make_up();
     }
-    return at->second;
+    names_.push_back(name_);
+    define(color);
+    return names_.back();
   }
 
   void end() {
     if (num_renamed_)
-      c_.report.lost.push_back("materials of several colours: " + std::to_string(num_renamed_) +
-                               " were given names of their own, as a material of .mtl has one colour");
-    if (!color_ || !c_.library) return;
-    text_sink out;
-    out << "# " << library_.size() << " materials\n";
-    for (const auto& [name, color] : library_) {
-      out << "newmtl " << name << "\nKd";
-      for (const float part : {color.r, color.g, color.b}) write_part(out << ' ', c_.finite(part), false);
-      if (color.a != 1) write_part(out << "\nd ", c_.finite(color.a), false);
-      out << '\n';
-    }
-    *c_.library = std::move(out).take();
+      c_.report.lost.push_back(
+          joined({"materials of several colours: ", num_renamed_, " were given names of their own, as a material of .mtl has one colour"}));
+    if (!color_) return;
+    *c_.library = joined({"# ", names_.size(), " materials\n", std::move(library_).take()});
   }
 
  private:
-  std::string made_up(const std::string& name) {
-    std::string made;
-    do made = (name.empty() ? "color" : name) + "_" + std::to_string(++last_number_);
-    while (used_.contains(made));
-    used_.emplace(made, 1);
-    return made;
+  std::size_t use(std::string_view name) {
+    const std::size_t i = taken_.add(name);
+    if (i == uses_.size()) uses_.push_back(0);
+    return i;
+  }
+
+  void make_up() {
+    const std::string base = joined({name_.empty() ? std::string_view("color") : std::string_view(name_), "_"});
+    do name_ = joined({base, ++last_number_});
+    while (taken_.find(name_) != name_table::none);
+    uses_[use(name_)] = 1;
+  }
+
+  void define(const rgba& color) {
+    library_ << "newmtl " << names_.back() << "\nKd";
+    for (const float part : {color.r, color.g, color.b}) {
+      library_ << ' ';
+      write_part(library_, c_.finite(part), false);
+    }
+    if (color.a != 1) {
+      library_ << "\nd ";
+      write_part(library_, c_.finite(color.a), false);
+    }
+    library_ << '\n';
   }
 };
 

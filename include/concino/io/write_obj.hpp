@@ -7,18 +7,17 @@
 namespace concino::detail {
 
 /// Names of polys on lines of their own, where they change.
-template<class M>
 class obj_names {
-  write_context<M>& c_;
+  write_state& c_;
   std::string_view keyword_;
   std::string last_;
 
  public:
   bool changed = false;
 
-  obj_names(write_context<M>& c, std::string_view keyword) : c_(c), keyword_(keyword) {}
+  obj_names(write_state& c, std::string_view keyword) : c_(c), keyword_(keyword) {}
   void before_poly(const std::string& name) {
-    if (name == last_) return;
+    if (std::string_view(name) == last_) return;
     last_ = name;
     c_.out << keyword_;
     if (!name.empty()) c_.out << ' ' << line_name(name, changed);
@@ -26,51 +25,65 @@ class obj_names {
   }
 };
 
+/// What says_number reads back.
+inline std::string label_name(int label) {
+  const std::uint64_t size = label < 0 ? 0 - static_cast<std::uint64_t>(label) : static_cast<std::uint64_t>(label);
+  return joined({label < 0 ? "label_-" : "label_", size});
+}
+
 /// Whether a reader finds the labels again by numbering the names.
-template<class M, class Names, class Labels>
-bool labels_number(const M& m, const Names& names, const Labels& labels) {
+template<class M>
+bool labels_number(const M& m, const std::string* names, const int* labels) {
   name_numbers number;
-  for (poly_t<M> p : polys(m))
-    if (number(std::string(names[p])) != labels[p]) return false;
+  for (const poly_t<M> p : polys(m))
+    if (number(names[index_of(m, p)]) != labels[index_of(m, p)]) return false;
   return true;
 }
 
 template<class M>
 void write_obj(write_context<M>& c) {
   if constexpr (dimension_v<M> == 3) {
-    throw_cannot_hold(c.name, ".obj", "volumes", ".mesh or .hedra");
+    c.cannot_hold(".obj", {"volumes"}, ".mesh or .hedra");
   } else {
     const M& m = c.mesh;
-    const auto vert_color = property_if_any<element_kind::vert, rgba>(m, "color");
-    const auto object = property_if_any<element_kind::poly, std::string>(m, "object");
-    const auto group = property_if_any<element_kind::poly, std::string>(m, "group");
-    const auto label = property_if_any<element_kind::poly, int>(m, "label");
-    const bool labels_are_names = label && (group ? labels_number(m, group, label) : object && labels_number(m, object, label));
+    const rgba* const vert_color = values_if_any<rgba>(m, element_kind::vert, "color");
+    const std::string* const object = values_if_any<std::string>(m, element_kind::poly, "object");
+    const std::string* const group = values_if_any<std::string>(m, element_kind::poly, "group");
+    const int* const label = values_if_any<int>(m, element_kind::poly, "label");
+    const bool labels_are_names = label && (group || object) && labels_number(m, group ? group : object, label);
     const bool labels_are_groups = label && !group && !labels_are_names;
-    c.template keep<rgba>(element_kind::vert, "color");
-    for (const char* const name : {"object", "group", "material"}) c.template keep<std::string>(element_kind::poly, name);
-    if (labels_are_names || labels_are_groups) c.template keep<int>(element_kind::poly, "label");
+    c.keep(element_kind::vert, "color", typeid(rgba));
+    for (const char* const name : {"object", "group", "material"}) c.keep(element_kind::poly, name, typeid(std::string));
+    if (labels_are_names || labels_are_groups) c.keep(element_kind::poly, "label", typeid(int));
 
     c.out << "# " << static_cast<std::size_t>(num_verts(m)) << " verts, " << static_cast<std::size_t>(num_polys(m)) << " polys\n";
-    mtl_names<M> material(c);
+    mtl_names material(c, values_if_any<std::string>(m, element_kind::poly, "material"), values_if_any<rgba>(m, element_kind::poly, "color"));
+    if (material.any_to_take())
+      for (const poly_t<M> p : polys(m)) material.take(index_of(m, p));
     bool transparent = false;
-    write_points(c, "v ", [&](const vert_t<M>& v) {
-      if (!vert_color) return;
-      const rgba x = vert_color[v];
-      transparent = transparent || x.a != 1;
-      for (const float part : {x.r, x.g, x.b}) {
-        c.out << ' ';
-        write_part(c.out, c.finite(part), false);
+    for (const vert_t<M> v : verts(m)) {
+      c.out << "v ";
+      write_point(c.out, c.next_point(v));
+      if (vert_color) {
+        const rgba& x = vert_color[index_of(m, v)];
+        transparent = transparent || x.a != 1;
+        for (const float part : {x.r, x.g, x.b}) {
+          c.out << ' ';
+          write_part(c.out, c.finite(part), false);
+        }
       }
-    });
-    obj_names<M> objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
-    for (poly_t<M> p : polys(m)) {
-      if (object) objects.before_poly(object[p]);
-      if (group) groups.before_poly(group[p]);
-      else if (labels_are_groups) groups.before_poly("label_" + std::to_string(label[p]));
-      if (material) materials.before_poly(material(p));
+      c.out << '\n';
+      c.tell();
+    }
+    obj_names objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
+    for (const poly_t<M> p : polys(m)) {
+      const std::size_t i = index_of(m, p);
+      if (object) objects.before_poly(object[i]);
+      if (group) groups.before_poly(group[i]);
+      else if (labels_are_groups) groups.before_poly(label_name(label[i]));
+      if (material.any()) materials.before_poly(material(i));
       c.out << 'f';
-      for (vert_t<M> v : adj_p2v(m, p)) c.out << ' ' << c.number_of(v) + 1;
+      for (const vert_t<M> v : adj_p2v(m, p)) c.out << ' ' << c.number_of(v) + 1;
       c.out << '\n';
       c.tell();
     }

@@ -75,13 +75,15 @@ class column {
 
  public:
   explicit column(const value_type& type) : type_(&type) {}
-  column(const value_type& type, std::size_t n) : column(type) { resize(n); }
+  column(const value_type& type, std::size_t n) : column(type) {
+    make_room(n);
+    resize(n);
+  }
   column(const column& o) : column(*o.type_) {
-    if (o.size_ == 0) return;
     make_room(o.size_);
     if (type_->copy) {
       for (; size_ < o.size_; ++size_) type_->copy(at(size_), o.at(size_));
-    } else {
+    } else if (o.size_ > 0) {
       std::memcpy(data_, o.data_, o.size_ * type_->size);
       size_ = o.size_;
     }
@@ -92,7 +94,7 @@ class column {
     ::operator delete(data_, std::align_val_t(type_->alignment));
   }
 
-  void* data() const { return data_; }
+  void* data() const { return data_; }  // not null, even if there are no values, in a column made for a number of them
   std::size_t size() const { return size_; }
   const std::type_info& type() const { return *type_->type; }
 
@@ -161,6 +163,13 @@ class property_set {
                                ", not of the type asked for (" + type.type->name() + "); use another name or remove it first");
       return e.values;
     }
+    return nullptr;
+  }
+
+  /// Of the property of that name and type; null if there is none.
+  const void* values_if_any(element_kind kind, std::string_view name, const std::type_info& type) const {
+    for (const entry& e : entries_)
+      if (e.kind == kind && e.name == name && e.values->type() == type) return e.values->data();
     return nullptr;
   }
 
