@@ -113,5 +113,9 @@ if [ $quick -eq 0 ]; then
     check asan "$clang: run with sanitizers" -R "^($sanitized)/" "${selection[@]}"
   fi
 fi
+if [ $long -eq 1 ]; then
+  say "$gcc: mutations"
+  CONCINO_MUTATE_BUILD=$build/mutate CONCINO_JOBS=$jobs scripts/mutate.sh && passed=$((passed + 1)) || failed=$((failed + 1))
+fi
 say "done"
 finished=1

@@ -152,7 +152,8 @@ struct multiply : numbered { using numbered::numbered; };
 struct divide : numbered { using numbered::numbered; };
 template<class T> constexpr decltype(auto) with_sign(int id, T&& x) {
   using value = std::remove_cvref_t<T>;
-  if constexpr (requires { { -x } -> std::convertible_to<value>; })
+  if constexpr (std::same_as<value, bool>) return on(id) ? -static_cast<int>(x) : static_cast<int>(x);
+  else if constexpr (requires { { -x } -> std::convertible_to<value>; })
     return on(id) ? static_cast<value>(-x) : static_cast<value>(x);
   else return std::forward<T>(x);
 }

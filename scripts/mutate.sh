@@ -4,7 +4,7 @@
 # scripts/equivalent_mutants.txt explains.
 #   scripts/mutate.sh                  all headers of the table below
 #   scripts/mutate.sh read_obj bfs     these headers
-#   scripts/mutate.sh --all        also all of those that have to be compiled one by one, not ten for each header
+#   scripts/mutate.sh --text 1000      up to 1000 of those that have to be compiled one by one, not one for each header
 #   scripts/mutate.sh --show 123 bfs   what mutant 123 of bfs is, and what the tests say about it
 # Environment: CONCINO_MUTATE_BUILD (default build/mutate), CONCINO_JOBS (2).
 # How: scripts/mutants.hpp. Works on a copy of the tree. A mutant that does not compile does not count; one that runs into an endless loop
@@ -22,7 +22,7 @@ io/off_binary          io/read_off
 io/read_medit          io/read_medit io/load
 io/read_hedra          io/read_hedra io/load
 io/orient              io/orient io/read_hedra io/load
-io/text_cursor         io/text_cursor io/read_obj io/read_off io/read_medit io/read_hedra
+io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
 io/numbers             io/numbers
 fields/harmonic_map    fields/harmonic_map
 operators/weights      operators/weights operators/laplacian fields/harmonic_map
@@ -53,11 +53,11 @@ root=$PWD
 build=${CONCINO_MUTATE_BUILD:-build/mutate}
 jobs=${CONCINO_JOBS:-2}
 show=0
-most_text=10
+most_text=1
 wanted=()
 while [ $# -gt 0 ]; do
   case "$1" in
-    --all) most_text=1000000 ;;
+    --text) most_text=${2:?} && shift ;;
     --show) show=${2:?} && shift ;;
     -*) sed -n '2,12s/^# //p' "$0"; [ "$1" = --help ] && exit 0 || exit 2 ;;
     *) wanted+=("$1") ;;
@@ -91,10 +91,10 @@ compile() {
 mutant() {
   local id=$1 test met=0 status
   for test in $tests; do
-    grep -qx "$id" "$work/$test.met" || continue
+    grep -qx "$id" "$build/work/$test.met" || continue
     met=1
     ( ulimit -v 4000000
-      CONCINO_MUTANT=$id CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$work/$test.limit")" "$work/$test.run" --abort-after=1 -nv ) >/dev/null 2>&1
+      CONCINO_MUTANT=$id CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$build/work/$test.limit")" "$build/work/$test.run" --abort-after=1 -nv ) >/dev/null 2>&1
     status=$?
     if [ $status -ne 0 ]; then
       [ $status -ge 124 ] && [ $status -le 137 ] && [ $status -ne 134 ] && echo "$id killed $test timeout" || echo "$id killed $test"
@@ -115,7 +115,7 @@ as_text() {
       verdict=uncompiled
       break
     fi
-    if ! ( ulimit -v 4000000; CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$work/$test.limit")" "$place/run" --abort-after=1 -nv ) >/dev/null 2>&1; then
+    if ! ( ulimit -v 4000000; CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$build/work/$test.limit")" "$place/run" --abort-after=1 -nv ) >/dev/null 2>&1; then
       verdict="killed $test"
       break
     fi
@@ -125,67 +125,83 @@ as_text() {
 }
 export -f mutant as_text compile
 
-first=1
-killed_of_all=0 survivors_of_all=0 explained_of_all=0 failures=0
+# All wanted headers with all their mutants in them, and every test of the table compiled with those, once. Lines that do not compile so
+# are left as they were, and the rest is tried again.
+headers=() all_tests=()
+declare -A tests_of first_of
 while read -r header tests; do
   [ -n "$header" ] || continue
   if [ ${#wanted[@]} -gt 0 ]; then
     case " ${wanted[*]} " in *" $(basename "$header") "* | *" $header "*) ;; *) continue ;; esac
   fi
-  start=$SECONDS
-  work=$build/$header
-  overlay=$work/overlay
-  rm -rf "$work"
-  mkdir -p "$overlay/concino/$(dirname "$header")"
-  : >"$work/unfit"
-  for test in $tests; do mkdir -p "$(dirname "$work/$test")"; done
-
-  # With all mutants in it; lines that do not compile so are left as they were, and the rest tried again.
-  for round in 1 2 3 4 5 6; do
-    awk -v first=$first -v only=0 -v header="$header" -v list="$work/list.tsv" -v unfit="$work/unfit" -f scripts/mutate.awk \
-      "$tree/include/concino/$header.hpp" >"$overlay/concino/$header.hpp" || exit 1
-    good=1
-    for test in $tests; do
-      compile "$overlay" "$test" "$work/$test.run" "$work/log" && continue
-      good=0
-      sed -nE "s|.*overlay/concino/$header\.hpp:([0-9]+):[0-9]+: +error: .*|\1|p" "$work/log" | sort -u >"$work/lines"
-      [ -s "$work/lines" ] || sed -nE "s|.*overlay/concino/$header\.hpp:([0-9]+):.*|\1|p" "$work/log" | sort -u >"$work/lines"
-      sort -u "$work/lines" "$work/unfit" >"$work/unfit.new"
-      if cmp -s "$work/unfit.new" "$work/unfit"; then
-        cat "$work/log"
-        echo "$header: $test does not compile"
-        break 2
-      fi
-      mv "$work/unfit.new" "$work/unfit"
-      break
-    done
-    [ $good -eq 1 ] && break
-  done
-  [ $good -eq 1 ] || { echo "$header: does not compile"; failures=$((failures + 1)); continue; }
-  broken=0
-
+  headers+=("$header")
+  tests_of[$header]=$tests
   for test in $tests; do
-    before=$(date +%s%N)
-    if ! CONCINO_CORPUS=/nonexistent CONCINO_MUTANTS_MET=$work/$test.met "$work/$test.run" >"$work/log" 2>&1; then
-      cat "$work/log"
-      echo "$header: $test fails without any mutant"
-      broken=1
-    fi
-    echo $((2 + 5 * ($(date +%s%N) - before) / 1000000000)) >"$work/$test.limit"
+    case " ${all_tests[*]} " in *" $test "*) ;; *) all_tests+=("$test") ;; esac
   done
-  [ $broken -eq 0 ] || { failures=$((failures + 1)); continue; }
+done <<<"$table"
+[ ${#headers[@]} -gt 0 ] || { echo "no such header: ${wanted[*]}"; exit 2; }
+work=$build/work
+overlay=$work/overlay
+rm -rf "$work"
+for header in "${headers[@]}"; do
+  mkdir -p "$overlay/concino/$(dirname "$header")" "$work/$header"
+  : >"$work/$header/unfit"
+done
+for test in "${all_tests[@]}"; do mkdir -p "$(dirname "$work/$test")"; done
+switch() {
+  local header first=1
+  for header in "${headers[@]}"; do
+    first_of[$header]=$first
+    awk -v first="$first" -v only=0 -v header="$header" -v list="$work/$header/list.tsv" -v unfit="$work/$header/unfit" -f scripts/mutate.awk \
+      "$tree/include/concino/$header.hpp" >"$overlay/concino/$header.hpp" || exit 1
+    first=$((first + $(wc -l <"$work/$header/list.tsv")))
+  done
+}
+switch
+missing=()
+for test in "${all_tests[@]}"; do
+  for round in 1 2 3 4 5 6 7 8; do
+    compile "$overlay" "$test" "$work/$test.run" "$work/log" && break
+    changed=0
+    for header in "${headers[@]}"; do
+      sed -nE "s|.*overlay/concino/$header\.hpp:([0-9]+):[0-9]+: +error: .*|\1|p" "$work/log"
+    done | grep -q . && pattern='[0-9]+: +error: .*' || pattern='.*'
+    for header in "${headers[@]}"; do
+      sed -nE "s|.*overlay/concino/$header\.hpp:([0-9]+):$pattern|\1|p" "$work/log" | sort -u - "$work/$header/unfit" >"$work/unfit"
+      cmp -s "$work/unfit" "$work/$header/unfit" || { changed=1; mv "$work/unfit" "$work/$header/unfit"; }
+    done
+    [ $changed -eq 1 ] || { cat "$work/log"; break; }
+    switch
+  done
+  before=$(date +%s%N)
+  if ! CONCINO_CORPUS=/nonexistent CONCINO_MUTANTS_MET=$work/$test.met "$work/$test.run" >"$work/log" 2>&1; then
+    cat "$work/log"
+    echo "$test fails or does not compile without any mutant"
+    missing+=("$test")
+  fi
+  echo $((2 + 5 * ($(date +%s%N) - before) / 1000000000)) >"$work/$test.limit"
+done
+echo "compiled ${#all_tests[@]} tests with all mutants of ${#headers[@]} headers ($SECONDS s)"
+
+killed_of_all=0 survivors_of_all=0 explained_of_all=0
+for header in "${headers[@]}"; do
+  start=$SECONDS
+  work=$build/work/$header
+  tests=${tests_of[$header]}
+  first=${first_of[$header]}
   export work tests header first tree build compiler
   if [ "$show" -ne 0 ]; then
     awk -F'\t' -v id="$show" '$1 == id' "$work/list.tsv"
-    for test in $tests; do CONCINO_MUTANT=$show "$work/$test.run" -nv; done
-    exit 0
+    for test in $tests; do CONCINO_MUTANT=$show "$build/work/$test.run" -nv; done
+    continue
   fi
   cut -f1 "$work/list.tsv" | xargs -P "$jobs" -I{} bash -c 'mutant {}' >"$work/verdicts" 2>/dev/null
   # An index of a type that has no next is no mutant. Constants that the compiler needs are compiled one by one.
   awk -F'\t' 'NR == FNR { split($0, part, " "); if (part[2] == "unmet") unmet[part[1]] = 1; next } !($1 in unmet) || ($4 == "switch" && $5 ~ /^index /) { next }
     $4 == "text" { print $1 > text; next } { print $1, "survived unmet" }' text="$work/text.all" "$work/verdicts" "$work/list.tsv" >"$work/verdicts.all"
   grep -v ' unmet$' "$work/verdicts" >>"$work/verdicts.all"
-  # Not all of those, unless asked for: of n every (n / 10)th.
+  # Not all of those, unless asked for: evenly chosen.
   [ ! -e "$work/text.all" ] || awk -v n="$(grep -c . "$work/text.all")" -v most="$most_text" 'int(NR * most / n) != int((NR - 1) * most / n) || n <= most' "$work/text.all" >"$work/text"
   [ ! -e "$work/text" ] || while read -r id; do as_text "$id"; done <"$work/text" >>"$work/verdicts.all" 2>/dev/null
   awk -F'\t' -v OFS='\t' 'NR == FNR { i = index($0, " "); verdict[substr($0, 1, i - 1)] = substr($0, i + 1); next } ($1 in verdict) { print $1, verdict[$1], $2 ".hpp:" $3, $5, $6 }' \
@@ -210,6 +226,6 @@ while read -r header tests; do
   awk -F'\t' '{ print "survivor: " $3 ": " $4 "    " $5 ($2 ~ /unmet/ ? "    (no test comes here)" : "") "  [" $1 "]" }' "$work/survivors"
   printf '%-28s %4d mutants, %4d killed, %3d survived, %3d equivalent  (%d s)\n' "$header" $((killed + survived + explained)) "$killed" "$survived" "$explained" $((SECONDS - start))
   killed_of_all=$((killed_of_all + killed)) survivors_of_all=$((survivors_of_all + survived)) explained_of_all=$((explained_of_all + explained))
-done <<<"$table"
+done
 echo "$((killed_of_all + survivors_of_all + explained_of_all)) mutants, $killed_of_all killed, $survivors_of_all survived, $explained_of_all equivalent"
-[ "$survivors_of_all" -eq 0 ] && [ $failures -eq 0 ]
+[ "$survivors_of_all" -eq 0 ] && [ ${#missing[@]} -eq 0 ]
