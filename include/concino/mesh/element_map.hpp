@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
+#include <concino/mesh/large_pages.hpp>
 
 #include <cassert>
 #include <cstddef>
@@ -66,7 +67,7 @@ class element_map {
   using key_type = X;
   using value_type = T;
 
-  element_map(const M& m, std::size_t bound, const T& init) : mesh_(m), values_(bound, static_cast<stored>(init)) {}
+  element_map(const M& m, std::size_t bound, const T& init) : mesh_(m), values_(detail::large_vector(bound, static_cast<stored>(init))) {}
 
   stored& operator[](const X& x) { return values_[slot(x)]; }
   std::conditional_t<std::is_same_v<T, bool>, bool, const T&> operator[](const X& x) const {

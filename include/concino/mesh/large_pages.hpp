@@ -31,4 +31,13 @@ void reserve_large(std::vector<T>& v, std::size_t n) {
   prefer_large_pages(v.data(), n * sizeof(T));
 }
 
+/// n times the same value.
+template<class T>
+std::vector<T> large_vector(std::size_t n, const T& value) {
+  std::vector<T> v;
+  reserve_large(v, n);
+  v.resize(n, value);
+  return v;
+}
+
 }  // namespace concino::detail

@@ -1,6 +1,8 @@
 // The priority queue of shortest paths: nodes by distance, each at most once, the distance of a waiting node may fall.
 #pragma once
 
+#include <concino/mesh/large_pages.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -41,7 +43,9 @@ class indexed_heap {
   }
 
  public:
-  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), places_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {}
+  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), places_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {
+    prefer_large_pages(places_.get(), keys.size() * sizeof(std::uint32_t));
+  }
 
   bool empty() const { return heap_.empty(); }
   double least() const { return heap_.front().key; }

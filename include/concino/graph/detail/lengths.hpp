@@ -4,6 +4,7 @@
 #include <concino/geometry/centroid.hpp>
 #include <concino/geometry/vec3.hpp>
 #include <concino/graph/detail/crossings.hpp>
+#include <concino/mesh/flat_array.hpp>
 
 #include <limits>
 #include <vector>
@@ -49,7 +50,7 @@ template<class M>
   requires AnyMesh<M> && Embedded<M>
 class euclidean_poly_lengths {
   const M& m_;
-  std::vector<vec3> centres_;
+  flat_array<vec3> centres_;
 
  public:
   explicit euclidean_poly_lengths(const M& m) : m_(m), centres_(static_cast<std::size_t>(poly_index_bound(m))) {
