@@ -3,6 +3,7 @@
 
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/crossings.hpp>
+#include <concino/graph/detail/fetch.hpp>
 #include <concino/graph/detail/once_queue.hpp>
 #include <concino/graph/detail/targets.hpp>
 #include <concino/graph/predecessors.hpp>
@@ -43,6 +44,9 @@ auto plain_bfs(const G& g, const S& sources, function_ref<bool(typename G::node)
   while (!queue.empty()) {
     const node v = queue.pop();
     const int next = value[g.index(v)] + 1;
+    if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
+      if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
+    }
     for (const node w : g.neighbours(v)) {
       int& h = value[g.index(w)];
       if (h >= 0 || (may_enter && !may_enter(w))) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/function_ref.hpp>
+#include <concino/graph/detail/fetch.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 #include <concino/graph/detail/indexed_heap.hpp>
 #include <concino/graph/detail/lengths.hpp>
@@ -57,6 +58,13 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
     const auto [v, v_slot, d] = queue.pop();
     if (targets.meet(v_slot)) limit = d;
     const auto length_to = lengths.from(v);
+    if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
+      if (!queue.empty()) fetch(row_of(g.neighbours(queue.front())));
+      for (const node w : g.neighbours(v)) {
+        queue.fetch_key(g.index(w));
+        lengths.fetch(w);
+      }
+    }
     const auto relax = [&, from = v, far = d](const node& w) {
       const auto w_slot = g.index(w);
       const double known = queue.key(w_slot);

@@ -157,6 +157,7 @@ class polys_across {
   polys_across() = default;
   polys_across(const across* first, const across* last, const rows<poly_id, 0>* crowds, poly_id self)
       : first_(first), last_(last), crowds_(crowds), self_(self) {}
+  const void* row() const { return first_; }
   iterator begin() const { return {first_, last_, crowds_, self_}; }
   iterator end() const { return {last_, last_, crowds_, self_}; }
 };

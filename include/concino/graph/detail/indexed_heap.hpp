@@ -1,6 +1,7 @@
 // The priority queue of shortest paths: nodes by distance, each at most once, the distance of a waiting node may fall.
 #pragma once
 
+#include <concino/graph/detail/fetch.hpp>
 #include <concino/mesh/large_pages.hpp>
 
 #include <cstddef>
@@ -48,6 +49,8 @@ class indexed_heap {
   }
 
   bool empty() const { return heap_.empty(); }
+  const Node& front() const { return heap_.front().node; }
+  void fetch_key(std::size_t slot) const { fetch(keys_ + slot); }
   double least() const { return heap_.front().key; }
   /// The lowest distance set so far, +inf if none was.
   double key(std::size_t slot) const { return keys_[slot]; }

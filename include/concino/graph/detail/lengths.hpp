@@ -4,6 +4,7 @@
 #include <concino/geometry/centroid.hpp>
 #include <concino/geometry/vec3.hpp>
 #include <concino/graph/detail/crossings.hpp>
+#include <concino/graph/detail/fetch.hpp>
 #include <concino/mesh/flat_array.hpp>
 
 #include <limits>
@@ -16,6 +17,9 @@ namespace concino::detail {
 template<class L>
 struct given_lengths {
   const L& length;
+
+  template<class Node>
+  void fetch(const Node&) const {}
 
   template<class Node>
   auto from(const Node& v) const {
@@ -37,6 +41,10 @@ template<Embedded M>
 struct euclidean_vert_lengths {
   const M& m;
 
+  void fetch(const vert_t<M>& v) const {
+    if constexpr (std::is_lvalue_reference_v<decltype(point(m, v))>) detail::fetch(&point(m, v));
+  }
+
   auto from(const vert_t<M>& v) const {
     return [this, p = to_vec3(point(m, v))](const vert_t<M>& w, double gap) {
       if (gap <= 0) return std::numeric_limits<double>::infinity();
@@ -57,6 +65,7 @@ class euclidean_poly_lengths {
     for (const poly_t<M> p : polys(m)) centres_[index_of(m, p)] = vert_mean(m, p);
   }
 
+  void fetch(const poly_t<M>& p) const { detail::fetch(&centres_[index_of(m_, p)]); }
   auto from(const poly_t<M>& p) const {
     return [this, c = centres_[index_of(m_, p)]](const poly_t<M>& q, double gap) {
       if (gap <= 0) return std::numeric_limits<double>::infinity();

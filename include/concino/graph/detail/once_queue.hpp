@@ -27,6 +27,8 @@ class once_queue {
 
   bool empty() const { return head_ == tail_; }
   void push(const Node& x) { std::construct_at(nodes_ + tail_++, x); }
+  /// Who will be popped n pops after the next; null if it is not known yet.
+  const Node* ahead(std::size_t n) const { return head_ + n < tail_ ? nodes_ + head_ + n : nullptr; }
   Node pop() { return nodes_[head_++]; }
 };
 

@@ -1,0 +1,21 @@
+// Having the processor bring in what will be read soon. Searches jump through memory; what they will need next is known a little earlier,
+// and asking for all of it at once hides most of the waiting.
+#pragma once
+
+#include <concino/concepts/ranges.hpp>
+#include <concino/mesh/side_ranges.hpp>
+
+#include <type_traits>
+
+namespace concino::detail {
+
+inline void fetch(const void* p) { __builtin_prefetch(p); }
+
+/// Where the entries of a row of neighbours lie, for the ranges that lie in memory: walking those twice costs next to nothing.
+template<class T>
+const void* row_of(const id_span<T>& r) { return r.begin(); }
+inline const void* row_of(const polys_across& r) { return r.row(); }
+
+template<class R> concept lies_in_memory = requires(const R& r) { row_of(r); };
+
+}  // namespace concino::detail
