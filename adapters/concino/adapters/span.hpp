@@ -1,0 +1,98 @@
+// Meshes out of plain arrays: std::span, and with a name std::vector, std::array and whatever else a span can be made of.
+//
+//   std::vector<double> xyz;  std::vector<int> corners;                    // three numbers a point, three or four or eight a poly
+//   auto tri = cn::view_tri(xyz, corners);                                 // also view_quad, view_tet, view_hex
+//   std::span<const std::array<float, 3>> p;  std::span<const std::array<unsigned, 4>> t;
+//   auto tet = cn::view_tet(p, t);                                         // or arrays of points and of lists
+//   auto poly = cn::view_polygons(points, offsets, indices);               // and view_polyhedra
+//
+// Points are floats or doubles in threes, std::array of two (z is 0) or three, or any type with p[0], p[1], p[2]. Lists of verts are
+// integers of any type, in threes, fours or eights, or std::array of as many. A container is kept by its address, so that its memory may
+// change hands (xyz = smoothed(xyz)); a span as it is.
+#pragma once
+
+#include <concino/mesh/view_arrays.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+
+namespace concino::detail {
+
+template<class A> inline constexpr bool is_span = false;
+template<class T, std::size_t N> inline constexpr bool is_span<std::span<T, N>> = true;
+template<class T> inline constexpr std::size_t array_size = 0;
+template<class T, std::size_t N> inline constexpr std::size_t array_size<std::array<T, N>> = N;
+
+/// Eigen's vectors are ranges too, but <concino/adapters/eigen.hpp> reads those.
+template<class A> concept spannable = !requires { typename A::PlainObject; } && requires(A& a) { std::span(a); };
+
+/// An array; A is const where it may not be written. A container is kept by address, a span as it is.
+template<class A>
+class kept_span {
+  std::conditional_t<is_span<std::remove_const_t<A>>, std::remove_const_t<A>, A*> kept_;
+
+ public:
+  explicit kept_span(A& a) : kept_([&] { if constexpr (is_span<std::remove_const_t<A>>) return a; else return &a; }()) {}
+  auto get() const {
+    if constexpr (is_span<std::remove_const_t<A>>) return kept_;
+    else return std::span(*kept_);
+  }
+  using element = typename decltype(std::span(std::declval<A&>()))::element_type;
+};
+
+/// Numbers one after another, N of them a row.
+template<class A, unsigned N>
+class rows_of_numbers : kept_span<A> {
+ public:
+  static constexpr unsigned columns = N;
+  using kept_span<A>::kept_span;
+  std::size_t size() const { return this->get().size() / N; }
+  auto row(std::size_t i) const { return strided(this->get().data() + i * N); }
+  std::string misfit(unsigned) const {
+    const std::size_t n = this->get().size();
+    if (n % N == 0) return {};
+    return "has " + number_text(n) + " numbers; it needs " + number_text(N) + " for each";
+  }
+  auto numbers() const
+    requires(N == 1)
+  {
+    return strided(this->get().data());
+  }
+};
+
+/// Objects, each of them a row.
+template<class A>
+class rows_of_objects : kept_span<A> {
+  using object = std::remove_const_t<typename kept_span<A>::element>;
+
+ public:
+  static constexpr std::size_t columns = array_size<object> ? array_size<object> : 3;
+  using kept_span<A>::kept_span;
+  std::size_t size() const { return this->get().size(); }
+  decltype(auto) row(std::size_t i) const {
+    if constexpr (array_size<object> > 0) return strided(this->get()[i].data());
+    else return this->get()[i];
+  }
+  std::string misfit(unsigned) const { return {}; }
+};
+
+template<spannable A>
+struct array_source<A> {
+  using number_or_object = std::remove_const_t<typename kept_span<A>::element>;
+  static constexpr bool is_view = is_span<A>;
+
+  template<unsigned N, class T>
+  static auto rows(T& a) {
+    if constexpr (std::is_arithmetic_v<number_or_object>) return rows_of_numbers<T, N>(a);
+    else return rows_of_objects<T>(a);
+  }
+  template<class T>
+    requires std::is_arithmetic_v<number_or_object>
+  static auto flat(T& a) { return rows_of_numbers<T, 1>(a); }
+};
+
+}  // namespace concino::detail

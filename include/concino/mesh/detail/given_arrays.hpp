@@ -1,0 +1,177 @@
+// What view_tri and its siblings do with arrays: how an adapter says that it can read a type, checks of shapes and indices, tables.
+#pragma once
+
+#include <concino/detail/number_text.hpp>
+#include <concino/error.hpp>
+#include <concino/mesh/array_view.hpp>
+#include <concino/mesh/detail/given_lists.hpp>
+#include <concino/mesh/polyhedra_tables.hpp>
+#include <concino/mesh/surface_tables.hpp>
+
+#include <concepts>
+#include <string>
+#include <vector>
+
+namespace concino::detail {
+
+/// How arrays of type A are read; adapters specialise it.
+///   is_view       whether copies of an A show what it shows, so that a temporary one may be taken
+///   rows<N>(a)    r.row(i)[k] with k < N, r.size(), r.columns (0: not fixed), r.misfit(N): "" or what is wrong with the shape
+///   flat(a)       f.numbers()[i] with i < f.size()
+/// Both take an A or a const A, and what they return is cheap to copy and keeps no reference to an A that is a view.
+template<class A>
+struct array_source {
+  static constexpr bool is_view = false;
+};
+template<class A> using source_of = array_source<std::remove_cvref_t<A>>;
+
+template<class A> auto flat_of(A& a) { return source_of<A>::flat(a); }
+template<unsigned N, class A> auto rows_of(A& a) { return source_of<A>::template rows<N>(a); }
+template<class A> using flat_in = decltype(detail::flat_of(std::declval<std::remove_reference_t<A>&>()));
+template<class A, unsigned N> using rows_in = decltype(detail::rows_of<N>(std::declval<std::remove_reference_t<A>&>()));
+
+template<class T> concept index_number = std::integral<T> && !std::same_as<T, bool>;
+template<class R> using number_in_row = std::remove_cvref_t<decltype(std::declval<const R&>().row(0)[0])>;
+template<class A> using number_in = typename decltype(std::declval<const flat_in<A>&>().numbers())::number;
+
+template<class A>
+concept holds_points = requires(std::remove_reference_t<A>& a) { source_of<A>::template rows<3>(a); } &&
+                       std::floating_point<number_in_row<rows_in<A, 3>>> &&
+                       (rows_in<A, 3>::columns == 0 || rows_in<A, 3>::columns == 2 || rows_in<A, 3>::columns == 3);
+template<class A, unsigned N>
+concept holds_lists = requires(std::remove_reference_t<A>& a) { typename decltype(source_of<A>::template rows<N>(a).row(0))::number; } &&
+                      index_number<number_in_row<rows_in<A, N>>> && (rows_in<A, N>::columns == 0 || rows_in<A, N>::columns == N);
+template<class A> concept holds_numbers = requires(std::remove_reference_t<A>& a) { source_of<A>::flat(a); };
+template<class A> concept holds_indices = holds_numbers<A> && index_number<number_in<A>>;
+
+template<class I>
+std::string index_text(I x) {
+  return x < 0 ? "-" + number_text(-static_cast<std::uint64_t>(x)) : number_text(static_cast<std::uint64_t>(x));
+}
+template<class I>
+bool is_below(I x, std::size_t bound) {
+  return x >= 0 && static_cast<std::uint64_t>(x) < bound;
+}
+
+template<class A>
+auto points_of(A& a, const char* who) {
+  const auto rows = detail::rows_of<3>(a);
+  constexpr unsigned width = decltype(rows)::columns == 2 ? 2 : 3;
+  if (const std::string bad = rows.misfit(width); !bad.empty()) throw invalid_mesh(std::string(who) + ": the array of points " + bad);
+  return points_in_rows<std::remove_const_t<decltype(rows)>>(rows);
+}
+
+template<unsigned N, class A>
+auto lists_of(A& a, const char* who) {
+  const auto rows = detail::rows_of<N>(a);
+  if (const std::string bad = rows.misfit(N); !bad.empty()) throw invalid_mesh(std::string(who) + ": the array of polys " + bad);
+  return lists_in_rows<std::remove_const_t<decltype(rows)>, N>(rows);
+}
+
+template<class O, class I>
+auto lists_of(O& given_offsets, I& indices, const char* who, const char* what) {
+  const auto first = detail::flat_of(given_offsets);
+  const auto flat = detail::flat_of(indices);
+  const auto fail = [&](const std::string& why) { throw invalid_mesh(std::string(who) + ": the offsets of " + what + "s " + why); };
+  if (flat.size() >= ~0u) throw unsupported(std::string(who) + ": more than 2^32 indices");
+  offsets where(first.size());
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    const auto x = first.numbers()[i];
+    if (!is_below(x, flat.size() + 1))
+      fail("have " + index_text(x) + " at place " + number_text(i) + ", but there are " + number_text(flat.size()) + " indices");
+    where[i] = static_cast<std::uint32_t>(x);
+    if (i == 0 && x != 0) fail("begin with " + index_text(x) + "; they must begin with 0");
+    if (i > 0 && where[i] < where[i - 1])
+      fail("decrease at place " + number_text(i) + ", from " + number_text(where[i - 1]) + " to " + index_text(x));
+  }
+  if (where.empty()) where.push_back(0);
+  if (where.back() != flat.size())
+    fail("end with " + number_text(where.back()) + ", but there are " + number_text(flat.size()) + " indices");
+  return lists_between<std::remove_const_t<decltype(flat)>>(flat, std::move(where));
+}
+
+/// Refuses what cannot be told from a good index once it is cut to 32 bits; the tables check the rest.
+template<class Lists>
+void check_indices(const Lists& lists, std::size_t bound, const char* who, const char* what) {
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    const auto numbers = lists.numbers(i);
+    for (std::uint32_t k = 0; k < lists.length(i); ++k)
+      if (!is_below(numbers[k], bound)) [[unlikely]]
+        throw invalid_mesh(std::string(who) + ": " + what + " " + number_text(i) + " names point " + index_text(numbers[k]) +
+                           ", but there are " + number_text(bound) + " points, numbered from 0");
+  }
+}
+
+template<class Id, class Lists>
+std::vector<Id> copied(const Lists& lists) {
+  std::vector<Id> all;
+  all.reserve(lists.num_values());
+  for (std::size_t i = 0; i < lists.size(); ++i)
+    for (const vert_id v : lists[i]) all.push_back(Id{v.raw()});
+  return all;
+}
+
+template<int Dimension, int Arity, class Tables, class P, class F>
+auto view_of_lists(P& given_points, F& poly_verts, const char* who) {
+  const auto points = detail::points_of(given_points, who);
+  const auto lists = detail::lists_of<Arity>(poly_verts, who);
+  check_indices(lists, points.size(), who, "poly");
+  using view = views::array_view<Dimension, Arity, std::remove_const_t<decltype(points)>, Tables>;
+  return view(points, Tables(points.size(), copied<vert_id>(lists)));
+}
+
+template<class P, class O, class I>
+auto view_of_polygons(P& given_points, O& given_offsets, I& indices, const char* who) {
+  const auto points = detail::points_of(given_points, who);
+  const auto lists = detail::lists_of(given_offsets, indices, who, "poly");
+  check_indices(lists, points.size(), who, "poly");
+  using tables = surface_tables<0>;
+  using view = views::array_view<2, 0, std::remove_const_t<decltype(points)>, tables>;
+  return view(points, tables(points.size(), *lists.shape(), copied<vert_id>(lists)));
+}
+
+/// A face by its number, or by the complement of that where it is not wound outward.
+struct signs {};
+
+template<class W>
+std::vector<std::uint8_t> flags_in(W& outward) {
+  const auto flat = detail::flat_of(outward);
+  std::vector<std::uint8_t> flags(flat.size());
+  for (std::size_t k = 0; k < flags.size(); ++k) flags[k] = flat.numbers()[k] != 0;
+  return flags;
+}
+
+template<class P, class FO, class FV, class PO, class PF, class Outward>
+auto view_of_polyhedra(P& given_points, FO& face_offsets, FV& face_verts, PO& poly_offsets, PF& given_faces, Outward outward,
+                       const char* who) {
+  const auto points = detail::points_of(given_points, who);
+  const auto faces = detail::lists_of(face_offsets, face_verts, who, "face");
+  check_indices(faces, points.size(), who, "face");
+  const auto poly_lists = detail::lists_of(poly_offsets, given_faces, who, "poly");
+  std::vector<face_id> poly_faces;
+  poly_faces.reserve(poly_lists.num_values());
+  std::vector<std::uint8_t> flags;
+  if constexpr (!std::same_as<Outward, signs>) flags = std::move(outward);
+  for (std::size_t p = 0; p < poly_lists.size(); ++p) {
+    const auto numbers = poly_lists.numbers(p);
+    for (std::uint32_t k = 0; k < poly_lists.length(p); ++k) {
+      auto f = numbers[k];
+      if constexpr (std::same_as<Outward, signs>) {
+        flags.push_back(f >= 0);
+        if (f < 0) f = static_cast<decltype(f)>(~f);
+      }
+      if (!is_below(f, faces.size())) [[unlikely]]
+        throw invalid_mesh(std::string(who) + ": poly " + number_text(p) + " names face " + index_text(f) + ", but there are " +
+                           number_text(faces.size()) + " faces, numbered from 0");
+      poly_faces.push_back(face_id{f});
+    }
+  }
+  if (flags.size() != poly_faces.size())
+    throw invalid_mesh(std::string(who) + ": " + number_text(flags.size()) + " outward flags were given for " +
+                       number_text(poly_faces.size()) + " faces of polys");
+  using view = views::array_view<3, 0, std::remove_const_t<decltype(points)>, polyhedra_tables>;
+  return view(points, polyhedra_tables(points.size(), *faces.shape(), copied<vert_id>(faces), *poly_lists.shape(), std::move(poly_faces),
+                                       std::move(flags)));
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,89 @@
+// view_tri(V, F) and its siblings: a mesh out of arrays that somebody else keeps. Which arrays: <concino/adapters/eigen.hpp> reads Eigen's
+// matrices, <concino/adapters/span.hpp> spans and containers; one view may take its points from the one and its polys from the other.
+//
+// The view owns adjacencies and nothing else. point(m, v) reads the user's array and, if that may be written, set_point writes it; what the
+// user writes there is what the mesh has. A container or matrix with a name is kept by its address: it must stay there as long as the view
+// is used, and keep its size. Polys may not change under a view: make a new one.
+#pragma once
+
+#include <concino/mesh/array_view.hpp>
+#include <concino/mesh/cell_tables.hpp>
+#include <concino/mesh/detail/given_arrays.hpp>
+#include <concino/mesh/polyhedra_tables.hpp>
+#include <concino/mesh/surface_tables.hpp>
+
+namespace concino {
+
+namespace requirement {
+
+/// What a view may read later: an array with a name, or an object that only points to one (a span, an Eigen::Map).
+template<class A> concept is_no_temporary_array = std::is_lvalue_reference_v<A> || concino::detail::source_of<A>::is_view;
+/// Points in rows of 3 (or 2) numbers; lists of N indices in rows; numbers one after another. An adapter header says how each is read.
+template<class A> concept is_point_array = concino::detail::holds_points<A> && is_no_temporary_array<A>;
+template<class A, unsigned N> concept is_list_array = concino::detail::holds_lists<A, N> && is_no_temporary_array<A>;
+template<class A> concept is_index_array = concino::detail::holds_indices<A> && is_no_temporary_array<A>;
+template<class A> concept is_signed_index_array = is_index_array<A> && std::signed_integral<concino::detail::number_in<A>>;
+
+}  // namespace requirement
+
+/// A surface of triangles or quads, a volume of tets or hexes: row i of `poly_verts` has the verts of poly i, in the order of the native
+/// meshes.
+/// Needs:  points: rows of 3 coordinates, or of 2 where the type fixes that (z is 0 then); poly_verts: rows of 3, 4, 4, 8 integers of any
+///         type. Neither is a temporary, except spans and maps.
+/// Result: a view that models TriMesh, QuadMesh, TetMesh or HexMesh, Embedded, and MutablePoints if the points may be written. Verts and
+///         polys are numbered as the rows. Copies share their adjacencies.
+/// Cost:   linear in time and memory, as for a native mesh; no coordinate is copied.
+/// Errors: invalid_mesh that names the poly with an index that is negative or too large or there twice, or an array of the wrong shape.
+template<class P, class F>
+  requires requirement::is_point_array<P> && requirement::is_list_array<F, 3>
+auto view_tri(P&& points, F&& poly_verts) {
+  return detail::view_of_lists<2, 3, surface_tables<3>>(points, poly_verts, "view_tri");
+}
+template<class P, class F>
+  requires requirement::is_point_array<P> && requirement::is_list_array<F, 4>
+auto view_quad(P&& points, F&& poly_verts) {
+  return detail::view_of_lists<2, 4, surface_tables<4>>(points, poly_verts, "view_quad");
+}
+template<class P, class T>
+  requires requirement::is_point_array<P> && requirement::is_list_array<T, 4>
+auto view_tet(P&& points, T&& poly_verts) {
+  return detail::view_of_lists<3, 4, tet_tables>(points, poly_verts, "view_tet");
+}
+template<class P, class H>
+  requires requirement::is_point_array<P> && requirement::is_list_array<H, 8>
+auto view_hex(P&& points, H&& poly_verts) {
+  return detail::view_of_lists<3, 8, hex_tables>(points, poly_verts, "view_hex");
+}
+
+/// A surface of polygons: poly i has the verts indices[offsets[i]] .. indices[offsets[i + 1] - 1], in cyclic order.
+/// Needs:  as view_tri; offsets: one more than there are polys, from 0 to the number of indices.
+/// Result: a view that models SurfaceMesh, and the rest as view_tri.
+/// Cost:   linear in time and memory; no coordinate is copied.
+/// Errors: invalid_mesh as view_tri, or that names the offset which decreases or leads out of the indices.
+template<class P, class O, class I>
+  requires requirement::is_point_array<P> && requirement::is_index_array<O> && requirement::is_index_array<I>
+auto view_polygons(P&& points, O&& offsets, I&& indices) {
+  return detail::view_of_polygons(points, offsets, indices, "view_polygons");
+}
+
+/// A volume of polyhedra: faces are lists of verts in cyclic order, polys are lists of faces, both between offsets. outward[k] says (not 0)
+/// that face poly_faces[k] runs counter-clockwise seen from outside its poly. Without `outward`, poly_faces[k] says so itself: f is a face
+/// that runs so, and ~f, which is -f - 1, one that runs the other way.
+/// Needs:  as view_polygons; poly_faces of a signed type where there is no `outward`.
+/// Result: a view that models VolumeMesh, and the rest as view_tri. Faces are numbered as given.
+/// Cost:   linear in time and memory; no coordinate is copied.
+/// Errors: invalid_mesh as view_polygons, of faces and polys.
+template<class P, class FO, class FV, class PO, class PF, class W>
+  requires requirement::is_point_array<P> && requirement::is_index_array<FO> && requirement::is_index_array<FV> &&
+           requirement::is_index_array<PO> && requirement::is_index_array<PF> && detail::holds_numbers<W>
+auto view_polyhedra(P&& points, FO&& face_offsets, FV&& face_verts, PO&& poly_offsets, PF&& poly_faces, const W& outward) {
+  return detail::view_of_polyhedra(points, face_offsets, face_verts, poly_offsets, poly_faces, detail::flags_in(outward), "view_polyhedra");
+}
+template<class P, class FO, class FV, class PO, class PF>
+  requires requirement::is_point_array<P> && requirement::is_index_array<FO> && requirement::is_index_array<FV> &&
+           requirement::is_index_array<PO> && requirement::is_signed_index_array<PF>
+auto view_polyhedra(P&& points, FO&& face_offsets, FV&& face_verts, PO&& poly_offsets, PF&& poly_faces) {
+  return detail::view_of_polyhedra(points, face_offsets, face_verts, poly_offsets, poly_faces, detail::signs{}, "view_polyhedra");
+}
+
+}  // namespace concino

@@ -1,0 +1,7 @@
+// expect: is_no_temporary_array<.*vector<double
+#include <concino/adapters/span.hpp>
+
+#include <vector>
+
+auto fine(std::span<const double> points, const std::vector<int>& polys) { return concino::view_tri(points, polys); }
+auto dangling(const std::vector<int>& polys) { return concino::view_tri(std::vector<double>(9), polys); }
