@@ -8,11 +8,15 @@
 //   - They are undirected, without parallel edges, and model VertexListGraph, EdgeListGraph, AdjacencyGraph, IncidenceGraph and
 //     BidirectionalGraph. Vertices are the verts or polys of the mesh; edges are pairs of them, found while walking. Nothing is copied.
 //   - num_vertices(g) is the index bound: Boost sizes by it the arrays that it indexes by vertex_index, and removed elements leave gaps.
+//     vertices(g) walks over the elements that are there, so gaps are no vertices of their own; but where Boost divides by num_vertices(g)
+//     (relative_betweenness_centrality) or expects to meet as many (topological orders, planarity), it wants a mesh without gaps.
 //   - get(boost::vertex_index, g), get(boost::edge_weight, g) (straight distance of verts, or of the means of polys' verts) and
 //     get(boost::edge_index, g) are property maps, which Boost takes where it is told no other. The last numbers all edges, in O(V + E).
 //   - directed(g) has two arcs for every edge, and get(boost::edge_reverse, g): for flows. (push_relabel_max_flow of Boost wants arcs whose
 //     opposite has no capacity; boykov_kolmogorov_max_flow and edmonds_karp_max_flow take any.)
 //   - An array of results will do instead of a map: make_iterator_property_map(array.begin(), get(boost::vertex_index, g)).
+//   - Algorithms find these functions by their argument. In your own code they are found so too, but where `using namespace concino` is in
+//     force, edges and num_edges mean the verbs of meshes; say concino::views::edges(g) and concino::views::num_edges(g) there.
 #pragma once
 
 #include <concino/graph/detail/boost_functions.hpp>

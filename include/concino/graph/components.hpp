@@ -81,6 +81,7 @@ auto connected_components(const G& g, const component_options<typename G::node, 
 /// Needs:  PrimalGraph M, or DualGraph M; may_cross needs the edges or faces of an AnyMesh.
 /// Result: cc.count; cc[x] is 0 .. cc.count - 1, numbered by the first element that a walk over all meets; -1 for barred nodes.
 /// Cost:   O(V + E) up to an inverse Ackermann factor in time, O(V) memory.
+/// Errors: none of its own.
 /// Source: Galler, Fisher 1964; paper section 2.1, "Architecture".
 template<class M>
   requires requirement::is_no_temporary<M> && requirement::is_graph<M>

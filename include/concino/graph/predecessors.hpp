@@ -35,7 +35,7 @@ class predecessors_ref {
 /// The nodes on the way to `end` in the tree that a search wrote to `predecessors`, from the source on; `end` alone if the search did not
 /// reach it.
 /// Needs:  predecessors[x] as bfs and dijkstra write it: following it ends at a node that is its own predecessor.
-/// Result: at least one node, `end` last.      Cost: O(nodes on the way).
+/// Result: at least one node, `end` last.      Cost: O(nodes on the way).      Errors: none of its own.
 template<class P, class Node>
   requires ReadableMap<P, Node>
 std::vector<Node> path_to(const P& predecessors, const Node& end) {

@@ -33,6 +33,7 @@ void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) 
 ///         Where the indices of a kind of elements are at fault (PG1, DG1, SM1, VM1), repair these first: what follows from them is not
 ///         told.
 /// Cost:   O(elements + adjacencies) time and memory.
+/// Errors: none; what the mesh throws is told as a broken law.
 template<class M>
   requires PrimalGraph<M> || DualGraph<M>
 std::vector<broken_law> check_laws(const M& m) {
