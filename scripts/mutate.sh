@@ -5,6 +5,7 @@
 #   scripts/mutate.sh                  all headers of the table below
 #   scripts/mutate.sh read_obj bfs     these headers
 #   scripts/mutate.sh --text 1000      up to 1000 of those that have to be compiled one by one, not one for each header
+#   scripts/mutate.sh --kinds bfs      also: does a test of each kind of mesh find it, where the tests of that kind come there?
 #   scripts/mutate.sh --show 123 bfs   what mutant 123 of bfs is, and what the tests say about it
 # Environment: CONCINO_MUTATE_BUILD (default build/mutate), CONCINO_JOBS (2).
 # How: scripts/mutants.hpp. Works on a copy of the tree. A mutant that does not compile does not count; one that runs into an endless loop
@@ -53,13 +54,15 @@ root=$PWD
 build=${CONCINO_MUTATE_BUILD:-build/mutate}
 jobs=${CONCINO_JOBS:-2}
 show=0
+by_kind=0
 most_text=1
 wanted=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --text) most_text=${2:?} && shift ;;
+    --kinds) by_kind=1 ;;
     --show) show=${2:?} && shift ;;
-    -*) sed -n '2,12s/^# //p' "$0"; [ "$1" = --help ] && exit 0 || exit 2 ;;
+    -*) sed -n '2,13s/^# //p' "$0"; [ "$1" = --help ] && exit 0 || exit 2 ;;
     *) wanted+=("$1") ;;
   esac
   shift
@@ -97,11 +100,28 @@ mutant() {
       CONCINO_MUTANT=$id CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$build/work/$test.limit")" "$build/work/$test.run" --abort-after=1 -nv ) >/dev/null 2>&1
     status=$?
     if [ $status -ne 0 ]; then
-      [ $status -ge 124 ] && [ $status -le 137 ] && [ $status -ne 134 ] && echo "$id killed $test timeout" || echo "$id killed $test"
+      case $status in 124 | 137) echo "$id killed $test timeout" ;; *) echo "$id killed $test" ;; esac
       return
     fi
   done
   [ $met -eq 1 ] && echo "$id survived" || echo "$id unmet"
+}
+
+# mutant_by_kind <id>: prints "id kind" for each kind of mesh whose tests met it and did not fail.
+kinds='trimesh quadmesh polygonmesh tetmesh hexmesh polyhedralmesh'
+mutant_by_kind() {
+  local id=$1 test kind met found
+  for kind in $kinds; do
+    met=0 found=0
+    for test in $tests; do
+      grep -qx "$id" "$build/work/$test.$kind.met" || continue
+      met=1
+      ( ulimit -v 4000000
+        CONCINO_MUTANT=$id CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$build/work/$test.limit")" "$build/work/$test.run" --abort-after=1 -nv \
+          --test-case="*<concino::$kind>*" ) >/dev/null 2>&1 || { found=1; break; }
+    done
+    [ $met -eq 0 ] || [ $found -eq 1 ] || echo "$id $kind"
+  done
 }
 
 # as_text <id>: the same with the change in the text, compiled alone.
@@ -123,7 +143,8 @@ as_text() {
   rm -rf "$place"
   echo "$id $verdict text"
 }
-export -f mutant as_text compile
+export -f mutant mutant_by_kind as_text compile
+export kinds
 
 # All wanted headers with all their mutants in them, and every test of the table compiled with those, once. Lines that do not compile so
 # are left as they were, and the rest is tried again.
@@ -180,6 +201,11 @@ for test in "${all_tests[@]}"; do
     echo "$test fails or does not compile without any mutant"
     missing+=("$test")
   fi
+  if [ $by_kind -eq 1 ]; then
+    for kind in $kinds; do
+      CONCINO_CORPUS=/nonexistent CONCINO_MUTANTS_MET=$work/$test.$kind.met "$work/$test.run" --test-case="*<concino::$kind>*" >/dev/null 2>&1
+    done
+  fi
   echo $((2 + 5 * ($(date +%s%N) - before) / 1000000000)) >"$work/$test.limit"
 done
 echo "compiled ${#all_tests[@]} tests with all mutants of ${#headers[@]} headers ($SECONDS s)"
@@ -225,6 +251,11 @@ for header in "${headers[@]}"; do
   read -r killed survived explained <"$work/counts"
   awk -F'\t' '{ print "survivor: " $3 ": " $4 "    " $5 ($2 ~ /unmet/ ? "    (no test comes here)" : "") "  [" $1 "]" }' "$work/survivors"
   printf '%-28s %4d mutants, %4d killed, %3d survived, %3d equivalent  (%d s)\n' "$header" $((killed + survived + explained)) "$killed" "$survived" "$explained" $((SECONDS - start))
+  if [ $by_kind -eq 1 ]; then
+    awk -F'\t' '$2 ~ /^killed/ && $2 !~ /text/ { print $1 }' "$work/result.tsv" | xargs -P "$jobs" -I{} bash -c 'mutant_by_kind {}' >"$work/by_kind" 2>/dev/null
+    awk -F'\t' 'NR == FNR { split($0, part, " "); kinds[part[1]] = kinds[part[1]] " " part[2]; next } $1 in kinds { print "not found by tests of" kinds[$1] ": " $3 ": " $4 "    " $5 }' \
+      "$work/by_kind" "$work/result.tsv"
+  fi
   killed_of_all=$((killed_of_all + killed)) survivors_of_all=$((survivors_of_all + survived)) explained_of_all=$((explained_of_all + explained))
 done
 echo "$((killed_of_all + survivors_of_all + explained_of_all)) mutants, $killed_of_all killed, $survivors_of_all survived, $explained_of_all equivalent"
