@@ -13,7 +13,6 @@
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/detail/residual.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
@@ -56,14 +55,17 @@ dirichlet_problem<M> dirichlet(const M& m, const D& given, double isolated_value
     r.unknown[v] = problem::prescribed;
     r.value[v] = x;
   }
-  const auto hops = concino::bfs(m, sources);
+  const primal_graph<M> graph{m};
+  const auto hops = detail::plain_bfs(graph, sources, nullptr);
   for (const vert_t<M> v : verts(m)) {
     if (r.unknown[v] == problem::prescribed) continue;
     const auto& around = adj_v2v(m, v);
     if (!(around.begin() != around.end())) continue;
     if (hops[v] < 0) {
       std::size_t size = 0;
-      const auto component = concino::bfs(m, v);
+      sources.clear();
+      sources.push_back(v);
+      const auto component = detail::plain_bfs(graph, sources, nullptr);
       for (const vert_t<M> w : verts(m)) size += component[w] >= 0;
       throw solver_error(std::string(who) + ": singular, because the component of vert " + number_text(index_of(m, v)) + " (" + number_text(size) +
                          " verts) has no value prescribed; give one at any of its verts");
@@ -90,10 +92,10 @@ std::vector<double> inverse_masses(const M& m, const Eigen::SparseMatrix<double>
   return inverse;
 }
 
-/// A (M^-1 A)^(n-1).
+/// A (M^-1 A)^(n-1), n > 1.
 inline Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& inverse_mass, int exponent) {
-  Eigen::SparseMatrix<double> k = a;
-  for (int n = 1; n < exponent; ++n) k = scaled_product(a, inverse_mass, k);
+  Eigen::SparseMatrix<double> k = scaled_product(a, inverse_mass, a);
+  for (int n = 2; n < exponent; ++n) k = scaled_product(a, inverse_mass, k);
   return k;
 }
 
@@ -101,24 +103,29 @@ inline Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double
 template<class M>
 Eigen::SparseMatrix<double> restrict_to_unknowns(const Eigen::SparseMatrix<double>& k, const M& m, const dirichlet_problem<M>& problem, Eigen::VectorXd& b) {
   Eigen::SparseMatrix<double> r(problem.unknowns, problem.unknowns);
-  r.reserve(k.nonZeros() / 2 + problem.unknowns);
-  std::vector<Eigen::Index> column(static_cast<std::size_t>(problem.unknowns));
+  r.resizeNonZeros(k.nonZeros());
+  std::vector<int> column(static_cast<std::size_t>(problem.unknowns));
   for (const vert_t<M> v : verts(m))
-    if (const int c = problem.unknown[v]; c >= 0) column[static_cast<std::size_t>(c)] = static_cast<Eigen::Index>(index_of(m, v));
-  std::vector<std::pair<int, double>> entries;
+    if (const int c = problem.unknown[v]; c >= 0) column[static_cast<std::size_t>(c)] = static_cast<int>(index_of(m, v));
+  const int* const unknown = problem.unknown.values().data();
+  const double* const value = problem.value.values().data();
+  int* const rows = r.innerIndexPtr();
+  double* const entries = r.valuePtr();
+  int at = 0;
   for (int c = 0; c < problem.unknowns; ++c) {
-    entries.clear();
-    for (Eigen::SparseMatrix<double>::InnerIterator it(k, column[static_cast<std::size_t>(c)]); it; ++it) {
-      const auto i = static_cast<std::size_t>(it.row());
-      const int row = problem.unknown.values()[i];
-      if (row < 0) b[c] -= it.value() * problem.value.values()[i];
-      else if (row >= c) entries.push_back({row, it.value()});
+    const int first = at, from = column[static_cast<std::size_t>(c)];
+    for (int l = k.outerIndexPtr()[from]; l < k.outerIndexPtr()[from + 1]; ++l) {
+      const int i = k.innerIndexPtr()[l], row = unknown[i];
+      const double x = k.valuePtr()[l];
+      if (row < 0) b[c] -= x * value[i];
+      if (row < c) continue;
+      rows[at] = row;
+      entries[at++] = x;
     }
-    std::sort(entries.begin(), entries.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-    r.startVec(c);
-    for (const auto& [row, x] : entries) r.insertBack(row, c) = x;
+    sort_column(rows + first, entries + first, static_cast<std::size_t>(at - first));
+    r.outerIndexPtr()[c + 1] = at;
   }
-  r.finalize();
+  r.resizeNonZeros(at);
   return r;
 }
 
@@ -146,10 +153,12 @@ vert_map<M, double> harmonic_map(M&& m, const D& values, const harmonic_map_opti
   detail::tell(options.progress, 0, "harmonic map: assembling");
   auto problem = detail::dirichlet(mesh_in, values, options.isolated_value, "harmonic_map");
 
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(problem.unknowns);
+  Eigen::VectorXd b(problem.unknowns);
+  b.setZero();
   const Eigen::SparseMatrix<double> a = [&] {
     if (options.exponent > 1) {
-      const Eigen::SparseMatrix<double> all = -laplacian(mesh_in, {.weights = options.weights});
+      Eigen::SparseMatrix<double> all = laplacian(mesh_in, {.weights = options.weights});
+      for (Eigen::Index k = 0; k < all.nonZeros(); ++k) all.valuePtr()[k] = -all.valuePtr()[k];
       const auto k = detail::polyharmonic(all, detail::inverse_masses(mesh_in, all, options.weights), options.exponent);
       return detail::restrict_to_unknowns(k, mesh_in, problem, b);
     }

@@ -50,8 +50,8 @@ class ldlt {
       throw solver_error("ldlt: the right-hand side has " + detail::number_text(b.size()) + " entries, the matrix " + detail::number_text(size_) + " rows");
     if (size_ == 0) return b;
     Eigen::VectorXd x = factors_.solve(b);
-    for (const double xi : x)
-      if (!std::isfinite(xi)) throw solver_error("ldlt: the solution is not finite; the matrix is singular or the right-hand side is not finite");
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      if (!std::isfinite(x[i])) throw solver_error("ldlt: the solution is not finite; the matrix is singular or the right-hand side is not finite");
     return x;
   }
 };

@@ -6,12 +6,9 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <tuple>
 #include <utility>
-#include <vector>
 
 namespace concino::detail {
 
@@ -31,10 +28,25 @@ inline void sort_column(int* rows, double* values, std::size_t n) {
     }
     return;
   }
-  std::vector<std::pair<int, double>> column(n);
-  for (std::size_t i = 0; i < n; ++i) column[i] = {rows[i], values[i]};
-  std::sort(column.begin(), column.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (std::size_t i = 0; i < n; ++i) std::tie(rows[i], values[i]) = column[i];
+  // a heap, because there are two arrays: the first of them sinks below those with larger rows
+  const auto sink = [&](std::size_t i, std::size_t end) {
+    const int row = rows[i];
+    const double value = values[i];
+    for (std::size_t below = 2 * i + 1; below < end; i = below, below = 2 * i + 1) {
+      if (below + 1 < end && rows[below] < rows[below + 1]) ++below;
+      if (rows[below] <= row) break;
+      rows[i] = rows[below];
+      values[i] = values[below];
+    }
+    rows[i] = row;
+    values[i] = value;
+  };
+  for (std::size_t i = n / 2; i-- > 0;) sink(i, n);
+  for (std::size_t end = n - 1; end > 0; --end) {
+    std::swap(rows[0], rows[end]);
+    std::swap(values[0], values[end]);
+    sink(0, end);
+  }
 }
 
 /// Every entry, where every vert has a column.

@@ -8,29 +8,37 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace concino::detail {
 
-/// r = b - a x for a symmetric matrix given by its lower triangle.
+/// r = b - a x for a symmetric matrix given by its lower triangle, compressed. Loops, because Eigen's expressions take long to compile.
 /// Result: the largest |r_i| / (|a| |x| + |b|)_i: the relative change of matrix and right-hand side that would make x exact. It does not
 ///         depend on the scale of rows.
 inline double residual(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r) {
-  Eigen::VectorXd scale = b.cwiseAbs();
-  r = b;
-  for (Eigen::Index c = 0; c < lower.cols(); ++c) {
-    for (Eigen::SparseMatrix<double>::InnerIterator it(lower, c); it; ++it) {
-      const double below = it.value() * x[c];
-      r[it.row()] -= below;
-      scale[it.row()] += std::abs(below);
-      if (it.row() == c) continue;
-      const double above = it.value() * x[it.row()];
+  const auto n = static_cast<int>(lower.cols());
+  std::vector<double> scale(static_cast<std::size_t>(n));
+  double* const s = scale.data();
+  r.resize(n);
+  for (int i = 0; i < n; ++i) {
+    r[i] = b[i];
+    s[i] = std::abs(b[i]);
+  }
+  for (int c = 0; c < n; ++c) {
+    for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
+      const int row = lower.innerIndexPtr()[k];
+      const double below = lower.valuePtr()[k] * x[c];
+      r[row] -= below;
+      s[row] += std::abs(below);
+      if (row == c) continue;
+      const double above = lower.valuePtr()[k] * x[row];
       r[c] -= above;
-      scale[c] += std::abs(above);
+      s[c] += std::abs(above);
     }
   }
   double worst = 0;
-  for (Eigen::Index i = 0; i < r.size(); ++i) {
-    const double e = r[i] == 0 ? 0 : std::abs(r[i]) / scale[i];
+  for (int i = 0; i < n; ++i) {
+    const double e = r[i] == 0 ? 0 : std::abs(r[i]) / s[i];
     if (!(e <= worst)) worst = e;
   }
   return worst;
@@ -43,10 +51,11 @@ Eigen::VectorXd solve_and_check(const Solver& solver, const Eigen::SparseMatrix<
   Eigen::VectorXd x = solver.solve(b), r;
   double error = residual(lower, x, b, r);
   for (int round = 0; round < 3 && error > 1e-13; ++round) {
-    const Eigen::VectorXd better = x + solver.solve(r);
+    Eigen::VectorXd better = solver.solve(r);
+    for (Eigen::Index i = 0; i < x.size(); ++i) better[i] += x[i];
     const double left = residual(lower, better, b, r);
     if (!(left < error)) break;
-    x = better;
+    x.swap(better);
     error = left;
   }
   if (!(error <= 1e-8))
