@@ -6,12 +6,14 @@
 
 #include <support/closed_surfaces.hpp>
 #include <support/disk.hpp>
+#include <support/glued_surfaces.hpp>
 #include <support/kinds.hpp>
 #include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 
 #include <random>
+#include <set>
 
 using namespace concino;
 using namespace concino::testing;
@@ -162,4 +164,14 @@ TEST_CASE("tree_cotree: random heaps of voxels are decomposed or refused, as cou
   }
   CHECK(refused > 30);
   CHECK(done > 30);
+}
+
+TEST_CASE_TEMPLATE("tree_cotree: 1,000 random closed surfaces", M, CONCINO_SURFACE_KINDS) {
+  std::set<std::size_t> left;
+  for_random_closed_surfaces<M>(1000, [&](const M& m, int chi) {
+    check_decomposition(m);
+    left.insert(tree_cotree(m).rest.size());
+    CHECK(topology_of(m).chi == chi);
+  });
+  for (const std::size_t n : {0u, 1u, 2u, 3u}) CHECK(left.count(n) == 1);
 }
