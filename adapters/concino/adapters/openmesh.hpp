@@ -1,8 +1,9 @@
 // OpenMesh (Debian: libopenmesh-dev): every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from one, is a
 // SurfaceMesh. OpenMesh's own handles go in and come out, and nothing is copied. A property becomes a map by as_map(mesh, handle).
 //
-// Elements that are deleted but not yet collected as garbage are left out; hidden ones are not, because hiding is about showing. Polys that
-// only touch in a vert are all met by the rings of that vert: OpenMesh links their borders.
+// Elements that are deleted but not yet collected as garbage are left out; hidden ones are not, because hiding is about showing. num_verts and
+// its siblings count what is left, in time proportional to all. Polys that only touch in a vert are all met by the rings of that vert, since
+// OpenMesh links their borders; edges of more than two polys it cannot hold.
 #pragma once
 
 #include <concino/adapters/detail/openmesh_links.hpp>
@@ -13,9 +14,9 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
+#include <cassert>
 #include <concepts>
 #include <span>
-#include <string>
 #include <type_traits>
 
 namespace concino {
@@ -48,7 +49,7 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   static poly add_poly(M& m, std::span<const vert> corners) {
     detail::check_openmesh_poly(m, corners, arity);
     const poly p = m.OpenMesh::PolyConnectivity::add_face(corners.data(), corners.size());
-    if (!p.is_valid()) throw invalid_mesh("poly " + std::to_string(m.n_faces()) + " cannot be linked to the polys that touch its verts; OpenMesh says no more");
+    assert(p.is_valid() && "what OpenMesh refuses has been refused before");
     return p;
   }
   // OpenMesh deletes by status attributes. They are requested, as users of OpenMesh do by hand, where the mesh has none.

@@ -108,24 +108,37 @@ template<class M>
   requires requires { typename M::Point; }
 inline constexpr std::size_t openmesh_coordinates<M> = OpenMesh::vector_traits<typename M::Point>::size_;
 
-/// Refuses polys that OpenMesh cannot hold, before anything has changed. OpenMesh would refuse them too, in words to the standard error stream.
+/// Refuses polys that OpenMesh cannot hold, with the reason, before anything has changed. OpenMesh's add_face makes the last three tests too, but
+/// its words go to the standard error stream.
 inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<const OpenMesh::VertexHandle> corners, int arity) {
+  using OpenMesh::HalfedgeHandle, OpenMesh::VertexHandle;
   const auto refuse = [&](const std::string& why) { throw invalid_mesh("poly " + std::to_string(m.n_faces()) + " " + why); };
-  const auto name = [](OpenMesh::VertexHandle v) { return "vert " + std::to_string(v.idx()); };
+  const auto name = [](VertexHandle v) { return "vert " + std::to_string(v.idx()); };
   const std::size_t n = corners.size();
   if (n < 3 || (arity != 0 && n != static_cast<std::size_t>(arity)))
     refuse("has " + std::to_string(n) + " verts; it needs " + (arity != 0 ? std::to_string(arity) : "at least 3"));
-  for (const auto v : corners)
+  for (const VertexHandle v : corners)
     if (!openmesh_links::contains(m, v)) refuse("names " + name(v) + ", which is not in the mesh");
-  std::vector<OpenMesh::VertexHandle> sorted(corners.begin(), corners.end());
+  std::vector<VertexHandle> sorted(corners.begin(), corners.end());
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
     refuse("has " + name(*twice) + " twice; its verts must differ");
+
+  std::vector<HalfedgeHandle> sides;  // those that are there already
   for (std::size_t i = 0; i < n; ++i) {
-    const auto a = corners[i], b = corners[(i + 1) % n];
+    const VertexHandle a = corners[i], b = corners[(i + 1) % n];
     if (!m.is_boundary(a)) refuse("names " + name(a) + ", which has polys all around it; OpenMesh can hold no other there");
-    if (const OpenMesh::HalfedgeHandle h = m.find_halfedge(a, b); h.is_valid() && !m.is_boundary(h))
+    sides.push_back(m.find_halfedge(a, b));
+    if (sides.back().is_valid() && !m.is_boundary(sides.back()))
       refuse("goes from " + name(a) + " to " + name(b) + " as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions");
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const HalfedgeHandle in = sides[i], out = sides[(i + 1) % n];
+    if (!in.is_valid() || !out.is_valid() || m.next_halfedge_handle(in) == out) continue;
+    HalfedgeHandle gap = m.opposite_halfedge_handle(out);
+    do gap = m.opposite_halfedge_handle(m.next_halfedge_handle(gap));
+    while (!m.is_boundary(gap));
+    if (gap == in) refuse("closes the ring of polys around " + name(corners[(i + 1) % n]) + ", at which others stand in the gap; OpenMesh can hold no others there");
   }
 }
 
