@@ -58,6 +58,9 @@ TEST_CASE("ldlt: an empty system has an empty solution") {
   ldlt solver;
   solver.factorize(Eigen::SparseMatrix<double>(0, 0));
   CHECK(solver.solve(Eigen::VectorXd(0)).size() == 0);
+  solver.factorize(path(2));
+  solver.factorize(Eigen::SparseMatrix<double>(0, 0));
+  CHECK(solver.solve(Eigen::VectorXd(0)).size() == 0);
 }
 
 TEST_CASE("ldlt: what it cannot solve it says") {
@@ -91,4 +94,28 @@ TEST_CASE("ldlt: badly scaled rows are not mistaken for singular ones") {
   for (int i = 0; i < 6; ++i) x[i] = std::ldexp(1.0, 20 * i);
   const Eigen::VectorXd b = a * x;
   CHECK(((solver.solve(b) - x).array() / x.array()).abs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("ldlt: random matrices of any pattern, compressed or not, as a dense solver has it") {
+  std::mt19937 random(11);
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned long>(n)); };
+  const auto real = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
+  for (int round = 0; round < 200; ++round) {
+    const int n = below(40) + 1;
+    Eigen::SparseMatrix<double> a(n, n);
+    for (int i = 0; i < n; ++i) a.coeffRef(i, i) = 0.5 + real() * real();
+    for (int k = below(4 * n); k > 0; --k) {
+      const int i = below(n), j = below(n);
+      if (i != j) a.coeffRef(std::max(i, j), std::min(i, j)) = real();
+    }
+    for (int i = 0; i < n; ++i) a.coeffRef(i, i) += 4 * n;  // definite
+    if (round % 2) a.makeCompressed();
+    const Eigen::MatrixXd whole = Eigen::MatrixXd(a).selfadjointView<Eigen::Lower>();
+    Eigen::VectorXd b(n);
+    for (double& x : b) x = real();
+    ldlt solver;
+    solver.factorize(a);
+    CHECK((whole * solver.solve(b) - b).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK((solver.solve(b) - whole.partialPivLu().solve(b)).cwiseAbs().maxCoeff() < 1e-12);
+  }
 }
