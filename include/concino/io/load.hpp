@@ -16,13 +16,6 @@ namespace concino {
 
 namespace detail {
 
-template<class M>
-inline constexpr bool from_surface = std::constructible_from<M, surface_arrays&&>;
-template<class M>
-inline constexpr bool from_cells = std::constructible_from<M, cell_arrays&&>;
-template<class M>
-inline constexpr bool from_polyhedra = std::constructible_from<M, polyhedra_arrays&&>;
-
 /// Readers of what is not wanted are not compiled.
 template<bool Surfaces, bool Volumes>
 void read_contents(const read_context& context, file_format format, contents_of<Volumes>& out) {

@@ -4,6 +4,7 @@
 #include <concino/concepts/descriptors.hpp>
 #include <concino/geometry/vec3.hpp>
 
+#include <concepts>
 #include <cstdint>
 #include <vector>
 
@@ -42,5 +43,17 @@ struct polyhedra_arrays {
   std::size_t num_faces() const { return face_offsets.empty() ? 0 : face_offsets.size() - 1; }
   std::size_t num_polys() const { return poly_offsets.empty() ? 0 : poly_offsets.size() - 1; }
 };
+
+namespace detail {
+
+/// What M is made from.
+template<class M>
+inline constexpr bool from_surface = std::constructible_from<M, surface_arrays&&>;
+template<class M>
+inline constexpr bool from_cells = std::constructible_from<M, cell_arrays&&>;
+template<class M>
+inline constexpr bool from_polyhedra = std::constructible_from<M, polyhedra_arrays&&>;
+
+}  // namespace detail
 
 }  // namespace concino

@@ -5,6 +5,7 @@
 #include <concino/error.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -86,6 +87,16 @@ class column {
     } else if (o.size_ > 0) {
       std::memcpy(data_, o.data_, o.size_ * type_->size);
       size_ = o.size_;
+    }
+  }
+  /// Value i is that of o at source[i], a default where that is ~0.
+  column(const column& o, const std::vector<std::uint32_t>& source) : column(*o.type_) {
+    make_room(source.size());
+    for (; size_ < source.size(); ++size_) {
+      const std::uint32_t from = source[size_];
+      if (from == ~0u) type_->make(at(size_));
+      else if (type_->copy) type_->copy(at(size_), o.at(from));
+      else std::memcpy(at(size_), o.at(from), type_->size);
     }
   }
   column& operator=(const column&) = delete;
@@ -180,6 +191,15 @@ class property_set {
       return true;
     }
     return false;
+  }
+
+  bool has(element_kind kind) const {
+    return std::any_of(entries_.begin(), entries_.end(), [&](const entry& e) { return e.kind == kind; });
+  }
+  /// Takes over all properties of one kind of another mesh: element i gets the values of source[i] there, default values where that is ~0.
+  void gather(const property_set& given, element_kind kind, const std::vector<std::uint32_t>& source) {
+    for (const entry& e : given.entries_)
+      if (e.kind == kind) entries_.push_back({kind, e.name, std::make_shared<detail::column>(*e.values, source)});
   }
 
   /// After elements were added.

@@ -1,0 +1,113 @@
+// What convert() gives back: a mesh, and which of its elements stand for those of the mesh that it was made from.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/concepts/mesh.hpp>
+#include <concino/mesh/element_map.hpp>
+
+#include <cassert>
+#include <concepts>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+namespace detail {
+
+/// face_t<M>, or of a surface something that nothing is.
+template<class M>
+struct face_if_any {
+  struct type {};
+};
+template<class M>
+  requires(dimension_v<M> == 3)
+struct face_if_any<M> { using type = face_t<M>; };
+
+}  // namespace detail
+
+/// Names of elements hold while neither mesh is changed. The mesh that was converted has to stay where it is; of a view a copy is kept.
+template<class To, class From>
+class conversion {
+  using given_face = typename detail::face_if_any<From>::type;
+  using face = typename detail::face_if_any<To>::type;
+
+  vert_map<From, vert_t<To>> verts_;
+  poly_map<From, poly_t<To>> polys_;
+  std::vector<std::uint32_t> faces_;  // by index of a face, where the new mesh has faces of its own numbers: that number
+
+ public:
+  To mesh;
+
+  conversion(To made, vert_map<From, vert_t<To>> vert_names, poly_map<From, poly_t<To>> poly_names, std::vector<std::uint32_t> face_numbers = {})
+      : verts_(std::move(vert_names)), polys_(std::move(poly_names)), faces_(std::move(face_numbers)), mesh(std::move(made)) {}
+
+  const From& from() const { return verts_.mesh(); }
+  const vert_t<To>& vert_of(const vert_t<From>& v) const { return verts_[v]; }
+  const poly_t<To>& poly_of(const poly_t<From>& p) const { return polys_[p]; }
+
+  /// Found at one of its verts.                                              Cost: the edges there.
+  edge_t<To> edge_of(const edge_t<From>& e) const {
+    const auto ends = ends_of(from(), e);
+    const vert_t<To> a = vert_of(ends.first), b = vert_of(ends.second);
+    for (const edge_t<To> x : adj_v2e(mesh, a)) {
+      const auto found = ends_of(mesh, x);
+      if (found.first == b || found.second == b) return x;
+    }
+    assert(false && "every edge of a mesh is an edge of what it was converted to");
+    return {};
+  }
+
+  /// Found at one of its verts, by all of them, unless the new mesh numbers faces as they were given.      Cost: the faces there.
+  face face_of(const given_face& f) const
+    requires(dimension_v<From> == 3)
+  {
+    if constexpr (std::constructible_from<face, std::uint32_t>)
+      if (!faces_.empty()) return face(faces_[index_of(from(), f)]);
+    std::vector<vert_t<To>> wanted;
+    for (const vert_t<From> v : adj_f2v(from(), f)) wanted.push_back(vert_of(v));
+    for (const face x : adj_v2f(mesh, wanted[0])) {
+      std::size_t met = 0, n = 0;
+      for (const vert_t<To> v : adj_f2v(mesh, x)) {
+        ++n;
+        for (const vert_t<To>& w : wanted) met += w == v;
+      }
+      if (n == wanted.size() && met == n) return x;
+    }
+    assert(false && "every face of a mesh is a face of what it was converted to");
+    return face();
+  }
+
+  /// Values from one map to another: to[vert_of(v)] = from_map[v] for all verts, or for the edges, faces or polys that `from_map` has values of.
+  template<class A, class B>
+    requires(ReadableMap<A, vert_t<From>>)
+  void carry(const A& from_map, B&& to) const {
+    for (const vert_t<From> v : verts(from())) to[vert_of(v)] = from_map[v];
+  }
+  template<class A, class B>
+    requires(ReadableMap<A, edge_t<From>>)
+  void carry(const A& from_map, B&& to) const {
+    for (const edge_t<From> e : edges(from())) to[edge_of(e)] = from_map[e];
+  }
+  template<class A, class B>
+    requires(ReadableMap<A, given_face>)
+  void carry(const A& from_map, B&& to) const {
+    for (const given_face f : faces(from())) to[face_of(f)] = from_map[f];
+  }
+  template<class A, class B>
+    requires(ReadableMap<A, poly_t<From>>)
+  void carry(const A& from_map, B&& to) const {
+    for (const poly_t<From> p : polys(from())) to[poly_of(p)] = from_map[p];
+  }
+
+ private:
+  template<class M>
+  static std::pair<vert_t<M>, vert_t<M>> ends_of(const M& m, const edge_t<M>& e) {
+    vert_t<M> two[2] = {};
+    std::size_t n = 0;
+    for (const vert_t<M> v : adj_e2v(m, e)) two[n++] = v;
+    return {two[0], two[1]};
+  }
+};
+
+}  // namespace concino

@@ -1,0 +1,207 @@
+// Converting there and back is the identity: connectivity, coordinates and properties.
+#include <concino/convert.hpp>
+#include <concino/mesh.hpp>
+#include <concino/mesh/boundary.hpp>
+#include <concino/validate/check_laws.hpp>
+
+#include <support/soups.hpp>
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+namespace cn = concino;
+
+namespace {
+
+template<class R>
+std::vector<unsigned> raw(const R& range) {
+  std::vector<unsigned> all;
+  for (const auto x : range) all.push_back(x.raw());
+  return all;
+}
+template<class R>
+std::set<unsigned> raw_set(const R& range) {
+  const auto all = raw(range);
+  return {all.begin(), all.end()};
+}
+
+template<class A, class B>
+void same_mesh(const A& a, const B& b) {
+  REQUIRE(cn::num_verts(a) == cn::num_verts(b));
+  REQUIRE(cn::num_edges(a) == cn::num_edges(b));
+  REQUIRE(cn::num_polys(a) == cn::num_polys(b));
+  for (const auto v : cn::verts(a)) {
+    CHECK(cn::to_vec3(cn::point(a, v)) == cn::to_vec3(cn::point(b, v)));
+    CHECK(raw_set(cn::adj_v2v(a, v)) == raw_set(cn::adj_v2v(b, v)));
+  }
+  for (const auto p : cn::polys(a)) {
+    if constexpr (cn::SurfaceMesh<A>) CHECK(raw(cn::adj_p2v(a, p)) == raw(cn::adj_p2v(b, p)));
+    else CHECK(raw_set(cn::adj_p2v(a, p)) == raw_set(cn::adj_p2v(b, p)));
+    CHECK(raw_set(cn::adj_p2p(a, p)) == raw_set(cn::adj_p2p(b, p)));
+  }
+}
+
+/// Every element's stand-in has the stand-ins of what is at it.
+template<class C>
+void names_agree(const C& c) {
+  const auto& m = c.from();
+  for (const auto v : cn::verts(m)) {
+    const cn::vec3 x = cn::to_vec3(cn::point(m, v)), y = cn::to_vec3(cn::point(c.mesh, c.vert_of(v)));
+    CHECK(x == y);
+  }
+  const auto stand_ins = [&](const auto& range) {
+    std::set<std::size_t> all;
+    for (const auto v : range) all.insert(cn::index_of(c.mesh, c.vert_of(v)));
+    return all;
+  };
+  const auto indices = [&](const auto& range) {
+    std::set<std::size_t> all;
+    for (const auto v : range) all.insert(cn::index_of(c.mesh, v));
+    return all;
+  };
+  for (const auto e : cn::edges(m)) CHECK(stand_ins(cn::adj_e2v(m, e)) == indices(cn::adj_e2v(c.mesh, c.edge_of(e))));
+  for (const auto p : cn::polys(m)) CHECK(stand_ins(cn::adj_p2v(m, p)) == indices(cn::adj_p2v(c.mesh, c.poly_of(p))));
+  if constexpr (cn::VolumeMesh<decltype(c.mesh)>)
+    for (const auto f : cn::faces(m)) CHECK(stand_ins(cn::adj_f2v(m, f)) == indices(cn::adj_f2v(c.mesh, c.face_of(f))));
+}
+
+template<class M>
+using general_of = std::conditional_t<cn::VolumeMesh<M>, cn::polyhedralmesh, cn::polygonmesh>;
+
+/// A mesh as its users write them: verts and polys are added one by one. Grids of this library lie behind it.
+struct added {
+  cn::trimesh inner;
+};
+
+}  // namespace
+
+template<>
+struct concino::mesh_traits<added> : concino::indexed_surface<added> {
+  static constexpr int arity = 3;
+  static const auto& tables(const added& m) { return m.inner.tables(); }
+  static const vec3& point(const added& m, vert_id v) { return concino::point(m.inner, v); }
+  static vert_id add_vert(added& m, const vec3& x) { return concino::add_vert(m.inner, x); }
+  static poly_id add_poly(added& m, std::span<const vert_id> corners) {
+    if (corners[0] == vert_id{13}) throw invalid_mesh("verts 13 come first never");
+    return concino::add_poly(m.inner, corners);
+  }
+};
+
+TEST_CASE_TEMPLATE("any soup goes to the general kind and back unchanged", M, CONCINO_ALL_KINDS) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 30; ++round) {
+    const M m = cn::testing::random_soup<M>(random, 8 + static_cast<unsigned>(random() % 12), 1 + static_cast<unsigned>(random() % 20)).mesh();
+    const auto there = cn::convert<general_of<M>>(m);
+    names_agree(there);
+    if constexpr (cn::HexMesh<M>) continue;  // soups of hexes have cells that cannot be told from their faces alone
+    const auto back = cn::convert<M>(there.mesh);
+    names_agree(back);
+    same_mesh(m, back.mesh);
+  }
+}
+
+TEST_CASE_TEMPLATE("grids go to the general kind and back with all their properties", M, CONCINO_ALL_KINDS) {
+  M m = cn::testing::grid<M>(3);
+  auto heat = cn::vert_property<double>(m, "heat");
+  for (const auto v : cn::verts(m)) heat[v] = 0.5 + v.raw();
+  auto crease = cn::edge_property<int>(m, "crease");
+  for (const auto e : cn::edges(m)) crease[e] = static_cast<int>(e.raw());
+  auto name = cn::poly_property<std::string>(m, "name");
+  for (const auto p : cn::polys(m)) name[p] = "poly number " + std::to_string(p.raw());
+  if constexpr (cn::VolumeMesh<M>) {
+    auto wall = cn::face_property<float>(m, "wall");
+    for (const auto f : cn::faces(m)) wall[f] = static_cast<float>(f.raw());
+  }
+  const auto there = cn::convert<general_of<M>>(m);
+  const auto back = cn::convert<M>(there.mesh);
+  same_mesh(m, back.mesh);
+  CHECK(cn::property_list(back.mesh).size() == cn::property_list(m).size());
+  for (const auto v : cn::verts(m)) CHECK(cn::find_vert_property<double>(back.mesh, "heat")[back.vert_of(there.vert_of(v))] == heat[v]);
+  for (const auto e : cn::edges(m)) CHECK(cn::find_edge_property<int>(back.mesh, "crease")[back.edge_of(there.edge_of(e))] == crease[e]);
+  for (const auto p : cn::polys(m)) CHECK(cn::find_poly_property<std::string>(back.mesh, "name")[back.poly_of(there.poly_of(p))] == name[p]);
+  if constexpr (cn::VolumeMesh<M>)
+    for (const auto f : cn::faces(m))
+      CHECK(cn::find_face_property<float>(back.mesh, "wall")[back.face_of(there.face_of(f))] == cn::find_face_property<float>(m, "wall")[f]);
+  CHECK(cn::property_list(cn::convert<general_of<M>>(m, {.properties = false}).mesh).empty());
+}
+
+TEST_CASE_TEMPLATE("gaps of deleted elements are closed", M, CONCINO_ALL_KINDS) {
+  M m = cn::testing::grid<M>(3);
+  cn::remove_poly(m, cn::poly_id{1});
+  cn::remove_vert(m, *cn::verts(m).begin());
+  auto age = cn::vert_property<int>(m, "age");
+  for (const auto v : cn::verts(m)) age[v] = static_cast<int>(v.raw());
+  const auto c = cn::convert<M>(m);
+  names_agree(c);
+  CHECK(cn::vert_index_bound(c.mesh) == cn::num_verts(m));
+  CHECK(cn::poly_index_bound(c.mesh) == cn::num_polys(m));
+  for (const auto v : cn::verts(m)) CHECK(cn::find_vert_property<int>(c.mesh, "age")[c.vert_of(v)] == age[v]);
+  for (const auto& b : cn::check_laws(c.mesh)) FAIL_CHECK(b.law << ": " << b.what);
+}
+
+TEST_CASE("what the wanted mesh cannot hold is named") {
+  const cn::polygonmesh mixed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 2}});
+  CHECK_THROWS_WITH_AS(cn::convert<cn::trimesh>(mixed), doctest::Contains("poly 0 has 4 verts"), cn::unsupported);
+  CHECK_THROWS_WITH_AS(cn::convert<cn::quadmesh>(mixed), doctest::Contains("poly 1 has 3 verts"), cn::unsupported);
+  const auto hexes = cn::testing::grid<cn::hexmesh>(2);
+  CHECK_THROWS_WITH_AS(cn::convert<cn::tetmesh>(hexes), doctest::Contains("poly 0 is a hex of 6 faces"), cn::unsupported);
+  cn::trimesh grid = cn::testing::grid<cn::trimesh>(4);
+  CHECK_THROWS_WITH_AS(cn::convert<added>(grid), doctest::Contains("verts 13 come first never"), cn::unsupported);
+}
+
+TEST_CASE("a mesh that is made by adding") {
+  cn::trimesh m = cn::testing::grid<cn::trimesh>(2);
+  cn::vert_property<int>(m, "lost");
+  cn::convert_report report;
+  const auto c = cn::convert<added>(m, {.report = &report});
+  names_agree(c);
+  same_mesh(m, c.mesh.inner);
+  REQUIRE(report.lost.size() == 1);
+  CHECK(report.lost[0].find("vert property \"lost\"") != std::string::npos);
+  const auto back = cn::convert<cn::trimesh>(c.mesh);
+  same_mesh(m, back.mesh);
+}
+
+TEST_CASE("values go from map to map") {
+  const auto m = cn::testing::grid<cn::tetmesh>(2);
+  const auto c = cn::convert<cn::polyhedralmesh>(m);
+  auto from = cn::make_poly_map<int>(m);
+  auto to = cn::make_poly_map<int>(c.mesh, -1);
+  for (const auto p : cn::polys(m)) from[p] = static_cast<int>(p.raw());
+  c.carry(from, to);
+  for (const auto p : cn::polys(m)) CHECK(to[c.poly_of(p)] == from[p]);
+  auto walls = cn::make_face_map<int>(m);
+  auto taken = cn::make_face_map<int>(c.mesh, -1);
+  for (const auto f : cn::faces(m)) walls[f] = static_cast<int>(f.raw());
+  c.carry(walls, taken);
+  for (const auto f : cn::faces(m)) CHECK(taken[c.face_of(f)] == walls[f]);
+}
+
+TEST_CASE("views are meshes too: the boundary of a volume becomes a surface of its own") {
+  const auto m = cn::testing::grid<cn::hexmesh>(2);
+  const auto c = cn::convert<cn::quadmesh>(cn::boundary(m));
+  CHECK(cn::num_polys(c.mesh) == 24);
+  CHECK(cn::num_verts(c.mesh) == 26);
+  names_agree(c);
+}
+
+TEST_CASE("progress is told, and can stop it") {
+  const auto m = cn::testing::grid<cn::trimesh>(2);
+  double last = -1;
+  cn::convert<cn::polygonmesh>(m, {.progress = [&](double fraction, const char*) {
+                                 CHECK(fraction >= last);
+                                 last = fraction;
+                                 return true;
+                               }});
+  CHECK(last == 1);
+  CHECK_THROWS_AS(cn::convert<cn::polygonmesh>(m, {.progress = [](double, const char*) { return false; }}), cn::cancelled);
+}
+
+TEST_CASE("empty meshes") {
+  const cn::tetmesh none;
+  CHECK(cn::num_polys(cn::convert<cn::polyhedralmesh>(none).mesh) == 0);
+  const cn::polyhedralmesh one_vert(cn::point_list{{1, 2, 3}}, cn::index_lists{}, cn::face_lists{});
+  CHECK(cn::num_verts(cn::convert<cn::tetmesh>(one_vert).mesh) == 1);
+}
