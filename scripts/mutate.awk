@@ -34,7 +34,7 @@ function note(change) {
 }
 
 # What only makes room changes no result.
-/\.reserve\(|reserve_facets\(/ { print; next }
+/\.reserve\(|reserve_(facets|large)\(/ { print; next }
 /^ *(#|\/\/|template<|using |case |default:|enum |friend )|concept |requires|static_assert|[^_a-z]assert\(|operator ?[<>=!+*\/%&|-]+ ?\(/ { print; next }
 /^ *(inline |static )*constexpr [^(]*( = |\{)|if constexpr/ { all_text = 1 }
 {
@@ -107,7 +107,7 @@ function mutated(s,   out, i, n, c, prev, rest, token, op, width, inner, literal
         logical[nesting] = op
       } else if (op == "?") {
         out = out place("?", "&& !mutant::on(@) || mutant::on($) ?", "&& false ?", "? -> false", "|| true ?", "? -> true")
-      } else if (op in assign) {
+      } else if (op in assign && rest !~ /^\+= "/) {
         split(assign[op], op_part, " ")
         out = out place(op, op " mutant::" op_part[1] "(@) " op, op_part[2], op " -> " op_part[2])
       } else if (op in name_of) {

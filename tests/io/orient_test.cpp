@@ -86,3 +86,30 @@ TEST_CASE("orient_polyhedra: open, flat and empty polyhedra") {
   polyhedra_arrays none;
   CHECK(orient_polyhedra(none) == 0);
 }
+
+TEST_CASE("orient_polyhedra: open strips wind as most of their faces do, or else the first; faces apart stay") {
+  struct row {
+    std::vector<std::vector<unsigned>> faces;
+    std::vector<std::uint8_t> expected;
+  };
+  for (const row& r : {row{{{0, 2, 3}, {0, 2, 1}}, {1, 0}},
+                       {{{0, 1, 2}, {0, 1, 3}}, {1, 0}},
+                       {{{7, 8, 9}, {0, 1, 2}, {0, 1, 3}}, {1, 1, 0}},
+                       {{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}}, {1, 0, 1}},
+                       {{{0, 1, 2}, {1, 2, 3}, {3, 2, 4}}, {0, 1, 1}},
+                       {{{0, 1, 2}, {1, 0, 3}}, {1, 1}},
+                       {{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}, {1, 1, 1}}}) {
+    polyhedra_arrays m{{}, {0}, {}, {0}, {}, {}};
+    for (int i = 0; i < 10; ++i) m.points.push_back({1.0 * i, 1.0 * i * i, 0});
+    for (const auto& f : r.faces) {
+      for (const unsigned v : f) m.face_verts.push_back(vert_id{v});
+      m.face_offsets.push_back(static_cast<std::uint32_t>(m.face_verts.size()));
+      m.poly_faces.push_back(face_id{m.poly_faces.size()});
+      m.outward.push_back(1);
+    }
+    m.poly_offsets.push_back(static_cast<std::uint32_t>(m.poly_faces.size()));
+    const bool changes = m.outward != r.expected;
+    CHECK(orient_polyhedra(m) == changes);
+    CHECK(m.outward == r.expected);
+  }
+}

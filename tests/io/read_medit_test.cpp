@@ -1,4 +1,7 @@
 #include <concino/io/read_medit.hpp>
+#include <concino/mesh/hexmesh.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/trimesh.hpp>
 
 #include <support/reading.hpp>
 
@@ -122,6 +125,70 @@ TEST_CASE("read_medit: errors name their line") {
 TEST_CASE("read_medit: cells of two kinds do not fit into cell_arrays, and the first of the second is named") {
   CHECK(line(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd") == 9);
   CHECK(line(cube + "Prisms 1\n\n1 2 3 5 6 7 0\nEnd") == 8);
+}
+
+TEST_CASE("read_medit: messages say what is wrong") {
+  const auto says = [](const std::string& text) { return complaint<cell_arrays>(text, file_format::medit); };
+  CHECK(says("MeshVersionFormatted 1\nDimension\n4\n") == "3: the dimension, 2 or 3 | '4'");
+  CHECK(says(head + points + "Tetrahedra\n1\n1 3 3 2 0\nEnd\n") == "11: different vertices in an element | vertex 3 twice");
+  CHECK(says(head + points + "Tetrahedra\n1\n1 2 3 5 0\nEnd\n").starts_with("11: "));
+  CHECK(complaint<trimesh>(head + points + "Quadrilaterals\n1\n1 2 3 4 0\nEnd\n", file_format::medit) ==
+        "11: a triangle (polygonmesh and load_any take any polygon) | an element of section Quadrilaterals");
+  CHECK_THROWS_WITH_AS(medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd"),
+                       "t.mesh: holds a surface of 1 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
+  // cells are not even looked at where a surface is wanted
+  CHECK_THROWS_AS(medit<surface_arrays>(head + points + "Tetrahedra\n1\n1 2 3 9 0\nEnd\n"), unsupported);
+}
+
+TEST_CASE("read_medit: references at the ends of their range, from the first that is not zero on") {
+  const auto label = [](const std::string& number) {
+    const auto m = load_text<trimesh>(head + points + "Triangles 1\n1 2 3 " + number + "\nEnd", file_format::medit);
+    return find_poly_property<int>(m, "label")[poly_id{0}];
+  };
+  CHECK(label("-2147483648") == std::numeric_limits<int>::min());
+  CHECK(label("2147483647") == std::numeric_limits<int>::max());
+  CHECK(line<surface_arrays>(head + points + "Triangles\n1\n1 2 3 -2147483649\nEnd") == 11);
+  CHECK(line<surface_arrays>(head + points + "Triangles\n1\n1 2 3 2147483648\nEnd") == 11);
+  const auto m = load_text<polygonmesh>(head + points + "Triangles 2\n1 2 3 0\n1 2 4 0\nQuadrilaterals 3\n1 2 3 4 0\n4 3 2 1 5\n1 3 2 4 0\nEnd",
+                                        file_format::medit);
+  const auto labels = find_poly_property<int>(m, "label");
+  const int expected[] = {0, 0, 0, 5, 0};
+  for (unsigned p = 0; p < 5; ++p) CHECK(labels[poly_id{p}] == expected[p]);
+}
+
+TEST_CASE("read_medit: several sections of a kind, empty ones, and what is skipped") {
+  load_report r;
+  CHECK(medit<cell_arrays>(head + points + "Tetrahedra 1\n1 2 3 4 0\nTetrahedra 2\n1 2 3 4 0\n1 2 3 4 0\nEnd").arity == 4);
+  const auto three = medit<polyhedra_arrays>(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nPrisms 1\n1 2 3 5 6 7 0\nEnd");
+  CHECK(three.poly_offsets == std::vector<std::uint32_t>{0, 4, 10, 15});
+  CHECK(medit<surface_arrays>(head + points + "Tetrahedra 0\nTriangles 1\n1 2 3 0\nEnd", {.report = &r}).num_polys() == 1);
+  CHECK(r.skipped.empty());
+  medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nQuadrilaterals 0\nTetrahedra 1\n1 2 3 4 0\nEnd", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"section Triangles, 1 rows"});
+  const std::string long_word(50, 'W');
+  medit<cell_arrays>(head + points + long_word + " 2\n1 2\n# Corners\n3 4\nOther -3\nRidges\nEnd\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"section " + long_word.substr(0, 40) + ", 2 rows", "section Other", "section Ridges"});
+  CHECK(r.notes.empty());
+  medit<cell_arrays>(head + points + "Ridges 1\n1\n# the end", {.report = &r});
+  CHECK(r.notes.size() == 1);
+}
+
+TEST_CASE("read_medit: a mesh without polys is of the wanted kind, and what can be either is what the file holds") {
+  CHECK(medit<cell_arrays>(head + points + "End").arity == 4);
+  CHECK(num_verts(medit<hexmesh>(head + points + "End")) == 4);
+  CHECK(medit<surface_arrays>(head + points + "End").offsets == std::vector<std::uint32_t>{0});
+  CHECK(medit<surface_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd").offsets.empty());
+  struct either {
+    int dimension;
+    std::size_t polys;
+    explicit either(surface_arrays&& s) : dimension(2), polys(s.num_polys()) {}
+    explicit either(cell_arrays&& c) : dimension(3), polys(c.num_polys()) {}
+  };
+  const auto tets = load_text<either>(one_tet, file_format::medit), triangles = load_text<either>(head + points + "Triangles 1\n1 2 3 0\nEnd", file_format::medit);
+  CHECK(tets.dimension == 3);
+  CHECK(tets.polys == 1);
+  CHECK(triangles.dimension == 2);
+  CHECK(triangles.polys == 1);
 }
 
 TEST_CASE("read_medit: surfaces asked for as volumes and the reverse") {

@@ -100,3 +100,81 @@ TEST_CASE("first_repeated: few and many") {
   CHECK(first_repeated(v.data(), 100, scratch) == 20);
   CHECK(first_repeated(v.data() + 21, 79, scratch) == 49);
 }
+
+TEST_CASE("text_cursor: what is a blank, the end of a line, a letter") {
+  for (int i = 0; i < 256; ++i) {
+    const char c = static_cast<char>(i);
+    CHECK(is_blank(c) == (i == ' ' || i == '\t' || i == '\v' || i == '\f'));
+    CHECK(is_line_end(c) == (i == '\n' || i == '\r'));
+    CHECK(is_space(c) == (is_blank(c) || is_line_end(c)));
+    CHECK(is_letter(c) == ((i >= 'a' && i <= 'z') || (i >= 'A' && i <= 'Z')));
+  }
+}
+
+TEST_CASE("text_cursor: nothing before or behind the text matters") {
+  const std::string buffer = "\r\n \n#9";
+  const text_cursor blank(std::string_view(buffer).substr(1, 3), "t");
+  CHECK(blank.line_of(blank.end()) == 1);
+  const text_cursor in(std::string_view(buffer).substr(1, 4), "t");
+  CHECK(in.line_of(in.end() - 1) == 3);
+  CHECK(in.left() == 4);
+  CHECK(in.found_at(in.end() - 1) == "'#'");
+}
+
+TEST_CASE("text_cursor: characters that cannot be read are told by their numbers") {
+  const std::string odd = "\x1f~\x7f\x80";
+  CHECK(text_cursor(odd, "t").found_at(odd.data()) == "'\\x1f~\\x7f\\x80'");
+}
+
+TEST_CASE("text_cursor: numbers end where a blank or a comment begins, which # does if nothing else is said") {
+  text_cursor in("1.5#\x01", "t");
+  CHECK(in.real("x") == 1.5);
+  in.skip_space();
+  CHECK(*in.at == '#');
+  text_cursor i("7# 8", "t");
+  CHECK(i.integer("i") == 7);
+  text_cursor odd("\x01 2", "t");
+  odd.skip_space();
+  CHECK(odd.left() == 3);
+  for (const std::string bad : {"1.5x", "1$", "1.5$", "15x"}) {
+    CHECK_THROWS_AS(text_cursor(bad, "t").real("x"), parse_error);
+    CHECK_THROWS_AS(text_cursor(bad, "t").integer("i"), parse_error);
+    CHECK_THROWS_AS(token_cursor(bad, "t", nullptr, 0).next_index(99, "an index"), parse_error);
+  }
+}
+
+TEST_CASE("token_cursor: room for as many elements as fit, the last without an end") {
+  CHECK(token_cursor("12345", "t", nullptr, 0).room(100, 2) == 3);
+  CHECK(token_cursor("123456", "t", nullptr, 0).room(100, 2) == 3);
+  CHECK(token_cursor("123456", "t", nullptr, 0).room(2, 2) == 2);
+}
+
+TEST_CASE("text_cursor: progress is told about a hundred times, and not without anyone to hear") {
+  for (const std::size_t size : {50u, 100u, 1000u}) {
+    std::vector<double> told;
+    const auto hear = [&](double f, const char*) { return told.push_back(f), true; };
+    const concino::progress p = hear;
+    const std::string text(size, ' ');
+    text_cursor in(text, "t", &p);
+    for (in.tell(); !in.at_end(); in.tell()) ++in.at;
+    const std::size_t step = size / 100 + 1, times = (size + step - 1) / step;
+    REQUIRE(told.size() == times);
+    for (std::size_t i = 0; i < times; ++i) CHECK(told[i] == static_cast<double>(i * step) / static_cast<double>(size));
+  }
+  const concino::progress nobody = nullptr;
+  text_cursor deaf("  ", "t", &nobody), alone("  ", "t");
+  for (; !deaf.at_end(); ++deaf.at, ++alone.at) {
+    deaf.tell();
+    alone.tell();
+  }
+  deaf.tell();
+  alone.tell();
+}
+
+TEST_CASE("first_repeated: neighbours, among few and many") {
+  std::vector<vert_id> v, scratch;
+  for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});
+  v[1] = v[0];
+  CHECK(first_repeated(v.data(), 5, scratch) == 1);
+  CHECK(first_repeated(v.data(), 100, scratch) == 1);
+}
