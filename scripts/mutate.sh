@@ -24,7 +24,6 @@ io/read_medit          io/read_medit io/load
 io/read_hedra          io/read_hedra io/load
 io/orient              io/orient io/read_hedra io/load
 io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
-io/numbers             io/numbers
 fields/harmonic_map    fields/harmonic_map
 operators/weights      operators/weights operators/laplacian fields/harmonic_map
 operators/laplacian    operators/laplacian
