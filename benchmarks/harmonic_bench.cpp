@@ -1,6 +1,8 @@
 // A harmonic map by the library's own solver, beside Eigen's factorisation alone.
 #include "support/harmonic.hpp"
 
+#include <Eigen/SparseCholesky>
+
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
     bench::compare_harmonic<concino::ldlt>(p, "", [](const Eigen::SparseMatrix<double>& a) {
