@@ -1,0 +1,52 @@
+// The graphs of verts and of polys of every mesh of the corpus, with random walls.
+#pragma once
+
+#include <support/barred_graph.hpp>
+#include <support/corpus_meshes.hpp>
+
+#include <random>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace concino::testing {
+
+/// One node in twenty and one crossing in ten are closed: much of the mesh still hangs together, and lies behind corners.
+template<class Side>
+void build_walls(barred_graph<Side>& g, std::mt19937& random) {
+  const auto close = [&](std::vector<char>& flags, std::size_t n, unsigned of) {
+    flags.resize(n);
+    for (char& c : flags) c = random() % of != 0;
+  };
+  close(g.free_node, g.bound(), 20);
+  close(g.free_crossing, Side::num_crossings(g.m), 10);
+  g.salt = static_cast<unsigned>(random());
+}
+template<class Side>
+void tear_down_walls(barred_graph<Side>& g) {
+  g.free_node.assign(g.free_node.size(), 1);
+  g.free_crossing.assign(g.free_crossing.size(), 1);
+}
+
+/// check(g) for both graphs of each mesh, walls built; g is the caller's. Where there is no corpus the test is skipped.
+template<class F>
+void for_corpus_graphs(const F& check) {
+  const auto rows = corpus_meshes();
+  if (rows.empty()) return skip("no corpus");
+  std::mt19937 random(40);
+  for (const auto& row : rows) {
+    INFO(row.name);
+    std::visit(
+        [&]<class M>(M&& m) {
+          barred_graph<primal_side<M>> on_verts{std::move(m), {}, {}};
+          build_walls(on_verts, random);
+          check(on_verts);
+          barred_graph<dual_side<M>> on_polys{std::move(on_verts.m), {}, {}};
+          build_walls(on_polys, random);
+          check(on_polys);
+        },
+        load_any(row.file.string()));
+  }
+}
+
+}  // namespace concino::testing
