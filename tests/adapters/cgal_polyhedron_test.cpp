@@ -31,6 +31,7 @@ class derived : public with_id {
   using with_id::with_id;
 };
 template<class P> using view_of = decltype(indexed(std::declval<const P&>()));
+template<class P> concept may_be_temporary = requires { indexed(P()); };
 
 template<class R, class X>
 concept walkable = std::ranges::forward_range<R> && std::same_as<std::ranges::range_value_t<R>, X>;
@@ -41,6 +42,7 @@ static_assert(testing::models_in_all_forms<with_id>(testing::surface | testing::
 static_assert(testing::models_in_all_forms<in_vectors>(testing::models<with_id>()) && testing::models_in_all_forms<derived>(testing::models<with_id>()));
 static_assert(testing::models_in_all_forms<view_of<plain>>(testing::surface | testing::embedded));
 static_assert(testing::models_in_all_forms<view_of<with_id>>(testing::surface | testing::embedded) && std::same_as<view_of<derived>, view_of<with_id>>);
+static_assert(!may_be_temporary<plain>);
 static_assert(testing::models_in_all_forms<plain>(testing::embedded | testing::mutable_points));  // no index_of: say indexed(m)
 static_assert(testing::models_in_all_forms<CGAL::Polyhedron_3<kernel, CGAL::Polyhedron_min_items_3>>(testing::nothing));
 
