@@ -1,0 +1,60 @@
+// The states that editing brings a mesh into, and what editing promises itself.
+#pragma once
+
+#include <concino/edit/elements.hpp>
+#include <concino/testing/detail/rings.hpp>
+#include <concino/validate/broken_law.hpp>
+
+#include <string>
+#include <vector>
+
+namespace concino::testing::detail {
+
+/// KIT4: set_point moves the vert it is given and no other.
+template<MutablePoints M>
+void check_points(M& m, concino::detail::law_log& log) {
+  // numbers that floats hold exactly
+  const auto place = [](std::size_t i) { return vec3{static_cast<double>(i * 7 % 97) / 4, static_cast<double>(i * 3 % 89) / 4, static_cast<double>(i % 83) / 4}; };
+  for (const vert_t<M> v : verts(m)) traits<M>::set_point(m, v, place(index_of(m, v)));
+  for (const vert_t<M> v : verts(m)) {
+    const std::size_t i = index_of(m, v);
+    if (to_vec3(point(m, v)) != place(i))
+      log.add("KIT4", "set_point was told one place for each vert, and point(" + name('v', i) + ") is another", name('v', i));
+  }
+}
+
+/// Removes every third poly. KIT6: what was removed is gone, what was not removed is still there.
+template<class M>
+void remove_polys(M& m, concino::detail::law_log& log) {
+  std::vector<poly_t<M>> all, gone, left;
+  for (const poly_t<M> p : polys(m)) all.push_back(p);
+  for (std::size_t i = 0; i < all.size(); ++i) (i % 3 == 0 ? gone : left).push_back(all[i]);
+  for (const poly_t<M>& p : gone) traits<M>::remove_poly(m, p);
+  if (num_polys(m) != left.size())
+    log.add("KIT6", "of " + std::to_string(all.size()) + " polys " + std::to_string(gone.size()) + " were removed, and num_polys says " + std::to_string(num_polys(m)), "");
+  for (const poly_t<M>& p : left)
+    if (!contains(m, p)) log.add("KIT6", "removing others took " + name('p', index_of(m, p)) + " away", name('p', index_of(m, p)));
+  for (const poly_t<M>& p : gone)
+    if (contains(m, p)) log.add("KIT6", "a poly that was removed is still there", name('p', index_of(m, p)));
+}
+
+/// Adds a poly on verts of its own. KIT6: it is there, with them.
+template<class M>
+void add_one(M& m, concino::detail::law_log& log) {
+  constexpr int n = arity_v<M> ? arity_v<M> : 3;
+  static constexpr double corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  std::vector<vert_t<M>> corners;
+  for (int i = 0; i < n; ++i) {
+    const double* const x = corner[n == 4 && dimension_v<M> == 3 && i == 3 ? 4 : i];
+    corners.push_back(traits<M>::add_vert(m, vec3{50 + x[0], x[1], x[2]}));
+  }
+  const poly_t<M> p = traits<M>::add_poly(m, std::span<const vert_t<M>>(corners));
+  if (!contains(m, p)) log.add("KIT6", "add_poly gave a poly that is none of the mesh", name('p', index_of(m, p)));
+  for (const vert_t<M>& v : corners) {
+    bool found = false;
+    for (const vert_t<M> w : adj_p2v(m, p)) found = found || w == v;
+    if (!found) log.add("KIT6", "the poly that add_poly made lacks " + name('v', index_of(m, v)), name('p', index_of(m, p)));
+  }
+}
+
+}  // namespace concino::testing::detail

@@ -1,0 +1,73 @@
+// Ranges of elements stay what they are while others are asked for, and may be walked as often as one likes, by several threads too.
+#pragma once
+
+#include <concino/testing/detail/rings.hpp>
+#include <concino/validate/broken_law.hpp>
+
+#include <atomic>
+#include <exception>
+#include <thread>
+
+namespace concino::testing::detail {
+
+/// KIT2.
+template<class M>
+void check_ranges(const M& m, concino::detail::law_log& log) {
+  constexpr std::size_t enough = 500;  // elements of each kind
+  for_each_ring(m, [&](const char* verb, char letter, const auto& all, const auto& adjacent) {
+    std::size_t asked = 0;
+    const auto elements = indices(m, all(m));
+    if (indices(m, all(m)) != elements) log.add("KIT2", std::string("two walks over the elements that ") + verb + " is asked of differ", "");
+    bool first = true;
+    decltype(auto) walk = all(m);
+    const auto end = walk.end();
+    auto before = walk.begin();
+    for (auto it = walk.begin(); it != end && asked < enough; ++it, ++asked) {
+      if (!first) {
+        const auto a = *before, b = *it;
+        const std::string what = std::string(verb) + "(" + name(letter, index_of(m, a)) + ")";
+        decltype(auto) ring = adjacent(m, a);
+        const auto once = indices(m, ring);
+        decltype(auto) other = adjacent(m, b);
+        const auto there = indices(m, other);
+        if (indices(m, ring) != once)
+          log.add("KIT2", what + " holds something else once " + verb + "(" + name(letter, index_of(m, b)) + ") was asked; each range needs values of its own, or the mesh's",
+                  name(letter, index_of(m, a)) + " " + name(letter, index_of(m, b)));
+        else if (indices(m, adjacent(m, a)) != once)
+          log.add("KIT2", what + " differs when asked again", name(letter, index_of(m, a)));
+        if (!once.empty()) {
+          const auto stays = ring.begin();
+          auto goes = ring.begin();
+          ++goes;
+          if (index_of(m, *stays) != once[0]) log.add("KIT2", "of two iterators of " + what + " one moves the other", name(letter, index_of(m, a)));
+        }
+        ++before;
+      }
+      first = false;
+    }
+  });
+}
+
+/// KIT3.
+template<class M>
+void check_threads(const M& m, concino::detail::law_log& log) {
+  const std::uint64_t expected = digest(m);
+  std::atomic<int> ready{0}, wrong{0};
+  const auto read = [&] {
+    ++ready;
+    while (ready < 2) std::this_thread::yield();
+    for (int round = 0; round < 20; ++round) {
+      try {
+        if (digest(m) != expected) ++wrong;
+      } catch (...) {
+        ++wrong;
+      }
+    }
+  };
+  std::thread other(read);
+  read();
+  other.join();
+  if (wrong > 0) log.add("KIT3", "two threads that read the const mesh at once get other answers than one; nothing may be written while it is read", "");
+}
+
+}  // namespace concino::testing::detail

@@ -1,0 +1,42 @@
+// The conformance kit passes the library's own meshes in every state, views of them, and graphs that are no meshes.
+#include <concino/adapters/doctest.hpp>
+#include <concino/concepts/archetypes.hpp>
+#include <concino/mesh.hpp>
+#include <concino/testing/conformance.hpp>
+
+#include <support/soups.hpp>
+#include <support/tiny.hpp>
+
+namespace cn = concino;
+
+TEST_CASE_TEMPLATE("grids and soups of every kind conform", M, CONCINO_ALL_KINDS) {
+  cn::check_conformance([] { return cn::testing::grid<M>(3); });
+  cn::check_conformance([] {
+    std::mt19937 random(11);
+    return cn::testing::random_soup<M>(random, 20, 14).mesh();
+  });
+  cn::check_conformance([] { return M(); });
+}
+
+TEST_CASE("meshes that others wrote, and what is stripped to one concept") {
+  cn::check_conformance([] { return tiny::surface_example(); });
+  cn::check_conformance([] { return tiny::volume_example(); });
+  const auto volume = tiny::volume_example();
+  const auto report = cn::conformance([&] { return cn::only_primal_graph(volume); });
+  CHECK_MESSAGE(report.ok(), report.text());
+  CHECK(report.models == std::vector<std::string>{"PrimalGraph"});
+  CHECK(report.states == std::vector<std::string>{"as made"});
+}
+
+TEST_CASE("states that the caller knows of are looked at") {
+  const auto report = cn::conformance([] { return cn::testing::grid<cn::trimesh>(2); },
+                                      {.states = {{"after all was removed", [](cn::trimesh& m) {
+                                                     while (cn::num_polys(m) > 0) cn::remove_poly(m, *cn::polys(m).begin());
+                                                   }},
+                                                  {"after a mistake", [](cn::trimesh&) { throw cn::invalid_mesh("that went wrong"); }}},
+                                       .algorithms = false});
+  CHECK(report.states.back() == "after a mistake");
+  REQUIRE(report.findings.size() == 1);
+  CHECK(report.findings[0].state == "after a mistake");
+  CHECK(report.text().find("KIT6, after a mistake: editing throws: that went wrong") != std::string::npos);
+}
