@@ -1,4 +1,5 @@
-// The mesh that view_tri and its siblings make: coordinates are those in the user's array, adjacencies are tables beside it.
+// The mesh that view_tri and its siblings make: coordinates and the verts of polys are those in the user's arrays, all other adjacencies are
+// tables beside them.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>

@@ -9,8 +9,10 @@
 
 namespace concino {
 
-template<class Shape>
+/// Lists: where the verts of polys are read; rows of these tables' own, which can be edited, or lists in somebody else's array.
+template<class Shape, class Lists = detail::rows<vert_id, Shape::verts>>
 class cell_tables {
+  template<class, class> friend class cell_tables;
   template<class T> using ragged = detail::rows<T, 0>;
   static constexpr const auto& shape = detail::shape_v<Shape>;
 
@@ -18,7 +20,7 @@ class cell_tables {
   detail::live<edge_id> edges_;
   detail::live<face_id> faces_;
   detail::live<poly_id> polys_;
-  detail::rows<vert_id, Shape::verts> p2v_;
+  Lists p2v_;
   detail::rows<edge_id, Shape::edges> p2e_;
   detail::sides<face_id, Shape::faces> sides_;
   detail::rows<vert_id, 2> e2v_;
@@ -37,6 +39,13 @@ class cell_tables {
     detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
     build(vert_count);
   }
+  /// The same for polys that are listed elsewhere, with what was built of a copy of those lists.
+  cell_tables(cell_tables<Shape>&& built, Lists elsewhere)
+    requires(!std::same_as<Lists, detail::rows<vert_id, Shape::verts>>)
+      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
+        p2v_(std::move(elsewhere)), p2e_(std::move(built.p2e_)), sides_(std::move(built.sides_)), e2v_(std::move(built.e2v_)),
+        e2p_(std::move(built.e2p_)), crowds_(std::move(built.crowds_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
+        v2p_(std::move(built.v2p_)) {}
 
   const detail::live<vert_id>& verts() const { return verts_; }
   const detail::live<edge_id>& edges() const { return edges_; }
@@ -52,7 +61,7 @@ class cell_tables {
   detail::polys_around_edge<cell_tables> adj_e2p(edge_id e) const { return {this, e}; }
   detail::few<vert_id, Shape::face_verts> adj_f2v(face_id f) const {
     const auto [p, k] = sides_.owner(f);
-    const vert_id* const v = p2v_.begin(p);
+    const auto v = p2v_[p];
     detail::few<vert_id, Shape::face_verts> all;
     for (unsigned i = 0; i < Shape::face_verts; ++i) all[i] = v[Shape::face_vert[k][i]];
     return all;
@@ -65,7 +74,7 @@ class cell_tables {
     return all;
   }
   detail::polys_of_facet adj_f2p(face_id f) const { return sides_.polys_of(f); }
-  id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
+  auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
   id_span<face_id> adj_p2f(poly_id p) const { return sides_.facets(p); }
   detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
@@ -77,7 +86,7 @@ class cell_tables {
     const id_span<face_id> faces = adj_p2f(p);
     for (unsigned k = 0; k < Shape::faces; ++k) {
       if (faces[k] != f) continue;
-      const vert_id* const v = p2v_.begin(p.raw());
+      const auto v = p2v_[p.raw()];
       for (unsigned i = 0; i < Shape::face_verts; ++i)
         if (v[Shape::face_vert[k][i]] == verts[0]) return v[Shape::face_vert[k][(i + 1) % Shape::face_verts]] == verts[1];
     }
@@ -163,7 +172,7 @@ class cell_tables {
     return two;
   }
   detail::few<std::uint8_t, detail::shape_tables<Shape>::valence> faces_at(poly_id p, vert_id v) const {
-    const vert_id* const all = p2v_.begin(p.raw());
+    const auto all = p2v_[p.raw()];
     unsigned i = 0;
     while (i + 1 < Shape::verts && all[i] != v) ++i;
     detail::few<std::uint8_t, detail::shape_tables<Shape>::valence> faces;

@@ -102,34 +102,35 @@ class faces_at_edges {
 };
 
 /// The edges of a face, looked up between each two verts that follow one another.
-template<class Tables>
+template<class Tables, class Verts>
 class edges_between {
   const Tables* tables_ = nullptr;
-  id_span<vert_id> verts_;
+  Verts verts_;
 
  public:
   using value_type = edge_id;
   class iterator {
     const Tables* tables_ = nullptr;
-    const vert_id *first_ = nullptr, *at_ = nullptr, *last_ = nullptr;
+    Verts verts_;
+    std::size_t i_ = 0;
 
    public:
     using value_type = edge_id;
     using reference = edge_id;
     using difference_type = std::ptrdiff_t;
     iterator() = default;
-    iterator(const Tables* t, const vert_id* first, const vert_id* at, const vert_id* last) : tables_(t), first_(first), at_(at), last_(last) {}
-    edge_id operator*() const { return tables_->edge_between(*at_, at_ + 1 == last_ ? *first_ : at_[1]); }
-    iterator& operator++() { ++at_; return *this; }
+    iterator(const Tables* t, Verts verts, std::size_t i) : tables_(t), verts_(verts), i_(i) {}
+    edge_id operator*() const { return tables_->edge_between(verts_[i_], verts_[i_ + 1 == verts_.size() ? 0 : i_ + 1]); }
+    iterator& operator++() { ++i_; return *this; }
     iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_; }
+    friend bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
   };
 
   edges_between() = default;
-  edges_between(const Tables* t, id_span<vert_id> verts) : tables_(t), verts_(verts) {}
+  edges_between(const Tables* t, Verts verts) : tables_(t), verts_(verts) {}
   std::size_t size() const { return verts_.size(); }
-  iterator begin() const { return {tables_, verts_.begin(), verts_.begin(), verts_.end()}; }
-  iterator end() const { return {tables_, verts_.begin(), verts_.end(), verts_.end()}; }
+  iterator begin() const { return {tables_, verts_, 0}; }
+  iterator end() const { return {tables_, verts_, verts_.size()}; }
 };
 
 }  // namespace concino::detail

@@ -10,14 +10,18 @@
 
 namespace concino {
 
-class polyhedra_tables {
+/// Lists: where the verts of faces are read; rows of these tables' own, which can be edited, or lists in somebody else's array.
+template<class Lists>
+class basic_polyhedra_tables {
+  template<class> friend class basic_polyhedra_tables;
   template<class T> using ragged = detail::rows<T, 0>;
 
   detail::live<vert_id> verts_;
   detail::live<edge_id> edges_;
   detail::live<face_id> faces_;
   detail::live<poly_id> polys_;
-  ragged<vert_id> f2v_, p2v_, v2v_;
+  Lists f2v_;
+  ragged<vert_id> p2v_, v2v_;
   ragged<edge_id> v2e_, p2e_;
   ragged<face_id> e2f_;
   ragged<poly_id> v2p_;
@@ -26,12 +30,12 @@ class polyhedra_tables {
   detail::rows<vert_id, 2> e2v_;
 
  public:
-  polyhedra_tables() = default;
+  basic_polyhedra_tables() = default;
 
   /// From the verts of every face in cyclic order, the faces of every poly, and whether each face is wound outward there.
   /// Errors: invalid_mesh that names the face or poly with a bad or repeated vert or face.
-  polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts, std::vector<std::uint32_t> poly_offsets,
-                   std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward)
+  basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
+                         std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward)
       : f2v_(detail::checked_rows(std::move(face_offsets), std::move(face_verts), "face")) {
     const ragged<face_id> given = detail::checked_rows(std::move(poly_offsets), std::move(poly_faces), "poly");
     if (outward.size() != given.num_values())
@@ -41,6 +45,13 @@ class polyhedra_tables {
     check(vert_count, given);
     build(vert_count, given);
   }
+  /// The same for faces that are listed elsewhere, with what was built of a copy of those lists.
+  basic_polyhedra_tables(basic_polyhedra_tables<ragged<vert_id>>&& built, Lists elsewhere)
+    requires(!std::same_as<Lists, ragged<vert_id>>)
+      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
+        f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
+        p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)), v2p_(std::move(built.v2p_)), sides_(std::move(built.sides_)),
+        outward_(std::move(built.outward_)), e2v_(std::move(built.e2v_)) {}
 
   const detail::live<vert_id>& verts() const { return verts_; }
   const detail::live<edge_id>& edges() const { return edges_; }
@@ -49,13 +60,13 @@ class polyhedra_tables {
 
   id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
   id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
-  detail::faces_at_edges<polyhedra_tables> adj_v2f(vert_id v) const { return {this, v}; }
+  detail::faces_at_edges<basic_polyhedra_tables> adj_v2f(vert_id v) const { return {this, v}; }
   id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
   id_span<face_id> adj_e2f(edge_id e) const { return e2f_[e.raw()]; }
-  detail::polys_of_faces<polyhedra_tables> adj_e2p(edge_id e) const { return {this, adj_e2f(e)}; }
-  id_span<vert_id> adj_f2v(face_id f) const { return f2v_[f.raw()]; }
-  detail::edges_between<polyhedra_tables> adj_f2e(face_id f) const { return {this, adj_f2v(f)}; }
+  detail::polys_of_faces<basic_polyhedra_tables> adj_e2p(edge_id e) const { return {this, adj_e2f(e)}; }
+  auto adj_f2v(face_id f) const { return f2v_[f.raw()]; }
+  auto adj_f2e(face_id f) const { return detail::edges_between(this, adj_f2v(f)); }
   detail::polys_of_facet adj_f2p(face_id f) const { return sides_.polys_of(f); }
   id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
@@ -159,9 +170,10 @@ class polyhedra_tables {
   // What the ranges above look up with.
   edge_id edge_between(vert_id a, vert_id b) const { return detail::edge_between(v2v_, v2e_, a, b); }
   vert_id next_in_face(face_id f, vert_id v) const {
-    const id_span<vert_id> verts = adj_f2v(f);
-    for (const vert_id* at = verts.begin(); at != verts.end(); ++at)
-      if (*at == v) return at + 1 == verts.end() ? *verts.begin() : at[1];
+    const auto corners = adj_f2v(f);
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i)
+      if (corners[i] == v) return corners[i + 1 == n ? 0 : i + 1];
     return {};
   }
 
@@ -322,5 +334,7 @@ class polyhedra_tables {
     if (*v2p_.shape() == *v2v_.shape()) v2p_.share_shape(v2v_);
   }
 };
+
+using polyhedra_tables = basic_polyhedra_tables<detail::rows<vert_id, 0>>;
 
 }  // namespace concino

@@ -9,16 +9,18 @@
 
 namespace concino {
 
-/// Arity: verts of every polygon, or 0 where polygons differ.
-template<unsigned Arity>
+/// Arity: verts of every polygon, or 0 where polygons differ. Lists: where the verts of polygons are read; rows of these tables' own, which
+/// can be edited, or lists in somebody else's array.
+template<unsigned Arity, class Lists = detail::rows<vert_id, Arity>>
 class surface_tables {
+  template<unsigned, class> friend class surface_tables;
   template<class T> using per_poly = detail::rows<T, Arity>;
   template<class T> using ragged = detail::rows<T, 0>;
 
   detail::live<vert_id> verts_;
   detail::live<edge_id> edges_;
   detail::live<poly_id> polys_;
-  per_poly<vert_id> p2v_;
+  Lists p2v_;
   detail::sides<edge_id, Arity> sides_;
   detail::rows<vert_id, 2> e2v_;
   ragged<vert_id> v2v_;
@@ -43,6 +45,14 @@ class surface_tables {
     check(vert_count);
     build(vert_count);
   }
+  /// The same for polygons that are listed elsewhere, with what was built of a copy of those lists.
+  surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
+    requires(!std::same_as<Lists, per_poly<vert_id>>)
+      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)),
+        sides_(std::move(built.sides_)), e2v_(std::move(built.e2v_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
+        v2p_(std::move(built.v2p_)) {
+    if constexpr (Arity == 0) p2v_.share_shape(built.p2v_);
+  }
 
   const detail::live<vert_id>& verts() const { return verts_; }
   const detail::live<edge_id>& edges() const { return edges_; }
@@ -53,7 +63,7 @@ class surface_tables {
   id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
   detail::polys_of_facet adj_e2p(edge_id e) const { return sides_.polys_of(e); }
-  id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
+  auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return sides_.facets(p); }
   detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
 

@@ -1,16 +1,13 @@
 // view_tri(V, F) and its siblings: a mesh out of arrays that somebody else keeps. Which arrays: <concino/adapters/eigen.hpp> reads Eigen's
 // matrices, <concino/adapters/span.hpp> spans and containers; one view may take its points from the one and its polys from the other.
 //
-// The view owns adjacencies and nothing else. point(m, v) reads the user's array and, if that may be written, set_point writes it; what the
-// user writes there is what the mesh has. A container or matrix with a name is kept by its address: it must stay there as long as the view
-// is used, and keep its size. Polys may not change under a view: make a new one.
+// The view owns the adjacencies that the arrays do not say. point(m, v) reads the user's array and, if that may be written, set_point
+// writes it; what the user writes there is what the mesh has. adj_p2v(m, p), of polyhedra adj_f2v(m, f), reads the user's array too, but
+// polys may not change under a view: make a new one. A container or matrix with a name is kept by its address: it must stay there as long
+// as the view is used, and keep its size.
 #pragma once
 
-#include <concino/mesh/array_view.hpp>
-#include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/detail/given_arrays.hpp>
-#include <concino/mesh/polyhedra_tables.hpp>
-#include <concino/mesh/surface_tables.hpp>
 
 namespace concino {
 
@@ -32,33 +29,34 @@ template<class A> concept is_signed_index_array = is_index_array<A> && std::sign
 ///         type. Neither is a temporary, except spans and maps.
 /// Result: a view that models TriMesh, QuadMesh, TetMesh or HexMesh, Embedded, and MutablePoints if the points may be written. Verts and
 ///         polys are numbered as the rows. Copies share their adjacencies.
-/// Cost:   linear in time and memory, as for a native mesh; no coordinate is copied.
+/// Cost:   linear in time and memory, as for a native mesh without its points and lists; these are not copied, but that indices are held
+///         in 32 bits while the view is being made.
 /// Errors: invalid_mesh that names the poly with an index that is negative or too large or there twice, or an array of the wrong shape.
 template<class P, class F>
   requires requirement::is_point_array<P> && requirement::is_list_array<F, 3>
 auto view_tri(P&& points, F&& poly_verts) {
-  return detail::view_of_lists<2, 3, surface_tables<3>>(points, poly_verts, "view_tri");
+  return detail::view_of_lists<2, 3, detail::tri_tables_of>(points, poly_verts, "view_tri");
 }
 template<class P, class F>
   requires requirement::is_point_array<P> && requirement::is_list_array<F, 4>
 auto view_quad(P&& points, F&& poly_verts) {
-  return detail::view_of_lists<2, 4, surface_tables<4>>(points, poly_verts, "view_quad");
+  return detail::view_of_lists<2, 4, detail::quad_tables_of>(points, poly_verts, "view_quad");
 }
 template<class P, class T>
   requires requirement::is_point_array<P> && requirement::is_list_array<T, 4>
 auto view_tet(P&& points, T&& poly_verts) {
-  return detail::view_of_lists<3, 4, tet_tables>(points, poly_verts, "view_tet");
+  return detail::view_of_lists<3, 4, detail::tet_tables_of>(points, poly_verts, "view_tet");
 }
 template<class P, class H>
   requires requirement::is_point_array<P> && requirement::is_list_array<H, 8>
 auto view_hex(P&& points, H&& poly_verts) {
-  return detail::view_of_lists<3, 8, hex_tables>(points, poly_verts, "view_hex");
+  return detail::view_of_lists<3, 8, detail::hex_tables_of>(points, poly_verts, "view_hex");
 }
 
 /// A surface of polygons: poly i has the verts indices[offsets[i]] .. indices[offsets[i + 1] - 1], in cyclic order.
 /// Needs:  as view_tri; offsets: one more than there are polys, from 0 to the number of indices.
 /// Result: a view that models SurfaceMesh, and the rest as view_tri.
-/// Cost:   linear in time and memory; no coordinate is copied.
+/// Cost:   as view_tri; offsets are held in 32 bits, with the edges of polys.
 /// Errors: invalid_mesh as view_tri, or that names the offset which decreases or leads out of the indices.
 template<class P, class O, class I>
   requires requirement::is_point_array<P> && requirement::is_index_array<O> && requirement::is_index_array<I>
@@ -71,7 +69,7 @@ auto view_polygons(P&& points, O&& offsets, I&& indices) {
 /// that runs so, and ~f, which is -f - 1, one that runs the other way.
 /// Needs:  as view_polygons; poly_faces of a signed type where there is no `outward`.
 /// Result: a view that models VolumeMesh, and the rest as view_tri. Faces are numbered as given.
-/// Cost:   linear in time and memory; no coordinate is copied.
+/// Cost:   as view_polygons; faces of polys are held with what lies across them.
 /// Errors: invalid_mesh as view_polygons, of faces and polys.
 template<class P, class FO, class FV, class PO, class PF, class W>
   requires requirement::is_point_array<P> && requirement::is_index_array<FO> && requirement::is_index_array<FV> &&

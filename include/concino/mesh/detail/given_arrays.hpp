@@ -5,6 +5,7 @@
 #include <concino/error.hpp>
 #include <concino/mesh/array_view.hpp>
 #include <concino/mesh/detail/given_lists.hpp>
+#include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 #include <concino/mesh/surface_tables.hpp>
 
@@ -102,6 +103,7 @@ void check_indices(const Lists& lists, std::size_t bound, const char* who, const
   }
 }
 
+/// For the time of building: tables are built by one piece of code, whatever arrays they are of.
 template<class Id, class Lists>
 std::vector<Id> copied(const Lists& lists) {
   std::vector<Id> all;
@@ -111,13 +113,23 @@ std::vector<Id> copied(const Lists& lists) {
   return all;
 }
 
-template<int Dimension, int Arity, class Tables, class P, class F>
+template<int Dimension, int Arity, class Points, class Tables>
+auto made_view(const Points& points, Tables tables) {
+  return views::array_view<Dimension, Arity, Points, Tables>(points, std::move(tables));
+}
+
+template<class Lists> using tri_tables_of = surface_tables<3, Lists>;
+template<class Lists> using quad_tables_of = surface_tables<4, Lists>;
+template<class Lists> using tet_tables_of = cell_tables<tet_shape, Lists>;
+template<class Lists> using hex_tables_of = cell_tables<hex_shape, Lists>;
+
+template<int Dimension, int Arity, template<class> class Tables, class P, class F>
 auto view_of_lists(P& given_points, F& poly_verts, const char* who) {
   const auto points = detail::points_of(given_points, who);
   const auto lists = detail::lists_of<Arity>(poly_verts, who);
   check_indices(lists, points.size(), who, "poly");
-  using view = views::array_view<Dimension, Arity, std::remove_const_t<decltype(points)>, Tables>;
-  return view(points, Tables(points.size(), copied<vert_id>(lists)));
+  using list_type = std::remove_const_t<decltype(lists)>;
+  return made_view<Dimension, Arity>(points, Tables<list_type>(Tables<rows<vert_id, Arity>>(points.size(), copied<vert_id>(lists)), lists));
 }
 
 template<class P, class O, class I>
@@ -125,9 +137,8 @@ auto view_of_polygons(P& given_points, O& given_offsets, I& indices, const char*
   const auto points = detail::points_of(given_points, who);
   const auto lists = detail::lists_of(given_offsets, indices, who, "poly");
   check_indices(lists, points.size(), who, "poly");
-  using tables = surface_tables<0>;
-  using view = views::array_view<2, 0, std::remove_const_t<decltype(points)>, tables>;
-  return view(points, tables(points.size(), *lists.shape(), copied<vert_id>(lists)));
+  using tables = surface_tables<0, std::remove_const_t<decltype(lists)>>;
+  return made_view<2, 0>(points, tables(surface_tables<0>(points.size(), *lists.shape(), copied<vert_id>(lists)), lists));
 }
 
 /// A face by its number, or by the complement of that where it is not wound outward.
@@ -169,9 +180,10 @@ auto view_of_polyhedra(P& given_points, FO& face_offsets, FV& face_verts, PO& po
   if (flags.size() != poly_faces.size())
     throw invalid_mesh(std::string(who) + ": " + number_text(flags.size()) + " outward flags were given for " +
                        number_text(poly_faces.size()) + " faces of polys");
-  using view = views::array_view<3, 0, std::remove_const_t<decltype(points)>, polyhedra_tables>;
-  return view(points, polyhedra_tables(points.size(), *faces.shape(), copied<vert_id>(faces), *poly_lists.shape(), std::move(poly_faces),
-                                       std::move(flags)));
+  polyhedra_tables built(points.size(), *faces.shape(), copied<vert_id>(faces), *poly_lists.shape(), std::move(poly_faces),
+                         std::move(flags));
+  using tables = basic_polyhedra_tables<std::remove_const_t<decltype(faces)>>;
+  return made_view<3, 0>(points, tables(std::move(built), faces));
 }
 
 }  // namespace concino::detail

@@ -102,6 +102,9 @@ class lists_between {
   row numbers(std::size_t i) const { return flat_.numbers().from((*first_)[i]); }
   given_list<row, 0> operator[](std::size_t i) const { return given_list<row, 0>(numbers(i), length(i)); }
   const std::shared_ptr<const offsets>& shape() const { return first_; }
+  /// Takes over equal offsets, so that they are held once.
+  template<class T>
+  void share_shape(const rows<T, 0>& o) { first_ = o.shape(); }
 };
 
 }  // namespace concino::detail

@@ -1,0 +1,130 @@
+// Views of arrays hold no copy of them: seen in the memory that a view takes beside that of a native mesh, and in what a view says once the
+// arrays have changed.
+#include <concino/adapters/eigen.hpp>
+#include <concino/adapters/span.hpp>
+
+#include <support/allocations.hpp>
+#include <support/given_arrays.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include <malloc.h>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+std::size_t bytes_now() {
+  const auto info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+/// What stays of it after it was made.
+template<class F>
+std::size_t bytes_of(F&& make) {
+  const std::size_t before = bytes_now();
+  const auto made = make();
+  return bytes_now() - before;
+}
+
+/// `mesh` is larger than `view` by what the view leaves with the user, but for some pages.
+template<class Mesh, class View>
+void check_no_copy(const Mesh& mesh, const View& view, std::size_t left_with_user) {
+  const std::size_t whole = bytes_of(mesh), part = bytes_of(view);
+  if (whole == 0) {
+    MESSAGE("not measured: this allocator does not say what it holds");
+    return;
+  }
+  INFO(part << " + " << left_with_user << " beside " << whole);
+  CHECK(part + left_with_user < whole + 65536);
+  CHECK(left_with_user > 500000);
+}
+
+template<class T> using rows_of = Eigen::Matrix<T, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// Everything that is walked of a mesh, added up so that it is not left out.
+template<class M>
+double walked(const M& m) {
+  double sum = 0;
+  for (const auto v : verts(m)) {
+    sum += point(m, v)[0];
+    for (const auto w : adj_v2v(m, v)) sum += w.raw();
+    for (const auto p : adj_v2p(m, v)) sum += p.raw();
+  }
+  for (const auto p : polys(m)) {
+    for (const auto v : adj_p2v(m, p)) sum += v.raw();
+    for (const auto e : adj_p2e(m, p)) sum += e.raw();
+    for (const auto q : adj_p2p(m, p)) sum += q.raw();
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("arrays: a view takes the memory of a native mesh less points and lists") {
+  const auto tris = grid_arrays<trimesh>(150);
+  const auto xyz = coordinates<double>(tris.points);
+  const auto corners = raws<int>(tris.verts);
+  const Eigen::Map<const rows_of<double>> V(xyz.data(), static_cast<Eigen::Index>(tris.points.size()), 3);
+  const Eigen::MatrixXi F = Eigen::Map<const rows_of<int>>(corners.data(), static_cast<Eigen::Index>(tris.num_polys()), 3);
+  const std::size_t points = tris.points.size() * sizeof(vec3);
+  check_no_copy([&] { return trimesh(tris); }, [&] { return view_tri(xyz, corners); }, points + corners.size() * 4);
+  check_no_copy([&] { return trimesh(tris); }, [&] { return view_tri(V, F); }, points + corners.size() * 4);
+
+  const auto polygons = grid_arrays<polygonmesh>(100);
+  const auto indices = raws<int>(polygons.verts);
+  check_no_copy([&] { return polygonmesh(polygons); }, [&] { return view_polygons(polygons.points, polygons.offsets, indices); },
+                polygons.points.size() * sizeof(vec3) + indices.size() * 4);
+
+  const auto tets = grid_arrays<tetmesh>(16);
+  const auto tet_corners = raws<int>(tets.verts);
+  check_no_copy([&] { return tetmesh(tets); }, [&] { return view_tet(tets.points, tet_corners); },
+                tets.points.size() * sizeof(vec3) + tet_corners.size() * 4);
+
+  const auto polyhedra = grid_arrays<polyhedralmesh>(16);
+  const auto face_verts = raws<int>(polyhedra.face_verts), poly_faces = raws<int>(polyhedra.poly_faces);
+  check_no_copy([&] { return polyhedralmesh(polyhedra); },
+                [&] {
+                  return view_polyhedra(polyhedra.points, polyhedra.face_offsets, face_verts, polyhedra.poly_offsets, poly_faces,
+                                        polyhedra.outward);
+                },
+                polyhedra.points.size() * sizeof(vec3) + face_verts.size() * 4);
+}
+
+TEST_CASE("arrays: walking and copying a view takes no memory") {
+  const auto tris = grid_arrays<trimesh>(20);
+  const Eigen::MatrixXd V = Eigen::MatrixXd::Random(static_cast<Eigen::Index>(tris.points.size()), 3);
+  const auto corners = raws<long>(tris.verts);
+  const auto view = view_tri(V, corners);
+  double sum = 0;
+  CHECK(allocated_by([&] { sum = walked(view); }) == allocations{});
+  CHECK(allocated_by([&] {
+          const auto copy = view;
+          sum -= walked(copy);
+        }) == allocations{});
+  CHECK(sum == 0);
+}
+
+TEST_CASE("arrays: the verts of polys and of faces are read in the user's array") {
+  auto tris = grid_arrays<trimesh>(2);
+  auto corners = raws<int>(tris.verts);
+  const auto m = view_tri(tris.points, corners);
+  const vert_id second{corners[1]};
+  std::rotate(corners.begin(), corners.begin() + 1, corners.begin() + 3);  // the same triangle from another corner on
+  CHECK(*adj_p2v(m, poly_id{0}).begin() == second);
+  CHECK(check_laws(m).empty());
+  corners = std::vector<int>(corners);
+  CHECK(*adj_p2v(m, poly_id{0}).begin() == second);
+
+  const auto solid = grid_arrays<polyhedralmesh>(1);
+  auto face_verts = raws<short>(solid.face_verts);
+  const auto poly_faces = raws<short>(solid.poly_faces);
+  const auto w = view_polyhedra(solid.points, solid.face_offsets, face_verts, solid.poly_offsets, poly_faces, solid.outward);
+  const vert_id next{face_verts[1]};
+  std::rotate(face_verts.begin(), face_verts.begin() + 1, face_verts.begin() + static_cast<std::ptrdiff_t>(solid.face_offsets[1]));
+  CHECK(*adj_f2v(w, face_id{0}).begin() == next);
+  CHECK(check_laws(w).empty());
+}
