@@ -30,8 +30,9 @@ std::vector<vec3> points_of(const M& m) {
 }
 
 [[noreturn, gnu::cold]] inline void throw_wrong_arity(bool volume, std::size_t p, const std::string& has, std::uint32_t arity) {
-  throw unsupported("convert: poly " + std::to_string(p) + " " + has + "; every poly of the wanted mesh has " + std::to_string(arity) + " verts" +
-                    (volume ? " in the manner of a tet or hex (a polyhedralmesh takes any)" : " (a polygonmesh takes any)"));
+  throw unsupported("convert: poly " + std::to_string(p) + " " + has + "; " +
+                    (volume ? std::string("the wanted mesh holds ") + (arity == 4 ? "tets" : "hexes") + " only (a polyhedralmesh takes any cell)"
+                            : "every poly of the wanted mesh has " + std::to_string(arity) + " verts (a polygonmesh takes any polygon)"));
 }
 
 /// `vert_number`: by index. Arity 0: polys of any size, else all of that.
