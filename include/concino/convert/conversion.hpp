@@ -103,7 +103,7 @@ class conversion {
  private:
   template<class M>
   static std::pair<vert_t<M>, vert_t<M>> ends_of(const M& m, const edge_t<M>& e) {
-    vert_t<M> two[2] = {};
+    vert_t<M> two[2] = {vert_t<M>(), vert_t<M>()};
     std::size_t n = 0;
     for (const vert_t<M> v : adj_e2v(m, e)) two[n++] = v;
     return {two[0], two[1]};

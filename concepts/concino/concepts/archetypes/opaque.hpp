@@ -7,7 +7,8 @@ namespace concino::archetypes {
 
 struct access;
 
-/// A descriptor that is std::regular and nothing else: no order, no hash, no null, no number inside to be had.
+/// A descriptor that is std::regular and nothing else: no order, no hash, no null, no number inside to be had, and none made of empty braces
+/// where its type is not named.
 template<class Base, class Tag>
 class opaque {
   Base base_{};
@@ -16,7 +17,7 @@ class opaque {
   constexpr explicit opaque(const Base& base, int) : base_(base) {}
 
  public:
-  constexpr opaque() = default;
+  constexpr explicit opaque() {}
   friend constexpr bool operator==(const opaque& a, const opaque& b) { return a.base_ == b.base_; }
 };
 
