@@ -1,5 +1,8 @@
 // Each law, broken on purpose, is found under its own number with a witness; the mesh as it was breaks none.
 #include <concino/concepts/archetypes.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/tetmesh.hpp>
+#include <concino/mesh/trimesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
 #include "../support/liar.hpp"
@@ -208,6 +211,35 @@ TEST_CASE("the arity of a surface") {
   const auto found = cn::check_laws(so_called_triangles{tiny::surface_example()});
   CHECK(found.size() == 1);
   CHECK(names(found, "SM6", "p3"));
+}
+
+namespace {
+/// A mesh that promises its edges in order, and lists them the other way round.
+template<class M>
+struct backwards : M {
+  using M::M;
+};
+}  // namespace
+template<class M>
+struct concino::mesh_traits<backwards<M>> : mesh_traits<M> {
+  static std::vector<edge_id> adj_p2e(const M& m, poly_id p) {
+    std::vector<edge_id> ring;
+    for (const edge_id e : mesh_traits<M>::adj_p2e(m, p)) ring.insert(ring.begin(), e);
+    return ring;
+  }
+};
+
+TEST_CASE("edges in order, where the type promises it") {
+  const backwards<cn::trimesh> triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  const auto of_triangle = cn::check_laws(triangle);
+  CHECK(of_triangle.size() == 2);  // the one in the middle is where it should be
+  CHECK(names(of_triangle, "SM7", "p0 e0"));
+  const backwards<cn::polygonmesh> square({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
+  CHECK(cn::check_laws(square).size() == 4);
+  const backwards<cn::tetmesh> tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
+  const auto of_tet = cn::check_laws(tet);
+  CHECK(of_tet.size() == 4);  // as many as are told of one law
+  for (const auto& b : of_tet) CHECK(b.law == "VM8");
 }
 
 TEST_CASE_TEMPLATE("meshes that throw or answer nonsense everywhere are described, at most four times per law", M, surface, volume) {

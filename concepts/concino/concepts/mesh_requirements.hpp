@@ -23,4 +23,11 @@ template<class M> concept is_volume = dimension_v<M> == 3;
 template<class M> concept has_distinct_descriptors =
     !std::same_as<vert_t<M>, edge_t<M>> && !std::same_as<vert_t<M>, poly_t<M>> && !std::same_as<edge_t<M>, poly_t<M>>;
 
+/// A promise that a type may make, `static constexpr bool edges_in_order = true;`, so that algorithms on its polys need not search:
+///   SM7  the k-th edge of adj_p2e(p) joins the k-th vert of adj_p2v(p) and the next one, the last the last and the first
+///   VM8  where polys are tets by type, the edges of adj_p2e(p) join the verts 01 02 03 12 13 23 of adj_p2v(p)
+/// Of other volumes it says nothing.
+template<class M>
+concept promises_edges_in_order = requires { requires traits<M>::edges_in_order; } && (dimension_v<M> == 2 || arity_v<M> == 4);
+
 }  // namespace concino::requirement

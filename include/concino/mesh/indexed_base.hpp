@@ -21,6 +21,7 @@ struct indexed_elements {
   using vert = vert_id;
   using edge = edge_id;
   using poly = poly_id;
+  static constexpr bool edges_in_order = true;
 
   static auto verts(const M& m) { return mesh_traits<M>::tables(m).verts().all(); }
   static auto edges(const M& m) { return mesh_traits<M>::tables(m).edges().all(); }

@@ -72,7 +72,7 @@ class cotangent_weights {
   static constexpr int dimension = dimension_v<M>;
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
   static constexpr std::size_t sides = dimension == 2 ? 3 : 6;
-  // In no order that one may rely on, but most often in this one.
+  // The order that a type may promise; where it does not, the first to try.
   static constexpr std::size_t likely_ends[2][6][2] = {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
   const M& m_;
@@ -111,26 +111,30 @@ class cotangent_weights {
 
   void add(const poly_t<M>& p) {
     std::array<vert_t<M>, corners> corner;
-    std::array<vec3, corners> x;
+    std::array<vec3, corners> place;
     std::size_t n = 0;
     for (const vert_t<M> v : adj_p2v(m_, p)) {
       if (n < corners) {
         corner[n] = v;
-        x[n] = to_vec3(point(m_, v));
+        place[n] = to_vec3(point(m_, v));
       }
       ++n;
     }
     if (n != corners) throw_no_simplex(p, n);
-    const simplex_weights<dimension> weight(x);
+    const simplex_weights<dimension> weight(place);
     double sum = 0;
     const auto& edge_list = adj_p2e(m_, p);
     auto it = edge_list.begin();
     for (std::size_t k = 0; k < sides; ++k, ++it) {
       const edge_t<M> e = *it;
-      const auto [a, b] = ends(e);
       const auto [i, j] = likely_ends[dimension - 2][k];
       double w = weight(i, j);
-      if (!are(a, b, corner[i], corner[j])) [[unlikely]] w = searched(corner, weight, a, b);
+      if constexpr (!requirement::promises_edges_in_order<M>) {
+        const auto [a, b] = ends(e);
+        const std::size_t before = (k + 2) % 3;  // where half-edges name their targets, the last edge comes first
+        if (!are(a, b, corner[i], corner[j]))
+          w = dimension == 2 && are(a, b, corner[before], corner[k]) ? weight(before, k) : searched(corner, weight, a, b);
+      }
       sum += w;
       weight_[index_of(m_, e)] += w;
     }

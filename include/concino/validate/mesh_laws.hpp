@@ -120,4 +120,25 @@ void check_neighbours(const element_table<P>& ps, const element_table<S>& sides,
   }
 }
 
+/// The k-th edge of a poly of n verts joins those numbered ends_of(k, n), where the type promises so.
+template<class P, class V, class E, class Ends>
+void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs, const element_table<E>& es, const rings& p2v, const rings& p2e,
+                          const rings& e2v, const Ends& ends_of, const char* law, law_log& log) {
+  for (position p = 0; p < ps.size() && !log.full(law); ++p) {
+    const auto corners = p2v[p], sides = p2e[p];
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const auto [i, j] = ends_of(k, corners.size());
+      const auto ends = e2v[sides[k]];
+      if (i >= corners.size() || j >= corners.size() || ends.size() != 2) continue;  // reported elsewhere
+      const position a = corners[i], b = corners[j];
+      if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) continue;
+      const std::string arg = "(" + ps.name(p) + ")";
+      log.add(law,
+              "adj_p2e" + arg + " has " + es.name(sides[k]) + " where the type promises, by edges_in_order, the edge from " + vs.name(a) + " to " + vs.name(b) +
+                  " of adj_p2v" + arg,
+              ps.name(p) + " " + es.name(sides[k]));
+    }
+  }
+}
+
 }  // namespace concino::detail

@@ -1,4 +1,4 @@
-// The laws of SurfaceMesh (SM1 .. SM6).
+// The laws of SurfaceMesh (SM1 .. SM7).
 #pragma once
 
 #include <concino/validate/mesh_laws.hpp>
@@ -30,6 +30,8 @@ void check_surface_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const
                     std::to_string(arity_v<M>),
                 ps.name(p));
   }
+  if constexpr (requirement::promises_edges_in_order<M>)
+    check_edges_in_order(ps, vs, es, p2v, p2e, edge.e2v, [](std::size_t k, std::size_t n) { return std::pair(k, k + 1 == n ? 0 : k + 1); }, "SM7", log);
 }
 
 }  // namespace concino::detail

@@ -1,4 +1,4 @@
-// The laws of VolumeMesh (VM1 .. VM7).
+// The laws of VolumeMesh (VM1 .. VM8).
 #pragma once
 
 #include <concino/validate/mesh_laws.hpp>
@@ -118,6 +118,10 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
     const rings p2e = read_rings(m, ps, es, adj_p2e, "VM4", "adj_p2e", log);
     check_same(ps, es, p2e, composed(p2f, f2e), "VM4", "adj_p2e", "an edge of one of its faces", log);
     check_mirror(es, ps, read_rings(m, es, ps, adj_e2p, "VM4", "adj_e2p", log), p2e, "VM4", "adj_e2p", "adj_p2e", log);
+    if constexpr (requirement::promises_edges_in_order<M>) {
+      static constexpr std::pair<std::size_t, std::size_t> ends[6] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+      check_edges_in_order(ps, vs, es, p2v, p2e, edge.e2v, [](std::size_t k, std::size_t) { return ends[k % 6]; }, "VM8", log);
+    }
   }
   check_same(ps, vs, p2v, composed(p2f, f2v), "VM4", "adj_p2v", "a vert of one of its faces", log);
   check_mirror(vs, ps, read_rings(m, vs, ps, adj_v2p, "VM4", "adj_v2p", log), p2v, "VM4", "adj_v2p", "adj_p2v", log);
