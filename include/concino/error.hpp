@@ -1,6 +1,8 @@
 // What is thrown when the caller's input is at fault. Every message says what, where and what to do.
 #pragma once
 
+#include <concino/detail/message.hpp>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -45,7 +47,7 @@ struct cancelled : error {
 /// A file does not follow its format. Lines count from 1.
 struct parse_error : error {
   parse_error(std::string file_, std::size_t line_, std::string expected_, std::string found_)
-      : error(file_ + ":" + std::to_string(line_) + ": expected " + expected_ + ", found " + found_),
+      : error(detail::joined({file_, ":", line_, ": expected ", expected_, ", found ", found_})),
         file(std::move(file_)), line(line_), expected(std::move(expected_)), found(std::move(found_)) {}
 
   std::string file;

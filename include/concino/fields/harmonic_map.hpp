@@ -156,17 +156,20 @@ vert_map<M, double> harmonic_map(M&& m, const D& values, const harmonic_map_opti
   Eigen::VectorXd b(problem.unknowns);
   b.setZero();
   const Eigen::SparseMatrix<double> a = [&] {
-    if (options.exponent > 1) {
-      Eigen::SparseMatrix<double> all = laplacian(mesh_in, {.weights = options.weights});
-      for (Eigen::Index k = 0; k < all.nonZeros(); ++k) all.valuePtr()[k] = -all.valuePtr()[k];
-      const auto k = detail::polyharmonic(all, detail::inverse_masses(mesh_in, all, options.weights), options.exponent);
-      return detail::restrict_to_unknowns(k, mesh_in, problem, b);
-    }
-    return detail::with_weights(mesh_in, options.weights, [&](const auto& weights) {
-      return detail::assemble<detail::lower_triangle>(
-          mesh_in, weights, static_cast<std::size_t>(problem.unknowns), 1.0, [&](const vert_t<M>& v) { return problem.unknown[v]; },
-          [&](int row, const vert_t<M>& w, double weight) { b[row] += weight * problem.value[w]; });
-    });
+    const auto minus_laplacian = [&](const vert_map<M, int>& row_of, std::size_t size) {
+      return detail::with_weights(mesh_in, options.weights, [&](const auto& weights) {
+        return detail::assemble<detail::lower_triangle>(
+            mesh_in, weights, size, 1.0, [&](const vert_t<M>& v) { return row_of[v]; },
+            [&](int row, const vert_t<M>& w, double weight) { b[row] += weight * problem.value[w]; });
+      });
+    };
+    if (options.exponent == 1) return minus_laplacian(problem.unknown, static_cast<std::size_t>(problem.unknowns));
+    // Of the powers the verts with given values are part too.
+    auto row_of = make_vert_map<int>(mesh_in);
+    for (const vert_t<M> v : verts(mesh_in)) row_of[v] = static_cast<int>(index_of(mesh_in, v));
+    const auto all = detail::with_both_triangles(minus_laplacian(row_of, static_cast<std::size_t>(vert_index_bound(mesh_in))));
+    const auto k = detail::polyharmonic(all, detail::inverse_masses(mesh_in, all, options.weights), options.exponent);
+    return detail::restrict_to_unknowns(k, mesh_in, problem, b);
   }();
   if (problem.unknowns > 0) {
     detail::tell(options.progress, 0.1, "harmonic map: factorising");

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/geometry/rgba.hpp>
-#include <concino/io/message.hpp>
+#include <concino/detail/message.hpp>
 #include <concino/io/name_runs.hpp>
 #include <concino/io/options.hpp>
 #include <concino/mesh/arrays.hpp>

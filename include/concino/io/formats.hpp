@@ -1,6 +1,7 @@
 // The file formats, and which one a path asks for.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/error.hpp>
 
 #include <string>
@@ -32,7 +33,7 @@ inline std::string_view extension_of(file_format f) {
 }
 
 /// Upper and lower case mean the same. Errors: unsupported if the extension is not known, naming those that are.
-inline file_format format_of(std::string_view path, file_format asked) {
+[[gnu::noinline, gnu::cold]] inline file_format format_of(std::string_view path, file_format asked) {
   if (asked != file_format::by_extension) return asked;
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
   std::string known;
@@ -43,9 +44,9 @@ inline file_format format_of(std::string_view path, file_format asked) {
       while (same < tail.size() && lower(tail[same]) == row.extension[same]) ++same;
       if (same == tail.size()) return row.format;
     }
-    (known += known.empty() ? "" : ", ") += row.extension;
+    known = joined({known, known.empty() ? "" : ", ", row.extension});
   }
-  throw unsupported(std::string(path) + ": the extension names no format known here; known are " + known);
+  throw_joined<unsupported>({path, ": the extension names no format known here; known are ", known});
 }
 
 }  // namespace detail

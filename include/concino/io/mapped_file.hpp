@@ -1,6 +1,7 @@
 // The bytes of a file, mapped into memory rather than copied (POSIX).
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/error.hpp>
 
 #include <cerrno>
@@ -16,8 +17,8 @@
 
 namespace concino::detail {
 
-[[noreturn]] inline void throw_io_error(const std::string& path, const char* what, int error_number) {
-  throw io_error(path + ": " + what + ": " + std::strerror(error_number));
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_io_error(const std::string& path, const char* what, int error_number) {
+  throw_joined<io_error>({path, ": ", what, ": ", std::strerror(error_number)});
 }
 
 /// Unmaps itself. An empty file has an empty text.
@@ -28,7 +29,7 @@ class mapped_file {
 
  public:
   mapped_file() = default;
-  explicit mapped_file(const std::string& path) {
+  [[gnu::noinline, gnu::cold]] explicit mapped_file(const std::string& path) {
     // Without O_NONBLOCK opening a pipe that nobody writes to would wait for ever.
     const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0) throw_io_error(path, "cannot be opened", errno);
@@ -37,7 +38,7 @@ class mapped_file {
     if (!failed && S_ISDIR(info.st_mode)) failed = EISDIR;
     if (!failed && !S_ISREG(info.st_mode)) {
       ::close(fd);
-      throw io_error(path + ": is not a file");
+      throw_joined<io_error>({path, ": is not a file"});
     }
     if (!failed && info.st_size > 0) {
       size_ = static_cast<std::size_t>(info.st_size);

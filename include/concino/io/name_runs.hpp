@@ -34,7 +34,7 @@ class name_table {
   std::size_t find(std::string_view name) const { return std::size_t{slots_[slot_of(name)]} - 1; }
 
   /// The number of a name, which gets one if it has none.
-  std::size_t add(std::string_view name) {
+  [[gnu::noinline]] std::size_t add(std::string_view name) {
     const std::size_t found = find(name);
     if (found != none) return found;
     names_.push_back(std::string(name));
@@ -54,7 +54,7 @@ class name_runs {
 
  public:
   /// From poly `first` on; polys come in order.
-  void change(std::size_t first, std::string name) {
+  [[gnu::noinline]] void change(std::size_t first, std::string name) {
     if (!first_.empty() && first_.back() == first) drop_last();
     if (names_.empty() ? name.empty() : std::string_view(names_.back()) == name) return;
     names_.push_back(std::move(name));
@@ -114,7 +114,7 @@ class name_numbers {
 };
 
 /// A name that says a number, as writers make them where there is a number but no name: "label_7", "color_3".
-inline bool says_number(std::string_view name, std::string_view prefix, int& number) {
+[[gnu::noinline]] inline bool says_number(std::string_view name, std::string_view prefix, int& number) {
   if (!name.starts_with(prefix)) return false;
   name.remove_prefix(prefix.size());
   std::int64_t n = 0;

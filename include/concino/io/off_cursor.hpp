@@ -29,7 +29,7 @@ class off_cursor : protected text_cursor {
   }
 
   /// The word may be missing: then the file begins with its counts.
-  void header_word() {
+  [[gnu::noinline, gnu::cold]] void header_word() {
     const char* const from = at;
     while (at != end() && !is_space(*at) && *at != '#') ++at;
     std::string_view word{from, static_cast<std::size_t>(at - from)};
@@ -37,26 +37,26 @@ class off_cursor : protected text_cursor {
       at = from;
       return;
     }
-    if (!header_.parse(word)) fail(from, {"OFF, with nothing but ST, C, N, 4, n before it, in this order"});
+    if (!header_.parse(word)) fail(from, "OFF, with nothing but ST, C, N, 4, n before it, in this order");
     blanks();
     const std::string_view rest{at, static_cast<std::size_t>(end() - at)};
     if (rest.starts_with("BINARY")) {
       at += 6;
       blanks();
-      if (at == end() || !is_line_end(*at)) fail(at, {"the end of the line after BINARY"});
+      if (at == end() || !is_line_end(*at)) fail(at, "the end of the line after BINARY");
       at += *at == '\r' && left() > 1 && at[1] == '\n' ? 2 : 1;
       header_.binary = true;
     } else if (header_.any_dimension) {
       skip_space('#');
       const char* const place = at;
       const std::int64_t n = integer("the dimension of the space, from 1");
-      if (n < 1 || static_cast<std::uint64_t>(n) > left()) fail(place, {"the dimension of the space, from 1"});
+      if (n < 1 || static_cast<std::uint64_t>(n) > left()) fail(place, "the dimension of the space, from 1");
       header_.dimension = static_cast<std::uint64_t>(n);
     }
   }
 
   /// At least `bytes` each.
-  std::uint64_t count(const char* what, std::uint64_t bytes) {
+  [[gnu::noinline, gnu::cold]] std::uint64_t count(const char* what, std::uint64_t bytes) {
     const char* const from = at;
     const std::int64_t n = integer(what);
     if (n < 0) fail(from, {what, ", not negative"});
@@ -66,7 +66,7 @@ class off_cursor : protected text_cursor {
   }
 
   /// The number of edges is not used, and may be missing: then the line ends, and the next one does not hold a number alone.
-  std::pair<std::uint64_t, std::uint64_t> counts() {
+  [[gnu::noinline, gnu::cold]] std::pair<std::uint64_t, std::uint64_t> counts() {
     skip_space('#');
     const std::uint64_t verts = count("the number of verts", 2 * header_.numbers(3));
     skip_space('#');
@@ -90,7 +90,7 @@ class off_cursor : protected text_cursor {
   }
 
   /// Lines from here that say something.
-  std::uint64_t lines_left() const {
+  [[gnu::noinline]] std::uint64_t lines_left() const {
     std::uint64_t n = 0;
     bool says = false, comment = false;
     for (const char* p = at; p != end(); ++p) {
@@ -108,7 +108,7 @@ class off_cursor : protected text_cursor {
 
   /// Files of a vert a line may say more than they need; a file may also hold its numbers wherever it likes. The first line
   /// and the number of lines tell.
-  void choose_layout(std::uint64_t verts, std::uint64_t polys) {
+  [[gnu::noinline, gnu::cold]] void choose_layout(std::uint64_t verts, std::uint64_t polys) {
     const char* const back = at;
     std::uint64_t numbers = 0;
     for (blanks(); !line_is_over() && numbers <= header_.numbers() + 1; blanks(), ++numbers) word();

@@ -7,7 +7,7 @@
 namespace concino::detail {
 
 /// The property `name`, of values that are copied as bytes: the i-th goes to the element with index where[i].
-inline void give_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
+[[gnu::noinline]] inline void give_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
                         const std::vector<std::uint32_t>& where, std::size_t bound) {
   unsigned char* const to = static_cast<unsigned char*>(all.get(kind, name, type, bound)->data());
   const unsigned char* from = static_cast<const unsigned char*>(values);
@@ -17,7 +17,7 @@ inline void give_values(property_set& all, element_kind kind, const char* name, 
   }
 }
 
-inline void give_to_verts(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+[[gnu::noinline, gnu::cold]] inline void give_to_verts(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
   const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
     if (n) give_values(all, element_kind::vert, name, type, values, where, bound);
   };
@@ -27,7 +27,7 @@ inline void give_to_verts(property_set& all, file_contents& contents, const std:
   give("texture", values_of<std::array<double, 2>>, contents.vert_textures.size(), contents.vert_textures.values().data());
 }
 
-inline void give_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound) {
+[[gnu::noinline, gnu::cold]] inline void give_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound) {
   if (names.empty()) return;
   std::string* const to = static_cast<std::string*>(all.get(element_kind::poly, name, values_of<std::string>, bound)->data());
   names.for_each(where.size(), [&](std::size_t i, std::size_t end, std::string_view text) {
@@ -35,7 +35,7 @@ inline void give_names(property_set& all, const char* name, const name_runs& nam
   });
 }
 
-inline void give_to_polys(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+[[gnu::noinline, gnu::cold]] inline void give_to_polys(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
   const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
     if (n) give_values(all, element_kind::poly, name, type, values, where, bound);
   };
@@ -46,7 +46,7 @@ inline void give_to_polys(property_set& all, file_contents& contents, const std:
   give_names(all, "material", contents.materials, where, bound);
 }
 
-inline void tell_of_skipped(const file_contents& contents, load_report& report) {
+[[gnu::noinline, gnu::cold]] inline void tell_of_skipped(const file_contents& contents, load_report& report) {
   const auto skipped = [&](bool is_empty, const char* what) {
     if (!is_empty) report.skipped.push_back(what);
   };
@@ -97,7 +97,7 @@ struct kept_property {
 };
 
 /// Says which properties a format drops: all but those in `kept`.
-inline void tell_of_lost_properties(const property_set& all, const kept_property* kept, std::size_t num_kept, std::string_view format,
+[[gnu::noinline, gnu::cold]] inline void tell_of_lost_properties(const property_set& all, const kept_property* kept, std::size_t num_kept, std::string_view format,
                                     std::vector<std::string>& lost) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const property_info p = all.info(i);

@@ -19,7 +19,7 @@ class hedra_reader : token_cursor {
 
   void read(volume_contents& out) {
     skip();
-    if (at_end()) fail(end(), {"the numbers of verts, faces and polyhedra"});
+    if (at_end()) fail(end(), "the numbers of verts, faces and polyhedra");
     const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8),
                         np = next_count("the number of polyhedra", 4);
     verts(nv);
@@ -28,7 +28,7 @@ class hedra_reader : token_cursor {
     first_cell_ = at;
     polys(np);
     skip();
-    if (!at_end()) fail(at, {"the end of the file after the last polyhedron"});
+    if (!at_end()) fail(at, "the end of the file after the last polyhedron");
     report_.reoriented_polys = orient_polyhedra(out_);
     if (report_.reoriented_polys)
       report_.notes.push_back(joined({report_.reoriented_polys, " of ", np,

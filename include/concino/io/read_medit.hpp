@@ -36,9 +36,9 @@ class medit_reader : token_cursor {
 
   void read(contents_of<Volumes>& out) {
     skip();
-    if (at_end()) fail(end(), {"MeshVersionFormatted"});
+    if (at_end()) fail(end(), "MeshVersionFormatted");
     const char* const from = at;
-    if (word() != "MeshVersionFormatted") fail(from, {"MeshVersionFormatted (MEDIT in ASCII)"});
+    if (word() != "MeshVersionFormatted") fail(from, "MeshVersionFormatted (MEDIT in ASCII)");
     next_integer("the version of the format, an integer");
     while (!ended_) {
       skip();
@@ -46,12 +46,12 @@ class medit_reader : token_cursor {
       section();
     }
     if (!ended_) report_.notes.push_back("the file has no End: it may be cut off");
-    if (!has_verts_) fail(end(), {"a section Vertices"});
+    if (!has_verts_) fail(end(), "a section Vertices");
     finish(out);
   }
 
  private:
-  void section() {
+  [[gnu::noinline, gnu::cold]] void section() {
     const char* const from = at;
     const std::string_view keyword = is_letter(*at) ? word() : std::string_view{};
     if (keyword == "End") {
@@ -60,13 +60,13 @@ class medit_reader : token_cursor {
       skip();
       const char* const number = at;
       dimension_ = static_cast<int>(std::clamp<std::int64_t>(next_integer("the dimension, 2 or 3"), 0, 4));
-      if (dimension_ != 2 && dimension_ != 3) fail(number, {"the dimension, 2 or 3"});
+      if (dimension_ != 2 && dimension_ != 3) fail(number, "the dimension, 2 or 3");
     } else if (keyword == "Vertices") {
-      if (dimension_ == 0) fail(from, {"Dimension before Vertices"});
+      if (dimension_ == 0) fail(from, "Dimension before Vertices");
       if (has_verts_) fail(from, {"one section Vertices"}, {"another"});
       vertices();
     } else if (keyword.empty()) {
-      fail(from, {"a keyword, such as Tetrahedra or End"});
+      fail(from, "a keyword, such as Tetrahedra or End");
     } else {
       for (const medit_section& s : medit_sections)
         if (keyword == s.keyword) {
@@ -88,7 +88,7 @@ class medit_reader : token_cursor {
   }
 
   /// To the next word that begins with a letter.
-  void skip_section() {
+  [[gnu::noinline]] void skip_section() {
     for (bool after_space = true; !at_end(); ++at) {
       if (*at == comment) {
         skip_line();
@@ -172,14 +172,14 @@ class medit_reader : token_cursor {
     if (!only_) only_ = &s;
   }
 
-  [[noreturn]] void refuse(const medit_section& s, std::uint32_t arity) const {
+  [[noreturn, gnu::noinline, gnu::cold]] void refuse(const medit_section& s, std::uint32_t arity) const {
     fail(at,
          {name_of_poly(s.volume, arity),
           s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"},
          {"an element of section ", s.keyword});
   }
 
-  void finish(contents_of<Volumes>& out) {
+  [[gnu::noinline, gnu::cold]] void finish(contents_of<Volumes>& out) {
     bool has_cells = polys_ > 0;
     for (const part& p : put_off_) has_cells = has_cells || (p.section->volume && p.count > 0);
     for (const part& p : put_off_) {

@@ -14,7 +14,7 @@ struct material_library {
 };
 
 /// Adds what a text says: newmtl, Kd and d; of materials of one name the first counts.
-inline void read_mtl(std::string_view text, std::string_view name, material_library& library, load_report& report) {
+[[gnu::noinline, gnu::cold]] inline void read_mtl(std::string_view text, std::string_view name, material_library& library, load_report& report) {
   text_cursor in(text, name);
   std::string material;
   bool is_new = false;
@@ -73,7 +73,7 @@ inline void read_mtl(std::string_view text, std::string_view name, material_libr
 }
 
 /// The library of that name beside the file of the context, or null.
-inline bool read_library(const read_context& context, std::string name, material_library& library) {
+[[gnu::noinline, gnu::cold]] inline bool read_library(const read_context& context, std::string name, material_library& library) {
   for (char& c : name)
     if (c == '\\') c = '/';
   if (name.starts_with('/') || (name.size() > 1 && name[1] == ':')) name.erase(0, name.rfind('/') + 1);  // a path of another machine
@@ -91,7 +91,7 @@ inline bool read_library(const read_context& context, std::string name, material
 
 /// Colours of the polys from the libraries that a file names, one or more on a line. Materials that writers made up for colours lose their
 /// names.
-inline void color_polys(const read_context& context, const std::vector<std::string>& lines, std::size_t polys, file_contents& contents) {
+[[gnu::noinline, gnu::cold]] inline void color_polys(const read_context& context, const std::vector<std::string>& lines, std::size_t polys, file_contents& contents) {
   load_report& report = *context.report;
   material_library library;
   for (const std::string& line : lines) {

@@ -60,7 +60,7 @@ class obj_reader : text_cursor {
     reserve_large(out_.verts, room_for(scale * static_cast<double>(corners)));
   }
 
-  void restart(const char* from) {
+  [[gnu::noinline, gnu::cold]] void restart(const char* from) {
     out_.points.clear();
     out_.offsets.clear();
     out_.verts.clear();
@@ -156,11 +156,11 @@ class obj_reader : text_cursor {
       const char* const corner = at;
       std::int64_t i = 0;
       const char* p = parse_integer(at, end(), i);
-      if (!p) fail(at, {"the index of a vert"});
+      if (!p) fail(at, "the index of a vert");
       const std::uint64_t v = absolute(corner, i, out_.points.size(), points_, "a vert");
       if (v > max_point_) max_point_ = v;
       if (p != end() && *p == '/') p = attributes(corner, p);
-      if (!ends_token(p, '#')) fail(corner, {"a corner v, v/vt, v//vn or v/vt/vn"});
+      if (!ends_token(p, '#')) fail(corner, "a corner v, v/vt, v//vn or v/vt/vn");
       at = p;
       out_.verts.push_back(vert_id{static_cast<std::uint32_t>(v - 1)});
     }
@@ -199,7 +199,7 @@ class obj_reader : text_cursor {
   std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
 
   /// What is left of the line, without blanks around it and without a comment, which needs a blank before it.
-  std::string name_to_end_of_line() {
+  [[gnu::noinline]] std::string name_to_end_of_line() {
     std::string name;
     while (at != end() && !is_line_end(*at)) {
       if (*at == '\\' && joins_lines()) {
@@ -216,7 +216,7 @@ class obj_reader : text_cursor {
   }
 
   /// Labels from the names of groups or objects, colours from the libraries.
-  [[gnu::noinline]] void end_names(load_report& report) {
+  [[gnu::noinline, gnu::cold]] void end_names(load_report& report) {
     const std::size_t n = out_.num_polys();
     for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) names->end(n);
     const name_runs& named = extra_.groups.empty() ? extra_.objects : extra_.groups;
@@ -241,7 +241,7 @@ class obj_reader : text_cursor {
     const char* const from = at;
     while (at != end() && (is_letter(*at) || is_digit(*at) || *at == '_')) ++at;
     const std::string_view word{from, static_cast<std::size_t>(at - from)};
-    if (!is_letter(*from) || !(ends_token(at, '#'))) fail(from, {"a keyword of OBJ such as v or f"});
+    if (!is_letter(*from) || !(ends_token(at, '#'))) fail(from, "a keyword of OBJ such as v or f");
     if (word == "vt") ++num_textures_;
     else if (word == "vn") ++num_normals_;
     else if (word == "l" || word == "p") ++num_lines_;

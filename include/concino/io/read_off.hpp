@@ -25,7 +25,7 @@ class off_reader : off_cursor {
 
   void read() {
     skip_space('#');
-    if (at_end()) fail(end(), {"OFF"});
+    if (at_end()) fail(end(), "OFF");
     header_word();
     if (header_.binary) {
       off_binary_reader(*this, header_, wanted_, report_).read(out_, extra_, arity_);
@@ -68,7 +68,7 @@ class off_reader : off_cursor {
     }
   }
 
-  vec3 point() {
+  [[gnu::noinline]] vec3 point() {
     double x[3] = {};
     for (std::uint64_t i = 0; i < header_.dimension; ++i) {
       const double c = number("a coordinate of a vert");
@@ -80,12 +80,12 @@ class off_reader : off_cursor {
       const char* const place = at;
       const double w = real("the weight w of a vert");
       p = {p.x / w, p.y / w, p.z / w};
-      if (!is_finite(p)) fail(place, {"a weight w by which x y z can be divided"});
+      if (!is_finite(p)) fail(place, "a weight w by which x y z can be divided");
     }
     return p;
   }
 
-  void attributes() {
+  [[gnu::noinline]] void attributes() {
     if (header_.normal) {
       vec3 n;
       n.x = number("the x of a normal");
@@ -114,7 +114,7 @@ class off_reader : off_cursor {
       return c;
     }
   };
-  void add_part(color_parts& c) {
+  [[gnu::noinline]] void add_part(color_parts& c) {
     const char* const from = at;
     const double x = real("a number of a colour");
     if (c.size < 4) c.x[c.size] = x;
@@ -123,7 +123,7 @@ class off_reader : off_cursor {
   }
   void check_bytes(const char* place, const color_parts& c) const {
     if (c.whole && (c.largest() > 255 || std::min({c.x[0], c.x[1], c.x[2], c.x[3]}) < 0))
-      fail(place, {"a colour of integers from 0 to 255, or of reals from 0 to 1"});
+      fail(place, "a colour of integers from 0 to 255, or of reals from 0 to 1");
   }
 
   void vert_color() {
@@ -175,7 +175,7 @@ class off_reader : off_cursor {
   void poly(std::uint64_t f, std::uint64_t n) {
     const char* const line = at;
     const std::int64_t size = integer("the number of verts of a poly");
-    if (size < 3) fail(line, {"a poly of at least three verts"});
+    if (size < 3) fail(line, "a poly of at least three verts");
     const std::size_t first = out_.verts.size();
     const auto bound = out_.points.size();
     for (std::int64_t k = 0; k < size; ++k) {
@@ -192,14 +192,14 @@ class off_reader : off_cursor {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail_index() const {
-    if (out_.points.empty()) fail(at, {"no polys, as there are no verts"});
+    if (out_.points.empty()) fail(at, "no polys, as there are no verts");
     fail(at, {"the index of a vert from 0 to ", out_.points.size() - 1});
   }
 
   /// A poly goes on in the next line only where the file has lines enough for the others: else its line is too short.
   [[gnu::noinline]] void go_on(std::uint64_t others) {
     if (!wraps_) wraps_ = lines_left() > others;
-    if (!wraps_) fail(at, {"the index of a vert"});
+    if (!wraps_) fail(at, "the index of a vert");
     skip_space('#');
   }
 
@@ -209,7 +209,7 @@ class off_reader : off_cursor {
     for (; !line_is_over(); blanks()) add_part(c);
     if (c.size == 1 && c.whole) {
       if (c.x[0] < std::numeric_limits<int>::min() || c.x[0] > std::numeric_limits<int>::max())
-        fail(place, {"the index of a colour of 32 bits"});
+        fail(place, "the index of a colour of 32 bits");
       extra_.poly_labels.resize(f);
       extra_.poly_labels.push_back(static_cast<int>(c.x[0]));
     } else if (c.size == 3 || c.size == 4) {
@@ -222,7 +222,7 @@ class off_reader : off_cursor {
   }
 
   /// Those that came last may have had none.
-  void finish_attributes() {
+  [[gnu::noinline, gnu::cold]] void finish_attributes() {
     if (!extra_.poly_labels.empty()) extra_.poly_labels.resize(out_.num_polys());
     if (!extra_.poly_colors.empty()) extra_.poly_colors.resize(out_.num_polys());
     if (largest_part_ < 2 && !whole_colors_.empty()) {

@@ -32,7 +32,7 @@ void write_to(text_sink& out, const M& m, std::string_view name, file_format for
 }
 
 /// a/b.obj: a/b.mtl
-inline std::string library_path(const std::string& path) {
+[[gnu::noinline, gnu::cold]] inline std::string library_path(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   const bool has_extension = dot != std::string::npos && path.find('/', dot) == std::string::npos;
   return joined({std::string_view(path).substr(0, has_extension ? dot : path.size()), ".mtl"});

@@ -36,7 +36,7 @@ vert_map<M, double> load_field(M&& m, const std::string& path) {
   detail::token_cursor in(file.text(), path, nullptr, 0);
   in.skip();
   const char* const head = in.at;
-  if (in.word() != "SCALAR_FIELD") in.fail(head, {"SCALAR_FIELD"});
+  if (in.word() != "SCALAR_FIELD") in.fail(head, "SCALAR_FIELD");
   in.skip();
   const char* const announced = in.at;
   const auto n = in.next_count("the number of values", 2);
@@ -47,7 +47,7 @@ vert_map<M, double> load_field(M&& m, const std::string& path) {
     in.skip();
     double x = 0;
     const char* const end = detail::parse_real(in.at, in.end(), x);
-    if (!end || !in.ends_token(end, 0)) in.fail(in.at, {"a number"});
+    if (!end || !in.ends_token(end, 0)) in.fail(in.at, "a number");
     in.at = end;
     u[v] = x;
   }

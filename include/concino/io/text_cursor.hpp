@@ -3,7 +3,7 @@
 
 #include <concino/concepts/descriptors.hpp>
 #include <concino/error.hpp>
-#include <concino/io/message.hpp>
+#include <concino/detail/message.hpp>
 #include <concino/io/numbers.hpp>
 #include <concino/progress.hpp>
 
@@ -71,6 +71,7 @@ class text_cursor {
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, message expected, message found) const {
     throw parse_error(std::string(name_), line_of(place), joined(expected), joined(found));
   }
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, const char* expected) const { fail(place, {expected}, {found_at(place)}); }
   /// Says what stands at `place` itself.
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, message expected) const { fail(place, expected, {found_at(place)}); }
   [[noreturn, gnu::noinline, gnu::cold]] void fail_to_count(const char* what) const {
@@ -119,7 +120,7 @@ class text_cursor {
   double real(const char* expected, char comment = '#') {
     double x = 0;
     const char* p = parse_real(at, end_, x);
-    if (!p || !ends_token(p, comment)) fail(at, {expected});
+    if (!p || !ends_token(p, comment)) fail(at, expected);
     if (!std::isfinite(x)) fail(at, {expected, ", a finite number"});
     at = p;
     return x;
@@ -128,7 +129,7 @@ class text_cursor {
   std::int64_t integer(const char* expected, char comment = '#') {
     std::int64_t i = 0;
     const char* p = parse_integer(at, end_, i);
-    if (!p || !ends_token(p, comment)) fail(at, {expected});
+    if (!p || !ends_token(p, comment)) fail(at, expected);
     at = p;
     return i;
   }
@@ -161,7 +162,7 @@ struct token_cursor : text_cursor {
     skip();
     const char* const from = at;
     const std::int64_t n = integer(what, comment);
-    if (n < 0) fail(from, {what});
+    if (n < 0) fail(from, what);
     if (static_cast<std::uint64_t>(n) > max_ids && room(max_ids + 1, bytes) > max_ids) fail_to_count("elements of one kind");
     return static_cast<std::uint64_t>(n);
   }

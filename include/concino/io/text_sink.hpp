@@ -39,7 +39,7 @@ class text_sink {
   text_sink() = default;
   text_sink(int file, std::string path) : file_(file), path_(std::move(path)) {}
 
-  text_sink& operator<<(char c) {
+  [[gnu::noinline]] text_sink& operator<<(char c) {  // there are many, and the numbers between them take longer
     *room(1) = c;
     ++used_;
     return *this;
@@ -84,7 +84,7 @@ class replacing_file {
 
  public:
   /// Errors: io_error if no file can be made there, or what is there is not a file.
-  explicit replacing_file(const std::string& path) : path_(path), target_(path) {
+  [[gnu::noinline, gnu::cold]] explicit replacing_file(const std::string& path) : path_(path), target_(path) {
     // a link stays a link: what it points at is replaced
     if (char* const real = ::realpath(path.c_str(), nullptr)) {
       target_ = real;
@@ -93,11 +93,10 @@ class replacing_file {
     struct ::stat old {};
     const bool exists = ::stat(target_.c_str(), &old) == 0;
     if (exists && S_ISDIR(old.st_mode)) throw_io_error(path_, "cannot be written", EISDIR);
-    if (exists && !S_ISREG(old.st_mode)) throw io_error(path_ + ": is not a file");
+    if (exists && !S_ISREG(old.st_mode)) throw_joined<io_error>({path_, ": is not a file"});
     if (exists && ::access(target_.c_str(), W_OK) != 0) throw_io_error(path_, "cannot be written", errno);
-    const std::string stem = target_ + ".tmp" + std::to_string(::getpid()) + "-";
     for (int attempt = 0; file_ < 0; ++attempt) {
-      temporary_ = stem + std::to_string(attempt);
+      temporary_ = joined({target_, ".tmp", static_cast<std::uint64_t>(::getpid()), "-", static_cast<std::uint64_t>(attempt)});
       file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (file_ < 0 && (errno != EEXIST || attempt == 10000)) throw_io_error(path_, "cannot be written", errno);
     }
@@ -105,14 +104,14 @@ class replacing_file {
   }
   replacing_file(const replacing_file&) = delete;
   replacing_file& operator=(const replacing_file&) = delete;
-  ~replacing_file() {
+  [[gnu::noinline, gnu::cold]] ~replacing_file() {
     if (file_ >= 0) ::close(file_);
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
   }
 
   int descriptor() const { return file_; }
 
-  void commit() {
+  [[gnu::noinline, gnu::cold]] void commit() {
     const int closed = ::close(std::exchange(file_, -1));
     if (closed != 0) throw_io_error(path_, "cannot be written", errno);
     if (::rename(temporary_.c_str(), target_.c_str()) != 0) throw_io_error(path_, "cannot be replaced", errno);

@@ -83,10 +83,10 @@ struct write_context : write_state {
   }
 };
 
-inline void write_point(text_sink& out, const vec3& p) { out << p.x << ' ' << p.y << ' ' << p.z; }
+[[gnu::noinline]] inline void write_point(text_sink& out, const vec3& p) { out << p.x << ' ' << p.y << ' ' << p.z; }
 
 /// The shortest digits that a reader of doubles makes the same float of; with a point where they must not look like an integer.
-inline void write_part(text_sink& out, float x, bool is_real) {
+[[gnu::noinline]] inline void write_part(text_sink& out, float x, bool is_real) {
   char digits[32];
   const char* end = std::to_chars(digits, digits + 32, x).ptr;
   double back = 0;
@@ -98,7 +98,7 @@ inline void write_part(text_sink& out, float x, bool is_real) {
 }
 
 /// A name as a line can hold it. `changed` tells whether it is another.
-inline std::string line_name(std::string name, bool& changed) {
+[[gnu::noinline]] inline std::string line_name(std::string name, bool& changed) {
   const auto hide = [&](char& c) {
     c = '_';
     changed = true;

@@ -22,7 +22,7 @@ class mtl_names {
   bool changed = false;  // names that no line can hold
 
   /// Colours need a file of their own: where there is none they are lost.
-  mtl_names(write_state& c, const std::string* material, const rgba* color) : c_(c), material_(material), color_(color) {
+  [[gnu::noinline, gnu::cold]] mtl_names(write_state& c, const std::string* material, const rgba* color) : c_(c), material_(material), color_(color) {
     if (!color_) return;
     if (!c.library) {
       c.report.lost.push_back("poly property \"color\": it goes to a .mtl file beside the .obj file, and text has none beside it");
@@ -38,7 +38,7 @@ class mtl_names {
   /// For every poly, before the first is asked for: no name made up later may be one of these.
   void take(std::size_t poly) { use(line_name(material_[poly], changed)); }
 
-  const std::string& operator()(std::size_t poly) {
+  [[gnu::noinline]] const std::string& operator()(std::size_t poly) {
     name_.clear();
     if (material_) name_ = line_name(material_[poly], changed);
     if (!color_) return name_;
@@ -58,7 +58,7 @@ class mtl_names {
     return names_.back();
   }
 
-  void end() {
+  [[gnu::noinline, gnu::cold]] void end() {
     if (num_renamed_)
       c_.report.lost.push_back(
           joined({"materials of several colours: ", num_renamed_, " were given names of their own, as a material of .mtl has one colour"}));
@@ -73,14 +73,14 @@ class mtl_names {
     return i;
   }
 
-  void make_up() {
+  [[gnu::noinline, gnu::cold]] void make_up() {
     const std::string base = joined({name_.empty() ? std::string_view("color") : std::string_view(name_), "_"});
     do name_ = joined({base, ++last_number_});
     while (taken_.find(name_) != name_table::none);
     uses_[use(name_)] = 1;
   }
 
-  void define(const rgba& color) {
+  [[gnu::noinline, gnu::cold]] void define(const rgba& color) {
     library_ << "newmtl " << names_.back() << "\nKd";
     for (const float part : {color.r, color.g, color.b}) {
       library_ << ' ';

@@ -16,7 +16,7 @@ class obj_names {
   bool changed = false;
 
   obj_names(write_state& c, std::string_view keyword) : c_(c), keyword_(keyword) {}
-  void before_poly(const std::string& name) {
+  [[gnu::noinline]] void before_poly(const std::string& name) {
     if (std::string_view(name) == last_) return;
     last_ = name;
     c_.out << keyword_;

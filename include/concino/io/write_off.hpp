@@ -32,11 +32,11 @@ class off_numbers {
 
   off_numbers(write_state& c, bool binary) : c_(c), binary_(binary) {}
 
-  void integer(std::int64_t i) {
+  [[gnu::noinline]] void integer(std::int64_t i) {
     if (binary_) word(static_cast<std::uint32_t>(i));
     else c_.out << ' ' << i;
   }
-  void real(double x) {
+  [[gnu::noinline]] void real(double x) {
     if (!binary_) {
       c_.out << ' ' << c_.finite(x);
       return;
@@ -45,7 +45,7 @@ class off_numbers {
     rounded = rounded || static_cast<double>(f) != x;
     word(std::bit_cast<std::uint32_t>(f));
   }
-  void part(float x) {
+  [[gnu::noinline]] void part(float x) {
     if (binary_) {
       word(std::bit_cast<std::uint32_t>(c_.finite(x)));
       return;
@@ -53,20 +53,20 @@ class off_numbers {
     c_.out << ' ';
     write_part(c_.out, c_.finite(x), true);
   }
-  void color(const rgba& x) {
+  [[gnu::noinline]] void color(const rgba& x) {
     for (const float p : {x.r, x.g, x.b, x.a}) part(p);
   }
   void point(const vec3& p) {
     if (!binary_) return write_point(c_.out, p);
     for (const double x : {p.x, p.y, p.z}) real(x);
   }
-  void poly_color(const rgba& x) {
+  [[gnu::noinline]] void poly_color(const rgba& x) {
     int bytes[4];
     if (binary_) integer(4);
     if (binary_ || !bytes_of(x, bytes)) return color(x);
     for (const int i : bytes) integer(i);
   }
-  void poly_label(int label) {
+  [[gnu::noinline]] void poly_label(int label) {
     if (!binary_) return integer(label);
     integer(1);
     part(static_cast<float>(label));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
+#include <concino/detail/message.hpp>
 #include <concino/error.hpp>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ class column {
 
   unsigned char* at(std::size_t i) const { return data_ + i * type_->size; }
 
-  void make_room(std::size_t n) {
+  [[gnu::noinline]] void make_room(std::size_t n) {
     column fresh(*type_);
     fresh.data_ = static_cast<unsigned char*>(::operator new(n * type_->size, std::align_val_t(type_->alignment)));
     fresh.room_ = n;
@@ -80,7 +81,7 @@ class column {
     make_room(n);
     resize(n);
   }
-  column(const column& o) : column(*o.type_) {
+  [[gnu::noinline]] column(const column& o) : column(*o.type_) {
     make_room(o.size_);
     if (type_->copy) {
       for (; size_ < o.size_; ++size_) type_->copy(at(size_), o.at(size_));
@@ -100,7 +101,7 @@ class column {
     }
   }
   column& operator=(const column&) = delete;
-  ~column() {
+  [[gnu::noinline]] ~column() {
     resize(0);
     ::operator delete(data_, std::align_val_t(type_->alignment));
   }
@@ -110,7 +111,7 @@ class column {
   const std::type_info& type() const { return *type_->type; }
 
   /// New ones are default values.
-  void resize(std::size_t n) {
+  [[gnu::noinline]] void resize(std::size_t n) {
     if (n > room_) make_room(std::max(n, 2 * size_));
     if (type_->destroy) {
       while (size_ > n) type_->destroy(at(--size_));
@@ -158,7 +159,7 @@ class property_set {
   }
 
   /// The column of that name, made with n default values if there is none.
-  std::shared_ptr<detail::column> get(element_kind kind, std::string_view name, const detail::value_type& type, std::size_t n) {
+  [[gnu::noinline, gnu::cold]] std::shared_ptr<detail::column> get(element_kind kind, std::string_view name, const detail::value_type& type, std::size_t n) {
     if (auto found = find(kind, name, type)) return found;
     std::shared_ptr<detail::column> fresh(new detail::column(type, n));
     entries_.push_back({kind, std::string(name), fresh});
@@ -166,12 +167,12 @@ class property_set {
   }
 
   /// Null if there is none of that name; invalid_argument if it holds values of another type.
-  std::shared_ptr<detail::column> find(element_kind kind, std::string_view name, const detail::value_type& type) const {
+  [[gnu::noinline, gnu::cold]] std::shared_ptr<detail::column> find(element_kind kind, std::string_view name, const detail::value_type& type) const {
     for (const entry& e : entries_) {
       if (e.kind != kind || e.name != name) continue;
       if (e.values->type() != *type.type)
-        throw invalid_argument(std::string(to_string(kind)) + " property \"" + e.name + "\" holds values of type " + e.values->type().name() +
-                               ", not of the type asked for (" + type.type->name() + "); use another name or remove it first");
+        detail::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" holds values of type ", e.values->type().name(),
+                                                ", not of the type asked for (", type.type->name(), "); use another name or remove it first"});
       return e.values;
     }
     return nullptr;

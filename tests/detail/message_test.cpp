@@ -1,4 +1,4 @@
-#include <concino/io/message.hpp>
+#include <concino/detail/message.hpp>
 
 #include <concino/error.hpp>
 
