@@ -224,7 +224,7 @@ TEST_CASE("read_off: errors name the line") {
 }
 
 TEST_CASE("read_off: comments between any two numbers, and no other sign begins one") {
-  const std::string verts[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"}, polys[] = {"3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"};
+  const std::string vert_rows[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"}, poly_rows[] = {"3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"};
   for (const std::string head : {"OFF", "nOFF\n3"})
     for (const bool free : {false, true}) {
       std::vector<std::string> parts{"OFF"};
@@ -236,8 +236,8 @@ TEST_CASE("read_off: comments between any two numbers, and no other sign begins 
       parts.push_back("4");
       parts.push_back("4");
       parts.push_back("6");
-      for (const std::string& v : verts) add(v);
-      for (const std::string& p : polys) add(p);
+      for (const std::string& v : vert_rows) add(v);
+      for (const std::string& p : poly_rows) add(p);
       for (std::size_t i = 0; i < parts.size(); ++i) {
         std::string commented, wrong;
         for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -409,13 +409,13 @@ TEST_CASE("read_off: in binary, messages name the byte, and counts are as large 
   CHECK(off("n" + head + bytes().i(12).i(0).i(0).i(0).text).points.empty());
   CHECK(off("n" + head + bytes().i(1).i(1).i(0).i(0).f({7}).text).points[0] == vec3{7, 0, 0});
   CHECK(off("n" + head + bytes().i(5).i(1).i(0).i(0).f({1, 2, 3, 4, 5}).text).points[0] == vec3{1, 2, 3});
-  bytes colors, polys, ring;
+  bytes colors, triangles, ring;
   colors.i(10).i(0).i(0);
   for (int i = 0; i < 10; ++i) colors.f({0, 0, 0, 1, 1, 1, 1});
   CHECK(off("C" + head + colors.text).points.size() == 10);
-  polys.i(3).i(50).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0});
-  for (int i = 0; i < 50; ++i) polys.i(3).i(0).i(1).i(2).i(0);
-  CHECK(off(head + polys.text).num_polys() == 50);
+  triangles.i(3).i(50).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  for (int i = 0; i < 50; ++i) triangles.i(3).i(0).i(1).i(2).i(0);
+  CHECK(off(head + triangles.text).num_polys() == 50);
   ring.i(30).i(1).i(0);
   for (int i = 0; i < 30; ++i) ring.f({static_cast<float>(i), 0, 0});
   ring.i(30);
