@@ -12,6 +12,7 @@
 
 namespace cn = concino;
 
+//! [links]
 struct torus { unsigned n; };  // n >= 3
 
 // Vert (i, j) is number n * j + i; quad p has vert p at its lower left. Half-edge {v, d} leaves vert v to the right, up, left or down (d = 0 .. 3).
@@ -46,6 +47,7 @@ struct torus_links {
 };
 template<> struct concino::mesh_traits<torus> : concino::halfedge_kernel<torus, torus_links> { static constexpr int arity = 4; };
 static_assert(cn::QuadMesh<torus> && cn::Embedded<torus>);
+//! [links]
 
 int main() {
   const torus m{12};

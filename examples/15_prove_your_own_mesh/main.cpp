@@ -28,8 +28,10 @@ hfm::PolyhedralMesh two_cells(int lid = 2) {
 int main() {
   fmt::print("winged edges\n{}\n", cn::conformance(tent).text());
 
+  //! [proof]
   const hfm::PolyhedralMesh cells = two_cells();
   fmt::print("half-faces\n{}\n", cn::conformance([&] { return indexed_volume_of(cells); }).text());
+  //! [proof]
 
   const CornerTable corners({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 2, 0, 2, 3});
   fmt::print("corner table\n{}\n", cn::conformance([&] { return indexed_corners(corners); }).text());
