@@ -69,7 +69,8 @@ class off_binary_reader {
     word("the number of edges");
     out.points.reserve(verts);
     for (std::uint64_t i = 0; i < verts; ++i) {
-      out.points.push_back(point());
+      const vec3 p = point();
+      out.points.push_back(p);
       if (header_.normal) {
         const double x = real(), y = real();
         extra.vert_normals.push_back(vec3{x, y, real()});
@@ -149,7 +150,8 @@ class off_binary_reader {
     for (std::uint64_t k = 0; k < size; ++k) {
       const std::uint32_t i = word("the index of a vert");
       if (i >= out.points.size()) fail(in_.at - 4, joined({"the index of a vert, of ", out.points.size()}));
-      out.verts.push_back(vert_id{i});
+      const vert_id v{i};
+      out.verts.push_back(v);
     }
     check_poly(in_, line_, first, scratch, wanted_, out, arity);
   }
@@ -165,7 +167,8 @@ class off_binary_reader {
       const bool is_index = x == std::floor(x) && std::abs(x) < 2147483648.0;
       if (is_index) {
         extra.poly_labels.resize(f);
-        extra.poly_labels.push_back(static_cast<int>(x));
+        const int label = static_cast<int>(x);
+        extra.poly_labels.push_back(label);
       } else {
         ++num_odd_;
       }

@@ -19,7 +19,7 @@ class medit_reader : token_cursor {
   std::vector<int> vert_labels_, poly_labels_;
   std::vector<vert_id> verts_;             // of the polys, one after another
   std::vector<std::uint32_t> poly_begin_;  // of each poly in verts_, once they differ in size
-  std::vector<cell_shape> shapes_;         // of each poly, once they differ
+  std::vector<std::uint8_t> shapes_;       // cell_shape of each poly, once they differ
   std::size_t polys_ = 0;
   const medit_section* only_ = nullptr;    // the section of all polys so far
 
@@ -29,7 +29,6 @@ class medit_reader : token_cursor {
     std::uint64_t count;
   };
   std::vector<part> put_off_;  // surfaces, until it is known that there are no cells; cells that come before the verts
-  std::vector<std::pair<std::string, std::uint64_t>> skipped_;
 
  public:
   medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report) {}
@@ -82,7 +81,7 @@ class medit_reader : token_cursor {
       skip();
       std::int64_t n = 0;
       parse_integer(at, end(), n);  // most sections begin with how many rows they have
-      skipped_.push_back({std::string(keyword.substr(0, 40)), n > 0 ? static_cast<std::uint64_t>(n) : 0});
+      tell_of_skipped(keyword.substr(0, 40), n > 0 ? static_cast<std::uint64_t>(n) : 0);
       skip_section();
     }
   }
@@ -104,6 +103,10 @@ class medit_reader : token_cursor {
     }
   }
 
+  [[gnu::noinline, gnu::cold]] void tell_of_skipped(std::string_view keyword, std::uint64_t rows) {
+    report_.skipped.push_back(rows ? joined({"section ", keyword, ", ", rows, " rows"}) : joined({"section ", keyword}));
+  }
+
   int next_label(const char* what) {
     skip();
     const char* const from = at;
@@ -115,7 +118,7 @@ class medit_reader : token_cursor {
   /// Labels are kept from the first on that is not zero; `n` elements came before.
   static void add_label(std::vector<int>& labels, std::size_t n, int label) {
     if (label == 0 && labels.empty()) return;
-    labels.resize(n, 0);
+    labels.resize(n);
     labels.push_back(label);
   }
 
@@ -146,7 +149,8 @@ class medit_reader : token_cursor {
     }
     if (!s.volume && wanted_.surface && wanted_.arity && s.arity != wanted_.arity) refuse(s, wanted_.arity);
     if (only_ && only_ != &s && shapes_.empty()) {  // from here on every poly says what it is
-      shapes_.assign(polys_, only_->shape);
+      shapes_.resize(polys_);
+      for (std::uint8_t& shape : shapes_) shape = static_cast<std::uint8_t>(only_->shape);
       for (std::size_t p = 0; p <= polys_; ++p) poly_begin_.push_back(static_cast<std::uint32_t>(p * only_->arity));
     }
     reserve_large(verts_, verts_.size() + room(all.count, 2 * s.arity + 2) * s.arity);
@@ -154,7 +158,10 @@ class medit_reader : token_cursor {
     for (std::uint64_t i = 0; i < all.count; ++i) {
       skip();
       const char* const from = at;
-      for (std::uint32_t k = 0; k < s.arity; ++k) verts_.push_back(vert_id{next_index(points_.size(), "a vertex index")});
+      for (std::uint32_t k = 0; k < s.arity; ++k) {
+        const vert_id v{next_index(points_.size(), "a vertex index")};
+        verts_.push_back(v);
+      }
       vert_id* const corners = verts_.data() + (verts_.size() - s.arity);
       if (const std::size_t k = first_repeated(corners, s.arity, scratch); k != s.arity)
         fail(from, {"different vertices in an element"}, {"vertex ", corners[k].raw() + 1, " twice"});
@@ -162,7 +169,7 @@ class medit_reader : token_cursor {
       if constexpr (Volumes)
         if (s.volume) report_.reoriented_polys += make_positive(s.shape, corners, points_);
       if (!shapes_.empty()) {
-        shapes_.push_back(s.shape);
+        shapes_.push_back(static_cast<std::uint8_t>(s.shape));
         poly_begin_.push_back(static_cast<std::uint32_t>(verts_.size()));
       }
       tell();
@@ -184,7 +191,7 @@ class medit_reader : token_cursor {
     for (const part& p : put_off_) has_cells = has_cells || (p.section->volume && p.count > 0);
     for (const part& p : put_off_) {
       if (p.section->volume != has_cells) {
-        if (has_cells && p.count > 0) skipped_.push_back({std::string(p.section->keyword), p.count});
+        if (has_cells && p.count > 0) tell_of_skipped(p.section->keyword, p.count);
         continue;
       }
       // Where the kind is wrong anyway, load() says so better than the line of some element would.
@@ -196,16 +203,14 @@ class medit_reader : token_cursor {
       next_count("a number of elements", 2 * p.section->arity + 2);
       elements(p);
     }
-    for (const auto& [keyword, n] : skipped_)
-      report_.skipped.push_back(n ? joined({"section ", keyword, ", ", n, " rows"}) : joined({"section ", keyword}));
     if (report_.reoriented_polys)
       report_.notes.push_back(joined({report_.reoriented_polys, " of ", polys_,
                                       " cells had a negative volume: their verts were put into the standard order"}));
     if (has_cells && !Volumes) throw_wrong_dimension(name(), true, polys_);
     if (!has_cells && !Surfaces && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
 
-    if (!vert_labels_.empty()) vert_labels_.resize(points_.size(), 0);
-    if (!poly_labels_.empty()) poly_labels_.resize(polys_, 0);
+    if (!vert_labels_.empty()) vert_labels_.resize(points_.size());
+    if (!poly_labels_.empty()) poly_labels_.resize(polys_);
     out.vert_labels = std::move(vert_labels_);
     out.poly_labels = std::move(poly_labels_);
     const bool volume = has_cells || !Surfaces;
@@ -234,7 +239,7 @@ class medit_reader : token_cursor {
     face_soup soup;
     const vert_id* v = verts_.data();
     for (std::size_t p = 0; p < polys_; ++p) {
-      const cell_shape shape = shapes_.empty() ? only_->shape : shapes_[p];
+      const cell_shape shape = shapes_.empty() ? only_->shape : static_cast<cell_shape>(shapes_[p]);
       soup.add_cell(shape, v);
       v += table_of(shape).num_verts;
     }

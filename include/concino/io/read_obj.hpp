@@ -162,7 +162,8 @@ class obj_reader : text_cursor {
       if (p != end() && *p == '/') p = attributes(corner, p);
       if (!ends_token(p, '#')) fail(corner, "a corner v, v/vt, v//vn or v/vt/vn");
       at = p;
-      out_.verts.push_back(vert_id{static_cast<std::uint32_t>(v - 1)});
+      const vert_id id{static_cast<std::uint32_t>(v - 1)};
+      out_.verts.push_back(id);
     }
     text_cursor::skip_line();
     end_face(line, first);
@@ -229,7 +230,7 @@ class obj_reader : text_cursor {
         label = 0;
         if (numbers) says_number(name, "label_", label);
         else label = number(name);
-        extra_.poly_labels.resize(end, label);
+        while (extra_.poly_labels.size() < end) extra_.poly_labels.push_back(label);
       });
       if (numbers) extra_.groups.clear();
     }

@@ -186,7 +186,8 @@ class off_reader : off_cursor {
       const char* const p = parse_integer(at, end(), i);
       if (!p || !ends_token(p, '#') || i < 0 || static_cast<std::uint64_t>(i) >= bound) fail_index();
       at = p;
-      out_.verts.push_back(vert_id{static_cast<std::uint32_t>(i)});
+      const vert_id v{static_cast<std::uint32_t>(i)};
+      out_.verts.push_back(v);
     }
     check_poly(*this, line, first, scratch_, wanted_, out_, arity_);
   }
@@ -211,7 +212,8 @@ class off_reader : off_cursor {
       if (c.x[0] < std::numeric_limits<int>::min() || c.x[0] > std::numeric_limits<int>::max())
         fail(place, "the index of a colour of 32 bits");
       extra_.poly_labels.resize(f);
-      extra_.poly_labels.push_back(static_cast<int>(c.x[0]));
+      const int label = static_cast<int>(c.x[0]);
+      extra_.poly_labels.push_back(label);
     } else if (c.size == 3 || c.size == 4) {
       check_bytes(place, c);
       extra_.poly_colors.resize(f);

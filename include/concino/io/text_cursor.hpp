@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -179,14 +180,19 @@ struct token_cursor : text_cursor {
   }
 };
 
-/// The first corner that a list of verts repeats, or its length: by sorting, for lists of many.
+/// The first corner that a list of verts repeats, or its length: by a table, for lists of many. It is open addressed, at most half full.
 [[gnu::noinline, gnu::cold]] inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, std::vector<vert_id>& scratch) {
-  scratch.assign(verts, verts + n);
-  std::sort(scratch.begin(), scratch.end());
-  const auto twice = std::adjacent_find(scratch.begin(), scratch.end());
-  if (twice == scratch.end()) return n;
-  const vert_id* const first = std::find(verts, verts + n, *twice);
-  return static_cast<std::size_t>(std::find(first + 1, verts + n, *twice) - verts);
+  std::size_t size = 64;
+  while (size < 2 * n) size *= 2;
+  scratch.clear();
+  scratch.resize(size);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t at = (verts[i].raw() * 0x9e3779b97f4a7c15u >> 32) & (size - 1);
+    while (!scratch[at].is_none() && scratch[at] != verts[i]) at = (at + 1) & (size - 1);
+    if (!scratch[at].is_none()) return i;
+    scratch[at] = verts[i];
+  }
+  return n;
 }
 
 /// The same, quadratic for the few corners that polys have.

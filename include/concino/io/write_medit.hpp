@@ -70,7 +70,8 @@ void write_medit(write_context<M>& c) {
   std::vector<int> labels;
   for (poly_t<M> p : polys(m)) {
     add_row(c, p, rows, known);
-    labels.push_back(poly_label ? poly_label[index_of(m, p)] : 0);
+    const int label = poly_label ? poly_label[index_of(m, p)] : 0;
+    labels.push_back(label);
     c.tell();
   }
   std::size_t kinds = 0;
