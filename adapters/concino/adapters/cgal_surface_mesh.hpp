@@ -6,7 +6,7 @@
 //
 // Stored: nothing. Cost: every ring in time proportional to its length, as CGAL walks it; neighbours, ends and indices in constant time.
 // Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, and index bounds count them.
-// Property maps of the mesh are maps: map[v] reads and writes.
+// Property maps of the mesh are maps: map[v] reads and writes. add_vert and add_poly add; what CGAL cannot link is refused.
 // point(m, v) gives the coordinates of CGAL's points as doubles: those of inexact kernels as they are, those of exact ones by
 // CGAL::to_double (numbers that are doubles exactly, others of lazy kernels to the relative precision set there, 1e-5 unless told otherwise;
 // that may evaluate them, which is as safe from several threads as the kernel is). Points in the plane have z = 0. Other types
@@ -22,8 +22,13 @@
 #include <concino/adapters/detail/cgal_point.hpp>
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/mesh.hpp>
+#include <concino/error.hpp>
 
 #include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
 
 namespace concino {
 
@@ -110,6 +115,27 @@ struct cgal_surface_links {
   template<class X>
     requires writable_point<P>
   static void set_point(mesh& m, vert v, const X& x) { write_point(m.point(v), x); }
+
+  static vert add_vert(mesh& m, const vec3& x)
+    requires writable_point<P>
+  {
+    const vert v = m.add_vertex();
+    write_point(m.point(v), x);
+    return v;
+  }
+  static poly add_poly(mesh& m, std::span<const vert> corners) {
+    const auto refuse = [&](const std::string& why) { throw invalid_mesh("poly " + std::to_string(m.num_faces()) + " " + why); };
+    if (corners.size() < 3) refuse("has " + std::to_string(corners.size()) + " verts; it needs at least 3");
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (!contains(m, corners[i])) refuse("names vert " + std::to_string(corners[i].idx()) + ", which is not in the mesh");
+      if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) != corners.begin() + static_cast<std::ptrdiff_t>(i))
+        refuse("has vert " + std::to_string(corners[i].idx()) + " twice; its verts must differ");
+    }
+    const poly p = m.add_face(corners);
+    if (p == mesh::null_face())
+      refuse("cannot be linked: two polys at most share an edge, which they walk in opposite directions, and there must be a gap at each of its verts");
+    return p;
+  }
 };
 
 template<class P> std::type_identity<P> point_of_cgal_surface_mesh(const CGAL::Surface_mesh<P>*);

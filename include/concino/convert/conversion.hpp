@@ -55,7 +55,7 @@ class conversion {
       if (found.first == b || found.second == b) return x;
     }
     assert(false && "every edge of a mesh is an edge of what it was converted to");
-    return {};
+    return edge_t<To>();
   }
 
   /// Found at one of its verts, by all of them, unless the new mesh numbers faces as they were given.      Cost: the faces there.

@@ -1,0 +1,27 @@
+// OpenMesh's meshes converted from and to this library's, and proven by the conformance kit in every state.
+#include <concino/adapters/doctest.hpp>
+#include <concino/adapters/openmesh.hpp>
+
+#include <support/foreign_conversions.hpp>
+
+namespace cn = concino;
+
+namespace {
+
+struct in_doubles : OpenMesh::DefaultTraits {
+  using Point = OpenMesh::Vec3d;
+};
+using triangles = OpenMesh::TriMesh_ArrayKernelT<in_doubles>;
+using polygons = OpenMesh::PolyMesh_ArrayKernelT<in_doubles>;
+
+}  // namespace
+
+TEST_CASE("OpenMesh: there and back, and what it must refuse") { cn::testing::conversions_of_half_edge_meshes<triangles, polygons>(); }
+
+TEST_CASE_TEMPLATE("OpenMesh: its meshes conform in every state", M, triangles, polygons) {
+  cn::check_conformance([] {
+    cn::trimesh t = cn::testing::grid<cn::trimesh>(3);
+    cn::add_vert(t, {7, 7, 7});
+    return cn::convert<M>(t).mesh;
+  });
+}
