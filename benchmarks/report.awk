@@ -77,9 +77,10 @@ function print_curves(   i, k, n, name, per, line, line_floor, ours, expected, f
       line = line (k > 1 ? ", " : "") sprintf("{\"elements\": %s, \"concino\": %s, \"floor\": %s}", elements[name, k], ours_at[name, k], floor_at[name, k])
     }
     ours = slope(name, "ours"); floor = slope(name, "floor"); expected = slope(name, "expected")
-    steep = ours > expected + steeper
+    steep = ours > expected + steeper && ours > floor + steeper / 3
     flagged += steep
-    printf "%-33s %-42s %5.2f  %8.2f  %5.2f  %s\n", name, per, ours, expected, floor, steep ? "STEEP" : ""
+    remark = steep ? "STEEP" : (ours > expected + steeper) ? "steep, as the floor is: caches" : ""
+    printf "%-33s %-42s %5.2f  %8.2f  %5.2f  %s\n", name, per, ours, expected, floor, remark
     printf "%s    {\"work\": \"%s\", \"model\": \"%s\", \"slope\": %.3f, \"expected\": %.3f, \"slope_of_floor\": %.3f, \"steep\": %s, \"points\": [%s]}", comma,
       name, model[name], ours, expected, floor, steep ? "true" : "false", line > json
     comma = ",\n"
