@@ -1,5 +1,7 @@
 #include <concino/mesh/face_soup.hpp>
 
+#include <support/meshes.hpp>
+
 #include <doctest/doctest.h>
 
 #include <array>
@@ -33,4 +35,26 @@ TEST_CASE("face_soup: common faces are found, of equal verts in another cycle to
   CHECK(m.poly_faces == std::vector<face_id>{face_id{0}, face_id{1}, face_id{0}});
   CHECK(m.outward == std::vector<std::uint8_t>{1, 1, 0});
   CHECK(to_polyhedra(cell_arrays{}).num_polys() == 0);
+}
+
+TEST_CASE("face_soup: a triangle and a quad on its verts are two faces") {
+  face_soup soup;
+  for (const auto& face : {std::vector{0u, 1u, 2u}, {0u, 1u, 2u, 3u}, {2u, 1u, 0u}, {3u, 2u, 1u, 0u}}) {
+    for (const unsigned v : face) soup.face_verts.push_back(vert_id{v});
+    soup.face_offsets.push_back(static_cast<std::uint32_t>(soup.face_verts.size()));
+  }
+  soup.poly_offsets.push_back(4);
+  const auto m = std::move(soup).unite(std::vector<vec3>(4));
+  CHECK(m.face_offsets == std::vector<std::uint32_t>{0, 3, 7});
+  CHECK(m.poly_faces == std::vector<face_id>{face_id{0}, face_id{1}, face_id{0}, face_id{1}});
+  CHECK(m.outward == std::vector<std::uint8_t>{1, 1, 0, 0});
+}
+
+TEST_CASE("face_soup: n^3 hexes have 3 n^2 (n + 1) faces") {
+  for (const unsigned n : {1u, 2u, 3u}) {
+    const auto m = to_polyhedra(testing::hex_grid(n));
+    CHECK(m.num_polys() == n * n * n);
+    CHECK(m.num_faces() == 3 * n * n * (n + 1));
+    CHECK(m.face_verts.size() == 4 * m.num_faces());
+  }
 }

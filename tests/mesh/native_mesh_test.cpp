@@ -223,9 +223,20 @@ TEST_CASE("what cannot be a mesh is refused by name") {
   CHECK(has(message([&] {
     cn::polyhedralmesh(cn::polyhedra_arrays{p, {0, 3}, {cn::vert_id{0}, cn::vert_id{1}, cn::vert_id{2}}, {0, 1}, {cn::face_id{0}}, {}});
   }), "outward flags"));
+  CHECK(has(message([&] { cn::trimesh(cn::surface_arrays{p, {}, std::vector<cn::vert_id>(5, cn::vert_id{0}), 3}); }), "poly 1 has 2 verts"));
+  CHECK(has(message([&] { cn::polygonmesh(cn::surface_arrays{p, {0, 3, 1}, {cn::vert_id{0}}, 0}); }), "poly 1 ends before it begins"));
+  CHECK(has(message([&] { cn::polygonmesh(p, lists{{0, 1, 2}, {1, 1, 2}}); }), "poly 1 has vert 1 twice"));
   std::vector<int> large;
   for (int n = 0; n < 40; ++n) large.push_back(n % 39);
   CHECK(has(message([&] { cn::polygonmesh(std::vector<cn::vec3>(39), lists{large}); }), "vert 0 twice"));
+}
+
+TEST_CASE("more polys, verts or corners than can be numbered are refused") {
+  using cn::detail::check_counts;
+  CHECK_NOTHROW(check_counts(0xFFFFFFFEu, cn::detail::across::mask - 1, 0xFFFFFFFEu));
+  CHECK_THROWS_AS(check_counts(0, cn::detail::across::mask, 0), cn::unsupported);
+  CHECK_THROWS_AS(check_counts(0xFFFFFFFFu, 0, 0), cn::unsupported);
+  CHECK_THROWS_AS(check_counts(0, 0, 0xFFFFFFFFu), cn::unsupported);
 }
 
 TEST_CASE_TEMPLATE("empty meshes, copies, moves", M, CONCINO_ALL_KINDS) {
