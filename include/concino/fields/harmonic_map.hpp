@@ -2,7 +2,8 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/graph/bfs.hpp>
+#include <concino/detail/message.hpp>
+#include <concino/detail/number_text.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/product.hpp>
@@ -32,43 +33,61 @@ namespace detail {
 /// The verts whose values are to be found, numbered; the others are prescribed or stand alone.
 template<class M>
 struct dirichlet_problem {
-  enum : int { prescribed = -1, isolated = -2 };
+  enum : int { prescribed = -1, isolated = -2, reached = -3 };
   vert_map<M, double> value;
-  vert_map<M, int> unknown;  // number, prescribed or isolated
+  vert_map<M, int> unknown;  // number, prescribed or isolated; before they are numbered, reached
   int unknowns = 0;
+
+  /// Adds to `front` all verts that can be reached from it, and marks them.
+  void reach(const M& m, std::vector<vert_t<M>>& front) {
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      const vert_t<M> v = front[i];
+      for (const vert_t<M> w : adj_v2v(m, v)) {
+        if (unknown[w] != isolated) continue;
+        unknown[w] = reached;
+        front.push_back(w);
+      }
+    }
+  }
 };
+
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_finite(const char* who, std::size_t vert) {
+  throw_joined<invalid_argument>({who, ": the value given at vert ", vert, " is not finite"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_two_values(const char* who, std::size_t vert, double x, double y) {
+  throw_joined<invalid_argument>({who, ": two values are given at vert ", vert, ", ", number_text(x), " and ", number_text(y), "; keep one"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_nothing_given(const char* who, std::size_t vert, std::size_t component) {
+  throw_joined<solver_error>({who, ": singular, because the component of vert ", vert, " (", component,
+                              " verts) has no value prescribed; give one at any of its verts"});
+}
 
 template<class M, class D>
 dirichlet_problem<M> dirichlet(const M& m, const D& given, double isolated_value, const char* who) {
   using problem = dirichlet_problem<M>;
   problem r{make_vert_map<double>(m, isolated_value), make_vert_map<int>(m, problem::isolated)};
-  std::vector<vert_t<M>> sources;
+  std::vector<vert_t<M>> front;
   for (const auto& [vert, number] : given) {
     const vert_t<M> v = vert;
     const double x = static_cast<double>(number);
-    if (!contains(m, v)) throw invalid_mesh(std::string(who) + ": a value is given at something that is no vert of the mesh; take verts from verts(m)");
-    const auto at = [&] { return " at vert " + number_text(index_of(m, v)); };
-    if (!std::isfinite(x)) throw invalid_argument(std::string(who) + ": the value given" + at() + " is not finite");
-    if (r.unknown[v] == problem::prescribed && r.value[v] != x)
-      throw invalid_argument(std::string(who) + ": two values are given" + at() + ", " + number_text(r.value[v]) + " and " + number_text(x) + "; keep one");
-    if (r.unknown[v] != problem::prescribed) sources.push_back(v);
+    if (!contains(m, v)) throw_joined<invalid_mesh>({who, ": a value is given at something that is no vert of the mesh; take verts from verts(m)"});
+    if (!std::isfinite(x)) throw_not_finite(who, index_of(m, v));
+    if (r.unknown[v] != problem::prescribed) front.push_back(v);
+    else if (r.value[v] != x) throw_two_values(who, index_of(m, v), r.value[v], x);
     r.unknown[v] = problem::prescribed;
     r.value[v] = x;
   }
-  const primal_graph<M> graph{m};
-  const auto hops = detail::plain_bfs(graph, sources, nullptr);
+  r.reach(m, front);
   for (const vert_t<M> v : verts(m)) {
     if (r.unknown[v] == problem::prescribed) continue;
-    const auto& around = adj_v2v(m, v);
-    if (!(around.begin() != around.end())) continue;
-    if (hops[v] < 0) {
-      std::size_t size = 0;
-      sources.clear();
-      sources.push_back(v);
-      const auto component = detail::plain_bfs(graph, sources, nullptr);
-      for (const vert_t<M> w : verts(m)) size += component[w] >= 0;
-      throw solver_error(std::string(who) + ": singular, because the component of vert " + number_text(index_of(m, v)) + " (" + number_text(size) +
-                         " verts) has no value prescribed; give one at any of its verts");
+    if (r.unknown[v] == problem::isolated) {
+      const auto& around = adj_v2v(m, v);
+      if (!(around.begin() != around.end())) continue;
+      front.clear();
+      front.push_back(v);
+      r.unknown[v] = problem::reached;
+      r.reach(m, front);
+      throw_nothing_given(who, index_of(m, v), front.size());
     }
     r.unknown[v] = r.unknowns++;
   }
