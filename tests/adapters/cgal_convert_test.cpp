@@ -35,3 +35,5 @@ TEST_CASE("CGAL: polys that cannot be added are refused with the reason") {
   CHECK_THROWS_WITH_AS(cn::add_poly(m, {v(0), v(1), v(2)}), doctest::Contains("cannot be linked"), cn::invalid_mesh);
   CHECK(cn::num_polys(m) == 1);
 }
+
+TEST_CASE("CGAL: the surfaces of the corpus, there and back") { cn::testing::corpus_there_and_back<polygons>(); }

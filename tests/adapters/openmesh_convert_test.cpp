@@ -25,3 +25,5 @@ TEST_CASE_TEMPLATE("OpenMesh: its meshes conform in every state", M, triangles, 
     return cn::convert<M>(t).mesh;
   });
 }
+
+TEST_CASE("OpenMesh: the surfaces of the corpus, there and back") { cn::testing::corpus_there_and_back<polygons>(); }

@@ -4,6 +4,7 @@
 #include <concino/convert.hpp>
 #include <concino/mesh.hpp>
 
+#include <support/corpus_meshes.hpp>
 #include <support/soups.hpp>
 
 #include <doctest/doctest.h>
@@ -62,6 +63,46 @@ void conversions_of_half_edge_meshes() {
   auto taken = make_vert_map<double>(c.mesh, -1);
   c.carry(values, taken);
   for (const auto v : verts(m)) CHECK(taken[c.vert_of(v)] == values[v]);
+}
+
+/// Every surface of the corpus that an F can hold; what it cannot is refused.
+template<class F>
+void corpus_there_and_back() {
+  const auto rows = corpus_meshes();
+  if (rows.empty()) return skip("no corpus");
+  std::size_t held = 0, refused = 0;
+  for (const auto& row : rows) {
+    INFO(row.name);
+    if (row.file.extension() == ".hedra") continue;
+    const auto any = load_any(row.file.string());
+    std::visit(
+        [&](const auto& m) {
+          using M = std::remove_cvref_t<decltype(m)>;
+          if constexpr (SurfaceMesh<M>) {
+            if (arity_v<F> != 0 && arity_v<F> != arity_v<M>) return;
+            try {
+              const auto there = convert<F>(m);
+              const auto back = convert<M>(there.mesh);
+              std::size_t wrong = num_verts(back.mesh) != num_verts(m) || num_edges(back.mesh) != num_edges(m) || num_polys(back.mesh) != num_polys(m);
+              for (const auto v : verts(m)) wrong += !(point(back.mesh, back.vert_of(there.vert_of(v))) == point(m, v));
+              for (const auto p : polys(m)) {
+                std::size_t sum = 0, mirrored = 0;
+                for (const auto v : adj_p2v(m, p)) sum += back.vert_of(there.vert_of(v)).raw() * std::size_t{2654435761};
+                for (const auto v : adj_p2v(back.mesh, back.poly_of(there.poly_of(p)))) mirrored += v.raw() * std::size_t{2654435761};
+                wrong += sum != mirrored;
+              }
+              CHECK(wrong == 0);
+              ++held;
+            } catch (const unsupported& e) {
+              CHECK(std::string(e.what()).find("poly ") != std::string::npos);
+              ++refused;
+            }
+          }
+        },
+        any);
+  }
+  CHECK(held > 10);
+  CHECK(refused > 0);  // the corpus has edges of three polys
 }
 
 }  // namespace concino::testing
