@@ -334,6 +334,17 @@ TEST_CASE_TEMPLATE("harmonic_map: the solver sees positive definite matrices of 
   harmonic_map(m, given, {}, refusing{});
 }
 
+TEST_CASE_TEMPLATE("harmonic_map: the value of isolated verts is of no concern to others, for all exponents", M, CONCINO_ALL_KINDS) {
+  const M m = grid<M>(2);
+  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
+  for (const int n : {1, 2, 3, 4}) {
+    const auto u = harmonic_map(m, {{a, 0}, {b, 1}, {c, 2}}, {.exponent = n});
+    const auto w = harmonic_map(m, {{a, 0}, {b, 1}, {c, 2}}, {.exponent = n, .isolated_value = -300});
+    for (const auto v : verts(m)) CHECK(u[v] == w[v]);
+  }
+  CHECK(distance_to_dense(grid<M>(1), {{a, -2}, {vert_id{1}, 5}}, weights::uniform, 4) < 1e-6);
+}
+
 TEST_CASE_TEMPLATE("harmonic_map: higher exponents need no points, and points alone are no measure", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(2);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
