@@ -91,7 +91,8 @@ struct cgal_surface_links {
   static edge edge_of(const mesh& m, halfedge h) { return m.edge(h); }
   static bool is_isolated(const mesh& m, vert v) { return m.is_isolated(v); }
   static halfedge halfedge_of(const mesh& m, vert v) { return m.opposite(m.halfedge(v)); }
-  static halfedge halfedge_of(const mesh& m, edge e) { return m.halfedge(e); }
+  // Not m.halfedge(e), which differs between equal edges: an edge remembers the half-edge that it was made of.
+  static halfedge halfedge_of(const mesh&, edge e) { return halfedge(2 * e.idx()); }
   static halfedge halfedge_of(const mesh& m, poly p) { return m.halfedge(p); }
 
   // number_of_vertices() counts what is there, num_vertices() also what was removed.

@@ -6,6 +6,8 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
 
+#include <functional>
+
 namespace concino::detail {
 
 /// What lies between two iterators of a polyhedron, as descriptors.
@@ -57,7 +59,11 @@ struct cgal_polyhedron_links {
   static edge edge_of(const M&, halfedge h) { return edge(h); }
   static bool is_isolated(const M&, vert v) { return v->halfedge() == halfedge(); }
   static halfedge halfedge_of(const M&, vert v) { return v->halfedge()->opposite(); }
-  static halfedge halfedge_of(const M&, edge e) { return e.halfedge(); }
+  /// The same for equal edges, which may remember either half-edge.
+  static halfedge halfedge_of(const M&, edge e) {
+    const halfedge h = e.halfedge(), o = h->opposite();
+    return std::less<>()(&*o, &*h) ? o : h;
+  }
   static halfedge halfedge_of(const M&, poly p) { return p->halfedge(); }
 
   static std::size_t num_verts(const M& m) { return base(m).size_of_vertices(); }
