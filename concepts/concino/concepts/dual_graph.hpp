@@ -14,7 +14,7 @@ namespace concino {
 
 namespace requirement {
 
-template<class M> concept has_poly = std::regular<poly_t<M>>;
+template<class M> concept has_poly = requires { typename poly_t<M>; } && std::regular<poly_t<M>>;
 template<class M> concept has_polys = requires(const std::remove_cvref_t<M>& m) { { traits<M>::polys(m) } -> ElementRange<poly_t<M>>; };
 template<class M> concept has_num_polys = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_polys(m) } -> std::convertible_to<std::size_t>; };
 template<class M> concept has_poly_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::poly_index_bound(m) } -> std::convertible_to<std::size_t>; };
@@ -34,7 +34,7 @@ consteval void explain_dual_graph() {
   // One line per message, so that compilers show it in one.
   // clang-format off
   if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: DualGraph: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+    static_assert(missing<M>, "concino: DualGraph: " CONCINO_NO_TRAITS);
   else if constexpr (!requirement::has_poly<M>)
     static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::poly: using poly = a std::regular type; names one poly");
   else if constexpr (!requirement::has_polys<M>)

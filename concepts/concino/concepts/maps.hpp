@@ -14,4 +14,25 @@ concept ReadableMap = requires(const std::remove_cvref_t<P>& p, const E& e) { p[
 template<class P, class E, class T>
 concept WritableMap = requires(std::remove_reference_t<P>& p, const E& e, const T& t) { p[e] = t; };
 
+namespace detail {
+
+/// False, but only once the types are known.
+template<class... T> inline constexpr bool no_map = false;
+
+}  // namespace detail
+
+/// Fails to compile with one sentence that says what to write where P is no map that can be read at an E.
+template<class P, class E>
+consteval void explain_readable_map() {
+  if constexpr (!ReadableMap<P, E>)
+    static_assert(detail::no_map<P, E>, "concino: ReadableMap needs value operator[](const E&) const; m[x] is the value at element x");
+}
+
+/// Fails to compile with one sentence that says what to write where P is no map in which Ts can be written at an E.
+template<class P, class E, class T>
+consteval void explain_writable_map() {
+  if constexpr (!WritableMap<P, E, T>)
+    static_assert(detail::no_map<P, E, T>, "concino: WritableMap needs T& or proxy operator[](const E&); m[x] = t sets the value at element x");
+}
+
 }  // namespace concino

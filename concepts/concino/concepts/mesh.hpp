@@ -9,7 +9,9 @@
 
 namespace concino {
 
-template<class M> concept AnyMesh = SurfaceMesh<M> || VolumeMesh<M>;
+/// SurfaceMesh or VolumeMesh, written so that compilers say what the one lacks that `dimension` asks for.
+template<class M>
+concept AnyMesh = PrimalGraph<M> && DualGraph<M> && (SurfaceMesh<M> || requirement::is_volume<M>) && (VolumeMesh<M> || requirement::is_surface<M>);
 
 namespace requirement {
 
@@ -34,7 +36,7 @@ consteval void explain_embedded() {
   // One line per message, so that compilers show it in one.
   // clang-format off
   if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: Embedded: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+    static_assert(missing<M>, "concino: Embedded: " CONCINO_NO_TRAITS);
   else if constexpr (!requirement::has_vert<M>)
     static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
   else if constexpr (!requirement::has_point<M>)
@@ -58,7 +60,7 @@ consteval void explain_any_mesh() {
   using detail::missing;
   // clang-format off
   if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: AnyMesh: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+    static_assert(missing<M>, "concino: AnyMesh: " CONCINO_NO_TRAITS);
   else if constexpr (dimension_v<M> == 2) explain_surface_mesh<M>();
   else if constexpr (dimension_v<M> == 3) explain_volume_mesh<M>();
   else

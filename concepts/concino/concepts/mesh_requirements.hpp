@@ -6,7 +6,7 @@
 
 namespace concino::requirement {
 
-template<class M> concept has_edge = std::regular<edge_t<M>>;
+template<class M> concept has_edge = requires { typename edge_t<M>; } && std::regular<edge_t<M>>;
 template<class M> concept has_edges = requires(const std::remove_cvref_t<M>& m) { { traits<M>::edges(m) } -> ElementRange<edge_t<M>>; };
 template<class M> concept has_num_edges = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_edges(m) } -> std::convertible_to<std::size_t>; };
 template<class M> concept has_edge_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::edge_index_bound(m) } -> std::convertible_to<std::size_t>; };

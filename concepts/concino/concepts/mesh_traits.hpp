@@ -11,10 +11,19 @@
 //   face_is_outward(m, p, f)                 seen from outside poly p, f's verts run counter-clockwise
 //   point(m, v) set_point(m, v, x)           coordinates
 //   contains(m, x)                           optional: is x an element now, in constant time
+//
+// Include the adapter, or specialise, before anything asks about the type: an algorithm called, a concept named. A specialisation for one
+// type that comes later is an error. So is a later one for many types, as adapters have, with g++; clang++ takes it without a word, but keeps
+// the answer "no" for the types that were asked about.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
 #include <concino/concepts/ranges.hpp>
+
+/// What all of explain_... say about a type of which nothing is known: the commonest reason is a forgotten adapter.
+#define CONCINO_NO_TRAITS                                                                                                                   \
+  "no mesh_traits<M>: include the adapter of the library that M is from, <concino/adapters/...>: boost_graph.hpp, cgal_polyhedron.hpp, "     \
+  "cgal_surface_mesh.hpp, cgal_triangulation.hpp, eigen.hpp, openmesh.hpp, span.hpp; or specialise concino::mesh_traits for M"
 
 namespace concino {
 
@@ -34,8 +43,9 @@ template<class M> using poly_t = typename traits<M>::poly;
 
 namespace requirement {
 
+// What stands behind the concept is there to be read in the compiler's message.
 template<class M>
-concept is_adapted = !std::is_base_of_v<no_traits, traits<M>>;
+concept is_adapted = !std::is_base_of_v<no_traits, traits<M>>;  // else include <concino/adapters/openmesh.hpp> or a sibling, or specialise mesh_traits
 
 }  // namespace requirement
 

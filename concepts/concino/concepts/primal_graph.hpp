@@ -13,7 +13,7 @@ namespace concino {
 
 namespace requirement {
 
-template<class M> concept has_vert = std::regular<vert_t<M>>;
+template<class M> concept has_vert = requires { typename vert_t<M>; } && std::regular<vert_t<M>>;
 template<class M> concept has_verts = requires(const std::remove_cvref_t<M>& m) { { traits<M>::verts(m) } -> ElementRange<vert_t<M>>; };
 template<class M> concept has_num_verts = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_verts(m) } -> std::convertible_to<std::size_t>; };
 template<class M> concept has_vert_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::vert_index_bound(m) } -> std::convertible_to<std::size_t>; };
@@ -33,7 +33,7 @@ consteval void explain_primal_graph() {
   // One line per message, so that compilers show it in one.
   // clang-format off
   if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: PrimalGraph: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+    static_assert(missing<M>, "concino: PrimalGraph: " CONCINO_NO_TRAITS);
   else if constexpr (!requirement::has_vert<M>)
     static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
   else if constexpr (!requirement::has_verts<M>)

@@ -11,10 +11,30 @@
 
 namespace concino {
 
+namespace requirement {
+
+template<class S, class Matrix> concept has_factorize = requires(std::remove_reference_t<S>& s, const Matrix& a) { s.factorize(a); };
+template<class S, class Vector> concept has_solve = requires(const std::remove_cvref_t<S>& s, const Vector& b) { { s.solve(b) } -> std::convertible_to<Vector>; };
+
+}  // namespace requirement
+
 template<class S, class Matrix, class Vector>
-concept SparseSolver = requires(std::remove_reference_t<S>& s, const std::remove_cvref_t<S>& solved, const Matrix& a, const Vector& b) {
-  s.factorize(a);
-  { solved.solve(b) } -> std::convertible_to<Vector>;
-};
+concept SparseSolver = requirement::has_factorize<S, Matrix> && requirement::has_solve<S, Vector>;
+
+namespace detail {
+
+/// False, but only once the types are known.
+template<class... T> inline constexpr bool no_solver = false;
+
+}  // namespace detail
+
+/// Fails to compile with one sentence that names the first thing S lacks to be a SparseSolver and what to write.
+template<class S, class Matrix, class Vector>
+consteval void explain_sparse_solver() {
+  if constexpr (!requirement::has_factorize<S, Matrix>)
+    static_assert(detail::no_solver<S>, "concino: SparseSolver needs factorize: void factorize(const Matrix&); throws a concino::solver_error if it cannot");
+  else if constexpr (!requirement::has_solve<S, Vector>)
+    static_assert(detail::no_solver<S>, "concino: SparseSolver needs solve: Vector solve(const Vector& b) const; the x with a x = b for the matrix a factorised last");
+}
 
 }  // namespace concino

@@ -31,7 +31,7 @@ consteval void explain_surface_mesh() {
   // One line per message, so that compilers show it in one.
   // clang-format off
   if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: SurfaceMesh: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+    static_assert(missing<M>, "concino: SurfaceMesh: " CONCINO_NO_TRAITS);
   else if constexpr (!requirement::is_surface<M>)
     static_assert(missing<M>, "concino: SurfaceMesh needs mesh_traits<M>::dimension: static constexpr int dimension = 2;");
   else if constexpr (!requirement::has_vert<M>)
@@ -84,6 +84,22 @@ consteval void explain_surface_mesh() {
     static_assert(missing<M>, "concino: SurfaceMesh needs mesh_traits<M>::adj_p2e: static ElementRange<edge> adj_p2e(const M&, poly); the edges of a poly");
   else static_assert(SurfaceMesh<M>);
   // clang-format on
+}
+
+/// Fails to compile with one sentence that names the first thing M lacks to be a TriMesh and what to write.
+template<class M>
+consteval void explain_tri_mesh() {
+  if constexpr (!SurfaceMesh<M>) explain_surface_mesh<M>();
+  else if constexpr (!TriMesh<M>)
+    static_assert(detail::missing<M>, "concino: TriMesh needs mesh_traits<M>::arity: static constexpr int arity = 3; every poly has 3 verts");
+}
+
+/// Fails to compile with one sentence that names the first thing M lacks to be a QuadMesh and what to write.
+template<class M>
+consteval void explain_quad_mesh() {
+  if constexpr (!SurfaceMesh<M>) explain_surface_mesh<M>();
+  else if constexpr (!QuadMesh<M>)
+    static_assert(detail::missing<M>, "concino: QuadMesh needs mesh_traits<M>::arity: static constexpr int arity = 4; every poly has 4 verts");
 }
 
 }  // namespace concino

@@ -19,7 +19,7 @@ namespace concino {
 
 namespace requirement {
 
-template<class M> concept has_face = std::regular<face_t<M>>;
+template<class M> concept has_face = requires { typename face_t<M>; } && std::regular<face_t<M>>;
 template<class M> concept has_faces = requires(const std::remove_cvref_t<M>& m) { { traits<M>::faces(m) } -> ElementRange<face_t<M>>; };
 template<class M> concept has_num_faces = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_faces(m) } -> std::convertible_to<std::size_t>; };
 template<class M> concept has_face_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::face_index_bound(m) } -> std::convertible_to<std::size_t>; };
@@ -57,7 +57,7 @@ consteval void explain_volume_mesh() {
   // One line per message, so that compilers show it in one.
   // clang-format off
   if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: VolumeMesh: no mesh_traits<M>: include the adapter header <concino/adapters/...> of the library that M is from, or specialise concino::mesh_traits for M");
+    static_assert(missing<M>, "concino: VolumeMesh: " CONCINO_NO_TRAITS);
   else if constexpr (!requirement::is_volume<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::dimension: static constexpr int dimension = 3;");
   else if constexpr (!requirement::has_vert<M>)
@@ -136,6 +136,22 @@ consteval void explain_volume_mesh() {
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::face_is_outward: static bool face_is_outward(const M&, poly, face); whether the face runs counter-clockwise seen from outside the poly");
   else static_assert(VolumeMesh<M>);
   // clang-format on
+}
+
+/// Fails to compile with one sentence that names the first thing M lacks to be a TetMesh and what to write.
+template<class M>
+consteval void explain_tet_mesh() {
+  if constexpr (!VolumeMesh<M>) explain_volume_mesh<M>();
+  else if constexpr (!TetMesh<M>)
+    static_assert(detail::missing<M>, "concino: TetMesh needs mesh_traits<M>::arity: static constexpr int arity = 4; every poly has 4 verts");
+}
+
+/// Fails to compile with one sentence that names the first thing M lacks to be a HexMesh and what to write.
+template<class M>
+consteval void explain_hex_mesh() {
+  if constexpr (!VolumeMesh<M>) explain_volume_mesh<M>();
+  else if constexpr (!HexMesh<M>)
+    static_assert(detail::missing<M>, "concino: HexMesh needs mesh_traits<M>::arity: static constexpr int arity = 8; every poly has 8 verts");
 }
 
 }  // namespace concino

@@ -117,18 +117,6 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
 /// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number;
 ///         invalid_argument if max_distance is negative or not a number.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
-template<class M, class S, class L>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
-  return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::given_lengths<L>{length}, options);
-}
-
-template<class M, class S, class L>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
-  return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::given_lengths<L>{length}, options);
-}
-
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
 auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
@@ -136,11 +124,23 @@ auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, 
   return detail::dijkstra(g, source, detail::default_lengths(g), options);
 }
 
+template<class M, class S, class L>
+  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
+auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+  return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::given_lengths<L>{length}, options);
+}
+
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
 auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, sources, detail::default_lengths(g), options);
+}
+
+template<class M, class S, class L>
+  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
+auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+  return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::given_lengths<L>{length}, options);
 }
 
 }  // namespace concino

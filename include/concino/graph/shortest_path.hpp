@@ -60,20 +60,6 @@ auto shortest_path(const G& g, const S& source, const T& target, const L& length
 /// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number;
 ///         invalid_argument if max_distance is negative or not a number.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
-template<class M, class S, class L, class T = std::initializer_list<detail::node_of<M, S>>>
-  requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
-auto shortest_path(const M& m, const S& source, const T& target, const L& length,
-                   const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
-  return detail::shortest_path(detail::graph_of<M, S>{m}, source, target, detail::given_lengths<L>{length}, options);
-}
-
-template<class M, class S, class L, class T = std::initializer_list<S>>
-  requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
-auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target, const L& length,
-                   const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
-  return detail::shortest_path(detail::graph_of<M, S>{m}, sources, target, detail::given_lengths<L>{length}, options);
-}
-
 template<class M, class S, class T = std::initializer_list<detail::node_of<M, S>>>
   requires requirement::is_target<M, S, T> && requirement::has_lengths<M, S>
 auto shortest_path(const M& m, const S& source, const T& target,
@@ -82,12 +68,26 @@ auto shortest_path(const M& m, const S& source, const T& target,
   return detail::shortest_path(g, source, target, detail::default_lengths(g), options);
 }
 
+template<class M, class S, class L, class T = std::initializer_list<detail::node_of<M, S>>>
+  requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
+auto shortest_path(const M& m, const S& source, const T& target, const L& length,
+                   const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+  return detail::shortest_path(detail::graph_of<M, S>{m}, source, target, detail::given_lengths<L>{length}, options);
+}
+
 template<class M, class S, class T = std::initializer_list<S>>
   requires requirement::is_target<M, S, T> && requirement::has_lengths<M, S>
 auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target,
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::shortest_path(g, sources, target, detail::default_lengths(g), options);
+}
+
+template<class M, class S, class L, class T = std::initializer_list<S>>
+  requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
+auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target, const L& length,
+                   const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+  return detail::shortest_path(detail::graph_of<M, S>{m}, sources, target, detail::given_lengths<L>{length}, options);
 }
 
 }  // namespace concino

@@ -161,7 +161,9 @@ auto spanning_tree(const G& g, const L& lengths, const spanning_tree_options<typ
 
 namespace requirement {
 
-template<class M> concept has_default_lengths = is_graph<M> && requires(const concino::detail::default_graph_of<M>& g) { concino::detail::default_lengths(g); };
+template<class M>
+concept has_default_lengths = Embedded<concino::detail::mesh_behind_t<std::remove_cvref_t<M>>> &&
+                              (AnyMesh<concino::detail::mesh_behind_t<std::remove_cvref_t<M>>> || PrimalGraph<M>);
 
 }  // namespace requirement
 
@@ -176,18 +178,18 @@ template<class M> concept has_default_lengths = is_graph<M> && requires(const co
 /// Cost:   O(E log E) time, O(V + E) memory.
 /// Errors: invalid_mesh if a length is not a number or -inf.
 /// Source: Kruskal 1956; Prim 1957; paper section 2.1, "Architecture".
+template<class M>
+  requires requirement::is_graph<M> && requirement::has_default_lengths<M>
+auto spanning_tree(const M& m, const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
+  const detail::default_graph_of<M> g{m};
+  return detail::spanning_tree(g, detail::default_lengths(g), options);
+}
+
 template<class M, class L>
   requires requirement::is_graph<M> && requirement::is_length<L, detail::default_node_of<M>>
 auto spanning_tree(const M& m, const L& length,
                    const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::spanning_tree(detail::default_graph_of<M>{m}, detail::given_lengths<L>{length}, options);
-}
-
-template<class M>
-  requires requirement::has_default_lengths<M>
-auto spanning_tree(const M& m, const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
-  const detail::default_graph_of<M> g{m};
-  return detail::spanning_tree(g, detail::default_lengths(g), options);
 }
 
 }  // namespace concino

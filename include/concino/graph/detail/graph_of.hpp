@@ -51,7 +51,12 @@ template<class M, class X> concept names_poly = DualGraph<M> && std::same_as<X, 
 template<class M, class X> concept becomes_vert = PrimalGraph<M> && std::convertible_to<X, vert_t<M>>;
 template<class M, class X> concept becomes_poly = DualGraph<M> && std::convertible_to<X, poly_t<M>>;
 
-template<class M, class X> struct graph_for {};
+/// None: what the options of a function name where it is not known which graph is meant, so that its constraints come to say why.
+struct no_graph {
+  using mesh = void;
+  struct node {};
+};
+template<class M, class X> struct graph_for { using type = no_graph; };
 template<class M, class X>
   requires names_vert<M, X> || (becomes_vert<M, X> && !names_poly<M, X> && !becomes_poly<M, X>)
 struct graph_for<M, X> { using type = primal_graph<std::remove_cvref_t<M>>; };
@@ -62,12 +67,13 @@ struct graph_for<M, X> { using type = dual_graph<std::remove_cvref_t<M>>; };
 template<class S> concept any_range = requires(const S& s) { s.begin(); s.end(); *s.begin(); };
 
 /// What a source says: itself if it is a node (be that an array of coordinates), what it holds if it is a container of nodes.
-template<class M, class S> struct graph_of_source : graph_for<M, S> {};
+template<class M, class S> struct element_of_source { using type = S; };
 template<class M, any_range S>
   requires(!names_vert<M, S> && !names_poly<M, S>)
-struct graph_of_source<M, S> : graph_for<M, std::remove_cvref_t<decltype(*std::declval<const S&>().begin())>> {};
+struct element_of_source<M, S> { using type = std::remove_cvref_t<decltype(*std::declval<const S&>().begin())>; };
+template<class M, class S> using source_element = typename element_of_source<std::remove_cvref_t<M>, S>::type;
 
-template<class M, class S> using graph_of = typename graph_of_source<std::remove_cvref_t<M>, S>::type;
+template<class M, class S> using graph_of = typename graph_for<std::remove_cvref_t<M>, source_element<M, S>>::type;
 template<class M, class S> using node_of = typename graph_of<M, S>::node;
 
 template<class T, class G>
@@ -86,11 +92,12 @@ void expect_node(const G& g, const typename G::node& x, const char* who, const c
   throw invalid_mesh(std::string(who) + ": the " + role + " is no " + G::word + " of the mesh; take one from " + G::word + "s(m)");
 }
 
-/// The graph that is meant where no source says so: that of the verts, of what has none that of the polys.
-template<class M> struct graph_by_default {};
+/// The graph that is meant where no source says so: that of the verts, of what has none that of the polys. A mesh whose verts lack something
+/// is not taken for one without verts.
+template<class M> struct graph_by_default { using type = no_graph; };
 template<PrimalGraph M> struct graph_by_default<M> { using type = primal_graph<M>; };
 template<DualGraph M>
-  requires(!PrimalGraph<M>)
+  requires(!requirement::has_vert<M>)
 struct graph_by_default<M> { using type = dual_graph<M>; };
 template<class M> using default_graph_of = typename graph_by_default<std::remove_cvref_t<M>>::type;
 template<class M> using default_node_of = typename default_graph_of<M>::node;
@@ -113,9 +120,18 @@ void for_each_source(const G& g, const S& source, const char* who, F&& visit, co
 
 namespace concino::requirement {
 
-template<class M> concept is_graph = PrimalGraph<M> || DualGraph<M>;
+template<class M> concept has_no_verts = !has_vert<M>;
+template<class M> concept is_graph = PrimalGraph<M> || (has_no_verts<M> && DualGraph<M>);
 
-/// S is a vert or a poly of M, or a container of either.
-template<class M, class S> concept is_source = requires { typename concino::detail::graph_of<M, S>; };
+/// X names polys rather than verts of M, whatever else M offers.
+template<class M, class X> concept becomes_vert_type = std::convertible_to<X, vert_t<M>>;
+template<class M, class X> concept is_poly_type = std::same_as<X, poly_t<M>> || (std::convertible_to<X, poly_t<M>> && !becomes_vert_type<M, X>);
+template<class M, class X> concept is_no_poly_type = !is_poly_type<M, X>;
+template<class M, class S> concept is_vert_or_poly = !std::same_as<concino::detail::graph_of<M, S>, concino::detail::no_graph>;
+
+/// S is a vert or a poly of M, or a container of either, and M has the graph of these. Written so that compilers say what that graph lacks.
+template<class M, class S>
+concept is_source = (PrimalGraph<M> || is_poly_type<M, concino::detail::source_element<M, S>>) &&
+                    (DualGraph<M> || is_no_poly_type<M, concino::detail::source_element<M, S>>) && is_vert_or_poly<M, S>;
 
 }  // namespace concino::requirement

@@ -87,7 +87,9 @@ auto default_lengths(const dual_graph<M>& g) { return euclidean_poly_lengths<mes
 namespace concino::requirement {
 
 /// The graph that S means has coordinates to measure by: of verts, or of the verts of polys.
-template<class M, class S> concept has_lengths = is_source<M, S> && requires(const concino::detail::graph_of<M, S>& g) { concino::detail::default_lengths(g); };
+template<class M, class S>
+concept has_lengths = is_source<M, S> && Embedded<concino::detail::mesh_behind_t<std::remove_cvref_t<M>>> &&
+                      (AnyMesh<concino::detail::mesh_behind_t<std::remove_cvref_t<M>>> || is_no_poly_type<M, concino::detail::source_element<M, S>>);
 
 /// A callable that says how long the arc from one node to another is.
 template<class L, class N> concept is_length = requires(const L& length, const N& v) { static_cast<double>(length(v, v)); };

@@ -1,5 +1,7 @@
-// A surface, or with -DVOLUME a volume, that has everything but LACKING: EXPLAIN<mesh>() must say so. Compiled with -DLACKING=1 ... by
-// the list in CMakeLists.txt; with LACKING=0 nothing is missing and it compiles.
+// A surface, or with -DVOLUME a volume, that has everything but LACKING: LACKS_adj_v2v and so on, or LACKS_nothing. Compiled with the
+// macros LACKING and, where polys have that many verts, ARITY.
+#pragma once
+
 #include <concino/concepts/mesh.hpp>
 
 namespace stranger {
@@ -14,48 +16,51 @@ template<class T> struct all {
 struct mesh {};
 }  // namespace stranger
 
-#define no_adapted 1
-#define no_dimension 2
-#define no_vert 3
-#define no_verts 4
-#define no_num_verts 5
-#define no_vert_index_bound 6
-#define no_vert_index_of 7
-#define no_adj_v2v 8
-#define no_poly 9
-#define no_polys 10
-#define no_num_polys 11
-#define no_poly_index_bound 12
-#define no_poly_index_of 13
-#define no_adj_p2p 14
-#define no_edge 15
-#define no_distinct 16
-#define no_edges 17
-#define no_num_edges 18
-#define no_edge_index_bound 19
-#define no_edge_index_of 20
-#define no_adj_e2v 21
-#define no_adj_e2p 22
-#define no_adj_v2e 23
-#define no_adj_v2p 24
-#define no_adj_p2v 25
-#define no_adj_p2e 26
-#define no_face 27
-#define no_distinct_faces 28
-#define no_faces 29
-#define no_num_faces 30
-#define no_face_index_bound 31
-#define no_face_index_of 32
-#define no_adj_f2v 33
-#define no_adj_f2e 34
-#define no_adj_f2p 35
-#define no_adj_v2f 36
-#define no_adj_e2f 37
-#define no_adj_p2f 38
-#define no_face_is_outward 39
-#define no_point 40
+#define LACKS_adapted 1
+#define LACKS_dimension 2
+#define LACKS_vert 3
+#define LACKS_verts 4
+#define LACKS_num_verts 5
+#define LACKS_vert_index_bound 6
+#define LACKS_vert_index_of 7
+#define LACKS_adj_v2v 8
+#define LACKS_poly 9
+#define LACKS_polys 10
+#define LACKS_num_polys 11
+#define LACKS_poly_index_bound 12
+#define LACKS_poly_index_of 13
+#define LACKS_adj_p2p 14
+#define LACKS_edge 15
+#define LACKS_distinct 16
+#define LACKS_edges 17
+#define LACKS_num_edges 18
+#define LACKS_edge_index_bound 19
+#define LACKS_edge_index_of 20
+#define LACKS_adj_e2v 21
+#define LACKS_adj_e2p 22
+#define LACKS_adj_v2e 23
+#define LACKS_adj_v2p 24
+#define LACKS_adj_p2v 25
+#define LACKS_adj_p2e 26
+#define LACKS_face 27
+#define LACKS_distinct_faces 28
+#define LACKS_faces 29
+#define LACKS_num_faces 30
+#define LACKS_face_index_bound 31
+#define LACKS_face_index_of 32
+#define LACKS_adj_f2v 33
+#define LACKS_adj_f2e 34
+#define LACKS_adj_f2p 35
+#define LACKS_adj_v2f 36
+#define LACKS_adj_e2f 37
+#define LACKS_adj_p2f 38
+#define LACKS_face_is_outward 39
+#define LACKS_point 40
+#define LACKS_set_point 41
+#define LACKS_arity 42
+#define LACKS_nothing 43
 
-#define HAS(what) (LACKING != no_##what)
+#define HAS(what) (LACKING != LACKS_##what)
 
 #if HAS(adapted)
 template<>
@@ -186,7 +191,20 @@ struct concino::mesh_traits<stranger::mesh> {
 #if HAS(point)
   static const double* point(m, v);
 #endif
+#if HAS(set_point)
+  template<class X> static void set_point(stranger::mesh&, v, const X&);
+#endif
+#if HAS(arity) && defined ARITY
+  static constexpr int arity = ARITY;
+#endif
 };
 #endif
 
-int main() { concino::EXPLAIN<const stranger::mesh&>(); }
+// Arguments of calls.
+namespace stranger {
+inline constexpr mesh m;
+inline constexpr v a;
+inline constexpr p q;
+inline constexpr auto length = [](v, v) { return 1.0; };
+inline constexpr auto keep = [](p) { return true; };
+}  // namespace stranger
