@@ -1,5 +1,6 @@
 // Harmonic maps on real meshes: against known functions, and the maximum principle on every mesh.
 #include <concino/fields.hpp>
+#include <concino/graph/bfs.hpp>
 #include <concino/operators.hpp>
 
 #include <support/corpus_meshes.hpp>
