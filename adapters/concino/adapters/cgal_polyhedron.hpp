@@ -12,6 +12,7 @@
 // They are handles, not const handles, also of a const mesh, as everywhere in CGAL's graphs; nothing is changed through them.
 // Stored: nothing in the mesh, and no data of the mesh anywhere; see indexed(). Cost: rings in time proportional to their length.
 // point(m, v) gives doubles, as <concino/adapters/cgal_surface_mesh.hpp> says.
+// Property maps, as get(CGAL::vertex_point, m), become maps by as_map(pm) of <concino/graph/property_map.hpp>.
 // Needs: ids as CGAL::set_halfedgeds_items_id makes them, 0, 1, 2 ... in the order of the elements. Without them, or where elements were
 //        added or erased since, index bounds throw invalid_mesh, and with them whatever makes a map. No two edges join the same two verts.
 #pragma once
