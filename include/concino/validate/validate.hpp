@@ -37,7 +37,8 @@ void check_duplicates(const M& m, const R& all, std::size_t count, const Ring& r
 ///         edges when their ends are equal, areas and volumes when moving the coordinates by their rounding errors could make them
 ///         0; larger tolerances are options. Polygons of more than three verts are looked at along their vector area.
 ///         Nothing depends on the scale of the mesh, up to the largest and smallest numbers there are.
-/// Cost:   O(elements + adjacencies) time and memory (polygons of n verts: O(n log n), at worst O(n^2), to see if they touch themselves).
+/// Cost:   O(elements + adjacencies) time and memory, where the verbs of m cost no more than they give (polygons of n verts: O(n log n), at
+///         worst O(n^2), to see if they touch themselves; polyhedralmesh looks for a face among all faces of its poly).
 /// Errors: invalid_argument if a tolerance is negative or not a number; cancelled. None for whatever is wrong with the mesh.
 /// Source: Tarjan 1975 for fans, components and windings; the definitions of manifolds are those of Hoffmann 1989, "Geometric and Solid Modeling".
 template<AnyMesh M>
