@@ -119,6 +119,7 @@ namespace concino {
 template<class M, class K>
 struct halfedge_kernel : K {
   static constexpr int dimension = 2;
+  static constexpr bool edges_in_order = true;
   using vert = typename K::vert;
   using edge = typename K::edge;
   using poly = typename K::poly;
