@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <numeric>
 #include <vector>
@@ -40,6 +41,7 @@ inline double six_volumes(const polyhedra_arrays& m, std::size_t p) {
 
 /// Whether the faces of a polyhedron agree at every edge that two of them share: the quick answer for the many that need no repair. The edges
 /// of one polyhedron at a time are kept in a small table, open addressed, at most a quarter full.
+template<class Arrays>
 class winding_check {
   struct entry {
     std::uint64_t edge;
@@ -49,7 +51,7 @@ class winding_check {
   std::vector<std::uint32_t> used_;
 
  public:
-  bool operator()(const polyhedra_arrays& m, std::uint32_t begin, std::uint32_t end) {
+  bool operator()(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
     std::size_t sides = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
       const std::uint32_t f = m.poly_faces[i].raw();
@@ -86,7 +88,8 @@ class winding_check {
 /// Makes the faces of each poly agree on what is outside, by walking from face to face over the edges that two of them share, and the
 /// outside such that volumes are positive. Polys that are right, or without volume and consistent, stay as they are.
 /// Result: how many polys changed.   Cost: O(n log n) in the edges of a poly.
-inline std::size_t orient_polyhedra(polyhedra_arrays& m) {
+template<std::same_as<polyhedra_arrays> Arrays>  // a template only so that programs without volumes need not compile it
+std::size_t orient_polyhedra(Arrays& m) {
   struct side {
     std::uint64_t edge;  // smaller vert, larger vert
     std::uint32_t face;  // place in poly_faces
@@ -100,7 +103,7 @@ inline std::size_t orient_polyhedra(polyhedra_arrays& m) {
   std::vector<std::uint32_t> first_link, component, queue;
   std::vector<link> links;
   std::vector<std::uint8_t> flip;
-  winding_check wound_well;
+  winding_check<Arrays> wound_well;
   std::size_t changed = 0;
 
   for (std::size_t p = 0; p < m.num_polys(); ++p) {

@@ -8,6 +8,8 @@
 
 namespace concino::detail {
 
+/// Contents: volume_contents. A template only so that programs that read no volumes need not compile it.
+template<class Contents>
 class hedra_reader : token_cursor {
   const wanted_mesh& wanted_;
   load_report& report_;
@@ -17,7 +19,7 @@ class hedra_reader : token_cursor {
  public:
   hedra_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {}
 
-  void read(volume_contents& out) {
+  void read(Contents& out) {
     skip();
     if (at_end()) fail(end(), "the numbers of verts, faces and polyhedra");
     const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8),
@@ -143,6 +145,9 @@ class hedra_reader : token_cursor {
 /// Cost:   O(size of the text), and sorting the edges of each polyhedron.
 /// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
 ///         polyhedron that the wanted mesh cannot hold, text after the last.
-inline void read_hedra(const read_context& context, volume_contents& out) { hedra_reader(context).read(out); }
+template<class Contents>
+void read_hedra(const read_context& context, Contents& out) {
+  hedra_reader<Contents>(context).read(out);
+}
 
 }  // namespace concino::detail

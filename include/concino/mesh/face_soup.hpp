@@ -4,6 +4,7 @@
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
+#include <concepts>
 #include <numeric>
 
 namespace concino::detail {
@@ -25,7 +26,9 @@ struct face_soup {
     poly_offsets.push_back(static_cast<std::uint32_t>(face_offsets.size() - 1));
   }
 
-  polyhedra_arrays unite(std::vector<vec3> points) && {
+  /// A template, like the other large ones here, only so that programs without volumes need not compile it.
+  template<std::same_as<vec3> Point>
+  polyhedra_arrays unite(std::vector<Point> points) && {
     struct entry {
       std::uint64_t others;  // the second and third smallest verts
       std::uint32_t face;
@@ -99,7 +102,8 @@ struct face_soup {
 };
 
 /// The same volume as general polyhedra; polys keep their order.
-inline polyhedra_arrays to_polyhedra(cell_arrays&& cells) {
+template<std::same_as<cell_arrays> Cells>
+polyhedra_arrays to_polyhedra(Cells&& cells) {
   const cell_shape s = cells.arity == 4 ? cell_shape::tet : cell_shape::hex;
   const standard_cell& t = table_of(s);
   const std::size_t n = cells.num_polys();
