@@ -36,7 +36,7 @@ function note(change) {
 # What only makes room changes no result.
 /\.reserve\(|reserve_(facets|large)\(/ { print; next }
 /^ *(#|\/\/|template<|using |case |default:|enum |friend )|concept |requires|static_assert|[^_a-z]assert\(|operator ?[<>=!+*\/%&|-]+ ?\(/ { print; next }
-/^ *(inline |static )*constexpr [^(]*( = |\{)|if constexpr/ { all_text = 1 }
+/^ *(inline |static )*constexpr [^(]*( = |\{)|if constexpr|<[A-Za-z_:]+, [A-Za-z_]+ [-+] [0-9]+>/ { all_text = 1 }
 {
   trimmed = $0; sub(/^ +/, "", trimmed)
   unfit_here = is_unfit[FNR] || all_text

@@ -1,6 +1,7 @@
 #include <concino/operators/laplacian.hpp>
 
 #include <concino/concepts/archetypes.hpp>
+#include <concino/mesh/face_soup.hpp>
 
 #include <support/kinds.hpp>
 #include <support/tiny.hpp>
@@ -151,6 +152,25 @@ TEST_CASE("laplacian, cotangent: decided poly by poly, so polygons that all are 
   const auto l = laplacian(polyhedralmesh(tet), {.weights = weights::cotangent});
   const auto expected = laplacian(tetmesh(x, std::vector<std::vector<int>>{{0, 1, 2, 3}}), {.weights = weights::cotangent});
   CHECK((Eigen::MatrixXd(l) - Eigen::MatrixXd(expected)).cwiseAbs().maxCoeff() < 1e-14);
+}
+
+TEST_CASE("laplacian, cotangent: the order of the edges of a poly does not matter") {
+  const auto same = [](const auto& m, const auto& other) {
+    const Eigen::MatrixXd a = laplacian(m, {.weights = weights::cotangent}), b = laplacian(other, {.weights = weights::cotangent});
+    REQUIRE(a.rows() == b.rows());
+    CHECK((a - b).cwiseAbs().maxCoeff() < 1e-12);
+  };
+  const auto tets = jittered(tet_grid(2), 0.05);
+  same(tetmesh(tets), polyhedralmesh(detail::to_polyhedra(cell_arrays(tets))));
+  for (unsigned turn = 0; turn < 6; ++turn) {  // edges stand where the first poly that has them was walked
+    auto turned = tets;
+    const unsigned orders[][4] = {{1, 2, 0, 3}, {3, 1, 0, 2}, {1, 0, 3, 2}, {2, 3, 0, 1}, {0, 3, 1, 2}, {3, 2, 1, 0}};
+    for (std::size_t p = 0; p < turned.num_polys(); ++p)
+      if (p % 2 == turn % 2)
+        for (unsigned k = 0; k < 4; ++k) turned.verts[4 * p + k] = tets.verts[4 * p + orders[turn][k]];
+    same(tetmesh(tets), tetmesh(turned));
+    same(tetmesh(tets), polyhedralmesh(detail::to_polyhedra(cell_arrays(turned))));
+  }
 }
 
 TEST_CASE("laplacian, cotangent: works on archetypes of meshes, is refused on bare graphs") {
