@@ -23,7 +23,7 @@
 /// What all of explain_... say about a type of which nothing is known: the commonest reason is a forgotten adapter.
 #define CONCINO_NO_TRAITS                                                                                                                   \
   "no mesh_traits<M>: include the adapter of the library that M is from, <concino/adapters/...>: boost_graph.hpp, cgal_polyhedron.hpp, "     \
-  "cgal_surface_mesh.hpp, cgal_triangulation.hpp, eigen.hpp, openmesh.hpp, span.hpp; or specialise concino::mesh_traits for M"
+  "cgal_surface_mesh.hpp, cgal_triangulation.hpp, cgal_lcc.hpp, eigen.hpp, openmesh.hpp, span.hpp; or specialise concino::mesh_traits for M"
 
 namespace concino {
 

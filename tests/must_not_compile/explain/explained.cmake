@@ -1,6 +1,11 @@
 # Passes where the compiler's first error line matches `expected` and it says no more than 15 lines; an empty `expected` means it compiles.
+# Instead of the regular expression `expected` there may be a file with the very words, `expected_file`.
 set(ENV{LC_ALL} C)
 execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${defines} ${case} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(DEFINED expected_file)
+  file(STRINGS ${expected_file} expected)
+  string(REGEX REPLACE "[][()*+?.]" "[\\0]" expected "${expected}")
+endif()
 if(expected STREQUAL "")
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "a complete model is refused:\n${said}")
