@@ -343,6 +343,7 @@ TEST_CASE_TEMPLATE("harmonic_map: the value of isolated verts is of no concern t
     for (const auto v : verts(m)) CHECK(u[v] == w[v]);
   }
   CHECK(distance_to_dense(grid<M>(1), {{a, -2}, {vert_id{1}, 5}}, weights::uniform, 4) < 1e-6);
+  CHECK(distance_to_dense(m, {{b, 1}, {c, 2}}, weights::uniform, 2) < 1e-9);  // of which vert 0 is no part
 }
 
 TEST_CASE_TEMPLATE("harmonic_map: higher exponents need no points, and points alone are no measure", M, CONCINO_ALL_KINDS) {
