@@ -1,0 +1,117 @@
+// save, in every format that can hold the mesh, and make_drawable.
+#pragma once
+
+#include <agreement/copies.hpp>
+#include <agreement/matched.hpp>
+
+#include <concino/io/load.hpp>
+#include <concino/io/save.hpp>
+#include <concino/render/drawable.hpp>
+
+#include <set>
+#include <tuple>
+
+namespace concino::agreement {
+
+struct saving {
+  static constexpr const char* name = "save";
+  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    using N = typename B::native_mesh;
+    bool any = false;
+    for (const file_format format : {file_format::obj, file_format::off, file_format::medit, file_format::hedra}) {
+      std::string here, there;
+      const auto can = [&](const auto& m, std::string& text) {
+        try {
+          text = save_text(m, format);
+          return true;
+        } catch (const unsupported&) {
+          return false;
+        }
+      };
+      const bool possible = can(both.native, here);
+      expect(possible == can(both.other, there), "the same formats can hold the mesh");
+      if (!possible) continue;
+      any = true;
+      expect(same(load_text<N>(here, format), load_text<N>(there, format)), "what is saved is read alike");
+    }
+    return any;
+  }
+
+ private:
+  /// The same points, and the same polys, whichever vert or face is the first of each.
+  static bool same(const polygonmesh& a, const polygonmesh& b) {
+    const surface_arrays x = surface_arrays_of(a), y = surface_arrays_of(b);
+    if (x.points != y.points || x.offsets != y.offsets) return false;
+    for (const auto p : polys(a))
+      if (rotated(raw_numbers(adj_p2v(a, p))) != rotated(raw_numbers(adj_p2v(b, p)))) return false;
+    return true;
+  }
+  static bool same(const polyhedralmesh& a, const polyhedralmesh& b) {
+    if (polyhedra_arrays_of(a).points != polyhedra_arrays_of(b).points || num_polys(a) != num_polys(b)) return false;
+    const auto rings = [](const polyhedralmesh& m, poly_id p) {
+      std::multiset<numbers> r;
+      for (const auto f : adj_p2f(m, p)) {
+        const numbers ring = raw_numbers(adj_f2v(m, f));
+        r.insert(rotated(face_is_outward(m, p, f) ? ring : reversed(ring)));
+      }
+      return r;
+    };
+    for (const auto p : polys(a))
+      if (rings(a, p) != rings(b, p)) return false;
+    return true;
+  }
+};
+
+struct drawing {
+  static constexpr const char* name = "make_drawable";
+  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    struct through {  // a value per vert that both meshes agree about
+      const B& both;
+      double operator[](const vert_t<typename B::other_mesh>& v) const { return both.verts.back(v).raw(); }
+    };
+    struct number_itself {
+      double operator[](vert_t<typename B::native_mesh> v) const { return v.raw(); }
+    };
+    const drawable a = make_drawable(both.native, number_itself{}), b = make_drawable(both.other, through{both});
+    expect(a.triangles.size() == b.triangles.size() && a.points.size() == b.points.size(), "as many triangles and points");
+    std::vector<unsigned> native_poly(poly_index_bound(both.other));
+    for (const auto p : both.polys.all) native_poly[index_of(both.other, both.polys.to(p))] = p.raw();
+    const auto x = corners_of(a, [](unsigned i) { return i; }), y = corners_of(b, [&](unsigned i) { return native_poly[i]; });
+    expect(x.size() == y.size(), "as many corners");
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      expect(x[i].poly == y[i].poly && x[i].value == y[i].value && x[i].at == y[i].at, "the same corners");
+      for (std::size_t k = 0; k < 3; ++k) expect(std::abs(x[i].normal[k] - y[i].normal[k]) < 1e-5f, "the same normals");
+    }
+    return true;
+  }
+
+ private:
+  struct corner {
+    unsigned poly;
+    double value;
+    double polygon;  // of several polygons of a poly, the sum of its values
+    vec3 at;
+    std::array<float, 3> normal;
+  };
+  /// Sorted by poly, polygon and value, as polygons come in any order and begin anywhere.
+  template<class F>
+  static std::vector<corner> corners_of(const drawable& d, const F& poly) {
+    std::vector<corner> r;
+    for (std::size_t p = 0; p + 1 < d.offsets.size(); ++p) {
+      double sum = 0;
+      for (auto c = d.offsets[p]; c < d.offsets[p + 1]; ++c) sum += std::sqrt(d.values[d.corners[c]] + 1);
+      for (auto c = d.offsets[p]; c < d.offsets[p + 1]; ++c)
+        r.push_back({poly(d.polys[p]), d.values[d.corners[c]], std::round(sum * 1e6), d.points[d.corners[c]], d.normals[c]});
+    }
+    std::sort(r.begin(), r.end(), [](const corner& a, const corner& b) { return std::tuple(a.poly, a.polygon, a.value) < std::tuple(b.poly, b.polygon, b.value); });
+    return r;
+  }
+};
+
+}  // namespace concino::agreement

@@ -1,0 +1,86 @@
+// Elements, adjacency, points, maps: what everything else stands on.
+#pragma once
+
+#include <agreement/matched.hpp>
+
+#include <concino/concepts/derived.hpp>
+#include <concino/mesh/element_map.hpp>
+
+namespace concino::agreement {
+
+struct walk {
+  static constexpr const char* name = "walk";
+  template<class M> static constexpr bool runs_on = PrimalGraph<M> || DualGraph<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    using M = typename B::other_mesh;
+    const auto& n = both.native;
+    const auto& m = both.other;
+    if constexpr (PrimalGraph<M>) {
+      expect(std::size_t(num_verts(m)) == both.verts.all.size(), "num_verts");
+      same_sets(both, both.verts, both.verts, adj_v2v, "adj_v2v");
+      for (const auto v : both.verts.all) expect(contains(m, both.verts.to(v)), "contains");
+      check_map(make_vert_map<unsigned>(m), both.verts);
+    }
+    if constexpr (DualGraph<M>) {
+      expect(std::size_t(num_polys(m)) == both.polys.all.size(), "num_polys");
+      same_sets(both, both.polys, both.polys, adj_p2p, "adj_p2p");
+      check_map(make_poly_map<unsigned>(m), both.polys);
+    }
+    if constexpr (AnyMesh<M>) {
+      expect(std::size_t(num_edges(m)) == both.edges.all.size(), "num_edges");
+      same_sets(both, both.verts, both.edges, adj_v2e, "adj_v2e");
+      same_sets(both, both.verts, both.polys, adj_v2p, "adj_v2p");
+      same_sets(both, both.edges, both.polys, adj_e2p, "adj_e2p");
+      same_sets(both, both.edges, both.edges, adj_e2e, "adj_e2e");
+      same_sets(both, both.polys, both.verts, adj_p2v, "adj_p2v");
+      same_sets(both, both.polys, both.edges, adj_p2e, "adj_p2e");
+      check_map(make_edge_map<unsigned>(m), both.edges);
+      for (const auto p : both.polys.all)  // edges that are equal have their ends in the same order, wherever they were met
+        for (const auto& e : adj_p2e(m, both.polys.to(p)))
+          expect(native_numbers(both.verts, adj_e2v(m, e)) == native_numbers(both.verts, adj_e2v(m, both.edges.to(both.edges.back(e)))), "adj_e2v");
+    }
+    if constexpr (SurfaceMesh<M>)
+      for (const auto p : both.polys.all)
+        expect(rotated(raw_numbers(adj_p2v(n, p))) == rotated(native_numbers(both.verts, adj_p2v(m, both.polys.to(p)))), "adj_p2v in cyclic order");
+    if constexpr (VolumeMesh<M>) {
+      expect(std::size_t(num_faces(m)) == both.faces.all.size(), "num_faces");
+      same_sets(both, both.verts, both.faces, adj_v2f, "adj_v2f");
+      same_sets(both, both.edges, both.faces, adj_e2f, "adj_e2f");
+      same_sets(both, both.faces, both.edges, adj_f2e, "adj_f2e");
+      same_sets(both, both.faces, both.polys, adj_f2p, "adj_f2p");
+      same_sets(both, both.faces, both.faces, adj_f2f, "adj_f2f");
+      same_sets(both, both.polys, both.faces, adj_p2f, "adj_p2f");
+      check_map(make_face_map<unsigned>(m), both.faces);
+      for (const auto p : both.polys.all)
+        for (const auto f : adj_p2f(n, p)) {
+          const auto& g = both.faces.to(f);
+          const bool same_sense = rotated(raw_numbers(adj_f2v(n, f))) == rotated(native_numbers(both.verts, adj_f2v(m, g)));
+          expect((face_is_outward(n, p, f) == bool(face_is_outward(m, both.polys.to(p), g))) == same_sense, "face_is_outward");
+        }
+    }
+    if constexpr (Embedded<M> && PrimalGraph<M>)
+      for (const auto v : both.verts.all) {
+        const auto& x = point(n, v);
+        const auto& y = point(m, both.verts.to(v));
+        expect(x[0] == double(y[0]) && x[1] == double(y[1]) && x[2] == double(y[2]), "point");
+      }
+    return true;
+  }
+
+ private:
+  /// The neighbours of each element are the same, each once, in any order.
+  template<class B, class From, class To, class Verb>
+  static void same_sets(const B& both, const From& from, const To& to, const Verb& verb, const char* what) {
+    for (const auto x : from.all)
+      expect(sorted(raw_numbers(verb(both.native, x))) == sorted(native_numbers(to, verb(both.other, from.to(x)))), what);
+  }
+  template<class Map, class P>
+  static void check_map(Map&& map, const P& pairs) {
+    for (const auto x : pairs.all) map[pairs.to(x)] = x.raw() + 1;
+    for (const auto x : pairs.all) expect(map[pairs.to(x)] == x.raw() + 1, "a map keeps a value per element");
+  }
+};
+
+}  // namespace concino::agreement
