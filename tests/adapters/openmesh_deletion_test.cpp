@@ -113,7 +113,7 @@ TEST_CASE("hidden elements are elements") {
 TEST_CASE("fans that only touch in a vert, from the start and by deletion") {
   poly_status m;
   fill(m, {std::vector<vec3>(7), {}, {}, 3});
-  for (const int i : {1, 3, 5}) m.add_face(m.vertex_handle(0), m.vertex_handle(static_cast<unsigned>(i)), m.vertex_handle(static_cast<unsigned>(i + 1)));
+  for (const unsigned i : {1u, 3u, 5u}) m.add_face(m.vertex_handle(0), m.vertex_handle(i), m.vertex_handle(i + 1));
   CHECK(!m.is_manifold(m.vertex_handle(0)));
   check_state(m);
   m.delete_face(m.face_handle(1), false);

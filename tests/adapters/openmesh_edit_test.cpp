@@ -86,7 +86,8 @@ TEST_CASE("what OpenMesh cannot hold is refused, and the mesh is as it was") {
   refused({v(0), extra, gone}, "names vert 10, which is not in the mesh");
   refused({v(0), extra, VertexHandle()}, "names vert -1, which is not in the mesh");
   refused({v(4), v(1), extra}, "names vert 4, which has polys all around it; OpenMesh can hold no other there");
-  refused({v(0), v(1), extra}, "goes from vert 0 to vert 1 as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions");
+  refused({v(0), v(1), extra},
+          "goes from vert 0 to vert 1 as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions");
   CHECK(index_of(m, add_poly(m, {v(1), v(0), extra})) == 8);
   check_laws_hold<>(m);
 
@@ -104,7 +105,8 @@ TEST_CASE("a ring that would close around a vert where other polys stand in the 
   add_poly(m, {v(0), v(4), v(5)});
   check_laws_hold<>(m);
   CHECK_THROWS_WITH_AS(add_poly(m, {v(0), v(3), v(1)}),
-                       "poly 3 closes the ring of polys around vert 0, at which others stand in the gap; OpenMesh can hold no others there", invalid_mesh);
+                       "poly 3 closes the ring of polys around vert 0, at which others stand in the gap; OpenMesh can hold no others there",
+                       invalid_mesh);
   check_laws_hold<>(m);
   CHECK(num_polys(m) == 3);
   // Into the gap between both fans a poly fits, and with two fans beside each other one of them gives way.

@@ -18,7 +18,8 @@ namespace {
 constexpr int poly_mesh = testing::surface | testing::embedded | testing::mutable_points;
 constexpr int tri_mesh = poly_mesh | testing::fixed_arity;
 
-static_assert(models_in_all_forms<poly_double>(poly_mesh) && models_in_all_forms<poly_eigen>(poly_mesh) && models_in_all_forms<poly_homogeneous>(poly_mesh));
+static_assert(models_in_all_forms<poly_double>(poly_mesh) && models_in_all_forms<poly_eigen>(poly_mesh) &&
+              models_in_all_forms<poly_homogeneous>(poly_mesh));
 static_assert(models_in_all_forms<tri_float>(tri_mesh) && models_in_all_forms<tri_own>(tri_mesh) && models_in_all_forms<only_one>(tri_mesh));
 // A mesh in the plane lies in space, but cannot be moved out of the plane; connectivity alone lies nowhere.
 static_assert(models_in_all_forms<tri_planar>(testing::surface | testing::embedded | testing::fixed_arity));
@@ -101,7 +102,10 @@ TEST_CASE("handles go in and come out, smart ones go in") {
   CHECK_THROWS_AS(dijkstra(m, OpenMesh::VertexHandle()), invalid_mesh);
   const auto across = dijkstra(m, m.face_handle(0));  // a face: from poly to poly
   CHECK(across[m.face_handle(1)] > 0);
-  for (const OpenMesh::EdgeHandle e : adj_v2e(m, s)) CHECK((m.to_vertex_handle(m.halfedge_handle(e, 0)) == s || m.from_vertex_handle(m.halfedge_handle(e, 0)) == s));
+  for (const OpenMesh::EdgeHandle e : adj_v2e(m, s)) {
+    const OpenMesh::HalfedgeHandle h = m.halfedge_handle(e, 0);
+    CHECK((m.to_vertex_handle(h) == s || m.from_vertex_handle(h) == s));
+  }
 }
 
 TEST_CASE("polys walk as OpenMesh walks them, in the order in which they were added") {

@@ -2,8 +2,8 @@
 string(TOUPPER ${adapter} upper)
 function(configure with code said)
   file(REMOVE_RECURSE ${scratch})
-  execute_process(COMMAND ${CMAKE_COMMAND} -S ${source} -B ${scratch} -G ${generator} -D CMAKE_CXX_COMPILER=${compiler} -D CONCINO_WITH_${upper}=${with}
-    -D CMAKE_DISABLE_FIND_PACKAGE_${package}=TRUE -D CONCINO_BUILD_TESTS=OFF -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${source} -B ${scratch} -G ${generator} -D CMAKE_CXX_COMPILER=${compiler}
+    -D CONCINO_WITH_${upper}=${with} -D CMAKE_DISABLE_FIND_PACKAGE_${package}=TRUE -D CONCINO_BUILD_TESTS=OFF -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF
     RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
   set(${code} ${result} PARENT_SCOPE)
   string(REGEX REPLACE "[ \n]+" " " text "${text}")  # CMake breaks lines where it likes

@@ -66,7 +66,6 @@ struct planar : OpenMesh::DefaultTraits {
 using tri_float = OpenMesh::TriMesh_ArrayKernelT<floats>;
 using tri_double = OpenMesh::TriMesh_ArrayKernelT<doubles>;
 using tri_status = OpenMesh::TriMesh_ArrayKernelT<with_status>;
-using poly_float = OpenMesh::PolyMesh_ArrayKernelT<floats>;
 using poly_double = OpenMesh::PolyMesh_ArrayKernelT<doubles>;
 using poly_status = OpenMesh::PolyMesh_ArrayKernelT<with_status>;
 using poly_eigen = OpenMesh::PolyMesh_ArrayKernelT<eigen_points>;
@@ -127,14 +126,6 @@ void check_laws_hold(const M& m) {
   const auto broken = check_laws(m);
   for (const auto& b : broken) MESSAGE(b.law << ": " << b.what);
   CHECK(broken.empty());
-}
-
-template<class M>
-void request_status(M& m) {
-  m.request_vertex_status();
-  m.request_halfedge_status();
-  m.request_edge_status();
-  m.request_face_status();
 }
 
 /// Fails unless every ring of m equals, as a set of indices, that of the native mesh of the same points and of the polys of m that are not

@@ -1,5 +1,5 @@
-// OpenMesh (Debian: libopenmesh-dev): every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from one, is a
-// SurfaceMesh. OpenMesh's own handles go in and come out, and nothing is copied. A property becomes a map by as_map(mesh, handle).
+// OpenMesh (Debian: libopenmesh-dev): every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from one,
+// is a SurfaceMesh. OpenMesh's own handles go in and come out, and nothing is copied. A property becomes a map by as_map(mesh, handle).
 //
 // Elements that are deleted but not yet collected as garbage are left out; hidden ones are not, because hiding is about showing. num_verts and
 // its siblings count what is left, in time proportional to all. Polys that only touch in a vert are all met by the rings of that vert, since
@@ -86,8 +86,8 @@ template<class P> concept is_openmesh_property = std::same_as<P, OpenMesh::VProp
 
 }  // namespace requirement
 
-/// A property of verts, edges or faces as a map, u = as_map(m, handle): u[v] is the mesh's own value, to be read, and written unless m is const.
-/// An OpenMesh::PropertyManager is such a map as it is.
+/// A property of verts, edges or faces as a map, u = as_map(m, handle): u[v] is the mesh's own value, to be read, and written unless m is
+/// const. An OpenMesh::PropertyManager is such a map as it is.
 /// Needs:  the property stays in the mesh as long as the map is used.              Cost: none; nothing is copied.
 /// Errors: invalid_argument if the handle is of no property.
 template<std::derived_from<OpenMesh::BaseKernel> M, requirement::is_openmesh_property P>

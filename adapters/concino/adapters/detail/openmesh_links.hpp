@@ -30,7 +30,8 @@ class openmesh_elements {
     if (status_) return status_[i].deleted();
     // Where there is no status of edges, delete_face takes an edge away by leaving no face on either side of it.
     if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>)
-      return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(Handle(i), 0)) && m_->is_boundary(m_->halfedge_handle(Handle(i), 1));
+      return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(Handle(i), 0)) &&
+             m_->is_boundary(m_->halfedge_handle(Handle(i), 1));
     return false;
   }
 
@@ -108,8 +109,8 @@ template<class M>
   requires requires { typename M::Point; }
 inline constexpr std::size_t openmesh_coordinates<M> = OpenMesh::vector_traits<typename M::Point>::size_;
 
-/// Refuses polys that OpenMesh cannot hold, with the reason, before anything has changed. OpenMesh's add_face makes the last three tests too, but
-/// its words go to the standard error stream.
+/// Refuses polys that OpenMesh cannot hold, with the reason, before anything has changed. OpenMesh's add_face makes the last three tests
+/// too, but its words go to the standard error stream.
 inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<const OpenMesh::VertexHandle> corners, int arity) {
   using OpenMesh::HalfedgeHandle, OpenMesh::VertexHandle;
   const auto refuse = [&](const std::string& why) { throw invalid_mesh("poly " + std::to_string(m.n_faces()) + " " + why); };
@@ -130,7 +131,8 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
     if (!m.is_boundary(a)) refuse("names " + name(a) + ", which has polys all around it; OpenMesh can hold no other there");
     sides.push_back(m.find_halfedge(a, b));
     if (sides.back().is_valid() && !m.is_boundary(sides.back()))
-      refuse("goes from " + name(a) + " to " + name(b) + " as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions");
+      refuse("goes from " + name(a) + " to " + name(b) +
+             " as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions");
   }
   for (std::size_t i = 0; i < n; ++i) {
     const HalfedgeHandle in = sides[i], out = sides[(i + 1) % n];
@@ -138,7 +140,9 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
     HalfedgeHandle gap = m.opposite_halfedge_handle(out);
     do gap = m.opposite_halfedge_handle(m.next_halfedge_handle(gap));
     while (!m.is_boundary(gap));
-    if (gap == in) refuse("closes the ring of polys around " + name(corners[(i + 1) % n]) + ", at which others stand in the gap; OpenMesh can hold no others there");
+    if (gap == in)
+      refuse("closes the ring of polys around " + name(corners[(i + 1) % n]) +
+             ", at which others stand in the gap; OpenMesh can hold no others there");
   }
 }
 
