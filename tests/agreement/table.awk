@@ -1,7 +1,8 @@
 # Prints README.md with the table between <!-- agreement --> and <!-- end of agreement --> made anew from what the tests of agreement wrote down:
 #   awk -f table.awk rows.txt README.md record...
 # A cell says + where every model of the column ran the algorithms and agreed, else which did: surfaces, volumes, or the names of their polys.
-# Columns of libraries that are not installed, of which no record tells, stay as README has them.
+# The last column names the concept where archetypes and strangers' meshes ran. Columns of which no record tells, such as those of libraries that are
+# not installed, stay as README has them.
 BEGIN {
   FS = "|"
   columns = split("trimesh|quadmesh|polygonmesh|tetmesh|hexmesh|polyhedralmesh|OpenMesh|CGAL::Surface_mesh|CGAL::Polyhedron_3|Eigen, span|Boost.Graph|views|your mesh", column, "|")
@@ -53,8 +54,9 @@ function row_line(row,   line, i, c) {
   line = "| " text[row] " |"
   for (i = 1; i <= columns; ++i) {
     c = column[i]
-    if (c == "your mesh") c = cell_of("archetypes", row) != "" && cell_of("your mesh", row) != "" ? needs[row] : ""
-    else if (c in known) c = cell_of(c, row)
+    if (c == "your mesh" && (c in known) && ("archetypes" in known))
+      c = cell_of("archetypes", row) != "" && cell_of("your mesh", row) != "" ? needs[row] : ""
+    else if (c != "your mesh" && (c in known)) c = cell_of(c, row)
     else c = old[text[row], i]
     line = line (c == "" ? " |" : " " c " |")
   }
