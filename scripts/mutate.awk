@@ -36,7 +36,7 @@ function note(change) {
 # What only makes room changes no result.
 /\.reserve\(|reserve_(facets|large)\(/ { print; next }
 /^ *(#|\/\/|template<|using |case |default:|enum |friend )|concept |requires|static_assert|[^_a-z]assert\(|operator ?[<>=!+*\/%&|-]+ ?\(/ { print; next }
-/^ *(inline |static )*constexpr [^(]*( = |\{)|if constexpr|<[A-Za-z_:]+, [A-Za-z_]+ [-+] [0-9]+>/ { all_text = 1 }
+/^ *(inline |static )*constexpr [^(]*( = |\{)|if constexpr|^ *[A-Za-z_:0-9]+ [a-z_]+\[[^;]*\];|<[A-Za-z_:]+, [A-Za-z_]+ [-+] [0-9]+>/ { all_text = 1 }
 {
   trimmed = $0; sub(/^ +/, "", trimmed)
   unfit_here = is_unfit[FNR] || all_text
@@ -68,7 +68,7 @@ function mutated(s,   out, i, n, c, prev, rest, token, op, width, inner, literal
       # Sizes of arrays and arguments of templates are constants.
       was_unfit = unfit_here
       k = substr(rest, RLENGTH + 1, 1)
-      if ((k == "]" && out ~ /(^ *|\()(const )?[A-Za-z_:0-9]+ [a-z_]+\[$/) || ((k == ">" || k == ",") && out ~ /[A-Za-z_]<([A-Za-z_:]+, )?$/)) unfit_here = 1
+      if ((k == "]" && out ~ /(^ *|\()(const )?[A-Za-z_:0-9]+ [a-z_]+\[$/) || ((k == ">" || k == ",") && out ~ /[A-Za-z_]<([A-Za-z_:<>0-9]+, )*$/)) unfit_here = 1
       if (literal ~ /^0(\.0)?[uUlLf]*$/) out = out place(literal, "mutant::number(@, " literal ")", "(" literal " + 1)", literal " -> +1")
       else out = out place(literal, "mutant::number_both_ways(@, " literal ")", "(" literal " + 1)", literal " -> +1", "(" literal " - 1)", literal " -> -1")
       unfit_here = was_unfit

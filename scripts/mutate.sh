@@ -89,17 +89,24 @@ compile() {
   "$compiler" "${flags[@]}" -I"$1" "${roots[@]}" -include "$build/common.hpp" "$tree/tests/$2_test.cpp" "$build/main.o" -o "$3" -lpthread >"$4" 2>&1
 }
 
+# limited <test> <program> [argument...]: in a few times the processor time that the test needs without a mutant, however busy the machine is.
+limited() {
+  local seconds
+  seconds=$(cat "$build/work/$1.limit")
+  shift
+  ( ulimit -v 4000000 -t "$seconds"; CONCINO_CORPUS=/nonexistent timeout -k 1 $((60 * seconds)) "$@" --abort-after=1 -nv ) >/dev/null 2>&1
+}
+
 # mutant <id>: runs the tests that met it, until one fails. Prints "id killed|survived|unmet by".
 mutant() {
   local id=$1 test met=0 status
   for test in $tests; do
     grep -qx "$id" "$build/work/$test.met" || continue
     met=1
-    ( ulimit -v 4000000
-      CONCINO_MUTANT=$id CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$build/work/$test.limit")" "$build/work/$test.run" --abort-after=1 -nv ) >/dev/null 2>&1
+    CONCINO_MUTANT=$id limited "$test" "$build/work/$test.run"
     status=$?
     if [ $status -ne 0 ]; then
-      case $status in 124 | 137) echo "$id killed $test timeout" ;; *) echo "$id killed $test" ;; esac
+      case $status in 124 | 137 | 152) echo "$id killed $test timeout" ;; *) echo "$id killed $test" ;; esac
       return
     fi
   done
@@ -115,9 +122,7 @@ mutant_by_kind() {
     for test in $tests; do
       grep -qx "$id" "$build/work/$test.$kind.met" || continue
       met=1
-      ( ulimit -v 4000000
-        CONCINO_MUTANT=$id CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$build/work/$test.limit")" "$build/work/$test.run" --abort-after=1 -nv \
-          --test-case="*<concino::$kind>*" ) >/dev/null 2>&1 || { found=1; break; }
+      CONCINO_MUTANT=$id limited "$test" "$build/work/$test.run" --test-case="*<concino::$kind>*" || { found=1; break; }
     done
     [ $met -eq 0 ] || [ $found -eq 1 ] || echo "$id $kind"
   done
@@ -134,7 +139,7 @@ as_text() {
       verdict=uncompiled
       break
     fi
-    if ! ( ulimit -v 4000000; CONCINO_CORPUS=/nonexistent timeout -k 1 "$(cat "$build/work/$test.limit")" "$place/run" --abort-after=1 -nv ) >/dev/null 2>&1; then
+    if ! limited "$test" "$place/run"; then
       verdict="killed $test"
       break
     fi
@@ -142,7 +147,7 @@ as_text() {
   rm -rf "$place"
   echo "$id $verdict text"
 }
-export -f mutant mutant_by_kind as_text compile
+export -f limited mutant mutant_by_kind as_text compile
 export kinds
 
 # All wanted headers with all their mutants in them, and every test of the table compiled with those, once. Lines that do not compile so
@@ -200,8 +205,8 @@ for test in "${all_tests[@]}"; do
     [ $changed -eq 1 ] || [ $round -eq 1 ] || { cat "$work/log"; break; }
     switch
   done
-  before=$(date +%s%N)
-  if ! CONCINO_CORPUS=/nonexistent CONCINO_MUTANTS_MET=$work/$test.met "$work/$test.run" >"$work/log" 2>&1; then
+  TIMEFORMAT=%U
+  if ! { time CONCINO_CORPUS=/nonexistent CONCINO_MUTANTS_MET=$work/$test.met "$work/$test.run" >"$work/log" 2>&1; } 2>"$work/seconds"; then
     cat "$work/log"
     echo "$test fails or does not compile without any mutant"
     missing+=("$test")
@@ -211,7 +216,7 @@ for test in "${all_tests[@]}"; do
       CONCINO_CORPUS=/nonexistent CONCINO_MUTANTS_MET=$work/$test.$kind.met "$work/$test.run" --test-case="*<concino::$kind>*" >/dev/null 2>&1
     done
   fi
-  echo $((2 + 5 * ($(date +%s%N) - before) / 1000000000)) >"$work/$test.limit"
+  awk '{ print int(2 + 5 * $1) }' "$work/seconds" >"$work/$test.limit"
 done
 echo "compiled ${#all_tests[@]} tests with all mutants of ${#headers[@]} headers ($SECONDS s)"
 
