@@ -8,6 +8,7 @@
 //   SM4  adj_e2p mirrors adj_p2e and adj_v2p mirrors adj_p2v, nothing twice
 //   SM5  adj_p2p(p) is the polys that share an edge with p
 //   SM6  where the type fixes the arity, adj_p2v(p) is that many verts
+//   SM7  where the type promises edges_in_order, see mesh_requirements.hpp
 #pragma once
 
 #include <concino/concepts/mesh_requirements.hpp>

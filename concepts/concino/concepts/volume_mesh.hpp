@@ -11,6 +11,7 @@
 //        and the other against it
 //   VM7  where polys are tets or hexes by type, adj_p2v lists 4 or 8 verts in the standard order: the tet's faces are 0 2 1, 0 1 3,
 //        0 3 2, 1 2 3, the hex's 0 3 2 1, 1 2 6 5, 4 5 6 7, 3 0 4 7, 0 1 5 4, 2 3 7 6, in any order
+//   VM8  where the type promises edges_in_order, see mesh_requirements.hpp
 #pragma once
 
 #include <concino/concepts/mesh_requirements.hpp>
