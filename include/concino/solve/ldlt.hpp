@@ -3,9 +3,8 @@
 
 #include <concino/detail/number_text.hpp>
 #include <concino/error.hpp>
-#include <concino/solve/detail/elimination.hpp>
 
-#include <Eigen/SparseCore>
+#include <Eigen/SparseCholesky>
 
 #include <cmath>
 #include <limits>
@@ -18,10 +17,9 @@ namespace concino {
 /// Only the lower triangle of the matrix is read.
 /// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular;
 ///         from solve if nothing was factorised, the right-hand side has another size or the solution is not finite.
-/// Source: Davis 2005, "Algorithm 849: a concise sparse Cholesky factorization package", with Eigen's approximate minimum degree ordering
-///         (Amestoy, Davis, Duff 1996).
+/// Source: Eigen's SimplicialLDLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996).
 class ldlt {
-  detail::elimination factors_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
   Eigen::Index size_ = -1;
 
  public:
@@ -36,9 +34,16 @@ class ldlt {
         if (!std::isfinite(it.value())) throw solver_error("ldlt: the matrix has an entry that is not finite");
         if (it.row() == c) diagonal[static_cast<std::size_t>(c)] += it.value();
       }
-    if (a.cols() > 0 && !factors_.factorize(a)) throw solver_error("ldlt: the matrix is singular: a pivot is 0");
+    if (a.cols() == 0) {
+      size_ = 0;
+      return;
+    }
+    factors_.compute(a);
+    if (factors_.info() != Eigen::Success) throw solver_error("ldlt: the matrix is singular: a pivot is 0");
+    const Eigen::VectorXd pivots = factors_.vectorD();
+    const auto& place = factors_.permutationP().indices();
     for (Eigen::Index c = 0; c < a.cols(); ++c) {
-      const double pivot = std::abs(factors_.pivot(c)), given = std::abs(diagonal[static_cast<std::size_t>(c)]);
+      const double pivot = std::abs(pivots[place[c]]), given = std::abs(diagonal[static_cast<std::size_t>(c)]);
       if (!(pivot > 1e-15 * given && pivot < std::numeric_limits<double>::infinity()))
         throw solver_error("ldlt: the matrix is singular to working precision in row " + detail::number_text(c) + ": of the diagonal entry " +
                            detail::number_text(given) + " elimination leaves " + detail::number_text(pivot));
