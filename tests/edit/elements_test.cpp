@@ -214,3 +214,27 @@ TEST_CASE_TEMPLATE("a refused edit changes nothing", M, CONCINO_ALL_KINDS) {
   CHECK_THROWS_AS(cn::remove_poly(m, cn::poly_id{0}), cn::invalid_mesh);
   CHECK_THROWS_AS(cn::remove_vert(m, cn::vert_id{}), cn::invalid_mesh);
 }
+
+TEST_CASE("a cell added to a face shares it, whichever way and from whichever vert the two walk it") {
+  const std::vector<cn::vec3> points(12);
+  const auto add = [](auto& m, const list& raw_corners) {
+    std::vector<cn::vert_id> corners;
+    for (const unsigned v : raw_corners) corners.push_back(cn::vert_id{v});
+    cn::add_poly(m, std::span<const cn::vert_id>(corners));
+  };
+  for (const list& added : {list{0, 1, 2, 4}, {1, 2, 0, 4}, {2, 0, 1, 4}, {0, 2, 1, 4}, {2, 1, 0, 4}, {4, 0, 1, 2}}) {
+    cn::tetmesh m(points, std::vector<list>{{0, 1, 2, 3}});
+    add(m, added);
+    CHECK(cn::num_faces(m) == 7);
+    keeps_all_laws(m);
+    equals_rebuilt(m);
+  }
+  for (const list& added : {list{0, 1, 2, 3, 8, 9, 10, 11}, {1, 2, 3, 0, 8, 9, 10, 11}, {3, 0, 1, 2, 8, 9, 10, 11}, {3, 2, 1, 0, 8, 9, 10, 11}, {0, 3, 2, 1, 8, 9, 10, 11},
+                            {8, 9, 10, 11, 2, 3, 0, 1}}) {
+    cn::hexmesh m(points, std::vector<list>{{0, 1, 2, 3, 4, 5, 6, 7}});
+    add(m, added);
+    CHECK(cn::num_faces(m) == 11);
+    keeps_all_laws(m);
+    equals_rebuilt(m);
+  }
+}
