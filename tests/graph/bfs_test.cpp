@@ -8,7 +8,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
+#include <type_traits>
 
 using namespace concino;
 using namespace concino::testing;
@@ -106,4 +108,38 @@ TEST_CASE("bfs: dual arcs of a grid of n^3 hexes number 3 n^2 (n - 1), reached f
   }
   CHECK(arcs == 2 * 3 * n * n * (n - 1));
   CHECK(farthest == 3 * (int(n) - 1));
+}
+
+TEST_CASE_TEMPLATE("bfs: bounds, targets and predecessors, on verts and on polys", M, CONCINO_ALL_KINDS) {
+  const M m = grid<M>(3);
+  const auto check = [&](const auto s, const auto nodes, auto before) {
+    using node = std::remove_const_t<decltype(s)>;
+    const auto hops = bfs(m, s);
+    for (int most = 0; most < 4; ++most) {
+      const auto near = bfs(m, s, {.max_hops = most});
+      for (const auto x : nodes) REQUIRE(near[x] == (hops[x] <= most ? hops[x] : -1));
+    }
+    const auto again = bfs(m, {s, s}, {.predecessors = &before});
+    for (const auto x : nodes) {
+      REQUIRE(again[x] == hops[x]);
+      if (x == s) REQUIRE(before[x] == s);
+      else REQUIRE(hops[before[x]] == hops[x] - 1);
+    }
+    const auto everywhere = bfs(m, s, {.may_cross = [](auto) { return true; }});
+    const auto nowhere = bfs(m, s, {.may_cross = [](auto) { return false; }});
+    for (const auto x : nodes) {
+      REQUIRE(everywhere[x] == hops[x]);
+      REQUIRE(nowhere[x] == (x == s ? 0 : -1));
+    }
+    const node a{1}, b{static_cast<unsigned>(hops.values().size() - 1)};
+    const int nearer = std::min(hops[a], hops[b]), farther = std::max(hops[a], hops[b]);
+    const auto all = bfs(m, s, {.targets = {a, b, a}}), one_of_them = bfs(m, s, {.targets = {a, b}, .nearest_target = true});
+    for (const auto x : nodes) {
+      REQUIRE(all[x] == (hops[x] <= farther ? hops[x] : -1));
+      REQUIRE(one_of_them[x] == (hops[x] <= nearer ? hops[x] : -1));
+    }
+    CHECK_THROWS_WITH_AS(bfs(m, s, {.max_hops = -1}), "bfs: max_hops is -1; it must be 0 or more", invalid_argument);
+  };
+  check(vert_id{0}, verts(m), make_vert_map<vert_id>(m));
+  check(poly_id{0}, polys(m), make_poly_map<poly_id>(m));
 }
