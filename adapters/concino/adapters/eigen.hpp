@@ -19,7 +19,9 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <string>
 #include <type_traits>
+#include <utility>
 
 namespace concino::detail {
 

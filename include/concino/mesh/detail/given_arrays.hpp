@@ -10,7 +10,10 @@
 #include <concino/mesh/surface_tables.hpp>
 
 #include <concepts>
+#include <cstdint>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
