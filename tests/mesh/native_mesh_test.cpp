@@ -73,6 +73,10 @@ TEST_CASE_TEMPLATE("any soup of polys is represented", M, CONCINO_ALL_KINDS) {
         for (const auto& side : sides[p])
           if (q != p && sides[q].count(side)) expected.insert(q);
       CHECK(raw_set(cn::adj_p2p(m, cn::poly_id{p})) == expected);
+      std::vector<cn::poly_id> by_iterators, by_call;
+      for (const auto q : cn::adj_p2p(m, cn::poly_id{p})) by_iterators.push_back(q);
+      cn::adj_p2p(m, cn::poly_id{p}).for_each([&](cn::poly_id q) { by_call.push_back(q); });
+      CHECK(by_call == by_iterators);
     }
   }
 }

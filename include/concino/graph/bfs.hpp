@@ -28,8 +28,8 @@ struct bfs_options {
 namespace detail {
 
 /// The search without what costs time in its loop when nobody asked for it.
-template<class G, class S>
-auto plain_bfs(const G& g, const S& sources, function_ref<bool(typename G::node)> may_enter) {
+template<bool Asks, class G, class S>
+auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(typename G::node)> may_enter) {
   using node = typename G::node;
   auto hops = make_node_map<int>(g, -1);
   int* const value = hops.values().data();
@@ -47,12 +47,14 @@ auto plain_bfs(const G& g, const S& sources, function_ref<bool(typename G::node)
     if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
       if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
     }
-    for (const node w : g.neighbours(v)) {
+    for_each_in(g.neighbours(v), [&](const node& w) {
       int& h = value[g.index(w)];
-      if (h >= 0 || (may_enter && !may_enter(w))) continue;
+      if (h >= 0) return;
+      if constexpr (Asks)
+        if (!may_enter(w)) return;
       h = next;
       queue.push(w);
-    }
+    });
   }
   return hops;
 }
@@ -91,7 +93,8 @@ template<class G, class S>
 auto bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
   if (options.max_hops < 0) throw invalid_argument("bfs: max_hops is " + number_text(options.max_hops) + "; it must be 0 or more");
   const bool plain = options.targets.empty() && !options.may_cross && !options.predecessors && options.max_hops == std::numeric_limits<int>::max();
-  return plain ? plain_bfs(g, sources, options.may_enter) : full_bfs(g, sources, options);
+  if (!plain) return full_bfs(g, sources, options);
+  return options.may_enter ? plain_bfs<true>(g, sources, options.may_enter) : plain_bfs<false>(g, sources, nullptr);
 }
 
 }  // namespace detail

@@ -4,6 +4,7 @@
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/detail/fetch.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -54,11 +55,11 @@ auto connected_components(const G& g, const component_options<typename G::node, 
       continue;
     }
     std::size_t mine = sets.root(i);
-    for (const node w : g.neighbours(v)) {
+    for_each_in(g.neighbours(v), [&](const node& w) {
       const std::size_t j = g.index(w);
-      if (j >= i) continue;
+      if (j >= i) return;
       if (const std::size_t theirs = sets.root(j); theirs != mine) mine = sets.unite_roots(mine, theirs);
-    }
+    });
   }
 
   auto of_root = std::vector<int>(barred ? g.bound() : 0, -1);

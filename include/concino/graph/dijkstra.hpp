@@ -35,12 +35,12 @@ template<class G>
                      (length < 0 ? number_text(length) : std::string("not a number")) + "; lengths must be 0 or more");
 }
 
-/// Full: with may_cross and predecessors, which are not even asked for otherwise.
+/// Full: with may_enter, may_cross and predecessors, which are not even asked for otherwise.
 template<bool Full, class G, class S, class L>
 auto search_by_length(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* who) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto may_enter = options.may_enter;
+  [[maybe_unused]] const auto may_enter = options.may_enter;
   [[maybe_unused]] const auto predecessors = options.predecessors;
   auto distance = make_node_map<double>(g, infinity);
   indexed_heap<node> queue(distance.values());
@@ -80,10 +80,7 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
     if constexpr (Full) {
       for_each_step(g, v, may_enter, options.may_cross, relax);
     } else {
-      for (const node w : g.neighbours(v)) {
-        if (may_enter && !may_enter(w)) continue;
-        relax(w);
-      }
+      for_each_in(g.neighbours(v), relax);
     }
   }
   queue.forget_waiting([&]([[maybe_unused]] const node& x) {
@@ -98,7 +95,7 @@ template<class G, class S, class L>
 auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options,
               const char* who = "dijkstra") {
   if (!(options.max_distance >= 0)) throw invalid_argument(std::string(who) + ": max_distance must be 0 or more");
-  return options.may_cross || options.predecessors ? search_by_length<true>(g, sources, lengths, options, who)
+  return options.may_enter || options.may_cross || options.predecessors ? search_by_length<true>(g, sources, lengths, options, who)
                                                    : search_by_length<false>(g, sources, lengths, options, who);
 }
 

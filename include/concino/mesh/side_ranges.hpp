@@ -131,6 +131,8 @@ class polys_across {
       }
     }
 
+    friend polys_across;
+
    public:
     using value_type = poly_id;
     using reference = poly_id;
@@ -158,6 +160,18 @@ class polys_across {
   polys_across(const across* first, const across* last, const rows<poly_id, 0>* crowds, poly_id self)
       : first_(first), last_(last), crowds_(crowds), self_(self) {}
   const void* row() const { return first_; }
+  /// Calls f(q) for all of them in the same order: without an iterator to carry, which short loops notice.
+  template<class F>
+  void for_each(F&& f) const {
+    for (const across* s = first_; s != last_; ++s) {
+      if (s->is_first()) [[likely]] {
+        f(poly_id{s->raw});
+      } else if (s->is_crowd()) {
+        for (const poly_id q : (*crowds_)[s->crowd()])
+          if (q != self_ && !iterator::met_before(first_, s, *crowds_, q)) f(q);
+      }
+    }
+  }
   iterator begin() const { return {first_, last_, crowds_, self_}; }
   iterator end() const { return {last_, last_, crowds_, self_}; }
 };
