@@ -42,7 +42,6 @@ graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path
 graph/bfs              graph/bfs graph/predecessors
 graph/detail/indexed_heap  graph/dijkstra
 graph/detail/lengths   graph/dijkstra
-graph/detail/sides     graph/dijkstra graph/predecessors
 graph/detail/targets   graph/bfs graph/dijkstra
 graph/detail/crossings graph/bfs graph/dijkstra graph/predecessors
 graph/detail/once_queue    graph/bfs

@@ -43,6 +43,7 @@ TEST_CASE("bfs: hops around a ring, one source and several") {
   CHECK(bfs(r, {vert_id{0}, vert_id{3}})[vert_id{2}] == 1);
   CHECK(bfs(r, std::vector{vert_id{5}, vert_id{5}})[vert_id{1}] == 3);
   CHECK(bfs(r, std::vector<vert_id>{})[vert_id{1}] == -1);
+  CHECK(bfs(r, std::vector<vert_id>(10000, vert_id{5}))[vert_id{1}] == 3);  // a source enters the queue once
 }
 
 TEST_CASE("bfs: may_enter bars nodes, but not the source") {
@@ -138,6 +139,10 @@ TEST_CASE_TEMPLATE("bfs: bounds, targets and predecessors, on verts and on polys
       REQUIRE(all[x] == (hops[x] <= farther ? hops[x] : -1));
       REQUIRE(one_of_them[x] == (hops[x] <= nearer ? hops[x] : -1));
     }
+    const auto around = bfs(m, s, {.may_enter = [a](const node& x) { return x != a; }});
+    const auto same = bfs(m, s, {.may_enter = [a](const node& x) { return x != a; }, .max_hops = 1000});
+    CHECK(around[a] == -1);
+    for (const auto x : nodes) REQUIRE(around[x] == same[x]);
     CHECK_THROWS_WITH_AS(bfs(m, s, {.max_hops = -1}), "bfs: max_hops is -1; it must be 0 or more", invalid_argument);
   };
   check(vert_id{0}, verts(m), make_vert_map<vert_id>(m));
