@@ -180,6 +180,14 @@ TEST_CASE("a face on the corners of another, and a poly of another's faces, name
   const std::vector<std::uint8_t> outward(faces.size(), 1);
   const cn::poly_id q = cn::mesh_traits<cn::polyhedralmesh>::add_poly(m, std::span<const cn::face_id>(faces.begin(), faces.size()), outward);
   CHECK(raw(cn::adj_p2f(m, q)) == those);
+
+  const list polys_before = raw(cn::polys(m));
+  const std::span<const cn::face_id> none, two(faces.begin(), 2);
+  const std::span<const std::uint8_t> no_flags, one_flag(outward.data(), 1);
+  const auto add = [&](auto list_of_faces, auto flags) { cn::mesh_traits<cn::polyhedralmesh>::add_poly(m, list_of_faces, flags); };
+  CHECK_THROWS_WITH_AS(add(none, no_flags), doctest::Contains("needs at least one face and an outward flag for each"), cn::invalid_mesh);
+  CHECK_THROWS_AS(add(two, one_flag), cn::invalid_mesh);
+  CHECK(raw(cn::polys(m)) == polys_before);
 }
 
 TEST_CASE("a mesh from nothing") {

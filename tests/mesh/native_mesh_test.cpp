@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
@@ -145,6 +146,24 @@ TEST_CASE("counts and Euler characteristic of grids") {
   for (const auto p : cn::polys(hexes))
     for ([[maybe_unused]] const auto q : cn::adj_p2p(hexes, p)) ++arcs;
   CHECK(arcs / 2 == 3 * 4 * 4 * 3);  // 3 n^2 (n-1)
+}
+
+TEST_CASE("two polygons glued along all their edges are neighbours once, however many those are") {
+  for (const unsigned n : {3u, 4u, 23u, 24u, 25u, 26u, 60u})
+    for (const bool third : {false, true}) {
+      std::vector<std::vector<unsigned>> lists(2);
+      for (unsigned i = 0; i < n; ++i) lists[0].push_back(i);
+      lists[1].assign(lists[0].rbegin(), lists[0].rend());
+      if (third) lists.push_back({1, 2, n});
+      const cn::polygonmesh m(std::vector<cn::vec3>(n + 1), lists);
+      for (unsigned p = 0; p < 2; ++p) {
+        std::vector<unsigned> met;
+        for (const auto q : cn::adj_p2p(m, cn::poly_id{p})) met.push_back(q.raw());
+        CHECK(met.size() == (third ? 2 : 1));
+        CHECK(std::count(met.begin(), met.end(), 1 - p) == 1);
+      }
+      keeps_all_laws(m);
+    }
 }
 
 TEST_CASE("polygons with many verts, glued along many edges") {
