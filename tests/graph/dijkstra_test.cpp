@@ -248,3 +248,14 @@ TEST_CASE("dijkstra: a mesh of a stranger, with coordinates that are no numbers"
   m.points[4][1] = inf;
   CHECK(dijkstra(m, tiny::vertex{0})[tiny::vertex{4}] == inf);
 }
+
+TEST_CASE("dijkstra: comparing squares loses no length that is less, at any scale") {
+  std::mt19937_64 random(4);
+  const auto any = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
+  for (const int scale : {0, -600, -550, -540, -530, -500, 500})
+    for (int i = 0; i < 500; ++i) {
+      const vec3 step{std::ldexp(any(), scale), std::ldexp(any(), scale), std::ldexp(any(), scale)};
+      const double length = norm(step), gap = std::nextafter(length, std::numeric_limits<double>::infinity());
+      REQUIRE(detail::distance_below(vec3{}, step, gap) == length);
+    }
+}
