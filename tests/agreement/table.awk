@@ -5,7 +5,7 @@
 # not installed, stay as README has them.
 BEGIN {
   FS = "|"
-  columns = split("trimesh|quadmesh|polygonmesh|tetmesh|hexmesh|polyhedralmesh|OpenMesh|CGAL::Surface_mesh|CGAL::Polyhedron_3|Eigen, span|Boost.Graph|views|your mesh", column, "|")
+  columns = split("trimesh|quadmesh|polygonmesh|tetmesh|hexmesh|polyhedralmesh|OpenMesh|CGAL::Surface_mesh|CGAL::Polyhedron_3|CGAL volumes|Eigen, span|Boost.Graph|views|your mesh", column, "|")
 }
 FNR == 1 { ++file }
 file == 1 {
