@@ -1,7 +1,10 @@
 // The conformance kit passes the library's own meshes in every state, views of them, and graphs that are no meshes.
 #include <concino/adapters/doctest.hpp>
 #include <concino/concepts/archetypes.hpp>
+#include <concino/concepts/views.hpp>
 #include <concino/mesh.hpp>
+#include <concino/mesh/boundary.hpp>
+#include <concino/mesh/submesh.hpp>
 #include <concino/testing/conformance.hpp>
 
 #include <support/soups.hpp>
@@ -26,6 +29,19 @@ TEST_CASE("meshes that others wrote, and what is stripped to one concept") {
   CHECK_MESSAGE(report.ok(), report.text());
   CHECK(report.models == std::vector<std::string>{"PrimalGraph"});
   CHECK(report.states == std::vector<std::string>{"as made"});
+}
+
+TEST_CASE_TEMPLATE("views of meshes conform", M, CONCINO_ALL_KINDS) {
+  const M m = cn::testing::grid<M>(3);
+  cn::check_conformance([&] { return cn::submesh(m, [](cn::poly_id p) { return p.raw() % 3 != 1; }); });
+  auto elsewhere = cn::make_vert_map<cn::vec3>(m);
+  for (const auto v : cn::verts(m)) elsewhere[v] = 2 * cn::point(m, v);
+  cn::check_conformance([&] { return cn::with_points(m, elsewhere); });
+  if constexpr (cn::VolumeMesh<M>) cn::check_conformance([&] { return cn::boundary(m); });
+  const auto verts_only = cn::conformance([&] { return cn::primal(m); });
+  CHECK_MESSAGE(verts_only.ok(), verts_only.text());
+  const auto polys_only = cn::conformance([&] { return cn::dual(m); });
+  CHECK_MESSAGE(polys_only.ok(), polys_only.text());
 }
 
 TEST_CASE("states that the caller knows of are looked at") {
