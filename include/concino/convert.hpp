@@ -27,7 +27,8 @@ namespace requirement {
 
 /// A mesh that can be made: from flat arrays, or by adding vert after vert and poly after poly.
 template<class To> concept is_made_of_arrays = concino::detail::from_surface<To> || concino::detail::from_cells<To> || concino::detail::from_polyhedra<To>;
-template<class To> concept is_made_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To>;
+template<class To> concept is_made_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To> &&
+    (dimension_v<To> == 2 || arity_v<To> == 4 || arity_v<To> == 8);
 template<class To, class From>
 concept can_be_made_from = AnyMesh<To> && AnyMesh<From> && Embedded<From> && dimension_v<To> == dimension_v<From> && (is_made_of_arrays<To> || is_made_by_adding<To>);
 
@@ -131,7 +132,7 @@ void carry_properties(conversion<To, From>& c, convert_report& report) {
 
 /// The same mesh as a To.
 /// Needs:  Embedded AnyMesh M and a To of the same dimension that is made from flat arrays (all six meshes of this library) or that can add verts
-///         and polys (OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly).
+///         and polys, in volumes tets or hexes (OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly).
 /// Result: c.mesh, and c.vert_of(v), c.edge_of(e), c.face_of(f), c.poly_of(p) name in it what stands for an element of m. Verts, polys and, in a
 ///         polyhedralmesh, faces are numbered as m walks them; gaps of deleted elements are closed. Named properties of this library's meshes come
 ///         along under their names; values in other maps by c.carry(map, map_of_the_new_mesh).

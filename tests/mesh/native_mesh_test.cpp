@@ -121,6 +121,14 @@ TEST_CASE("the polys around an edge: whole rings, several rings, rings beside op
   }
 }
 
+TEST_CASE("the polys around an edge: very many that share nothing else") {
+  constexpr unsigned n = 4000;
+  std::vector<std::array<unsigned, 4>> tets;
+  for (unsigned i = 0; i < n; ++i) tets.push_back({0, 1, 2 + 2 * i, 3 + 2 * i});
+  const cn::tetmesh m(std::vector<cn::vec3>(2 + 2 * n), tets);
+  CHECK(raw_set(cn::adj_e2p(m, *cn::adj_v2e(m, cn::vert_id{0}).begin())).size() == n);
+}
+
 TEST_CASE("the polys around an edge: where the same poly stands twice") {
   const cn::tetmesh m(std::vector<cn::vec3>(8), std::vector<std::array<unsigned, 4>>{{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 5, 6}, {0, 1, 6, 7}, {0, 1, 7, 4}});
   for (const auto e : cn::edges(m))

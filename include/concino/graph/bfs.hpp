@@ -4,6 +4,7 @@
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/fetch.hpp>
+#include <concino/graph/detail/for_each_in.hpp>
 #include <concino/graph/detail/once_queue.hpp>
 #include <concino/graph/detail/targets.hpp>
 #include <concino/graph/predecessors.hpp>

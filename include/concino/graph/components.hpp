@@ -4,7 +4,7 @@
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
-#include <concino/graph/detail/fetch.hpp>
+#include <concino/graph/detail/for_each_in.hpp>
 
 #include <cstddef>
 #include <utility>

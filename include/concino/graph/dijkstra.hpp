@@ -3,6 +3,7 @@
 
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/fetch.hpp>
+#include <concino/graph/detail/for_each_in.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 #include <concino/graph/detail/indexed_heap.hpp>
 #include <concino/graph/detail/lengths.hpp>

@@ -357,7 +357,10 @@ class cell_tables {
     polys_ = detail::live<poly_id>(poly_count);
 
     // What closes_early() takes for granted does not hold at the boundary, in crowds, and of polys that share two faces.
-    const auto check = [&](edge_id e) { check_fan(e, polys_at(e2v_.begin(e.raw())[0], e, uses[e.raw()])); };
+    // Once an edge is known to be crowded it is not counted again: each of its many faces comes by.
+    const auto check = [&](edge_id e) {
+      if (!is_crowded(e)) check_fan(e, polys_at(e2v_.begin(e.raw())[0], e, uses[e.raw()]));
+    };
     if (sides_.finish()) {
       for (std::uint32_t e = 0; e < edge_count; ++e) check(edge_id{e});
     } else {
@@ -408,7 +411,6 @@ class cell_tables {
 
   /// Marks e as crowded unless stepping around it meets as many polys as use it.
   void check_fan(edge_id e, std::uint32_t uses) {
-    if (is_crowded(e)) return;
     std::uint32_t n = 0;
     const auto around = adj_e2p(e);
     for (auto it = around.begin(), last = around.end(); it != last && n <= uses; ++it) ++n;

@@ -16,14 +16,6 @@ template<class T>
 const void* row_of(const id_span<T>& r) { return r.begin(); }
 inline const void* row_of(const polys_across& r) { return r.row(); }
 
-/// Calls f(x) for all elements of a range: by its own loop if it has one.
-template<class R, class F>
-void for_each_in(const R& r, F&& f) {
-  if constexpr (requires { r.for_each(f); }) r.for_each(f);
-  else
-    for (const auto x : r) f(x);
-}
-
 template<class R> concept lies_in_memory = requires(const R& r) { row_of(r); };
 
 }  // namespace concino::detail
