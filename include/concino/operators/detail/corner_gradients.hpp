@@ -1,0 +1,122 @@
+// The gradient of functions given at the verts of one poly, polygon or polyhedron: one vector for each vert. Gradient matrix, Laplacian and
+// masses are made of it.
+#pragma once
+
+#include <concino/geometry/measure.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace concino::detail {
+
+/// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i g_i. Used again
+/// for poly after poly, so that nothing is allocated for each.
+///
+/// Polygons: the integral of u times the outward normal along the edges, each linear, over the area; normal to the vector area.
+/// Polyhedra: the integral of u n over the faces, each a fan of linear triangles about its mean point with the mean value, over the volume.
+/// The faces are those by which `volume` is measured, so linear functions have their gradient whether faces are planar or not.
+template<AnyMesh M>
+  requires Embedded<M>
+struct corner_gradients {
+  std::vector<vert_t<M>> verts;
+  std::vector<vec3> place;     // of each vert, seen from the mean of the verts
+  std::vector<vec3> gradient;  // not finite where the poly has no measure
+  vec3 mean;                   // of the verts
+  vec3 normal;                 // of a polygon: its vector area
+  double measure = 0;          // area, or volume: negative for a poly turned inside out
+
+  void visit(const M& m, const poly_t<M>& p) {
+    verts.clear();
+    place.clear();
+    for (const vert_t<M> v : adj_p2v(m, p)) {
+      verts.push_back(v);
+      place.push_back(to_vec3(point(m, v)));
+    }
+    centre();
+    gradient.assign(verts.size(), vec3{});
+    if constexpr (SurfaceMesh<M>) {
+      visit_polygon();
+    } else {
+      measure = 0;
+      make_slots(m);
+      for (const face_t<M> f : adj_p2f(m, p)) add_face(m, f, face_is_outward(m, p, f) ? 1.0 : -1.0);
+      measure /= 3;
+      for (vec3& g : gradient) g = g / measure;
+    }
+  }
+
+ private:
+  std::vector<std::size_t> corner_;  // of one face: where its verts stand in `verts`
+  std::vector<vec3> around_;         // of one face: its verts seen from its mean point
+  std::vector<std::size_t> slot_;    // of polys of many verts
+  bool by_table_ = false;
+
+  void centre() {
+    const std::size_t n = place.size();
+    if (n == 0) {
+      mean = {};
+      return;
+    }
+    const vec3 origin = place[0];  // differences first: a poly far from the origin loses no digits
+    vec3 sum;
+    for (vec3& x : place) sum += x = x - origin;
+    const vec3 middle = sum / static_cast<double>(n);
+    for (vec3& x : place) x -= middle;
+    mean = origin + middle;
+  }
+
+  void visit_polygon() {
+    const std::size_t n = place.size();
+    normal = {};
+    for (std::size_t i = 0; i < n; ++i) normal += cross(place[i], place[i + 1 < n ? i + 1 : 0]);
+    normal *= 0.5;
+    measure = norm(normal);
+    const vec3 direction = normal / measure;
+    for (std::size_t i = 0; i < n; ++i) {
+      const vec3 across = place[i + 1 < n ? i + 1 : 0] - place[i > 0 ? i - 1 : n - 1];
+      gradient[i] = 0.5 * cross(across, direction) / measure;
+    }
+  }
+
+  /// Where v stands in `verts`: by looking, or, for polys of many verts, by a table over the verts of the mesh.
+  std::size_t corner_of(const M& m, const vert_t<M>& v) const {
+    if (by_table_) return slot_[static_cast<std::size_t>(index_of(m, v))];
+    std::size_t i = 0;
+    while (i < verts.size() && !(verts[i] == v)) ++i;
+    return i;
+  }
+  void make_slots(const M& m) {
+    by_table_ = verts.size() > 32;
+    if (!by_table_) return;
+    slot_.resize(static_cast<std::size_t>(vert_index_bound(m)));
+    for (std::size_t i = 0; i < verts.size(); ++i) slot_[static_cast<std::size_t>(index_of(m, verts[i]))] = i;
+  }
+
+  template<class Face>
+  void add_face(const M& m, const Face& f, double sign) {
+    corner_.clear();
+    around_.clear();
+    vec3 sum;
+    for (const vert_t<M> v : adj_f2v(m, f)) {
+      const std::size_t i = corner_of(m, v);
+      corner_.push_back(i);
+      around_.push_back(place[i]);
+      sum += place[i];
+    }
+    const std::size_t n = corner_.size();
+    if (n == 0) return;
+    const vec3 c = sum / static_cast<double>(n);
+    for (vec3& x : around_) x -= c;
+    vec3 area;
+    for (std::size_t i = 0; i < n; ++i) area += cross(around_[i], around_[i + 1 < n ? i + 1 : 0]);
+    area *= 0.5 * sign;
+    measure += dot(c, area);
+    const vec3 share = area / (3 * static_cast<double>(n));
+    for (std::size_t i = 0; i < n; ++i) {
+      const vec3 across = around_[i + 1 < n ? i + 1 : 0] - around_[i > 0 ? i - 1 : n - 1];
+      gradient[corner_[i]] += (sign / 6) * cross(around_[i], across) + share;
+    }
+  }
+};
+
+}  // namespace concino::detail
