@@ -2,12 +2,21 @@
 // masses are made of it.
 #pragma once
 
+#include <concino/detail/message.hpp>
+#include <concino/error.hpp>
 #include <concino/geometry/measure.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace concino::detail {
+
+template<class M>
+[[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* who, const M& m, const poly_t<M>& p) {
+  throw_joined<invalid_mesh>({who, ": poly ", static_cast<std::size_t>(index_of(m, p)), dimension_v<M> == 2 ? " has no area" : " has no volume",
+                              ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
+}
 
 /// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i g_i. Used again
 /// for poly after poly, so that nothing is allocated for each.
@@ -43,6 +52,13 @@ struct corner_gradients {
       measure /= 3;
       for (vec3& g : gradient) g = g / measure;
     }
+  }
+
+  /// Whether the poly visited last has a measure and finite points. Not for tolerances: the thinnest poly has gradients.
+  bool has_gradients() const {
+    double sum = measure;
+    for (const vec3& g : gradient) sum += g.x + g.y + g.z;
+    return std::isfinite(sum) && measure != 0;
   }
 
  private:
