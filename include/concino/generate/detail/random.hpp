@@ -1,0 +1,29 @@
+// Numbers that look random and are the same on every machine and with every compiler.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace concino::detail {
+
+/// Source: SplitMix64, Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators".
+class random_stream {
+  std::uint64_t state_;
+
+ public:
+  constexpr explicit random_stream(std::uint64_t seed) : state_(seed) {}
+
+  constexpr std::uint64_t next() {
+    std::uint64_t x = state_ += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+  }
+  /// In [0, 1), a multiple of 2^-53.
+  constexpr double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+  /// In [low, high]. The fused step is spelled out, so that no compiler's choice to fuse or not shows in the last bit.
+  double between(double low, double high) { return std::clamp(std::fma(unit(), high - low, low), low, high); }
+};
+
+}  // namespace concino::detail
