@@ -78,7 +78,10 @@ function mutated(s,   out, i, n, c, prev, rest, token, op, width, inner, literal
       token = substr(rest, 1, RLENGTH)
       if (token == "true" || token == "false") {
         op = token == "true" ? "false" : "true"
+        was_unfit = unfit_here
+        if (substr(rest, RLENGTH + 1, 1) ~ /[>,]/ && out ~ /[A-Za-z_]<([A-Za-z_:<>0-9]+, )*$/) unfit_here = 1
         out = out place(token, "mutant::truth(@, " token ")", op, token " -> " op)
+        unfit_here = was_unfit
       } else if ((token == "if" || token == "while") && (inner = simple_condition(substr(rest, RLENGTH + 1))) != "") {
         out = out token " (" place("", "mutant::condition(@)->*", "!", "condition -> not"); RLENGTH = length(token) + 2
       } else out = out token

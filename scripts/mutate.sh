@@ -242,18 +242,21 @@ for header in "${headers[@]}"; do
   awk -F'\t' -v OFS='\t' 'NR == FNR { i = index($0, " "); verdict[substr($0, 1, i - 1)] = substr($0, i + 1); next } ($1 in verdict) { print $1, verdict[$1], $2 ".hpp:" $3, $5, $6 }' \
     "$work/verdicts.all" "$work/list.tsv" >"$work/result.tsv"
 
-  # Lines of equivalent_mutants.txt: header, change (* for any), part of the line, reason; with tabs between.
-  awk -F'\t' -v header="$header" -v survivors="$work/survivors" -v results="$work/result.tsv" '
+  # Lines of equivalent_mutants.txt: header, change (* for any), part of the line, reason; with tabs between. One of them that is not used
+  # may be of a mutant that was not chosen to be compiled.
+  awk -F'\t' -v header="$header" -v survivors="$work/survivors" -v results="$work/result.tsv" -v list="$work/list.tsv" '
+    function explains(i, how, line) { return (change[i] == "*" || change[i] == how) && index(line, text[i]) }
     BEGIN { printf "" > survivors }
     FILENAME != results { if ($0 !~ /^#/ && NF == 4 && $1 == header) { ++n; change[n] = $2; text[n] = $3 } next }
     $2 ~ /^killed/ { ++killed; next }
     $2 ~ /^uncompiled/ { next }
     {
-      for (i = 1; i <= n; ++i) if ((change[i] == "*" || change[i] == $4) && index($5, text[i])) { ++explained; used[i] = 1; next }
+      for (i = 1; i <= n; ++i) if (explains(i, $4, $5)) { ++explained; used[i] = 1; next }
       ++survived
       print > survivors
     }
     END {
+      while ((getline <list) > 0) if ($4 == "text") for (i = 1; i <= n; ++i) if (explains(i, $5, $6)) used[i] = 1
       for (i = 1; i <= n; ++i) if (!used[i]) print header ": explained, but there is no such survivor: " change[i] " in " text[i] > "/dev/stderr"
       print killed + 0, survived + 0, explained + 0
     }' scripts/equivalent_mutants.txt "$work/result.tsv" >"$work/counts" || exit 1

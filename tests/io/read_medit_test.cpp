@@ -134,6 +134,7 @@ TEST_CASE("read_medit: messages say what is wrong") {
   CHECK(says(head + points + "Tetrahedra\n1\n1 2 3 5 0\nEnd\n").starts_with("11: "));
   CHECK(complaint<trimesh>(head + points + "Quadrilaterals\n1\n1 2 3 4 0\nEnd\n", file_format::medit) ==
         "11: a triangle (polygonmesh and load_any take any polygon) | an element of section Quadrilaterals");
+  CHECK(complaint<hexmesh>(one_tet, file_format::medit) == "11: a hex (polyhedralmesh and load_any take any cell) | an element of section Tetrahedra");
   CHECK_THROWS_WITH_AS(medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd"),
                        "t.mesh: holds a surface of 1 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
   // cells are not even looked at where a surface is wanted
@@ -188,6 +189,16 @@ TEST_CASE("read_medit: a mesh without polys is of the wanted kind, and what can 
   CHECK(tets.dimension == 3);
   CHECK(tets.polys == 1);
   CHECK(triangles.dimension == 2);
+  struct volume {
+    bool cells;
+    explicit volume(cell_arrays&&) : cells(true) {}
+    explicit volume(polyhedra_arrays&&) : cells(false) {}
+  };
+  const auto is_of_cells = [](const std::string& text) { return load_text<volume>(text, file_format::medit).cells; };
+  CHECK(is_of_cells(one_tet));
+  CHECK(is_of_cells(cube + "Hexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd"));
+  CHECK(!is_of_cells(cube + "Pyramids 1\n5 6 7 8 9 0\nEnd"));
+  CHECK(!is_of_cells(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd"));
   CHECK(triangles.polys == 1);
 }
 

@@ -192,6 +192,9 @@ TEST_CASE("read_obj: a backslash joins lines everywhere but in comments") {
   CHECK(line("v") == 1);
   CHECK(line(points + "f") == 5);
   CHECK(obj(points + "v 0 0 9 # c\nf 1 2 3/").points.size() == 5);
+  // but one inside a line that is skipped joins nothing
+  CHECK(raw(obj(points + "l 1\\2 \\ 3\nf 1 2 3\n").verts) == std::vector<unsigned>{0, 1, 2});
+  for (const std::string last : {"s 1", "g", "g a", "l 1 2\\"}) CHECK(obj(points + "f 1 2 3\n" + last).num_polys() == 1);
 }
 
 TEST_CASE("read_obj: messages say what is wrong") {
@@ -223,6 +226,7 @@ TEST_CASE("read_obj: what is skipped is counted once, whatever there is besides"
                                               "2 lines with other keywords, the first 'shadow_obj' on line 5"});
   CHECK(obj(points).offsets == std::vector<std::uint32_t>{0});
   CHECK(obj(points).arity == 0);
+  CHECK(num_verts(load_text<trimesh>(points, file_format::obj)) == 4);
 }
 
 TEST_CASE("read_obj: groups of polygons of different sizes, from the first on") {
@@ -234,6 +238,7 @@ TEST_CASE("read_obj: groups of polygons of different sizes, from the first on") 
     return all;
   };
   CHECK(labels("g a\nf 1 2 3\ng b\nf 1 2 3 4\ng c\nf 1 2 4\ng a\nf 2 3 4\n") == std::vector<int>{1, 2, 3, 1});
+  CHECK(labels("g a\nf 1 2 3 4\ng b\nf 1 2 3\ng c\nf 1 2 4\ng d\nf 2 3 4\n") == std::vector<int>{1, 2, 3, 4});
   CHECK(labels("g # nothing\nf 1 2 3\n").empty());
   CHECK(labels("o label_5\nf 1 2 3\n") == std::vector<int>{1});
   CHECK(labels("g label_7\nf 1 2 3\n") == std::vector<int>{7});

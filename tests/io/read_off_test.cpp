@@ -205,6 +205,7 @@ TEST_CASE("read_off: errors name the line") {
   CHECK(line("") == 1);
   CHECK(line(" \n# c\n") == 2);
   CHECK(line("OFF") == 1);
+  CHECK(line("OFF BINARY") == 1);
   CHECK(line("OFF\n4\n") == 2);
   CHECK(line("OFF\n-4 4 0\n" + points) == 2);
   CHECK(line("OFF\n4 -4 0\n" + points) == 2);
@@ -324,6 +325,7 @@ TEST_CASE("read_off: meshes take only polys that they can hold") {
   CHECK(bad_line<trimesh>(both, file_format::off) == 8);
   CHECK(bad_line<quadmesh>(both, file_format::off) == 7);
   CHECK(num_polys(mesh(both)) == 2);
+  CHECK(num_verts(load_text<trimesh>("OFF\n1 0\n0 0 0\n", file_format::off)) == 1);
   CHECK_THROWS_AS(load_text<tetmesh>(both, file_format::off), unsupported);
   const temporary_folder dir;
   write_file(dir / "a.Off", tet);

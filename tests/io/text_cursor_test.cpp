@@ -171,6 +171,17 @@ TEST_CASE("text_cursor: progress is told about a hundred times, and not without 
   alone.tell();
 }
 
+TEST_CASE("first_repeated: any number of verts, whatever their numbers") {
+  for (const std::uint32_t n : {33u, 64u, 65u, 128u, 200u, 1000u})
+    for (const std::uint32_t step : {1u, 2u, 64u, 65536u, 0x9e3779b1u}) {
+      std::vector<vert_id> v, scratch;
+      for (std::uint32_t i = 0; i < n; ++i) v.push_back(vert_id{i * step});
+      CHECK(first_repeated(v.data(), n, scratch) == n);
+      v.push_back(v[n / 2]);
+      CHECK(first_repeated(v.data(), n + 1, scratch) == n);
+    }
+}
+
 TEST_CASE("first_repeated: neighbours, among few and many") {
   std::vector<vert_id> v, scratch;
   for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});

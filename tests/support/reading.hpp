@@ -41,7 +41,7 @@ M load_alone(const std::string& text, file_format format, const load_options& op
     }
   };
   const std::string expected = outcome(text);
-  for (const char* tail : {"7", "/7", "\\\n7", "\n7", "e5", "#", "Y\n"}) CHECK(outcome(std::string_view(text + tail).substr(0, text.size())) == expected);
+  for (const char* tail : {"7", "/7", " 7", "\\\n7", "\n7", "e5", "#", "Y\n"}) CHECK(outcome(std::string_view(text + tail).substr(0, text.size())) == expected);
   return load_text<M>(text, format, options, name);
 }
 

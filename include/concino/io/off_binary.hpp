@@ -174,7 +174,7 @@ class off_binary_reader {
       }
     } else {
       for (std::uint32_t i = 0; i < n; ++i) real();
-      num_odd_ += n > 0;
+      num_odd_ += n != 0;
     }
   }
 };

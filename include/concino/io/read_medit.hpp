@@ -191,7 +191,7 @@ class medit_reader : token_cursor {
     for (const part& p : put_off_) has_cells = has_cells || (p.section->volume && p.count > 0);
     for (const part& p : put_off_) {
       if (p.section->volume != has_cells) {
-        if (has_cells && p.count > 0) tell_of_skipped(p.section->keyword, p.count);
+        if (p.count > 0) tell_of_skipped(p.section->keyword, p.count);
         continue;
       }
       // Where the kind is wrong anyway, load() says so better than the line of some element would.

@@ -29,7 +29,6 @@ class obj_reader : text_cursor {
   void read(load_report& report) {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
     if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), {"verts and faces"}, {"an empty file"});
-    if (wanted_.surface) arity_ = wanted_.arity;
     make_room(all);
     lines();
     // Indices may name what comes later in the file, so the bounds are known only now. A file that breaks them is read once more, with
@@ -60,13 +59,11 @@ class obj_reader : text_cursor {
     reserve_large(out_.verts, room_for(scale * static_cast<double>(corners)));
   }
 
+  /// Ends with an error: what does not lead to it stays as it is.
   [[gnu::noinline, gnu::cold]] void restart(const char* from) {
     out_.points.clear();
     out_.offsets.clear();
     out_.verts.clear();
-    extra_.vert_colors.resize(0);
-    for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) names->clear();
-    libraries_.clear();
     at = from;
     num_textures_ = num_normals_ = 0;
     lines();

@@ -36,7 +36,7 @@ class off_reader : off_cursor {
       skip_space('#');
       if (!at_end()) report_.skipped.push_back(joined({"what follows the last poly, from line ", line_of(at), " on"}));
     }
-    if (out_.offsets.empty()) out_.arity = arity_ ? arity_ : wanted_.arity;
+    if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
     finish_attributes();
   }
