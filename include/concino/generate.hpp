@@ -1,0 +1,4 @@
+// Meshes made from nothing, or from another mesh.
+#pragma once
+
+#include <concino/generate/grid.hpp>
