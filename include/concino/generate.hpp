@@ -1,4 +1,6 @@
 // Meshes made from nothing, or from another mesh.
 #pragma once
 
+#include <concino/generate/grade.hpp>
 #include <concino/generate/grid.hpp>
+#include <concino/generate/jitter.hpp>

@@ -1,0 +1,17 @@
+// What functions that move points refuse.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/error.hpp>
+#include <concino/geometry/vec3.hpp>
+
+namespace concino::detail {
+
+template<Embedded M>
+void check_points_finite(const char* what, const M& m) {
+  for (const vert_t<M> v : verts(m))
+    if (!is_finite(to_vec3(point(m, v))))
+      throw_joined<invalid_mesh>({what, ": vert ", index_of(m, v), " is not at a finite point; nothing was moved"});
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,45 @@
+// Cells that grow from one end of the mesh to the other.
+#pragma once
+
+#include <concino/detail/number_text.hpp>
+#include <concino/generate/detail/finite.hpp>
+#include <concino/geometry/bounding_box.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace concino {
+
+/// Moves every vert along each axis from x to min + (max - min) ((x - min) / (max - min))^power, within the bounding box of m.
+/// Needs:  MutablePoints M with verts; powers above 0: above 1 cells are small at min, below 1 at max.
+/// Result: m, with the same bounding box. An axis along which m has no extent, or whose power is 1, is left alone.
+/// Cost:   O(V) time, O(V) memory.
+/// Errors: invalid_argument if a power is not finite or not above 0; invalid_mesh that names a vert without a finite point, or says that m is wider
+///         than the largest number there is. m stays as it is then.
+template<MutablePoints M>
+  requires requirement::has_verts<M>
+void grade(M& m, const vec3& powers) {
+  for (const std::size_t k : {0u, 1u, 2u})
+    if (!(powers[k] > 0 && powers[k] <= std::numeric_limits<double>::max()))
+      detail::throw_joined<invalid_argument>({"grade: the power along ", std::string(k == 0 ? "x" : k == 1 ? "y" : "z"), " is ",
+                                              detail::number_text(powers[k]), "; it must be finite and above 0"});
+  detail::check_points_finite("grade", m);
+  const box b = bounding_box(m);
+  if (!b.is_empty() && !is_finite(b.max - b.min)) throw invalid_mesh("grade: the mesh is wider than the largest number; nothing was moved");
+  std::vector<vec3> moved;
+  for (const vert_t<M> v : verts(m)) {
+    vec3 x = to_vec3(point(m, v));
+    for (const std::size_t k : {0u, 1u, 2u}) {
+      const double extent = b.max[k] - b.min[k];
+      if (powers[k] == 1 || !(extent > 0) || x[k] == b.max[k]) continue;
+      x[k] = b.min[k] + extent * std::pow((x[k] - b.min[k]) / extent, powers[k]);
+    }
+    moved.push_back(x);
+  }
+  std::size_t k = 0;
+  for (const vert_t<M> v : verts(m)) set_point(m, v, moved[k++]);
+}
+
+}  // namespace concino

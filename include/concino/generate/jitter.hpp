@@ -1,0 +1,96 @@
+// Verts moved at random, by a share of what their edges allow.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/detail/number_text.hpp>
+#include <concino/generate/detail/finite.hpp>
+#include <concino/generate/detail/random.hpp>
+#include <concino/geometry/polygon.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace concino {
+
+struct jitter_options {
+  std::uint64_t seed = 1;     // another seed, other moves
+  bool keep_boundary = true;  // verts of the border of a surface, or of the boundary of a volume, stay
+  bool in_plane = true;       // surfaces: moves lie in the plane perpendicular to the sum of the vector areas around the vert
+};
+
+namespace detail {
+
+/// By index: the verts of edges (surfaces) or faces (volumes) with exactly one poly.
+template<AnyMesh M>
+std::vector<unsigned char> boundary_verts(const M& m) {
+  std::vector<unsigned char> on_boundary(vert_index_bound(m));
+  const auto mark = [&](const auto& facet_polys, const auto& facet_verts) {
+    std::size_t n = 0;
+    for ([[maybe_unused]] const poly_t<M> p : facet_polys) ++n;
+    if (n != 1) return;
+    for (const vert_t<M> v : facet_verts) on_boundary[index_of(m, v)] = 1;
+  };
+  if constexpr (SurfaceMesh<M>)
+    for (const edge_t<M> e : edges(m)) mark(adj_e2p(m, e), adj_e2v(m, e));
+  else
+    for (const face_t<M> f : faces(m)) mark(adj_f2p(m, f), adj_f2v(m, f));
+  return on_boundary;
+}
+
+}  // namespace detail
+
+/// Moves the interior verts of m at random, each by at most `amount` times its shortest edge along every axis.
+/// Needs:  MutablePoints AnyMesh. Cells of good shape stay valid up to an amount of about 0.2.
+/// Result: m; how far a vert may move follows from the points before the call. A flat surface stays in its plane (options.in_plane). Verts
+///         without edges stay, and with in_plane those around which the vector areas cancel out. The random numbers depend on the seed and the order of verts(m) alone, on every machine.
+/// Cost:   O(V + E) time, O(V) memory.
+/// Errors: invalid_argument if amount is not finite or below 0; invalid_mesh that names a vert without a finite point. m stays as it is then.
+/// Source: random_stream: Steele, Lea, Flood 2014 (SplitMix64).
+template<AnyMesh M>
+  requires MutablePoints<M>
+void jitter(M& m, double amount, const jitter_options& options = {}) {
+  if (!(amount >= 0 && amount <= std::numeric_limits<double>::max()))
+    detail::throw_joined<invalid_argument>({"jitter: amount is ", detail::number_text(amount), "; it must be finite and 0 or more"});
+  detail::check_points_finite("jitter", m);
+  std::vector<unsigned char> stays(vert_index_bound(m));
+  if (options.keep_boundary) stays = detail::boundary_verts(m);
+
+  std::vector<vec3> normal;
+  if constexpr (SurfaceMesh<M>) {
+    if (options.in_plane) {
+      normal.resize(vert_index_bound(m));
+      for (const poly_t<M> p : polys(m)) {
+        const vec3 area = shape_of(m, adj_p2v(m, p)).area;
+        for (const vert_t<M> v : adj_p2v(m, p)) normal[index_of(m, v)] += area;
+      }
+    }
+  }
+  std::vector<vec3> moved;
+  moved.reserve(num_verts(m));
+  detail::random_stream random(options.seed);
+  for (const vert_t<M> v : verts(m)) {
+    const vec3 x = to_vec3(point(m, v));
+    const double dx = random.between(-1, 1), dy = random.between(-1, 1), dz = random.between(-1, 1);  // also where not needed: each vert has its own
+    const std::size_t i = index_of(m, v);
+    double shortest = std::numeric_limits<double>::infinity();
+    if (!stays[i])
+      for (const vert_t<M> w : adj_v2v(m, v)) shortest = std::min(shortest, distance(x, to_vec3(point(m, w))));
+    if (!(shortest < std::numeric_limits<double>::infinity())) {
+      moved.push_back(x);
+      continue;
+    }
+    vec3 step{dx, dy, dz};
+    if (!normal.empty()) {
+      const double length = norm(normal[i]);
+      const vec3 n = normal[i] / length;
+      step -= dot(n, step) * n;
+      if (!is_finite(step)) step = {};  // no plane
+    }
+    moved.push_back(x + amount * shortest * step);
+  }
+  std::size_t k = 0;
+  for (const vert_t<M> v : verts(m)) set_point(m, v, moved[k++]);
+}
+
+}  // namespace concino
