@@ -4,3 +4,5 @@
 #include <concino/generate/grade.hpp>
 #include <concino/generate/grid.hpp>
 #include <concino/generate/jitter.hpp>
+#include <concino/generate/random_points.hpp>
+#include <concino/generate/voronoi_polygons.hpp>

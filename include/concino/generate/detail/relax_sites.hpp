@@ -1,0 +1,24 @@
+// Lloyd's iteration: sites move to the centroids of their Voronoi cells.
+#pragma once
+
+#include <concino/generate/detail/voronoi_complex.hpp>
+#include <concino/geometry/centroid.hpp>
+
+namespace concino::detail {
+
+/// diagram(sites, domain) after `rounds` rounds.
+template<class Sites, class Diagram>
+auto with_relaxed_sites(const Sites& given, const box& domain, unsigned rounds, const Diagram& diagram) {
+  std::vector<vec3> sites;
+  for (const auto& x : given) sites.push_back(to_vec3(x));
+  for (; rounds > 0; --rounds) {
+    const auto m = diagram(sites, domain);
+    parallel_for(sites.size(), [&](std::size_t i) {
+      const vec3 c = centroid(m, poly_id{i});
+      for (std::size_t k = 0; k < 3; ++k) sites[i][k] = std::clamp(c[k], domain.min[k], domain.max[k]);
+    });
+  }
+  return diagram(sites, domain);
+}
+
+}  // namespace concino::detail

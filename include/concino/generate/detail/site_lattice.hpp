@@ -1,0 +1,167 @@
+// The sites of a Voronoi diagram on a lattice as fine as rounding, so that which site is nearer is decided in integers, and in a grid of bins.
+#pragma once
+
+#include <concino/error.hpp>
+#include <concino/geometry/bounding_box.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// Sites in a box of D dimensions, each coordinate an integer from 0 to at most 2^49: the lattice divides the longest side of the box by 2^48 or more.
+template<int D>
+class site_lattice {
+ public:
+  using place = std::array<std::int64_t, D>;
+  static constexpr int bits = 49;  // the determinants of D + 1 bisectors then fit into 256 bits
+
+  template<class Sites>
+  site_lattice(const Sites& sites, const box& domain) : domain_(domain) {
+    double longest = 0;
+    for (std::size_t k = 0; k < D; ++k) {
+      const double side = domain.max[k] - domain.min[k];
+      if (!(side > 0) || !std::isfinite(side))
+        throw_joined<invalid_argument>({"the box of a Voronoi diagram needs finite corners, max above min, in each of its ", std::size_t{D}, " directions"});
+      longest = std::max(longest, side);
+    }
+    std::frexp(longest, &exponent_);
+    exponent_ -= bits;
+    for (std::size_t k = 0; k < D; ++k) {
+      size_[k] = to_lattice(domain.max[k], k);
+      if (size_[k] < 1 << 16) throw_joined<invalid_argument>({"the box of a Voronoi diagram is more than 2^32 times as long as it is wide"});
+    }
+    std::size_t i = 0;
+    for (const auto& given : sites) {
+      const vec3 x = to_vec3(given);
+      place p{};
+      for (std::size_t k = 0; k < D; ++k) {
+        if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k])) throw_joined<invalid_argument>({"site ", i, " is not finite or lies outside the box"});
+        p[k] = to_lattice(x[k], k);
+      }
+      places_.push_back(p);
+      ++i;
+    }
+    if (places_.empty()) throw_joined<invalid_argument>({"a Voronoi diagram needs at least one site"});
+    if (places_.size() >= 0xffffff00u) throw_joined<invalid_argument>({"a Voronoi diagram of ", places_.size(), " sites is too large"});
+    sort_into_bins();
+  }
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(places_.size()); }
+  const place& operator[](std::size_t i) const { return places_[i]; }
+  std::int64_t side(std::size_t k) const { return size_[k]; }
+
+  /// A point given in lattice steps, back in the box.
+  double from_lattice(double x, std::size_t k) const {
+    return std::clamp(domain_.min[k] + std::ldexp(x, exponent_), domain_.min[k], domain_.max[k]);
+  }
+  const box& domain() const { return domain_; }
+
+  /// Calls visit(j) for the other sites near site i, ring of bins after ring, until no site farther than reach() away is left out: reach() is asked again
+  /// after each ring and in lattice steps.
+  template<class Reach, class Visit>
+  void for_each_near(std::uint32_t i, const Reach& reach, std::vector<std::pair<double, std::uint32_t>>& ring, const Visit& visit) const {
+    const place& x = places_[i];
+    place centre;
+    for (std::size_t k = 0; k < D; ++k) centre[k] = bin_of(x[k], k);
+    for (std::int64_t s = 0;; ++s) {
+      ring.clear();
+      collect(i, centre, s, reach(), ring);
+      std::sort(ring.begin(), ring.end());
+      for (const auto& [squared, j] : ring) visit(j, squared);
+      // What was not yet seen lies beyond the block of bins up to ring s.
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < D; ++k) {
+        if (centre[k] - s > 0) nearest = std::min(nearest, static_cast<double>(x[k] - (centre[k] - s) * width_[k]));
+        if (centre[k] + s + 1 < bins_[k]) nearest = std::min(nearest, static_cast<double>((centre[k] + s + 1) * width_[k] - x[k]));
+      }
+      if (nearest > reach()) return;
+    }
+  }
+
+ private:
+  box domain_;
+  int exponent_ = 0;  // a step of the lattice is 2^exponent_
+  place size_{};      // of the box
+  std::vector<place> places_;
+  place bins_{}, width_{};
+  std::vector<std::uint32_t> first_, sites_;  // sites by bin
+
+  std::int64_t to_lattice(double x, std::size_t k) const { return std::llround(std::ldexp(x - domain_.min[k], -exponent_)); }
+  std::int64_t bin_of(std::int64_t x, std::size_t k) const { return std::min(x / width_[k], bins_[k] - 1); }
+
+  std::size_t bin_of(const place& x) const {
+    std::int64_t b = 0;
+    for (std::size_t k = D; k-- > 0;) b = b * bins_[k] + bin_of(x[k], k);
+    return static_cast<std::size_t>(b);
+  }
+
+  /// Bins as near to cubes as the box allows, two sites in each on average.
+  void sort_into_bins() {
+    bins_.fill(0);
+    for (std::size_t again = 0; again < D; ++again) {  // sides shorter than a bin get one, the others share the sites anew
+      double content = 2 / static_cast<double>(places_.size());
+      int free = 0;
+      for (std::size_t k = 0; k < D; ++k)
+        if (bins_[k] != 1) content *= static_cast<double>(size_[k]), ++free;
+      if (free == 0) break;
+      const double edge = std::pow(content, 1.0 / free);
+      for (std::size_t k = 0; k < D; ++k)
+        if (bins_[k] != 1) bins_[k] = std::max<std::int64_t>(1, static_cast<std::int64_t>(static_cast<double>(size_[k]) / edge));
+    }
+    std::size_t total = 1;
+    for (std::size_t k = 0; k < D; ++k) {
+      width_[k] = size_[k] / bins_[k] + 1;
+      total *= static_cast<std::size_t>(bins_[k]);
+    }
+    first_.assign(total + 1, 0);
+    for (const place& x : places_) ++first_[bin_of(x) + 1];
+    for (std::size_t b = 0; b < total; ++b) first_[b + 1] += first_[b];
+    auto next = first_;
+    sites_.resize(places_.size());
+    for (std::uint32_t i = 0; i < size(); ++i) sites_[next[bin_of(places_[i])]++] = i;
+  }
+
+  /// The sites in the bins whose largest distance to the bin `centre`, counted in bins, is s; those farther than `reach` from site i left out.
+  void collect(std::uint32_t i, const place& centre, std::int64_t s, double reach, std::vector<std::pair<double, std::uint32_t>>& out) const {
+    place low, high, at;
+    for (std::size_t k = 0; k < D; ++k) {
+      low[k] = std::max<std::int64_t>(0, centre[k] - s);
+      high[k] = std::min(bins_[k] - 1, centre[k] + s);
+    }
+    at = low;
+    for (;;) {
+      bool edge = s == 0;
+      for (std::size_t k = 1; k < D; ++k) edge = edge || std::abs(at[k] - centre[k]) == s;
+      // Along the first direction: all bins, or only those at the two ends.
+      const std::int64_t step = edge ? 1 : 2 * s;
+      for (at[0] = edge ? low[0] : centre[0] - s; at[0] <= high[0]; at[0] += step)
+        if (at[0] >= low[0]) take(i, at, reach, out);
+      std::size_t k = 1;
+      while (k < D && ++at[k] > high[k]) at[k] = low[k], ++k;
+      if (k == D) return;
+    }
+  }
+
+  void take(std::uint32_t i, const place& at, double reach, std::vector<std::pair<double, std::uint32_t>>& out) const {
+    const place& x = places_[i];
+    std::int64_t b = 0;
+    for (std::size_t k = D; k-- > 0;) b = b * bins_[k] + at[k];
+    for (std::uint32_t n = first_[static_cast<std::size_t>(b)]; n < first_[static_cast<std::size_t>(b) + 1]; ++n) {
+      const std::uint32_t j = sites_[n];
+      if (j == i) continue;
+      double squared = 0;
+      for (std::size_t k = 0; k < D; ++k) {
+        const auto d = static_cast<double>(places_[j][k] - x[k]);
+        squared += d * d;
+      }
+      if (squared == 0) throw_joined<invalid_argument>({"sites ", std::min(i, j), " and ", std::max(i, j), " are the same point, within rounding of the size of the box"});
+      if (squared <= reach * reach) out.push_back({squared, j});
+    }
+  }
+};
+
+}  // namespace concino::detail

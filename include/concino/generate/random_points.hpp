@@ -1,0 +1,27 @@
+// Points spread at random in a box: the sites of Voronoi meshes, the probes of tests.
+#pragma once
+
+#include <concino/error.hpp>
+#include <concino/generate/detail/random.hpp>
+#include <concino/geometry/bounding_box.hpp>
+
+#include <vector>
+
+namespace concino {
+
+/// n points in a box, independent and uniform.
+/// Needs:  a finite box that is not empty; it may be flat.
+/// Result: the same points for the same seed, to the last bit, on every machine; the first n of a longer list are the list of n.
+/// Cost:   O(n).      Errors: invalid_argument where the box is empty or not finite.
+/// Source: SplitMix64, Steele, Lea and Flood 2014.
+inline std::vector<vec3> random_points(std::size_t n, const box& domain, std::uint64_t seed = 1) {
+  if (domain.is_empty() || !is_finite(domain.max - domain.min))
+    throw invalid_argument("random points need a box that is not empty, with finite corners and size");
+  detail::random_stream random(seed);
+  std::vector<vec3> points(n);
+  for (vec3& x : points)
+    for (std::size_t k = 0; k < 3; ++k) x[k] = random.between(domain.min[k], domain.max[k]);
+  return points;
+}
+
+}  // namespace concino

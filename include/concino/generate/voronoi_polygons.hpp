@@ -1,0 +1,42 @@
+// The Voronoi cells of points in a rectangle, as a polygon mesh.
+#pragma once
+
+#include <concino/generate/detail/relax_sites.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+
+#include <initializer_list>
+
+namespace concino {
+
+struct voronoi_options {
+  unsigned relax = 0;  // how often sites move to the centroids of their cells first (Lloyd): cells become rounder and more alike
+};
+
+/// The Voronoi cells of sites in a rectangle: poly i is what is nearer to site i than to any other site.
+/// Needs:  sites, a container of points (z is ignored) or points in braces, inside the rectangle (x and y of `domain`) or on its border; no two the same.
+/// Result: a conforming mesh in the plane z = domain.min.z that fills the rectangle, its polys convex and counter-clockwise. Where four or more sites lie on
+///         one circle, as in a grid, their cells share one vert. Verts closer than 2^-39 of the longest side become one, and sites are read to 2^-49 of it.
+///         Scales exactly with powers of 2; the same for any number of threads.
+/// Cost:   O(n) time and memory for sites of about even density, in parallel.
+/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding; where there is no
+///         site; where the rectangle is empty, not finite, or more than 2^32 times as long as wide.
+/// Source: paper section 1, general polygons; Ray, Sokolov, Lefebvre and Levy 2018; Lloyd 1982.
+template<class Sites = std::initializer_list<vec3>>
+  requires detail::PointRange<Sites>
+polygonmesh voronoi_polygons(const Sites& sites, const box& domain, const voronoi_options& options = {}) {
+  return detail::with_relaxed_sites(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
+    const detail::site_lattice<2> lattice(x, b);
+    const detail::voronoi_complex<2> cells(lattice);
+    surface_arrays a;
+    for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back({lattice.from_lattice(cells[v][0], 0), lattice.from_lattice(cells[v][1], 1), b.min.z});
+    a.offsets.push_back(0);
+    for (std::uint32_t i = 0; i < lattice.size(); ++i)
+      cells.for_each_loop(i, [&](std::uint32_t, const std::uint32_t* first, const std::uint32_t* last) {
+        for (; first != last; ++first) a.verts.push_back(vert_id{*first});
+        a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
+      });
+    return polygonmesh(std::move(a));
+  });
+}
+
+}  // namespace concino

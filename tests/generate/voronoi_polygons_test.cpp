@@ -1,0 +1,181 @@
+#include <concino/generate/random_points.hpp>
+#include <concino/generate/voronoi_polygons.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+#include <concino/validate/check_laws.hpp>
+#include <concino/validate/validate.hpp>
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+using namespace concino;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+box rectangle(vec3 low, vec3 high) {
+  box b;
+  b.min = low;
+  b.max = high;
+  return b;
+}
+const box unit_square = rectangle({0, 0, 0}, {1, 1, 0});
+
+/// Conforming, closed up, convex, filling the rectangle.
+void check_sound(const polygonmesh& m, std::size_t sites, const box& b) {
+  REQUIRE(num_polys(m) == sites);
+  CHECK(check_laws(m).empty());
+  CHECK(static_cast<long>(num_verts(m)) - static_cast<long>(num_edges(m)) + static_cast<long>(num_polys(m)) == 1);
+  const vec3 side = b.max - b.min;
+  CHECK(total_measure(m) == doctest::Approx(side.x * side.y).epsilon(1e-12));
+  bool sound = true;
+  for (const auto v : verts(m)) {
+    sound = sound && point(m, v).z == b.min.z && adj_v2p(m, v).begin() != adj_v2p(m, v).end();
+  }
+  for (const auto p : polys(m)) sound = sound && area_vector(m, p).z > 0;
+  for (const auto e : edges(m)) {  // one poly only at the walls
+    int n = 0;
+    for ([[maybe_unused]] const auto p : adj_e2p(m, e)) ++n;
+    if (n == 2) continue;
+    std::vector<vec3> ends;
+    for (const auto v : adj_e2v(m, e)) ends.push_back(point(m, v));
+    const vec3 x = ends[0], y = ends[1];
+    sound = sound && n == 1 && ((x.x == y.x && (x.x == b.min.x || x.x == b.max.x)) || (x.y == y.y && (x.y == b.min.y || x.y == b.max.y)));
+  }
+  CHECK(sound);
+}
+
+/// How far x lies beyond an edge of convex poly p.
+double outside(const polygonmesh& m, poly_id p, const vec3& x) {
+  std::vector<vec3> loop;
+  for (const auto v : adj_p2v(m, p)) loop.push_back(point(m, v));
+  double most = -infinity;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const vec3 a = loop[k], d = loop[(k + 1) % loop.size()] - a;
+    most = std::max(most, (d.y * (x.x - a.x) - d.x * (x.y - a.y)) / norm(d));
+  }
+  return most;
+}
+
+std::size_t nearest(const std::vector<vec3>& sites, const vec3& x) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < sites.size(); ++i)
+    if (std::hypot(sites[i].x - x.x, sites[i].y - x.y) < std::hypot(sites[best].x - x.x, sites[best].y - x.y)) best = i;
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("voronoi_polygons: random sites, each point lies in the cell of the nearest") {
+  for (const std::size_t n : {1u, 2u, 3u, 10u, 700u}) {
+    const box b = rectangle({-3, 10, 2}, {5, 11, 7});
+    const auto sites = random_points(n, b, n);
+    const polygonmesh m = voronoi_polygons(sites, b);
+    check_sound(m, n, b);
+    for (const vec3& x : random_points(500, b, 99)) CHECK(outside(m, poly_id{nearest(sites, x)}, x) < 1e-12);
+  }
+}
+
+TEST_CASE("voronoi_polygons: sites on grids, with any number on one circle, give squares, hexagons and wedges") {
+  for (const unsigned n : {2u, 3u, 7u, 10u}) {
+    std::vector<vec3> sites;
+    for (unsigned j = 0; j < n; ++j)
+      for (unsigned i = 0; i < n; ++i) sites.push_back({(i + 0.5) / n, (j + 0.5) / n, 0});
+    const polygonmesh m = voronoi_polygons(sites, unit_square);
+    check_sound(m, n * n, unit_square);
+    CHECK(num_verts(m) == (n + 1) * (n + 1));
+    CHECK(num_edges(m) == 2 * n * (n + 1));
+    for (const auto p : polys(m)) CHECK(measure(m, p) == doctest::Approx(1.0 / (n * n)).epsilon(1e-12));
+    // the same with sites on the walls, too
+    sites.clear();
+    for (unsigned j = 0; j <= n; ++j)
+      for (unsigned i = 0; i <= n; ++i) sites.push_back({double(i) / n, double(j) / n, 0});
+    const polygonmesh w = voronoi_polygons(sites, unit_square);
+    check_sound(w, (n + 1) * (n + 1), unit_square);
+    CHECK(num_verts(w) == (n + 2) * (n + 2));
+  }
+  for (const unsigned n : {3u, 4u, 12u, 50u}) {
+    std::vector<vec3> sites;
+    for (unsigned i = 0; i < n; ++i) sites.push_back({0.5 + 0.25 * std::cos(6.283185307179586 * i / n), 0.5 + 0.25 * std::sin(6.283185307179586 * i / n), 0});
+    const polygonmesh m = voronoi_polygons(sites, unit_square);
+    check_sound(m, n, unit_square);
+    std::size_t in_centre = 0;
+    for (const auto v : verts(m))
+      if (norm(point(m, v) - vec3{0.5, 0.5, 0}) < 1e-9)
+        for ([[maybe_unused]] const auto p : adj_v2p(m, v)) ++in_centre;
+    CHECK(in_centre == n);
+  }
+}
+
+TEST_CASE("voronoi_polygons: sites in one line, in a cluster, in a long box") {
+  std::vector<vec3> line;
+  for (int i = 0; i < 40; ++i) line.push_back({(i + 0.5) / 40, 0.3, 0});
+  check_sound(voronoi_polygons(line, unit_square), 40, unit_square);
+  std::vector<vec3> diagonal;
+  for (int i = 0; i < 40; ++i) diagonal.push_back({i / 41.0, i / 41.0, 0});
+  check_sound(voronoi_polygons(diagonal, unit_square), 40, unit_square);
+
+  auto cluster = random_points(200, rectangle({0.3, 0.3, 0}, {0.3 + 1e-6, 0.3 + 1e-6, 0}), 4);
+  for (const vec3& x : random_points(20, unit_square, 5)) cluster.push_back(x);
+  check_sound(voronoi_polygons(cluster, unit_square), 220, unit_square);
+  const box thin = rectangle({0, 0, 0}, {1000, 1e-3, 0});
+  check_sound(voronoi_polygons(random_points(300, thin, 6), thin), 300, thin);
+}
+
+TEST_CASE("voronoi_polygons: scales exactly") {
+  const auto sites = random_points(50, unit_square, 3);
+  const polygonmesh m = voronoi_polygons(sites, unit_square);
+  for (const double scale : {0x1p-300, 0x1p-20, 0x1p20, 0x1p300}) {
+    auto scaled = sites;
+    for (vec3& x : scaled) x *= scale;
+    const polygonmesh s = voronoi_polygons(scaled, rectangle({0, 0, 0}, {scale, scale, 0}));
+    REQUIRE(num_verts(s) == num_verts(m));
+    for (const auto v : verts(m)) CHECK(point(s, v) == scale * point(m, v));
+  }
+}
+
+TEST_CASE("voronoi_polygons: relaxed sites give cells of more even size") {
+  const auto sites = random_points(100, unit_square, 8);
+  const auto spread = [](const polygonmesh& m) {
+    double squares = 0;
+    for (const auto p : polys(m)) squares += (measure(m, p) - 0.01) * (measure(m, p) - 0.01);
+    return squares;
+  };
+  const polygonmesh relaxed = voronoi_polygons(sites, unit_square, {.relax = 10});
+  check_sound(relaxed, 100, unit_square);
+  CHECK(spread(relaxed) < 0.1 * spread(voronoi_polygons(sites, unit_square)));
+}
+
+TEST_CASE("voronoi_polygons: any container, braces") {
+  const std::array<std::array<float, 3>, 2> sites{{{0.25f, 0.5f, 9}, {0.75f, 0.5f, -9}}};
+  CHECK(total_measure(voronoi_polygons(sites, unit_square)) == 1);
+  const polygonmesh m = voronoi_polygons({{0.25, 0.5, 0}, {0.5, 0.5, 0}, {0.875, 0.5, 0}}, unit_square);
+  CHECK(num_verts(m) == 8);
+  CHECK(measure(m, poly_id{0}) == 0.375);
+}
+
+TEST_CASE("voronoi_polygons: what is refused") {
+  const auto refused = [](const std::vector<vec3>& sites, const box& b, const char* why) {
+    try {
+      voronoi_polygons(sites, b);
+      FAIL("not refused");
+    } catch (const invalid_argument& e) {
+      CHECK_MESSAGE(std::string(e.what()).find(why) != std::string::npos, e.what());
+    }
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refused({}, unit_square, "at least one site");
+  refused({{0.5, 0.5, 0}, {0.5, 1.5, 0}}, unit_square, "site 1 ");
+  refused({{0.5, nan, 0}}, unit_square, "site 0 ");
+  refused({{0.1, 0.1, 0}, {0.5, 0.5, 0}, {0.7, 0.7, 0}, {0.5, 0.5, 1}}, unit_square, "sites 1 and 3 ");
+  refused({{0, 0, 0}}, rectangle({0, 0, 0}, {1, 0, 0}), "box");
+  refused({{0, 0, 0}}, rectangle({0, 0, 0}, {1, infinity, 0}), "box");
+  refused({{0, 0, 0}}, rectangle({0, 0, 0}, {1, 1e-12, 0}), "box");
+  refused({{0, 0, 0}}, rectangle({-1.7e308, 0, 0}, {1.7e308, 1, 0}), "box");
+  // three sites in a row closer than rounding: the cell between them is thinner than it
+  refused({{0.5, 0.5, 0}, {0.5 + 0x1p-45, 0.5, 0}, {0.5 + 0x1p-44, 0.5, 0}}, unit_square, "site 1 ");
+}
