@@ -55,7 +55,7 @@ inline bool is_finite(const vec3& a) { return std::isfinite(a.x) && std::isfinit
 /// Any point with p[0], p[1], p[2] as a vec3.
 template<class P>
 constexpr vec3 to_vec3(const P& p) {
-  if constexpr (std::same_as<P, vec3>) return p;
+  if constexpr (std::same_as<P, vec3>) return {p.x, p.y, p.z};  // part by part stays in registers, where g++ copies a whole through memory
   else return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 

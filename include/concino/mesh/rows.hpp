@@ -51,7 +51,10 @@ class rows {
   const T* begin(std::size_t i) const { return data_.data() + i * N; }
   const T* end(std::size_t i) const { return data_.data() + i * N + N; }
   T* begin(std::size_t i) { return data_.data() + i * N; }
-  id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
+  id_span<T> operator[](std::size_t i) const {
+    const T* const first = begin(i);  // read once, so that compilers see N values and unroll loops over them
+    return {first, first + N};
+  }
   static constexpr std::uint32_t length(std::size_t) { return N; }
   std::size_t num_values() const { return data_.size(); }
 
