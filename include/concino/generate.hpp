@@ -1,8 +1,10 @@
 // Meshes made from nothing, or from another mesh.
 #pragma once
 
+#include <concino/generate/agglomerate.hpp>
 #include <concino/generate/grade.hpp>
 #include <concino/generate/grid.hpp>
 #include <concino/generate/jitter.hpp>
+#include <concino/generate/random_labels.hpp>
 #include <concino/generate/random_points.hpp>
 #include <concino/generate/voronoi_polygons.hpp>

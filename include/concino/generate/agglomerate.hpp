@@ -1,0 +1,130 @@
+// Polys merged by label into larger ones of any shape.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/detail/number_text.hpp>
+#include <concino/error.hpp>
+#include <concino/generate/detail/union_border.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/polyhedralmesh.hpp>
+
+#include <algorithm>
+#include <concepts>
+
+namespace concino {
+
+namespace requirement {
+
+template<class L, class M> concept is_label_map = ReadableMap<L, poly_t<M>> && requires(const L& labels, const poly_t<M>& p) {
+  { labels[p] } -> std::convertible_to<long long>;
+  requires std::integral<std::remove_cvref_t<decltype(labels[p])>>;
+};
+
+}  // namespace requirement
+
+namespace detail {
+
+/// Calls take(label, polys) for every label in ascending order, its polys as m walks them.
+template<AnyMesh M, class L, class Take>
+void for_each_label(const M& m, const L& labels, const Take& take) {
+  using value = std::remove_cvref_t<decltype(labels[std::declval<const poly_t<M>&>()])>;
+  std::vector<poly_t<M>> all, sorted;
+  std::vector<std::pair<value, std::uint32_t>> order;
+  for (const poly_t<M> p : polys(m)) {
+    order.emplace_back(labels[p], static_cast<std::uint32_t>(all.size()));
+    all.push_back(p);
+  }
+  std::sort(order.begin(), order.end());
+  sorted.reserve(all.size());
+  for (const auto& [label, k] : order) sorted.push_back(all[k]);
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() && order[last].first == order[first].first) ++last;
+    take(order[first].first, std::span<const poly_t<M>>(sorted).subspan(first, last - first));
+  }
+}
+
+/// Numbers the marked of the elements that a walk meets, by index.
+template<class M, class R>
+std::vector<std::uint32_t> numbered_marked(const M& m, const R& elements, std::vector<std::uint32_t> mark) {
+  std::uint32_t n = 0;
+  for (const auto x : elements)
+    if (std::uint32_t& number = mark[index_of(m, x)]; number != ~0u) number = n++;
+  return mark;
+}
+
+template<AnyMesh M, class V>
+[[noreturn]] void throw_no_union(const M& m, V label, const poly_t<M>& p, const union_fault& fault) {
+  const std::string which = ~fault.index != 0 ? joined({" ", fault.index}) : std::string();
+  throw_joined<invalid_mesh>({"agglomerate: the polys with label ", number_text(static_cast<long long>(label)), ", poly ", index_of(m, p),
+                              " among them, are no ", std::string(SurfaceMesh<M> ? "disk: " : "ball: "), fault.text, which,
+                              "; random_labels() gives labels that can be merged"});
+}
+
+}  // namespace detail
+
+/// All polys of one label made one poly, convex or not.
+/// Needs:  Embedded AnyMesh; labels[p] is an integer. The polys of one label are wound alike and make a disk (surfaces) or a ball (volumes): they hang
+///         together across edges or faces, and their border is one ring of verts, or one sphere of faces, that touches itself nowhere.
+/// Result: a polygonmesh or polyhedralmesh with a poly for each label, numbered by ascending label. Faces and verts inside a union are left
+///         out, and those of no poly; the others are numbered as m walks them. All verts and all faces on the border of a union stay: a polygon
+///         may have flat corners where only two polys meet, and two polyhedra may share several faces in one plane.
+/// Cost:   O(elements + P log P) time, O(elements) memory.
+/// Errors: invalid_mesh that names the label, one of its polys and where it is no disk or ball. A label of a single poly is taken as it is.
+/// Source: agglomerated meshes as in Bassi, Botti, Colombo, Di Pietro, Tesini 2012.
+template<SurfaceMesh M, class L>
+  requires Embedded<M> && requirement::is_label_map<L, M>
+polygonmesh agglomerate(const M& m, const L& labels) {
+  surface_arrays a;
+  a.offsets.push_back(0);
+  std::vector<std::uint32_t> used(vert_index_bound(m), ~0u);
+  detail::union_border<M> border(m);
+  detail::for_each_label(m, labels, [&](const auto& label, std::span<const poly_t<M>> group) {
+    if (const auto fault = border.read(group)) detail::throw_no_union(m, label, group.front(), fault);
+    for (const vert_t<M>& v : border.ring()) {
+      used[index_of(m, v)] = 0;
+      a.verts.push_back(vert_id{index_of(m, v)});
+    }
+    a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
+  });
+  const auto number = detail::numbered_marked(m, verts(m), std::move(used));
+  for (vert_id& v : a.verts) v = vert_id{number[v.raw()]};
+  for (const vert_t<M> v : verts(m))
+    if (number[index_of(m, v)] != ~0u) a.points.push_back(to_vec3(point(m, v)));
+  return polygonmesh(std::move(a));
+}
+
+template<VolumeMesh M, class L>
+  requires Embedded<M> && requirement::is_label_map<L, M>
+polyhedralmesh agglomerate(const M& m, const L& labels) {
+  polyhedra_arrays a;
+  a.face_offsets.push_back(0);
+  a.poly_offsets.push_back(0);
+  std::vector<std::uint32_t> used_vert(vert_index_bound(m), ~0u), used_face(face_index_bound(m), ~0u);
+  detail::union_border<M> border(m);
+  detail::for_each_label(m, labels, [&](const auto& label, std::span<const poly_t<M>> group) {
+    if (const auto fault = border.read(group)) detail::throw_no_union(m, label, group.front(), fault);
+    for (const auto& [f, outward] : border.sides()) {
+      used_face[index_of(m, f)] = 0;
+      a.poly_faces.push_back(face_id{index_of(m, f)});
+      a.outward.push_back(outward);
+    }
+    a.poly_offsets.push_back(static_cast<std::uint32_t>(a.poly_faces.size()));
+  });
+  const auto face_number = detail::numbered_marked(m, faces(m), std::move(used_face));
+  for (face_id& f : a.poly_faces) f = face_id{face_number[f.raw()]};
+  for (const face_t<M> f : faces(m)) {
+    if (face_number[index_of(m, f)] == ~0u) continue;
+    for (const vert_t<M> v : adj_f2v(m, f)) {
+      used_vert[index_of(m, v)] = 0;
+      a.face_verts.push_back(vert_id{index_of(m, v)});
+    }
+    a.face_offsets.push_back(static_cast<std::uint32_t>(a.face_verts.size()));
+  }
+  const auto number = detail::numbered_marked(m, verts(m), std::move(used_vert));
+  for (vert_id& v : a.face_verts) v = vert_id{number[v.raw()]};
+  for (const vert_t<M> v : verts(m))
+    if (number[index_of(m, v)] != ~0u) a.points.push_back(to_vec3(point(m, v)));
+  return polyhedralmesh(std::move(a));
+}
+
+}  // namespace concino

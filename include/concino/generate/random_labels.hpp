@@ -1,0 +1,151 @@
+// Labels that part a mesh into random pieces, most of them concave, that agglomerate() can merge.
+#pragma once
+
+#include <concino/error.hpp>
+#include <concino/generate/detail/random.hpp>
+#include <concino/generate/detail/union_border.hpp>
+#include <concino/mesh/element_map.hpp>
+
+#include <queue>
+
+namespace concino {
+
+namespace detail {
+
+/// Whether a poly may join a disk or ball so that it stays one: what the two share has to be a path of edges, or a disk of faces.
+template<AnyMesh M>
+class joining {
+  const M& m_;
+  const int* label_;  // by index of a poly
+  stamped<std::uint32_t> side_of_;
+  stamped<unsigned char> shared_vert_;
+  std::vector<std::uint32_t> sets_;  // of shared faces that hang together across edges
+
+  std::uint32_t root(std::uint32_t k) const {
+    while (sets_[k] != k) k = sets_[k];
+    return k;
+  }
+  bool unite(std::uint32_t a, std::uint32_t b) {
+    a = root(a), b = root(b);
+    sets_[a] = b;
+    return a != b;
+  }
+  template<class R>
+  bool holds(const R& polys, int label) const {
+    for (const poly_t<M> p : polys)
+      if (label_[index_of(m_, p)] == label) return true;
+    return false;
+  }
+
+ public:
+  joining(const M& m, const int* label) : m_(m), label_(label), side_of_(dimension_v<M> == 3 ? edge_index_bound(m) : 0), shared_vert_(vert_index_bound(m)) {}
+
+  bool operator()(const poly_t<M>& p, int label) {
+    shared_vert_.clear();
+    std::ptrdiff_t chi = 0;  // of what is shared
+    std::size_t pieces = 0;
+    if constexpr (SurfaceMesh<M>) {
+      for (const edge_t<M> e : adj_p2e(m_, p)) {
+        if (!holds(adj_e2p(m_, e), label)) continue;
+        --chi, ++pieces;
+        for (const vert_t<M> v : adj_e2v(m_, e)) chi += shared_vert_.add(index_of(m_, v), 1);
+      }
+      if (pieces == 0) return false;
+    } else {
+      side_of_.clear();
+      sets_.clear();
+      for (const face_t<M> f : adj_p2f(m_, p)) {
+        if (!holds(adj_f2p(m_, f), label)) continue;
+        ++chi, ++pieces;
+        const auto k = static_cast<std::uint32_t>(sets_.size());
+        sets_.push_back(k);
+        for (const edge_t<M> e : adj_f2e(m_, f)) {
+          const std::size_t i = index_of(m_, e);
+          if (side_of_.add(i, k)) --chi;
+          else pieces -= unite(side_of_[i], k);
+        }
+        for (const vert_t<M> v : adj_f2v(m_, f)) chi += shared_vert_.add(index_of(m_, v), 1);
+      }
+      if (pieces != 1) return false;
+      for (const edge_t<M> e : adj_p2e(m_, p))
+        if (!side_of_.has(index_of(m_, e)) && holds(adj_e2p(m_, e), label)) return false;
+    }
+    if (chi != 1) return false;
+    for (const vert_t<M> v : adj_p2v(m_, p))
+      if (!shared_vert_.has(index_of(m_, v)) && holds(adj_v2p(m_, v), label)) return false;
+    return true;
+  }
+};
+
+}  // namespace detail
+
+/// Parts m into random pieces of about `size` polys each, ragged and mostly concave, every one of them a disk (surfaces) or a ball (volumes).
+/// Needs:  AnyMesh, no temporary; size of 1 or more.
+/// Result: a map of int, 0 up to the number of pieces less one, that agglomerate(m, labels) takes. Pieces grow from random polys by steps of
+///         random length and leave out what would close a ring or touch itself; polys left over make smaller pieces. Where polys are
+///         no manifold or not wound alike, pieces are single polys. The same for the same seed on every machine.
+/// Cost:   O(E log E) time, times the polys at a vert; O(elements) memory.
+/// Errors: invalid_argument if size is 0.
+/// Source: first-passage percolation: Eden 1961; Hammersley, Welsh 1965.
+template<class M>
+  requires requirement::is_no_temporary<M> && AnyMesh<M>
+poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) {
+  using mesh = std::remove_cvref_t<M>;
+  using poly = poly_t<mesh>;
+  if (size == 0) throw invalid_argument("random_labels: size is 0; it must be at least 1");
+  auto labels = make_poly_map<int>(m, -1);
+  int* const label = labels.values().data();
+  std::vector<poly> order;
+  for (const poly p : polys(m)) order.push_back(p);
+  detail::random_stream random(seed);
+  for (std::size_t n = order.size(); n > 1; --n) std::swap(order[n - 1], order[static_cast<std::size_t>(random.unit() * static_cast<double>(n))]);
+
+  struct claim {
+    double time;
+    std::size_t number;
+    int label;
+    poly on;
+  };
+  const auto later = [](const claim& a, const claim& b) { return a.time != b.time ? a.time > b.time : a.number > b.number; };
+  std::priority_queue<claim, std::vector<claim>, decltype(later)> queue(later);
+  std::vector<std::vector<poly>> pieces;
+  std::size_t number = 0;
+  const auto take = [&](const poly& p, int l, double time) {
+    label[index_of(m, p)] = l;
+    pieces[static_cast<std::size_t>(l)].push_back(p);
+    for (const poly q : adj_p2p(m, p))
+      if (label[index_of(m, q)] < 0) queue.push({time + random.unit(), number++, l, q});
+  };
+  detail::joining<mesh> may_join(m, label);
+  const auto grow = [&] {
+    while (!queue.empty()) {
+      const claim c = queue.top();
+      queue.pop();
+      if (label[index_of(m, c.on)] < 0 && pieces[static_cast<std::size_t>(c.label)].size() / 2 < size && may_join(c.on, c.label)) take(c.on, c.label, c.time);
+    }
+  };
+  const auto begin_piece = [&](const poly& p) {
+    pieces.emplace_back();
+    take(p, static_cast<int>(pieces.size()) - 1, 0);
+  };
+  for (std::size_t i = 0; i < order.size(); i += size) begin_piece(order[i / size]);
+  grow();
+  for (const poly& p : order) {
+    if (label[index_of(m, p)] >= 0) continue;
+    begin_piece(p);
+    grow();
+  }
+
+  // What the local test could not see, on meshes that are no manifolds.
+  detail::union_border<mesh> border(m);
+  for (std::size_t l = 0, grown = pieces.size(); l < grown; ++l) {
+    if (!border.read(pieces[l])) continue;
+    for (std::size_t k = 1; k < pieces[l].size(); ++k) {
+      label[index_of(m, pieces[l][k])] = static_cast<int>(pieces.size() + k - 1);
+    }
+    pieces.resize(pieces.size() + pieces[l].size() - 1);
+  }
+  return labels;
+}
+
+}  // namespace concino

@@ -1,0 +1,151 @@
+#include <concino/generate/agglomerate.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+#include <concino/generate/grid.hpp>
+#include <concino/generate/jitter.hpp>
+#include <concino/mesh/element_map.hpp>
+
+#include <support/generated.hpp>
+#include <support/kinds.hpp>
+#include <support/tiny.hpp>
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// Labels of the halves or quarters of the unit square or cube: by the mean point of a poly.
+template<class M>
+poly_map<M, int> quarters(const M& m) {
+  auto labels = make_poly_map<int>(m, 0);
+  for (const poly_t<M> p : polys(m)) {
+    vec3 sum;
+    double n = 0;
+    for (const vert_t<M> v : adj_p2v(m, p)) sum += to_vec3(point(m, v)), n += 1;
+    labels[p] = 10 * (sum.x > n / 2) - (sum.y > n / 2);
+  }
+  return labels;
+}
+
+/// All polys with label 0 but those given.
+template<class M, class... P>
+poly_map<M, short> all_but(const M& m, P... others) {
+  auto labels = make_poly_map<short>(m, 0);
+  short next = 1;
+  ((labels[poly_id{others}] = next++), ...);
+  return labels;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("agglomerate: quarters of a jittered grid", M, CONCINO_ALL_KINDS) {
+  M m = make_grid<M>({.cells = {4, 4, 4}});
+  jitter(m, 0.1);
+  const auto labels = quarters(m);
+  const auto a = agglomerate(m, labels);
+  check_sound(a, 1);
+  CHECK(num_polys(a) == 4);
+  CHECK(total_measure(a) == doctest::Approx(1).epsilon(1e-13));
+  double part[4] = {};
+  for (const poly_t<M> p : polys(m)) part[labels[p] == -1 ? 0 : labels[p] == 0 ? 1 : labels[p] == 9 ? 2 : 3] += measure(m, p);
+  for (const poly_id p : polys(a)) CHECK(measure(a, p) == doctest::Approx(part[p.raw()]).epsilon(1e-12));
+  // Through what every mesh offers and nothing more, the same.
+  const auto bare = only_embedded_mesh(m);
+  auto bare_labels = make_poly_map<long>(bare, 0);
+  for (const auto p : polys(bare)) bare_labels[p] = labels[bare.base(p)];
+  const auto b = agglomerate(bare, bare_labels);
+  CHECK(num_verts(b) == num_verts(a));
+  CHECK(num_edges(b) == num_edges(a));
+  for (const vert_id v : verts(a)) CHECK(point(b, v) == point(a, v));
+}
+
+TEST_CASE_TEMPLATE("agglomerate: each poly alone gives the mesh as it is, all of one label its hull", M, CONCINO_ALL_KINDS) {
+  const M m = make_grid<M>({.cells = {3, 3, 3}});
+  auto labels = make_poly_map<unsigned>(m, 7u);
+  const auto one = agglomerate(m, labels);
+  CHECK(num_polys(one) == 1);
+  CHECK(total_measure(one) == doctest::Approx(1).epsilon(1e-14));
+  for (const poly_t<M> p : polys(m)) labels[p] = static_cast<unsigned>(index_of(m, p));
+  const auto same = agglomerate(m, labels);
+  check_sound(same, 1);
+  CHECK(num_verts(same) == num_verts(m));
+  CHECK(num_edges(same) == num_edges(m));
+  for (const poly_t<M> p : polys(m)) CHECK(measure(same, poly_id{index_of(m, p)}) == doctest::Approx(measure(m, p)).epsilon(1e-14));
+  CHECK(num_polys(agglomerate(M(), make_poly_map<int>(m, 0))) == 0);
+}
+
+TEST_CASE("agglomerate: verts inside are dropped, flat corners stay") {
+  const auto m = make_grid<quadmesh>({.cells = {4, 2}});
+  const auto a = agglomerate(m, quarters(m));
+  CHECK(num_polys(a) == 4);
+  CHECK(num_verts(a) == 15);
+  auto halves = make_poly_map<bool>(m, false);
+  for (const poly_id p : polys(m)) halves[p] = p.raw() % 4 > 1;
+  const auto h = agglomerate(m, halves);
+  CHECK(num_verts(h) == 13);
+  CHECK(adj_p2v(h, poly_id{0}).size() == 8);
+}
+
+TEST_CASE("agglomerate: a mesh of a stranger") {
+  const tiny::surface s = tiny::surface_example();
+  auto labels = make_poly_map<int>(s, 1);
+  const auto a = agglomerate(s, labels);
+  CHECK(num_polys(a) == 1);
+  CHECK(num_verts(a) == 7);
+  const tiny::volume w = tiny::volume_example();
+  const auto b = agglomerate(w, make_poly_map<int>(w, 1));
+  CHECK(num_polys(b) == 1);
+  CHECK(num_faces(b) == 9);
+  CHECK(total_measure(b) == doctest::Approx(4.0 / 3));
+}
+
+TEST_CASE("agglomerate: surfaces that are no disks are refused") {
+  const auto m = make_grid<quadmesh>({.cells = {4, 4}});
+  const std::string end = "; random_labels() gives labels that can be merged";
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 5)), ("agglomerate: the polys with label 0, poly 0 among them, are no disk: they have more than one border" + end).c_str(),
+                       invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 1, 4, 5)), doctest::Contains("they do not hang together across edges"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 5, 10)), doctest::Contains("their border comes twice through vert 12"), invalid_mesh);
+  const quadmesh closed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+                        {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+  CHECK_THROWS_WITH_AS(agglomerate(closed, all_but(closed)), doctest::Contains("they have no border"), invalid_mesh);
+  CHECK(num_polys(agglomerate(closed, all_but(closed, 0))) == 2);
+  const trimesh turned({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 2}});
+  CHECK_THROWS_WITH_AS(agglomerate(turned, all_but(turned)), doctest::Contains("two of them run the same way along edge"), invalid_mesh);
+  const trimesh book({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+  CHECK_THROWS_WITH_AS(agglomerate(book, all_but(book)), doctest::Contains("more than two of them meet at edge 0"), invalid_mesh);
+  // A torus without one quad: one border, but a handle.
+  surface_arrays t{{}, {}, {}, 4};
+  for (unsigned j = 0; j < 4; ++j)
+    for (unsigned i = 0; i < 4; ++i) {
+      t.points.push_back({i, j, i * j});
+      for (const unsigned v : {4 * j + i, 4 * j + (i + 1) % 4, (j + 1) % 4 * 4 + (i + 1) % 4, (j + 1) % 4 * 4 + i}) t.verts.push_back(vert_id{v});
+    }
+  const quadmesh torus(t);
+  CHECK_THROWS_WITH_AS(agglomerate(torus, all_but(torus, 5)), doctest::Contains("they have a handle"), invalid_mesh);
+}
+
+TEST_CASE_TEMPLATE("agglomerate: volumes that are no balls are refused", M, hexmesh, polyhedralmesh) {
+  const M m = make_grid<M>({.cells = {3, 3, 3}});
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 13)), doctest::Contains("are no ball: they have more than one border"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 4, 13, 22)), doctest::Contains("they have a handle"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 1, 3, 9)), doctest::Contains("they do not hang together across faces"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 0, 4)), doctest::Contains("their border comes twice through edge"), invalid_mesh);
+  const M eight = make_grid<M>({.cells = {2, 2, 2}});  // six around a diagonal leave two corners that touch in the middle
+  CHECK_THROWS_WITH_AS(agglomerate(eight, all_but(eight, 0, 7)), doctest::Contains("their border touches itself at a vert"), invalid_mesh);
+  CHECK(num_polys(agglomerate(m, all_but(m, 4))) == 2);
+}
+
+TEST_CASE("agglomerate: polyhedra that do not fit each other") {
+  auto arrays = polyhedra_grid(1);
+  arrays.outward.back() = !arrays.outward.back();
+  const polyhedralmesh wrong(arrays);
+  const auto labels = all_but(wrong);
+  CHECK_THROWS_AS(agglomerate(wrong, labels), invalid_mesh);
+  const tetmesh crowd({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, -1}}, {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 2, 1, 5}});
+  CHECK_THROWS_WITH_AS(agglomerate(crowd, all_but(crowd)), doctest::Contains("more than two of them meet at face"), invalid_mesh);
+}
