@@ -6,8 +6,11 @@
 #include <concino/error.hpp>
 #include <concino/geometry/measure.hpp>
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -47,7 +50,7 @@ struct corner_gradients {
       visit_polygon();
     } else {
       measure = 0;
-      make_slots(m);
+      sort_many(m);
       for (const face_t<M> f : adj_p2f(m, p)) add_face(m, f, face_is_outward(m, p, f) ? 1.0 : -1.0);
       measure /= 3;
       for (vec3& g : gradient) g = g / measure;
@@ -64,8 +67,7 @@ struct corner_gradients {
  private:
   std::vector<std::size_t> corner_;  // of one face: where its verts stand in `verts`
   std::vector<vec3> around_;         // of one face: its verts seen from its mean point
-  std::vector<std::size_t> slot_;    // of polys of many verts
-  bool by_table_ = false;
+  std::vector<std::pair<std::size_t, std::size_t>> sorted_;  // of polys of many verts: by number in the mesh, where they stand
 
   void centre() {
     const std::size_t n = place.size();
@@ -94,18 +96,23 @@ struct corner_gradients {
     }
   }
 
-  /// Where v stands in `verts`: by looking, or, for polys of many verts, by a table over the verts of the mesh.
+  /// Where v stands in `verts`: by looking, or, in polys of many verts, by its number.
   std::size_t corner_of(const M& m, const vert_t<M>& v) const {
-    if (by_table_) return slot_[static_cast<std::size_t>(index_of(m, v))];
     std::size_t i = 0;
-    while (i < verts.size() && !(verts[i] == v)) ++i;
+    if (sorted_.empty()) {
+      while (i < verts.size() && !(verts[i] == v)) ++i;
+    } else {
+      const auto number = static_cast<std::size_t>(index_of(m, v));
+      i = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(number, std::size_t{0}))->second;
+    }
+    assert(i < verts.size() && "the verts of a poly are those of its faces");
     return i;
   }
-  void make_slots(const M& m) {
-    by_table_ = verts.size() > 32;
-    if (!by_table_) return;
-    slot_.resize(static_cast<std::size_t>(vert_index_bound(m)));
-    for (std::size_t i = 0; i < verts.size(); ++i) slot_[static_cast<std::size_t>(index_of(m, verts[i]))] = i;
+  void sort_many(const M& m) {
+    sorted_.clear();
+    if (verts.size() <= 32) return;
+    for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back({static_cast<std::size_t>(index_of(m, verts[i])), i});
+    std::sort(sorted_.begin(), sorted_.end());
   }
 
   template<class Face>

@@ -1,0 +1,63 @@
+// Loops over the polys of any mesh in parallel: the range of polys need be no more than walkable, so where each chunk begins is written down in one
+// walk before, together with how many corners stand before it.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/parallel.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// The polys of a mesh in chunks of neighbours in the walk. The mesh stays as it is as long as this is used.
+template<AnyMesh M>
+class poly_chunks {
+  static constexpr std::size_t chunk = 1024;
+  using range = decltype(polys(std::declval<const M&>()));
+  struct start {
+    decltype(std::declval<const range&>().begin()) first;
+    std::size_t corner;
+  };
+
+  range range_;  // kept, for iterators live no longer than their range
+  std::vector<start> starts_;
+  std::size_t corners_ = 0;
+
+ public:
+  /// Walks the polys once, one after another. visit(p) returns how many corners p has.
+  template<class Visit>
+  poly_chunks(const M& m, Visit&& visit) : range_(polys(m)) {
+    std::size_t n = 0;
+    for (auto it = range_.begin(); it != range_.end(); ++it, ++n) {
+      if (n % chunk == 0) starts_.push_back({it, corners_});
+      const poly_t<M> p = *it;
+      corners_ += static_cast<std::size_t>(visit(p));
+    }
+  }
+  explicit poly_chunks(const M& m) : poly_chunks(m, [](const poly_t<M>&) { return 0; }) {}
+  poly_chunks(const poly_chunks&) = delete;
+  poly_chunks& operator=(const poly_chunks&) = delete;
+
+  std::size_t num_corners() const { return corners_; }
+
+  /// Calls f(scratch, p, corner) for every poly, `corner` the number of corners of the polys before it, and f's result the number of its
+  /// own (any where that is not asked). Chunks run in parallel, each with a Scratch of its own.
+  template<class Scratch, class F>
+  void for_each(F&& f) const {
+    parallel_for(
+        starts_.size(),
+        [&](std::size_t c) {
+          Scratch scratch;
+          std::size_t corner = starts_[c].corner, left = chunk;
+          for (auto it = starts_[c].first; left > 0 && it != range_.end(); ++it, --left) {
+            const poly_t<M> p = *it;
+            corner += static_cast<std::size_t>(f(scratch, p, corner));
+          }
+        },
+        1);
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,63 @@
+// The gradients of the corners of triangles and tets, where the type says that all polys are such: the numbers of corner_gradients, to rounding,
+// without lists.
+#pragma once
+
+#include <concino/operators/detail/corner_gradients.hpp>
+
+#include <array>
+
+namespace concino::detail {
+
+/// As corner_gradients, for one triangle or tet after another.
+///
+/// The gradient of corner i stands on the facet opposite to it, and its length is one over the height there: of a triangle, that edge turned by a
+/// quarter about the normal and divided by twice the area; of a tet, the cross product of two of its edges over six times the volume.
+template<AnyMesh M>
+  requires Embedded<M> && (TriMesh<M> || TetMesh<M>)
+struct simplex_gradients {
+  static constexpr std::size_t corners = static_cast<std::size_t>(arity_v<M>);
+
+  std::array<vert_t<M>, corners> verts;
+  std::array<vec3, corners> gradient;  // not finite where the poly has no measure
+  double measure = 0;                  // area, or volume: negative for a tet turned inside out
+
+  void visit(const M& m, const poly_t<M>& p) {
+    std::array<vec3, corners> x;
+    std::size_t n = 0;
+    for (const vert_t<M> v : adj_p2v(m, p))
+      if (n < corners) {
+        verts[n] = v;
+        x[n++] = to_vec3(point(m, v));
+      }
+    const vec3 a = x[1] - x[0], b = x[2] - x[0];
+    if constexpr (corners == 3) {
+      const vec3 normal = cross(a, b);
+      const double doubled = norm(normal), factor = 1 / doubled;
+      const vec3 direction = factor * normal;
+      gradient = {factor * cross(x[1] - x[2], direction), factor * cross(b, direction), factor * cross(direction, a)};
+      measure = 0.5 * doubled;
+    } else {
+      const vec3 c = x[3] - x[0], facet = cross(b, c);
+      const double product = dot(a, facet), factor = 1 / product;
+      gradient = {factor * cross(x[3] - x[1], x[2] - x[1]), factor * facet, factor * cross(c, a), factor * cross(a, b)};
+      measure = product / 6;
+    }
+  }
+
+  /// Whether the poly visited last has a measure and finite points.
+  bool has_gradients() const {
+    vec3 sum = gradient[0];
+    for (std::size_t i = 1; i < corners; ++i) sum += gradient[i];
+    return std::isfinite(sum.x + sum.y + sum.z) && measure != 0;
+  }
+};
+
+template<class M> struct poly_gradients_of { using type = corner_gradients<M>; };
+template<class M>
+  requires TriMesh<M> || TetMesh<M>
+struct poly_gradients_of<M> { using type = simplex_gradients<M>; };
+
+/// The quicker of the two.
+template<class M> using poly_gradients = typename poly_gradients_of<M>::type;
+
+}  // namespace concino::detail

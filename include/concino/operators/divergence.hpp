@@ -1,0 +1,42 @@
+// The divergence of a vector field on polys, without a matrix.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/operators/detail/poly_chunks.hpp>
+#include <concino/operators/detail/simplex_gradients.hpp>
+
+namespace concino {
+
+/// The divergence of a field, integrated with the hat function of each vert: divergence_matrix(m) times the field.
+/// Needs:  Embedded AnyMesh, no temporary; field[p] of every poly, a vec3 or anything with [0], [1], [2], readable from several threads.
+/// Result: a map of double, see divergence_matrix; 0 at verts of no poly. Vectors that are not finite give numbers that are not, at the
+///         verts of their polys.
+/// Cost:   O(size of the polys) time and memory, in parallel; the same for any number of threads.
+/// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
+/// Source: as divergence_matrix.
+template<class M, class Field>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && ReadableMap<Field, poly_t<M>>
+vert_map<M, double> divergence(M&& m, const Field& field) {
+  using mesh = std::remove_cvref_t<M>;
+  auto result = make_vert_map<double>(m, 0.0);
+  const detail::poly_chunks<mesh> chunks(m, [&](const poly_t<mesh>& p) {
+    std::size_t n = 0;
+    for ([[maybe_unused]] const vert_t<mesh> v : adj_p2v(m, p)) ++n;
+    return n;
+  });
+  std::vector<double> part(chunks.num_corners());
+  chunks.template for_each<detail::poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t corner) {
+    local.visit(m, p);
+    if (!local.has_gradients()) detail::throw_no_measure("divergence", m, p);
+    const vec3 flow = std::abs(local.measure) * to_vec3(field[p]);
+    for (std::size_t i = 0; i < local.verts.size(); ++i) part[corner + i] = dot(local.gradient[i], flow);
+    return local.verts.size();
+  });
+  std::size_t corner = 0;
+  for (const poly_t<mesh> p : polys(m))
+    for (const vert_t<mesh> v : adj_p2v(m, p)) result[v] -= part[corner++];
+  return result;
+}
+
+}  // namespace concino

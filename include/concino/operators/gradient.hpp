@@ -1,0 +1,81 @@
+// The gradient of a function on verts, per poly or per vert, without a matrix.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/operators/detail/poly_chunks.hpp>
+#include <concino/operators/detail/simplex_gradients.hpp>
+
+namespace concino {
+
+namespace detail {
+
+/// The sum of u_i g_i. Differences of u, so that constants have gradient 0 exactly and large ones cost no digits.
+template<class Local, class U>
+vec3 gradient_of(const Local& local, const U& u) {
+  vec3 sum;
+  if (local.verts.size() == 0) return sum;
+  const double first = static_cast<double>(u[local.verts[0]]);
+  for (std::size_t i = 1; i < local.verts.size(); ++i) sum += (static_cast<double>(u[local.verts[i]]) - first) * local.gradient[i];
+  return sum;
+}
+
+}  // namespace detail
+
+/// The mean gradient of u over each poly: gradient_matrix(m) times u.
+/// Needs:  Embedded AnyMesh, no temporary; u[v] of every vert of a poly, a number, readable from several threads.
+/// Result: a map of vec3, in units of u over length; see gradient_matrix. Values that are not finite give gradients that are not.
+/// Cost:   O(size of the polys) time, in parallel, O(P) memory; the same for any number of threads.
+/// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
+/// Source: as gradient_matrix.
+template<class M, class U>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
+poly_map<M, vec3> gradient(M&& m, const U& u) {
+  using mesh = std::remove_cvref_t<M>;
+  auto result = make_poly_map<vec3>(m);
+  detail::poly_chunks<mesh>(m).template for_each<detail::poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
+    local.visit(m, p);
+    if (!local.has_gradients()) detail::throw_no_measure("gradient", m, p);
+    result[p] = detail::gradient_of(local, u);
+    return 0;
+  });
+  return result;
+}
+
+/// The gradient of u at each vert: the mean over the polys around it, weighted by their areas or volumes; vert_gradient_matrix(m) times u.
+/// Needs:  as gradient.
+/// Result: a map of vec3, in units of u over length; exact on linear functions on planar surfaces and in volumes, at the boundary too; 0 at
+///         verts of no poly.
+/// Cost:   as gradient, and O(V) memory.      Errors: as gradient.
+/// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes" (AGS).
+template<class M, class U>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
+vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
+  using mesh = std::remove_cvref_t<M>;
+  struct weighted {
+    vec3 sum;
+    double size = 0;
+  };
+  std::vector<weighted> of_poly(static_cast<std::size_t>(poly_index_bound(m))), of_vert(static_cast<std::size_t>(vert_index_bound(m)));
+  detail::poly_chunks<mesh>(m).template for_each<detail::poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
+    local.visit(m, p);
+    if (!local.has_gradients()) detail::throw_no_measure("vert_gradient", m, p);
+    const double size = std::abs(local.measure);
+    of_poly[static_cast<std::size_t>(index_of(m, p))] = {size * detail::gradient_of(local, u), size};
+    return 0;
+  });
+  for (const poly_t<mesh> p : polys(m)) {
+    const weighted& w = of_poly[static_cast<std::size_t>(index_of(m, p))];
+    for (const vert_t<mesh> v : adj_p2v(m, p)) {
+      weighted& at = of_vert[static_cast<std::size_t>(index_of(m, v))];
+      at.sum += w.sum;
+      at.size += w.size;
+    }
+  }
+  auto result = make_vert_map<vec3>(m);
+  for (std::size_t i = 0; i < of_vert.size(); ++i)
+    if (of_vert[i].size > 0) result.values()[i] = of_vert[i].sum / of_vert[i].size;
+  return result;
+}
+
+}  // namespace concino

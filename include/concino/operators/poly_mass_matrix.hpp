@@ -1,0 +1,64 @@
+// How much of the domain each poly is: its area or volume, as a map and as the matrix by which vectors on polys are integrated.
+#pragma once
+
+#include <concino/geometry/measure.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/operators/detail/compressed_columns.hpp>
+
+#include <cmath>
+
+namespace concino {
+
+namespace detail {
+
+template<class M>
+double poly_mass(const char* who, const M& m, const poly_t<M>& p) {
+  const double mass = std::abs(measure(m, p));
+  if (!std::isfinite(mass))
+    throw_joined<invalid_mesh>({who, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ", static_cast<std::size_t>(index_of(m, p)),
+                                " is not a finite number; look at the points of its verts"});
+  return mass;
+}
+
+}  // namespace detail
+
+/// The area or volume of each poly. A poly turned inside out counts by the absolute value of its volume, since a mass is positive.
+/// Needs:  Embedded AnyMesh, no temporary.
+/// Result: a map of double, 0 or more; sums to the measure of the mesh.      Cost: O(size of the polys) time, O(P) memory.
+/// Errors: invalid_mesh that names a poly whose points are not finite.
+/// Source: the mass matrix of piecewise constant functions; paper section 2.2.
+template<class M>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+poly_map<M, double> poly_masses(M&& m) {
+  using mesh = std::remove_cvref_t<M>;
+  auto mass = make_poly_map<double>(m, 0.0);
+  for (const poly_t<mesh> p : polys(m)) mass[p] = detail::poly_mass<mesh>("poly_masses", m, p);
+  return mass;
+}
+
+/// The same as a diagonal matrix for vectors on polys, each mass three times: x^T M y is the integral of the scalar product of x and y.
+/// Needs:  Embedded AnyMesh.
+/// Result: 3 poly_index_bound(m) rows and columns, the mass of poly p at 3p, 3p + 1 and 3p + 2; those of deleted polys are empty.
+/// Cost:   as poly_masses.      Errors: as poly_masses; unsupported if the matrix would be too large for 32-bit indices.
+template<AnyMesh M>
+  requires Embedded<M>
+Eigen::SparseMatrix<double> poly_mass_matrix(const M& m) {
+  constexpr const char* who = "poly_mass_matrix";
+  const std::size_t size = 3 * static_cast<std::size_t>(poly_index_bound(m));
+  auto a = detail::empty_columns(who, size, size);
+  int* const begin = a.outerIndexPtr();
+  for (const poly_t<M> p : polys(m))
+    for (std::size_t k = 1; k <= 3; ++k) begin[3 * static_cast<std::size_t>(index_of(m, p)) + k] = 1;
+  detail::make_room(who, a);
+  for (const poly_t<M> p : polys(m)) {
+    const double mass = detail::poly_mass(who, m, p);
+    const std::size_t first = 3 * static_cast<std::size_t>(index_of(m, p));
+    for (std::size_t c = first; c < first + 3; ++c) {
+      a.innerIndexPtr()[begin[c]] = static_cast<int>(c);
+      a.valuePtr()[begin[c]] = mass;
+    }
+  }
+  return a;
+}
+
+}  // namespace concino

@@ -1,0 +1,73 @@
+#include <concino/operators/detail/poly_chunks.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/operators/detail/compressed_columns.hpp>
+
+#include <support/fields.hpp>
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+struct counter {
+  int calls = 0;
+};
+
+template<class M>
+void check_chunks(const M& m) {
+  std::vector<std::size_t> expected;
+  std::size_t corners = 0;
+  const detail::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
+    expected.push_back(corners);
+    std::size_t n = 0;
+    for ([[maybe_unused]] const auto v : adj_p2v(m, p)) ++n;
+    corners += n;
+    return n;
+  });
+  CHECK(chunks.num_corners() == corners);
+  auto met = make_poly_map<int>(m, 0);
+  auto first = make_poly_map<std::size_t>(m, 0);
+  chunks.template for_each<counter>([&](counter& scratch, const poly_t<M>& p, std::size_t corner) {
+    ++met[p];
+    first[p] = corner;
+    if (++scratch.calls > 1024) ++met[p];  // a chunk has its own
+    std::size_t n = 0;
+    for ([[maybe_unused]] const auto v : adj_p2v(m, p)) ++n;
+    return n;
+  });
+  std::size_t k = 0;
+  bool right = true;
+  for (const auto p : polys(m)) right = right && met[p] == 1 && first[p] == expected[k++];
+  CHECK(right);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("poly_chunks: every poly once, in chunks, with the number of corners before it", M, CONCINO_ALL_KINDS) {
+  check_chunks(M());
+  check_chunks(grid<M>(1));
+  const M m = grid<M>(VolumeMesh<M> ? 9 : 30);
+  check_chunks(m);
+  check_chunks(only_mesh(m));
+}
+
+TEST_CASE("compressed_columns: sizes that 32-bit indices cannot count are refused") {
+  CHECK(detail::empty_columns("test", 5, 3).cols() == 3);
+  CHECK_THROWS_WITH_AS(detail::empty_columns("test", std::size_t{1} << 31, 3),
+                       "test: the matrix would have more rows than its 32-bit indices can count; split the mesh", unsupported);
+  CHECK_THROWS_WITH_AS(detail::empty_columns("test", 3, std::size_t{1} << 40), doctest::Contains("more columns"), unsupported);
+  auto a = detail::empty_columns("test", 5, 2);
+  a.outerIndexPtr()[1] = a.outerIndexPtr()[2] = 1 << 29;
+  CHECK_THROWS_WITH_AS(detail::make_room("test", a, 3), doctest::Contains("test: the matrix would have more entries"), unsupported);
+  auto b = detail::empty_columns("test", 5, 2);
+  b.outerIndexPtr()[1] = 1;
+  b.outerIndexPtr()[2] = 2;
+  detail::make_room("test", b, 2);
+  CHECK(b.outerIndexPtr()[1] == 2);
+  CHECK(b.nonZeros() == 6);
+}
