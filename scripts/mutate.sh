@@ -23,6 +23,7 @@ io/off_binary          io/read_off
 io/read_medit          io/read_medit io/load
 io/read_hedra          io/read_hedra io/load
 io/orient              io/orient io/read_hedra io/load
+io/numbers             io/numbers io/read_obj
 io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
 fields/harmonic_map    fields/harmonic_map
 operators/weights      operators/weights operators/laplacian fields/harmonic_map
@@ -31,9 +32,9 @@ operators/mass_matrix  operators/mass_matrix
 operators/detail/assembly  operators/laplacian fields/harmonic_map
 operators/detail/product   fields/harmonic_map
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
-mesh/cell_tables       mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws
+mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
-mesh/sides             mesh/native_mesh edit/elements validate/check_laws
+mesh/sides             mesh/sides mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws
 mesh/rows              mesh/rows mesh/native_mesh edit/elements
 mesh/stars             mesh/native_mesh edit/elements
 mesh/checks            mesh/native_mesh edit/elements
@@ -45,6 +46,11 @@ graph/detail/lengths   graph/dijkstra
 graph/detail/targets   graph/bfs graph/dijkstra
 graph/detail/crossings graph/bfs graph/dijkstra graph/predecessors
 graph/detail/once_queue    graph/bfs
+graph/detail/steps     graph/boost
+graph/detail/edge_numbers  graph/boost
+graph/detail/sides     graph/cut_along graph/boundary_loops graph/tree_cotree
+graph/detail/corners   graph/cut_along graph/boundary_loops
+graph/detail/disjoint_sets graph/spanning_tree graph/components
 '
 
 root=$PWD

@@ -175,18 +175,19 @@ TEST_CASE("a face on the corners of another, and a poly of another's faces, name
   const list before = raw(corners);
   const cn::face_id g = cn::add_face(m, std::span<const cn::vert_id>(corners.begin(), corners.size()));
   CHECK(raw(cn::adj_f2v(m, g)) == before);
-  const auto faces = cn::adj_p2f(m, p);
+  const auto in_mesh = cn::adj_p2f(m, p);
+  const std::vector<cn::face_id> faces(in_mesh.begin(), in_mesh.end());  // in_mesh ends with the first edit
   const list those = raw(faces);
   const std::vector<std::uint8_t> outward(faces.size(), 1);
-  const cn::poly_id q = cn::mesh_traits<cn::polyhedralmesh>::add_poly(m, std::span<const cn::face_id>(faces.begin(), faces.size()), outward);
+  const cn::poly_id q = cn::mesh_traits<cn::polyhedralmesh>::add_poly(m, std::span<const cn::face_id>(in_mesh.begin(), in_mesh.size()), outward);
   CHECK(raw(cn::adj_p2f(m, q)) == those);
 
   const list polys_before = raw(cn::polys(m));
-  const std::span<const cn::face_id> none, two(faces.begin(), 2);
+  const std::span<const cn::face_id> none, two(faces.data(), 2);
   const std::span<const std::uint8_t> no_flags, one_flag(outward.data(), 1);
   const auto add = [&](auto list_of_faces, auto flags) { cn::mesh_traits<cn::polyhedralmesh>::add_poly(m, list_of_faces, flags); };
   CHECK_THROWS_WITH_AS(add(none, no_flags), doctest::Contains("needs at least one face and an outward flag for each"), cn::invalid_mesh);
-  CHECK_THROWS_AS(add(two, one_flag), cn::invalid_mesh);
+  CHECK_THROWS_WITH_AS(add(two, one_flag), doctest::Contains("needs at least one face and an outward flag for each"), cn::invalid_mesh);
   CHECK(raw(cn::polys(m)) == polys_before);
 }
 
@@ -196,6 +197,19 @@ TEST_CASE("a mesh from nothing") {
   for (int i = 0; i < 4; ++i) v.push_back(cn::add_vert(m, {i % 2, i / 2, 0}));
   CHECK(cn::add_poly(m, {v[0], v[1], v[3], v[2]}) == cn::poly_id{0});
   CHECK(cn::num_edges(m) == 4);
+  keeps_all_laws(m);
+}
+
+TEST_CASE("a face alone has as many edges as verts") {
+  cn::polyhedralmesh m;
+  std::size_t edges = 0;
+  for (unsigned n = 3; n < 12; ++n) {
+    std::vector<cn::vert_id> corners;
+    for (unsigned i = 0; i < n; ++i) corners.push_back(cn::add_vert(m, {i, n, 0}));
+    const cn::face_id f = cn::add_face(m, std::span<const cn::vert_id>(corners));
+    CHECK(cn::num_edges(m) == (edges += n));
+    for (const cn::vert_id v : corners) CHECK(raw(cn::adj_v2f(m, v)) == list{f.raw()});
+  }
   keeps_all_laws(m);
 }
 

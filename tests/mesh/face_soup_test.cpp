@@ -50,6 +50,20 @@ TEST_CASE("face_soup: a triangle and a quad on its verts are two faces") {
   CHECK(m.outward == std::vector<std::uint8_t>{1, 1, 0, 0});
 }
 
+TEST_CASE("face_soup: a triangle is no quad, whatever face follows it") {
+  for (const bool triangle_first : {false, true}) {
+    std::vector<std::vector<unsigned>> faces = {{0, 1, 2}, {3, 0, 1}, {0, 1, 2, 3}};
+    if (!triangle_first) std::swap(faces[0], faces[2]);
+    face_soup soup;
+    for (const auto& face : faces) {
+      for (const unsigned v : face) soup.face_verts.push_back(vert_id{v});
+      soup.face_offsets.push_back(static_cast<std::uint32_t>(soup.face_verts.size()));
+    }
+    soup.poly_offsets.push_back(3);
+    CHECK(std::move(soup).unite(std::vector<vec3>(4)).num_faces() == 3);
+  }
+}
+
 TEST_CASE("face_soup: n^3 hexes have 3 n^2 (n + 1) faces") {
   for (const unsigned n : {1u, 2u, 3u}) {
     const auto m = to_polyhedra(testing::hex_grid(n));

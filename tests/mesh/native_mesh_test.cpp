@@ -247,6 +247,8 @@ TEST_CASE("what cannot be a mesh is refused by name") {
   CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}}, cells{{{0, true}, {0, false}}}); }), "poly 0 has face 0 twice"));
   CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}}, cells{{}}); }), "poly 0 has no faces"));
   CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 7}}, cells{}); }), "face 0 names vert 7"));
+  CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}, {0, 1, 7}}, cells{}); }), "face 1 names vert 7"));
+  CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}}, cells{{{0, true}}, {{1, true}}}); }), "poly 1 names face 1"));
   CHECK(has(message([&] { cn::polygonmesh(cn::surface_arrays{p, {0, 3}, {cn::vert_id{0}}, 0}); }), "offsets"));
   CHECK(has(message([&] { cn::polygonmesh(cn::surface_arrays{p, {0, 3, 1}, {cn::vert_id{0}}, 0}); }), "must not decrease"));
   CHECK(has(message([&] { cn::trimesh(cn::surface_arrays{p, {}, {cn::vert_id{0}}, 3}); }), "has 1 verts"));

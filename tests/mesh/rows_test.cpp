@@ -88,6 +88,25 @@ TEST_CASE("random edits agree with vectors of vectors") {
   for (std::size_t i = 0; i < oracle.size(); ++i) CHECK(row(r, i) == oracle[i]);
 }
 
+TEST_CASE("rows hold as many values as 32 bits can count") {
+  concino::detail::offsets most{0, 0xFFFFFFFEu, 1}, more{0, 0xFFFFFFFFu, 1};
+  CHECK_NOTHROW(concino::detail::sum_up(most));
+  CHECK(most == concino::detail::offsets{0, 0xFFFFFFFEu, 0xFFFFFFFFu});
+  CHECK_THROWS_AS(concino::detail::sum_up(more), concino::unsupported);
+}
+
+TEST_CASE("rows made by adding, from nothing") {
+  rows<int, 0> r;
+  const std::vector<int> one{1, 2}, two{3};
+  r.add_row(one.begin(), one.end());
+  const rows<int, 0> copy = r;
+  r.add_row(two.begin(), two.end());
+  r.push(0, 4);
+  CHECK(row(r, 0) == std::vector<int>{1, 2, 4});
+  CHECK(row(r, 1) == two);
+  CHECK(row(copy, 0) == one);
+}
+
 TEST_CASE("rows of one length") {
   rows<int, 2> r(std::vector<int>{1, 2, 3, 4});
   const int more[] = {5, 6};

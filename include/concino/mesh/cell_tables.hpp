@@ -413,7 +413,7 @@ class cell_tables {
   void check_fan(edge_id e, std::uint32_t uses) {
     std::uint32_t n = 0;
     const auto around = adj_e2p(e);
-    for (auto it = around.begin(), last = around.end(); it != last && n <= uses; ++it) ++n;
+    for (auto it = around.begin(), last = around.end(); it != last; ++it) ++n;
     if (n != uses) e2p_[e.raw()] = detail::across::special;
   }
 

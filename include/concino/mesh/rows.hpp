@@ -77,7 +77,6 @@ class rows<T, 0> {
   const std::uint32_t* last_ = nullptr;
   std::size_t size_ = 0;
   flat_array<T> data_;
-  std::size_t unused_ = 0;
 
   void aim() {
     first_ = packed_ ? packed_->data() : loose_first_.data();
@@ -85,7 +84,7 @@ class rows<T, 0> {
   }
 
   void loosen() {
-    if (!packed_ && first_) return;
+    if (!packed_) return;
     offsets first(size_), last(size_), room(size_);
     for (std::size_t i = 0; i < size_; ++i) {
       first[i] = first_[i];
@@ -109,7 +108,6 @@ class rows<T, 0> {
     const std::size_t from = loose_first_[i], to = data_.size();
     data_.resize(to + room);
     std::copy_n(data_.data() + from, n, data_.data() + to);
-    unused_ += room_[i];
     loose_first_[i] = static_cast<std::uint32_t>(to);
     loose_last_[i] = static_cast<std::uint32_t>(to + n);
     room_[i] = room;
@@ -124,7 +122,7 @@ class rows<T, 0> {
     aim();
   }
   rows(const rows& o)
-      : packed_(o.packed_), loose_first_(o.loose_first_), loose_last_(o.loose_last_), room_(o.room_), size_(o.size_), data_(o.data_), unused_(o.unused_) {
+      : packed_(o.packed_), loose_first_(o.loose_first_), loose_last_(o.loose_last_), room_(o.room_), size_(o.size_), data_(o.data_) {
     if (o.first_) aim();
   }
   rows(rows&& o) noexcept { swap(o); }
@@ -135,7 +133,7 @@ class rows<T, 0> {
   void swap(rows& o) noexcept {
     using std::swap;
     swap(packed_, o.packed_), swap(loose_first_, o.loose_first_), swap(loose_last_, o.loose_last_), swap(room_, o.room_);
-    swap(first_, o.first_), swap(last_, o.last_), swap(size_, o.size_), swap(data_, o.data_), swap(unused_, o.unused_);
+    swap(first_, o.first_), swap(last_, o.last_), swap(size_, o.size_), swap(data_, o.data_);
   }
 
   std::size_t size() const { return size_; }
@@ -144,7 +142,8 @@ class rows<T, 0> {
   T* begin(std::size_t i) { return data_.data() + first_[i]; }
   id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
   std::uint32_t length(std::size_t i) const { return last_[i] - first_[i]; }
-  std::size_t num_values() const { return data_.size() - unused_; }
+  /// Of rows that were not edited.
+  std::size_t num_values() const { return data_.size(); }
 
   /// The offsets that other rows of the same lengths may share; null once a row was edited.
   const std::shared_ptr<const offsets>& shape() const { return packed_; }

@@ -31,8 +31,8 @@ class sides {
   id_span<Facet> facets(poly_id p) const { return facets_[p.raw()]; }
   const across* across_sides(poly_id p) const { return across_.begin(p.raw()); }
   polys_across polys(poly_id p) const { return {across_.begin(p.raw()), across_.end(p.raw()), &crowds_, p}; }
+  /// Of a facet that some poly has, where no poly meets another across two sides.
   bool has_two_polys(Facet f) const {
-    if (!is_owned(f)) return false;
     const side s = owner(f);
     return across_.begin(s.poly)[s.k].is_first();
   }
@@ -63,10 +63,12 @@ class sides {
   /// Builds: a facet that no side has met yet.
   void add_facet() { owner_.push_back(~0u); }
   /// Builds: the next facet, which is side k of p and no other so far.
-  void add_facet(std::uint32_t p, std::uint32_t k, Facet f) {
+  void add_facet(std::uint32_t p, std::uint32_t k, Facet f)
+    requires(N > 0)
+  {
     facets_.begin(p)[k] = f;
     across_.begin(p)[k] = {};
-    owner_.push_back(N > 0 ? N * p + k : p);
+    owner_.push_back(N * p + k);
   }
   void reserve_facets(std::size_t n) { owner_.reserve(n); }
   /// Builds: n facets that no side has met yet.
@@ -126,8 +128,6 @@ class sides {
         if (q.raw() != p) rest.push_back(q), around.push_back(q.raw());
       relink(f, rest);
     }
-    across* const s = across_.begin(p);
-    for (std::uint32_t k = 0; k < facets_.length(p); ++k) s[k] = {};
     for (const std::uint32_t q : around) remark_one(q);
   }
 
@@ -178,11 +178,9 @@ class sides {
   }
 
  private:
+  /// A side that leads where an earlier one does goes on doing so as long as the poly there lives, so marks are only added.
   void remark_one(std::uint32_t p) {
     std::vector<std::uint32_t> met;
-    across* const s = across_.begin(p);
-    for (std::uint32_t k = 0; k < facets_.length(p); ++k)
-      if (!s[k].is_none() && !s[k].is_crowd()) s[k].raw &= across::mask;
     mark_repeats(p, met);
   }
 

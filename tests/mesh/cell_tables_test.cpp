@@ -1,0 +1,151 @@
+// Tables of tets and of hexes: the polys around edges that are no simple ring or fan, and lists of verts that are refused.
+#include <concino/mesh/cell_tables.hpp>
+
+#include <support/soups.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+using list = std::vector<unsigned>;
+
+template<class Tables>
+Tables tables_of(unsigned vert_count, const std::vector<list>& polys) {
+  std::vector<vert_id> verts;
+  for (const list& p : polys)
+    for (const unsigned v : p) verts.push_back(vert_id{v});
+  return Tables(vert_count, verts);
+}
+
+/// How many polys at e can be reached from the first of them across faces at e that have two polys.
+template<class Tables>
+std::size_t reached_around(const Tables& t, edge_id e, const std::vector<poly_id>& polys) {
+  std::set<unsigned> met = {polys[0].raw()};
+  std::vector<poly_id> waiting = {polys[0]};
+  while (!waiting.empty()) {
+    const poly_id p = waiting.back();
+    waiting.pop_back();
+    for (const face_id f : t.adj_p2f(p)) {
+      const auto edges = t.adj_f2e(f);
+      const auto two = t.adj_f2p(f);
+      if (two.size() != 2 || std::find(edges.begin(), edges.end(), e) == edges.end()) continue;
+      for (const poly_id q : two)
+        if (met.insert(q.raw()).second) waiting.push_back(q);
+    }
+  }
+  return met.size();
+}
+
+/// The polys around every edge are those that have it; they are stepped around if they are one ring or fan, and listed if not.
+template<class Tables>
+void edges_are_right(const Tables& t) {
+  std::vector<std::vector<poly_id>> at(t.edges().bound());
+  for (const poly_id p : t.polys().all())
+    for (const edge_id e : t.adj_p2e(p)) at[e.raw()].push_back(p);
+  for (const edge_id e : t.edges().all()) {
+    std::vector<poly_id> around;
+    for (const poly_id p : t.adj_e2p(e)) around.push_back(p);
+    std::sort(around.begin(), around.end());
+    CHECK(around == at[e.raw()]);
+    CHECK(t.is_crowded(e) == (reached_around(t, e, around) != around.size()));
+  }
+}
+
+template<class Tables>
+constexpr unsigned corners_v = std::same_as<Tables, tet_tables> ? 4 : 8;
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("cell_tables: around the edges of any soup, built and edited", M, tetmesh, hexmesh) {
+  std::mt19937 random(17);
+  for (unsigned round = 0; round < 60; ++round) {
+    const unsigned vert_count = 8 + static_cast<unsigned>(random() % 5), poly_count = 1 + static_cast<unsigned>(random() % 40);
+    const auto soup = random_soup<M>(random, vert_count, poly_count);
+    auto t = tables_of<std::remove_cvref_t<decltype(std::declval<M>().tables())>>(vert_count, soup.verts);
+    edges_are_right(t);
+    for (unsigned p = 0; p < poly_count; p += 2) t.remove_poly(poly_id{p});
+    edges_are_right(t);
+    for (unsigned p = 0; p < poly_count; p += 4) {
+      std::vector<vert_id> corners;
+      for (const unsigned v : soup.verts[p]) corners.push_back(vert_id{v});
+      t.add_poly(corners);
+    }
+    edges_are_right(t);
+  }
+  edges_are_right(grid<M>(3).tables());
+}
+
+TEST_CASE("cell_tables: around an edge of several rings and fans, however it is numbered") {
+  // Each entry is one ring (closed) or fan (open) of tets around the edge 0-1, of so many tets.
+  struct fan { unsigned tets; bool closed; };
+  const std::vector<std::vector<fan>> cases = {{{3, true}}, {{6, true}}, {{9, true}}, {{3, true}, {3, true}}, {{3, true}, {4, true}}, {{8, true}, {3, true}},
+                                               {{3, true}, {8, true}}, {{5, false}}, {{3, true}, {2, false}}, {{2, false}, {2, false}},
+                                               {{254, true}}, {{255, true}}, {{256, true}}, {{300, true}, {3, true}}, {{254, false}}, {{255, false}}, {{300, false}},
+                                               {{300, false}, {300, false}}};
+  for (const auto& fans : cases)
+    for (const bool backwards : {false, true}) {
+      std::vector<list> tets;
+      unsigned next = 2;
+      for (const fan& f : fans) {
+        const unsigned first = next;
+        for (unsigned i = 0; i < f.tets; ++i) tets.push_back({0, 1, next + i, f.closed && i + 1 == f.tets ? first : next + i + 1});
+        next += f.tets + (f.closed ? 0 : 1);
+      }
+      // elsewhere some tets that keep the edge from being the first
+      tets.insert(tets.begin(), {{next, next + 1, next + 2, next + 3}, {next, next + 1, next + 2, next + 4}});
+      next += 5;
+      if (backwards)
+        for (list& t : tets)
+          for (unsigned& v : t) v = next - 1 - v;
+      edges_are_right(tables_of<tet_tables>(next, tets));
+    }
+}
+
+TEST_CASE("cell_tables: around an edge with closed pairs of equal polys, and with four polys at one face and two at each of the others") {
+  for (const unsigned pairs : {1u, 2u, 3u}) {
+    std::vector<list> tets;
+    for (unsigned i = 0; i < pairs; ++i) tets.insert(tets.end(), 2, {0, 1, 2 + 2 * i, 3 + 2 * i});
+    edges_are_right(tables_of<tet_tables>(2 + 2 * pairs, tets));
+  }
+  list order = {0, 1, 2, 3, 4, 5, 6};
+  do {
+    std::vector<list> tets = {{0, 1, 2, 3}, {0, 1, 3, 5}, {0, 1, 5, 2}, {0, 1, 2, 4}, {0, 1, 4, 6}, {0, 1, 6, 2}};
+    for (list& t : tets)
+      for (unsigned& v : t) v = order[v];
+    edges_are_right(tables_of<tet_tables>(7, tets));
+  } while (std::next_permutation(order.begin(), order.begin() + 5));
+}
+
+TEST_CASE_TEMPLATE("cell_tables: a bad or a repeated vert is found wherever it stands", Tables, tet_tables, hex_tables) {
+  constexpr unsigned n = corners_v<Tables>;
+  const auto complaint = [](const std::vector<list>& lists) -> std::string {
+    try {
+      tables_of<Tables>(9, lists);
+    } catch (const invalid_mesh& e) {
+      return e.what();
+    }
+    return "nothing was thrown";
+  };
+  list good;
+  for (unsigned i = 0; i < n; ++i) good.push_back(8 - i);
+  CHECK(complaint({good, good, good}) == "nothing was thrown");
+  CHECK(complaint({good, list(n, 3), good}).find("poly 1 has vert 3 twice") != std::string::npos);
+  for (unsigned i = 0; i < n; ++i) {
+    list bad = good;
+    bad[i] = 9;
+    CHECK(complaint({good, bad, good}).find("poly 1 names vert 9") != std::string::npos);
+    for (unsigned j = 0; j < i; ++j) {
+      bad[i] = good[j];
+      CHECK(complaint({good, bad, good}).find("poly 1 has vert " + std::to_string(good[j]) + " twice") != std::string::npos);
+    }
+  }
+}
