@@ -8,3 +8,4 @@
 #include <concino/generate/random_labels.hpp>
 #include <concino/generate/random_points.hpp>
 #include <concino/generate/voronoi_polygons.hpp>
+#include <concino/generate/voronoi_polyhedra.hpp>

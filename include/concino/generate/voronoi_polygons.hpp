@@ -28,13 +28,12 @@ polygonmesh voronoi_polygons(const Sites& sites, const box& domain, const vorono
     const detail::site_lattice<2> lattice(x, b);
     const detail::voronoi_complex<2> cells(lattice);
     surface_arrays a;
-    for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back({lattice.from_lattice(cells[v][0], 0), lattice.from_lattice(cells[v][1], 1), b.min.z});
+    for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back(cells.point(v));
     a.offsets.push_back(0);
-    for (std::uint32_t i = 0; i < lattice.size(); ++i)
-      cells.for_each_loop(i, [&](std::uint32_t, const std::uint32_t* first, const std::uint32_t* last) {
-        for (; first != last; ++first) a.verts.push_back(vert_id{*first});
-        a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
-      });
+    for (std::uint32_t i = 0; i < lattice.size(); ++i) {  // one loop each
+      for (const std::uint32_t v : cells.verts(i)) a.verts.push_back(vert_id{v});
+      a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
+    }
     return polygonmesh(std::move(a));
   });
 }

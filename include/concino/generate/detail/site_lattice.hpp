@@ -54,8 +54,9 @@ class site_lattice {
   const place& operator[](std::size_t i) const { return places_[i]; }
   std::int64_t side(std::size_t k) const { return size_[k]; }
 
-  /// A point given in lattice steps, back in the box.
+  /// A point given in lattice steps, back in the box; its walls exactly.
   double from_lattice(double x, std::size_t k) const {
+    if (x >= static_cast<double>(size_[k])) return domain_.max[k];
     return std::clamp(domain_.min[k] + std::ldexp(x, exponent_), domain_.min[k], domain_.max[k]);
   }
   const box& domain() const { return domain_; }

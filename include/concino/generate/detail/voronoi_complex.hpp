@@ -5,6 +5,8 @@
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/parallel.hpp>
 
+#include <span>
+
 namespace concino::detail {
 
 /// The cells of D-dimensional sites: for every site its verts and loops of these. In a plane a cell has one loop, counter-clockwise; in space one for each
@@ -32,13 +34,18 @@ class voronoi_complex {
   }
 
   std::size_t num_verts() const { return places_.size(); }
-  const place& operator[](std::uint32_t v) const { return places_[v]; }
 
-  /// The loops of a cell: for each the site beyond (or a wall, see key; unused in a plane) and its verts.
-  template<class Visit>
-  void for_each_loop(std::uint32_t cell, const Visit& visit) const {
-    for (std::uint32_t l = first_loop_[cell]; l < first_loop_[cell + 1]; ++l)
-      visit(beyond_[l], loop_verts_.data() + first_loop_vert_[l], loop_verts_.data() + first_loop_vert_[l + 1]);
+  /// The loops of a cell are numbered from first_loop(cell) to first_loop(cell + 1) - 1.
+  std::uint32_t first_loop(std::uint32_t cell) const { return first_loop_[cell]; }
+  /// The site beyond a loop, or its wall (see key); in a plane it means nothing.
+  std::uint32_t beyond(std::uint32_t loop) const { return beyond_[loop]; }
+  std::span<const std::uint32_t> verts(std::uint32_t loop) const {
+    return {loop_verts_.data() + first_loop_vert_[loop], loop_verts_.data() + first_loop_vert_[loop + 1]};
+  }
+  vec3 point(std::uint32_t v) const {
+    vec3 x = sites_.domain().min;
+    for (std::size_t k = 0; k < D; ++k) x[k] = sites_.from_lattice(places_[v][k], k);
+    return x;
   }
 
  private:

@@ -1,0 +1,50 @@
+// The Voronoi cells of points in a box, as a polyhedral mesh.
+#pragma once
+
+#include <concino/generate/voronoi_polygons.hpp>
+#include <concino/mesh/polyhedralmesh.hpp>
+
+namespace concino {
+
+/// The Voronoi cells of sites in a box: poly i is what is nearer to site i than to any other site.
+/// Needs:  sites, a container of points or points in braces, inside the box or on its border; no two the same.
+/// Result: a conforming mesh that fills the box, its polys convex, its faces planar but for rounding. Where more than four sites lie on one sphere, as in a
+///         grid, their cells share one vert, and faces and edges without size are left out. Verts closer than 2^-39 of the longest side become one, and
+///         sites are read to 2^-49 of it. Scales exactly with powers of 2; the same for any number of threads.
+/// Cost:   O(n) time and memory for sites of about even density, in parallel.
+/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding; where there is no
+///         site; where the box is empty, not finite, or more than 2^32 times as long as wide.
+/// Source: as voronoi_polygons.
+template<class Sites = std::initializer_list<vec3>>
+  requires detail::PointRange<Sites>
+polyhedralmesh voronoi_polyhedra(const Sites& sites, const box& domain, const voronoi_options& options = {}) {
+  return detail::with_relaxed_sites(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
+    const detail::site_lattice<3> lattice(x, b);
+    const detail::voronoi_complex<3> cells(lattice);
+    polyhedra_arrays a;
+    for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back(cells.point(v));
+    a.face_offsets.push_back(0);
+    a.poly_offsets.push_back(0);
+    std::vector<face_id> face_of;  // per loop
+    for (std::uint32_t i = 0; i < lattice.size(); ++i) {
+      for (std::uint32_t l = cells.first_loop(i); l < cells.first_loop(i + 1); ++l) {
+        const std::uint32_t other = cells.beyond(l);
+        if (other < i) {  // the face was made with the cell beyond it
+          std::uint32_t there = cells.first_loop(other);
+          while (cells.beyond(there) != i) ++there;
+          face_of.push_back(face_of[there]);
+        } else {
+          face_of.push_back(face_id{a.num_faces()});
+          for (const std::uint32_t v : cells.verts(l)) a.face_verts.push_back(vert_id{v});
+          a.face_offsets.push_back(static_cast<std::uint32_t>(a.face_verts.size()));
+        }
+        a.poly_faces.push_back(face_of.back());
+        a.outward.push_back(other > i);
+      }
+      a.poly_offsets.push_back(static_cast<std::uint32_t>(a.poly_faces.size()));
+    }
+    return polyhedralmesh(std::move(a));
+  });
+}
+
+}  // namespace concino
