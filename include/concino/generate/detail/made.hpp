@@ -34,18 +34,20 @@ M made_of(surface_arrays a) {
   }
 }
 
-/// A surface of these quads: as they are, or each of them cut from its first vert to its third where M is of triangles.
+/// Two triangles a quad, cut from its first vert to its third.
+inline surface_arrays cut_quads(surface_arrays quads) {
+  surface_arrays a{std::move(quads.points), {}, {}, 3};
+  a.verts.reserve(quads.verts.size() / 2 * 3);
+  for (std::size_t i = 0; i < quads.verts.size(); i += 4)
+    for (const std::size_t k : {0u, 1u, 2u, 0u, 2u, 3u}) a.verts.push_back(quads.verts[i + k]);
+  return a;
+}
+
+/// A surface of these quads: as they are, or cut where M is of triangles.
 template<class M>
 M made_of_quads(surface_arrays quads) {
-  if constexpr (arity_v<M> == 3) {
-    surface_arrays a{std::move(quads.points), {}, {}, 3};
-    a.verts.reserve(quads.verts.size() / 2 * 3);
-    for (std::size_t i = 0; i < quads.verts.size(); i += 4)
-      for (const std::size_t k : {0u, 1u, 2u, 0u, 2u, 3u}) a.verts.push_back(quads.verts[i + k]);
-    return made_of<M>(std::move(a));
-  } else {
-    return made_of<M>(std::move(quads));
-  }
+  if constexpr (arity_v<M> == 3) return made_of<M>(cut_quads(std::move(quads)));
+  else return made_of<M>(std::move(quads));
 }
 
 /// Six tets a hex. Every quad is cut at its vert of least number, so that two hexes that share it agree; in a grid that is numbered row by

@@ -1,0 +1,77 @@
+// Spheres of nearly equal triangles.
+#pragma once
+
+#include <concino/generate/detail/made.hpp>
+#include <concino/graph/detail/sides.hpp>
+#include <concino/mesh/trimesh.hpp>
+
+namespace concino {
+
+namespace detail {
+
+/// The twelve verts and twenty triangles of the regular icosahedron on the unit sphere.
+inline surface_arrays icosahedron() {
+  surface_arrays a{{}, {}, {}, 3};
+  const double golden = (1 + std::sqrt(5.0)) / 2, length = std::sqrt(1 + golden * golden);
+  for (const double s : {-1.0, 1.0})
+    for (const double t : {-golden, golden})
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        vec3 x;
+        x[axis] = s / length;
+        x[(axis + 1) % 3] = t / length;
+        a.points.push_back(x);
+      }
+  const auto joined_by_edge = [&](std::size_t i, std::size_t j) { return dot(a.points[i], a.points[j]) > 0.4; };  // 1 / sqrt(5) if so, else below 0
+  for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t j = i + 1; j < 12; ++j)
+      for (std::size_t k = j + 1; k < 12; ++k) {
+        if (!joined_by_edge(i, j) || !joined_by_edge(j, k) || !joined_by_edge(k, i)) continue;
+        const bool outward = dot(cross(a.points[i], a.points[j]), a.points[k]) > 0;
+        for (const std::size_t v : {i, outward ? j : k, outward ? k : j}) a.verts.push_back(vert_id{v});
+      }
+  return a;
+}
+
+/// Four triangles for each, new verts pushed out to the unit sphere.
+inline surface_arrays quartered_on_sphere(const surface_arrays& triangles) {
+  const trimesh m(triangles);
+  surface_arrays a{triangles.points, {}, {}, 3};
+  a.verts.reserve(4 * triangles.verts.size());
+  for (const edge_id e : edges(m)) {
+    vec3 sum;
+    for (const vert_id v : adj_e2v(m, e)) sum += point(m, v);
+    a.points.push_back(sum / norm(sum));
+  }
+  side_walker<trimesh> walker(m);
+  for (const poly_id p : polys(m)) {
+    walker.read(p);
+    vert_id corner[3], middle[3];
+    walker.for_each_side(p, [&](const edge_id e, std::size_t i, std::size_t) {
+      corner[i] = walker.ring()[i];
+      middle[i] = vert_id{num_verts(m) + index_of(m, e)};
+    });
+    a.verts.insert(a.verts.end(), {corner[0], middle[0], middle[2], corner[1], middle[1], middle[0], corner[2], middle[2], middle[1], middle[0], middle[1], middle[2]});
+  }
+  return a;
+}
+
+}  // namespace detail
+
+/// A sphere of triangles of nearly the same size: a regular icosahedron whose triangles are quartered again and again on the sphere.
+/// Needs:  nothing.
+/// Result: 20 * 4^subdivisions triangles, 10 * 4^subdivisions + 2 verts, all on the sphere, wound outward.
+/// Cost:   linear in these.
+/// Errors: invalid_argument if subdivisions is above 12, so that polys would not fit 32-bit descriptors, radius is not finite and above 0, or
+///         centre is not finite.
+/// Source: Baumgardner, Frederickson 1985, "Icosahedral discretization of the two-sphere".
+inline trimesh icosphere(unsigned subdivisions, double radius = 1, const vec3& centre = {}) {
+  if (subdivisions > 12) detail::throw_joined<invalid_argument>({"icosphere: subdivisions is ", subdivisions, "; it must be at most 12"});
+  detail::check_positive("icosphere", "radius", radius);
+  detail::check_finite("icosphere", "centre", centre);
+  surface_arrays a = detail::icosahedron();
+  for (unsigned k = 0; k < subdivisions; ++k) a = detail::quartered_on_sphere(a);
+  for (vec3& x : a.points) x = centre + radius * x;
+  return trimesh(std::move(a));
+}
+
+}  // namespace concino

@@ -1,0 +1,106 @@
+// Spheres and balls: make_sphere<M>().
+#pragma once
+
+#include <concino/generate/detail/box_skin.hpp>
+#include <concino/generate/detail/made.hpp>
+#include <concino/generate/detail/round.hpp>
+
+namespace concino {
+
+struct sphere_options {
+  std::size_t cells = 8;  // 1 or more, along each side of the cube that is made round
+  double radius = 1;      // finite, above 0
+  vec3 centre = {0, 0, 0};
+};
+
+namespace detail {
+
+/// The surface of a cube, seen from its centre on the unit sphere.
+inline surface_arrays cube_sphere(std::size_t n) {
+  const box_skin skin({n, n, n});
+  surface_arrays a{{}, {}, {}, 4};
+  a.points.reserve(skin.num_verts());
+  a.verts.reserve(4 * skin.num_quads());
+  skin.for_each_vert([&](const lattice_place& at) { a.points.push_back(on_round_rim({even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)})); });
+  skin.for_each_quad([&](const std::array<lattice_place, 4>& quad) {
+    for (const lattice_place& at : quad) a.verts.push_back(vert_id{skin.number(at)});
+  });
+  return a;
+}
+
+/// A core of n^3 hexes in layers of hexes.
+inline cell_arrays hex_ball(std::size_t n) {
+  const box_skin skin({n, n, n});
+  const std::size_t layers = layers_around(n), row = n + 1, core = row * row * row;
+  cell_arrays a{{}, {}, 8};
+  a.points.reserve(core + layers * skin.num_verts());
+  a.verts.reserve(8 * (n * n * n + layers * skin.num_quads()));
+  const auto cube = [&](const lattice_place& at) { return vec3(even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)); };
+  const auto core_number = [&](const lattice_place& at) { return (at[2] * row + at[1]) * row + at[0]; };
+  for (std::size_t k = 0; k < row; ++k)
+    for (std::size_t j = 0; j < row; ++j)
+      for (std::size_t i = 0; i < row; ++i) a.points.push_back(in_round_core(cube({i, j, k})));
+  for (std::size_t l = 1; l <= layers; ++l)
+    skin.for_each_vert([&](const lattice_place& at) {
+      const vec3 u = cube(at), inner = in_round_core(u), outer = on_round_rim(u);
+      a.points.push_back(l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
+    });
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < n; ++i)
+        for (const std::size_t up : {k, k + 1})
+          for (const lattice_place& at : {lattice_place{i, j, up}, {i + 1, j, up}, {i + 1, j + 1, up}, {i, j + 1, up}}) a.verts.push_back(vert_id{core_number(at)});
+  for (std::size_t l = 0; l < layers; ++l)
+    skin.for_each_quad([&](const std::array<lattice_place, 4>& quad) {
+      for (const std::size_t level : {l, l + 1})
+        for (const lattice_place& at : quad)
+          a.verts.push_back(vert_id{level == 0 ? core_number(at) : core + (level - 1) * skin.num_verts() + skin.number(at)});
+    });
+  return a;
+}
+
+template<class Arrays>
+Arrays placed(Arrays a, double radius, const vec3& centre) {
+  for (vec3& x : a.points) x = centre + radius * x;
+  return a;
+}
+
+}  // namespace detail
+
+/// A sphere, wound outward; of a kind of volumes a solid ball.
+/// Needs:  M is one of the six meshes, or one that can add verts and polys.
+/// Result: a cube of `cells` a side whose surface is projected to the sphere, evenly by angle. Quads: 6 cells^2 of them; triangles: two a quad;
+///         polygons of any size: the dual of these triangles, most of them hexagons that are not quite planar. Volumes: a core of cells^3 hexes
+///         and (cells + 1) / 2 layers of 6 cells^2 around it; tets, six a hex; or the hexes as polyhedra. All verts of the boundary lie on
+///         the sphere. See icosphere() for more even triangles.
+/// Cost:   O(verts) time and memory.
+/// Errors: invalid_argument that names the field: no cells or more than 32-bit descriptors can tell apart, a radius that is not finite and above
+///         0, a centre that is not finite. unsupported if a mesh of another library refuses a poly.
+/// Source: the equiangular cubed sphere of Ronchi, Iacono, Paolucci 1996; tets by Dompierre et al. 1999.
+template<requirement::can_be_made M>
+M make_sphere(const sphere_options& options = {}) {
+  detail::check_at_least("make_sphere", "cells", options.cells, 1);
+  detail::check_positive("make_sphere", "radius", options.radius);
+  detail::check_finite("make_sphere", "centre", options.centre);
+  const double n = static_cast<double>(options.cells), skin = 6 * n * n;
+  if constexpr (dimension_v<M> == 3) {
+    detail::check_room<M>("make_sphere", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (skin + 2), n * n * n + (n + 1) / 2 * skin);
+    return detail::made_of_hexes<M>(detail::placed(detail::hex_ball(options.cells), options.radius, options.centre));
+  } else {
+    detail::check_room<M>("make_sphere", "cells", 2 * skin, skin);
+    surface_arrays quads = detail::cube_sphere(options.cells);
+    if constexpr (arity_v<M> == 0) {
+      const surface_arrays triangles = detail::cut_quads(std::move(quads));
+      quads = detail::dual_of_triangles(triangles, [&](std::size_t t) {
+        vec3 sum;
+        for (const std::size_t k : {0u, 1u, 2u}) sum += triangles.points[triangles.verts[3 * t + k].raw()];
+        return detail::on_round_rim(sum);
+      });
+      return detail::made_of<M>(detail::placed(std::move(quads), options.radius, options.centre));
+    } else {
+      return detail::made_of_quads<M>(detail::placed(std::move(quads), options.radius, options.centre));
+    }
+  }
+}
+
+}  // namespace concino

@@ -1,0 +1,122 @@
+// Tori, hollow and solid: make_torus<M>().
+#pragma once
+
+#include <concino/generate/detail/box_skin.hpp>
+#include <concino/generate/detail/made.hpp>
+#include <concino/generate/detail/round.hpp>
+
+namespace concino {
+
+struct torus_options {
+  std::array<std::size_t, 2> cells = {32, 16};  // around the axis, and around the tube; 3 or more
+  double radius = 1;                            // of the circle in the middle of the tube; finite, above 0
+  double tube_radius = 0.4;                     // above 0, below radius
+  vec3 centre = {0, 0, 0};                      // the axis runs through it along z
+};
+
+namespace detail {
+
+/// A disk of radius 1 in x and y: a core of n x n quads in layers of quads.
+inline surface_arrays quad_disk(std::size_t n) {
+  const std::size_t layers = layers_around(n), row = n + 1, core = row * row, rim = 4 * n;
+  surface_arrays a{{}, {}, {}, 4};
+  const auto square = [&](const lattice_place& at) { return vec3(even_angle(at[0], n), even_angle(at[1], n), 0); };
+  std::vector<lattice_place> around(rim);
+  for (std::size_t j = 0; j < row; ++j)
+    for (std::size_t i = 0; i < row; ++i) {
+      a.points.push_back(in_round_core(square({i, j, 0})));
+      if (i == 0 || i == n || j == 0 || j == n) around[rim_number(i, j, n, n)] = {i, j, 0};
+      if (i == n || j == n) continue;
+      for (const std::size_t step : {std::size_t{0}, std::size_t{1}, row + 1, row}) a.verts.push_back(vert_id{j * row + i + step});
+    }
+  const auto number = [&](std::size_t layer, std::size_t k) { return layer == 0 ? around[k][1] * row + around[k][0] : core + (layer - 1) * rim + k; };
+  for (std::size_t l = 1; l <= layers; ++l)
+    for (std::size_t k = 0; k < rim; ++k) {
+      const vec3 u = square(around[k]), inner = in_round_core(u), outer = on_round_rim(u);
+      a.points.push_back(l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
+      const std::size_t next = (k + 1) % rim;
+      for (const std::size_t v : {number(l - 1, k), number(l, k), number(l, next), number(l - 1, next)}) a.verts.push_back(vert_id{v});
+    }
+  return a;
+}
+
+/// A point of the solid torus: the fraction `turn` of a whole turn around the axis, at `out` and `up` in the tube.
+inline vec3 in_torus(const torus_options& o, double turn, double out, double up) {
+  const double angle = 6.28318530717958647692 * turn, far = o.radius + o.tube_radius * out;
+  return o.centre + vec3{far * std::cos(angle), far * std::sin(angle), o.tube_radius * up};
+}
+
+/// A point of the torus, by steps of cells.
+inline vec3 on_torus(const torus_options& o, double around, double tube) {
+  const double angle = 6.28318530717958647692 * (tube / static_cast<double>(o.cells[1]));
+  return in_torus(o, around / static_cast<double>(o.cells[0]), std::cos(angle), std::sin(angle));
+}
+
+inline surface_arrays quad_torus(const torus_options& o) {
+  const auto [n, k] = o.cells;
+  surface_arrays a{{}, {}, {}, 4};
+  for (std::size_t j = 0; j < k; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      a.points.push_back(on_torus(o, static_cast<double>(i), static_cast<double>(j)));
+      const std::size_t right = (i + 1) % n, up = (j + 1) % k;
+      for (const std::size_t v : {j * n + i, j * n + right, up * n + right, up * n + i}) a.verts.push_back(vert_id{v});
+    }
+  return a;
+}
+
+inline cell_arrays hex_torus(const torus_options& o) {
+  const surface_arrays disk = quad_disk((o.cells[1] + 3) / 4);
+  const std::size_t n = o.cells[0], layer = disk.points.size();
+  cell_arrays a{{}, {}, 8};
+  a.points.reserve(n * layer);
+  a.verts.reserve(n * 2 * disk.verts.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const vec3& x : disk.points) a.points.push_back(in_torus(o, static_cast<double>(i) / static_cast<double>(n), x.y, x.x));  // so that the disk faces on
+    for (std::size_t q = 0; q < disk.verts.size(); q += 4)
+      for (const std::size_t at : {i, (i + 1) % n})
+        for (std::size_t k = 0; k < 4; ++k) a.verts.push_back(vert_id{at * layer + disk.verts[q + k].raw()});
+  }
+  return a;
+}
+
+}  // namespace detail
+
+/// A torus about the z axis, wound outward; of a kind of volumes a solid one.
+/// Needs:  M is one of the six meshes, or one that can add verts and polys.
+/// Result: cells[0] x cells[1] quads; triangles: two a quad; polygons of any size: the dual of these triangles, hexagons that are not quite
+///         planar. Volumes: cells[0] slices, each of a disk with a core of n x n hexes, n = cells[1] / 4 rounded up, and (n + 1) / 2 layers of
+///         4 n around it; tets, six a hex; or the hexes as polyhedra. All verts of the boundary lie on the torus.
+/// Cost:   O(verts) time and memory.
+/// Errors: invalid_argument that names the field: less than 3 cells or more than 32-bit descriptors can tell apart, a radius that is not finite
+///         and above 0, a tube as thick as the ring or thicker, a centre that is not finite. unsupported if a mesh of another library refuses a poly.
+/// Source: tets by Dompierre et al. 1999.
+template<requirement::can_be_made M>
+M make_torus(const torus_options& options = {}) {
+  for (const std::size_t k : {0u, 1u}) detail::check_at_least("make_torus", "cells[" + std::to_string(k) + "]", options.cells[k], 3);
+  detail::check_positive("make_torus", "radius", options.radius);
+  detail::check_positive("make_torus", "tube_radius", options.tube_radius);
+  if (options.tube_radius >= options.radius)
+    detail::throw_joined<invalid_argument>({"make_torus: tube_radius is ", detail::number_text(options.tube_radius), "; it must be below radius, which is ",
+                                            detail::number_text(options.radius)});
+  detail::check_finite("make_torus", "centre", options.centre);
+  const double n = static_cast<double>(options.cells[0]), k = static_cast<double>(options.cells[1]);
+  if constexpr (dimension_v<M> == 3) {
+    const double core = (k + 3) / 4 + 1, around = 4 * core * (core / 2 + 1);
+    detail::check_room<M>("make_torus", "cells", n * (core * core + around), n * (core * core + around));
+    return detail::made_of_hexes<M>(detail::hex_torus(options));
+  } else {
+    detail::check_room<M>("make_torus", "cells", 2 * n * k, n * k);
+    surface_arrays quads = detail::quad_torus(options);
+    if constexpr (arity_v<M> == 0) {
+      const auto place = [&](std::size_t t) {  // in the middle of the triangle, by angle: the quad's lower right half, then its upper left one
+        const double right = t % 2 ? 1 / 3.0 : 2 / 3.0, up = 1 - right;
+        return detail::on_torus(options, static_cast<double>(t / 2 % options.cells[0]) + right, static_cast<double>(t / 2 / options.cells[0]) + up);
+      };
+      return detail::made_of<M>(detail::dual_of_triangles(detail::cut_quads(std::move(quads)), place));
+    } else {
+      return detail::made_of_quads<M>(std::move(quads));
+    }
+  }
+}
+
+}  // namespace concino
