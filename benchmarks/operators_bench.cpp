@@ -41,6 +41,27 @@ sparse by_triplets(const F& f) {
   return a;
 }
 
+template<class F>
+sparse gradient_by_triplets(const F& f) {
+  const u32 np = f.num_polys(), n = static_cast<u32>(f.p2v.size()) / np;
+  std::vector<Eigen::Triplet<double>> t;
+  t.reserve(3 * f.p2v.size());
+  for (u32 p = 0; p < np; ++p) {
+    floors::vector3 g[4];
+    floors::hat_gradients(f, p, g);
+    const int row = 3 * static_cast<int>(p);
+    for (u32 i = 0; i < n; ++i) {
+      const int column = static_cast<int>(f.p2v[n * p + i]);
+      t.emplace_back(row, column, g[i].x);
+      t.emplace_back(row + 1, column, g[i].y);
+      t.emplace_back(row + 2, column, g[i].z);
+    }
+  }
+  sparse a(3 * static_cast<Eigen::Index>(np), static_cast<Eigen::Index>(f.num_verts()));
+  a.setFromTriplets(t.begin(), t.end());
+  return a;
+}
+
 template<class F, class M>
 void matrices(const bench::program& p, const std::string& name, const F& f, const M& m) {
   using concino::weights;
@@ -58,6 +79,19 @@ void matrices(const bench::program& p, const std::string& name, const F& f, cons
     p.print(bench::compare(work, p.rounds,
                            {{"floor", timed(floor)}, {"concino", timed(ours)}, {"eigen-triplets", timed([&] { return by_triplets(f); }), 4}}));
   }
+  if (const std::string work = "gradient." + name; p.wants(work)) {
+    const auto floor = [&] { return floors::gradient(f); };
+    const auto ours = [&] { return concino::gradient_matrix(m); };
+    expect_equal(work, floor(), ours());
+    p.print(bench::compare(work, p.rounds,
+                           {{"floor", timed(floor)}, {"concino", timed(ours)}, {"eigen-triplets", timed([&] { return gradient_by_triplets(f); }), 4}}));
+  }
+  if (const std::string work = "divergence." + name; p.wants(work)) {
+    const auto floor = [&] { return floors::divergence(f); };
+    const auto ours = [&] { return concino::divergence_matrix(m); };
+    expect_equal(work, floor(), ours());
+    p.print(bench::compare(work, p.rounds, {{"floor", timed(floor)}, {"concino", timed(ours)}}));
+  }
   if (const std::string work = "mass." + name; p.wants(work)) {
     const auto floor = [&] { return floors::diagonal(floors::masses(f)); };
     const auto ours = [&] { return concino::mass_matrix(m); };
@@ -71,11 +105,16 @@ void matrices(const bench::program& p, const std::string& name, const F& f, cons
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
-    if (p.wants("laplacian.uniform.tri1m") || p.wants("laplacian.cotangent.tri1m") || p.wants("mass.tri1m")) {
+    const auto wants_any = [&](const std::string& name) {
+      for (const char* work : {"laplacian.uniform.", "laplacian.cotangent.", "gradient.", "divergence.", "mass."})
+        if (p.wants(work + name)) return true;
+      return false;
+    };
+    if (wants_any("tri1m")) {
       const auto a = p.data.tri1m();
       matrices(p, "tri1m", bench::built<3>(a), concino::trimesh(a));
     }
-    if (p.wants("laplacian.uniform.tet1m") || p.wants("laplacian.cotangent.tet1m") || p.wants("mass.tet1m")) {
+    if (wants_any("tet1m")) {
       const auto a = p.data.tet1m();
       matrices(p, "tet1m", bench::built<floors::tet_shape>(a), concino::tetmesh(a));
     }

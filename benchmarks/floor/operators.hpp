@@ -118,6 +118,95 @@ matrix cotangent_laplacian(const Mesh& m) {
   return fill(m, [&](u32 k) { return w[m.v2e[k]]; });
 }
 
+/// The gradients of the hat functions of one triangle or tet: what it adds to rows 3p, 3p + 1, 3p + 2 of the columns of its verts.
+inline void hat_gradients(const surface<3>& m, u32 p, vector3* g) {
+  const vector3 a = at(m.points, m.p2v[3 * p]), b = at(m.points, m.p2v[3 * p + 1]), c = at(m.points, m.p2v[3 * p + 2]);
+  const vector3 n = cross(b - a, c - a);
+  const double f = 1 / dot(n, n);
+  const vector3 d = {f * n.x, f * n.y, f * n.z};
+  g[0] = cross(d, c - b);
+  g[1] = cross(d, a - c);
+  g[2] = cross(d, b - a);
+}
+inline void hat_gradients(const cells<tet_shape>& m, u32 p, vector3* g) {
+  const u32* v = &m.p2v[4 * p];
+  const vector3 o = at(m.points, v[0]), a = at(m.points, v[1]) - o, b = at(m.points, v[2]) - o, c = at(m.points, v[3]) - o;
+  const vector3 s1 = cross(b, c), s2 = cross(c, a), s3 = cross(a, b);
+  const double f = 1 / dot(a, s1);
+  g[1] = {f * s1.x, f * s1.y, f * s1.z};
+  g[2] = {f * s2.x, f * s2.y, f * s2.z};
+  g[3] = {f * s3.x, f * s3.y, f * s3.z};
+  g[0] = {-g[1].x - g[2].x - g[3].x, -g[1].y - g[2].y - g[3].y, -g[1].z - g[2].z - g[3].z};
+}
+
+/// Three rows per poly, a column per vert. Where each column begins is known from the polys around each vert; polys are met in ascending order, so
+/// each column is filled from its top.
+template<u32 K, class Mesh>
+matrix gradient(const Mesh& m) {
+  const u32 nv = m.num_verts(), np = m.num_polys(), entries = 3 * static_cast<u32>(m.p2v.size());
+  matrix a{buffer<int>(nv + 1), buffer<int>(entries), buffer<double>(entries)};
+  for (u32 v = 0; v <= nv; ++v) a.begin[v] = 3 * static_cast<int>(m.vp_off[v]);
+  buffer<int> end(nv);
+  std::memcpy(end.data(), a.begin.data(), nv * sizeof(int));
+  for (u32 p = 0; p < np; ++p) {
+    vector3 g[K];
+    hat_gradients(m, p, g);
+    const int row = 3 * static_cast<int>(p);
+    for (u32 i = 0; i < K; ++i) {
+      int& k = end[m.p2v[K * p + i]];
+      int* r = a.rows.data() + k;
+      double* x = a.values.data() + k;
+      k += 3;
+      r[0] = row;
+      r[1] = row + 1;
+      r[2] = row + 2;
+      x[0] = g[i].x;
+      x[1] = g[i].y;
+      x[2] = g[i].z;
+    }
+  }
+  return a;
+}
+inline matrix gradient(const surface<3>& m) { return gradient<3>(m); }
+inline matrix gradient(const cells<tet_shape>& m) { return gradient<4>(m); }
+
+inline double size_of(const surface<3>& m, u32 p) {
+  const vector3 a = at(m.points, m.p2v[3 * p]);
+  return norm(cross(at(m.points, m.p2v[3 * p + 1]) - a, at(m.points, m.p2v[3 * p + 2]) - a)) / 2;
+}
+inline double size_of(const cells<tet_shape>& m, u32 p) {
+  const u32* v = &m.p2v[4 * p];
+  const vector3 a = at(m.points, v[0]);
+  return std::abs(dot(cross(at(m.points, v[1]) - a, at(m.points, v[2]) - a), at(m.points, v[3]) - a)) / 6;
+}
+
+/// Minus the transposed gradient times area or volume: three columns per poly, each with its verts, put in order by counting how many are less.
+template<u32 K, class Mesh>
+matrix divergence(const Mesh& m) {
+  const u32 np = m.num_polys();
+  matrix a{buffer<int>(3 * np + 1), buffer<int>(3 * K * np), buffer<double>(3 * K * np)};
+  for (u32 c = 0; c <= 3 * np; ++c) a.begin[c] = static_cast<int>(K * c);
+  for (u32 p = 0; p < np; ++p) {
+    vector3 g[K];
+    hat_gradients(m, p, g);
+    const double size = -size_of(m, p);
+    const u32* v = &m.p2v[K * p];
+    int* r = a.rows.data() + 3 * K * p;
+    double* x = a.values.data() + 3 * K * p;
+    for (u32 i = 0; i < K; ++i) {
+      u32 place = 0;
+      for (u32 j = 0; j < K; ++j) place += v[j] < v[i];
+      r[place] = r[place + K] = r[place + 2 * K] = static_cast<int>(v[i]);
+      x[place] = size * g[i].x;
+      x[place + K] = size * g[i].y;
+      x[place + 2 * K] = size * g[i].z;
+    }
+  }
+  return a;
+}
+inline matrix divergence(const surface<3>& m) { return divergence<3>(m); }
+inline matrix divergence(const cells<tet_shape>& m) { return divergence<4>(m); }
+
 /// Equal parts of each poly's area or volume to its verts.
 inline buffer<double> masses(const surface<3>& m) {
   buffer<double> mass(m.num_verts(), 0);

@@ -47,10 +47,13 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
     const std::size_t n = local.verts.size();
     for (std::size_t i = 0; i < n; ++i) {
       const int at = begin[static_cast<std::size_t>(index_of(m, local.verts[i]))] + 3 * place[corner + i];
-      for (int k = 0; k < 3; ++k) {
-        rows[at + k] = row + k;
-        values[at + k] = local.gradient[i][static_cast<std::size_t>(k)];
-      }
+      const vec3 gradient = local.gradient[i];
+      rows[at] = row;
+      rows[at + 1] = row + 1;
+      rows[at + 2] = row + 2;
+      values[at] = gradient.x;
+      values[at + 1] = gradient.y;
+      values[at + 2] = gradient.z;
     }
     return n;
   });

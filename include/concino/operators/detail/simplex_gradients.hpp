@@ -33,13 +33,18 @@ struct simplex_gradients {
     if constexpr (corners == 3) {
       const vec3 normal = cross(a, b);
       const double doubled = norm(normal), factor = 1 / doubled;
-      const vec3 direction = factor * normal;
-      gradient = {factor * cross(x[1] - x[2], direction), factor * cross(b, direction), factor * cross(direction, a)};
+      const vec3 across = factor * (factor * normal);  // in this order: the square of an area may be too large or too small
+      gradient[0] = cross(x[1] - x[2], across);
+      gradient[1] = cross(b, across);
+      gradient[2] = cross(across, a);
       measure = 0.5 * doubled;
     } else {
       const vec3 c = x[3] - x[0], facet = cross(b, c);
       const double product = dot(a, facet), factor = 1 / product;
-      gradient = {factor * cross(x[3] - x[1], x[2] - x[1]), factor * facet, factor * cross(c, a), factor * cross(a, b)};
+      gradient[0] = factor * cross(x[3] - x[1], x[2] - x[1]);
+      gradient[1] = factor * facet;
+      gradient[2] = factor * cross(c, a);
+      gradient[3] = factor * cross(a, b);
       measure = product / 6;
     }
   }
