@@ -2,3 +2,4 @@
 #pragma once
 
 #include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/poisson.hpp>

@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("harmonic_map, uniform: maximum principle, strict inside", M,
     values given;
     for (int i = 0; i < 6; ++i) given[vert_id{static_cast<unsigned>(random() % num_verts(m))}] = static_cast<double>(random() % 1000) - 500;
     const auto [low, high] = std::minmax_element(given.begin(), given.end(), [](auto& x, auto& y) { return x.second < y.second; });
-    const auto u = harmonic_map(m, given);
+    const auto u = harmonic_map(m, given, {.weights = weights::uniform});
     for (const auto v : verts(m)) {
       if (given.count(v)) {
         CHECK(u[v] == given[v]);
@@ -152,7 +152,7 @@ TEST_CASE("harmonic_map: exponent 2 reproduces cubics along a ring of verts") {
   const auto cubic = [](int i) { return 0.001 * i * i * i - 0.02 * i * i + 0.3 * i - 1; };
   values given;
   for (const int i : {0, 1, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23}) given[vert_id{i}] = cubic(i);
-  const auto u = harmonic_map(m, given, {.exponent = 2});
+  const auto u = harmonic_map(m, given, {.weights = weights::uniform, .exponent = 2});
   for (int i = 0; i < n; ++i) CHECK(u[vert_id{i}] == doctest::Approx(cubic(i)).epsilon(1e-11));
 }
 
@@ -160,11 +160,11 @@ TEST_CASE_TEMPLATE("harmonic_map, uniform: uses nothing but a primal graph", M, 
   const M m = grid<M>(2);
   const auto g = only_primal_graph(m);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
-  const auto u = harmonic_map(m, {{a, 0.0}, {b, 1.0}});
-  const auto stripped = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}}, {.weights = weights::uniform});
+  const auto u = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.weights = weights::uniform});
+  const auto stripped = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}});
   for (const auto v : verts(g)) CHECK(stripped[v] == doctest::Approx(u[g.base(v)]).epsilon(1e-12));
   const auto squared = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}}, {.exponent = 2});
-  const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2});
+  const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.weights = weights::uniform, .exponent = 2});
   for (const auto v : verts(g)) CHECK(squared[v] == doctest::Approx(expected[g.base(v)]).epsilon(1e-8));
 }
 
@@ -253,6 +253,44 @@ TEST_CASE("harmonic_map: an edge with three polys, a vert between two fans") {
   }
 }
 
+TEST_CASE_TEMPLATE("harmonic_map, standard: equals a dense solution, for all exponents", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
+  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
+  for (const int n : {1, 2, 3})
+    CHECK(distance_to_dense(m, {{a, -2}, {b, 5}, {c, 7.25}}, weights::standard, n) < (n == 1 ? 1e-12 : n == 2 ? 1e-9 : 1e-6));
+}
+
+TEST_CASE_TEMPLATE("harmonic_map, standard: reproduces linear functions, whatever the polys", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(3), 0.03, VolumeMesh<M>));
+  values given;
+  const auto f = [](const vec3& x) { return 1 + x.x + 2 * x.y - x.z; };
+  for (const auto v : verts(m)) {
+    bool inside = true;
+    for (std::size_t k = 0; k < (VolumeMesh<M> ? 3u : 2u); ++k) inside = inside && point(m, v)[k] > 0.1 && point(m, v)[k] < 0.9;
+    if (!inside) given[v] = f(to_vec3(point(m, v)));
+  }
+  REQUIRE(given.size() < num_verts(m));
+  const auto u = harmonic_map(m, given);
+  for (const auto v : verts(m)) CHECK(std::abs(u[v] - f(to_vec3(point(m, v)))) < 1e-13);
+}
+
+TEST_CASE_TEMPLATE("harmonic_map<vec3>: part by part what the map of numbers is, with one factorisation", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
+  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
+  const auto to_space = harmonic_map<vec3>(m, {{a, {0, 1, 2}}, {b, {3, -1, 5}}}, {.exponent = 2});
+  const values parts[3] = {{{a, 0}, {b, 3}}, {{a, 1}, {b, -1}}, {{a, 2}, {b, 5}}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto u = harmonic_map(m, parts[k], {.exponent = 2});
+    for (const auto v : verts(m)) CHECK(to_space[v][k] == u[v]);
+  }
+  CHECK_THROWS_AS(harmonic_map<vec3>(m, {{a, {0, 1, 2}}, {a, {0, 1, 3}}}), invalid_argument);
+  CHECK_THROWS_AS(harmonic_map<vec3>(m, {{a, {0, 1, INFINITY}}}), invalid_argument);
+  const M two = two_grids<M>(1);
+  const vert_id second{static_cast<unsigned>(num_verts(two) / 2)}, alone{static_cast<unsigned>(num_verts(two) - 1)};
+  const auto with_lonely = harmonic_map<vec3>(two, {{a, {0, 0, 0}}, {second, {1, 1, 1}}}, {.isolated_value = 4});
+  CHECK(with_lonely[alone] == vec3{4, 4, 4});
+}
+
 TEST_CASE("harmonic_map: errors") {
   const auto m = grid<trimesh>(2);
   const vert_id a{0}, b{8};
@@ -266,7 +304,10 @@ TEST_CASE("harmonic_map: errors") {
   CHECK_THROWS_AS(harmonic_map(quads, {{a, 1.0}}, {.weights = weights::cotangent}), unsupported);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   CHECK_THROWS_AS(harmonic_map(flat, {{a, 1.0}}, {.weights = weights::cotangent}), invalid_mesh);
-  CHECK(harmonic_map(flat, {{a, 1.0}})[vert_id{2}] == doctest::Approx(1));
+  CHECK_THROWS_WITH_AS(harmonic_map(flat, {{a, 1.0}}), doctest::Contains("standard weights: poly 0"), invalid_mesh);
+  const quadmesh pressed({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2, 3}});
+  CHECK_THROWS_WITH_AS(harmonic_map(pressed, {{a, 1.0}}), doctest::Contains("standard weights: poly 0 has no area"), invalid_mesh);
+  CHECK(harmonic_map(flat, {{a, 1.0}}, {.weights = weights::uniform})[vert_id{2}] == doctest::Approx(1));
 }
 
 TEST_CASE("harmonic_map: reports progress and stops when asked to") {
@@ -349,9 +390,9 @@ TEST_CASE_TEMPLATE("harmonic_map: the value of isolated verts is of no concern t
 TEST_CASE_TEMPLATE("harmonic_map: higher exponents need no points, and points alone are no measure", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(2);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
-  const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2});
+  const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.weights = weights::uniform, .exponent = 2});
   const auto same = [&](const auto& stripped) {
-    const auto u = harmonic_map(stripped, {{stripped.vert(a), 0.0}, {stripped.vert(b), 1.0}}, {.exponent = 2});
+    const auto u = harmonic_map(stripped, {{stripped.vert(a), 0.0}, {stripped.vert(b), 1.0}}, {.weights = weights::uniform, .exponent = 2});
     for (const auto v : verts(stripped)) CHECK(u[v] == doctest::Approx(expected[stripped.base(v)]).epsilon(1e-8));
   };
   same(only_mesh(m));
@@ -362,13 +403,13 @@ TEST_CASE_TEMPLATE("harmonic_map, laplacian, masses: on a mesh with elements rem
   M m(jittered(grid_arrays<M>(4), 0.02));
   const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)};
   remove_vert(m, gone);
-  const auto l = laplacian(m);
+  const auto l = laplacian(m, {.weights = weights::uniform});
   CHECK(static_cast<std::size_t>(l.rows()) == vert_index_bound(m));
   CHECK(l.col(static_cast<Eigen::Index>(gone.raw())).nonZeros() == 0);
   CHECK((l * Eigen::VectorXd::Ones(l.rows())).cwiseAbs().maxCoeff() < 1e-12);
   CHECK(mass_matrix(m).coeff(static_cast<Eigen::Index>(gone.raw()), static_cast<Eigen::Index>(gone.raw())) == 0);
   const vert_id a{0}, b{static_cast<unsigned>(vert_index_bound(m) - 1)};
-  const auto u = harmonic_map(m, {{a, 0}, {b, 1}});
+  const auto u = harmonic_map(m, {{a, 0}, {b, 1}}, {.weights = weights::uniform});
   for (const auto v : verts(m)) {
     double mean = 0, n = 0;
     for (const auto w : adj_v2v(m, v)) {

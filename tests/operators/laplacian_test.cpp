@@ -1,6 +1,7 @@
 #include <concino/operators/laplacian.hpp>
 
 #include <concino/concepts/archetypes.hpp>
+#include <concino/edit/elements.hpp>
 #include <concino/mesh/face_soup.hpp>
 
 #include <support/kinds.hpp>
@@ -52,7 +53,7 @@ Eigen::Index kernel_size(const Eigen::SparseMatrix<double>& l) {
 
 TEST_CASE_TEMPLATE("laplacian, uniform: minus the degree and ones; the kernel counts components", M, CONCINO_ALL_KINDS) {
   const M m = two_grids<M>(2);
-  const auto l = laplacian(m);
+  const auto l = laplacian(m, {.weights = weights::uniform});
   check_is_laplacian(m, l, 1e-13);
   for (const auto v : verts(m)) {
     double degree = 0;
@@ -70,7 +71,93 @@ TEST_CASE_TEMPLATE("laplacian, uniform: minus the degree and ones; the kernel co
 TEST_CASE_TEMPLATE("laplacian, uniform: uses nothing but a primal graph", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(2);
   const auto l = laplacian(m, {.weights = weights::uniform});
-  CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m))) == Eigen::MatrixXd(l));
+  CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m), {.weights = weights::uniform})) == Eigen::MatrixXd(l));
+  CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m))) == Eigen::MatrixXd(l));  // of a graph there is no better one
+}
+
+TEST_CASE_TEMPLATE("laplacian, standard: the default on all kinds; its kernel are the constants of each component", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(two_grids_arrays<M>(2), 0.04, VolumeMesh<M>));
+  const auto l = laplacian(m);
+  check_is_laplacian(m, l, 1e-13);
+  CHECK(kernel_size(l) == 3);  // two grids and the lonely vert
+  CHECK((l - laplacian(m, {.weights = weights::standard})).norm() == 0);
+}
+
+TEST_CASE_TEMPLATE("laplacian, standard: linear functions are in the kernel at interior verts, whatever the polys", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(3), 0.03, VolumeMesh<M>));
+  const auto l = laplacian(m);
+  Eigen::VectorXd f(l.rows());
+  for (const auto v : verts(m)) f[static_cast<Eigen::Index>(index_of(m, v))] = 2 * point(m, v)[0] - 3 * point(m, v)[1] + point(m, v)[2] + 4;
+  const Eigen::VectorXd lf = l * f;
+  std::size_t interior = 0;
+  for (const auto v : verts(m)) {
+    bool inside = true;
+    for (std::size_t k = 0; k < (VolumeMesh<M> ? 3u : 2u); ++k) inside = inside && point(m, v)[k] > 0.1 && point(m, v)[k] < 0.9;
+    if (!inside) continue;
+    ++interior;
+    CHECK(std::abs(lf[static_cast<Eigen::Index>(index_of(m, v))]) < 1e-12);
+  }
+  CHECK(interior > 0);
+}
+
+TEST_CASE_TEMPLATE("laplacian, standard: the cotangents where all polys are triangles or tets, by type or not", M, trimesh, tetmesh) {
+  const auto arrays = jittered(grid_arrays<M>(2), 0.05);
+  const M m(arrays);
+  const Eigen::MatrixXd expected = laplacian(m, {.weights = weights::cotangent});
+  CHECK(Eigen::MatrixXd(laplacian(m)) == expected);
+  if constexpr (SurfaceMesh<M>)
+    CHECK((Eigen::MatrixXd(laplacian(polygonmesh(with_offsets(arrays)))) - expected).cwiseAbs().maxCoeff() < 1e-13);
+  else
+    CHECK((Eigen::MatrixXd(laplacian(polyhedralmesh(detail::to_polyhedra(cell_arrays(arrays))))) - expected).cwiseAbs().maxCoeff() < 1e-13);
+}
+
+TEST_CASE_TEMPLATE("laplacian, standard: scales as lengths to the dimension minus two, to the last bit", M, CONCINO_ALL_KINDS) {
+  auto arrays = jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>);
+  const auto original = arrays.points;
+  const auto l = Eigen::MatrixXd(laplacian(M(arrays)));
+  for (const double s : {0x1p20, 0x1p-20}) {
+    for (std::size_t i = 0; i < original.size(); ++i) arrays.points[i] = s * original[i];
+    CHECK(Eigen::MatrixXd(laplacian(M(arrays))) == l * (VolumeMesh<M> ? s : 1.0));
+  }
+  for (const double s : {1e6, 1e-6}) {
+    for (std::size_t i = 0; i < original.size(); ++i) arrays.points[i] = s * original[i];
+    const Eigen::MatrixXd expected = l * (VolumeMesh<M> ? s : 1.0);
+    CHECK((Eigen::MatrixXd(laplacian(M(arrays))) - expected).cwiseAbs().maxCoeff() <= 1e-9 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_CASE_TEMPLATE("laplacian, standard: the same on the archetype and after elements were removed", M, CONCINO_ALL_KINDS) {
+  M m(jittered(grid_arrays<M>(3), 0.02, VolumeMesh<M>));
+  const auto same_on_archetype = [&] {
+    const auto l = laplacian(m);
+    check_is_laplacian(m, l, 1e-12);
+    const auto g = only_embedded_mesh(m);
+    const auto stripped = laplacian(g);
+    double worst = 0;
+    for (const auto v : verts(g))
+      for (const auto w : verts(g))
+        worst = std::max(worst, std::abs(stripped.coeff(static_cast<int>(index_of(g, v)), static_cast<int>(index_of(g, w))) -
+                                         l.coeff(static_cast<int>(index_of(m, g.base(v))), static_cast<int>(index_of(m, g.base(w))))));
+    CHECK(worst < 1e-12);
+  };
+  same_on_archetype();
+  const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)};
+  remove_vert(m, gone);
+  same_on_archetype();
+  CHECK(laplacian(m).col(static_cast<Eigen::Index>(gone.raw())).nonZeros() == 0);
+}
+
+TEST_CASE_TEMPLATE("laplacian, standard: polys without a measure and coordinates that are no numbers are named", M, CONCINO_ALL_KINDS) {
+  auto arrays = grid_arrays<M>(1);
+  auto flat = arrays;
+  for (vec3& x : flat.points) x.y = x.z = 0;
+  CHECK_THROWS_WITH_AS(laplacian(M(flat)), doctest::Contains("standard weights: poly 0"), invalid_mesh);
+  M m(arrays);
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    const double x[3] = {bad, 0, 0};
+    set_point(m, vert_id{0}, x);
+    CHECK_THROWS_WITH_AS(laplacian(m), doctest::Contains("standard weights: poly 0"), invalid_mesh);
+  }
 }
 
 TEST_CASE("laplacian, cotangent: half the sum of the cotangents opposite each edge; at the boundary one of them") {
@@ -185,9 +272,9 @@ TEST_CASE("laplacian, cotangent: works on archetypes of meshes, is refused on ba
 TEST_CASE("laplacian, cotangent: errors name the poly") {
   const polygonmesh mixed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{1, 4, 2}, {0, 1, 2, 3}});
   CHECK_THROWS_WITH_AS(laplacian(mixed, {.weights = weights::cotangent}),
-                       "cotangent weights: poly 1 has 4 verts and is no triangle; use uniform weights, or split the polys", unsupported);
+                       "cotangent weights: poly 1 has 4 verts and is no triangle; use standard or uniform weights, or split the polys", unsupported);
   CHECK_THROWS_WITH_AS(laplacian(grid<hexmesh>(1), {.weights = weights::cotangent}),
-                       "cotangent weights: poly 0 has 8 verts and is no tet; use uniform weights, or split the polys", unsupported);
+                       "cotangent weights: poly 0 has 8 verts and is no tet; use standard or uniform weights, or split the polys", unsupported);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
   CHECK_THROWS_WITH_AS(laplacian(flat, {.weights = weights::cotangent}), doctest::Contains("poly 1 is degenerate"), invalid_mesh);
   const tetmesh pressed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});
@@ -221,7 +308,7 @@ TEST_CASE("laplacian: a fan of a thousand triangles, three of them at one edge")
     check_compressed(l);
     CHECK((l * Eigen::VectorXd::Ones(l.rows())).cwiseAbs().maxCoeff() < 1e-9);
   }
-  CHECK(laplacian(m).coeff(0, 0) == -(n + 1));
+  CHECK(laplacian(m, {.weights = weights::uniform}).coeff(0, 0) == -(n + 1));
 }
 
 TEST_CASE("laplacian, cotangent: a mesh of a stranger; coordinates that are no numbers are refused, not passed on") {

@@ -1,8 +1,12 @@
 // How much of the domain each vert stands for.
 #pragma once
 
+#include <concino/detail/message.hpp>
+#include <concino/error.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/operators/detail/element_assembly.hpp>
+#include <concino/operators/detail/virtual_elements.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -13,6 +17,11 @@
 namespace concino {
 
 namespace detail {
+
+template<class M>
+[[noreturn, gnu::noinline, gnu::cold]] void throw_infinite_mass(const M& m, const poly_t<M>& p) {
+  throw_joined<invalid_mesh>({"masses: poly ", static_cast<std::size_t>(index_of(m, p)), " has points that are not finite, so it has no mass; move its verts"});
+}
 
 /// The area of the triangle or the volume, without a sign, of the tet with these corners.
 template<class M, std::size_t N>
@@ -29,7 +38,7 @@ double simplex_measure(const M& m, const std::array<vert_t<M>, N>& corner) {
 /// Needs:  Embedded AnyMesh, no temporary.
 /// Result: a map of double; positive on verts of some poly with a measure, 0 on others; sums to the measure of the mesh. A poly turned
 ///         inside out counts by the absolute value of its volume, since a mass is positive.
-/// Cost:   O(size of the polys) time, O(V) memory.      Errors: none.
+/// Cost:   O(size of the polys) time, O(V) memory.      Errors: invalid_mesh if points of a poly are not finite.
 /// Source: the barycentric lumped mass of the finite element method; paper section 2.2.
 template<class M>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
@@ -42,6 +51,7 @@ vert_map<M, double> vert_masses(M&& m) {
       for (const vert_t<M> v : adj_p2v(m, p))
         if (n < corner.size()) corner[n++] = v;
       const double part = detail::simplex_measure(m, corner) / arity_v<M>;
+      if (!std::isfinite(part)) detail::throw_infinite_mass(m, p);
       for (const vert_t<M>& v : corner) mass[v] += part;
     }
     return mass;
@@ -49,19 +59,31 @@ vert_map<M, double> vert_masses(M&& m) {
   for (const poly_t<M> p : polys(m)) {
     double n = 0;
     for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) n += 1;
-    const double part = std::abs(measure(m, p)) / n;
+    const double part = n > 0 ? std::abs(measure(m, p)) / n : 0;
+    if (!std::isfinite(part)) detail::throw_infinite_mass(m, p);
     for (const vert_t<M> v : adj_p2v(m, p)) mass[v] += part;
   }
   return mass;
 }
 
-/// The same as a diagonal matrix.
+struct mass_matrix_options {
+  bool lumped = true;  // a diagonal matrix, of vert_masses; otherwise the Galerkin matrix, which does not lose the order of a load
+};
+
+/// The mass of functions on verts: u . M u is the integral of the square of u.
 /// Needs:  Embedded AnyMesh.
-/// Result: vert_index_bound(m) rows and columns, by index_of, every diagonal entry present (0 for verts of no poly and deleted ones).
-/// Cost:   as vert_masses.      Errors: none.
+/// Result: vert_index_bound(m) rows and columns, by index_of, every diagonal entry present (0 for verts of no poly; with lumped masses for
+///         deleted ones too); sums to the measure of the mesh. Lumped: vert_masses as a diagonal. Otherwise the hat functions of the verts are projected to
+///         linear functions on each poly, and what the projection does not see is weighed by its squares at the verts, so that the matrix
+///         is positive definite on the verts of polys that do not intersect themselves; on triangles and tets it is the mass of linear elements.
+/// Cost:   lumped as vert_masses, otherwise as laplacian with standard weights.
+/// Errors: invalid_mesh if a poly has points that are not finite, or, unless lumped, no area or volume.
+/// Source: Ahmad et al. 2013, "Equivalent projectors for virtual element methods".
 template<AnyMesh M>
   requires Embedded<M>
-Eigen::SparseMatrix<double> mass_matrix(const M& m) {
+Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& options = {}) {
+  if (!options.lumped)
+    return detail::with_both_triangles(detail::assemble_elements<M>(m, &detail::poly_operator_of<detail::virtual_mass<M>, M>));
   const auto mass = vert_masses(m);
   const auto n = static_cast<Eigen::Index>(mass.values().size());
   Eigen::SparseMatrix<double> a(n, n);

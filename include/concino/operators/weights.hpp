@@ -3,26 +3,35 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/primal_graph.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/detail/message.hpp>
 #include <concino/error.hpp>
 #include <concino/geometry/vec3.hpp>
+#include <concino/operators/detail/de_goes.hpp>
 #include <concino/operators/detail/simplex_weights.hpp>
+#include <concino/operators/detail/virtual_elements.hpp>
+#include <concino/operators/detail/virtual_refinement.hpp>
+
+#include <Eigen/SparseCore>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace concino {
 
-/// uniform:   1 on every edge; any graph.
-/// cotangent: minus the measure of each triangle or tet times the scalar product of the gradients of the hat functions of the edge's
-///            ends, summed: half the cotangents of the angles opposite the edge on surfaces, a sixth of the lengths of the opposite
-///            edges times the cotangents of the dihedral angles there in volumes. Negative weights are kept: they are what makes
-///            linear functions harmonic.
-enum class weights { uniform, cotangent };
+/// standard:           virtual elements of order 1: right on every polygon and polyhedron, concave and non-planar ones too; on triangles
+///                     and tets the same as cotangent. On a mere graph, which has no polys or points, the same as uniform.
+/// uniform:            1 on every edge; any graph.
+/// cotangent:          minus the measure of each triangle or tet times the scalar product of the gradients of the hat functions of the edge's
+///                     ends, summed: half the cotangents of the angles opposite the edge on surfaces, a sixth of the lengths of the
+///                     opposite edges times the cotangents of the dihedral angles there in volumes. Negative weights are kept: they are
+///                     what makes linear functions harmonic. Polys must be triangles or tets.
+/// virtual_refinement: cotangents of the triangles or tets about one virtual point for each poly (and face), which is then eliminated. For comparison;
+///                     polys must be star-shaped about that point.
+/// de_goes:            the Laplacian of de Goes, Butts and Desbrun for polygons. For comparison; surfaces only.
+enum class weights { standard, uniform, cotangent, virtual_refinement, de_goes };
 
 namespace detail {
 
@@ -53,6 +62,7 @@ class cotangent_weights {
   static constexpr std::size_t likely_ends[2][6][2] = {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
   const M& m_;
+  const char* who_;
   std::vector<double> weight_;
 
   /// Whether a and b are c and d, in this order or the other: not a matter for branches, which would be missed.
@@ -78,12 +88,13 @@ class cotangent_weights {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_no_simplex(const poly_t<M>& p, std::size_t n) const {
-    throw unsupported("cotangent weights: poly " + number_text(index_of(m_, p)) + " has " + number_text(n) + " verts and is no " +
-                      (dimension == 2 ? "triangle" : "tet") + "; use uniform weights, or split the polys");
+    throw_joined<unsupported>({who_, ": poly ", static_cast<std::size_t>(index_of(m_, p)), " has ", n, " verts and is no ",
+                               dimension == 2 ? "triangle" : "tet", "; use standard or uniform weights, or split the polys"});
   }
   [[noreturn, gnu::noinline, gnu::cold]] void throw_degenerate(const poly_t<M>& p) const {
-    throw invalid_mesh("cotangent weights: poly " + number_text(index_of(m_, p)) +
-                       " is degenerate: it has no area or volume, so its angles have no cotangents; remove it or move its verts");
+    throw_joined<invalid_mesh>({who_, ": poly ", static_cast<std::size_t>(index_of(m_, p)),
+                                " is degenerate: it has no area or volume, or points that are not finite, so its angles have no cotangents; remove it, move "
+                                "its verts or use uniform weights"});
   }
 
   void add(const poly_t<M>& p) {
@@ -119,7 +130,8 @@ class cotangent_weights {
   }
 
  public:
-  explicit cotangent_weights(const M& m) : m_(m), weight_(static_cast<std::size_t>(edge_index_bound(m))) {
+  /// Errors: unsupported if some poly is no triangle or tet, invalid_mesh if it is degenerate; messages begin with `who`.
+  cotangent_weights(const M& m, const char* who) : m_(m), who_(who), weight_(static_cast<std::size_t>(edge_index_bound(m))) {
     for (const poly_t<M> p : polys(m)) add(p);
   }
 
@@ -137,14 +149,27 @@ class cotangent_weights {
   }
 };
 
-/// Calls f with the weights that were asked for.
-template<PrimalGraph M, class F>
-decltype(auto) with_weights(const M& m, weights which, F&& f) {
-  if (which == weights::cotangent) {
-    if constexpr (AnyMesh<M> && Embedded<M>) return f(cotangent_weights<M>(m));
-    else throw unsupported("cotangent weights: the mesh type is a graph without polys or points; use uniform weights");
+/// Calls on_edges with the weights that were asked for, or on_polys(make) with what makes the matrices of polys.
+/// Errors: unsupported where M has no such weights; invalid_mesh and unsupported from cotangent_weights.
+template<PrimalGraph M, class OnEdges, class OnPolys>
+Eigen::SparseMatrix<double> with_weights(const M& m, weights which, const OnEdges& on_edges, const OnPolys& on_polys) {
+  if constexpr (AnyMesh<M> && Embedded<M>) {
+    constexpr bool has_simplices = TriMesh<M> || TetMesh<M>;
+    if (which == weights::de_goes && VolumeMesh<M>)
+      throw unsupported("weights of de Goes, Butts and Desbrun: they are for surfaces; use standard weights");
+    if (which == weights::cotangent || (has_simplices && which != weights::uniform))
+      return on_edges(cotangent_weights<M>(m, which == weights::standard ? "standard weights" : "cotangent weights"));
+    if constexpr (!has_simplices) {
+      if (which == weights::standard) return on_polys(&poly_operator_of<virtual_stiffness<M>, M>);
+      if (which == weights::virtual_refinement) return on_polys(&poly_operator_of<virtual_refinement_element<M>, M>);
+      if constexpr (SurfaceMesh<M>)
+        if (which == weights::de_goes) return on_polys(&poly_operator_of<de_goes_element<M>, M>);
+    }
+  } else if (which != weights::uniform && which != weights::standard) {
+    throw unsupported(which == weights::cotangent ? "cotangent weights: the mesh type is a graph without polys or points; use uniform weights"
+                                                  : "weights: the mesh type is a graph without polys or points; use uniform weights");
   }
-  return f(uniform_weights<M>{m});
+  return on_edges(uniform_weights<M>{m});
 }
 
 }  // namespace detail

@@ -1,7 +1,10 @@
 // The part of one poly in a matrix over verts: what every operator that is assembled poly by poly hands to the assembly.
 #pragma once
 
+#include <concino/concepts/mesh_traits.hpp>
+
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace concino::detail {
@@ -19,5 +22,27 @@ struct local_matrix {
   /// As many rows as verts, all 0.
   void clear_entries() { entries.assign(verts.size() * (verts.size() + 1) / 2, 0.0); }
 };
+
+/// What computes the local matrix of one poly after another. Behind a table of functions, so that the assembly is compiled once for a mesh type
+/// and not once for each kind of weights; the call is nothing beside the work.
+template<class M>
+struct poly_operator {
+  virtual ~poly_operator() = default;
+  virtual void operator()(const poly_t<M>& p, local_matrix<vert_t<M>>& out) = 0;
+};
+
+template<class M>
+using make_poly_operator = std::unique_ptr<poly_operator<M>> (*)(const M&);
+
+/// An Element that is made of a mesh and called as element(p, out), as a poly_operator.
+template<class Element, class M>
+std::unique_ptr<poly_operator<M>> poly_operator_of(const M& m) {
+  struct wrapped final : poly_operator<M> {
+    Element element;
+    explicit wrapped(const M& mesh) : element(mesh) {}
+    void operator()(const poly_t<M>& p, local_matrix<vert_t<M>>& out) override { element(p, out); }
+  };
+  return std::make_unique<wrapped>(m);
+}
 
 }  // namespace concino::detail
