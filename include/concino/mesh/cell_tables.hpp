@@ -361,13 +361,10 @@ class cell_tables {
     const auto check = [&](edge_id e) {
       if (!is_crowded(e)) check_fan(e, polys_at(e2v_.begin(e.raw())[0], e, uses[e.raw()]));
     };
-    if (sides_.finish()) {
-      for (std::uint32_t e = 0; e < edge_count; ++e) check(edge_id{e});
-    } else {
-      for (std::uint32_t f = 0; f < face_count; ++f)
-        if (!sides_.has_two_polys(face_id{f}))
-          for (const edge_id e : adj_f2e(face_id{f})) check(e);
-    }
+    sides_.finish();
+    for (std::uint32_t f = 0; f < face_count; ++f)
+      if (!sides_.has_two_polys_once(face_id{f}))
+        for (const edge_id e : adj_f2e(face_id{f})) check(e);
     crowd_edges();
   }
 

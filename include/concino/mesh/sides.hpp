@@ -31,8 +31,8 @@ class sides {
   id_span<Facet> facets(poly_id p) const { return facets_[p.raw()]; }
   const across* across_sides(poly_id p) const { return across_.begin(p.raw()); }
   polys_across polys(poly_id p) const { return {across_.begin(p.raw()), across_.end(p.raw()), &crowds_, p}; }
-  /// Of a facet that some poly has, where no poly meets another across two sides.
-  bool has_two_polys(Facet f) const {
+  /// Of a facet that some poly has: whether there are two, and the one that met it first has not met the other across an earlier side.
+  bool has_two_polys_once(Facet f) const {
     const side s = owner(f);
     return across_.begin(s.poly)[s.k].is_first();
   }
@@ -91,14 +91,12 @@ class sides {
     join(first, p, k);
   }
 
-  /// Builds: after the last link, so that a poly met across two sides is listed once. Whether some poly is.
-  bool finish() {
+  /// Builds: after the last link, so that a poly met across two sides is listed once.
+  void finish() {
     owner_.give_back_spare_room();
     std::vector<std::uint32_t> met;
-    bool any = false;
     for (std::uint32_t p = 0; p < num_polys(); ++p)
-      if (may_repeat(p) && mark_repeats(p, met)) any = true;
-    return any;
+      if (may_repeat(p)) mark_repeats(p, met);
   }
 
   /// Edits: a poly with n sides that are still to be linked; their facets, if they are known.
@@ -144,37 +142,35 @@ class sides {
     return may;
   }
 
-  /// Marks the sides of p that lead where an earlier side does; whether there are any.
-  bool mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
+  /// Marks the sides of p that lead where an earlier side does.
+  void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
     across* const s = across_.begin(p);
     const std::uint32_t n = facets_.length(p);
-    bool crowded = false, any = false;
+    bool crowded = false;
     if (n <= 24) {
       for (std::uint32_t k = 1; k < n; ++k)
         if (!s[k].is_none() && !s[k].is_crowd())
           for (std::uint32_t j = 0; j < k; ++j)
             if (!s[j].is_none() && !s[j].is_crowd() && s[j].poly() == s[k].poly()) {
               s[k].raw |= across::special;
-              any = true;
               break;
             }
     } else {
       if (met.size() < num_polys()) met.resize(num_polys(), ~0u);
       for (std::uint32_t k = 0; k < n; ++k)
         if (!s[k].is_none() && !s[k].is_crowd()) {
-          if (met[s[k].poly()] == p) s[k].raw |= across::special, any = true;
+          if (met[s[k].poly()] == p) s[k].raw |= across::special;
           met[s[k].poly()] = p;
         }
     }
     for (std::uint32_t k = 0; k < n; ++k) crowded = crowded || s[k].is_crowd();
-    if (!crowded) return any;
+    if (!crowded) return;
     for (std::uint32_t k = 1; k < n; ++k)
       if (s[k].is_first())
         for (std::uint32_t j = 0; j < k && s[k].is_first(); ++j)
           if (s[j].is_crowd())
             for (poly_id q : crowds_[s[j].crowd()])
-              if (q.raw() == s[k].poly()) s[k].raw |= across::special, any = true;
-    return any;
+              if (q.raw() == s[k].poly()) s[k].raw |= across::special;
   }
 
  private:
