@@ -4,12 +4,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <forward_list>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 using concino::parallel_for;
+using concino::parallel_for_each;
 
 TEST_CASE("parallel_for calls every index once, for any chunk") {
   for (const std::size_t n : {0u, 1u, 7u, 1000u})
@@ -55,4 +57,23 @@ TEST_CASE("parallel_for stops when asked, and says how far it is") {
   CHECK(total < calls.size());
   CHECK(last > 0.1);
   CHECK(last < 1);
+}
+
+TEST_CASE("parallel_for_each calls every element of a range once, and carries out the exception of the first") {
+  for (const int n : {0, 1, 7, 3000}) {
+    std::forward_list<int> range;
+    for (int i = n; i-- > 0;) range.push_front(i);
+    for (const std::size_t chunk : {0u, 1u, 100u, 5000u}) {
+      std::vector<int> calls(static_cast<std::size_t>(n), 0);
+      parallel_for_each(range, [&](int i) { ++calls[static_cast<std::size_t>(i)]; }, chunk);
+      CHECK(calls == std::vector<int>(static_cast<std::size_t>(n), 1));
+    }
+    std::string what;
+    try {
+      parallel_for_each(range, [](int i) { if (i % 100 == 37) throw std::runtime_error(std::to_string(i)); }, 1);
+    } catch (const std::runtime_error& e) {
+      what = e.what();
+    }
+    CHECK(what == (n > 37 ? "37" : ""));
+  }
 }

@@ -1,9 +1,13 @@
-// Sizes and places: points, areas, volumes, centroids, boxes.
+// Sizes, places and directions: points, lengths, areas, volumes, centroids, normals, angles, boxes.
 #pragma once
 
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/centroid.hpp>
+#include <concino/geometry/corner_angles.hpp>
+#include <concino/geometry/dihedral_angles.hpp>
+#include <concino/geometry/edge_length.hpp>
 #include <concino/geometry/measure.hpp>
+#include <concino/geometry/normals.hpp>
 #include <concino/geometry/orientation.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/geometry/rgba.hpp>

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <vector>
 
 namespace concino {
 
@@ -61,6 +62,30 @@ void parallel_for(std::size_t n, F&& f, std::size_t chunk, Stop&& stop) {
 template<class F>
 void parallel_for(std::size_t n, F&& f, std::size_t chunk = 1024) {
   parallel_for(n, f, chunk, [](double) { return false; });
+}
+
+/// Calls f(x) for every x of a range that can only be walked, such as the elements of any mesh.
+/// Needs:  calls with different x do not write to the same place; the range can be walked more than once and by several threads.
+/// Result: as of the plain loop, for any number of threads.      Cost: n calls; built with -fopenmp one walk before, which notes where the
+///         chunks begin.                                         Errors: what f throws; of several, as parallel_for.
+template<class R, class F>
+void parallel_for_each(const R& range, F&& f, [[maybe_unused]] std::size_t chunk = 1024) {
+#ifdef _OPENMP
+  if (chunk == 0) chunk = 1;
+  std::vector<decltype(range.begin())> starts;
+  std::size_t n = 0;
+  for (auto it = range.begin(); it != range.end(); ++it, ++n)
+    if (n % chunk == 0) starts.push_back(it);
+  parallel_for(
+      starts.size(),
+      [&](std::size_t c) {
+        auto it = starts[c];
+        for (std::size_t k = 0; k < chunk && it != range.end(); ++k, ++it) f(*it);
+      },
+      1);
+#else
+  for (auto it = range.begin(); it != range.end(); ++it) f(*it);
+#endif
 }
 
 }  // namespace concino

@@ -32,6 +32,15 @@ TEST_CASE_TEMPLATE("centroid: on the archetype the same", M, CONCINO_ALL_KINDS) 
   }
 }
 
+TEST_CASE_TEMPLATE("centroids: the centroid of each poly", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.05));
+  const auto centre = centroids(m);
+  for (const auto p : polys(m)) CHECK(centre[p] == centroid(m, p));
+  const auto g = only_embedded_mesh(m);
+  const auto stripped = centroids(g);
+  for (const auto p : polys(m)) CHECK(stripped[g.poly(p)] == centroid(g, g.poly(p)));
+}
+
 TEST_CASE("centroid: of an L, of a pyramid, of a poly turned inside out") {
   const polygonmesh l({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}});
   for (const auto p : polys(l)) CHECK(off(centroid(l, p), vec3{5.0 / 6, 5.0 / 6, 0}) < 1e-15);

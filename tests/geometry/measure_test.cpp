@@ -3,6 +3,7 @@
 #include <concino/concepts/archetypes.hpp>
 
 #include <support/kinds.hpp>
+#include <support/motions.hpp>
 
 #include <doctest/doctest.h>
 
@@ -11,28 +12,13 @@
 using namespace concino;
 using namespace concino::testing;
 
-namespace {
-
-/// A rotation about (1, 2, 3) and a shift, that leave sizes alone.
-vec3 moved(const vec3& x) {
-  const vec3 axis = vec3{1, 2, 3} / std::sqrt(14.0);
-  const double c = std::cos(0.7), s = std::sin(0.7);
-  return c * x + s * cross(axis, x) + (1 - c) * dot(axis, x) * axis + vec3{10, -20, 30};
-}
-
-}  // namespace
-
 TEST_CASE_TEMPLATE("measure: grids fill the unit square or cube, wherever they are and at any scale", M, CONCINO_ALL_KINDS) {
   const auto arrays = grid_arrays<M>(3);
   const M m(arrays);
   CHECK(total_measure(m) == doctest::Approx(1).epsilon(1e-14));
-  auto turned = arrays;
-  for (vec3& x : turned.points) x = moved(x);
-  CHECK(total_measure(M(turned)) == doctest::Approx(1).epsilon(1e-12));
+  CHECK(total_measure(M(rotated(arrays))) == doctest::Approx(1).epsilon(1e-12));
   for (const double scale : {0x1p-40, 0x1p30}) {
-    auto scaled = arrays;
-    for (vec3& x : scaled.points) x *= scale;
-    const M s(scaled);
+    const M s(scaled(arrays, scale));
     for (const auto p : polys(m)) {
       CHECK(measure(m, p) > 0);
       CHECK(measure(s, p) == measure(m, p) * (SurfaceMesh<M> ? scale * scale : scale * scale * scale));
@@ -97,6 +83,15 @@ TEST_CASE("volume: a polyhedron turned inside out is negative, its faces' areas 
   double surface = 0;
   for (const auto f : faces(m)) surface += area(m, f);
   CHECK(surface == doctest::Approx(6 + 1));  // the cube and the two walls between L and cube
+}
+
+TEST_CASE_TEMPLATE("measures: the measure of each poly", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.1));
+  const auto size = measures(m);
+  for (const auto p : polys(m)) CHECK(size[p] == measure(m, p));
+  const auto g = only_embedded_mesh(m);
+  const auto stripped = measures(g);
+  for (const auto p : polys(m)) CHECK(stripped[g.poly(p)] == measure(g, g.poly(p)));
 }
 
 TEST_CASE_TEMPLATE("measure: empty meshes measure nothing", M, CONCINO_ALL_KINDS) {

@@ -30,3 +30,12 @@ TEST_CASE("shape_of: loops of no, one and two verts have no area") {
   CHECK(shape_of(m, std::vector<vert_id>{vert_id{0}, vert_id{1}}).area == vec3{});
   CHECK(shape_of(m, std::vector<vert_id>{vert_id{0}, vert_id{1}}).mean == vec3{2.5, 3.5, 4.5});
 }
+
+TEST_CASE_TEMPLATE("area_vector_of: the area of shape_of to the bit", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.1));
+  if constexpr (SurfaceMesh<M>)
+    for (const auto p : polys(m)) CHECK(area_vector_of(m, adj_p2v(m, p)) == shape_of(m, adj_p2v(m, p)).area);
+  else
+    for (const auto f : faces(m)) CHECK(area_vector_of(m, adj_f2v(m, f)) == shape_of(m, adj_f2v(m, f)).area);
+  for (const std::size_t n : {0u, 1u, 2u}) CHECK(area_vector_of(m, std::vector<vert_id>(n, vert_id{1})) == vec3{});
+}

@@ -1,4 +1,4 @@
-// The smallest box along the axes that holds all verts.
+// The smallest box along the axes that holds all verts of a mesh, or those of one poly, face or edge.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -34,6 +34,31 @@ template<Embedded M>
 box bounding_box(const M& m) {
   box b;
   for (const vert_t<M> v : verts(m)) b.add(to_vec3(point(m, v)));
+  return b;
+}
+
+/// The box of the verts of poly p, face f or edge e, and so of every point of its edges; of faces that are not planar and are spanned by their
+/// verts as well.
+/// Needs:  Embedded M with adj_p2v, adj_f2v or adj_e2v.      Result: a box.      Cost: O(verts of it).      Errors: none.
+template<Embedded M>
+  requires requires(const M& m, poly_t<M> p) { adj_p2v(m, p); }
+box bounding_box(const M& m, const poly_t<M>& p) {
+  box b;
+  for (const vert_t<M> v : adj_p2v(m, p)) b.add(to_vec3(point(m, v)));
+  return b;
+}
+template<Embedded M>
+  requires requires(const M& m, face_t<M> f) { adj_f2v(m, f); }
+box bounding_box(const M& m, const face_t<M>& f) {
+  box b;
+  for (const vert_t<M> v : adj_f2v(m, f)) b.add(to_vec3(point(m, v)));
+  return b;
+}
+template<Embedded M>
+  requires requires(const M& m, edge_t<M> e) { adj_e2v(m, e); }
+box bounding_box(const M& m, const edge_t<M>& e) {
+  box b;
+  for (const vert_t<M> v : adj_e2v(m, e)) b.add(to_vec3(point(m, v)));
   return b;
 }
 

@@ -79,4 +79,14 @@ vec3 centroid(const M& m, const poly_t<M>& p) {
   return std::abs(sum.total) > 1e-12 * sum.size ? origin + sum.first / sum.total : origin;
 }
 
+/// The centres of mass of all polys.
+/// Needs:  Embedded AnyMesh, no temporary.      Result: a map of vec3.      Cost: that of centroid for every poly; parallel.      Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+poly_map<M, vec3> centroids(M&& m) {
+  auto centre = make_poly_map<vec3>(m);
+  parallel_for_each(polys(m), [&](const poly_t<M>& p) { centre[p] = centroid(m, p); });
+  return centre;
+}
+
 }  // namespace concino

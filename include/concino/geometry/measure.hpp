@@ -2,6 +2,8 @@
 #pragma once
 
 #include <concino/geometry/polygon.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/parallel.hpp>
 
 namespace concino {
 
@@ -14,12 +16,12 @@ namespace concino {
 template<SurfaceMesh M>
   requires Embedded<M>
 vec3 area_vector(const M& m, const poly_t<M>& p) {
-  return shape_of(m, adj_p2v(m, p)).area;
+  return area_vector_of(m, adj_p2v(m, p));
 }
 template<VolumeMesh M>
   requires Embedded<M>
 vec3 area_vector(const M& m, const face_t<M>& f) {
-  return shape_of(m, adj_f2v(m, f)).area;
+  return area_vector_of(m, adj_f2v(m, f));
 }
 
 /// The area of poly p of a surface, or of face f of a volume: the length of its vector area.
@@ -72,6 +74,16 @@ template<AnyMesh M>
 double measure(const M& m, const poly_t<M>& p) {
   if constexpr (SurfaceMesh<M>) return area(m, p);
   else return volume(m, p);
+}
+
+/// The measures of all polys.
+/// Needs:  Embedded AnyMesh, no temporary.      Result: a map of double.      Cost: that of measure for every poly; parallel.      Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+poly_map<M, double> measures(M&& m) {
+  auto size = make_poly_map<double>(m);
+  parallel_for_each(polys(m), [&](const poly_t<M>& p) { size[p] = measure(m, p); });
+  return size;
 }
 
 /// The sum of the measures of all polys: the area of a surface, the volume of a volume.

@@ -37,4 +37,28 @@ polygon_shape shape_of(const M& m, const Loop& loop) {
   return {n > 0 ? first + sum / n : first, 0.5 * doubled};
 }
 
+/// The vector area alone.
+/// Needs:  Embedded M.      Result: the area of shape_of, to the bit.      Cost: O(verts), half of that.      Errors: none.
+template<Embedded M, class Loop>
+vec3 area_vector_of(const M& m, const Loop& loop) {
+  auto it = loop.begin();
+  const auto end = loop.end();
+  vec3 doubled;
+  if (!(it != end)) return doubled;
+  const auto at = [&] {
+    const vert_t<M> v = *it;
+    return to_vec3(point(m, v));
+  };
+  const vec3 first = at();
+  ++it;
+  if (!(it != end)) return doubled;
+  vec3 previous = at() - first;
+  for (++it; it != end; ++it) {
+    const vec3 step = at() - first;
+    doubled += cross(previous, step);
+    previous = step;
+  }
+  return 0.5 * doubled;
+}
+
 }  // namespace concino

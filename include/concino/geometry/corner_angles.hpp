@@ -1,0 +1,150 @@
+// Angles at the corners of polygons, and by how much those around a vert miss a full turn.
+#pragma once
+
+#include <concino/detail/message.hpp>
+#include <concino/error.hpp>
+#include <concino/geometry/normals.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace concino {
+
+namespace detail {
+
+/// The angle from the step at -> after to the step at -> before, in [0, pi]; more than pi where it turns against `normal`, which a triangle
+/// cannot (0: no such check).
+inline double angle_at_corner(const vec3& before, const vec3& at, const vec3& after, const vec3& normal) {
+  vec3 out = after - at, back = before - at, turn = cross(out, back);
+  double cosine = dot(out, back);
+  if (!keeps_digits(dot(turn, turn) + cosine * cosine)) [[unlikely]] {
+    out = step_about_one(at, after);
+    back = step_about_one(at, before);
+    turn = cross(out, back);
+    cosine = dot(out, back);
+  }
+  const double angle = std::atan2(norm(turn), cosine);
+  if (!(dot(turn, normal) < 0)) return angle;
+  const double outer = 2 * std::numbers::pi - angle;
+  return outer < 2 * std::numbers::pi ? outer : 0;  // rounding makes a whole turn of nearly one
+}
+
+/// Calls f(k, before, at, after) for each corner of a polygon, k its number in the walk, but the first one last.
+template<class M, class Loop, class F>
+void for_each_corner(const M& m, const Loop& loop, F&& f) {
+  vec3 first, second, before, at;
+  std::size_t n = 0;
+  for (const vert_t<M> v : loop) {
+    const vec3 x = to_vec3(point(m, v));
+    if (n == 0) first = x;
+    else if (n == 1) second = x;
+    else f(n - 1, before, at, x);
+    before = at;
+    at = x;
+    ++n;
+  }
+  if (n < 2) return;
+  f(n - 1, before, at, first);
+  f(std::size_t{0}, at, first, second);
+}
+
+template<class M, class Loop>
+std::size_t num_corners(const M&, const Loop& loop) {
+  std::size_t n = 0;
+  for ([[maybe_unused]] const vert_t<M> v : loop) ++n;
+  return n;
+}
+
+/// What corners of the polygon are compared with to find out whether they are concave: its normal, or 0 for a triangle, which has none.
+template<class M, class Loop>
+vec3 normal_for_angles(const M& m, const Loop& loop, std::size_t corners) {
+  return corners <= 3 ? vec3{} : direction_of_areas(m, [&](const auto& visit) { visit(loop, 1.0); });
+}
+
+template<class M, class Loop>
+double angle_in_loop(const M& m, const Loop& loop, const vert_t<M>& v, const char* what, std::size_t which) {
+  std::size_t n = 0, corner = 0;
+  bool found = false;
+  for (const vert_t<M> w : loop) {
+    if (w == v) {
+      corner = n;
+      found = true;
+    }
+    ++n;
+  }
+  if (!found)
+    throw_joined<invalid_argument>({"corner_angle: vert ", index_of(m, v), " is no corner of ", what, " ", which, "; ask for one of its own verts"});
+  const vec3 normal = normal_for_angles(m, loop, n);
+  double angle = 0;
+  for_each_corner(m, loop, [&](std::size_t k, const vec3& before, const vec3& at, const vec3& after) {
+    if (k == corner) angle = angle_at_corner(before, at, after, normal);
+  });
+  return angle;
+}
+
+}  // namespace detail
+
+/// The angle inside poly p of a surface, or inside face f of a volume, at its corner v.
+/// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face) with index_of.
+/// Result: in radians, in [0, 2 pi): the angle in space between the two edges at v, more than pi where the corner is concave seen along the
+///         vector area. Those of a planar polygon of n verts sum to (n - 2) pi. The same at every scale; 0 where an edge at v has no length;
+///         not a number only where points are not finite.
+/// Cost:   O(verts of the polygon).      Errors: invalid_argument if v is no vert of the polygon.
+template<SurfaceMesh M>
+  requires Embedded<M>
+double corner_angle(const M& m, const poly_t<M>& p, const vert_t<M>& v) {
+  return detail::angle_in_loop(m, adj_p2v(m, p), v, "poly", index_of(m, p));
+}
+template<VolumeMesh M>
+  requires Embedded<M>
+double corner_angle(const M& m, const face_t<M>& f, const vert_t<M>& v) {
+  return detail::angle_in_loop(m, adj_f2v(m, f), v, "face", index_of(m, f));
+}
+
+/// By how much the surface is bent at each vert: what the angles of the corners there lack to a full turn, or at the border to half a one.
+/// Needs:  Embedded SurfaceMesh, no temporary.
+/// Result: a map of double, in radians: 2 pi - the sum of angles inside, pi - the sum at the border. In general each edge at v with k polys
+///         counts (k - 2) pi / 2 more than in the first, so that where polys are planar the sum over all verts is 2 pi times the Euler
+///         characteristic (verts of no poly left out: they have 0), whatever meets at edges and verts.
+/// Cost:   O(corners + edges of verts), parallel but for the sums; the same for any number of threads.      Errors: none.
+/// Source: Descartes' theorem; Gauss-Bonnet for polyhedral surfaces, Banchoff 1967, "Critical points and curvature for embedded polyhedra".
+template<class M>
+  requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
+vert_map<M, double> angle_defects(M&& m) {
+  auto defect = make_vert_map<double>(m, 0.0);
+  std::vector<std::size_t> first(poly_index_bound(m));
+  std::size_t corners = 0;
+  for (const poly_t<M> p : polys(m)) {
+    first[index_of(m, p)] = corners;
+    corners += detail::num_corners(m, adj_p2v(m, p));
+  }
+  std::vector<double> angle(corners);
+  parallel_for_each(polys(m), [&](const poly_t<M>& p) {
+    const auto& loop = adj_p2v(m, p);
+    const vec3 normal = detail::normal_for_angles(m, loop, detail::num_corners(m, loop));
+    double* const own = angle.data() + first[index_of(m, p)];
+    detail::for_each_corner(m, loop, [&](std::size_t k, const vec3& before, const vec3& at, const vec3& after) {
+      own[k] = detail::angle_at_corner(before, at, after, normal);
+    });
+  });
+  const double* next = angle.data();
+  for (const poly_t<M> p : polys(m))
+    for (const vert_t<M> v : adj_p2v(m, p)) defect[v] += *next++;
+  parallel_for_each(verts(m), [&](const vert_t<M>& v) {
+    double quarters = 4;
+    bool any = false;
+    for (const edge_t<M> e : adj_v2e(m, v)) {
+      quarters -= 2;
+      for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) {
+        quarters += 1;
+        any = true;
+      }
+    }
+    if (any) defect[v] = quarters * (std::numbers::pi / 2) - defect[v];
+  });
+  return defect;
+}
+
+}  // namespace concino

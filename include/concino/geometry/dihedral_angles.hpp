@@ -1,0 +1,135 @@
+// Angles between polygons that meet at an edge: of two polys of a surface, of two faces of a polyhedron.
+#pragma once
+
+#include <concino/detail/message.hpp>
+#include <concino/error.hpp>
+#include <concino/geometry/normals.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace concino {
+
+namespace detail {
+
+/// An edge as the angles at it see it: where it begins, which way it leads.
+template<class M>
+struct directed_edge {
+  vert_t<M> from, to;
+  vec3 direction;  // length 1; 0 for an edge without length
+
+  directed_edge(const M& m, const edge_t<M>& e) {
+    const auto& ends = adj_e2v(m, e);
+    auto it = ends.begin();
+    from = *it;
+    ++it;
+    to = *it;
+    direction = unit_vector(step_about_one(to_vec3(point(m, from)), to_vec3(point(m, to))));
+  }
+
+  /// 1 if the loop walks along the edge, -1 if it comes the other way, 0 if neither.
+  template<class Loop>
+  int way_of(const Loop& loop) const {
+    bool from_first = false, to_first = false, at_from = false, at_to = false, any = false;
+    for (const vert_t<M> v : loop) {
+      const bool is_from = v == from, is_to = v == to;
+      if (at_from && is_to) return 1;
+      if (at_to && is_from) return -1;
+      if (!any) {
+        from_first = is_from;
+        to_first = is_to;
+      }
+      any = true;
+      at_from = is_from;
+      at_to = is_to;
+    }
+    return at_from && to_first ? 1 : at_to && from_first ? -1 : 0;
+  }
+};
+
+/// A polygon at an edge: the direction from the edge into it, at right angles to both the edge and its normal.
+struct polygon_at_edge {
+  vec3 inward;
+  int way = 0;  // of its walk along the edge, as seen from the side of its outward normal
+
+  polygon_at_edge() = default;
+  polygon_at_edge(const vec3& normal, const vec3& direction, int loop_way, bool outward)
+      : inward(static_cast<double>(loop_way) * cross(normal, direction)), way(outward ? loop_way : -loop_way) {}
+};
+
+/// The angle from a to b, on the side that a's normal points away from.
+inline double interior_angle(const polygon_at_edge& a, const polygon_at_edge& b, const vec3& direction) {
+  const double cosine = dot(a.inward, b.inward), sine = -static_cast<double>(a.way) * dot(cross(a.inward, b.inward), direction);
+  if (cosine == 0 && sine == 0) return std::numbers::pi;
+  const double angle = std::atan2(sine, cosine);
+  if (!(angle < 0)) return angle + 0.0;  // never the negative 0
+  const double outer = angle + 2 * std::numbers::pi;
+  return outer < 2 * std::numbers::pi ? outer : 0;  // rounding makes a whole turn of nearly one
+}
+
+/// normal_of(p): of a poly.
+template<class M, class Normal>
+double dihedral_angle_with(const M& m, const edge_t<M>& e, const Normal& normal_of) {
+  polygon_at_edge two[2];
+  const directed_edge<M> edge(m, e);
+  int n = 0;
+  for (const poly_t<M> p : adj_e2p(m, e)) {
+    if (n == 2) return std::numbers::pi;
+    two[n++] = {normal_of(p), edge.direction, edge.way_of(adj_p2v(m, p)), true};
+  }
+  return n == 2 ? interior_angle(two[0], two[1], edge.direction) : std::numbers::pi;
+}
+
+}  // namespace detail
+
+/// The interior angle of a surface at edge e: that between its two polys on the side from which their normals point away.
+/// Needs:  Embedded SurfaceMesh.
+/// Result: in radians, in [0, 2 pi): pi where the surface is flat, less where it is convex, such as pi / 2 on a cube, more where it is
+///         concave. Polygons are seen by their vector areas. pi, as if nothing were bent, where there is no angle: at edges with another
+///         number of polys than two, or without length, and at polys without area. Where the two polys are wound against each other the
+///         side is that of the first of adj_e2p. The same at every scale; not a number only where points are not finite.
+/// Cost:   O(verts of the two polys).      Errors: none.
+template<SurfaceMesh M>
+  requires Embedded<M>
+double dihedral_angle(const M& m, const edge_t<M>& e) {
+  return detail::dihedral_angle_with(m, e, [&](const poly_t<M>& p) { return normal(m, p); });
+}
+
+/// The interior angle of polyhedron p at its edge e, between its two faces there.
+/// Needs:  Embedded VolumeMesh.
+/// Result: in radians, in [0, 2 pi), more than pi where p is concave. Faces are seen by their vector areas, so that the angles of the polys
+///         all around an edge sum to 2 pi, with planar faces or not. pi where e has no length or a face there no area, and where p has more or
+///         less than two faces at e. The same at every scale; not a number only where points are not finite.
+/// Cost:   O(verts of the faces of p).      Errors: invalid_argument if e is no edge of p.
+template<VolumeMesh M>
+  requires Embedded<M>
+double dihedral_angle(const M& m, const poly_t<M>& p, const edge_t<M>& e) {
+  detail::polygon_at_edge two[2];
+  const detail::directed_edge<M> edge(m, e);
+  int n = 0;
+  for (const face_t<M> f : adj_p2f(m, p)) {
+    const int way = edge.way_of(adj_f2v(m, f));
+    if (way == 0) continue;
+    if (n < 2) two[n] = {normal(m, f), edge.direction, way, face_is_outward(m, p, f)};
+    ++n;
+  }
+  if (n == 0)
+    detail::throw_joined<invalid_argument>(
+        {"dihedral_angle: edge ", index_of(m, e), " is no edge of poly ", index_of(m, p), "; ask for one of adj_p2e of the poly"});
+  return n == 2 ? detail::interior_angle(two[0], two[1], edge.direction) : std::numbers::pi;
+}
+
+/// The interior angles of a surface at all edges.
+/// Needs:  Embedded SurfaceMesh, no temporary.      Result: a map of double, as dihedral_angle.
+/// Cost:   O(corners), every normal computed once, times the verts of polys where these are many; parallel.      Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
+edge_map<M, double> dihedral_angles(M&& m) {
+  auto angle = make_edge_map<double>(m);
+  const auto normals = poly_normals(m);
+  const auto normal_of = [&](const poly_t<M>& p) { return normals[p]; };
+  parallel_for_each(edges(m), [&](const edge_t<M>& e) { angle[e] = detail::dihedral_angle_with(m, e, normal_of); });
+  return angle;
+}
+
+}  // namespace concino

@@ -1,0 +1,34 @@
+// How long edges are.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/geometry/vec3.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/parallel.hpp>
+
+namespace concino {
+
+/// The distance between the ends of edge e.
+/// Needs:  Embedded M with adj_e2v.      Result: 0 or more, in units of the mesh; scales exactly.      Cost: O(1).      Errors: none.
+template<Embedded M>
+  requires requires(const M& m, edge_t<M> e) { adj_e2v(m, e); }
+double edge_length(const M& m, const edge_t<M>& e) {
+  const auto& ends = adj_e2v(m, e);
+  auto it = ends.begin();
+  const vert_t<M> a = *it;
+  ++it;
+  const vert_t<M> b = *it;
+  return distance(to_vec3(point(m, a)), to_vec3(point(m, b)));
+}
+
+/// The lengths of all edges.
+/// Needs:  Embedded AnyMesh, no temporary.      Result: a map of double.      Cost: O(E), parallel.      Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+edge_map<M, double> edge_lengths(M&& m) {
+  auto length = make_edge_map<double>(m);
+  parallel_for_each(edges(m), [&](const edge_t<M>& e) { length[e] = edge_length(m, e); });
+  return length;
+}
+
+}  // namespace concino

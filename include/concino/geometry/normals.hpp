@@ -1,0 +1,167 @@
+// Unit normals of polygons and of verts: the directions of vector areas, so that no way of cutting a polygon into triangles is preferred and
+// polygons that are not planar have one, too.
+//
+// All of them are the zero vector where there is no area, and the same at every scale: areas too small or too large for a double are no
+// obstacle. Only coordinates that are not finite give something that is not a number.
+#pragma once
+
+#include <concino/geometry/detail/any_scale.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/parallel.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace concino {
+
+namespace detail {
+
+/// 1 or -1 for a face of the boundary, by whether it runs counter-clockwise seen from outside; 0 for others.
+template<class M>
+double outward_sign(const M& m, const face_t<M>& f) {
+  poly_t<M> inside{};
+  int count = 0;
+  for (const poly_t<M> p : adj_f2p(m, f)) {
+    inside = p;
+    if (++count > 1) break;
+  }
+  return count != 1 ? 0 : face_is_outward(m, inside, f) ? 1 : -1;
+}
+
+/// Calls visit(loop, sign) for the polygons that surround v from outside: of a surface the polys at v; of a volume those faces at v that have
+/// exactly one poly, with the sign that makes them point out of it.
+template<class M, class Visit>
+void for_each_outer_polygon(const M& m, const vert_t<M>& v, const Visit& visit) {
+  if constexpr (SurfaceMesh<M>) {
+    for (const poly_t<M> p : adj_v2p(m, v)) visit(adj_p2v(m, p), 1.0);
+  } else {
+    for (const face_t<M> f : adj_v2f(m, v))
+      if (const double sign = outward_sign(m, f); sign != 0) visit(adj_f2v(m, f), sign);
+  }
+}
+
+}  // namespace detail
+
+/// The direction of the vector area of poly p of a surface, or of face f of a volume, walked as adj_f2v does.
+/// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face).
+/// Result: length 1, pointing to where the verts run counter-clockwise; 0 without area.      Cost: O(verts of the polygon).
+/// Errors: none.
+/// Source: Sunday 2002, "Fast polygon area and Newell normal computation".
+template<SurfaceMesh M>
+  requires Embedded<M>
+vec3 normal(const M& m, const poly_t<M>& p) {
+  return detail::direction_of_areas(m, [&](const auto& visit) { visit(adj_p2v(m, p), 1.0); });
+}
+template<VolumeMesh M>
+  requires Embedded<M>
+vec3 normal(const M& m, const face_t<M>& f) {
+  return detail::direction_of_areas(m, [&](const auto& visit) { visit(adj_f2v(m, f), 1.0); });
+}
+
+/// The direction of the sum of the vector areas around vert v: of the polys at v on a surface; in a volume of the boundary faces at v, turned
+/// outward.
+/// Needs:  Embedded AnyMesh.
+/// Result: length 1; 0 where areas cancel or there are none, as inside a volume.      Cost: O(size of the polygons at v).      Errors: none.
+/// Source: weights by area, Taubin 1995, "Estimating the tensor of curvature of a surface from a polyhedral approximation".
+template<AnyMesh M>
+  requires Embedded<M>
+vec3 vert_normal(const M& m, const vert_t<M>& v) {
+  return detail::direction_of_areas(m, [&](const auto& visit) { detail::for_each_outer_polygon(m, v, visit); });
+}
+
+/// The normals of all polys of a surface.
+/// Needs:  Embedded SurfaceMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel.      Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
+poly_map<M, vec3> poly_normals(M&& m) {
+  auto n = make_poly_map<vec3>(m);
+  parallel_for_each(polys(m), [&](const poly_t<M>& p) { n[p] = normal(m, p); });
+  return n;
+}
+
+/// The normals of all faces of a volume, each as adj_f2v walks it.
+/// Needs:  Embedded VolumeMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel.      Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && VolumeMesh<M> && Embedded<M>
+face_map<M, vec3> face_normals(M&& m) {
+  auto n = make_face_map<vec3>(m);
+  parallel_for_each(faces(m), [&](const face_t<M>& f) { n[f] = normal(m, f); });
+  return n;
+}
+
+namespace detail {
+
+/// Adds up vector areas at verts and turns the sums, and with them the areas, into unit vectors. The sums are taken in the order of the walk
+/// and by one thread, so that they are the same for any number of them; everything else is parallel.
+template<class M, class Areas, class Normals>
+void sum_areas_of_polys(const M& m, Areas& area, Normals& sum) {
+  parallel_for_each(polys(m), [&](const poly_t<M>& p) { area[p] = area_vector_of(m, adj_p2v(m, p)); });
+  for (const poly_t<M> p : polys(m)) {
+    const vec3 a = area[p];
+    for (const vert_t<M> v : adj_p2v(m, p)) sum[v] += a;
+  }
+  parallel_for_each(verts(m), [&](const vert_t<M>& v) {
+    sum[v] = unit_or(sum[v], [&] { return vert_normal(m, v); });
+  });
+}
+
+template<class M, class Normals>
+void sum_areas_of_boundary(const M& m, Normals& sum) {
+  std::vector<signed char> sign(face_index_bound(m));
+  parallel_for_each(faces(m), [&](const face_t<M>& f) { sign[index_of(m, f)] = static_cast<signed char>(outward_sign(m, f)); });
+  std::vector<unsigned char> met(vert_index_bound(m));
+  for (const face_t<M> f : faces(m)) {
+    if (sign[index_of(m, f)] == 0) continue;
+    const vec3 a = static_cast<double>(sign[index_of(m, f)]) * area_vector_of(m, adj_f2v(m, f));
+    for (const vert_t<M> v : adj_f2v(m, f)) {
+      met[index_of(m, v)] = 1;
+      sum[v] += a;
+    }
+  }
+  parallel_for_each(verts(m), [&](const vert_t<M>& v) {
+    if (met[index_of(m, v)]) sum[v] = unit_or(sum[v], [&] { return vert_normal(m, v); });
+  });
+}
+
+}  // namespace detail
+
+/// The normals of all verts.
+/// Needs:  Embedded AnyMesh, no temporary.
+/// Result: a map of vec3, as vert_normal but for the order in which areas are summed; the same for any number of threads.
+/// Cost:   O(corners) time; every vector area is computed once, one is kept per poly of a surface. Parallel but for the sums.
+/// Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+vert_map<M, vec3> vert_normals(M&& m) {
+  auto n = make_vert_map<vec3>(m);
+  if constexpr (SurfaceMesh<M>) {
+    auto area = make_poly_map<vec3>(m);
+    detail::sum_areas_of_polys(m, area, n);
+  } else {
+    detail::sum_areas_of_boundary(m, n);
+  }
+  return n;
+}
+
+/// What poly_normals and vert_normals return.
+template<class M>
+struct surface_normals_of {
+  poly_map<M, vec3> polys;
+  vert_map<M, vec3> verts;
+};
+
+/// The normals of all polys and verts of a surface, in about the time of one of both: no vector area is computed twice.
+/// Needs:  Embedded SurfaceMesh, no temporary.      Result: the maps that poly_normals and vert_normals return.
+/// Cost:   O(corners); parallel but for the sums at verts.      Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
+surface_normals_of<std::remove_cvref_t<M>> surface_normals(M&& m) {
+  surface_normals_of<std::remove_cvref_t<M>> n{make_poly_map<vec3>(m), make_vert_map<vec3>(m)};
+  detail::sum_areas_of_polys(m, n.polys, n.verts);
+  parallel_for_each(polys(m), [&](const poly_t<M>& p) {
+    n.polys[p] = detail::unit_or(n.polys[p], [&] { return normal(m, p); });
+  });
+  return n;
+}
+
+}  // namespace concino
