@@ -2,7 +2,9 @@
 #pragma once
 
 #include <concino/geometry/bounding_box.hpp>
+#include <concino/geometry/bounding_tree.hpp>
 #include <concino/geometry/centroid.hpp>
+#include <concino/geometry/closest_point.hpp>
 #include <concino/geometry/corner_angles.hpp>
 #include <concino/geometry/dihedral_angles.hpp>
 #include <concino/geometry/edge_length.hpp>

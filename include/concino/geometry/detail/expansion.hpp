@@ -22,7 +22,7 @@ inline void two_product(double a, double b, double& product, double& rest) {
   rest = std::fma(a, b, -product);
 }
 
-/// A sum of at most N doubles, exact.
+/// A sum of at most N doubles, exact. Parts that are 0 are left out where that is easily seen: coordinates of few digits stay cheap.
 template<std::size_t N>
 struct expansion {
   double part[N] = {};
@@ -36,8 +36,14 @@ struct expansion {
   }
   /// this += x; room for one part more must be left.   Source: Shewchuk 1997, grow-expansion.
   void add(double x) {
-    for (std::size_t i = 0; i < size; ++i) two_sum(x, part[i], x, part[i]);
-    part[size++] = x;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      double rest;
+      two_sum(x, part[i], x, rest);
+      if (rest != 0) part[kept++] = rest;
+    }
+    part[kept++] = x;
+    size = kept;
   }
 };
 
@@ -61,14 +67,14 @@ expansion<2 * N> product(const expansion<N>& a, double b) {
   if (a.size == 0) return r;
   double carry, low;
   two_product(a.part[0], b, carry, low);
-  r.part[r.size++] = low;
+  if (low != 0) r.part[r.size++] = low;
   for (std::size_t i = 1; i < a.size; ++i) {
     double high, rest, middle;
     two_product(a.part[i], b, high, rest);
     two_sum(carry, rest, middle, low);
-    r.part[r.size++] = low;
+    if (low != 0) r.part[r.size++] = low;
     two_sum(high, middle, carry, low);
-    r.part[r.size++] = low;
+    if (low != 0) r.part[r.size++] = low;
   }
   r.part[r.size++] = carry;
   return r;
@@ -93,8 +99,10 @@ expansion<N> minus(expansion<N> a) {
 /// a - b, exactly.
 inline expansion<2> difference(double a, double b) {
   expansion<2> r;
-  two_sum(a, -b, r.part[1], r.part[0]);
-  r.size = 2;
+  double whole, rest;
+  two_sum(a, -b, whole, rest);
+  if (rest != 0) r.part[r.size++] = rest;
+  r.part[r.size++] = whole;
   return r;
 }
 

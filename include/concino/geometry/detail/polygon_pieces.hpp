@@ -1,0 +1,106 @@
+// The triangles that the polys of a surface are made of.
+#pragma once
+
+#include <concino/geometry/detail/ranked_polys.hpp>
+#include <concino/geometry/detail/triangle_tests.hpp>
+#include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/parallel.hpp>
+
+#include <array>
+
+namespace concino::detail {
+
+/// Item i is a triangle of the poly with rank owner(i).
+template<SurfaceMesh M>
+class polygon_pieces : public ranked_polys<M> {
+  using base = ranked_polys<M>;
+  using base::points_;
+
+  std::vector<std::array<corner_index, 3>> corners_;
+  std::vector<std::uint32_t> owners_;
+  std::vector<unsigned char> rims_;  // bit k: the side from corner k to the next is an edge of the poly; empty if all are
+
+  void cut_into_triangles(const std::vector<std::size_t>& offsets, const std::vector<corner_index>& rings) {
+    constexpr std::size_t chunk = 1024;
+    std::vector<std::size_t> first(this->num_ranks() + 1, 0);
+    for (std::size_t r = 0; r < this->num_ranks(); ++r) first[r + 1] = first[r] + std::max<std::size_t>(offsets[r + 1] - offsets[r], 2) - 2;
+    corners_.resize(first.back());
+    owners_.resize(first.back());
+    rims_.resize(first.back());
+    parallel_for((this->num_ranks() + chunk - 1) / chunk, [&](std::size_t c) {
+      polygon_triangulator cut;
+      std::vector<vec3> polygon;
+      for (std::size_t r = c * chunk; r < std::min((c + 1) * chunk, this->num_ranks()); ++r) {
+        const std::size_t begin = offsets[r], n = offsets[r + 1] - begin;
+        polygon.clear();
+        for (std::size_t i = 0; i < n; ++i) polygon.push_back(points_[rings[begin + i]]);
+        std::size_t at = first[r];
+        for (const polygon_triangle& t : cut(polygon)) {
+          unsigned rim = 0;
+          for (std::size_t k = 0; k < 3; ++k) {
+            corners_[at][k] = rings[begin + t[k]];
+            const std::size_t from = t[k], to = t[k < 2 ? k + 1 : 0];
+            if (to == (from + 1 < n ? from + 1 : 0) || from == (to + 1 < n ? to + 1 : 0)) rim |= 1u << k;
+          }
+          owners_[at] = static_cast<std::uint32_t>(r);
+          rims_[at++] = static_cast<unsigned char>(rim);
+        }
+      }
+    }, 1);
+  }
+
+ public:
+  static constexpr std::uint32_t leaf_size = 4;
+  static constexpr bool are_solid = false;
+
+  explicit polygon_pieces(const M& m) : base(m) {
+    if constexpr (TriMesh<M>) {
+      corners_.resize(this->num_ranks());
+      owners_.resize(this->num_ranks());
+      for (std::size_t r = 0; r < corners_.size(); ++r) {
+        owners_[r] = static_cast<std::uint32_t>(r);
+        std::size_t k = 0;
+        for (const vert_t<M> v : adj_p2v(m, this->poly(r))) {
+          const auto i = static_cast<corner_index>(index_of(m, v));
+          this->see(m, this->poly(r), i);
+          if (k < 3) corners_[r][k++] = i;
+        }
+      }
+      this->scale();
+    } else {
+      std::vector<std::size_t> offsets{0};
+      std::vector<corner_index> rings;
+      for (std::size_t r = 0; r < this->num_ranks(); ++r) {
+        for (const vert_t<M> v : adj_p2v(m, this->poly(r))) {
+          rings.push_back(static_cast<corner_index>(index_of(m, v)));
+          this->see(m, this->poly(r), rings.back());
+        }
+        offsets.push_back(rings.size());
+      }
+      this->scale();
+      cut_into_triangles(offsets, rings);
+    }
+  }
+
+  std::size_t size() const { return corners_.size(); }
+  std::uint32_t owner(std::size_t i) const { return owners_[i]; }
+  triangle_points triangle(std::size_t i) const { return {points_[corners_[i][0]], points_[corners_[i][1]], points_[corners_[i][2]]}; }
+  bool is_rim(std::size_t i, std::size_t k) const { return rims_.empty() || (rims_[i] >> k & 1u); }
+
+  box box_of(std::size_t i) const {
+    box b;
+    for (const corner_index c : corners_[i]) b.add(points_[c]);
+    return b;
+  }
+  template<class F>
+  void for_each_triangle(std::size_t i, F&& f) const {
+    f(points_[corners_[i][0]], points_[corners_[i][1]], points_[corners_[i][2]]);
+  }
+  void arrange(const std::vector<std::uint32_t>& order) {
+    detail::arrange(corners_, order);
+    detail::arrange(owners_, order);
+    if (!rims_.empty()) detail::arrange(rims_, order);
+  }
+};
+
+}  // namespace concino::detail

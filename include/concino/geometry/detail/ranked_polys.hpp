@@ -1,0 +1,89 @@
+// The points of a mesh and its polys by rank, which is their place in the order of polys(m). Points are kept times a power of two that makes the
+// largest coordinate about 1: that is exact, and keeps the products in predicates and distances from overflow and underflow.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/error.hpp>
+#include <concino/geometry/bounding_box.hpp>
+#include <concino/geometry/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+using corner_index = std::uint32_t;
+
+/// Numbers in the order of the leaves of a tree.
+template<class T>
+void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+  std::vector<T> arranged(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) arranged[i] = values[order[i]];
+  values = std::move(arranged);
+}
+
+template<class M>
+class ranked_polys {
+  std::vector<poly_t<M>> polys_;
+
+ protected:
+  std::vector<vec3> points_;  // by index of vert; what a kind of poly needs beside comes behind
+  double largest_ = 0;        // coordinate of a corner of a poly
+  int exponent_ = 0;          // of the unit
+  double to_tree_ = 1, to_mesh_ = 1;
+
+  static double magnitude(const vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
+
+  explicit ranked_polys(const M& m) {
+    polys_.reserve(num_polys(m));
+    for (const poly_t<M> p : polys(m)) polys_.push_back(p);
+    points_.resize(vert_index_bound(m));
+    for (const vert_t<M> v : verts(m)) points_[index_of(m, v)] = to_vec3(point(m, v));
+  }
+
+  /// To be called for each corner of the poly p; those of other verts do not matter.
+  void see(const M& m, const poly_t<M>& p, corner_index v) {
+    const vec3& x = points_[v];
+    if (!is_finite(x))
+      throw_joined<invalid_mesh>({"bounding_tree: poly ", index_of(m, p), " has a vert whose point is not finite; validate(m) lists all of them"});
+    largest_ = std::max(largest_, magnitude(x));
+  }
+  /// To be called when all corners were seen.
+  void scale() {
+    std::frexp(largest_, &exponent_);
+    exponent_ = std::min(std::max(exponent_, -1000), 1000);
+    to_tree_ = std::ldexp(1.0, -exponent_);
+    to_mesh_ = std::ldexp(1.0, exponent_);
+    for (vec3& x : points_) x *= to_tree_;
+  }
+
+ public:
+  std::size_t num_ranks() const { return polys_.size(); }
+  const poly_t<M>& poly(std::size_t rank) const { return polys_[rank]; }
+
+  vec3 to_mesh(const vec3& x) const { return to_mesh_ * x; }
+  /// x in the units of the tree; one that is very far away comes nearer along the line to the origin: from there too, all of the mesh is
+  /// equally far but for rounding.
+  vec3 to_tree(const vec3& x) const {
+    const double far = magnitude(x);
+    return far * to_tree_ <= 0x1p200 ? to_tree_ * x : x / far * 0x1p200;
+  }
+  /// The distance of two points, given in the mesh and in the tree.
+  double distance_in_mesh(const vec3& x, const vec3& y, const vec3& x_in_tree, const vec3& y_in_tree) const {
+    return magnitude(x) * to_tree_ <= 0x1p200 ? to_mesh_ * distance(x_in_tree, y_in_tree) : distance(x, y);
+  }
+  /// Infinite sides stay so.
+  box to_tree(const box& b) const {
+    box r;
+    r.min = to_tree_ * b.min;
+    r.max = to_tree_ * b.max;
+    return r;
+  }
+  /// A length of 1 in the tree is 2^exponent in the mesh.
+  int exponent() const { return exponent_; }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,146 @@
+// The polys of a volume as solids: tets by their corners, others by their faces, each of more than three verts fanned about its mean point, as in
+// `volume`; both polys at a face see the same triangles, so solids tile as their polys do.
+#pragma once
+
+#include <concino/geometry/detail/ranked_polys.hpp>
+#include <concino/geometry/detail/triangle_tests.hpp>
+
+#include <array>
+
+namespace concino::detail {
+
+/// Item i is the tet with rank owner(i).
+template<VolumeMesh M>
+class tet_pieces : public ranked_polys<M> {
+  using base = ranked_polys<M>;
+  using base::points_;
+
+  std::vector<std::array<corner_index, 4>> corners_;
+  std::vector<std::uint32_t> owners_;
+
+ public:
+  static constexpr std::uint32_t leaf_size = 2;
+  static constexpr bool are_solid = true;
+
+  explicit tet_pieces(const M& m) : base(m), corners_(this->num_ranks()), owners_(this->num_ranks()) {
+    for (std::size_t r = 0; r < corners_.size(); ++r) {
+      owners_[r] = static_cast<std::uint32_t>(r);
+      std::size_t k = 0;
+      for (const vert_t<M> v : adj_p2v(m, this->poly(r))) {
+        const auto i = static_cast<corner_index>(index_of(m, v));
+        this->see(m, this->poly(r), i);
+        if (k < 4) corners_[r][k++] = i;
+      }
+    }
+    this->scale();
+  }
+
+  std::size_t size() const { return corners_.size(); }
+  std::uint32_t owner(std::size_t i) const { return owners_[i]; }
+  const vec3& corner(std::size_t i, std::size_t k) const { return points_[corners_[i][k]]; }
+  box box_of(std::size_t i) const {
+    box b;
+    for (const corner_index c : corners_[i]) b.add(points_[c]);
+    return b;
+  }
+  template<class F>
+  void for_each_triangle(std::size_t i, F&& f) const {
+    const vec3 &a = corner(i, 0), &b = corner(i, 1), &c = corner(i, 2), &d = corner(i, 3);
+    f(a, c, b);
+    f(a, b, d);
+    f(b, c, d);
+    f(a, d, c);
+  }
+  /// Whether x, thought of as moved, is inside.
+  bool holds(std::size_t i, const vec3& x) const { return moved_inside_tet(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), x); }
+  void arrange(const std::vector<std::uint32_t>& order) {
+    detail::arrange(corners_, order);
+    detail::arrange(owners_, order);
+  }
+};
+
+/// Item i is the polyhedron with rank owner(i).
+template<VolumeMesh M>
+class polyhedron_pieces : public ranked_polys<M> {
+  using base = ranked_polys<M>;
+  using base::points_;
+
+  struct ring {
+    std::uint32_t first = 0, size = 0;  // of corners_
+    corner_index mean = 0;              // of points_, where size > 3
+  };
+  std::vector<ring> rings_;  // by index of face
+  std::vector<corner_index> corners_;
+  std::vector<std::uint32_t> sides_;  // twice the index of a face, 1 more where it is outward; those of a poly in a row
+  std::vector<std::size_t> first_side_;  // by rank
+  std::vector<std::uint32_t> owners_;
+
+  void add_mean(ring& r) {
+    vec3 sum;
+    const vec3 origin = points_[corners_[r.first]];
+    for (std::uint32_t k = 1; k < r.size; ++k) sum += points_[corners_[r.first + k]] - origin;
+    r.mean = static_cast<corner_index>(points_.size());
+    points_.push_back(origin + sum / static_cast<double>(r.size));  // as shape_of says
+  }
+
+ public:
+  static constexpr std::uint32_t leaf_size = 1;
+  static constexpr bool are_solid = true;
+
+  explicit polyhedron_pieces(const M& m) : base(m), rings_(face_index_bound(m)), first_side_{0}, owners_(this->num_ranks()) {
+    for (std::size_t r = 0; r < this->num_ranks(); ++r) {
+      owners_[r] = static_cast<std::uint32_t>(r);
+      const poly_t<M> p = this->poly(r);
+      for (const face_t<M> f : adj_p2f(m, p)) {
+        const std::size_t i = index_of(m, f);
+        sides_.push_back(static_cast<std::uint32_t>(2 * i + (face_is_outward(m, p, f) ? 1 : 0)));
+        if (rings_[i].size > 0) continue;
+        rings_[i].first = static_cast<std::uint32_t>(corners_.size());
+        for (const vert_t<M> v : adj_f2v(m, f)) {
+          corners_.push_back(static_cast<corner_index>(index_of(m, v)));
+          this->see(m, p, corners_.back());
+        }
+        rings_[i].size = static_cast<std::uint32_t>(corners_.size()) - rings_[i].first;
+      }
+      first_side_.push_back(sides_.size());
+    }
+    this->scale();
+    for (ring& r : rings_)
+      if (r.size > 3) add_mean(r);
+  }
+
+  std::size_t size() const { return owners_.size(); }
+  std::uint32_t owner(std::size_t i) const { return owners_[i]; }
+  box box_of(std::size_t i) const {
+    box b;
+    for_each_triangle(i, [&](const vec3& p, const vec3& q, const vec3& r) {
+      b.add(p);
+      b.add(q);
+      b.add(r);
+    });
+    return b;
+  }
+  /// Counter-clockwise seen from outside.
+  template<class F>
+  void for_each_triangle(std::size_t i, F&& f) const {
+    const std::uint32_t rank = owners_[i];
+    for (std::size_t s = first_side_[rank]; s < first_side_[rank + 1]; ++s) {
+      const ring& r = rings_[sides_[s] / 2];
+      const bool outward = sides_[s] % 2 != 0;
+      const corner_index* c = corners_.data() + r.first;
+      const auto triangle = [&](const vec3& p, const vec3& q, const vec3& o) { outward ? f(p, q, o) : f(q, p, o); };
+      if (r.size == 3) triangle(points_[c[0]], points_[c[1]], points_[c[2]]);
+      else
+        for (std::uint32_t k = 0; k < r.size; ++k) triangle(points_[c[k]], points_[c[k + 1 < r.size ? k + 1 : 0]], points_[r.mean]);
+    }
+  }
+  /// Whether the surface of the poly winds round x, thought of as moved.
+  bool holds(std::size_t i, const vec3& x) const {
+    int times = 0;
+    for_each_triangle(i, [&](const vec3& p, const vec3& q, const vec3& r) { times += crossing_above(p, q, r, x); });
+    return times != 0;
+  }
+  void arrange(const std::vector<std::uint32_t>& order) { detail::arrange(owners_, order); }
+};
+
+}  // namespace concino::detail
