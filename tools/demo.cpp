@@ -111,19 +111,17 @@ std::vector<far_ends<M>> ends_of_components(const M& m) {
   return components;
 }
 
-/// Cotangent weights where they are defined; the field then does not follow the lines of the mesh.
+/// Standard weights: the field does not follow the lines of the mesh. Meshes with degenerate polys have none.
 template<class M, class D>
 auto solve(const M& m, const D& values, const cn::progress& progress, std::string& weights) {
-  if constexpr (cn::TriMesh<M> || cn::TetMesh<M>) {
-    try {
-      weights = "cotangent";
-      return cn::harmonic_map(m, values, {.weights = cn::weights::cotangent, .progress = progress});
-    } catch (const cn::invalid_mesh& e) {
-      fmt::print(stderr, "concino_demo: {}; using uniform weights\n", e.what());
-    }
+  try {
+    weights = "standard";
+    return cn::harmonic_map(m, values, {.progress = progress});
+  } catch (const cn::invalid_mesh& e) {
+    fmt::print(stderr, "concino_demo: {}; using uniform weights\n", e.what());
   }
   weights = "uniform";
-  return cn::harmonic_map(m, values, {.progress = progress});
+  return cn::harmonic_map(m, values, {.weights = cn::weights::uniform, .progress = progress});
 }
 
 /// One number a line, in the order of the verts of the file.

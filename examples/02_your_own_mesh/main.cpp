@@ -58,5 +58,5 @@ int main() {
   const cn::vert_id a{0}, b{6 * 12 + 6};  // outermost, and innermost on the other side
   fmt::print("hops from a to b: {}, from poly to poly: {}\n", cn::bfs(m, a)[b], cn::bfs(m, cn::poly_id{0})[cn::poly_id{78}]);
   fmt::print("length of the shortest way: {:.4f}\n", cn::dijkstra(m, a)[b]);
-  fmt::print("harmonic function from 0 at a to 1 at b, half way: {:.4f}\n", cn::harmonic_map(m, {{a, 0.0}, {b, 1.0}})[cn::vert_id{6}]);
+  fmt::print("harmonic function from 0 at a to 1 at b, outermost over there: {:.4f}\n", cn::harmonic_map(m, {{a, 0.0}, {b, 1.0}})[cn::vert_id{6}]);
 }

@@ -131,7 +131,7 @@ TEST_CASE("corpus: uniform harmonic maps between one low and one high vert per c
             given[v] = -1;
             given[last] = 2;
           }
-          const auto u = harmonic_map(m, given);
+          const auto u = harmonic_map(m, given, {.weights = weights::uniform});
           std::size_t outside = 0;
           for (const auto v : verts(m)) outside += !(u[v] >= -1 - 1e-9 && u[v] <= 2 + 1e-9);
           CHECK(outside == 0);
