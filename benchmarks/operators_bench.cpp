@@ -68,7 +68,7 @@ void matrices(const bench::program& p, const std::string& name, const F& f, cons
   const auto timed = [](auto work) { return [work] { return bench::seconds_of(work); }; };
   if (const std::string work = "laplacian.uniform." + name; p.wants(work)) {
     const auto floor = [&] { return floors::uniform_laplacian(f); };
-    const auto ours = [&] { return concino::laplacian(m); };
+    const auto ours = [&] { return concino::laplacian(m, {.weights = weights::uniform}); };
     expect_equal(work, floor(), ours());
     p.print(bench::compare(work, p.rounds, {{"floor", timed(floor)}, {"concino", timed(ours)}}));
   }
