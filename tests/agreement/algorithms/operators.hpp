@@ -1,11 +1,16 @@
-// laplacian and harmonic_map, with uniform weights and with cotangents.
+// laplacian and harmonic_map, with uniform weights and with cotangents; gradient and divergence.
 #pragma once
 
 #include <agreement/matched.hpp>
 
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/graph/components.hpp>
+#include <concino/operators/divergence.hpp>
+#include <concino/operators/divergence_matrix.hpp>
+#include <concino/operators/gradient.hpp>
+#include <concino/operators/gradient_matrix.hpp>
 #include <concino/operators/laplacian.hpp>
+#include <concino/operators/vert_gradient_matrix.hpp>
 
 namespace concino::agreement {
 
@@ -54,8 +59,8 @@ struct harmonic {
   template<class B, class In>
   static bool check(const B& both, const In&) {
     if (both.verts.empty()) return false;
-    compare(both, {});
-    compare(both, {.exponent = 2});
+    compare(both, {.weights = weights::uniform});
+    compare(both, {.weights = weights::uniform, .exponent = 2});
     return true;
   }
 
@@ -91,6 +96,85 @@ struct cotangents {
     laplacians::compare(both, weights::cotangent);
     harmonic::compare(both, {.weights = weights::cotangent});
     harmonic::compare(both, {.weights = weights::cotangent, .exponent = 2});
+    return true;
+  }
+};
+
+/// Each entry of one matrix is found in the other, to 1e-12 of the largest; row(i) and column(i) are where i stands there.
+template<class Row, class Column>
+void expect_same_matrix(const Eigen::SparseMatrix<double>& expected, const Eigen::SparseMatrix<double>& found, const Row& row, const Column& column,
+                        const char* what) {
+  expect(expected.nonZeros() == found.nonZeros(), "as many entries");
+  double largest = 0;
+  for (Eigen::Index k = 0; k < expected.nonZeros(); ++k) largest = std::max(largest, std::abs(expected.valuePtr()[k]));
+  if (largest == 0) return;
+  for (int c = 0; c < expected.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(expected, c); it; ++it)
+      expect_close(it.value() / largest, found.coeff(row(it.row()), column(it.col())) / largest, what);
+}
+
+/// Where things at verts, and three numbers at verts or polys, stand in a matrix of the other mesh.
+template<class B>
+auto vert_place(const B& both) {
+  return [&both](Eigen::Index i) { return static_cast<Eigen::Index>(index_of(both.other, both.verts.to(vert_t<typename B::native_mesh>{i}))); };
+}
+template<class B>
+auto poly_place(const B& both) {
+  return [&both](Eigen::Index i) { return static_cast<Eigen::Index>(index_of(both.other, both.polys.to(poly_t<typename B::native_mesh>{i}))); };
+}
+template<class Place>
+auto three_of(const Place& place) {
+  return [place](Eigen::Index i) { return 3 * place(i / 3) + i % 3; };
+}
+
+/// A function on the verts of both meshes: by the number of the native vert.
+template<class B, class M, class Number>
+auto waves(const B& both, const M& m, const Number& number) {
+  auto u = make_vert_map<double>(m, 0.0);
+  for (const auto v : both.verts.all) u[number(v)] = std::sin(1.0 + v.raw());
+  return u;
+}
+
+struct gradients {
+  static constexpr const char* name = "gradient";
+  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    const auto vert = vert_place(both);
+    expect_same_matrix(gradient_matrix(both.native), gradient_matrix(both.other), three_of(poly_place(both)), vert, "an entry of the gradient");
+    expect_same_matrix(vert_gradient_matrix(both.native), vert_gradient_matrix(both.other), three_of(vert), vert, "an entry of the gradient at verts");
+    const auto here = waves(both, both.native, [](const auto v) { return v; });
+    const auto there = waves(both, both.other, [&](const auto v) { return both.verts.to(v); });
+    const auto expected = gradient(both.native, here);
+    const auto found = gradient(both.other, there);
+    for (const auto p : both.polys.all) expect_same_vector(expected[p], found[both.polys.to(p)]);
+    const auto expected_at = vert_gradient(both.native, here);
+    const auto found_at = vert_gradient(both.other, there);
+    for (const auto v : both.verts.all) expect_same_vector(expected_at[v], found_at[both.verts.to(v)]);
+    return true;
+  }
+
+  static void expect_same_vector(const vec3& a, const vec3& b) {
+    const double size = std::max(1.0, norm(a));
+    for (std::size_t k = 0; k < 3; ++k) expect_close(a[k] / size, b[k] / size, "the gradient of a function");
+  }
+};
+
+struct divergences {
+  static constexpr const char* name = "divergence";
+  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    expect_same_matrix(divergence_matrix(both.native), divergence_matrix(both.other), vert_place(both), three_of(poly_place(both)),
+                       "an entry of the divergence");
+    auto here = make_poly_map<vec3>(both.native);
+    auto there = make_poly_map<vec3>(both.other);
+    for (const auto p : both.polys.all) here[p] = there[both.polys.to(p)] = {std::sin(1.0 + p.raw()), std::cos(2.0 * p.raw()), 1};
+    const auto expected = divergence(both.native, here);
+    const auto found = divergence(both.other, there);
+    for (const auto v : both.verts.all) expect_close(expected[v], found[both.verts.to(v)], "the divergence of a field");
     return true;
   }
 };
