@@ -31,7 +31,8 @@ TEST_CASE("icosphere: counts, size, evenness") {
     if (s > 1) CHECK(missing == doctest::Approx(previous / 4).epsilon(0.05));
     previous = missing;
   }
-  CHECK(total_measure(icosphere(0)) == doctest::Approx(20 * std::sqrt(3.0) / (5 + std::sqrt(5.0)) * 2).epsilon(1e-13));  // edges of 4 / sqrt(10 + 2 sqrt 5)
+  // The square of an edge of the icosahedron is 16 / (10 + 2 sqrt 5).
+  CHECK(total_measure(icosphere(0)) == doctest::Approx(20 * std::sqrt(3.0) / (5 + std::sqrt(5.0)) * 2).epsilon(1e-13));
   const trimesh m = icosphere(2), large = icosphere(2, 0x1p20);
   for (const vert_id v : verts(m)) CHECK(point(large, v) == 0x1p20 * point(m, v));
 }

@@ -63,8 +63,9 @@ template<AnyMesh M, class V>
 }  // namespace detail
 
 /// All polys of one label made one poly, convex or not.
-/// Needs:  Embedded AnyMesh; labels[p] is an integer. The polys of one label are wound alike and make a disk (surfaces) or a ball (volumes): they hang
-///         together across edges or faces, and their border is one ring of verts, or one sphere of faces, that touches itself nowhere.
+/// Needs:  Embedded AnyMesh; labels[p] is an integer. The polys of one label are wound alike and make a disk (surfaces) or a ball (volumes):
+///         they hang together across edges or faces, and their border is one ring of verts, or one sphere of faces, that touches itself
+///         nowhere.
 /// Result: a polygonmesh or polyhedralmesh with a poly for each label, numbered by ascending label. Faces and verts inside a union are left
 ///         out, and those of no poly; the others are numbered as m walks them. All verts and all faces on the border of a union stay: a polygon
 ///         may have flat corners where only two polys meet, and two polyhedra may share several faces in one plane.

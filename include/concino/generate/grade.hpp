@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace concino {
@@ -19,7 +20,7 @@ namespace concino {
 /// Errors: invalid_argument if a power is not finite or not above 0; invalid_mesh that names a vert without a finite point, or says that m is wider
 ///         than the largest number there is. m stays as it is then.
 template<MutablePoints M>
-  requires requirement::has_verts<M>
+  requires requirement::has_verts<M> && (!std::is_const_v<M>)
 void grade(M& m, const vec3& powers) {
   for (const std::size_t k : {0u, 1u, 2u})
     if (!(powers[k] > 0 && powers[k] <= std::numeric_limits<double>::max()))

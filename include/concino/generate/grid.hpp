@@ -30,7 +30,8 @@ class spaced {
     const double far = std::max(std::abs(min), std::abs(max));
     const double spacing = std::max(far - std::nextafter(far, 0), std::numeric_limits<double>::min());
     if (!(extent_ / n_ > 8 * spacing))
-      throw_joined<invalid_argument>({what, ": between min.", axis, " and max.", axis, " no ", n, " steps can be told apart; take fewer cells or a larger box"});
+      throw_joined<invalid_argument>({what, ": between min.", axis, " and max.", axis, " no ", n,
+                                      " steps can be told apart; take fewer cells or a larger box"});
   }
   double operator[](std::size_t i) const { return i == last_ ? max_ : min_ + extent_ * (static_cast<double>(i) / n_); }
 };
@@ -50,7 +51,7 @@ inline surface_arrays quad_grid(const grid_options& o) {
     for (std::size_t i = 0; i <= nx; ++i) a.points.push_back({x[i], y[j], o.min.z});
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i)
-      for (const std::size_t v : {j * (nx + 1) + i, j * (nx + 1) + i + 1, (j + 1) * (nx + 1) + i + 1, (j + 1) * (nx + 1) + i}) a.verts.push_back(vert_id{v});
+      for (const std::size_t step : {std::size_t{0}, std::size_t{1}, nx + 2, nx + 1}) a.verts.push_back(vert_id{j * (nx + 1) + i + step});
   return a;
 }
 
@@ -74,8 +75,11 @@ inline surface_arrays honeycomb(const grid_options& o) {
   surface_arrays a;
   a.offsets.push_back(0);
   for (std::size_t line = 0; line <= ny; ++line)
-    for (std::size_t i = 0; i <= ends; ++i)
-      if (has(i, line)) a.points.push_back({x[i], y[line == 0 || line == ny ? 6 * line : (i + line) % 2 == 0 ? 6 * line + 1 : 6 * line - 1], o.min.z});
+    for (std::size_t i = 0; i <= ends; ++i) {
+      if (!has(i, line)) continue;
+      const bool at_border = line == 0 || line == ny, up = (i + line) % 2 == 0;
+      a.points.push_back({x[i], y[at_border ? 6 * line : up ? 6 * line + 1 : 6 * line - 1], o.min.z});
+    }
   for (std::size_t row = 0; row < ny; ++row)
     for (std::size_t left = 0; left < ends;) {
       const std::size_t right = std::min(left % 2 == row % 2 ? left + 2 : left + 1, ends);

@@ -50,7 +50,8 @@ inline surface_arrays quartered_on_sphere(const surface_arrays& triangles) {
       corner[i] = walker.ring()[i];
       middle[i] = vert_id{num_verts(m) + index_of(m, e)};
     });
-    a.verts.insert(a.verts.end(), {corner[0], middle[0], middle[2], corner[1], middle[1], middle[0], corner[2], middle[2], middle[1], middle[0], middle[1], middle[2]});
+    for (const std::size_t k : {0u, 1u, 2u}) a.verts.insert(a.verts.end(), {corner[k], middle[k], middle[(k + 2) % 3]});
+    a.verts.insert(a.verts.end(), {middle[0], middle[1], middle[2]});
   }
   return a;
 }

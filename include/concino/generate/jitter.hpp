@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace concino {
@@ -43,12 +44,13 @@ std::vector<unsigned char> boundary_verts(const M& m) {
 /// Moves the interior verts of m at random, each by at most `amount` times its shortest edge along every axis.
 /// Needs:  MutablePoints AnyMesh. Cells of good shape stay valid up to an amount of about 0.2.
 /// Result: m; how far a vert may move follows from the points before the call. A flat surface stays in its plane (options.in_plane). Verts
-///         without edges stay, and with in_plane those around which the vector areas cancel out. The random numbers depend on the seed and the order of verts(m) alone, on every machine.
+///         without edges stay, and with in_plane those around which the vector areas cancel out. The random numbers depend on the seed and
+///         the order of verts(m) alone, on every machine.
 /// Cost:   O(V + E) time, O(V) memory.
 /// Errors: invalid_argument if amount is not finite or below 0; invalid_mesh that names a vert without a finite point. m stays as it is then.
 /// Source: random_stream: Steele, Lea, Flood 2014 (SplitMix64).
 template<AnyMesh M>
-  requires MutablePoints<M>
+  requires MutablePoints<M> && (!std::is_const_v<M>)
 void jitter(M& m, double amount, const jitter_options& options = {}) {
   if (!(amount >= 0 && amount <= std::numeric_limits<double>::max()))
     detail::throw_joined<invalid_argument>({"jitter: amount is ", detail::number_text(amount), "; it must be finite and 0 or more"});

@@ -38,7 +38,8 @@ class joining {
   }
 
  public:
-  joining(const M& m, const int* label) : m_(m), label_(label), side_of_(dimension_v<M> == 3 ? edge_index_bound(m) : 0), shared_vert_(vert_index_bound(m)) {}
+  joining(const M& m, const int* label)
+      : m_(m), label_(label), side_of_(dimension_v<M> == 3 ? edge_index_bound(m) : 0), shared_vert_(vert_index_bound(m)) {}
 
   bool operator()(const poly_t<M>& p, int label) {
     shared_vert_.clear();
@@ -121,7 +122,8 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
     while (!queue.empty()) {
       const claim c = queue.top();
       queue.pop();
-      if (label[index_of(m, c.on)] < 0 && pieces[static_cast<std::size_t>(c.label)].size() / 2 < size && may_join(c.on, c.label)) take(c.on, c.label, c.time);
+      if (label[index_of(m, c.on)] >= 0 || pieces[static_cast<std::size_t>(c.label)].size() / 2 >= size) continue;
+      if (may_join(c.on, c.label)) take(c.on, c.label, c.time);
     }
   };
   const auto begin_piece = [&](const poly& p) {

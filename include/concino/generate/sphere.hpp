@@ -15,13 +15,15 @@ struct sphere_options {
 
 namespace detail {
 
+inline vec3 in_even_cube(const lattice_place& at, std::size_t n) { return {even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)}; }
+
 /// The surface of a cube, seen from its centre on the unit sphere.
 inline surface_arrays cube_sphere(std::size_t n) {
   const box_skin skin({n, n, n});
   surface_arrays a{{}, {}, {}, 4};
   a.points.reserve(skin.num_verts());
   a.verts.reserve(4 * skin.num_quads());
-  skin.for_each_vert([&](const lattice_place& at) { a.points.push_back(on_round_rim({even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)})); });
+  skin.for_each_vert([&](const lattice_place& at) { a.points.push_back(on_round_rim(in_even_cube(at, n))); });
   skin.for_each_quad([&](const std::array<lattice_place, 4>& quad) {
     for (const lattice_place& at : quad) a.verts.push_back(vert_id{skin.number(at)});
   });
@@ -35,21 +37,21 @@ inline cell_arrays hex_ball(std::size_t n) {
   cell_arrays a{{}, {}, 8};
   a.points.reserve(core + layers * skin.num_verts());
   a.verts.reserve(8 * (n * n * n + layers * skin.num_quads()));
-  const auto cube = [&](const lattice_place& at) { return vec3(even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)); };
   const auto core_number = [&](const lattice_place& at) { return (at[2] * row + at[1]) * row + at[0]; };
   for (std::size_t k = 0; k < row; ++k)
     for (std::size_t j = 0; j < row; ++j)
-      for (std::size_t i = 0; i < row; ++i) a.points.push_back(in_round_core(cube({i, j, k})));
+      for (std::size_t i = 0; i < row; ++i) a.points.push_back(in_round_core(in_even_cube({i, j, k}, n)));
   for (std::size_t l = 1; l <= layers; ++l)
     skin.for_each_vert([&](const lattice_place& at) {
-      const vec3 u = cube(at), inner = in_round_core(u), outer = on_round_rim(u);
+      const vec3 u = in_even_cube(at, n), inner = in_round_core(u), outer = on_round_rim(u);
       a.points.push_back(l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
     });
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
         for (const std::size_t up : {k, k + 1})
-          for (const lattice_place& at : {lattice_place{i, j, up}, {i + 1, j, up}, {i + 1, j + 1, up}, {i, j + 1, up}}) a.verts.push_back(vert_id{core_number(at)});
+          for (const lattice_place& at : {lattice_place{i, j, up}, {i + 1, j, up}, {i + 1, j + 1, up}, {i, j + 1, up}})
+            a.verts.push_back(vert_id{core_number(at)});
   for (std::size_t l = 0; l < layers; ++l)
     skin.for_each_quad([&](const std::array<lattice_place, 4>& quad) {
       for (const std::size_t level : {l, l + 1})

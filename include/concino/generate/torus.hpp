@@ -71,7 +71,8 @@ inline cell_arrays hex_torus(const torus_options& o) {
   a.points.reserve(n * layer);
   a.verts.reserve(n * 2 * disk.verts.size());
   for (std::size_t i = 0; i < n; ++i) {
-    for (const vec3& x : disk.points) a.points.push_back(in_torus(o, static_cast<double>(i) / static_cast<double>(n), x.y, x.x));  // so that the disk faces on
+    const double turn = static_cast<double>(i) / static_cast<double>(n);
+    for (const vec3& x : disk.points) a.points.push_back(in_torus(o, turn, x.y, x.x));  // so that the disk faces the next slice
     for (std::size_t q = 0; q < disk.verts.size(); q += 4)
       for (const std::size_t at : {i, (i + 1) % n})
         for (std::size_t k = 0; k < 4; ++k) a.verts.push_back(vert_id{at * layer + disk.verts[q + k].raw()});
@@ -96,8 +97,8 @@ M make_torus(const torus_options& options = {}) {
   detail::check_positive("make_torus", "radius", options.radius);
   detail::check_positive("make_torus", "tube_radius", options.tube_radius);
   if (options.tube_radius >= options.radius)
-    detail::throw_joined<invalid_argument>({"make_torus: tube_radius is ", detail::number_text(options.tube_radius), "; it must be below radius, which is ",
-                                            detail::number_text(options.radius)});
+    detail::throw_joined<invalid_argument>({"make_torus: tube_radius is ", detail::number_text(options.tube_radius),
+                                            "; it must be below radius, which is ", detail::number_text(options.radius)});
   detail::check_finite("make_torus", "centre", options.centre);
   const double n = static_cast<double>(options.cells[0]), k = static_cast<double>(options.cells[1]);
   if constexpr (dimension_v<M> == 3) {

@@ -114,7 +114,7 @@ inline void check_positive(const char* what, const char* option, double x) {
 }
 inline void check_finite(const char* what, const char* option, const vec3& x) {
   for (const std::size_t k : {0u, 1u, 2u})
-    if (!std::isfinite(x[k])) throw_joined<invalid_argument>({what, ": ", option, std::string(k == 0 ? ".x" : k == 1 ? ".y" : ".z"), " is not finite"});
+    if (!std::isfinite(x[k])) throw_joined<invalid_argument>({what, ": ", option, k == 0 ? ".x" : k == 1 ? ".y" : ".z", " is not finite"});
 }
 inline void check_at_least(const char* what, const std::string& option, std::size_t given, std::size_t least) {
   if (given < least) throw_joined<invalid_argument>({what, ": ", option, " is ", given, "; it must be at least ", least});

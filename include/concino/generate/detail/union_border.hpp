@@ -129,7 +129,8 @@ class union_border<M> {
       if (k == 0) break;
     }
     if (ring_.size() != sides_.size()) return {"they have more than one border"};
-    if (met - inside - static_cast<std::ptrdiff_t>(sides_.size()) + static_cast<std::ptrdiff_t>(polys.size()) != 1) return {"they have a handle, or touch themselves at a vert"};
+    const std::ptrdiff_t chi = met - inside - static_cast<std::ptrdiff_t>(sides_.size()) + static_cast<std::ptrdiff_t>(polys.size());
+    if (chi != 1) return {"they have a handle, or touch themselves at a vert"};
     return {};
   }
 };
@@ -149,7 +150,8 @@ class union_border<M> {
 
  public:
   explicit union_border(const M& m)
-      : m_(m), members_(m), inside_(face_index_bound(m)), met_vert_(vert_index_bound(m)), times_(edge_index_bound(m)), first_side_(edge_index_bound(m)) {}
+      : m_(m), members_(m), inside_(face_index_bound(m)), met_vert_(vert_index_bound(m)), times_(edge_index_bound(m)),
+        first_side_(edge_index_bound(m)) {}
 
   const std::vector<side>& sides() const { return sides_; }
 

@@ -1,0 +1,37 @@
+// Meshes of OpenMesh generated, moved and merged.
+#include <support/openmesh.hpp>
+
+#include <concino/generate.hpp>
+#include <concino/geometry/measure.hpp>
+
+using namespace concino;
+using namespace concino::testing::om;
+
+TEST_CASE_TEMPLATE("OpenMesh: generated meshes keep the laws and have the right size", M, tri_double, poly_double, poly_eigen) {
+  const M flat = make_grid<M>({.cells = {5, 4}, .max = {5, 4, 1}});
+  check_laws_hold(flat);
+  CHECK(total_measure(flat) == doctest::Approx(20));
+  CHECK(num_polys(flat) == (triangles_only<M> ? 40 : 22));
+  const M cube = make_box<M>({.cells = {2, 2, 2}});
+  CHECK(total_measure(cube) == doctest::Approx(6));
+  CHECK(num_polys(make_sphere<M>({.cells = 4})) == (triangles_only<M> ? 192 : 98));
+  CHECK(num_polys(make_torus<M>({.cells = {6, 5}})) == (triangles_only<M> ? 60 : 30));
+}
+
+TEST_CASE_TEMPLATE("OpenMesh: moved as the same mesh of this library, deleted polys and all", M, tri_status, poly_status) {
+  using native = std::conditional_t<triangles_only<M>, trimesh, polygonmesh>;
+  native own = make_grid<native>({.cells = {6, 6}});
+  M m = make_grid<M>({.cells = {6, 6}});
+  jitter(own, 0.2);
+  jitter(m, 0.2);
+  grade(own, {2, 2, 2});
+  grade(m, {2, 2, 2});
+  for (const auto v : verts(m)) CHECK(to_vec3(point(m, v)) == point(own, vert_id{index_of(m, v)}));
+
+  m.delete_face(m.face_handle(7), false);
+  const auto labels = random_labels(m, 5);
+  const auto merged = agglomerate(m, labels);
+  CHECK(check_laws(merged).empty());
+  CHECK(num_polys(merged) < num_polys(m));
+  CHECK(total_measure(merged) == doctest::Approx(total_measure(m)).epsilon(1e-12));
+}
