@@ -143,7 +143,7 @@ struct gradients {
   static bool check(const B& both, const In&) {
     const auto vert = vert_place(both);
     expect_same_matrix(gradient_matrix(both.native), gradient_matrix(both.other), three_of(poly_place(both)), vert, "an entry of the gradient");
-    expect_same_matrix(vert_gradient_matrix(both.native), vert_gradient_matrix(both.other), three_of(vert), vert, "an entry of the gradient at verts");
+    expect_same_matrix(vert_gradient_matrix(both.native), vert_gradient_matrix(both.other), three_of(vert), vert, "an entry of those at verts");
     const auto here = waves(both, both.native, [](const auto v) { return v; });
     const auto there = waves(both, both.other, [&](const auto v) { return both.verts.to(v); });
     const auto expected = gradient(both.native, here);
