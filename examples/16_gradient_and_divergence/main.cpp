@@ -1,0 +1,53 @@
+// Gradient and divergence of a known function, on hexagons in the plane and on hexahedra whose faces are crooked. The same lines serve both, and
+// would any other mesh: what a poly looks like is no matter.
+#include <concino/generate.hpp>
+#include <concino/mesh.hpp>
+#include <concino/operators.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace cn = concino;
+
+double u_at(const cn::vec3& x) { return x.x * x.x + x.x * x.y; }
+cn::vec3 gradient_at(const cn::vec3& x) { return {2 * x.x + x.y, x.x, 0}; }  // its divergence is 2 everywhere
+
+bool is_inside(double t) { return t > 0.2 && t < 0.8; }
+
+template<class M>
+void refine(const char* name) {
+  fmt::print("{}: error of the gradient at polys, at verts; divergence of the gradient inside\n", name);
+  for (const std::size_t n : {6u, 12u, 24u}) {
+    M m = cn::make_grid<M>({.cells = {n, n, n}});
+    cn::jitter(m, 0.15);
+
+    auto u = cn::make_vert_map<double>(m);
+    for (const auto v : cn::verts(m)) u[v] = u_at(cn::point(m, v));
+    const auto g = cn::gradient(m, u);       // one vector per poly
+    const auto h = cn::vert_gradient(m, u);  // one per vert: the mean of the polys around
+    const auto d = cn::divergence(m, g);     // integrated about each vert
+
+    double wrong_at_polys = 0, wrong_at_verts = 0, flow = 0, inside = 0;
+    for (const auto p : cn::polys(m)) wrong_at_polys = std::max(wrong_at_polys, cn::distance(g[p], gradient_at(cn::centroid(m, p))));
+    const auto mass = cn::vert_masses(m);
+    for (const auto v : cn::verts(m)) {
+      const cn::vec3 x = cn::point(m, v);
+      if (!is_inside(x.x) || !is_inside(x.y) || (cn::VolumeMesh<M> && !is_inside(x.z))) continue;
+      wrong_at_verts = std::max(wrong_at_verts, cn::distance(h[v], gradient_at(x)));
+      flow += d[v];
+      inside += mass[v];
+    }
+    fmt::print("  {:5} polys   {:.4f}   {:.4f}   {:.2f}\n", cn::num_polys(m), wrong_at_polys, wrong_at_verts, flow / inside);
+  }
+}
+
+int main() {
+  refine<cn::polygonmesh>("hexagons");
+  refine<cn::hexmesh>("hexahedra");
+
+  // The same as matrices. The divergence is minus the adjoint of the gradient, for functions and fields integrated over the mesh.
+  const auto m = cn::make_grid<cn::hexmesh>({.cells = {4, 4, 4}});
+  const Eigen::SparseMatrix<double> G = cn::gradient_matrix(m), D = cn::divergence_matrix(m).transpose(), M = cn::poly_mass_matrix(m);
+  fmt::print("G is {} x {}; M G and the transposed D add up to 0: {}\n", G.rows(), G.cols(), (M * G + D).norm() < 1e-12 ? "yes" : "no");
+}
