@@ -84,7 +84,7 @@ vec3 centroid(const M& m, const poly_t<M>& p) {
 template<class M>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
 poly_map<M, vec3> centroids(M&& m) {
-  auto centre = make_poly_map<vec3>(m);
+  poly_map<M, vec3> centre(m, poly_index_bound(m), detail::unwritten{});
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { centre[p] = centroid(m, p); });
   return centre;
 }

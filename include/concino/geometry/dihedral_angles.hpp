@@ -125,7 +125,7 @@ double dihedral_angle(const M& m, const poly_t<M>& p, const edge_t<M>& e) {
 template<class M>
   requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
 edge_map<M, double> dihedral_angles(M&& m) {
-  auto angle = make_edge_map<double>(m);
+  edge_map<M, double> angle(m, edge_index_bound(m), detail::unwritten{});
   const auto normals = poly_normals(m);
   const auto normal_of = [&](const poly_t<M>& p) { return normals[p]; };
   parallel_for_each(edges(m), [&](const edge_t<M>& e) { angle[e] = detail::dihedral_angle_with(m, e, normal_of); });

@@ -26,7 +26,7 @@ double edge_length(const M& m, const edge_t<M>& e) {
 template<class M>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
 edge_map<M, double> edge_lengths(M&& m) {
-  auto length = make_edge_map<double>(m);
+  edge_map<M, double> length(m, edge_index_bound(m), detail::unwritten{});
   parallel_for_each(edges(m), [&](const edge_t<M>& e) { length[e] = edge_length(m, e); });
   return length;
 }

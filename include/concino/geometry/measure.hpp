@@ -81,7 +81,7 @@ double measure(const M& m, const poly_t<M>& p) {
 template<class M>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
 poly_map<M, double> measures(M&& m) {
-  auto size = make_poly_map<double>(m);
+  poly_map<M, double> size(m, poly_index_bound(m), detail::unwritten{});
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { size[p] = measure(m, p); });
   return size;
 }

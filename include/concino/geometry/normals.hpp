@@ -74,7 +74,7 @@ vec3 vert_normal(const M& m, const vert_t<M>& v) {
 template<class M>
   requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
 poly_map<M, vec3> poly_normals(M&& m) {
-  auto n = make_poly_map<vec3>(m);
+  poly_map<M, vec3> n(m, poly_index_bound(m), detail::unwritten{});
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { n[p] = normal(m, p); });
   return n;
 }
@@ -84,7 +84,7 @@ poly_map<M, vec3> poly_normals(M&& m) {
 template<class M>
   requires requirement::is_no_temporary<M> && VolumeMesh<M> && Embedded<M>
 face_map<M, vec3> face_normals(M&& m) {
-  auto n = make_face_map<vec3>(m);
+  face_map<M, vec3> n(m, face_index_bound(m), detail::unwritten{});
   parallel_for_each(faces(m), [&](const face_t<M>& f) { n[f] = normal(m, f); });
   return n;
 }
@@ -135,7 +135,7 @@ template<class M>
 vert_map<M, vec3> vert_normals(M&& m) {
   auto n = make_vert_map<vec3>(m);
   if constexpr (SurfaceMesh<M>) {
-    auto area = make_poly_map<vec3>(m);
+    poly_map<M, vec3> area(m, poly_index_bound(m), detail::unwritten{});
     detail::sum_areas_of_polys(m, area, n);
   } else {
     detail::sum_areas_of_boundary(m, n);
@@ -156,7 +156,7 @@ struct surface_normals_of {
 template<class M>
   requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
 surface_normals_of<std::remove_cvref_t<M>> surface_normals(M&& m) {
-  surface_normals_of<std::remove_cvref_t<M>> n{make_poly_map<vec3>(m), make_vert_map<vec3>(m)};
+  surface_normals_of<std::remove_cvref_t<M>> n{{m, poly_index_bound(m), detail::unwritten{}}, make_vert_map<vec3>(m)};
   detail::sum_areas_of_polys(m, n.polys, n.verts);
   parallel_for_each(polys(m), [&](const poly_t<M>& p) {
     n.polys[p] = detail::unit_or(n.polys[p], [&] { return normal(m, p); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
+#include <concino/mesh/flat_array.hpp>
 #include <concino/mesh/large_pages.hpp>
 
 #include <cassert>
@@ -41,6 +42,23 @@ class mesh_ref<V, true> {
   const V& get() const { return view_; }
 };
 
+/// Says that the caller is about to write every value of a map: filling a large one first takes as long as many a computation.
+struct unwritten {};
+
+template<class T>
+struct map_storage {
+  using type = std::vector<T>;
+  static type filled(std::size_t n, const T& value) { return large_vector(n, value); }
+  static type unfilled(std::size_t n) { return large_vector(n, T()); }
+};
+template<class T>
+  requires(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t))
+struct map_storage<T> {
+  using type = flat_array<T>;
+  static type filled(std::size_t n, const T& value) { return type(n, value); }
+  static type unfilled(std::size_t n) { return type(n); }
+};
+
 }  // namespace detail
 
 /// A value of type T for every X (a descriptor type) of a mesh of type M, in one array.
@@ -54,7 +72,7 @@ class element_map {
   using stored = std::conditional_t<std::is_same_v<T, bool>, unsigned char, T>;
 
   detail::mesh_ref<M> mesh_;
-  std::vector<stored> values_;
+  typename detail::map_storage<stored>::type values_;
 
   std::size_t slot(const X& x) const {
     const std::size_t i = index_of(mesh_.get(), x);
@@ -67,7 +85,8 @@ class element_map {
   using key_type = X;
   using value_type = T;
 
-  element_map(const M& m, std::size_t bound, const T& init) : mesh_(m), values_(detail::large_vector(bound, static_cast<stored>(init))) {}
+  element_map(const M& m, std::size_t bound, const T& init) : mesh_(m), values_(detail::map_storage<stored>::filled(bound, static_cast<stored>(init))) {}
+  element_map(const M& m, std::size_t bound, detail::unwritten) : mesh_(m), values_(detail::map_storage<stored>::unfilled(bound)) {}
 
   stored& operator[](const X& x) { return values_[slot(x)]; }
   std::conditional_t<std::is_same_v<T, bool>, bool, const T&> operator[](const X& x) const {
@@ -78,8 +97,8 @@ class element_map {
 
   const M& mesh() const { return mesh_.get(); }
   /// All values by index_of; those at the indices of deleted elements mean nothing.
-  std::span<stored> values() { return values_; }
-  std::span<const stored> values() const { return values_; }
+  std::span<stored> values() { return {values_.data(), values_.size()}; }
+  std::span<const stored> values() const { return {values_.data(), values_.size()}; }
 };
 
 template<class M, class T> using vert_map = element_map<std::remove_cvref_t<M>, vert_t<M>, T>;
