@@ -1,10 +1,12 @@
-// How time and memory grow with the mesh: building, loading and searching at sizes from 10^4 to 10^6.5 polys. Where the cost of an
-// element does not depend on how many there are, the slope in a log-log plot is 1; report.awk fits it. The floor's curve beside it says
-// how much of a slope is the machine's, whose caches hold a small mesh and not a large one.
+// How time and memory grow with the mesh: building, loading, searching and taking normals at sizes from 10^4 to 10^6.5 polys. Where the
+// cost of an element does not depend on how many there are, the slope in a log-log plot is 1; report.awk fits it. The floor's curve beside
+// it says how much of a slope is the machine's, whose caches hold a small mesh and not a large one.
 #include "floor/graph.hpp"
+#include "floor/normals.hpp"
 #include "support/heap.hpp"
 #include "support/kinds.hpp"
 
+#include <concino/geometry/normals.hpp>
 #include <concino/graph.hpp>
 #include <concino/io.hpp>
 
@@ -35,7 +37,7 @@ void grow(const bench::program& p, const std::string& name, Kind kind, bool with
   const auto wanted = [&](const char* work) { return p.wants("scaling." + std::string(work) + "." + name); };
   const bool searches = with_searches && (wanted("bfs.primal") || wanted("bfs.dual") || wanted("components.primal") || wanted("components.dual") ||
                                           wanted("dijkstra.primal") || wanted("dijkstra.dual"));
-  if (!searches && !wanted("load") && !wanted("build") && !wanted("memory")) return;
+  if (!searches && !wanted("load") && !wanted("build") && !wanted("memory") && !wanted("normals")) return;
   for (const double exponent : {4.0, 4.5, 5.0, 5.5, 6.0, 6.5}) {
     if (p.data.tiny && exponent > 4.5) break;
     const auto arrays = make(static_cast<u32>(std::pow(10.0, p.data.tiny ? exponent - 2 : exponent)));
@@ -68,6 +70,15 @@ void grow(const bench::program& p, const std::string& name, Kind kind, bool with
       const std::size_t before = bench::heap::live;
       const mesh m(arrays);
       p.print_point("scaling.memory." + name, "n", polys, static_cast<double>(bench::heap::live - before), static_cast<double>(flat.bytes()));
+    }
+    if constexpr (requires { floors::normals(flat); }) {
+      if (wanted("normals")) {
+        const mesh m(arrays);
+        measure("normals", "n", timed([&] { return floors::normals(flat); }), timed([&] {
+                  if constexpr (concino::SurfaceMesh<mesh>) return concino::surface_normals(m);
+                  else return concino::face_normals(m);
+                }));
+      }
     }
     if (!searches) continue;
     if constexpr (requires { centroids(flat); }) {
