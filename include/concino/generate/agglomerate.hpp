@@ -10,6 +10,10 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace concino {
 

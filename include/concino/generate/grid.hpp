@@ -3,6 +3,7 @@
 
 #include <concino/generate/detail/made.hpp>
 
+#include <algorithm>
 #include <array>
 
 namespace concino {

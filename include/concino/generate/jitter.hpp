@@ -7,6 +7,7 @@
 #include <concino/generate/detail/random.hpp>
 #include <concino/geometry/polygon.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <type_traits>

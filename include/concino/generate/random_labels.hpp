@@ -6,7 +6,10 @@
 #include <concino/generate/detail/union_border.hpp>
 #include <concino/mesh/element_map.hpp>
 
+#include <cstdint>
 #include <queue>
+#include <utility>
+#include <vector>
 
 namespace concino {
 

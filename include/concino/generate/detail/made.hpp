@@ -8,8 +8,10 @@
 #include <concino/mesh/polyhedralmesh.hpp>
 #include <concino/mesh/tetmesh.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace concino {
 

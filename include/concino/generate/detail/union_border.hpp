@@ -1,10 +1,12 @@
 // What several polys of a mesh have as their border when they are taken as one, and whether that one is a disk or a ball.
 #pragma once
 
+#include <concino/concepts/mesh.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/graph/detail/sides.hpp>
-#include <concino/concepts/mesh.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
