@@ -1,6 +1,7 @@
 #include <concino/geometry/centroid.hpp>
 
 #include <concino/concepts/archetypes.hpp>
+#include <concino/mesh/boundary.hpp>
 
 #include <support/kinds.hpp>
 
@@ -39,6 +40,14 @@ TEST_CASE_TEMPLATE("centroids: the centroid of each poly", M, CONCINO_ALL_KINDS)
   const auto g = only_embedded_mesh(m);
   const auto stripped = centroids(g);
   for (const auto p : polys(m)) CHECK(stripped[g.poly(p)] == centroid(g, g.poly(p)));
+}
+
+TEST_CASE_TEMPLATE("centroid: of faces as of the polygons of the boundary", M, CONCINO_VOLUME_KINDS) {
+  const M m = grid<M>(2);
+  const auto skin = boundary(m);
+  for (const auto f : polys(skin)) CHECK(off(centroid(m, f), centroid(skin, f)) < 1e-15);
+  const auto g = only_embedded_mesh(m);
+  for (const auto f : faces(m)) CHECK(off(centroid(g, g.face(f)), centroid(m, f)) < 1e-15);
 }
 
 TEST_CASE("centroid: of an L, of a pyramid, of a poly turned inside out") {

@@ -50,6 +50,17 @@ void for_each_fan_side(const M& m, const Loop& loop, Part&& part) {
   if (any) part(previous, first);
 }
 
+/// The centre of mass of a polygon seen along its vector area; `origin`, a point near it, where it has no area.
+template<class M, class Loop>
+vec3 polygon_centroid(const M& m, const Loop& loop, const vec3& origin) {
+  const vec3 normal = area_vector_of(m, loop);
+  moments sum;
+  for_each_fan_side(m, loop, [&](const vec3& a, const vec3& b) {
+    sum.add(dot(cross(a - origin, b - origin), normal), ((a - origin) + (b - origin)) / 3);
+  });
+  return std::abs(sum.total) > 1e-12 * sum.size ? origin + sum.first / sum.total : origin;
+}
+
 }  // namespace detail
 
 /// The centre of mass of poly p, filled with constant density. Polygons that are not planar are seen along their vector area; polyhedra
@@ -61,13 +72,10 @@ template<AnyMesh M>
   requires Embedded<M>
 vec3 centroid(const M& m, const poly_t<M>& p) {
   const vec3 origin = vert_mean(m, p);
-  detail::moments sum;
   if constexpr (SurfaceMesh<M>) {
-    const vec3 normal = area_vector(m, p);
-    detail::for_each_fan_side(m, adj_p2v(m, p), [&](const vec3& a, const vec3& b) {
-      sum.add(dot(cross(a - origin, b - origin), normal), ((a - origin) + (b - origin)) / 3);
-    });
+    return detail::polygon_centroid(m, adj_p2v(m, p), origin);
   } else {
+    detail::moments sum;
     for (const face_t<M> f : adj_p2f(m, p)) {
       const vec3 c = shape_of(m, adj_f2v(m, f)).mean - origin;
       const double sign = face_is_outward(m, p, f) ? 1 : -1;
@@ -75,8 +83,17 @@ vec3 centroid(const M& m, const poly_t<M>& p) {
         sum.add(sign * dot(c, cross(a - origin, b - origin)), (c + (a - origin) + (b - origin)) / 4);
       });
     }
+    return std::abs(sum.total) > 1e-12 * sum.size ? origin + sum.first / sum.total : origin;
   }
-  return std::abs(sum.total) > 1e-12 * sum.size ? origin + sum.first / sum.total : origin;
+}
+
+/// The centre of mass of face f of a volume, as that of a polygon of a surface.
+/// Needs:  Embedded VolumeMesh.      Result: a point, in units of the mesh; the mean of the verts where f has no area.
+/// Cost:   O(verts of f).      Errors: none.
+template<VolumeMesh M>
+  requires Embedded<M>
+vec3 centroid(const M& m, const face_t<M>& f) {
+  return detail::polygon_centroid(m, adj_f2v(m, f), shape_of(m, adj_f2v(m, f)).mean);
 }
 
 /// The centres of mass of all polys.
