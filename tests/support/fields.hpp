@@ -108,6 +108,42 @@ double height(const M& m, const poly_t<M>& p) {
   return std::abs(measure(m, p)) / largest;
 }
 
+/// How wrong a gradient matrix is on linear functions and on constants, the worst poly as a multiple of 1e-14 x diagonal / height. On surfaces a
+/// linear function has the gradient without its part along the vector area.
+template<class M>
+double linear_error(const M& m, const Eigen::SparseMatrix<double>& g) {
+  const auto [centre, diagonal] = centre_and_diagonal(m);
+  const Eigen::VectorXd one = g * Eigen::VectorXd::Ones(g.cols());
+  double worst = 0;
+  for (const vec3 a : {vec3{0.6, -0.64, 0.48}, vec3{0, 0, 1}}) {
+    const Eigen::VectorXd gu = g * at_verts(m, [&, c = centre](const vec3& x) { return dot(a, x - c); });
+    for (const auto p : polys(m)) {
+      vec3 expected = a;
+      if constexpr (SurfaceMesh<M>) {
+        const vec3 n = area_vector(m, p) / area(m, p);
+        expected -= dot(a, n) * n;
+      }
+      const double tolerance = 1e-14 * diagonal / height(m, p);
+      const double error = distance(vector_at(gu, index_of(m, p)), expected) + diagonal * norm(vector_at(one, index_of(m, p)));
+      if (std::isnan(error)) return error;
+      worst = std::max(worst, error / tolerance);
+    }
+  }
+  return worst;
+}
+/// The largest divergence of a constant field at a vert inside, as a multiple of diagonal^(dimension - 1). Surfaces lie in a plane z = const.
+template<class M>
+double constant_divergence(const M& m, const Eigen::SparseMatrix<double>& d) {
+  Eigen::VectorXd x(d.cols());
+  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = i % 3 == 0 ? 0.6 : i % 3 == 1 ? -0.64 : VolumeMesh<M> ? 0.48 : 0;
+  const Eigen::VectorXd div = d * x;
+  const auto inside = interior_verts(m);
+  double worst = 0;
+  for (const auto v : verts(m))
+    if (inside[index_of(m, v)]) worst = std::max(worst, std::abs(div[static_cast<Eigen::Index>(index_of(m, v))]));
+  return worst / std::pow(centre_and_diagonal(m).second, dimension_v<M> - 1);
+}
+
 /// The points turned about an axis that no symmetry has, and the same as a map of vectors.
 inline vec3 turned(const vec3& x) {
   const double a = 0.7, b = 1.1;
