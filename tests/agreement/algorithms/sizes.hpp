@@ -1,12 +1,18 @@
-// bounding_box, area, volume, measure, centroid and vert_masses.
+// bounding_box, lengths, area, volume, measure, centroid, normals, angles and vert_masses.
 #pragma once
 
 #include <agreement/matched.hpp>
 
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/centroid.hpp>
+#include <concino/geometry/corner_angles.hpp>
+#include <concino/geometry/dihedral_angles.hpp>
+#include <concino/geometry/edge_length.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/operators/mass_matrix.hpp>
+
+#include <algorithm>
+#include <numbers>
 
 namespace concino::agreement {
 
@@ -34,8 +40,53 @@ struct sizes {
     }
     if constexpr (VolumeMesh<typename B::other_mesh>)
       for (const auto f : both.faces.all) expect_close(area(n, f), area(m, both.faces.to(f)), "area of a face");
+    directions(both);
     return true;
   }
+
+ private:
+  /// Whole-mesh forms of the one mesh beside single forms of the other. Polygons without area are left out: rounding, which depends on where a
+  /// walk begins, is all that their directions are made of.
+  template<class B>
+  static void directions(const B& both) {
+    using M = typename B::other_mesh;
+    const auto& n = both.native;
+    const auto& m = both.other;
+    const auto length = edge_lengths(n);
+    const auto size = measures(m);
+    const auto centre = centroids(m);
+    for (const auto e : both.edges.all) expect_close(length[e], edge_length(m, both.edges.to(e)), "edge_length");
+    for (const auto p : both.polys.all) {
+      expect_close(measure(n, p), size[both.polys.to(p)], "measures");
+      expect_close(centroid(n, p), centre[both.polys.to(p)], "centroids");
+    }
+    if constexpr (SurfaceMesh<M>) {
+      const auto normals = surface_normals(m);
+      const auto defect = angle_defects(m);
+      const auto expected = angle_defects(n);
+      for (const auto p : both.polys.all) {
+        if (area(n, p) < 1e-9) continue;
+        expect_close(normal(n, p), normals.polys[both.polys.to(p)], "normal");
+        for (const auto v : adj_p2v(n, p)) expect_close(corner_angle(n, p, v), corner_angle(m, both.polys.to(p), both.verts.to(v)), "corner_angle");
+      }
+      for (const auto v : both.verts.all) {
+        if (norm(vert_normal(n, v)) > 0.5) expect_close(vert_normal(n, v), normals.verts[both.verts.to(v)], "vert_normal");
+        expect_close(expected[v], defect[both.verts.to(v)], "angle_defects");
+      }
+      for (const auto e : both.edges.all)  // where polys are wound against each other, each sees it from its own side
+        expect_close(one_side(dihedral_angle(n, e)), one_side(dihedral_angle(m, both.edges.to(e))), "dihedral_angle");
+    } else {
+      const auto normals = vert_normals(m);
+      for (const auto f : both.faces.all)
+        if (area(n, f) > 1e-9) expect_close(std::abs(dot(normal(n, f), normal(m, both.faces.to(f)))), 1, "normal of a face");
+      for (const auto v : both.verts.all)
+        if (norm(vert_normal(n, v)) > 0.5) expect_close(vert_normal(n, v), normals[both.verts.to(v)], "vert_normal");
+      for (const auto p : both.polys.all)
+        for (const auto e : adj_p2e(n, p))
+          expect_close(dihedral_angle(n, p, e), dihedral_angle(m, both.polys.to(p), both.edges.to(e)), "dihedral_angle");
+    }
+  }
+  static double one_side(double angle) { return std::min(angle, 2 * std::numbers::pi - angle); }
 };
 
 struct masses {
