@@ -1,20 +1,18 @@
 // The polys around verts of a surface or around edges of a volume, in cyclic order.
 #pragma once
 
-#include <algorithm>
+#include <concino/mesh/flat_array.hpp>
+
 #include <cassert>
-#include <cstddef>
-#include <cstdint>
 #include <span>
-#include <vector>
 
 namespace concino::detail {
 
-/// A poly as seen from its hub, a vert of a surface or an edge of a volume. Turning counter-clockwise one enters it through facet `in` and leaves it
-/// through `out`: edges of a surface, faces of a volume. Around an edge one turns as seen from its second end, looking at the first.
+/// A poly as seen from its hub, a vert of a surface or an edge of a volume. Turning counter-clockwise one enters it through facet `in` and
+/// leaves it through `out`: edges of a surface, faces of a volume. Around an edge one turns as seen from its second end, looking at the first.
 struct wedge {
   static constexpr std::uint32_t none = ~0u;
-  std::uint32_t poly, in = none, out = none;
+  std::uint32_t poly, in, out;
 };
 
 enum class fan_kind { closed, open, broken };
@@ -22,7 +20,7 @@ enum class fan_kind { closed, open, broken };
 /// The wedges of all hubs, in two steps: count them, then add them poly after poly.
 class wedge_fans {
   std::vector<std::uint32_t> first_, end_;  // by hub
-  std::vector<wedge> wedges_;
+  flat_array<wedge> wedges_;
 
  public:
   explicit wedge_fans(std::size_t hubs) : first_(hubs + 1) {}
@@ -38,19 +36,19 @@ class wedge_fans {
     std::uint32_t& end = end_[hub];
     if (end > first_[hub] && wedges_[end - 1].poly == poly) return wedges_[end - 1];
     assert(end < first_[hub + 1]);
-    return wedges_[end++] = {poly};
+    return wedges_[end++] = {poly, wedge::none, wedge::none};
   }
 
+  std::size_t size() const { return wedges_.size(); }
   std::span<wedge> operator[](std::size_t hub) { return {wedges_.data() + first_[hub], wedges_.data() + end_[hub]}; }
 
-  /// Brings the wedges of a hub into their order, from border to border where the fan is open. A poly that is wound against the one before it is turned.
-  /// Quadratic in the number of wedges.
+  /// Brings the wedges of a hub into their order, from border to border where the fan is open. A poly that is wound against the one before
+  /// it is turned. Quadratic in the number of wedges.
   template<class IsBorder>
   fan_kind arrange(std::size_t hub, const IsBorder& is_border) {
     const std::span<wedge> fan = (*this)[hub];
     if (fan.empty()) return fan_kind::broken;
-    const auto starts = [&](const wedge& w) { return is_border(w.in); };
-    auto start = std::find_if(fan.begin(), fan.end(), starts);
+    auto start = std::find_if(fan.begin(), fan.end(), [&](const wedge& w) { return is_border(w.in); });
     if (start == fan.end()) {
       start = std::find_if(fan.begin(), fan.end(), [&](const wedge& w) { return is_border(w.out); });
       if (start != fan.end()) std::swap(start->in, start->out);

@@ -1,0 +1,73 @@
+// Fills the fans around verts of a surface or edges of a volume from its polys.
+#pragma once
+
+#include <concino/error.hpp>
+#include <concino/generate/detail/face_sides.hpp>
+#include <concino/generate/detail/wedge_fans.hpp>
+#include <concino/graph/detail/sides.hpp>
+
+namespace concino::detail {
+
+template<class... Pieces>
+[[noreturn]] void refuse_dual(const Pieces&... pieces) {
+  throw_joined<invalid_mesh>({"dual_mesh: ", pieces..., "; validate() lists what is wrong with the mesh"});
+}
+
+/// Polys are named in the fans by number_of(p), facets and hubs by index.
+template<SurfaceMesh M, class NumberOf>
+void read_wedges(const M& m, const NumberOf& number_of, wedge_fans& fans) {
+  for (const poly_t<M> p : polys(m))
+    for (const vert_t<M> v : adj_p2v(m, p)) fans.count(index_of(m, v));
+  fans.end_counting();
+  if constexpr (requirement::promises_edges_in_order<M>) {  // the same without a search
+    for (const poly_t<M> p : polys(m)) {
+      const auto& ring = adj_p2e(m, p);
+      std::uint32_t before = wedge::none;
+      for (const edge_t<M> e : ring) before = static_cast<std::uint32_t>(index_of(m, e));
+      auto side = ring.begin();
+      for (const vert_t<M> v : adj_p2v(m, p)) {
+        const edge_t<M> e = *side;
+        wedge& w = fans.at(index_of(m, v), number_of(p));
+        w.out = before;
+        before = w.in = static_cast<std::uint32_t>(index_of(m, e));
+        ++side;
+      }
+    }
+  } else {
+    side_walker<M> walker(m);
+    for (const poly_t<M> p : polys(m)) {
+      walker.read(p);
+      walker.for_each_side(p, [&](const edge_t<M>& e, std::size_t i, std::size_t j) {
+        const auto facet = static_cast<std::uint32_t>(index_of(m, e));
+        fans.at(index_of(m, walker.ring()[i]), number_of(p)).in = facet;
+        fans.at(index_of(m, walker.ring()[j]), number_of(p)).out = facet;
+      });
+    }
+  }
+}
+
+/// Errors: invalid_mesh that names a poly whose surface is not closed.
+template<VolumeMesh M, class NumberOf>
+void read_wedges(const M& m, const NumberOf& number_of, wedge_fans& fans, const face_sides<M>& sides) {
+  for (const poly_t<M> p : polys(m))
+    for (const edge_t<M> e : adj_p2e(m, p)) fans.count(index_of(m, e));
+  fans.end_counting();
+  for (const poly_t<M> p : polys(m)) {
+    const std::uint32_t n = number_of(p);
+    for (const face_t<M> f : adj_p2f(m, p)) {
+      const auto facet = static_cast<std::uint32_t>(index_of(m, f));
+      const bool outward = face_is_outward(m, p, f);
+      for (const face_side& s : sides.of(facet)) {
+        wedge& w = fans.at(s.edge, n);
+        std::uint32_t& side = (s.forward != 0) == outward ? w.out : w.in;  // the poly is left through the face that runs along the edge
+        if (side != wedge::none) refuse_dual("poly ", index_of(m, p), " has more than two faces at edge ", std::size_t{s.edge});
+        side = facet;
+      }
+    }
+    for (const edge_t<M> e : adj_p2e(m, p))
+      if (const wedge& w = fans.at(index_of(m, e), n); w.in == wedge::none || w.out == wedge::none)
+        refuse_dual("poly ", index_of(m, p), " is not closed at edge ", index_of(m, e));
+  }
+}
+
+}  // namespace concino::detail
