@@ -385,6 +385,7 @@ struct data_sets {
   cell_arrays tet1m() const { return tet_grid(tiny ? 3 : 55); }                                         // 998,250
   cell_arrays hex1m() const { return hex_grid(tiny ? 4 : 100); }
   polyhedra_arrays hex216k() const { return hexes_as_polyhedra(tiny ? 4 : 60); }
+  cell_arrays tet200k() const { return tet_grid(tiny ? 3 : 32); }                                       // 196,608
   polyhedra_arrays dual200k() const { return dual_polyhedra(tiny ? 3 : 32); }                           // 35,937 of 196,608 tets
 };
 

@@ -1,0 +1,91 @@
+// The dual of a large triangle mesh beside a floor that walks around its verts by hand, and that of a tet mesh beside the building of its result.
+#include "support/kinds.hpp"
+
+#include <concino/generate/dual_mesh.hpp>
+
+#include <stdexcept>
+
+namespace {
+
+using bench::u32;
+namespace floors = bench::floors;
+namespace cn = concino;
+
+/// The dual of a closed, manifold, consistently wound triangle mesh, and all adjacencies of it.
+floors::surface<0> dual_of(const floors::surface<3>& m) {
+  const u32 nv = m.num_verts(), np = m.num_polys();
+  floors::surface<0> d;
+  d.points.resize(3 * np);
+  for (u32 p = 0; p < np; ++p)
+    for (u32 k = 0; k < 3; ++k)
+      d.points[3 * p + k] = (m.points[3 * m.p2v[3 * p] + k] + m.points[3 * m.p2v[3 * p + 1] + k] + m.points[3 * m.p2v[3 * p + 2] + k]) / 3;
+  d.p_off.resize(nv + 1);
+  d.p2v.resize(3 * np);
+  u32 n = 0;
+  for (u32 v = 0; v < nv; ++v) {
+    d.p_off[v] = n;
+    const u32 start = m.v2p[m.vp_off[v]];
+    u32 p = start;
+    do {
+      d.p2v[n++] = p;
+      const u32 i = m.p2v[3 * p] == v ? 0 : m.p2v[3 * p + 1] == v ? 1 : 2;
+      p = m.p2p[3 * p + (i + 2) % 3];
+    } while (p != start);
+  }
+  d.p_off[nv] = n;
+  floors::build(d);
+  return d;
+}
+
+void expect_equal(const floors::surface<0>& f, const cn::polygonmesh& m) {
+  bool same = f.num_polys() == cn::num_polys(m) && f.num_edges() == cn::num_edges(m) && f.num_verts() == cn::num_verts(m);
+  std::vector<u32> left, right;
+  for (u32 p = 0; same && p < f.num_polys(); ++p) {
+    left.assign(f.p2v.data() + f.first(p), f.p2v.data() + f.last(p));
+    right.clear();
+    for (const cn::vert_id v : cn::adj_p2v(m, cn::poly_id{p})) right.push_back(v.raw());
+    std::rotate(left.begin(), std::min_element(left.begin(), left.end()), left.end());
+    std::rotate(right.begin(), std::min_element(right.begin(), right.end()), right.end());
+    same = left == right;
+  }
+  if (!same) throw std::runtime_error("dual.tri1m: the floor's mesh and the library's differ");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return bench::run_program(argc, argv, [](const bench::program& p) {
+    const auto timed = [](auto work) { return [work] { return bench::seconds_of(work); }; };
+    if (p.wants("dual.tri1m")) {
+      const auto a = p.data.tri1m();
+      const auto f = bench::built<3>(a);
+      const cn::trimesh m(a);
+      const auto floor = [&] { return dual_of(f); };
+      const auto ours = [&] { return cn::dual_mesh(m); };
+      expect_equal(floor(), ours());
+      p.print(bench::compare("dual.tri1m", p.rounds, {{"floor", timed(floor)}, {"concino", timed(ours)}}));
+    }
+    if (p.wants("dual.tet200k")) {
+      const cn::tetmesh m(p.data.tet200k());
+      const auto ours = [&] { return cn::dual_mesh(m); };
+      const auto d = ours();
+      cn::polyhedra_arrays a;  // the result without its adjacencies
+      a.points = d.points();
+      a.face_offsets.push_back(0);
+      a.poly_offsets.push_back(0);
+      for (const auto face : cn::faces(d)) {
+        for (const auto v : cn::adj_f2v(d, face)) a.face_verts.push_back(v);
+        a.face_offsets.push_back(static_cast<u32>(a.face_verts.size()));
+      }
+      for (const auto q : cn::polys(d)) {
+        for (const auto face : cn::adj_p2f(d, q)) {
+          a.poly_faces.push_back(face);
+          a.outward.push_back(cn::face_is_outward(d, q, face));
+        }
+        a.poly_offsets.push_back(static_cast<u32>(a.poly_faces.size()));
+      }
+      p.print(bench::compare("dual.tet200k", p.rounds,
+                             {{"concino", timed(ours)}, {"build-alone", timed([&] { return cn::polyhedralmesh(cn::polyhedra_arrays(a)); })}}));
+    }
+  });
+}
