@@ -1,11 +1,15 @@
-// Areas and volumes of every mesh of the corpus, against the figures of an independent program.
+// Areas, volumes and angles of every mesh of the corpus, against the figures of an independent program and the laws that join them.
 #include <concino/geometry.hpp>
+#include <concino/mesh/boundary.hpp>
 
 #include <support/corpus_meshes.hpp>
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 
 using namespace concino;
 using namespace concino::testing;
@@ -47,4 +51,54 @@ TEST_CASE("corpus: the centroid of the bunny's surface") {
   vec3 sum;
   for (const auto p : polys(m)) sum += area(m, p) * centroid(m, p);
   CHECK(norm(sum / total_measure(m) - vec3{-0.125840088456, -0.218105558261, 0.129767731192}) < 1e-10);
+}
+
+TEST_CASE("corpus: normals are of length 1 or 0; angles of triangles sum to the Euler characteristic, those around edges of cells to a turn") {
+  const auto rows = corpus_meshes();
+  if (rows.empty()) return skip("no corpus");
+  const double pi = std::numbers::pi;
+  std::size_t surfaces = 0, volumes = 0;
+  const auto is_normal = [](const vec3& n) { return n == vec3{} || std::abs(norm(n) - 1) < 1e-15; };
+  for (const auto& row : rows) {
+    INFO(row.name);
+    std::visit(
+        [&](const auto& m) {
+          using M = std::remove_cvref_t<decltype(m)>;
+          const auto of_verts = vert_normals(m);
+          bool good = true;
+          for (const auto v : verts(m)) good = good && is_normal(of_verts[v]);
+          if constexpr (SurfaceMesh<M>) {
+            const auto of_polys = poly_normals(m);
+            for (const auto p : polys(m)) good = good && is_normal(of_polys[p]);
+          }
+          CHECK(good);
+          if constexpr (TriMesh<M>) {
+            ++surfaces;
+            const auto defect = angle_defects(m);
+            double sum = 0;
+            for (const auto v : verts(m)) sum += defect[v];
+            CHECK(std::abs(sum - 2 * pi * std::stod(row.column.at("euler_chi"))) < 1e-8);
+          }
+          if constexpr (VolumeMesh<M>) {
+            if (num_polys(m) > 2000) return;
+            double least = 1;
+            for (const auto p : polys(m)) least = std::min(least, volume(m, p));
+            if (least <= 0) return;
+            ++volumes;
+            const auto skin = boundary(m);
+            std::size_t turns = 0, inside = 0;
+            for (const auto e : edges(m)) {
+              if (contains(skin, e)) continue;
+              double sum = 0;
+              for (const auto p : adj_e2p(m, e)) sum += dihedral_angle(m, p, e);
+              ++inside;
+              turns += std::abs(sum - 2 * pi) < 1e-9;
+            }
+            CHECK(turns == inside);
+          }
+        },
+        load_any(row.file.string()));
+  }
+  CHECK(surfaces > 10);
+  CHECK(volumes > 3);
 }

@@ -85,7 +85,9 @@ class element_map {
   using key_type = X;
   using value_type = T;
 
-  element_map(const M& m, std::size_t bound, const T& init) : mesh_(m), values_(detail::map_storage<stored>::filled(bound, static_cast<stored>(init))) {}
+  element_map(const M& m, std::size_t bound, const T& init)
+      : mesh_(m), values_(detail::map_storage<stored>::filled(bound, static_cast<stored>(init))) {}
+  /// Without values: every element's is to be written before it is read.
   element_map(const M& m, std::size_t bound, detail::unwritten) : mesh_(m), values_(detail::map_storage<stored>::unfilled(bound)) {}
 
   stored& operator[](const X& x) { return values_[slot(x)]; }
