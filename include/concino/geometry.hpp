@@ -13,4 +13,5 @@
 #include <concino/geometry/orientation.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/geometry/rgba.hpp>
+#include <concino/geometry/self_intersections.hpp>
 #include <concino/geometry/vec3.hpp>

@@ -20,10 +20,10 @@ class polygon_pieces : public ranked_polys<M> {
   std::vector<std::uint32_t> owners_;
   std::vector<unsigned char> rims_;  // bit k: the side from corner k to the next is an edge of the poly; empty if all are
 
-  void cut_into_triangles(const std::vector<std::size_t>& offsets, const std::vector<corner_index>& rings) {
+  void cut_into_triangles(const std::vector<std::size_t>& begins, const std::vector<corner_index>& rings) {
     constexpr std::size_t chunk = 1024;
     std::vector<std::size_t> first(this->num_ranks() + 1, 0);
-    for (std::size_t r = 0; r < this->num_ranks(); ++r) first[r + 1] = first[r] + std::max<std::size_t>(offsets[r + 1] - offsets[r], 2) - 2;
+    for (std::size_t r = 0; r < this->num_ranks(); ++r) first[r + 1] = first[r] + std::max<std::size_t>(begins[r + 1] - begins[r], 2) - 2;
     corners_.resize(first.back());
     owners_.resize(first.back());
     rims_.resize(first.back());
@@ -31,7 +31,7 @@ class polygon_pieces : public ranked_polys<M> {
       polygon_triangulator cut;
       std::vector<vec3> polygon;
       for (std::size_t r = c * chunk; r < std::min((c + 1) * chunk, this->num_ranks()); ++r) {
-        const std::size_t begin = offsets[r], n = offsets[r + 1] - begin;
+        const std::size_t begin = begins[r], n = begins[r + 1] - begin;
         polygon.clear();
         for (std::size_t i = 0; i < n; ++i) polygon.push_back(points_[rings[begin + i]]);
         std::size_t at = first[r];
@@ -68,17 +68,17 @@ class polygon_pieces : public ranked_polys<M> {
       }
       this->scale();
     } else {
-      std::vector<std::size_t> offsets{0};
+      std::vector<std::size_t> begins{0};
       std::vector<corner_index> rings;
       for (std::size_t r = 0; r < this->num_ranks(); ++r) {
         for (const vert_t<M> v : adj_p2v(m, this->poly(r))) {
           rings.push_back(static_cast<corner_index>(index_of(m, v)));
           this->see(m, this->poly(r), rings.back());
         }
-        offsets.push_back(rings.size());
+        begins.push_back(rings.size());
       }
       this->scale();
-      cut_into_triangles(offsets, rings);
+      cut_into_triangles(begins, rings);
     }
   }
 
@@ -100,6 +100,10 @@ class polygon_pieces : public ranked_polys<M> {
     detail::arrange(corners_, order);
     detail::arrange(owners_, order);
     if (!rims_.empty()) detail::arrange(rims_, order);
+    first_come_numbers number(points_.size());
+    for (auto& triangle : corners_)
+      for (corner_index& c : triangle) c = number(c);
+    number.arrange(points_);
   }
 };
 

@@ -17,13 +17,35 @@ namespace concino::detail {
 
 using corner_index = std::uint32_t;
 
-/// Numbers in the order of the leaves of a tree.
+/// Values in the order of the leaves of a tree.
 template<class T>
 void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
   std::vector<T> arranged(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) arranged[i] = values[order[i]];
   values = std::move(arranged);
 }
+
+/// Gives numbers from 0 in the order in which they are first asked for, so that what is used together ends up together in memory.
+class first_come_numbers {
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  std::vector<std::uint32_t> number_;
+  std::uint32_t given_ = 0;
+
+ public:
+  explicit first_come_numbers(std::size_t n) : number_(n, none) {}
+  bool has(std::size_t i) const { return number_[i] != none; }
+  std::uint32_t operator()(std::size_t i) {
+    if (number_[i] == none) number_[i] = given_++;
+    return number_[i];
+  }
+  template<class T>
+  void arrange(std::vector<T>& values) const {
+    std::vector<T> arranged(given_);
+    for (std::size_t i = 0; i < number_.size(); ++i)
+      if (has(i)) arranged[number_[i]] = values[i];
+    values = std::move(arranged);
+  }
+};
 
 template<class M>
 class ranked_polys {

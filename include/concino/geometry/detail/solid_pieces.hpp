@@ -56,6 +56,10 @@ class tet_pieces : public ranked_polys<M> {
   void arrange(const std::vector<std::uint32_t>& order) {
     detail::arrange(corners_, order);
     detail::arrange(owners_, order);
+    first_come_numbers number(points_.size());
+    for (auto& tet : corners_)
+      for (corner_index& c : tet) c = number(c);
+    number.arrange(points_);
   }
 };
 
@@ -69,10 +73,10 @@ class polyhedron_pieces : public ranked_polys<M> {
     std::uint32_t first = 0, size = 0;  // of corners_
     corner_index mean = 0;              // of points_, where size > 3
   };
-  std::vector<ring> rings_;  // by index of face
+  std::vector<ring> rings_;  // one a face
   std::vector<corner_index> corners_;
-  std::vector<std::uint32_t> sides_;  // twice the index of a face, 1 more where it is outward; those of a poly in a row
-  std::vector<std::size_t> first_side_;  // by rank
+  std::vector<std::uint32_t> sides_;      // twice a ring, 1 more where it is outward; those of an item in a row
+  std::vector<std::size_t> first_side_;  // by item
   std::vector<std::uint32_t> owners_;
 
   void add_mean(ring& r) {
@@ -123,8 +127,7 @@ class polyhedron_pieces : public ranked_polys<M> {
   /// Counter-clockwise seen from outside.
   template<class F>
   void for_each_triangle(std::size_t i, F&& f) const {
-    const std::uint32_t rank = owners_[i];
-    for (std::size_t s = first_side_[rank]; s < first_side_[rank + 1]; ++s) {
+    for (std::size_t s = first_side_[i]; s < first_side_[i + 1]; ++s) {
       const ring& r = rings_[sides_[s] / 2];
       const bool outward = sides_[s] % 2 != 0;
       const corner_index* c = corners_.data() + r.first;
@@ -140,7 +143,34 @@ class polyhedron_pieces : public ranked_polys<M> {
     for_each_triangle(i, [&](const vec3& p, const vec3& q, const vec3& r) { times += crossing_above(p, q, r, x); });
     return times != 0;
   }
-  void arrange(const std::vector<std::uint32_t>& order) { detail::arrange(owners_, order); }
+  void arrange(const std::vector<std::uint32_t>& order) {
+    first_come_numbers number(points_.size()), ring_number(rings_.size());
+    std::vector<std::size_t> first{0};
+    std::vector<std::uint32_t> sides;
+    std::vector<corner_index> corners;
+    sides.reserve(sides_.size());
+    corners.reserve(corners_.size());
+    for (const std::uint32_t item : order) {
+      for (std::size_t s = first_side_[item]; s < first_side_[item + 1]; ++s) {
+        const std::uint32_t side = sides_[s];
+        ring& r = rings_[side / 2];
+        if (!ring_number.has(side / 2)) {
+          const std::uint32_t from = r.first;
+          r.first = static_cast<std::uint32_t>(corners.size());
+          for (std::uint32_t k = 0; k < r.size; ++k) corners.push_back(number(corners_[from + k]));
+          if (r.size > 3) r.mean = number(r.mean);
+        }
+        sides.push_back(2 * ring_number(side / 2) + side % 2);
+      }
+      first.push_back(sides.size());
+    }
+    ring_number.arrange(rings_);
+    number.arrange(points_);
+    first_side_ = std::move(first);
+    sides_ = std::move(sides);
+    corners_ = std::move(corners);
+    detail::arrange(owners_, order);
+  }
 };
 
 }  // namespace concino::detail

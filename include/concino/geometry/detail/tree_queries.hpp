@@ -14,6 +14,16 @@
 
 namespace concino::detail {
 
+/// Of the box of three points.
+inline double squared_distance_to_box(const vec3& x, const vec3& a, const vec3& b, const vec3& c) {
+  const auto beyond = [](double p, double u, double v, double w) {
+    const double low = std::min(std::min(u, v), w), high = std::max(std::max(u, v), w);
+    return std::max(std::max(low - p, p - high), 0.0);
+  };
+  const double dx = beyond(x.x, a.x, b.x, c.x), dy = beyond(x.y, a.y, b.y, c.y), dz = beyond(x.z, a.z, b.z, c.z);
+  return dx * dx + dy * dy + dz * dz;
+}
+
 /// The rank of the poly whose triangles have the point nearest to x, and that point.
 template<class Pieces>
 std::optional<std::pair<std::size_t, vec3>> nearest_piece(const Pieces& pieces, const box_tree& boxes, const vec3& x) {
@@ -24,6 +34,7 @@ std::optional<std::pair<std::size_t, vec3>> nearest_piece(const Pieces& pieces, 
   boxes.search([&](const box_node& n) { return n.squared_distance(x) * (1 - 0x1p-50); }, least, [&](std::size_t i) {
     const std::size_t rank = pieces.owner(i);
     pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) {
+      if (squared_distance_to_box(x, a, b, c) * (1 - 0x1p-50) > least) return;
       const vec3 y = closest_point(x, a, b, c);
       const double squared = dot(x - y, x - y);
       if (squared > least || (squared == least && rank >= best)) return;

@@ -1,0 +1,128 @@
+// Where a surface meets itself: pairs of polys with more in common than the verts and edges they share, by exact tests.
+#pragma once
+
+#include <concino/geometry/detail/box_pairs.hpp>
+#include <concino/geometry/detail/box_tree_build.hpp>
+#include <concino/geometry/detail/polygon_pieces.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+namespace detail {
+
+/// Whether the boxes of two triangles have no point in common.
+inline bool are_apart(const triangle_points& s, const triangle_points& t) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (std::max(std::max(s[0][k], s[1][k]), s[2][k]) < std::min(std::min(t[0][k], t[1][k]), t[2][k]) ||
+        std::max(std::max(t[0][k], t[1][k]), t[2][k]) < std::min(std::min(s[0][k], s[1][k]), s[2][k]))
+      return true;
+  return false;
+}
+
+/// The axis along which a triangle shows most of its area.
+inline std::size_t widest_axis(const triangle_points& t) {
+  const vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+  std::size_t axis = 0;
+  for (const std::size_t k : {1u, 2u})
+    if (std::abs(n[k]) > std::abs(n[axis])) axis = k;
+  return axis;
+}
+
+/// Whether a line through corner i of s, which is corner j of t, and along a side of s parts the rest of both as seen along axis k.
+inline bool are_parted_at_corner(const triangle_points& s, std::size_t i, const triangle_points& t, std::size_t j, std::size_t k) {
+  const vec3 corner = seen_along(s[i], k), d = seen_along(t[(j + 1) % 3], k), e = seen_along(t[(j + 2) % 3], k);
+  for (const std::size_t side : {1u, 2u}) {
+    const vec3 along = seen_along(s[(i + side) % 3], k);
+    const int here = orient2d(corner, along, seen_along(s[(i + 3 - side) % 3], k));
+    if (here != 0 && orient2d(corner, along, d) == -here && orient2d(corner, along, e) == -here) return true;
+  }
+  return false;
+}
+
+/// Whether two triangles with area have a point in common that is not on a vert or edge that both have. Corners at the same point are shared, whatever
+/// their numbers. s_rim, t_rim: whether the side from a corner to the next is an edge of the poly that the triangle is part of.
+template<class Rim, class OtherRim>
+bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_rim, OtherRim&& t_rim) {
+  std::size_t shared = 0, own = 0, other = 0;  // own, other: where the last shared corner is; with two, the sums say where the third is
+  std::size_t sum = 0, other_sum = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (s[i] == t[j]) {
+        ++shared;
+        own = i;
+        other = j;
+        sum += i;
+        other_sum += j;
+      }
+  if (shared == 0) return triangles_meet(s, t);
+  if (shared == 3) return true;
+  // neighbours in or near one plane are the rule: seen from above they are told apart with little work
+  const std::size_t axis = widest_axis(s);
+  if (shared == 1) {  // a common point other than the corner lies in the way of the side across the corner of one of the two
+    if (are_parted_at_corner(s, own, t, other, axis) || are_parted_at_corner(t, other, s, own, axis)) return false;
+    const auto across = [](const triangle_points& x, std::size_t corner, const triangle_points& y) {
+      const vec3 &p = x[(corner + 1) % 3], &q = x[(corner + 2) % 3];
+      return segment_meets_triangle(p, orient3d(y[0], y[1], y[2], p), q, orient3d(y[0], y[1], y[2], q), y);
+    };
+    return across(s, own, t) || across(t, other, s);
+  }
+  const std::size_t third = 3 - sum, other_third = 3 - other_sum, from = (third + 1) % 3;
+  if (!s_rim(from) || !t_rim((other_third + 1) % 3)) return true;  // the common side is a diagonal of one poly: it runs through that
+  for (const std::size_t k : {axis, (axis + 1) % 3, (axis + 2) % 3}) {  // do both lie on the same side of the common edge, and in one plane?
+    const vec3 p = seen_along(s[from], k), q = seen_along(s[(from + 1) % 3], k);
+    const int here = orient2d(p, q, seen_along(s[third], k));
+    if (here != 0) return orient2d(p, q, seen_along(t[other_third], k)) == here && orient3d(s[0], s[1], s[2], t[other_third]) == 0;
+  }
+  return false;
+}
+
+}  // namespace detail
+
+/// Pairs of polys that have a point in common which is not on a vert or an edge that they share: crossing, overlapping in a plane, or touching
+/// with a vert on a face or an edge. Verts at the same point count as one, so that seams of unmerged verts are no contact.
+/// Needs:  Embedded SurfaceMesh; closed, open or not manifold.
+/// Result: each pair once, the poly that comes first in polys(m) first, sorted in that order. Exact for triangles; other polygons are the triangles of
+///         triangulate_polygon. Triangles without area have no inside that could be met and are left out.
+/// Cost:   O(n log n) time where boxes of triangles overlap few others, in parallel; memory as bounding_tree.
+/// Errors: invalid_mesh where a vert of a poly is not finite.
+/// Source: the test of Guigue and Devillers 2003, with the exact predicates of Shewchuk 1997.
+template<SurfaceMesh M>
+  requires Embedded<M>
+std::vector<std::pair<poly_t<M>, poly_t<M>>> self_intersections(const M& m) {
+  detail::polygon_pieces<M> pieces(m);
+  std::vector<std::uint32_t> order;
+  const detail::box_tree boxes =
+      detail::build_box_tree(pieces.size(), pieces.leaf_size, [&](std::size_t i) { return pieces.box_of(i); }, order);
+  pieces.arrange(order);
+  std::vector<unsigned char> flat(pieces.size());
+  parallel_for(pieces.size(), [&](std::size_t i) { flat[i] = !detail::has_area(pieces.triangle(i)); });
+
+  using pair = std::array<std::uint32_t, 2>;
+  std::vector<std::vector<pair>> found;
+  detail::box_pairs(boxes).for_each([&](std::size_t parts) { found.resize(parts); }, [&](std::size_t part, std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t first = pieces.owner(i), second = pieces.owner(j);
+    if (first == second || flat[i] || flat[j]) return;
+    const detail::triangle_points s = pieces.triangle(i), t = pieces.triangle(j);
+    if (detail::are_apart(s, t)) return;
+    if (detail::meet_elsewhere(s, t, [&](std::size_t k) { return pieces.is_rim(i, k); }, [&](std::size_t k) { return pieces.is_rim(j, k); }))
+      found[part].push_back({std::min(first, second), std::max(first, second)});
+  });
+
+  std::vector<pair> all;
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::vector<std::pair<poly_t<M>, poly_t<M>>> result;
+  result.reserve(all.size());
+  for (const auto& [first, second] : all) result.emplace_back(pieces.poly(first), pieces.poly(second));
+  return result;
+}
+
+}  // namespace concino
