@@ -100,7 +100,10 @@ TEST_CASE("voronoi_polygons: sites on grids, with any number on one circle, give
   }
   for (const unsigned n : {3u, 4u, 12u, 50u}) {
     std::vector<vec3> sites;
-    for (unsigned i = 0; i < n; ++i) sites.push_back({0.5 + 0.25 * std::cos(6.283185307179586 * i / n), 0.5 + 0.25 * std::sin(6.283185307179586 * i / n), 0});
+    for (unsigned i = 0; i < n; ++i) {
+      const double angle = 6.283185307179586 * i / n;
+      sites.push_back({0.5 + 0.25 * std::cos(angle), 0.5 + 0.25 * std::sin(angle), 0});
+    }
     const polygonmesh m = voronoi_polygons(sites, unit_square);
     check_sound(m, n, unit_square);
     std::size_t in_centre = 0;
@@ -121,7 +124,9 @@ TEST_CASE("voronoi_polygons: sites in one line, in a cluster, in a long box") {
 
   auto cluster = random_points(200, rectangle({0.3, 0.3, 0}, {0.3 + 1e-6, 0.3 + 1e-6, 0}), 4);
   for (const vec3& x : random_points(20, unit_square, 5)) cluster.push_back(x);
-  check_sound(voronoi_polygons(cluster, unit_square), 220, unit_square);
+  const polygonmesh c = voronoi_polygons(cluster, unit_square);
+  check_sound(c, 220, unit_square);
+  for (const vec3& x : random_points(500, unit_square, 7)) CHECK(outside(c, poly_id{nearest(cluster, x)}, x) < 1e-12);
   const box thin = rectangle({0, 0, 0}, {1000, 1e-3, 0});
   check_sound(voronoi_polygons(random_points(300, thin, 6), thin), 300, thin);
 }

@@ -61,7 +61,8 @@ void check_sound(const polyhedralmesh& m, std::size_t sites, const box& b) {
       }
     on_walls = on_walls && (n == 1) == on_wall && (n == 1 || n == 2);
     const polygon_shape s = shape_of(m, adj_f2v(m, f));
-    for (const auto v : adj_f2v(m, f)) flat = flat && std::abs(dot(point(m, v) - s.mean, s.area)) <= 1e-13 * norm(side) * dot(side, side);  // slivers have no normal to speak of
+    const double tolerance = 1e-13 * norm(side) * dot(side, side);  // not relative to the area: slivers have no normal to speak of
+    for (const auto v : adj_f2v(m, f)) flat = flat && std::abs(dot(point(m, v) - s.mean, s.area)) <= tolerance;
   }
   CHECK(positive);
   CHECK(on_walls);
@@ -70,8 +71,8 @@ void check_sound(const polyhedralmesh& m, std::size_t sites, const box& b) {
 }
 
 std::size_t nearest(const std::vector<vec3>& sites, const vec3& x) {
-  return static_cast<std::size_t>(
-      std::min_element(sites.begin(), sites.end(), [&](const vec3& a, const vec3& b) { return dot(a - x, a - x) < dot(b - x, b - x); }) - sites.begin());
+  const auto nearer = [&](const vec3& a, const vec3& b) { return dot(a - x, a - x) < dot(b - x, b - x); };
+  return static_cast<std::size_t>(std::min_element(sites.begin(), sites.end(), nearer) - sites.begin());
 }
 
 std::vector<vec3> grid_of_sites(unsigned n, double offset, double scale) {
@@ -150,7 +151,9 @@ TEST_CASE("voronoi_polyhedra: sites on a sphere, in a plane, on a line, in a clu
 
   auto cluster = random_points(60, made_of({0.3, 0.3, 0.3}, {0.3 + 1e-5, 0.3 + 1e-5, 0.3 + 1e-5}), 4);
   for (const vec3& x : random_points(20, unit_cube, 5)) cluster.push_back(x);
-  check_sound(voronoi_polyhedra(cluster, unit_cube), 80, unit_cube);
+  const polyhedralmesh c = voronoi_polyhedra(cluster, unit_cube);
+  check_sound(c, 80, unit_cube);
+  for (const vec3& x : random_points(300, unit_cube, 7)) CHECK(outside(c, poly_id{nearest(cluster, x)}, x) < 1e-12);
   const box flat = made_of({0, 0, 0}, {100, 100, 1e-2});
   check_sound(voronoi_polyhedra(random_points(100, flat, 6), flat), 100, flat);
 }
@@ -161,8 +164,9 @@ TEST_CASE("voronoi_polyhedra: gaps in a grid, off it by less and more than what 
       detail::random_stream random(seed);
       std::vector<vec3> sites;
       for (const vec3& x : grid_of_sites(4, 0, 3)) {
-        const vec3 moved = {x.x + off * random.unit(), x.y + off * random.unit(), x.z + off * random.unit()};
-        if (random.unit() < 0.1 * static_cast<double>(seed)) sites.push_back({std::min(moved.x, 1.0), std::min(moved.y, 1.0), std::min(moved.z, 1.0)});
+        vec3 moved;
+        for (std::size_t k = 0; k < 3; ++k) moved[k] = std::min(1.0, x[k] + off * random.unit());
+        if (random.unit() < 0.1 * static_cast<double>(seed)) sites.push_back(moved);
       }
       check_sound(voronoi_polyhedra(sites, unit_cube), sites.size(), unit_cube);
     }

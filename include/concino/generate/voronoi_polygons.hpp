@@ -13,13 +13,14 @@ struct voronoi_options {
 };
 
 /// The Voronoi cells of sites in a rectangle: poly i is what is nearer to site i than to any other site.
-/// Needs:  sites, a container of points (z is ignored) or points in braces, inside the rectangle (x and y of `domain`) or on its border; no two the same.
-/// Result: a conforming mesh in the plane z = domain.min.z that fills the rectangle, its polys convex and counter-clockwise. Where four or more sites lie on
-///         one circle, as in a grid, their cells share one vert. Verts closer than 2^-39 of the longest side become one, and sites are read to 2^-49 of it.
-///         Scales exactly with powers of 2; the same for any number of threads.
+/// Needs:  sites, a container of points (z is ignored) or points in braces, inside the rectangle (x and y of `domain`) or on its border; no
+///         two the same.
+/// Result: a conforming mesh in the plane z = domain.min.z that fills the rectangle, its polys convex and counter-clockwise. Where four or
+///         more sites lie on one circle, as in a grid, their cells share one vert. Verts closer than 2^-39 of the longest side become one,
+///         and sites are read to 2^-49 of it. Scales exactly with powers of 2; the same for any number of threads.
 /// Cost:   O(n) time and memory for sites of about even density, in parallel.
-/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding; where there is no
-///         site; where the rectangle is empty, not finite, or more than 2^32 times as long as wide.
+/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding; where
+///         there is no site; where the rectangle is empty, not finite, or more than 2^32 times as long as wide.
 /// Source: paper section 1, general polygons; Ray, Sokolov, Lefebvre and Levy 2018; Lloyd 1982.
 template<class Sites = std::initializer_list<vec3>>
   requires detail::PointRange<Sites>

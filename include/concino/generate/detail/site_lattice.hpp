@@ -12,7 +12,8 @@
 
 namespace concino::detail {
 
-/// Sites in a box of D dimensions, each coordinate an integer from 0 to at most 2^49: the lattice divides the longest side of the box by 2^48 or more.
+/// Sites in a box of D dimensions, each coordinate an integer from 0 to at most 2^49: the lattice divides the longest side of the box by 2^48
+/// or more.
 template<int D>
 class site_lattice {
  public:
@@ -25,7 +26,7 @@ class site_lattice {
     for (std::size_t k = 0; k < D; ++k) {
       const double side = domain.max[k] - domain.min[k];
       if (!(side > 0) || !std::isfinite(side))
-        throw_joined<invalid_argument>({"the box of a Voronoi diagram needs finite corners, max above min, in each of its ", std::size_t{D}, " directions"});
+        throw_joined<invalid_argument>({"the box of a Voronoi diagram needs finite corners, max above min, and a finite size"});
       longest = std::max(longest, side);
     }
     std::frexp(longest, &exponent_);
@@ -61,8 +62,8 @@ class site_lattice {
   }
   const box& domain() const { return domain_; }
 
-  /// Calls visit(j) for the other sites near site i, ring of bins after ring, until no site farther than reach() away is left out: reach() is asked again
-  /// after each ring and in lattice steps.
+  /// Calls visit(j) for the other sites near site i, ring of bins after ring, until no site farther than reach() away is left out: reach() is
+  /// asked again after each ring and in lattice steps.
   template<class Reach, class Visit>
   void for_each_near(std::uint32_t i, const Reach& reach, std::vector<std::pair<double, std::uint32_t>>& ring, const Visit& visit) const {
     const place& x = places_[i];
@@ -159,7 +160,8 @@ class site_lattice {
         const auto d = static_cast<double>(places_[j][k] - x[k]);
         squared += d * d;
       }
-      if (squared == 0) throw_joined<invalid_argument>({"sites ", std::min(i, j), " and ", std::max(i, j), " are the same point, within rounding of the size of the box"});
+      if (squared == 0)
+        throw_joined<invalid_argument>({"sites ", std::min(i, j), " and ", std::max(i, j), " are the same point, within rounding of the size of the box"});
       if (squared <= reach * reach) out.push_back({squared, j});
     }
   }

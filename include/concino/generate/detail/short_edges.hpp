@@ -1,0 +1,115 @@
+// Cells that meet in verts which are one but for rounding: the edges between these vanish.
+#pragma once
+
+#include <concino/generate/detail/site_lattice.hpp>
+#include <concino/graph/detail/disjoint_sets.hpp>
+
+namespace concino::detail {
+
+/// The cells of sites as loops of verts. In a plane a cell has one loop, counter-clockwise; in space one for each face, counter-clockwise seen
+/// from outside.
+template<int D>
+struct cell_loops {
+  using place = std::array<double, D>;
+
+  std::vector<place> places;                // per vert, in lattice steps
+  std::vector<std::uint8_t> walls;          // per vert, a bit for each wall of the box it lies on
+  std::vector<std::uint32_t> loop_offsets;  // per cell: its first loop
+  std::vector<std::uint32_t> neighbours;    // per loop: the cell or wall beyond
+  std::vector<std::uint32_t> vert_offsets;  // per loop: its first vert
+  std::vector<std::uint32_t> loop_verts;
+};
+
+[[noreturn]] inline void refuse_thin_cell(std::size_t cell) {
+  throw_joined<invalid_argument>({"the Voronoi cell of site ", cell,
+                                  " is thinner than rounding of the size of the box; remove the site or one of those next to it"});
+}
+
+/// For each vert which of those it becomes one with stands for all: they hang together by edges too short to matter.
+template<int D>
+disjoint_sets close_verts(const cell_loops<D>& c) {
+  constexpr double close = 512;  // lattice steps: below 2^-39 of the longest side of the box
+  disjoint_sets same(c.places.size());
+  for (std::size_t l = 0; l + 1 < c.vert_offsets.size(); ++l)
+    for (std::uint32_t first = c.vert_offsets[l], last = c.vert_offsets[l + 1], i = first; i < last; ++i) {
+      const std::uint32_t a = c.loop_verts[i], b = c.loop_verts[i + 1 < last ? i + 1 : first];
+      double squared = 0;
+      for (std::size_t k = 0; k < D; ++k) squared += (c.places[a][k] - c.places[b][k]) * (c.places[a][k] - c.places[b][k]);
+      if (squared <= close * close) same.unite(a, b);
+    }
+  return same;
+}
+
+/// Where the verts that become one are: at the place of the one on most walls, moved onto the walls of the others. By number of the root.
+template<int D>
+std::vector<typename cell_loops<D>::place> common_places(const cell_loops<D>& c, disjoint_sets& same, const site_lattice<D>& sites) {
+  const auto count = [](std::uint8_t bits) {
+    int n = 0;
+    for (; bits; bits = static_cast<std::uint8_t>(bits & (bits - 1))) ++n;
+    return n;
+  };
+  std::vector<std::uint32_t> best(c.places.size());
+  std::vector<std::uint8_t> walls = c.walls;
+  for (std::uint32_t v = 0; v < best.size(); ++v) {
+    const std::size_t r = same.root(v);  // not above v
+    if (r == v || count(c.walls[v]) > count(c.walls[best[r]])) best[r] = v;
+    walls[r] |= c.walls[v];
+  }
+  std::vector<typename cell_loops<D>::place> places(best.size());
+  for (std::size_t r = 0; r < best.size(); ++r) {
+    places[r] = c.places[best[r]];
+    for (std::size_t k = 0; k < D; ++k) {
+      if (walls[r] >> 2 * k & 1) places[r][k] = 0;
+      if (walls[r] >> (2 * k + 1) & 1) places[r][k] = static_cast<double>(sites.side(k));
+    }
+  }
+  return places;
+}
+
+/// Verts joined by edges too short to matter become one. Edges and loops without size vanish, for all cells around alike; verts are numbered
+/// as loops first meet them.
+/// Errors: invalid_argument that names a site whose cell vanishes, or touches itself.
+template<int D>
+void merge_short_edges(cell_loops<D>& c, const site_lattice<D>& sites) {
+  disjoint_sets same = close_verts(c);
+  const auto places = common_places(c, same, sites);
+  c.places.clear();
+  c.walls.clear();
+  constexpr std::uint32_t unnamed = ~0u;
+  std::vector<std::uint32_t> name(places.size(), unnamed);
+  std::size_t loops = 0, out = 0;  // kept, in place
+  for (std::uint32_t cell = 0, loop = 0, from = 0; cell + 1 < c.loop_offsets.size(); ++cell) {
+    const std::size_t first_loop = loops;
+    for (const std::uint32_t last = c.loop_offsets[cell + 1]; loop < last; ++loop) {
+      const std::size_t begin = out;
+      for (const std::uint32_t to = c.vert_offsets[loop + 1]; from < to; ++from) {
+        const auto v = static_cast<std::uint32_t>(same.root(c.loop_verts[from]));
+        if (out == begin || c.loop_verts[out - 1] != v) c.loop_verts[out++] = v;
+      }
+      while (out - begin > 1 && c.loop_verts[out - 1] == c.loop_verts[begin]) --out;
+      if (out - begin < 3) {
+        out = begin;
+        continue;
+      }
+      const std::uint32_t* const kept = c.loop_verts.data();
+      for (std::size_t i = begin; i < out; ++i)
+        if (std::find(kept + begin, kept + i, kept[i]) != kept + i) refuse_thin_cell(cell);
+      c.neighbours[loops++] = c.neighbours[loop];
+      c.vert_offsets[loops] = static_cast<std::uint32_t>(out);
+    }
+    if (loops - first_loop < (D == 2 ? 1 : 4)) refuse_thin_cell(cell);
+    c.loop_offsets[cell + 1] = static_cast<std::uint32_t>(loops);
+  }
+  c.neighbours.resize(loops);
+  c.vert_offsets.resize(loops + 1);
+  c.loop_verts.resize(out);
+  for (std::uint32_t& v : c.loop_verts) {
+    if (name[v] == unnamed) {
+      name[v] = static_cast<std::uint32_t>(c.places.size());
+      c.places.push_back(places[v]);
+    }
+    v = name[v];
+  }
+}
+
+}  // namespace concino::detail
