@@ -16,20 +16,21 @@
 namespace mutant {
 
 inline constexpr int most = 1 << 15;
-inline char met[most];
+inline signed char met[most];
 inline const int active = [] {
   const char* number = std::getenv("CONCINO_MUTANT");
   return number ? std::atoi(number) : -1;
 }();
 
-/// At the end of the program, writes the numbers of the mutants that it came across to the file CONCINO_MUTANTS_MET.
+/// At the end of the program, writes the numbers of the mutants that it came across to the file CONCINO_MUTANTS_MET, with a - before those
+/// that are none, as nothing else can be done with operands of these types.
 struct recorder {
   ~recorder() {
     const char* name = std::getenv("CONCINO_MUTANTS_MET");
     std::FILE* file = name ? std::fopen(name, "w") : nullptr;
     if (!file) return;
     for (int i = 0; i < most; ++i)
-      if (met[i]) std::fprintf(file, "%d\n", i);
+      if (met[i]) std::fprintf(file, "%d\n", met[i] * i);
     std::fclose(file);
   }
 };
@@ -38,6 +39,9 @@ inline const recorder at_exit;
 inline bool is_switched_on(int id) {
   met[id] = 1;
   return id == active;
+}
+constexpr void is_none(int id) {
+  if (!std::is_constant_evaluated() && met[id] == 0) met[id] = -1;
 }
 constexpr bool on(int id) { return !std::is_constant_evaluated() && is_switched_on(id); }
 
@@ -89,6 +93,8 @@ CONCINO_MUTANT_OPERATOR(greater_equal, >=, >, <)
       if (on(l.id)) return std::forward<A>(l.a) other std::forward<B>(b);                                                     \
     } else if constexpr (std::integral<result> && !std::same_as<result, bool>) {                                              \
       if (on(l.id)) return (std::forward<A>(l.a) op std::forward<B>(b)) + 1;                                                  \
+    } else {                                                                                                                  \
+      is_none(l.id);                                                                                                          \
     }                                                                                                                         \
     return std::forward<A>(l.a) op std::forward<B>(b);                                                                        \
   }

@@ -26,11 +26,29 @@ io/orient              io/orient io/read_hedra io/load
 io/numbers             io/numbers io/read_obj
 io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
 fields/harmonic_map    fields/harmonic_map
-operators/weights      operators/weights operators/laplacian fields/harmonic_map
+fields/poisson         fields/poisson
+fields/detail/dirichlet    fields/harmonic_map fields/poisson
+operators/weights      operators/weights operators/laplacian
 operators/laplacian    operators/laplacian
 operators/mass_matrix  operators/mass_matrix
-operators/detail/assembly  operators/laplacian fields/harmonic_map
+operators/poly_mass_matrix operators/poly_mass_matrix
+operators/gradient     operators/gradient
+operators/gradient_matrix  operators/gradient_matrix operators/gradient
+operators/vert_gradient_matrix operators/vert_gradient_matrix
+operators/divergence   operators/divergence
+operators/divergence_matrix    operators/divergence_matrix
+operators/detail/assembly  operators/laplacian operators/gradient_matrix fields/harmonic_map
+operators/detail/element_assembly  operators/mass_matrix operators/laplacian
+operators/detail/compressed_columns    operators/detail/poly_chunks operators/poly_mass_matrix operators/gradient_matrix operators/divergence_matrix
+operators/detail/corner_gradients  operators/detail/corner_gradients operators/gradient_matrix
+operators/detail/de_goes   operators/de_goes
+operators/detail/local_matrix  operators/mass_matrix operators/laplacian
+operators/detail/poly_chunks   operators/detail/poly_chunks operators/gradient
 operators/detail/product   fields/harmonic_map
+operators/detail/simplex_gradients operators/detail/corner_gradients operators/gradient_matrix operators/divergence_matrix
+operators/detail/simplex_weights   operators/laplacian
+operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian
+operators/detail/virtual_refinement    operators/virtual_refinement
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
 mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
@@ -102,7 +120,7 @@ limited() {
   ( ulimit -v 4000000 -t "$seconds"; CONCINO_CORPUS=/nonexistent timeout -k 1 $((60 * seconds)) "$@" --abort-after=1 -nv ) >/dev/null 2>&1
 }
 
-# mutant <id>: runs the tests that met it, until one fails. Prints "id killed|survived|unmet by".
+# mutant <id>: runs the tests that met it, until one fails. Prints "id killed|survived|unmet by", or nothing if it is none.
 mutant() {
   local id=$1 test met=0 status
   for test in $tests; do
@@ -115,6 +133,7 @@ mutant() {
       return
     fi
   done
+  [ $met -eq 0 ] && for test in $tests; do grep -qx -e "-$id" "$build/work/$test.met" && return; done
   [ $met -eq 1 ] && echo "$id survived" || echo "$id unmet"
 }
 

@@ -84,6 +84,7 @@ TEST_CASE("corner_gradients: polyhedra of few verts and of many are the same to 
         sum += (1 + x.x - 2 * x.z) * local.gradient[i];
       }
       CHECK(distance(sum, {1, 0, -2}) < 1e-13);
+      CHECK(local.measure == doctest::Approx(measure(m, p)).epsilon(1e-13));
       CHECK(local.verts.size() == 2 * n);
     }
   }
@@ -116,6 +117,23 @@ TEST_CASE("corner_gradients: polys without measure and points that are no number
   triangle.visit(thin, poly_id{0});
   CHECK(triangle.has_gradients());
   CHECK(triangle.gradient[2].y == doctest::Approx(1e150));
+}
+
+TEST_CASE("corner_gradients: a polygon without verts has none; neither has a triangle whose height is too small for its inverse") {
+  tiny::surface m;
+  m.polygons = {{}};
+  corner_gradients<tiny::surface> none;
+  none.visit(m, tiny::cell{0});
+  CHECK(!none.has_gradients());
+  // the area is a number, and the heights over the short edges have inverses
+  const double length = 0x1p20, height = 5e-309;
+  simplex_gradients<trimesh> triangle;
+  for (unsigned i = 0; i < 3; ++i) {
+    const std::vector<std::array<unsigned, 3>> one{{i, (i + 1) % 3, (i + 2) % 3}};
+    triangle.visit(trimesh(std::vector<vec3>{{-length, 0, 0}, {0, height, 0}, {length, 0, 0}}, one), poly_id{0});
+    CHECK(triangle.measure > 0);
+    CHECK(!triangle.has_gradients());
+  }
 }
 
 TEST_CASE("corner_gradients: pyramids of a stranger") {

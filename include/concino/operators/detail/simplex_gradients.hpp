@@ -49,11 +49,11 @@ struct simplex_gradients {
     }
   }
 
-  /// Whether the poly visited last has a measure and finite points.
+  /// Whether the poly visited last has a measure and finite points. Without a measure something was divided by 0.
   bool has_gradients() const {
     vec3 sum = gradient[0];
     for (std::size_t i = 1; i < corners; ++i) sum += gradient[i];
-    return std::isfinite(sum.x + sum.y + sum.z) && measure != 0;
+    return std::isfinite(sum.x + sum.y + sum.z);
   }
 };
 
