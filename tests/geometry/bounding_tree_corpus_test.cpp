@@ -23,7 +23,7 @@ void check_inside(const std::filesystem::path& file, int rounds) {
   std::vector<corners3> all;
   for (const auto p : polys(m)) all.push_back(triangles_of(m, p)[0]);
   const box b = bounding_box(m);
-  random_points at(1, 0, 1);
+  point_stream at(1, 0, 1);
   int inside = 0;
   for (int i = 0; i < rounds; ++i) {
     const vec3 t = at(), x{b.min.x + t.x * (b.max.x - b.min.x), b.min.y + t.y * (b.max.y - b.min.y), b.min.z + t.z * (b.max.z - b.min.z)};

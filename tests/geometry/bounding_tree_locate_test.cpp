@@ -42,7 +42,7 @@ TEST_CASE_TEMPLATE("volumes: every point of a jittered grid is in one poly, whic
   const auto tree = bounding_tree(m);
   std::vector<std::vector<corners3>> skins;
   for (const auto p : polys(m)) skins.push_back(triangles_of(m, p));
-  random_points at(1, 0.07, 0.93);
+  point_stream at(1, 0.07, 0.93);
   for (int i = 0; i < 50; ++i) {
     const vec3 x = at();
     const auto p = tree.locate(x);
@@ -50,7 +50,7 @@ TEST_CASE_TEMPLATE("volumes: every point of a jittered grid is in one poly, whic
     for (std::size_t k = 0; k < skins.size(); ++k) CHECK(std::abs(times_round(skins[k], x) - (k == index_of(m, *p) ? 1 : 0)) < 1e-6);
     CHECK(tree.is_inside(x));
   }
-  random_points outside(2, 1.07, 2);
+  point_stream outside(2, 1.07, 2);
   for (int i = 0; i < 50; ++i) {
     const vec3 x = outside();
     CHECK(!tree.locate(x));
@@ -109,7 +109,7 @@ TEST_CASE_TEMPLATE("surfaces in a plane: every point is in one polygon, also see
       for (vec3& x : arrays.points) x = turned(x);
     const M m(arrays);
     const auto tree = bounding_tree(m);
-    random_points at(3, 0.05, 0.95);
+    point_stream at(3, 0.05, 0.95);
     for (int i = 0; i < 200; ++i) {
       vec3 x = at();
       x.z = 0;
@@ -219,7 +219,7 @@ TEST_CASE_TEMPLATE("the boundary of a volume has inside what the volume holds", 
   const auto skin = boundary(m);
   const auto tree = bounding_tree(m);
   const auto around = bounding_tree(skin);
-  random_points at(5, -0.2, 1.2);
+  point_stream at(5, -0.2, 1.2);
   for (int i = 0; i < 100; ++i) {
     const vec3 x = at();
     CHECK(around.is_inside(x) == tree.is_inside(x));

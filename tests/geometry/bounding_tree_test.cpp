@@ -29,7 +29,7 @@ M crooked(unsigned n, double amount = 0.3) {
 TEST_CASE_TEMPLATE("the nearest point is the nearest of all polys", M, CONCINO_ALL_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
-  random_points at(1, -0.7, 1.7);
+  point_stream at(1, -0.7, 1.7);
   for (int i = 0; i < 60; ++i) {
     const vec3 x = at();
     double least = infinity, own = infinity;
@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("the nearest point is the nearest of all polys", M, CONCINO_A
 TEST_CASE_TEMPLATE("a ray meets what it meets of all polys", M, CONCINO_ALL_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
-  random_points at(2, -0.5, 1.5);
+  point_stream at(2, -0.5, 1.5);
   std::size_t met = 0;
   for (int i = 0; i < 60; ++i) {
     const vec3 o = at(), d = 3 * (at() - o);
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("a ray meets what it meets of all polys", M, CONCINO_ALL_KIND
 TEST_CASE_TEMPLATE("a box meets what it meets of all polys", M, CONCINO_ALL_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
-  random_points at(3, -0.2, 1.2);
+  point_stream at(3, -0.2, 1.2);
   for (int i = 0; i < 40; ++i) {
     box b;
     const vec3 x = at();
@@ -136,7 +136,7 @@ TEST_CASE_TEMPLATE("on the archetype the same", M, CONCINO_ALL_KINDS) {
   const auto g = only_embedded_mesh(m);
   const auto tree = bounding_tree(m);
   const auto same = bounding_tree(g);
-  random_points at(4, 0.2, 1.5);
+  point_stream at(4, 0.2, 1.5);
   for (int i = 0; i < 20; ++i) {
     const vec3 x = at(), y = at();
     CHECK(g.base(same.closest(x).poly) == tree.closest(x).poly);
@@ -164,7 +164,7 @@ TEST_CASE_TEMPLATE("scaled by powers of two, answers scale exactly, up to sizes 
     for (vec3& x : scaled.points) x *= s;
     const M n(scaled);
     const auto large = bounding_tree(n);
-    random_points at(5, -0.5, 1.5);
+    point_stream at(5, -0.5, 1.5);
     for (int i = 0; i < 20; ++i) {
       const vec3 x = at(), d = at() - x;
       const auto a = tree.closest(x), b = large.closest(s * x);
@@ -260,7 +260,7 @@ TEST_CASE("rays aimed at verts and at edges of a surface in space slip through n
   const auto arrays = jittered(triangle_grid(8), 0.05);
   const trimesh m(arrays);
   const auto tree = bounding_tree(m);
-  random_points at(6, -1, 2);
+  point_stream at(6, -1, 2);
   for (const auto e : edges(m)) {
     std::size_t around = 0;
     for ([[maybe_unused]] const auto p : adj_e2p(m, e)) ++around;

@@ -32,7 +32,7 @@ TEST_CASE("the nearest point of a triangle: inside, beyond each edge and each co
 }
 
 TEST_CASE("random triangles, obtuse and thin ones among them") {
-  random_points at(1, -1, 1);
+  point_stream at(1, -1, 1);
   for (int i = 0; i < 3000; ++i) {
     const vec3 a = at(), b = at(), x = at();
     const vec3 c = i % 3 == 0 ? a + 0.4 * (b - a) + std::pow(0.1, i % 9) * at() : at();

@@ -87,14 +87,14 @@ inline bool reaches_into(const corners3& t, const vec3& low, const vec3& high) {
 }
 
 /// Random points of a cube, the same everywhere.
-class random_points {
+class point_stream {
   std::mt19937 random_;
   double low_, high_;
 
   double next() { return low_ + (high_ - low_) * (static_cast<double>(random_()) / 4294967296.0); }
 
  public:
-  random_points(unsigned seed, double low, double high) : random_(seed), low_(low), high_(high) {}
+  point_stream(unsigned seed, double low, double high) : random_(seed), low_(low), high_(high) {}
   vec3 operator()() {
     const double x = next(), y = next(), z = next();
     return {x, y, z};
