@@ -4,6 +4,7 @@
 #include <concino/generate/random_points.hpp>
 #include <concino/generate/voronoi_polyhedra.hpp>
 #include <concino/io/load.hpp>
+#include <concino/mesh/boundary.hpp>
 #include <concino/validate/check_laws.hpp>
 
 #include <support/corpus.hpp>
@@ -178,6 +179,16 @@ TEST_CASE("dual_mesh: closed surfaces: verts and polys change places, the dual o
     const polygonmesh again = dual_mesh(d);
     CHECK(cells(again) == cells(m));
   }
+}
+
+TEST_CASE("dual_mesh: of the boundary of a volume, a view") {
+  const tetmesh m = grid<tetmesh>(2);
+  const auto skin = boundary(m);
+  const polygonmesh d = dual_mesh(skin);
+  check_sound(d);
+  CHECK(euler(d) == 2);
+  CHECK(num_polys(d) == num_verts(skin));
+  CHECK(num_verts(d) == num_polys(skin));
 }
 
 TEST_CASE("dual_mesh: of volumes with any boundary") {

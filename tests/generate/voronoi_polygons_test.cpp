@@ -180,6 +180,7 @@ TEST_CASE("voronoi_polygons: what is refused") {
   refused({{0, 0, 0}}, rectangle({0, 0, 0}, {1, 0, 0}), "box");
   refused({{0, 0, 0}}, rectangle({0, 0, 0}, {1, infinity, 0}), "box");
   refused({{0, 0, 0}}, rectangle({0, 0, 0}, {1, 1e-12, 0}), "box");
+  refused({{0, 0, 0}}, rectangle({0, 0, nan}, {1, 1, 0}), "box");
   refused({{0, 0, 0}}, rectangle({-1.7e308, 0, 0}, {1.7e308, 1, 0}), "box");
   // three sites in a row closer than rounding: the cell between them is thinner than it
   refused({{0.5, 0.5, 0}, {0.5 + 0x1p-45, 0.5, 0}, {0.5 + 0x1p-44, 0.5, 0}}, unit_square, "site 1 ");

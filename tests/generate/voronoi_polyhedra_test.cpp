@@ -196,6 +196,22 @@ TEST_CASE("voronoi_polyhedra: relaxed sites give cells of more even size") {
   CHECK(spread(relaxed) < 0.2 * spread(voronoi_polyhedra(sites, unit_cube)));
 }
 
+TEST_CASE("voronoi_polyhedra: the integers that decide") {
+  using detail::int128;
+  using detail::int256;
+  detail::random_stream random(5);
+  for (int i = 0; i < 200; ++i) {
+    const auto a = static_cast<std::int64_t>(random.next()) >> random.next() % 60, b = static_cast<std::int64_t>(random.next()) >> random.next() % 60;
+    const int128 wide = static_cast<int128>(a) * b;
+    CHECK(int256(a) * int256(b) == int256(wide));
+    CHECK((int256(a) + int256(b)) - int256(b) == int256(a));
+    CHECK((int256(a) - int256(b)).sign() == (a > b) - (a < b));
+    const auto x = static_cast<double>(a), y = static_cast<double>(b);
+    CHECK((int256(wide) * int256(b)).to_double() == doctest::Approx(x * y * y).epsilon(1e-15));
+    CHECK(int256(wide) * int256(wide) - int256(a) * int256(a) * int256(b) * int256(b) == int256());
+  }
+}
+
 TEST_CASE("voronoi_polyhedra: braces, and what is refused") {
   CHECK(total_measure(voronoi_polyhedra({{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}}, unit_cube)) == 1);
   const auto refused = [](const std::vector<vec3>& sites, const box& b, const char* why) {

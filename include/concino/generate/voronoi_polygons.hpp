@@ -20,12 +20,13 @@ struct voronoi_options {
 ///         and sites are read to 2^-49 of it. Scales exactly with powers of 2; the same for any number of threads.
 /// Cost:   O(n) time and memory for sites of about even density, in parallel.
 /// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding; where
-///         there is no site; where the rectangle is empty, not finite, or more than 2^32 times as long as wide.
+///         there is no site; where the rectangle is empty, min.z or it is not finite, or it is more than 2^32 times as long as wide.
 /// Source: paper section 1, general polygons; Ray, Sokolov, Lefebvre and Levy 2018; Lloyd 1982.
 template<class Sites = std::initializer_list<vec3>>
   requires detail::PointRange<Sites>
 polygonmesh voronoi_polygons(const Sites& sites, const box& domain, const voronoi_options& options = {}) {
-  return detail::with_relaxed_sites(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
+  if (!std::isfinite(domain.min.z)) throw invalid_argument("the box of Voronoi polygons has a min.z that is not finite; it says where their plane is");
+  return detail::with_relaxed_sites<2>(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
     const detail::site_lattice<2> lattice(x, b);
     const detail::voronoi_complex<2> cells(lattice);
     surface_arrays a;

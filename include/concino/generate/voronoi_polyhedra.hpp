@@ -18,7 +18,7 @@ namespace concino {
 template<class Sites = std::initializer_list<vec3>>
   requires detail::PointRange<Sites>
 polyhedralmesh voronoi_polyhedra(const Sites& sites, const box& domain, const voronoi_options& options = {}) {
-  return detail::with_relaxed_sites(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
+  return detail::with_relaxed_sites<3>(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
     const detail::site_lattice<3> lattice(x, b);
     const detail::voronoi_complex<3> cells(lattice);
     polyhedra_arrays a;

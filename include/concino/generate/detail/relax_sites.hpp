@@ -6,8 +6,8 @@
 
 namespace concino::detail {
 
-/// diagram(sites, domain) after `rounds` rounds.
-template<class Sites, class Diagram>
+/// diagram(sites, domain) after `rounds` rounds. D: the coordinates that count.
+template<std::size_t D, class Sites, class Diagram>
 auto with_relaxed_sites(const Sites& given, const box& domain, unsigned rounds, const Diagram& diagram) {
   std::vector<vec3> sites;
   for (const auto& x : given) sites.push_back(to_vec3(x));
@@ -15,7 +15,7 @@ auto with_relaxed_sites(const Sites& given, const box& domain, unsigned rounds, 
     const auto m = diagram(sites, domain);
     parallel_for(sites.size(), [&](std::size_t i) {
       const vec3 c = centroid(m, poly_id{i});
-      for (std::size_t k = 0; k < 3; ++k) sites[i][k] = std::clamp(c[k], domain.min[k], domain.max[k]);
+      for (std::size_t k = 0; k < D; ++k) sites[i][k] = std::clamp(c[k], domain.min[k], domain.max[k]);
     });
   }
   return diagram(sites, domain);
