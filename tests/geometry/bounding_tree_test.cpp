@@ -188,6 +188,11 @@ TEST_CASE_TEMPLATE("from very far away", M, CONCINO_ALL_KINDS) {
     CHECK(std::abs(hit.distance - std::sqrt(2) * far) <= 1e-15 * far);
     CHECK(!tree.locate({0.5, far, 0}));
     CHECK(!tree.ray({far, far, far}, {1, 1, 1}));
+    CHECK(tree.locate({0.3, 0.3, far}) == (SurfaceMesh<M> ? tree.locate({0.3, 0.3, 0}) : std::nullopt));
+    if (far > 1e100) continue;  // beyond that, products of coordinates overflow
+    const auto met = tree.ray({0.3, 0.3, far}, {0, 0, -far});
+    REQUIRE(met);
+    CHECK(norm(met.point - vec3{0.3, 0.3, met.point.z}) < 1e-12);  // which of those in the way is first, rounding decides
   }
 }
 

@@ -87,9 +87,10 @@ class ranked_polys {
   const poly_t<M>& poly(std::size_t rank) const { return polys_[rank]; }
 
   vec3 to_mesh(const vec3& x) const { return to_mesh_ * x; }
-  /// x in the units of the tree; one that is very far away comes nearer along the line to the origin: from there too, all of the mesh is
-  /// equally far but for rounding.
-  vec3 to_tree(const vec3& x) const {
+  vec3 to_tree(const vec3& x) const { return to_tree_ * x; }
+  /// x in the units of the tree, but not so far away that its squared distance overflows: it comes nearer along the line to the origin, from where too
+  /// all of the mesh is equally far but for rounding.
+  vec3 to_tree_within_reach(const vec3& x) const {
     const double far = magnitude(x);
     return far * to_tree_ <= 0x1p200 ? to_tree_ * x : x / far * 0x1p200;
   }
