@@ -88,12 +88,42 @@ TEST_CASE("numbers: forms of reals") {
   CHECK(std::isinf(parsed("1e999")));
   CHECK(parsed("-1" + std::string(400, '0')) == -std::numeric_limits<double>::infinity());
   CHECK(parsed("1" + std::string(400, '0') + "e-400") == reference("1" + std::string(400, '0') + "e-400"));
+  const std::string zeros(500, '0');
+  CHECK(parsed("0." + zeros + "1e150") == 0);
+  CHECK(parsed("0." + zeros + "1e900") == std::numeric_limits<double>::infinity());
+  CHECK(parsed("0." + zeros + "1e+900") == std::numeric_limits<double>::infinity());
+  CHECK(parsed("0." + std::string(5000, '0') + "1e4600") == 0);
+  CHECK(parsed("0." + std::string(4000, '0') + "1e4400") == std::numeric_limits<double>::infinity());
+  CHECK(parsed("1e9223372036854775809") == std::numeric_limits<double>::infinity());
+  CHECK(parsed(zeros + "1E400") == std::numeric_limits<double>::infinity());
+  CHECK(parsed("1" + zeros + "e-850") == 0);
+  CHECK(parsed("1" + zeros + "e-100") == std::numeric_limits<double>::infinity());
+  CHECK(parsed("-1" + zeros + ".5e-100") == -std::numeric_limits<double>::infinity());
+  CHECK(parsed("+123456789012345678901234567890") == 123456789012345678901234567890.0);
+  CHECK(parsed("+inf") == std::numeric_limits<double>::infinity());
   CHECK(std::isnan(parsed("nan")));
   CHECK(std::isinf(parsed("-inf")));
   CHECK(extent("1.5x") == 3);
   CHECK(extent("1e") == 1);
   CHECK(extent("1.2.3") == 3);
   for (const std::string none : {"", "+", "-", ".", "e5", "+-1", "--1", "O", "x", "+ 1"}) CHECK_MESSAGE(extent(none) == -1, none);
+}
+
+TEST_CASE("numbers: end where the text ends, whatever stands behind it") {
+  for (int i = 0; i < 256; ++i) CHECK(is_digit(static_cast<char>(i)) == (i >= '0' && i <= '9'));
+  for (const std::string& text : {"7" + std::string(29, '3'), "-0." + std::string(40, '4'), "1" + std::string(420, '0'), "." + std::string(420, '0') + "7",
+                                  std::string("1.25e-12345678"), std::string("+12.5e+30000"), "0." + std::string(500, '0') + "1e1500", "0." + std::string(320, '0') + "1e-1234"})
+    for (std::size_t n = 0; n <= text.size(); ++n) {
+      const std::string alone = text.substr(0, n);
+      double x = -77, y = -77;
+      const char *const end = parse_real(text.data(), text.data() + n, x), *const end_alone = parse_real(alone.data(), alone.data() + n, y);
+      REQUIRE((end ? end - text.data() : -1) == (end_alone ? end_alone - alone.data() : -1));
+      REQUIRE(std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y));
+      if (n > 18) continue;
+      std::int64_t i = -77, k = -77;
+      REQUIRE((parse_integer(text.data(), text.data() + n, i) != nullptr) == (parse_integer(alone.data(), alone.data() + n, k) != nullptr));
+      REQUIRE(i == k);
+    }
 }
 
 TEST_CASE("numbers: integers of up to 18 digits") {
@@ -113,7 +143,7 @@ TEST_CASE("numbers: integers of up to 18 digits") {
 TEST_CASE("numbers: integers of any length, before any character, anywhere in the text") {
   for (unsigned length = 1; length <= 18; ++length)
     for (int after = 0; after < 256; ++after) {
-      if (is_digit(static_cast<char>(after))) continue;
+      if (after >= '0' && after <= '9') continue;
       std::string s = "7";
       for (unsigned i = 1; i < length; ++i) s += static_cast<char>('0' + (i * 7 + static_cast<unsigned>(after)) % 10);
       const std::int64_t expected = std::stoll(s);
