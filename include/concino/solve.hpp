@@ -3,3 +3,4 @@
 
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/solve/ldlt.hpp>
+#include <concino/solve/qp.hpp>
