@@ -46,7 +46,7 @@ inline void drop_unused(std::vector<vec3>& points, std::vector<vert_id>& loops) 
 /// Cost:   O(size of the mesh), but for the square of the number of polys around one vert (surface) or edge (volume).
 /// Errors: invalid_mesh that names the vert, edge, face or poly that is not manifold, not closed or not at a finite point, or an inner vert
 ///         of a volume that has two edges only.
-/// Source: the dualisation of the paper, section 2.2; the barycentric dual, as in Hirani 2003, "Discrete exterior calculus".
+/// Source: paper section 2.2, "mesh dualization"; the barycentric dual, as in Hirani 2003, "Discrete exterior calculus".
 template<SurfaceMesh M>
   requires Embedded<M>
 polygonmesh dual_mesh(const M& m, const dual_mesh_options& options = {}) {

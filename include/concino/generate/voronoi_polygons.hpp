@@ -21,7 +21,7 @@ struct voronoi_options {
 /// Cost:   O(n) time and memory for sites of about even density, in parallel.
 /// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding; where
 ///         there is no site; where the rectangle is empty, min.z or it is not finite, or it is more than 2^32 times as long as wide.
-/// Source: paper section 1, general polygons; Ray, Sokolov, Lefebvre and Levy 2018; Lloyd 1982.
+/// Source: Ray, Sokolov, Lefebvre and Levy 2018; Lloyd 1982.
 template<class Sites = std::initializer_list<vec3>>
   requires detail::PointRange<Sites>
 polygonmesh voronoi_polygons(const Sites& sites, const box& domain, const voronoi_options& options = {}) {
