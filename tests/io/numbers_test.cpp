@@ -73,6 +73,25 @@ TEST_CASE("numbers: ties go to even, and a digit far behind decides") {
   CHECK(parsed("18446744073709551615") == 18446744073709551616.0);
 }
 
+TEST_CASE("numbers: more digits than 64 bits hold, with the point and zeros anywhere") {
+  std::mt19937_64 random(11);
+  std::size_t wrong = 0;
+  const auto check = [&](const std::string& s) { wrong += std::bit_cast<std::uint64_t>(parsed(s)) != std::bit_cast<std::uint64_t>(reference(s)); };
+  for (int i = 0; i < 20000; ++i) {
+    std::string s;
+    for (std::uint64_t n = 17 + random() % 9; n > 0; --n) s += static_cast<char>('0' + (random() % 3 ? 9 - random() % 2 : random() % 10));
+    s.insert(0, random() % 4, '0');
+    s.insert(random() % (s.size() + 1), ".");
+    check(s);
+  }
+  std::string every_other;
+  for (int i = 0; i < 30; ++i) check(every_other += "01");
+  for (std::size_t n = 15; n < 25; ++n) check(std::string(n, '9')), check("." + std::string(n, '9')), check("0." + std::string(n, '9'));
+  CHECK(wrong == 0);
+  CHECK(parsed("1e18446744073709551617") == std::numeric_limits<double>::infinity());
+  CHECK(extent("1.5d3") == 3);
+}
+
 TEST_CASE("numbers: forms of reals") {
   CHECK(parsed("+1.5") == 1.5);
   CHECK(parsed("1.") == 1);
