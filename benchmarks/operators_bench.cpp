@@ -1,6 +1,7 @@
 // The matrices of a triangle and a tet mesh beside their floors and Eigen's way by triplets, and a harmonic map beside the factorisation
 // that it cannot do without.
 #include "floor/operators.hpp"
+#include "support/element_triplets.hpp"
 #include "support/kinds.hpp"
 
 #include <concino/fields.hpp>
@@ -101,6 +102,17 @@ void matrices(const bench::program& p, const std::string& name, const F& f, cons
   }
 }
 
+/// Polys of any shape: beside a list of triplets, for which nobody keeps a floor.
+template<class M>
+void standard(const bench::program& p, const std::string& work, const M& m) {
+  const auto list = [&] { return bench::standard_laplacian_by_triplets(m); };
+  const auto ours = [&] { return concino::laplacian(m); };
+  const sparse expected = list(), found = ours();
+  if (!((expected - found).norm() <= 1e-12 * expected.norm())) throw std::runtime_error(work + ": the library's matrix and that of the triplets differ");
+  const auto timed = [](auto w) { return [w] { return bench::seconds_of(w); }; };
+  p.print(bench::compare(work, p.rounds, {{"eigen-triplets", timed(list)}, {"concino", timed(ours)}}));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -118,5 +130,9 @@ int main(int argc, char** argv) {
       const auto a = p.data.tet1m();
       matrices(p, "tet1m", bench::built<floors::tet_shape>(a), concino::tetmesh(a));
     }
+    if (p.wants("laplacian.standard.quad343k")) standard(p, "laplacian.standard.quad343k", concino::quadmesh(p.data.quad343k()));
+    if (p.wants("laplacian.standard.poly228k")) standard(p, "laplacian.standard.poly228k", concino::polygonmesh(p.data.poly228k()));
+    if (p.wants("laplacian.standard.hex216k")) standard(p, "laplacian.standard.hex216k", concino::polyhedralmesh(p.data.hex216k()));
+    if (p.wants("laplacian.standard.dual200k")) standard(p, "laplacian.standard.dual200k", concino::polyhedralmesh(p.data.dual200k()));
   });
 }

@@ -1,14 +1,17 @@
-// How time and memory grow with the mesh: building, loading, searching and taking normals at sizes from 10^4 to 10^6.5 polys. Where the
+// How time and memory grow with the mesh: building, loading, searching, normals and operators at sizes from 10^4 to 10^6.5 polys. Where the
 // cost of an element does not depend on how many there are, the slope in a log-log plot is 1; report.awk fits it. The floor's curve beside
 // it says how much of a slope is the machine's, whose caches hold a small mesh and not a large one.
 #include "floor/graph.hpp"
 #include "floor/normals.hpp"
+#include "floor/operators.hpp"
+#include "support/element_triplets.hpp"
 #include "support/heap.hpp"
 #include "support/kinds.hpp"
 
 #include <concino/geometry/normals.hpp>
 #include <concino/graph.hpp>
 #include <concino/io.hpp>
+#include <concino/operators.hpp>
 
 #include <cmath>
 
@@ -37,7 +40,8 @@ void grow(const bench::program& p, const std::string& name, Kind kind, bool with
   const auto wanted = [&](const char* work) { return p.wants("scaling." + std::string(work) + "." + name); };
   const bool searches = with_searches && (wanted("bfs.primal") || wanted("bfs.dual") || wanted("components.primal") || wanted("components.dual") ||
                                           wanted("dijkstra.primal") || wanted("dijkstra.dual"));
-  if (!searches && !wanted("load") && !wanted("build") && !wanted("memory") && !wanted("normals")) return;
+  const bool operators = wanted("laplacian") || wanted("gradient");
+  if (!searches && !operators && !wanted("load") && !wanted("build") && !wanted("memory") && !wanted("normals")) return;
   for (const double exponent : {4.0, 4.5, 5.0, 5.5, 6.0, 6.5}) {
     if (p.data.tiny && exponent > 4.5) break;
     const auto arrays = make(static_cast<u32>(std::pow(10.0, p.data.tiny ? exponent - 2 : exponent)));
@@ -78,6 +82,15 @@ void grow(const bench::program& p, const std::string& name, Kind kind, bool with
                   if constexpr (concino::SurfaceMesh<mesh>) return concino::surface_normals(m);
                   else return concino::face_normals(m);
                 }));
+      }
+    }
+    if (operators) {
+      const mesh m(arrays);
+      if constexpr (requires { floors::cotangent_laplacian(flat); }) {
+        measure("laplacian", "n", timed([&] { return floors::cotangent_laplacian(flat); }), timed([&] { return concino::laplacian(m); }));
+        measure("gradient", "n", timed([&] { return floors::gradient(flat); }), timed([&] { return concino::gradient_matrix(m); }));
+      } else {
+        measure("laplacian", "n", timed([&] { return bench::standard_laplacian_by_triplets(m); }), timed([&] { return concino::laplacian(m); }));
       }
     }
     if (!searches) continue;
