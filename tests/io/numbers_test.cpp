@@ -131,7 +131,7 @@ TEST_CASE("numbers: forms of reals") {
 TEST_CASE("numbers: end where the text ends, whatever stands behind it") {
   for (int i = 0; i < 256; ++i) CHECK(is_digit(static_cast<char>(i)) == (i >= '0' && i <= '9'));
   for (const std::string& text : {"7" + std::string(29, '3'), "-0." + std::string(40, '4'), "1" + std::string(420, '0'), "." + std::string(420, '0') + "7",
-                                  std::string("1.25e-12345678"), std::string("+12.5e+30000"), "0." + std::string(500, '0') + "1e1500", "0." + std::string(320, '0') + "1e-1234"})
+                                  std::string("12.75e3"), std::string("1.25e-12345678"), std::string("+12.5e+30000"), "0." + std::string(500, '0') + "1e1500", "0." + std::string(320, '0') + "1e-1234"})
     for (std::size_t n = 0; n <= text.size(); ++n) {
       const std::string alone = text.substr(0, n);
       double x = -77, y = -77;
