@@ -44,30 +44,41 @@ std::vector<double> inverse_masses(const M& m, const Eigen::SparseMatrix<double>
   return inverse;
 }
 
-/// Minus the Laplacian, both triangles.
-template<class M>
-Eigen::SparseMatrix<double> minus_laplacian(const M& m, concino::weights which) {
+/// Minus the Laplacian as far as it stands on edges, lower triangle; row_of[v] is the row of vert v, negative where it has none because a value is
+/// prescribed there, whose contribution goes to b. Summed poly by poly it is whole, by index_of, with both triangles: `is_whole` tells.
+template<class T, class M>
+Eigen::SparseMatrix<double> minus_laplacian(const M& m, concino::weights which, const vert_map<M, int>& row_of, std::size_t size,
+                                            const dirichlet_problem<M, T>& problem, right_hand_sides<T>& b, bool& is_whole) {
+  is_whole = false;
   return with_weights(
       m, which,
       [&](const auto& weights) {
-        return with_both_triangles(assemble<lower_triangle>(
-            m, weights, static_cast<std::size_t>(vert_index_bound(m)), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
-            [](int, const vert_t<M>&, double) {}));
+        return assemble<lower_triangle>(
+            m, weights, size, 1.0, [&](const vert_t<M>& v) { return row_of[v]; },
+            [&](int row, const vert_t<M>& w, double weight) { problem.add_prescribed(b, row, problem.value[w], weight); });
       },
-      [&](auto make_element) { return assemble_stiffness(m, make_element, 1.0); });
+      [&](auto make_element) {
+        is_whole = true;
+        return assemble_stiffness(m, make_element, 1.0);
+      });
 }
 
 /// The rows and columns of the unknowns of minus the Laplacian, lower triangle; what prescribed values contribute goes to b.
 template<class T, class M>
 Eigen::SparseMatrix<double> minus_laplacian_of_unknowns(const M& m, concino::weights which, const dirichlet_problem<M, T>& problem, right_hand_sides<T>& b) {
-  return with_weights(
-      m, which,
-      [&](const auto& weights) {
-        return assemble<lower_triangle>(
-            m, weights, static_cast<std::size_t>(problem.unknowns), 1.0, [&](const vert_t<M>& v) { return problem.unknown[v]; },
-            [&](int row, const vert_t<M>& w, double weight) { problem.add_prescribed(b, row, problem.value[w], weight); });
-      },
-      [&](auto make_element) { return restrict_to_unknowns<T>(assemble_stiffness(m, make_element, 1.0), m, problem, b); });
+  bool is_whole;
+  auto a = minus_laplacian<T>(m, which, problem.unknown, static_cast<std::size_t>(problem.unknowns), problem, b, is_whole);
+  return is_whole ? restrict_to_unknowns<T>(a, m, problem, b) : a;
+}
+
+/// All of it, both triangles.
+template<class T, class M>
+Eigen::SparseMatrix<double> whole_minus_laplacian(const M& m, concino::weights which, const dirichlet_problem<M, T>& problem, right_hand_sides<T>& b) {
+  auto row_of = make_vert_map<int>(m);
+  for (const vert_t<M> v : verts(m)) row_of[v] = static_cast<int>(index_of(m, v));
+  bool is_whole;
+  auto a = minus_laplacian<T>(m, which, row_of, static_cast<std::size_t>(vert_index_bound(m)), problem, b, is_whole);
+  return is_whole ? a : with_both_triangles(a);
 }
 
 /// A (M^-1 A)^(n-1), n > 1.
@@ -104,7 +115,7 @@ vert_map<M, T> harmonic_map(M&& m, const D& values, const harmonic_map_options& 
   auto b = problem.no_load();
   const Eigen::SparseMatrix<double> a = [&] {
     if (options.exponent == 1) return detail::minus_laplacian_of_unknowns<T>(mesh_in, options.weights, problem, b);
-    const auto all = detail::minus_laplacian(mesh_in, options.weights);  // of the powers the verts with given values are part too
+    const auto all = detail::whole_minus_laplacian<T>(mesh_in, options.weights, problem, b);  // of powers the verts with given values are part too
     const auto k = detail::polyharmonic(all, detail::inverse_masses(mesh_in, all, options.weights), options.exponent);
     return detail::restrict_to_unknowns<T>(k, mesh_in, problem, b);
   }();
