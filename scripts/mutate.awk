@@ -41,6 +41,13 @@ unfinished { if (/;$/) unfinished = 0; print; next }
 /^ *(#|\/\/|template<|using |case |default:|enum |friend )|concept |requires|static_assert|[^_a-z]assert\(|operator ?[<>=!+*\/%&|-]+ ?\(/ { print; next }
 /^ *(inline |static )*constexpr [^(]*( = |\{)|if constexpr|^ *[A-Za-z_:0-9]+ [a-z_]+\[[^;]*\];|<[A-Za-z_:]+, [A-Za-z_]+ [-+] [0-9]+>/ { all_text = 1 }
 {
+  # Constants over several lines, up to the semicolon; those that are computed, up to the brace.
+  if (constant != "") {
+    all_text = 1
+    if ($0 ~ constant) constant = ""
+  } else if (/^ *(inline |static )*constexpr [^(]*( = |\{)/ && !/[;}]( *\/\/.*)?$/) {
+    constant = /\[\] \{$/ ? "^ *}\\(" : ";( *//.*)?$"
+  }
   trimmed = $0; sub(/^ +/, "", trimmed)
   unfit_here = is_unfit[FNR] || all_text
   all_text = 0

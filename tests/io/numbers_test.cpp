@@ -156,6 +156,11 @@ TEST_CASE("numbers: integers of up to 18 digits") {
   CHECK(read("-999999999999999999") == -999999999999999999);
   CHECK(read("000000000000000000000000000007") == 7);
   CHECK(read("0000000000000000000000000000000") == 0);
+  CHECK(read("0999999999999999999") == 999999999999999999);
+  CHECK(read("010101010101010101010101010101") == -77);
+  const std::string behind_a_digit = "7x";
+  std::int64_t unread = 0;
+  for (const std::size_t n : {1u, 2u}) CHECK(parse_integer(behind_a_digit.data() + 1, behind_a_digit.data() + n, unread) == nullptr);
   for (const std::string none : {"", "-", "+", "1000000000000000000", "99999999999999999999", "a"}) CHECK_MESSAGE(read(none) == -77, none);
 }
 
