@@ -6,6 +6,7 @@
 #include <concino/error.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/vec3.hpp>
+#include <concino/mesh/large_pages.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ using corner_index = std::uint32_t;
 /// Values in the order of the leaves of a tree.
 template<class T>
 void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  std::vector<T> arranged(order.size());
+  auto arranged = large_vector(order.size(), T{});
   for (std::size_t i = 0; i < order.size(); ++i) arranged[i] = values[order[i]];
   values = std::move(arranged);
 }
@@ -32,7 +33,7 @@ class first_come_numbers {
   std::uint32_t given_ = 0;
 
  public:
-  explicit first_come_numbers(std::size_t n) : number_(n, none) {}
+  explicit first_come_numbers(std::size_t n) : number_(large_vector(n, none)) {}
   bool has(std::size_t i) const { return number_[i] != none; }
   std::uint32_t operator()(std::size_t i) {
     if (number_[i] == none) number_[i] = given_++;
@@ -40,7 +41,7 @@ class first_come_numbers {
   }
   template<class T>
   void arrange(std::vector<T>& values) const {
-    std::vector<T> arranged(given_);
+    auto arranged = large_vector(given_, T{});
     for (std::size_t i = 0; i < number_.size(); ++i)
       if (has(i)) arranged[number_[i]] = values[i];
     values = std::move(arranged);
@@ -60,9 +61,9 @@ class ranked_polys {
   static double magnitude(const vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
 
   explicit ranked_polys(const M& m) {
-    polys_.reserve(num_polys(m));
+    reserve_large(polys_, num_polys(m));
     for (const poly_t<M> p : polys(m)) polys_.push_back(p);
-    points_.resize(vert_index_bound(m));
+    points_ = large_vector(vert_index_bound(m), vec3{});
     for (const vert_t<M> v : verts(m)) points_[index_of(m, v)] = to_vec3(point(m, v));
   }
 

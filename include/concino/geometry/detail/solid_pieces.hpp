@@ -22,7 +22,8 @@ class tet_pieces : public ranked_polys<M> {
   static constexpr std::uint32_t leaf_size = 2;
   static constexpr bool are_solid = true;
 
-  explicit tet_pieces(const M& m) : base(m), corners_(this->num_ranks()), owners_(this->num_ranks()) {
+  explicit tet_pieces(const M& m)
+      : base(m), corners_(large_vector(this->num_ranks(), std::array<corner_index, 4>{})), owners_(large_vector(this->num_ranks(), std::uint32_t{0})) {
     for (std::size_t r = 0; r < corners_.size(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       std::size_t k = 0;
@@ -92,6 +93,9 @@ class polyhedron_pieces : public ranked_polys<M> {
   static constexpr bool are_solid = true;
 
   explicit polyhedron_pieces(const M& m) : base(m), rings_(face_index_bound(m)), first_side_{0}, owners_(this->num_ranks()) {
+    reserve_large(sides_, 2 * rings_.size());  // a guess, right where all faces are shared
+    reserve_large(corners_, 4 * rings_.size());
+    reserve_large(first_side_, this->num_ranks() + 1);
     for (std::size_t r = 0; r < this->num_ranks(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       const poly_t<M> p = this->poly(r);
@@ -109,6 +113,7 @@ class polyhedron_pieces : public ranked_polys<M> {
       first_side_.push_back(sides_.size());
     }
     this->scale();
+    reserve_large(points_, points_.size() + rings_.size());
     for (ring& r : rings_)
       if (r.size > 3) add_mean(r);
   }
@@ -117,11 +122,11 @@ class polyhedron_pieces : public ranked_polys<M> {
   std::uint32_t owner(std::size_t i) const { return owners_[i]; }
   box box_of(std::size_t i) const {
     box b;
-    for_each_triangle(i, [&](const vec3& p, const vec3& q, const vec3& r) {
-      b.add(p);
-      b.add(q);
-      b.add(r);
-    });
+    for (std::size_t s = first_side_[i]; s < first_side_[i + 1]; ++s) {
+      const ring& r = rings_[sides_[s] / 2];
+      for (std::uint32_t k = 0; k < r.size; ++k) b.add(points_[corners_[r.first + k]]);
+      if (r.size > 3) b.add(points_[r.mean]);  // may lie outside of the others by rounding
+    }
     return b;
   }
   /// Counter-clockwise seen from outside.
@@ -148,8 +153,9 @@ class polyhedron_pieces : public ranked_polys<M> {
     std::vector<std::size_t> first{0};
     std::vector<std::uint32_t> sides;
     std::vector<corner_index> corners;
-    sides.reserve(sides_.size());
-    corners.reserve(corners_.size());
+    reserve_large(sides, sides_.size());
+    reserve_large(corners, corners_.size());
+    reserve_large(first, first_side_.size());
     for (const std::uint32_t item : order) {
       for (std::size_t s = first_side_[item]; s < first_side_[item + 1]; ++s) {
         const std::uint32_t side = sides_[s];
