@@ -27,6 +27,10 @@ struct symmetric3 {
   vec3 operator*(const vec3& a) const {
     return {xx * a.x + xy * a.y + xz * a.z, xy * a.x + yy * a.y + yz * a.z, xz * a.x + yz * a.y + zz * a.z};
   }
+  double trace_of_inverse() const {
+    const double x = yy * zz - yz * yz, y = xx * zz - xz * xz, z = xx * yy - xy * xy;
+    return (x + y + z) / (xx * x - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz));
+  }
 };
 
 /// The projection of a poly's functions to linear ones, P u (x) = mean of u + (sum of u_i g_i) . (x - mean of the verts), and the form
@@ -72,7 +76,9 @@ class virtual_element {
 
 /// The stiffness: u . K u is the integral of the squared gradient of P u, plus the squares of u - P u times a factor that makes rectangles and
 /// boxes the bilinear and trilinear elements as far as one factor can. It is of the order of the stiffness itself however the poly is
-/// stretched, which a power of its diameter would not be.
+/// stretched, which a power of its diameter would not be. The sum of squares of the g_i grows with the raggedness of a poly too, which would
+/// make it too stiff. Of all g_i that are exact on linear functions those with least squares are Y^-1 y_i, with Y the sum of y y^T, and come to
+/// the trace of Y^-1: the same on boxes, and what counts for polyhedra.
 /// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods"; 2014, "The hitchhiker's guide to the virtual element method".
 template<AnyMesh M>
   requires Embedded<M>
@@ -92,6 +98,12 @@ class virtual_stiffness : virtual_element<M> {
       const auto n = static_cast<double>(poly.verts.size());
       double squares = 0;
       for (const vec3& g : poly.gradient) squares += dot(g, g);
+      if constexpr (base::dimension == 3) {
+        symmetric3 spread;
+        for (const vec3& y : poly.place) spread.add(1, y);
+        const double least = spread.trace_of_inverse();
+        if (least > 0 && least < squares) squares = least;  // rounding has the last word on polys next to flat
+      }
       factor = size * squares * (base::dimension == 2 ? n / 12 : std::sqrt(n / 162));
       for (const vec3& y : poly.place) form.add(factor, y);
     }
