@@ -27,7 +27,7 @@ void check_linear(const M& m) {
   CHECK(linear_error(m, g) < 1);
 }
 
-/// Walks its polys from the last to the first.
+/// Walks its polys from the last to the first, but for the last two.
 struct backwards : tiny::surface {
   using tiny::surface::surface;
 };
@@ -43,6 +43,7 @@ struct concino::mesh_traits<backwards> : concino::mesh_traits<tiny::surface> {
   static auto polys(const tiny::surface& m) {
     auto r = tiny::all<tiny::cell>(m.polygons.size());
     std::reverse(r.begin(), r.end());
+    std::swap(r[r.size() - 2], r[r.size() - 1]);
     return r;
   }
 };
@@ -60,6 +61,8 @@ TEST_CASE_TEMPLATE("gradient_matrix: exact on linear functions, planar or not, c
   check_linear(M(crooked));
   check_linear(M(turned_arrays(as_frustum(grid_arrays<M>(2)))));
 }
+
+TEST_CASE("gradient_matrix: exact on more polys than one thread takes at once") { check_linear(grid<trimesh>(25)); }
 
 TEST_CASE("gradient_matrix: exact on prisms, on a pyramid and on a polygon of a hundred verts") {
   check_linear(polyhedralmesh(jittered(extrude(triangle_grid(2), 2), 0.05)));

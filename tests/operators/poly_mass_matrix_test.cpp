@@ -8,6 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include <numeric>
+
 using namespace concino;
 using namespace concino::testing;
 
@@ -26,6 +28,7 @@ TEST_CASE_TEMPLATE("poly_masses: sum to the measure; as a matrix three times eac
     for (int k = 0; k < 3; ++k) CHECK(matrix.coeff(3 * static_cast<int>(p.raw()) + k, 3 * static_cast<int>(p.raw()) + k) == mass[p]);
   }
   CHECK(sum == doctest::Approx(total_measure(m)).epsilon(1e-13));
+  CHECK(std::accumulate(mass.values().begin(), mass.values().end(), 0.0) == sum);  // deleted polys count nothing
   const auto g = only_embedded_mesh(m);
   const auto stripped = poly_masses(g);
   for (const auto p : polys(g)) CHECK(stripped[p] == doctest::Approx(mass[g.base(p)]).epsilon(1e-14));
@@ -39,5 +42,7 @@ TEST_CASE("poly_masses: positive inside out, 0 where degenerate, an error where 
   CHECK(poly_mass_matrix(m).nonZeros() == 6);
   set_point(m, vert_id{4}, vec3{std::nan(""), 0, 0});
   CHECK_THROWS_WITH_AS(poly_masses(m), "poly_masses: the volume of poly 1 is not a finite number; look at the points of its verts", invalid_mesh);
+  const trimesh endless({{0, 0, 0}, {HUGE_VAL, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  CHECK_THROWS_WITH_AS(poly_masses(endless), doctest::Contains("poly_masses: the area of poly 0"), invalid_mesh);
   CHECK_THROWS_WITH_AS(poly_mass_matrix(m), doctest::Contains("poly_mass_matrix: the volume of poly 1"), invalid_mesh);
 }
