@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+#include "support/systems.hpp"
+
 using namespace concino;
 
 namespace {
@@ -27,6 +29,27 @@ Eigen::SparseMatrix<double> path(int n, double diagonal = 2) {
 }
 
 }  // namespace
+
+TEST_CASE("ldlt: solves, and says what it cannot") {
+  ldlt solver;
+  systems::check_solver(solver, 40);
+}
+
+TEST_CASE("ldlt: the row that made the matrix singular") {
+  ldlt solver;
+  auto a = path(3, 1);
+  for (const int j : {0, 2}) a.coeffRef(1, j) = a.coeffRef(j, 1) = 0;
+  a.coeffRef(1, 1) = 0;
+  CHECK_THROWS_WITH_AS(solver.factorize(a), "ldlt: the matrix is singular to working precision in row 1: of the diagonal entry 0 elimination leaves 0", solver_error);
+}
+
+TEST_CASE("ldlt: a limit to the entries of the factor") {
+  ldlt solver;
+  CHECK(!solver.factorize_within(path(9), 7));
+  CHECK_THROWS_AS(solver.solve(Eigen::VectorXd::Ones(9)), solver_error);
+  CHECK(solver.factorize_within(path(9), 8));
+  CHECK(solver.solve(Eigen::VectorXd::Ones(9)).size() == 9);
+}
 
 TEST_CASE("ldlt: factorises once, solves many, small and large") {
   std::mt19937 random(3);

@@ -1,65 +1,84 @@
 // Symmetric sparse systems by factorisation.
 #pragma once
 
-#include <concino/detail/number_text.hpp>
-#include <concino/error.hpp>
+#include <concino/solve/detail/ordered.hpp>
+#include <concino/solve/detail/system_checks.hpp>
 
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace concino {
 
 /// Factorises a symmetric matrix as L D L^T, fill-reducing, and solves with it. A SparseSolver; the default of all problems.
-/// Only the lower triangle of the matrix is read.
-/// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular;
-///         from solve if nothing was factorised, the right-hand side has another size or the solution is not finite.
+/// Only the lower triangle of the matrix is read. Matrices may be indefinite, but pivots are not exchanged for that: D is diagonal.
+/// A matrix with the pattern of the one factorised before, explicit zeros included, is factorised in the order found then.
+/// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular (the row
+///         is named); from solve if nothing was factorised, or the right-hand side has another size or is not finite, or the solution is not.
+///         A failed factorize leaves nothing to solve with.
 /// Source: Eigen's SimplicialLDLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996).
 class ldlt {
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> factors_;  // of the reordered matrix
+  detail::elimination_order order_;
+  detail::sparsity_pattern pattern_;
   Eigen::Index size_ = -1;
 
  public:
-  void factorize(const Eigen::SparseMatrix<double>& a) {
+  static constexpr std::int64_t any_number = std::numeric_limits<std::int64_t>::max();
+
+  void factorize(const Eigen::SparseMatrix<double>& matrix) { factorize_within(matrix, any_number); }
+
+  /// factorize, unless the factor would have more than `most` entries below the diagonal: then the result is false, nothing is factorised,
+  /// and the cost was that of ordering.
+  bool factorize_within(const Eigen::SparseMatrix<double>& matrix, std::int64_t most) {
     size_ = -1;
-    if (a.rows() != a.cols())
-      throw solver_error("ldlt: the matrix has " + detail::number_text(a.rows()) + " rows and " + detail::number_text(a.cols()) + " columns; it must be square");
-    // a pivot is a diagonal entry minus what elimination takes away: where nothing but rounding errors is left, it says nothing
-    std::vector<double> diagonal(static_cast<std::size_t>(a.cols()));
-    for (int c = 0; c < a.cols(); ++c)
-      for (Eigen::SparseMatrix<double>::InnerIterator it(a, c); it; ++it) {
-        if (!std::isfinite(it.value())) throw solver_error("ldlt: the matrix has an entry that is not finite");
-        if (it.row() == c) diagonal[static_cast<std::size_t>(c)] += it.value();
-      }
+    Eigen::SparseMatrix<double> storage;
+    const Eigen::SparseMatrix<double>& a = detail::compressed(matrix, storage);
+    detail::check_square("ldlt", a);
+    detail::check_entries("ldlt", a);
     if (a.cols() == 0) {
       size_ = 0;
-      return;
+      return true;
     }
-    factors_.compute(a);
-    if (factors_.info() != Eigen::Success) throw solver_error("ldlt: the matrix is singular: a pivot is 0");
-    const Eigen::VectorXd pivots = factors_.vectorD();
-    const auto& place = factors_.permutationP().indices();
-    for (Eigen::Index c = 0; c < a.cols(); ++c) {
-      const double pivot = std::abs(pivots[place[c]]), given = std::abs(diagonal[static_cast<std::size_t>(c)]);
-      if (!(pivot > 1e-15 * given && pivot < std::numeric_limits<double>::infinity()))
-        throw solver_error("ldlt: the matrix is singular to working precision in row " + detail::number_text(c) + ": of the diagonal entry " +
-                           detail::number_text(given) + " elimination leaves " + detail::number_text(pivot));
+    if (pattern_.is_of(a)) {
+      factors_.factorize(order_(a));
+    } else {
+      pattern_.forget();
+      order_.find(a);
+      const Eigen::SparseMatrix<double> upper = order_(a);
+      if (most != any_number && detail::factor_entries(upper, most) > most) return false;
+      factors_.compute(upper);
+      pattern_.remember(a);
     }
+    check_pivots(a);
     size_ = a.rows();
+    return true;
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    if (size_ < 0) throw solver_error("ldlt: solve without a factorised matrix; call factorize first");
-    if (b.size() != size_)
-      throw solver_error("ldlt: the right-hand side has " + detail::number_text(b.size()) + " entries, the matrix " + detail::number_text(size_) + " rows");
+    detail::check_right_hand_side("ldlt", b, size_);
     if (size_ == 0) return Eigen::VectorXd(0);
-    Eigen::VectorXd x = factors_.solve(b);
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      if (!std::isfinite(x[i])) throw solver_error("ldlt: the solution is not finite; the matrix is singular or the right-hand side is not finite");
+    Eigen::VectorXd x = order_.place * b;
+    x = factors_.solve(x).eval();
+    x = order_.row * x;
+    detail::check_solution("ldlt", x);
     return x;
+  }
+
+ private:
+  /// A pivot is a diagonal entry minus what elimination takes away: where nothing but rounding errors is left, it says nothing.
+  void check_pivots(const Eigen::SparseMatrix<double>& a) const {
+    const std::vector<double> given = detail::diagonal(a);
+    const Eigen::VectorXd pivots = factors_.vectorD();
+    const auto& row = order_.row.indices();
+    for (Eigen::Index k = 0; k < pivots.size(); ++k) {  // elimination stops at the first 0
+      const double diagonal = given[static_cast<std::size_t>(row[k])];
+      if (!(std::abs(pivots[k]) > 1e-15 * std::abs(diagonal) && std::abs(pivots[k]) < std::numeric_limits<double>::infinity()))
+        detail::throw_bad_pivot("ldlt", "singular to working precision", row[k], diagonal, pivots[k]);
+    }
   }
 };
 

@@ -1,0 +1,56 @@
+// The solver for whoever does not want to choose one: a factorisation where its memory allows, and else an iteration.
+#pragma once
+
+#include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/ldlt.hpp>
+
+#include <cstdint>
+
+namespace concino {
+
+struct auto_solver_options {
+  std::int64_t most_factor_entries = 100'000'000;  // below the diagonal; 12 bytes each; at least 0
+  conjugate_gradients_options iteration = {};
+};
+
+enum class solver_used { none, ldlt, conjugate_gradients };
+
+/// Solves symmetric systems: by ldlt if its factor, whose entries are counted before anything is factorised, has at most most_factor_entries, and else,
+/// for positive definite matrices only, by conjugate_gradients. A SparseSolver; used() tells by which. Only the lower triangle is read.
+/// The default is reached by Laplacians of triangle surfaces of about 3 million verts, and of grids of hexes of about 50 verts a side. A matrix
+/// with the pattern of the one factorised before is factorised in the order found then.
+/// iterations() and residual() tell of the last solve by conjugate_gradients, and are 0 for ldlt.
+/// Errors: as ldlt and as conjugate_gradients; their messages begin with their names. invalid_argument if an option is out of its range.
+class auto_solver {
+  std::int64_t most_;
+  ldlt direct_;
+  conjugate_gradients iteration_;
+  solver_used used_ = solver_used::none;
+
+ public:
+  explicit auto_solver(const auto_solver_options& options = {}) : most_(options.most_factor_entries), iteration_(options.iteration) {
+    if (most_ < 0) throw invalid_argument("auto_solver: most_factor_entries is negative");
+  }
+
+  void factorize(const Eigen::SparseMatrix<double>& a) {
+    used_ = solver_used::none;
+    if (direct_.factorize_within(a, most_)) {
+      used_ = solver_used::ldlt;
+    } else {
+      iteration_.factorize(a);
+      used_ = solver_used::conjugate_gradients;
+    }
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    if (used_ == solver_used::none) throw solver_error("auto_solver: solve without a factorised matrix; call factorize first");
+    return used_ == solver_used::ldlt ? direct_.solve(b) : iteration_.solve(b);
+  }
+
+  /// What the last factorize chose; none before it, and after one that failed.
+  solver_used used() const { return used_; }
+  int iterations() const { return used_ == solver_used::conjugate_gradients ? iteration_.iterations() : 0; }
+  double residual() const { return used_ == solver_used::conjugate_gradients ? iteration_.residual() : 0; }
+};
+
+}  // namespace concino

@@ -1,0 +1,79 @@
+// Symmetric positive definite sparse systems by factorisation.
+#pragma once
+
+#include <concino/solve/detail/system_checks.hpp>
+
+#include <Eigen/SparseCholesky>
+
+#include <limits>
+#include <vector>
+
+namespace concino {
+
+/// Factorises a symmetric positive definite matrix as L L^T, fill-reducing, and solves with it. A SparseSolver; use it where an indefinite
+/// matrix should be an error.
+/// Only the lower triangle of the matrix is read. A matrix with the pattern of the one factorised before, explicit zeros included, is
+/// factorised in the order found then.
+/// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is not positive definite
+///         (the row is named); from solve if nothing was factorised, or the right-hand side has another size or is not finite, or the
+///         solution is not. A failed factorize leaves nothing to solve with.
+/// Source: Eigen's SimplicialLLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996).
+class llt {
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors_;
+  detail::sparsity_pattern pattern_;
+  Eigen::Index size_ = -1;
+
+ public:
+  void factorize(const Eigen::SparseMatrix<double>& matrix) {
+    size_ = -1;
+    Eigen::SparseMatrix<double> storage;
+    const Eigen::SparseMatrix<double>& a = detail::compressed(matrix, storage);
+    detail::check_square("llt", a);
+    detail::check_entries("llt", a);
+    if (a.cols() > 0) {
+      if (pattern_.is_of(a)) {
+        factors_.factorize(a);
+      } else {
+        pattern_.forget();
+        factors_.compute(a);
+        pattern_.remember(a);
+      }
+      check_pivots(a);
+    }
+    size_ = a.rows();
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    detail::check_right_hand_side("llt", b, size_);
+    if (size_ == 0) return Eigen::VectorXd(0);
+    Eigen::VectorXd x = factors_.solve(b);
+    detail::check_solution("llt", x);
+    return x;
+  }
+
+ private:
+  void check_pivots(const Eigen::SparseMatrix<double>& a) const {
+    const std::vector<double> given = detail::diagonal(a);
+    const auto check = [&](Eigen::Index row, double pivot) {
+      const double diagonal = given[static_cast<std::size_t>(row)];
+      if (!(pivot > 1e-15 * diagonal && pivot > 0 && pivot < std::numeric_limits<double>::infinity()))
+        detail::throw_bad_pivot("llt", pivot < 0 ? "not positive definite" : "not positive definite to working precision", row, diagonal, pivot);
+    };
+    const auto& row = factors_.permutationPinv().indices();
+    if (factors_.info() == Eigen::Success) {
+      const auto& l = factors_.matrixL().nestedExpression();  // each column begins with its diagonal
+      for (Eigen::Index k = 0; k < l.cols(); ++k) {
+        const double root = l.valuePtr()[l.outerIndexPtr()[k]];
+        check(row[k], root * root);
+      }
+      return;
+    }
+    // Eigen does not say where it stopped; in the same order, LDL^T meets the same pivot
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> again(a);
+    const Eigen::VectorXd pivots = again.vectorD();
+    for (Eigen::Index k = 0; k < pivots.size(); ++k) check(again.permutationPinv().indices()[k], pivots[k]);
+    detail::throw_joined<solver_error>({"llt: the matrix is not positive definite"});
+  }
+};
+
+}  // namespace concino

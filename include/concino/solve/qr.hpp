@@ -1,0 +1,95 @@
+// Least squares, and square systems, by orthogonal factorisation.
+#pragma once
+
+#include <concino/solve/detail/equilibrate.hpp>
+#include <concino/solve/detail/system_checks.hpp>
+
+#include <Eigen/SparseQR>
+
+#include <vector>
+
+namespace concino {
+
+/// Factorises a matrix of at least as many rows as columns as Q R with column exchanges, and finds the x that brings a x closest to b: the
+/// solution where there is one. A SparseSolver; it loses no digits to normal equations, but R fills up: for some thousand unknowns at most.
+/// The whole matrix is read, both triangles of a symmetric one too. Columns are scaled by powers of two first, so that units of unknowns do
+/// not matter. A matrix with the pattern of the one factorised before is factorised in the order found then.
+/// Errors: solver_error, with the reason, from factorize if the matrix has fewer rows than columns, entries that are not finite, or columns that
+///         depend on others to working precision (one is named); from solve if nothing was factorised, or the right-hand side has another
+///         size or is not finite, or the solution is not. A failed factorize leaves nothing to solve with.
+/// Source: Eigen's SparseQR, with column approximate minimum degree ordering (Davis et al. 2004).
+class qr {
+  Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors_;
+  detail::sparsity_pattern pattern_;
+  std::vector<double> column_scale_;
+  std::vector<int> kept_;  // rows with entries; Eigen takes no others
+  Eigen::Index rows_ = -1;
+
+ public:
+  static constexpr bool reads_both_triangles = true;
+  static constexpr bool solves_least_squares = true;
+
+  void factorize(const Eigen::SparseMatrix<double>& matrix) {
+    rows_ = -1;
+    Eigen::SparseMatrix<double> storage;
+    const Eigen::SparseMatrix<double>& given = detail::compressed(matrix, storage);
+    if (given.rows() < given.cols())
+      detail::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(given.rows()), " rows and ",
+                                          static_cast<std::size_t>(given.cols()), " columns; it must have at least as many rows as columns"});
+    detail::check_entries("qr", given);
+    Eigen::SparseMatrix<double> a = without_empty_rows(given);
+    column_scale_ = detail::scale_columns(a);
+    if (a.cols() > 0) {
+      if (a.rows() < a.cols()) throw_dependent(first_empty_or_last_column(a));
+      pattern_.update(a, [&](const auto& m) { factors_.analyzePattern(m); });
+      factors_.factorize(a);
+      if (factors_.info() != Eigen::Success) detail::throw_joined<solver_error>({"qr: the matrix cannot be factorised: ", factors_.lastErrorMessage()});
+      if (factors_.rank() < a.cols()) throw_dependent(factors_.colsPermutation().indices()[factors_.rank()]);
+    }
+    rows_ = given.rows();
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    detail::check_right_hand_side("qr", b, rows_);
+    if (column_scale_.empty()) return Eigen::VectorXd(0);
+    Eigen::VectorXd kept(static_cast<Eigen::Index>(kept_.size()));
+    for (Eigen::Index i = 0; i < kept.size(); ++i) kept[i] = b[kept_[static_cast<std::size_t>(i)]];
+    Eigen::VectorXd x = factors_.solve(kept);
+    x = detail::scaled(std::move(x), column_scale_);
+    detail::check_solution("qr", x);
+    return x;
+  }
+
+ private:
+  [[noreturn]] static void throw_dependent(Eigen::Index column) {
+    detail::throw_joined<solver_error>({"qr: column ", static_cast<std::size_t>(column),
+                                        " of the matrix is a combination of others to working precision, so that this unknown is not determined"});
+  }
+
+  static Eigen::Index first_empty_or_last_column(const Eigen::SparseMatrix<double>& a) {
+    Eigen::Index c = 0;
+    while (c + 1 < a.cols() && a.outerIndexPtr()[c] < a.outerIndexPtr()[c + 1]) ++c;
+    return c;
+  }
+
+  Eigen::SparseMatrix<double> without_empty_rows(const Eigen::SparseMatrix<double>& a) {
+    std::vector<int> place(static_cast<std::size_t>(a.rows()), -1);
+    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) place[static_cast<std::size_t>(a.innerIndexPtr()[k])] = 0;
+    kept_.clear();
+    for (std::size_t i = 0; i < place.size(); ++i)
+      if (place[i] == 0) {
+        place[i] = static_cast<int>(kept_.size());
+        kept_.push_back(static_cast<int>(i));
+      }
+    Eigen::SparseMatrix<double> r(static_cast<Eigen::Index>(kept_.size()), a.cols());
+    r.resizeNonZeros(a.nonZeros());
+    for (Eigen::Index c = 0; c <= a.cols(); ++c) r.outerIndexPtr()[c] = a.outerIndexPtr()[c];
+    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) {
+      r.innerIndexPtr()[k] = place[static_cast<std::size_t>(a.innerIndexPtr()[k])];
+      r.valuePtr()[k] = a.valuePtr()[k];
+    }
+    return r;
+  }
+};
+
+}  // namespace concino

@@ -1,0 +1,46 @@
+#include <concino/solve/auto_solver.hpp>
+
+#include "support/systems.hpp"
+
+using namespace concino;
+using namespace systems;
+
+TEST_CASE("auto_solver: solves, and says what it cannot, by either way") {
+  auto_solver direct, iterative({.most_factor_entries = 0});
+  check_solver(direct, 30);
+  check_solver(iterative, 30);
+}
+
+TEST_CASE("auto_solver: takes the factorisation up to the limit, and tells") {
+  const sparse path = from(3, 3, {{0, 0, 2.0}, {1, 0, -1.0}, {0, 1, -1.0}, {1, 1, 2.0}, {2, 1, -1.0}, {1, 2, -1.0}, {2, 2, 2.0}});  // no fill
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(3);
+  auto_solver at({.most_factor_entries = 2}), below({.most_factor_entries = 1});
+  CHECK(at.used() == solver_used::none);
+  at.factorize(path);
+  CHECK(at.used() == solver_used::ldlt);
+  below.factorize(path);
+  CHECK(below.used() == solver_used::conjugate_gradients);
+  CHECK(distance(at.solve(b), below.solve(b)) < 1e-11);
+  CHECK(at.iterations() == 0);
+  below.factorize(grid(10));
+  below.solve(Eigen::VectorXd::Ones(100));
+  CHECK(below.iterations() > 0);
+  CHECK(below.residual() < 1e-11);
+  below.factorize(from(3, 3, {{0, 0, 1.0}, {1, 1, 1.0}, {2, 2, 4.0}}));
+  CHECK(below.used() == solver_used::ldlt);
+  CHECK(below.iterations() == 0);
+  CHECK_THROWS_AS(at.factorize(sparse(2, 3)), solver_error);
+  CHECK(at.used() == solver_used::none);
+  CHECK_THROWS_AS(auto_solver({.most_factor_entries = -1}), invalid_argument);
+}
+
+TEST_CASE("auto_solver: counts the entries that the factor has") {
+  for (const int n : {1, 2, 7, 20}) {
+    const Eigen::SimplicialLDLT<sparse> factors(grid(n));
+    detail::elimination_order order;
+    order.find(grid(n));
+    const auto all = factors.matrixL().nestedExpression().nonZeros();
+    CHECK(detail::factor_entries(order(grid(n)), ldlt::any_number) == all);
+    if (all > 0) CHECK(detail::factor_entries(order(grid(n)), all - 1) > all - 1);
+  }
+}

@@ -1,0 +1,119 @@
+// Linear systems for tests of solvers, and what every solver must do with them.
+#pragma once
+
+#include <concino/concepts/sparse_solver.hpp>
+#include <concino/error.hpp>
+
+#include <doctest/doctest.h>
+
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace systems {
+
+using sparse = Eigen::SparseMatrix<double>;
+
+inline sparse from(int rows, int columns, const std::vector<Eigen::Triplet<double>>& entries) {
+  sparse a(rows, columns);
+  a.setFromTriplets(entries.begin(), entries.end());
+  return a;
+}
+
+/// The Laplacian of a grid of n x n verts, positive, plus `more` on the diagonal: definite if more is positive, singular if it is 0.
+inline sparse grid(int n, double more = 0.5, double skew = 0) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto edge = [&](int i, int j) {
+    for (const int k : {i, j}) entries.emplace_back(k, k, 1.0);
+    entries.emplace_back(i, j, -1 - skew);
+    entries.emplace_back(j, i, -1 + skew);
+  };
+  for (int i = 0; i < n * n; ++i) {
+    entries.emplace_back(i, i, more);
+    if (i % n) edge(i, i - 1);
+    if (i >= n) edge(i, i - n);
+  }
+  return from(n * n, n * n, entries);
+}
+
+inline Eigen::VectorXd random_vector(Eigen::Index n, unsigned seed = 3) {
+  std::mt19937 random(seed);
+  Eigen::VectorXd x(n);
+  for (double& xi : x) xi = static_cast<double>(random() % 2001) / 1000 - 1;
+  return x;
+}
+
+inline double distance(const Eigen::VectorXd& x, const Eigen::VectorXd& y) { return x.size() == 0 ? 0.0 : (x - y).cwiseAbs().maxCoeff(); }
+
+/// Laws of all solvers, on definite systems of up to n x n unknowns, one in a unit that makes its coefficient `small`.
+template<class S>
+void check_solver(S& solver, int n, double small = 0x1p-40) {
+  static_assert(concino::SparseSolver<S, sparse, Eigen::VectorXd>);
+  using concino::solver_error;
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(4);
+  CHECK_THROWS_WITH_AS(solver.solve(one), doctest::Contains("solve without a factorised matrix"), solver_error);
+  for (const int k : {1, 2, n}) {  // small and large; many right-hand sides
+    const sparse a = grid(k);
+    solver.factorize(a);
+    for (unsigned seed = 0; seed < 3; ++seed) {
+      const Eigen::VectorXd x = random_vector(a.cols(), seed);
+      CHECK(distance(solver.solve(a * x), x) < 1e-9);
+    }
+    CHECK(solver.solve(Eigen::VectorXd::Zero(a.cols())) == Eigen::VectorXd::Zero(a.cols()));
+    for (const double more : {0.25, 3.0}) {  // other values, same pattern
+      const sparse b = grid(k, more);
+      solver.factorize(b);
+      const Eigen::VectorXd x = random_vector(b.cols());
+      CHECK(distance(solver.solve(b * x), x) < 1e-9);
+    }
+  }
+  sparse loose(4, 4);  // not compressed
+  loose.reserve(Eigen::VectorXi::Constant(4, 4));
+  for (int i = 0; i < 4; ++i) loose.insert(i, i) = i + 1;
+  solver.factorize(loose);
+  CHECK(distance(solver.solve(loose * one), one) < 1e-12);
+  sparse disconnected = grid(2);  // the verts of no edge, too
+  disconnected.conservativeResize(6, 6);
+  disconnected.coeffRef(4, 4) = 2;
+  disconnected.coeffRef(5, 5) = small;
+  solver.factorize(disconnected);
+  const Eigen::VectorXd six = random_vector(6);
+  CHECK(distance(solver.solve(disconnected * six), six) < 1e-9);
+
+  solver.factorize(sparse(0, 0));
+  CHECK(solver.solve(Eigen::VectorXd(0)).size() == 0);
+
+  solver.factorize(grid(2));
+  CHECK_THROWS_WITH_AS(solver.solve(Eigen::VectorXd::Ones(5)), doctest::Contains("5 entries, the matrix 4 rows"), solver_error);
+  Eigen::VectorXd b = one;
+  b[2] = std::nan("");
+  CHECK_THROWS_WITH_AS(solver.solve(b), doctest::Contains("entry 2 of the right-hand side is not finite"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(sparse(2, 3)), doctest::Contains("2 rows and 3 columns"), solver_error);
+  CHECK_THROWS_AS(solver.solve(one), solver_error);  // a failed factorisation leaves none
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    sparse a = grid(2);
+    a.coeffRef(3, 1) = bad;
+    CHECK_THROWS_WITH_AS(solver.factorize(a), doctest::Contains("not finite, in row 3, column 1"), solver_error);
+  }
+  CHECK_THROWS_AS(solver.factorize(sparse(3, 3)), solver_error);  // all zeros
+  solver.factorize(grid(2));
+  CHECK(distance(grid(2) * solver.solve(one), one) < 1e-12);
+}
+
+/// Scaling matrix or right-hand side by powers of two scales solutions exactly.
+template<class S>
+void check_scaling(S& solver) {
+  const sparse a = grid(5);
+  const Eigen::VectorXd b = random_vector(25);
+  solver.factorize(a);
+  const Eigen::VectorXd x = solver.solve(b);
+  CHECK(solver.solve(b * 0x1p-500) == x * 0x1p-500);
+  for (const double s : {0x1p-301, 0x1p21, 0x1p300}) {
+    solver.factorize(a * s);
+    CHECK(solver.solve(b) == x / s);
+  }
+}
+
+}  // namespace systems
