@@ -1,0 +1,32 @@
+#include <concino/adapters/cholmod.hpp>
+
+#include <concino/solve/llt.hpp>
+
+#include "support/systems.hpp"
+
+using namespace concino;
+using namespace systems;
+
+TEST_CASE("cholmod: solves, and says what it cannot") {
+  cholmod solver;
+  check_solver(solver, 40);
+}
+
+TEST_CASE("cholmod: reads the lower triangle only, and finds what Eigen finds") {
+  cholmod solver;
+  llt other;
+  solver.factorize(grid(50).triangularView<Eigen::Lower>());
+  other.factorize(grid(50));
+  const Eigen::VectorXd b = random_vector(2500);
+  CHECK(distance(solver.solve(b), other.solve(b)) < 1e-12);
+}
+
+TEST_CASE("cholmod: indefinite and singular matrices are errors that name the row") {
+  cholmod solver;
+  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {1, 1, -2.0}, {2, 2, 1.0}})),
+                       "cholmod: the matrix is not positive definite in row 1: of the diagonal entry -2 elimination leaves nothing positive", solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {2, 2, 1.0}})), doctest::Contains("in row 1"), solver_error);
+  for (const int n : {4, 30}) CHECK_THROWS_WITH_AS(solver.factorize(grid(n, 0)), doctest::Contains("not positive definite"), solver_error);
+  solver.factorize(grid(30));  // after a failure of the same pattern
+  CHECK(distance(grid(30) * solver.solve(Eigen::VectorXd::Ones(900)), Eigen::VectorXd::Ones(900)) < 1e-11);
+}
