@@ -1,5 +1,5 @@
-// Find the cell that holds a point. A tree of boxes answers in the time of a few comparisons, for cells of any shape and for every point: on a face that
-// two cells share, one of them is found, and always the same. A tree over the skin says how far it is to it, and what is inside.
+// Find the cell that holds a point. A tree of boxes answers in the time of a few comparisons, for cells of any shape and for every point: on a face
+// that two cells share, one of them is found, and always the same. A tree over the skin says how far it is to it, and what is inside.
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/mesh.hpp>
@@ -43,8 +43,8 @@ int main() {
   const auto around = cn::bounding_tree(skin);
   for (const cn::vec3 x : {cn::vec3{1, 0.5, 0.75}, cn::vec3{3, 0.5, 0.5}, cn::vec3{2, 1, 1}}) {
     const auto hit = around.closest(x);
-    fmt::print("({}, {}, {}) is {} the block, {:.3f} from ({:.3f}, {:.3f}, {:.3f}) on its skin\n", x.x, x.y, x.z, around.is_inside(x) ? "inside" : "outside", hit.distance,
-               hit.point.x, hit.point.y, hit.point.z);
+    fmt::print("({}, {}, {}) is {} the block, {:.3f} from ({:.3f}, {:.3f}, {:.3f}) on its skin\n", x.x, x.y, x.z,
+               around.is_inside(x) ? "inside" : "outside", hit.distance, hit.point.x, hit.point.y, hit.point.z);
   }
 
   // A ray through the block, and what lies in a corner of it.

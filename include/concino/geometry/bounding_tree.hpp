@@ -27,12 +27,13 @@ struct pieces_of<M> { using type = tet_pieces<M>; };
 
 }  // namespace detail
 
-/// Made by bounding_tree(m); answers for the mesh as it was then. Polygons of more than three verts are the triangles of triangulate_polygon; polyhedra
-/// are solid, each face of more than three verts fanned about its mean point as in `volume`. What is called exact is so as far as orient2d
+/// Made by bounding_tree(m); answers for the mesh as it was then. Polygons of more than three verts are the triangles of triangulate_polygon;
+/// polyhedra are solid, each face of more than three verts fanned about its mean point as in `volume`. What is called exact is so as far as orient2d
 /// and orient3d are, for coordinates divided by the largest one.
 ///
 /// Queries may come from several threads at once. Of several polys that answer equally well the first in polys(m) is given. Every query takes
-/// O(log n) time where polys are well spread, plus the size of its answer; a polyhedron that is looked at costs as many steps as its faces have verts.
+/// O(log n) time where polys are well spread, plus the size of its answer; a polyhedron that is looked at costs as many steps as its faces have
+/// verts.
 /// Errors of every query: invalid_argument where a point is not finite.
 template<class M>
 class poly_tree {
@@ -94,11 +95,11 @@ class poly_tree {
     return met;
   }
 
-  /// The poly that holds x. Exact: where polys tile, one of them is found for every point, those on shared faces, edges and verts included, and always
-  /// the same; where polys overlap, one of those that hold x.
+  /// The poly that holds x. Exact: where polys tile, one of them is found for every point, those on shared faces, edges and verts included, and
+  /// always the same; where polys overlap, one of those that hold x.
   /// Volumes:  the poly in which x lies; nothing outside of all.
-  /// Surfaces: the poly in which x lies as seen along the coordinate axis along which the surface shows the largest area, counted with sign (z for a closed
-  ///           surface); of several over one another, the nearest. So for a surface in a plane x need not be in the plane to the last bit; for
+  /// Surfaces: the poly in which x lies as seen along the coordinate axis along which the surface shows the largest area, counted with sign (z for a
+  ///           closed surface); of several over one another, the nearest. So for a surface in a plane x need not be in the plane to the last bit; for
   ///           a terrain it is the poly under x. Nothing where x is beside the surface in that view. Polys seen from their edge hold nothing.
   std::optional<poly_t<M>> locate(const vec3& x) const {
     require_finite(x, "locate");

@@ -18,8 +18,8 @@ inline vec3 closest_point(const vec3& x, const vec3& a, const vec3& b) {
 
 /// The point nearest to x of the triangle a, b, c.
 /// Needs:  finite points; products of four of their distances neither overflow nor underflow.
-/// Result: a point; exactly a corner where one is nearest. The error grows with the aspect ratio of the triangle, not with its square, as it does where
-///         barycentric coordinates are had from dot products of edges. A triangle without area is the longest of its edges.
+/// Result: a point; exactly a corner where one is nearest. The error grows with the aspect ratio of the triangle, not with its square, as it does
+///         where barycentric coordinates are had from dot products of edges. A triangle without area is the longest of its edges.
 /// Cost:   O(1).      Errors: none.
 /// Source: Heidrich 2005, "Computing the barycentric coordinates of a projected point"; outside, the edges that x is beyond.
 inline vec3 closest_point(const vec3& x, const vec3& a, const vec3& b, const vec3& c) {

@@ -46,8 +46,8 @@ inline bool are_parted_at_corner(const triangle_points& s, std::size_t i, const 
   return false;
 }
 
-/// Whether two triangles with area have a point in common that is not on a vert or edge that both have. Corners at the same point are shared, whatever
-/// their numbers. s_rim, t_rim: whether the side from a corner to the next is an edge of the poly that the triangle is part of.
+/// Whether two triangles with area have a point in common that is not on a vert or edge that both have. Corners at the same point are shared,
+/// whatever their numbers. s_rim, t_rim: whether the side from a corner to the next is an edge of the poly that the triangle is part of.
 template<class Rim, class OtherRim>
 bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_rim, OtherRim&& t_rim) {
   std::size_t shared = 0, own = 0, other = 0;  // own, other: where the last shared corner is; with two, the sums say where the third is
@@ -88,8 +88,8 @@ bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_
 /// Pairs of polys that have a point in common which is not on a vert or an edge that they share: crossing, overlapping in a plane, or touching
 /// with a vert on a face or an edge. Verts at the same point count as one, so that seams of unmerged verts are no contact.
 /// Needs:  Embedded SurfaceMesh; closed, open or not manifold.
-/// Result: each pair once, the poly that comes first in polys(m) first, sorted in that order. Exact for triangles; other polygons are the triangles of
-///         triangulate_polygon. Triangles without area have no inside that could be met and are left out.
+/// Result: each pair once, the poly that comes first in polys(m) first, sorted in that order. Exact for triangles; other polygons are the triangles
+///         of triangulate_polygon. Triangles without area have no inside that could be met and are left out.
 /// Cost:   O(n log n) time where boxes of triangles overlap few others, in parallel; memory as bounding_tree.
 /// Errors: invalid_mesh where a vert of a poly is not finite.
 /// Source: the test of Guigue and Devillers 2003, with the exact predicates of Shewchuk 1997.

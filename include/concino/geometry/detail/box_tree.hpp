@@ -85,7 +85,8 @@ class box_tree {
     }
   }
 
-  /// Visits items, near ones first, as long as the lower bound of their nodes is at most `limit`, which visits may lower; infinite bounds are left out.
+  /// Visits items, near ones first, as long as the lower bound of their nodes is at most `limit`, which visits may lower; infinite bounds are left
+  /// out.
   template<class LowerBound, class Visit>
   void search(LowerBound&& lower_bound, const double& limit, Visit&& visit) const {
     constexpr double none = std::numeric_limits<double>::infinity();

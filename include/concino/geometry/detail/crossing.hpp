@@ -31,7 +31,8 @@ inline int moved_orient3d(const vec3& a, const vec3& b, const vec3& c, const vec
 
 /// Whether the moved x lies in the triangle in the plane of x and y: 1 if the triangle runs counter-clockwise, -1 if clockwise, 0 if x is outside.
 inline int moved_inside2d(const vec3& a, const vec3& b, const vec3& c, const vec3& x) {
-  if (std::max({a.x, b.x, c.x}) <= x.x || std::min({a.x, b.x, c.x}) > x.x || std::max({a.y, b.y, c.y}) <= x.y || std::min({a.y, b.y, c.y}) > x.y) return 0;
+  if (std::max({a.x, b.x, c.x}) <= x.x || std::min({a.x, b.x, c.x}) > x.x) return 0;
+  if (std::max({a.y, b.y, c.y}) <= x.y || std::min({a.y, b.y, c.y}) > x.y) return 0;
   const int s = moved_orient2d(a, b, x);
   return s != 0 && moved_orient2d(b, c, x) == s && moved_orient2d(c, a, x) == s ? s : 0;
 }
@@ -50,7 +51,8 @@ inline bool moved_inside_tet(const vec3& a, const vec3& b, const vec3& c, const 
   return s != 0 && moved_orient3d(a, c, d, x) == s && moved_orient3d(a, d, b, x) == s && moved_orient3d(b, d, c, x) == s;
 }
 
-/// Whether x, as it is, lies in the triangle or on its rim in the plane of x and y; a triangle of positive area is wanted there (s, its orient2d, not 0).
+/// Whether x, as it is, lies in the triangle or on its rim in the plane of x and y; a triangle of positive area is wanted there (s, its orient2d, not
+/// 0).
 inline bool inside2d(const vec3& a, const vec3& b, const vec3& c, int s, const vec3& x) {
   return s * orient2d(a, b, x) >= 0 && s * orient2d(b, c, x) >= 0 && s * orient2d(c, a, x) >= 0;
 }

@@ -89,8 +89,8 @@ class ranked_polys {
 
   vec3 to_mesh(const vec3& x) const { return to_mesh_ * x; }
   vec3 to_tree(const vec3& x) const { return to_tree_ * x; }
-  /// x in the units of the tree, but not so far away that its squared distance overflows: it comes nearer along the line to the origin, from where too
-  /// all of the mesh is equally far but for rounding.
+  /// x in the units of the tree, but not so far away that its squared distance overflows: it comes nearer along the line to the origin, from where
+  /// too all of the mesh is equally far but for rounding.
   vec3 to_tree_within_reach(const vec3& x) const {
     const double far = magnitude(x);
     return far * to_tree_ <= 0x1p200 ? to_tree_ * x : x / far * 0x1p200;

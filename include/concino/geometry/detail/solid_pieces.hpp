@@ -23,7 +23,9 @@ class tet_pieces : public ranked_polys<M> {
   static constexpr bool are_solid = true;
 
   explicit tet_pieces(const M& m)
-      : base(m), corners_(large_vector(this->num_ranks(), std::array<corner_index, 4>{})), owners_(large_vector(this->num_ranks(), std::uint32_t{0})) {
+      : base(m),
+        corners_(large_vector(this->num_ranks(), std::array<corner_index, 4>{})),
+        owners_(large_vector(this->num_ranks(), std::uint32_t{0})) {
     for (std::size_t r = 0; r < corners_.size(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       std::size_t k = 0;
