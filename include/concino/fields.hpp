@@ -2,4 +2,5 @@
 #pragma once
 
 #include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/poisson.hpp>

@@ -1,0 +1,195 @@
+// The algebra of heat geodesics, which knows matrices and flat arrays only: heat that flows for a short time, as logarithms, so that it can be told
+// however far away; the directions in which it flows; and the function that rises in these directions.
+#pragma once
+
+#include <concino/geometry/vec3.hpp>
+#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/operators/detail/product.hpp>
+#include <concino/solve/detail/residual.hpp>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace concino::detail {
+
+/// For each corner of each poly its vert and the gradient of that vert's function times the measure of the poly, poly after poly.
+struct corner_fluxes {
+  std::vector<std::size_t> begin{0};  // of each poly, and the end of the last
+  std::vector<int> vert;
+  std::vector<vec3> flux;
+};
+
+/// A place that heat comes from.
+struct heat_source {
+  int vert;
+  double strength;  // above 0
+};
+
+template<class Solver>
+class heat_system {
+  static constexpr double none = -std::numeric_limits<double>::infinity();
+  static constexpr int lift = 900;         // heat starts from 2^900 and is trusted down to 2^-900: about 1250 times the square root of the time
+  static constexpr int most_rounds = 100;  // of carrying on
+
+  struct factorised {
+    Eigen::SparseMatrix<double> lower;  // triangle
+    std::unique_ptr<Solver> solver;
+
+    void factorize() {
+      if constexpr (requires { requires bool(Solver::reads_both_triangles); }) solver->factorize(with_both_triangles(lower));
+      else solver->factorize(lower);
+    }
+  };
+
+  std::vector<factorised> heats_;  // their solutions are added up
+  factorised poisson_;
+  corner_fluxes corners_;
+  std::vector<int> component_;  // of polys joined at verts: the number of one vert of each
+  int unit_ = 0;                // 2^unit_ is about the mass of a vert: so heat does not depend on the scale of the mesh
+
+  /// Another solver like the caller's. Not a copy: factors are large, and Eigen's cannot be copied.
+  static std::unique_ptr<Solver> another(const Solver& solver) {
+    if constexpr (requires { Solver(solver.options()); }) return std::make_unique<Solver>(solver.options());
+    else if constexpr (std::default_initializable<Solver>) return std::make_unique<Solver>();
+    else return std::make_unique<Solver>(solver);
+  }
+
+  void find_components(int size) {
+    disjoint_sets sets(static_cast<std::size_t>(size));
+    for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p)
+      for (std::size_t k = corners_.begin[p] + 1; k < corners_.begin[p + 1]; ++k)
+        sets.unite(static_cast<std::size_t>(corners_.vert[k - 1]), static_cast<std::size_t>(corners_.vert[k]));
+    component_.resize(static_cast<std::size_t>(size));
+    for (std::size_t i = 0; i < component_.size(); ++i) component_[i] = static_cast<int>(sets.root(i));
+  }
+
+  static double& diagonal(Eigen::SparseMatrix<double>& lower, int i) { return lower.coeffRef(i, i); }
+
+ public:
+  /// stiffness: minus a Laplacian, the lower triangle with every diagonal entry present. mean_mass: of the verts, 0 if there are none.
+  heat_system(Eigen::SparseMatrix<double>&& stiffness, corner_fluxes&& corners, double mean_mass, const Solver& solver)
+      : poisson_{std::move(stiffness), another(solver)}, corners_(std::move(corners)) {
+    const int n = static_cast<int>(poisson_.lower.cols());
+    find_components(n);
+    if (mean_mass > 0) unit_ = std::ilogb(mean_mass);
+    // Only differences of the solution count, so one vert of each component is held; the sum of the load being 0, it is held without force.
+    for (int i = 0; i < n; ++i) {
+      if (component(i) != i) continue;
+      double& held = diagonal(poisson_.lower, i);
+      held = held > 0 ? 2 * held : 1;
+    }
+    poisson_.factorize();
+  }
+
+  /// lower: the masses plus the time times minus a Laplacian, of the same pattern.
+  void add_heat(Eigen::SparseMatrix<double>&& lower, const Solver& solver) {
+    heats_.push_back({std::move(lower), another(solver)});
+    for (int i = 0; i < heats_.back().lower.cols(); ++i)
+      if (double& x = diagonal(heats_.back().lower, i); !(x > 0)) x = 1;  // a vert of no poly
+    heats_.back().factorize();
+  }
+
+  int component(int vert) const { return component_[static_cast<std::size_t>(vert)]; }
+
+  /// The logarithm of the heat at each vert, up to a constant; -inf in components without a source, and where heat is not positive,
+  /// as it may be with Laplacians that have negative weights.
+  ///
+  /// Where heat is too little for double precision, it is carried on from there: with u known down to a threshold and v equal to u there and 0
+  /// beyond, what is left, u - v, solves the same system with the right-hand side b - K v, which stands on both sides of that frontier,
+  /// and can be multiplied by as much as is needed.
+  std::vector<double> log_heat(const std::vector<heat_source>& sources) const {
+    std::vector<double> sum = log_heat(heats_.front(), sources);
+    for (std::size_t k = 1; k < heats_.size(); ++k) {
+      const std::vector<double> more = log_heat(heats_[k], sources);
+      for (std::size_t i = 0; i < sum.size(); ++i) {
+        const double large = std::max(sum[i], more[i]), small = std::min(sum[i], more[i]);
+        sum[i] = small == none ? large : large + std::log1p(std::exp(small - large));
+      }
+    }
+    return sum;
+  }
+
+  /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which points where that of -u does. Gradients
+  /// are divided by their largest component before they are squared, so none is too small; where one is 0 nothing is asked of the function.
+  Eigen::VectorXd rise_along(const std::vector<double>& log_u) const {
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(poisson_.lower.cols());
+    for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p) {
+      const std::size_t first = corners_.begin[p], end = corners_.begin[p + 1];
+      if (first == end) continue;
+      const double here = log_u[static_cast<std::size_t>(corners_.vert[first])];
+      if (here == none) continue;
+      vec3 g;
+      for (std::size_t k = first + 1; k < end; ++k) g += (here - log_u[static_cast<std::size_t>(corners_.vert[k])]) * corners_.flux[k];
+      const double largest = std::max({std::abs(g.x), std::abs(g.y), std::abs(g.z)});
+      if (!(largest > 0)) continue;
+      g = g / largest;
+      const vec3 direction = g / norm(g);
+      for (std::size_t k = first; k < end; ++k) b[corners_.vert[k]] += dot(corners_.flux[k], direction);
+    }
+    return solve_and_check(*poisson_.solver, poisson_.lower, b, "heat_geodesics");
+  }
+
+ private:
+  std::vector<double> log_heat(const factorised& heat, const std::vector<heat_source>& sources) const {
+    const int n = static_cast<int>(heat.lower.cols());
+    const auto size = static_cast<std::size_t>(n);
+    const double least = std::ldexp(1.0, -lift), per_round = 2 * lift * std::log(2.0);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(n), u;
+    std::vector<unsigned char> has_source(size);
+    for (const heat_source& s : sources) {
+      b[s.vert] += std::ldexp(s.strength, lift + unit_);
+      has_source[static_cast<std::size_t>(component(s.vert))] = 1;
+    }
+    std::vector<double> log_u(size, none);
+    std::vector<int> round_of(size, -1);  // in which a vert was settled
+    std::size_t left = 0;
+    for (int i = 0; i < n; ++i) left += has_source[static_cast<std::size_t>(component(i))];
+    for (int round = 0; left > 0 && round < most_rounds; ++round) {
+      if (round > 0) load_beyond(heat.lower, u, round_of, round - 1, b);
+      u = heat.solver->solve(b);
+      const std::size_t before = left;
+      for (std::size_t i = 0; i < size; ++i) {
+        const double x = u[static_cast<Eigen::Index>(i)];
+        if (round_of[i] >= 0 || !(std::abs(x) > least) || !has_source[static_cast<std::size_t>(component_[i])]) continue;
+        round_of[i] = round;
+        if (x > 0) log_u[i] = std::log(x) - round * per_round;
+        --left;
+      }
+      if (left == before) break;
+    }
+    return log_u;
+  }
+
+  /// b = -K v off the verts where v stands, and what makes up for it where it does, times 2^(2 lift); v is u at the verts settled in `round`.
+  static void load_beyond(const Eigen::SparseMatrix<double>& heat, const Eigen::VectorXd& u, const std::vector<int>& round_of, int round,
+                          Eigen::VectorXd& b) {
+    b.setZero();
+    for (int c = 0; c < heat.cols(); ++c)
+      for (int k = heat.outerIndexPtr()[c]; k < heat.outerIndexPtr()[c + 1]; ++k) {
+        const int r = heat.innerIndexPtr()[k];
+        const int of_r = round_of[static_cast<std::size_t>(r)], of_c = round_of[static_cast<std::size_t>(c)];
+        int known = -1, beyond = -1;
+        if (of_r == round && of_c < 0) {
+          known = r;
+          beyond = c;
+        } else if (of_c == round && of_r < 0) {
+          known = c;
+          beyond = r;
+        } else {
+          continue;
+        }
+        b[beyond] -= std::ldexp(heat.valuePtr()[k] * u[known], 2 * lift);
+        b[known] += std::ldexp(heat.valuePtr()[k] * u[beyond], 2 * lift);
+      }
+  }
+};
+
+}  // namespace concino::detail
