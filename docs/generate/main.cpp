@@ -1,4 +1,6 @@
 // Prints what docs/ says about concepts and algorithms, found by asking the compiler: `verbs` and `algorithms` are tables, `lattice` is a graph for dot.
+// `convergence ...` is a table of errors, from the file that docs/convergence writes.
+#include "../convergence/tables.hpp"
 #include "lacking.hpp"
 
 #include <concino/concepts/archetypes.hpp>
@@ -196,5 +198,6 @@ int main(int argc, char** argv) {
   if (what == "verbs") print_verbs();
   else if (what == "algorithms") print_algorithms();
   else if (what == "lattice") print_lattice();
+  else if (what.starts_with("convergence ")) return convergence::print_table(what.substr(12)) ? 0 : 1;
   else return 1;
 }

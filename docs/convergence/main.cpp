@@ -1,0 +1,66 @@
+// Computes docs/convergence.tsv anew and writes it to the file that is named on the command line. Takes minutes.
+#include <concino/solve/ldlt.hpp>
+
+#include <support/convergence.hpp>
+
+#include <Eigen/IterativeLinearSolvers>
+
+#include <fmt/core.h>
+
+#include <fstream>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// Conjugate gradients with an incomplete factorisation: large volumes fill the factors of a complete one.
+class iterative_solver {
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::IncompleteCholesky<double>> solver_;
+  Eigen::SparseMatrix<double> a_;
+  double tolerance_;
+
+ public:
+  explicit iterative_solver(double tolerance) : tolerance_(tolerance) {}
+  void factorize(const Eigen::SparseMatrix<double>& a) {
+    a_ = a;
+    solver_.setTolerance(tolerance_);
+    solver_.compute(a_);
+  }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    Eigen::VectorXd x = solver_.solve(b);
+    if (solver_.info() != Eigen::Success) throw solver_error("conjugate gradients did not converge");
+    return x;
+  }
+};
+
+template<class M>
+void add_rows(std::string& table) {
+  for (const family f : families<M>()) {
+    const auto rows = measure_convergence<M>(f, 4, [](double tolerance) {
+      if constexpr (dimension_v<M> == 2) return static_cast<void>(tolerance), ldlt();
+      else return iterative_solver(tolerance);
+    });
+    for (const convergence_row& row : rows) {
+      std::string line = fmt::format("{}\t{}\t{}\t{}", row.what, row.weights, row.kind, row.family);
+      for (const double error : row.errors) line += std::isnan(error) ? "\t-" : fmt::format("\t{:.4g}", error);
+      line += '\n';
+      fmt::print(stderr, "{}", line);
+      table += line;
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 1;
+  std::string table;
+  add_rows<trimesh>(table);
+  add_rows<quadmesh>(table);
+  add_rows<polygonmesh>(table);
+  add_rows<tetmesh>(table);
+  add_rows<hexmesh>(table);
+  add_rows<polyhedralmesh>(table);
+  std::ofstream(argv[1]) << table;
+}

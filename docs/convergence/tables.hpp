@@ -1,0 +1,35 @@
+// The tables of docs/convergence.md, made of docs/convergence.tsv.
+#pragma once
+
+#include <support/convergence_table.hpp>
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <string>
+
+namespace convergence {
+
+inline bool is_of_volumes(const std::string& kind) { return kind == "tets" || kind == "hexes" || kind == "polyhedra"; }
+
+/// What a table is of: "gradient surfaces", say. Nothing else is printed.
+inline bool print_table(const std::string& which) {
+  const std::size_t gap = which.find(' ');
+  if (gap == std::string::npos) return false;
+  const std::string what = which.substr(0, gap);
+  const bool volumes = which.substr(gap + 1) == "volumes", with_weights = what == "poisson";
+  fmt::print("| kind | family |{}", with_weights ? " weights |" : "");
+  for (int n = volumes ? 4 : 8; n <= (volumes ? 32 : 64); n *= 2) fmt::print(" {} |", n);
+  fmt::print(" order |\n|---|---|{}---|---|---|---|---|\n", with_weights ? "---|" : "");
+  for (const auto& row : concino::testing::read_convergence_table()) {
+    if (row.what != what || is_of_volumes(row.kind) != volumes) continue;
+    fmt::print("| {} | {} |", row.kind, row.family);
+    if (with_weights) fmt::print(" {} |", row.weights);
+    for (const double error : row.errors) fmt::print(" {} |", std::isnan(error) ? "-" : fmt::format("{:.3g}", error));
+    const double order = concino::testing::order_of(row.errors);
+    fmt::print(" {} |\n", std::isnan(order) ? "-" : fmt::format("{:.2f}", order));
+  }
+  return true;
+}
+
+}  // namespace convergence

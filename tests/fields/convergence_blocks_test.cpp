@@ -1,0 +1,6 @@
+#include <support/convergence_check.hpp>
+
+using namespace concino;
+using namespace concino::testing;
+
+TEST_CASE_TEMPLATE("convergence: the two coarsest sizes of the table, quads and hexes", M, quadmesh, hexmesh) { check_convergence_of<M>(); }

@@ -1,0 +1,6 @@
+#include <support/convergence_check.hpp>
+
+using namespace concino;
+using namespace concino::testing;
+
+TEST_CASE("convergence: the two coarsest sizes of the table, polygons") { check_convergence_of<polygonmesh>(); }

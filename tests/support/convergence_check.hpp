@@ -1,0 +1,40 @@
+// Comparison with docs/convergence.tsv of what the operators do now, for the sizes that are quickly done.
+#pragma once
+
+#include <support/convergence.hpp>
+
+#include <doctest/doctest.h>
+
+namespace concino::testing {
+
+/// Computes the rows of a kind for its two coarsest sizes again.
+template<class M>
+void check_convergence_of() {
+  const auto table = read_convergence_table();
+  std::size_t stored = 0, computed = 0;
+  for (const convergence_row& row : table) stored += row.kind == kind_name<M>;
+  for (const family f : families<M>()) {
+    const auto rows = measure_convergence<M>(f, 2, [](double tolerance) {
+      if constexpr (dimension_v<M> == 2) return static_cast<void>(tolerance), ldlt();
+      else return conjugate_gradients(tolerance);
+    });
+    for (const convergence_row& row : rows) {
+      CAPTURE(row.what);
+      CAPTURE(row.weights);
+      CAPTURE(row.family);
+      ++computed;
+      const auto known = std::find_if(table.begin(), table.end(), [&](const convergence_row& r) {
+        return r.what == row.what && r.weights == row.weights && r.kind == row.kind && r.family == row.family;
+      });
+      REQUIRE(known != table.end());
+      REQUIRE(known->errors.size() == 4);
+      for (std::size_t i = 0; i < row.errors.size(); ++i) {
+        CHECK(std::isnan(row.errors[i]) == std::isnan(known->errors[i]));
+        if (!std::isnan(row.errors[i])) CHECK(row.errors[i] == doctest::Approx(known->errors[i]).epsilon(0.05));
+      }
+    }
+  }
+  CHECK(computed == stored);
+}
+
+}  // namespace concino::testing

@@ -1,0 +1,46 @@
+// docs/convergence.tsv: the errors that docs/convergence.md shows and the tests compute again. A line says what was computed, with which
+// weights, on which kind of mesh and which family, and then the error for each size, - where the weights do not support some poly.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace concino::testing {
+
+struct convergence_row {
+  std::string what, weights, kind, family;
+  std::vector<double> errors = {};  // not a number: unsupported
+};
+
+inline std::filesystem::path convergence_table_path() {
+  return std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() / "docs" / "convergence.tsv";
+}
+
+inline std::vector<convergence_row> read_convergence_table() {
+  std::ifstream file(convergence_table_path());
+  std::vector<convergence_row> rows;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    convergence_row row;
+    words >> row.what >> row.weights >> row.kind >> row.family;
+    for (std::string error; words >> error;) row.errors.push_back(error == "-" ? std::numeric_limits<double>::quiet_NaN() : std::stod(error));
+    rows.push_back(row);
+  }
+  if (rows.empty()) throw std::runtime_error("cannot read " + convergence_table_path().string());
+  return rows;
+}
+
+/// The slope of the straight line that fits the three finest of sizes that double, on logarithmic paper.
+inline double order_of(const std::vector<double>& errors) {
+  const std::size_t n = errors.size();
+  return std::log2(errors[n - 3] / errors[n - 1]) / 2;  // the one in the middle does not turn the line
+}
+
+}  // namespace concino::testing
