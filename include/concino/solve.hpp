@@ -6,6 +6,7 @@
 #include <concino/solve/bicgstab.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>
+#include <concino/solve/least_squares.hpp>
 #include <concino/solve/llt.hpp>
 #include <concino/solve/lu.hpp>
 #include <concino/solve/qp.hpp>
