@@ -5,6 +5,7 @@
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/bicgstab.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/constrained.hpp>
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/least_squares.hpp>
 #include <concino/solve/llt.hpp>

@@ -1,0 +1,82 @@
+// Minima of quadratic functions under linear equations, by Lagrange multipliers.
+#pragma once
+
+#include <concino/concepts/sparse_solver.hpp>
+#include <concino/solve/detail/independent_rows.hpp>
+#include <concino/solve/detail/system_checks.hpp>
+#include <concino/solve/lu.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace concino {
+
+struct constrained_result {
+  Eigen::VectorXd x;
+  Eigen::VectorXd multipliers;   // one per row of C: K x + C^T multipliers = b; 0 for redundant rows
+  std::size_t redundant = 0;     // rows of C that follow from rows before them, and were left out
+};
+
+/// The stationary point of x^T K x / 2 - b^T x among all x with C x = d: the minimum where K is positive definite in the directions that C leaves free.
+/// K itself may be singular, as the Laplacian of a mesh without boundary values is, if C determines what K does not.
+/// Needs:  K: symmetric, n x n, both triangles; C: m x n, any rank. solver: a SparseSolver for symmetric indefinite matrices; ldlt and others
+///         that read one triangle will do, but ldlt does not exchange pivots and so fails on some systems that lu, the default, solves.
+/// Result: x, the multipliers, and how many constraints were redundant.
+/// Cost:   one factorisation of n + m unknowns, and an elimination of C with its fill.
+/// Errors: solver_error if a constraint contradicts those before it (its row is named), if K and C leave x undetermined, or if something is not
+///         finite or of the wrong size.
+/// Source: Nocedal, Wright, Numerical Optimization, 2006, section 16.1.
+template<class Solver = lu>
+  requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& b, const Eigen::SparseMatrix<double>& C,
+                                          const Eigen::VectorXd& d, Solver&& solver = {}) {
+  const char* const who = "solve_with_constraints";
+  Eigen::SparseMatrix<double> k_storage, c_storage;
+  const Eigen::SparseMatrix<double>&k = detail::compressed(K, k_storage), &c = detail::compressed(C, c_storage);
+  detail::check_square(who, k);
+  detail::check_entries(who, k);
+  detail::check_right_hand_side(who, b, k.rows());
+  if (c.cols() != k.cols())
+    detail::throw_joined<solver_error>({who, ": the constraints are on ", static_cast<std::size_t>(c.cols()), " unknowns, but there are ",
+                                        static_cast<std::size_t>(k.cols())});
+  detail::check_entries(who, c);
+  detail::check_right_hand_side(who, d, c.rows());
+  const std::vector<int> kept = detail::independent_rows(who, c, d);
+  const auto n = static_cast<int>(k.cols()), m = static_cast<int>(kept.size());
+  std::vector<int> place(static_cast<std::size_t>(c.rows()), -1);
+  Eigen::VectorXd right(n + m);
+  right.head(n) = b;
+  for (int i = 0; i < m; ++i) {
+    place[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])] = n + i;
+    right[n + i] = d[kept[static_cast<std::size_t>(i)]];
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(k.nonZeros() + 2 * c.nonZeros()));
+  for (int column = 0; column < n; ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator it(k, column); it; ++it) entries.emplace_back(static_cast<int>(it.row()), column, it.value());
+    for (Eigen::SparseMatrix<double>::InnerIterator it(c, column); it; ++it)
+      if (const int row = place[static_cast<std::size_t>(it.row())]; row >= 0) {
+        entries.emplace_back(row, column, it.value());
+        entries.emplace_back(column, row, it.value());
+      }
+  }
+  Eigen::SparseMatrix<double> whole(n + m, n + m);
+  whole.setFromTriplets(entries.begin(), entries.end());
+  try {
+    solver.factorize(whole);
+  } catch (const solver_error& e) {
+    detail::throw_joined<solver_error>({who, ": the unknowns, ", static_cast<std::size_t>(n), " of them, are not determined by K and ", static_cast<std::size_t>(m),
+                                        " constraints, or the solver cannot tell: ", std::string(e.what())});
+  }
+  Eigen::VectorXd found = solver.solve(right);
+  found += solver.solve(Eigen::VectorXd(right - whole * found));
+  constrained_result r;
+  r.x = found.head(n);
+  r.multipliers = Eigen::VectorXd::Zero(c.rows());
+  for (int i = 0; i < m; ++i) r.multipliers[kept[static_cast<std::size_t>(i)]] = found[n + i];
+  r.redundant = static_cast<std::size_t>(c.rows()) - kept.size();
+  return r;
+}
+
+}  // namespace concino
