@@ -164,7 +164,7 @@ void solve_unknowns(const M& m, dirichlet_problem<M, T>& problem, const Eigen::S
                     const char* who, const progress& told) {
   if (problem.unknowns == 0) return;
   tell(told, 0.1, "factorising");
-  solver.factorize(a);
+  factorize_symmetric(solver, a);
   tell(told, 0.9, "solving");
   for (std::size_t k = 0; k < b.size(); ++k) {
     const Eigen::VectorXd u = solve_and_check(solver, a, b[k], who);

@@ -44,6 +44,18 @@ inline double residual(const Eigen::SparseMatrix<double>& lower, const Eigen::Ve
   return worst;
 }
 
+/// Factorises a symmetric matrix given by its lower triangle, with the other triangle for solvers that say they read it.
+template<class Solver>
+void factorize_symmetric(Solver& solver, const Eigen::SparseMatrix<double>& lower) {
+  if constexpr (requires { requires Solver::reads_both_triangles; }) {
+    Eigen::SparseMatrix<double> whole;
+    whole = lower.selfadjointView<Eigen::Lower>();
+    solver.factorize(whole);
+  } else {
+    solver.factorize(lower);
+  }
+}
+
 /// Solves with a factorised matrix and makes up for rounding errors while that helps.
 /// Errors: solver_error if what is left is more than 1e-8.
 template<class Solver>
