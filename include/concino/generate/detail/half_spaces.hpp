@@ -174,10 +174,16 @@ class half_spaces {
     if (f.sign() != 0) return f.sign() > 0;
 
     // D + 2 sites on one sphere: the weights decide, that of the lowest index that matters. c is |n|^2 + weight here - weight of the other.
-    std::array<std::pair<std::uint32_t, int256>, D + 2> weighted;
-    std::size_t count = 0;
+    std::uint32_t lowest = no_site;
+    int sign = 0;
+    const auto weigh = [&](std::uint32_t site, const int256& weight) {
+      const int s = weight.sign();
+      if (s == 0 || (sign != 0 && lowest < site)) return;
+      lowest = site;
+      sign = s;
+    };
     int256 own = -w;
-    weighted[count++] = {p.other, w};
+    weigh(p.other, w);
     for (std::size_t k = 0; k < D; ++k) {
       const half_space& q = planes_[v.planes[k]];
       if (q.other == no_site) continue;
@@ -189,15 +195,11 @@ class half_spaces {
         else return det(a, b, exact_normal(planes_[planes[2]]));
       }();
       own = own + slope;
-      weighted[count++] = {q.other, -slope};
+      weigh(q.other, -slope);
     }
-    weighted[count++] = {site_, own};
-    std::sort(weighted.begin(), weighted.begin() + static_cast<std::ptrdiff_t>(count),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t k = 0; k < count; ++k)
-      if (const int s = weighted[k].second.sign()) return s > 0;
-    assert(false && "the weight of the site that cuts matters always");
-    return false;
+    weigh(site_, own);
+    assert(sign != 0 && "the weight of the site that cuts matters always");
+    return sign > 0;
   }
 };
 
