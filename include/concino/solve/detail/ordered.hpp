@@ -4,6 +4,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -15,19 +16,32 @@ struct elimination_order {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place;  // of each row
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> row;    // at each place
 
-  /// Only the lower triangle of a is read.
+  /// The order depends on where a has entries, in either triangle.
   void find(const Eigen::SparseMatrix<double>& a) {
-    Eigen::SparseMatrix<double> whole;
-    whole = a.selfadjointView<Eigen::Lower>();
     Eigen::AMDOrdering<int> order;
-    order(whole, row);
+    order(a, row);
     place = row.inverse();
   }
 
-  /// The upper triangle of the reordered matrix.
+  /// The upper triangle of the reordered matrix, from the lower one of a, which is compressed. Loops, because Eigen's expressions take long to compile.
   Eigen::SparseMatrix<double> operator()(const Eigen::SparseMatrix<double>& a) const {
-    Eigen::SparseMatrix<double> upper(a.rows(), a.cols());
-    upper.selfadjointView<Eigen::Upper>() = a.selfadjointView<Eigen::Lower>().twistedBy(place);
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = place.indices().data();
+    const auto n = static_cast<int>(a.cols());
+    Eigen::SparseMatrix<double> upper(n, n);
+    int* const next = upper.outerIndexPtr();  // of column c at c + 1, first how many, then where the next goes, in the end where it ends
+    for (int c = 0; c < n; ++c)
+      for (int k = starts[c]; k < starts[c + 1]; ++k)
+        if (rows[k] >= c && std::max(to[rows[k]], to[c]) + 2 <= n) ++next[std::max(to[rows[k]], to[c]) + 2];
+    for (int c = 2; c <= n; ++c) next[c] += next[c - 1];
+    upper.resizeNonZeros(a.nonZeros());
+    for (int c = 0; c < n; ++c)
+      for (int k = starts[c]; k < starts[c + 1]; ++k)
+        if (rows[k] >= c) {
+          const int i = to[rows[k]], j = to[c], at = next[std::max(i, j) + 1]++;
+          upper.innerIndexPtr()[at] = std::min(i, j);
+          upper.valuePtr()[at] = a.valuePtr()[k];
+        }
+    upper.resizeNonZeros(next[n]);
     return upper;
   }
 };
