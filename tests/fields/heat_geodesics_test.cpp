@@ -184,6 +184,15 @@ TEST_CASE("heat_geodesics: long strips, graded grids and short times, where heat
   }
 }
 
+TEST_CASE("heat_geodesics: very long and thin hexahedra, whose Laplacian makes heat negative") {
+  auto arrays = hex_grid(10);
+  for (vec3& x : arrays.points) x = {std::pow(x.x, 3), std::pow(x.y, 3), std::pow(x.z, 3)};
+  const hexmesh m(arrays);
+  CHECK(error_from(heat_geodesics(m), vert_id{0}) < 0.1);
+  const hexmesh wide = grid<hexmesh>(1);
+  CHECK(detail::lower_positive_stiffness(wide).coeff(1, 0) == doctest::Approx(-0.25));  // a quarter of the face between two verts, over the edge
+}
+
 TEST_CASE("heat_geodesics: options") {
   const auto m = square_or_cube<trimesh>(16);
   const auto quads = square_or_cube<quadmesh>(16);

@@ -66,36 +66,45 @@ class prepared_heat_geodesics {
     const double edge = detail::mean_edge_length(m), time = options.time > 0 ? options.time : 2.25 * edge * edge;
     const bool uniform = options.weights == weights::uniform;
     Eigen::SparseMatrix<double> stiffness = detail::lower_stiffness(m, uniform ? weights::standard : options.weights);
-    Eigen::SparseMatrix<double> heat = uniform ? detail::lower_stiffness(m, weights::uniform) : stiffness;
     const auto mass = vert_masses(m);
     double sum = 0;
     for (const double x : mass.values()) sum += x;
     const double mean = num_verts(m) > 0 ? sum / static_cast<double>(num_verts(m)) : 0;
     // uniform: the mean mass at every vert, and as much conductance at every edge as a grid of mean edges has
     const double flow = uniform ? (edge > 0 ? mean / (edge * edge) : 0) * time : time;
-    for (int c = 0; c < heat.cols(); ++c) {
-      const double here = mass.values()[static_cast<std::size_t>(c)];
-      for (int k = heat.outerIndexPtr()[c]; k < heat.outerIndexPtr()[c + 1]; ++k) {
-        heat.valuePtr()[k] *= flow;
-        if (heat.innerIndexPtr()[k] == c) heat.valuePtr()[k] += uniform && here > 0 ? mean : here;
+    const auto heat_by = [&](Eigen::SparseMatrix<double> a) {
+      for (int c = 0; c < a.cols(); ++c) {
+        const double here = mass.values()[static_cast<std::size_t>(c)];
+        for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
+          a.valuePtr()[k] *= flow;
+          if (a.innerIndexPtr()[k] == c) a.valuePtr()[k] += uniform && here > 0 ? mean : here;
+        }
       }
-    }
+      return a;
+    };
+    Eigen::SparseMatrix<double> heat = heat_by(uniform ? detail::lower_stiffness(m, weights::uniform) : stiffness);
     detail::tell(options.progress, 0.1, "factorising");
     preparation r{{std::move(stiffness), std::move(corners), mean, solver}, time, edge};
     detail::tell(options.progress, 0.4, "factorising");
     std::vector<unsigned char> is_cold;
     if (options.boundary != heat_boundary::natural) is_cold = detail::boundary_verts_of(m);
     const bool has_boundary = std::find(is_cold.begin(), is_cold.end(), 1) != is_cold.end();
-    if (!has_boundary) {
-      r.system.add_heat(std::move(heat), solver);
-    } else {
-      if (options.boundary == heat_boundary::averaged) r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
-      detail::tell(options.progress, 0.7, "factorising");
-      // Not quite 0 at the boundary, so that it has a logarithm, and sources there warm the rest.
-      for (int c = 0; c < heat.cols(); ++c)
-        if (is_cold[static_cast<std::size_t>(c)]) heat.coeffRef(c, c) *= 1e6;
-      r.system.add_heat(std::move(heat), solver);
+    // Not quite 0 at the boundary, so that it has a logarithm, and sources there warm the rest.
+    const auto chilled = [&](Eigen::SparseMatrix<double> a) {
+      for (int c = 0; c < a.cols(); ++c)
+        if (is_cold[static_cast<std::size_t>(c)]) a.coeffRef(c, c) *= 1e6;
+      return a;
+    };
+    if (!has_boundary || options.boundary != heat_boundary::cold) {
+      r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
+      if (!uniform && r.system.is_heat_negative()) {
+        r.system.forget_heat();
+        heat = heat_by(detail::lower_positive_stiffness(m));
+        r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
+      }
     }
+    detail::tell(options.progress, 0.7, "factorising");
+    if (has_boundary) r.system.add_heat(chilled(std::move(heat)), solver);
     detail::tell(options.progress, 1, "heat geodesics");
     return r;
   }
@@ -226,9 +235,11 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const std::vector
 /// Result: an object that answers distance_from(...). Distances are approximate: with the default time the mean error falls with the edge length, and
 ///         is far less than an edge. Heat is kept as its logarithm, whose gradient is as steep far away as near by, and is carried on where
 ///         it is too little for double precision, so that distances are right over any number of edges; each 1250 sqrt(time) of distance
-///         cost another back-substitution. Where it is not positive, as Laplacians with negative weights may have it, ways along edges
-///         take its place. A longer time makes distances smoother, and rounder near the boundary.
-/// Cost:   two sparse factorisations of as many unknowns as there are verts, three where there is a boundary, see heat_boundary.
+///         cost another back-substitution. Laplacians with negative weights may make it negative, where polys are very long and thin: then
+///         it flows by positive weights along edges instead, and where it still is, shortest ways along edges take its place. A longer time makes
+///         distances smoother, and rounder near the boundary.
+/// Cost:   two sparse factorisations of as many unknowns as there are verts, three where there is a boundary, see heat_boundary; one
+///         more where heat has to flow along edges.
 /// Errors: invalid_argument if time is out of its range; invalid_mesh if a poly has no area or volume or points that are not finite;
 ///         unsupported as laplacian; solver_error; cancelled.
 /// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; paper section 2.2, "Distances and paths".

@@ -58,6 +58,39 @@ Eigen::SparseMatrix<double> lower_stiffness(const M& m, weights which) {
       [&](auto make_element) { return assemble_elements(m, make_element); });
 }
 
+/// Along each edge what its polys have for it: measure times dimension over number of edges, over the square of its length. Positive, and on grids
+/// of boxes the usual differences, but no better than the directions of the edges are even elsewhere.
+template<AnyMesh M>
+struct positive_weights {
+  const M& m;
+  std::vector<double> weight;
+
+  explicit positive_weights(const M& mesh) : m(mesh), weight(static_cast<std::size_t>(edge_index_bound(mesh))) {
+    for (const poly_t<M> p : polys(m)) {
+      double n = 0;
+      for ([[maybe_unused]] const edge_t<M> e : adj_p2e(m, p)) n += 1;
+      const double part = std::abs(measure(m, p)) * dimension_v<M> / n;
+      for (const edge_t<M> e : adj_p2e(m, p)) {
+        const double length = edge_length(m, e);
+        weight[static_cast<std::size_t>(index_of(m, e))] += part / length / length;
+      }
+    }
+  }
+  template<class F>
+  void for_each_neighbour(const vert_t<M>& v, F&& f) const {
+    for (const edge_t<M> e : adj_v2e(m, v))
+      for (const vert_t<M> w : adj_e2v(m, e))
+        if (!(w == v)) f(w, weight[static_cast<std::size_t>(index_of(m, e))]);
+  }
+};
+
+template<AnyMesh M>
+Eigen::SparseMatrix<double> lower_positive_stiffness(const M& m) {
+  const auto column = [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); };
+  return assemble<lower_triangle>(m, positive_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), 1.0, column,
+                                  [](int, const vert_t<M>&, double) {});
+}
+
 /// By index, 1 for verts of boundary edges (surfaces) or boundary faces (volumes), those with one poly.
 template<AnyMesh M>
 std::vector<unsigned char> boundary_verts_of(const M& m) {

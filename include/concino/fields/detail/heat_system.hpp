@@ -97,6 +97,28 @@ class heat_system {
     heats_.back().factorize();
   }
 
+  /// Whether heat from one vert of each component is negative at one vert of 500 or more, as where polys are very long and thin: then it does not
+  /// tell where it comes from.
+  bool is_heat_negative() const {
+    const auto size = component_.size();
+    std::vector<heat_source> sources;
+    std::vector<unsigned char> is_warm(size);
+    for (const int v : corners_.vert)
+      if (unsigned char& known = is_warm[static_cast<std::size_t>(component(v))]; !known) {
+        known = 1;
+        sources.push_back({component(v), 1});
+      }
+    std::size_t cold = 0, all = 0;
+    const std::vector<double> log_u = log_heat(sources);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (!is_warm[static_cast<std::size_t>(component_[i])]) continue;
+      ++all;
+      cold += log_u[i] == none;
+    }
+    return cold > 0 && 500 * cold >= all;
+  }
+  void forget_heat() { heats_.clear(); }
+
   int component(int vert) const { return component_[static_cast<std::size_t>(vert)]; }
 
   /// The logarithm of the heat at each vert, up to a constant; -inf in components without a source, and where heat is not positive,
