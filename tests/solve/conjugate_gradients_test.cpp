@@ -39,7 +39,8 @@ TEST_CASE("conjugate_gradients: what does not converge, and what cannot be defin
   CHECK_THROWS_WITH_AS(few.solve(random_vector(900)), doctest::Contains("not converged after 3 iterations: the residual is "), solver_error);
   CHECK(few.iterations() == 3);
   CHECK(few.residual() > 1e-12);
-  CHECK_THROWS_WITH_AS(solver.factorize(from(2, 2, {{0, 0, 1.0}, {1, 1, -1.0}})), doctest::Contains("the diagonal entry of row 1 is -1"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(from(2, 2, {{0, 0, 1.0}, {1, 1, -1.0}})),
+                       doctest::Contains("the diagonal entry of row 1 is -1"), solver_error);
   solver.factorize(grid(6, 0));  // singular: not for every right-hand side
   CHECK_THROWS_WITH_AS(solver.solve(Eigen::VectorXd::Ones(36)), doctest::Contains("not converged"), solver_error);
 }

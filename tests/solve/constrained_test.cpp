@@ -53,14 +53,16 @@ TEST_CASE("solve_with_constraints: a singular K is determined by a mean, and wit
   const auto r = solve_with_constraints(k, b, mean, Eigen::VectorXd::Constant(1, 50.0));
   CHECK(r.x.sum() == doctest::Approx(50));
   CHECK(distance(k * r.x, b) < 1e-11);
-  CHECK_THROWS_WITH_AS(solve_with_constraints(k, b, sparse(0, 100), Eigen::VectorXd(0)), doctest::Contains("not determined by K and 0 constraints"), solver_error);
+  CHECK_THROWS_WITH_AS(solve_with_constraints(k, b, sparse(0, 100), Eigen::VectorXd(0)),
+                       doctest::Contains("not determined by K and 0 constraints"), solver_error);
 }
 
 TEST_CASE("solve_with_constraints: redundant constraints are counted, contradicting ones named") {
   const sparse k = grid(3);
   const Eigen::VectorXd b = random_vector(9);
   // rows 2 = row 0 + 2 row 1, 3 = 3 row 0, 4 empty, 5 free of them
-  const sparse c = from(6, 9, {{0, 0, 0.1}, {0, 4, 0.7}, {1, 4, 1.0}, {1, 8, 0.3}, {2, 0, 0.1}, {2, 4, 2.7}, {2, 8, 0.6}, {3, 0, 0.1 * 3}, {3, 4, 0.7 * 3}, {5, 2, 1e-20}});
+  const sparse c = from(6, 9, {{0, 0, 0.1}, {0, 4, 0.7}, {1, 4, 1.0}, {1, 8, 0.3}, {2, 0, 0.1}, {2, 4, 2.7}, {2, 8, 0.6},
+                            {3, 0, 0.1 * 3}, {3, 4, 0.7 * 3}, {5, 2, 1e-20}});
   Eigen::VectorXd d(6);
   d << 0.3, 0.2, 0.7, 0.9, 0, 4e-20;
   const auto r = solve_with_constraints(k, b, c, d);

@@ -40,7 +40,8 @@ TEST_CASE("ldlt: the row that made the matrix singular") {
   auto a = path(3, 1);
   for (const int j : {0, 2}) a.coeffRef(1, j) = a.coeffRef(j, 1) = 0;
   a.coeffRef(1, 1) = 0;
-  CHECK_THROWS_WITH_AS(solver.factorize(a), "ldlt: the matrix is singular to working precision in row 1: of the diagonal entry 0 elimination leaves 0", solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(a),
+                       "ldlt: the matrix is singular to working precision in row 1: of the diagonal entry 0 elimination leaves 0", solver_error);
 }
 
 TEST_CASE("ldlt: a limit to the entries of the factor") {

@@ -21,7 +21,8 @@ TEST_CASE("lu: unsymmetric and indefinite matrices, as a dense solver has it") {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < n; ++i) entries.emplace_back(i, (i + 1) % n, 2.0);  // no diagonal: rows must be exchanged
     for (int k = 0; k < 2 * n; ++k)
-      entries.emplace_back(static_cast<int>(random()) & 1 ? k % n : (k * 7) % n, static_cast<int>(random() % 1000) % n, static_cast<double>(random() % 100) / 1000);
+      entries.emplace_back(static_cast<int>(random()) & 1 ? k % n : (k * 7) % n, static_cast<int>(random() % 1000) % n,
+                           static_cast<double>(random() % 100) / 1000);
     const sparse a = from(n, n, entries);
     const Eigen::FullPivLU<Eigen::MatrixXd> dense((Eigen::MatrixXd(a)));
     if (dense.rcond() < 1e-6) continue;
@@ -38,8 +39,10 @@ TEST_CASE("lu: unsymmetric and indefinite matrices, as a dense solver has it") {
 
 TEST_CASE("lu: singular matrices are errors that name a column") {
   lu solver;
-  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {1, 2, 2.0}, {2, 2, 1.0}})), doctest::Contains("singular in column 1: it is 0"), solver_error);
-  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {0, 1, 1.0}, {2, 2, 1.0}})), doctest::Contains("is a combination of others"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {1, 2, 2.0}, {2, 2, 1.0}})),
+                       doctest::Contains("singular in column 1: it is 0"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {0, 1, 1.0}, {2, 2, 1.0}})),
+                       doctest::Contains("is a combination of others"), solver_error);
   for (const int n : {2, 10, 40}) CHECK_THROWS_WITH_AS(solver.factorize(grid(n, 0)), doctest::Contains("singular in column"), solver_error);
 }
 

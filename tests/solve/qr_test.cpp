@@ -33,9 +33,11 @@ TEST_CASE("qr: least squares as a dense solver has them, with rows of zeros and 
 
 TEST_CASE("qr: columns that depend on others, or are too many") {
   qr solver;
-  CHECK_THROWS_WITH_AS(solver.factorize(from(4, 2, {{0, 0, 1.0}, {0, 1, 2.0}, {3, 0, 2.0}, {3, 1, 4.0}})), doctest::Contains("is a combination of others"),
+  CHECK_THROWS_WITH_AS(solver.factorize(from(4, 2, {{0, 0, 1.0}, {0, 1, 2.0}, {3, 0, 2.0}, {3, 1, 4.0}})),
+                       doctest::Contains("is a combination of others"),
                        solver_error);
-  CHECK_THROWS_WITH_AS(solver.factorize(from(4, 3, {{0, 0, 1.0}, {0, 2, 2.0}, {3, 0, 2.0}, {3, 2, 5.0}})), doctest::Contains("column 1 of the matrix"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(from(4, 3, {{0, 0, 1.0}, {0, 2, 2.0}, {3, 0, 2.0}, {3, 2, 5.0}})),
+                       doctest::Contains("column 1 of the matrix"), solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(from(1, 2, {{0, 0, 1.0}})), doctest::Contains("at least as many rows as columns"), solver_error);
   CHECK_THROWS_AS(solver.factorize(grid(5, 0)), solver_error);
 }

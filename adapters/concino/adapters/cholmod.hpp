@@ -89,7 +89,8 @@ class cholmod {
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {
     const std::vector<double> given = detail::diagonal(a);
     if (const Eigen::Index row = factors_.failed_row(); row >= 0)
-      detail::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
+      detail::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ", static_cast<std::size_t>(row),
+                                          ": of the diagonal entry ",
                                           detail::number_text(given[static_cast<std::size_t>(row)]), " elimination leaves nothing positive"});
     factors_.for_each_pivot([&](Eigen::Index row, double pivot) {
       const double diagonal = given[static_cast<std::size_t>(row)];

@@ -15,8 +15,8 @@ struct auto_solver_options {
 
 enum class solver_used { none, ldlt, conjugate_gradients };
 
-/// Solves symmetric systems: by ldlt if its factor, whose entries are counted before anything is factorised, has at most most_factor_entries, and else,
-/// for positive definite matrices only, by conjugate_gradients. A SparseSolver; used() tells by which. Only the lower triangle is read.
+/// Solves symmetric systems: by ldlt if its factor, whose entries are counted before anything is factorised, has at most most_factor_entries, and
+/// else, for positive definite matrices only, by conjugate_gradients. A SparseSolver; used() tells by which. Only the lower triangle is read.
 /// The default is reached by Laplacians of triangle surfaces of about 3 million verts, and of grids of hexes of about 50 verts a side. A matrix
 /// with the pattern of the one factorised before is factorised in the order found then.
 /// iterations() and residual() tell of the last solve by conjugate_gradients, and are 0 for ldlt.

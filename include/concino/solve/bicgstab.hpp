@@ -19,9 +19,9 @@ struct bicgstab_options {
   int fill = 10;               // at most so many times the entries of the matrix in the incomplete factors; positive
 };
 
-/// Solves square systems, symmetric or not, by stabilised bi-conjugate gradients, with an incomplete LU factorisation to speed them up. A SparseSolver
-/// of memory proportional to the entries of the matrix. The whole matrix is read, both triangles of a symmetric one too. Rows and columns are
-/// scaled by powers of two first. `factorize` keeps a scaled copy of the matrix and prepares: there is no analysis to save.
+/// Solves square systems, symmetric or not, by stabilised bi-conjugate gradients, with an incomplete LU factorisation to speed them up. A
+/// SparseSolver of memory proportional to the entries of the matrix. The whole matrix is read, both triangles of a symmetric one too. Rows and
+/// columns are scaled by powers of two first. `factorize` keeps a scaled copy of the matrix and prepares: there is no analysis to save.
 /// iterations() and residual(), |b - a x| / |b| of the scaled system, tell of the last solve; therefore not for several threads at once.
 /// Errors: invalid_argument if an option is out of its range; solver_error, with the reason, from factorize if the matrix is not square, has
 ///         entries that are not finite, or a row or column of zeros; from solve if nothing was factorised, or the right-hand side has another
@@ -99,7 +99,8 @@ class bicgstab {
     for (Eigen::Index k = 0; k < a_.nonZeros(); ++k) row_has[static_cast<std::size_t>(a_.innerIndexPtr()[k])] = 1;
     for (std::size_t i = 0; i < row_has.size(); ++i) {
       if (!row_has[i]) detail::throw_joined<solver_error>({"bicgstab: the matrix is singular: row ", i, " is 0"});
-      if (a_.outerIndexPtr()[i] == a_.outerIndexPtr()[i + 1]) detail::throw_joined<solver_error>({"bicgstab: the matrix is singular: column ", i, " is 0"});
+      if (a_.outerIndexPtr()[i] == a_.outerIndexPtr()[i + 1])
+        detail::throw_joined<solver_error>({"bicgstab: the matrix is singular: column ", i, " is 0"});
     }
   }
 };

@@ -39,7 +39,8 @@ class conjugate_gradients {
  public:
   explicit conjugate_gradients(const conjugate_gradients_options& options = {}) : options_(options) {
     if (!(options.tolerance > 0 && options.tolerance < 1))
-      detail::throw_joined<invalid_argument>({"conjugate_gradients: tolerance is ", detail::number_text(options.tolerance), "; it must be in (0, 1)"});
+      detail::throw_joined<invalid_argument>({"conjugate_gradients: tolerance is ", detail::number_text(options.tolerance),
+                                              "; it must be in (0, 1)"});
     if (options.max_iterations < 0) throw invalid_argument("conjugate_gradients: max_iterations is negative");
   }
 
@@ -79,7 +80,8 @@ class conjugate_gradients {
     iterations_ = static_cast<int>(iteration_.iterations());
     residual_ = (b * b_scale - a_.selfadjointView<Eigen::Lower>() * x).norm() / (b * b_scale).norm();  // the iteration's own is only estimated
     if (iteration_.info() != Eigen::Success || !(residual_ <= std::max(options_.tolerance, 1e-6)))
-      detail::throw_joined<solver_error>({"conjugate_gradients: not converged after ", static_cast<std::size_t>(iterations_), " iterations: the residual is ",
+      detail::throw_joined<solver_error>({"conjugate_gradients: not converged after ", static_cast<std::size_t>(iterations_),
+                                          " iterations: the residual is ",
                                           detail::number_text(residual_), ", the tolerance ", detail::number_text(options_.tolerance),
                                           "; the matrix is not positive definite, or badly conditioned"});
     x *= scale_;

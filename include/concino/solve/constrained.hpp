@@ -18,7 +18,7 @@ struct constrained_result {
   std::size_t redundant = 0;     // rows of C that follow from rows before them, and were left out
 };
 
-/// The stationary point of x^T K x / 2 - b^T x among all x with C x = d: the minimum where K is positive definite in the directions that C leaves free.
+/// The stationary point of x^T K x / 2 - b^T x among all x with C x = d: the minimum where K is positive definite in directions that C leaves free.
 /// K itself may be singular, as the Laplacian of a mesh without boundary values is, if C determines what K does not.
 /// Needs:  K: symmetric, n x n, both triangles; C: m x n, any rank. solver: a SparseSolver for symmetric indefinite matrices; ldlt and others
 ///         that read one triangle will do, but ldlt does not exchange pivots and so fails on some systems that lu, the default, solves.
@@ -66,8 +66,8 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   try {
     solver.factorize(whole);
   } catch (const solver_error& e) {
-    detail::throw_joined<solver_error>({who, ": the unknowns, ", static_cast<std::size_t>(n), " of them, are not determined by K and ", static_cast<std::size_t>(m),
-                                        " constraints, or the solver cannot tell: ", std::string(e.what())});
+    detail::throw_joined<solver_error>({who, ": the unknowns, ", static_cast<std::size_t>(n), " of them, are not determined by K and ",
+                                        static_cast<std::size_t>(m), " constraints, or the solver cannot tell: ", std::string(e.what())});
   }
   Eigen::VectorXd found = solver.solve(right);
   found += solver.solve(Eigen::VectorXd(right - whole * found));

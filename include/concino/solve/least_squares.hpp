@@ -74,11 +74,12 @@ least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const E
 /// Errors: as least_squares; invalid_argument if w has another size than A has rows, or a weight is negative or not finite.
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = ldlt>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& w, const Eigen::VectorXd& b, const D& given = {},
-                                            Solver&& solver = {}) {
+least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& w, const Eigen::VectorXd& b,
+                                            const D& given = {}, Solver&& solver = {}) {
   const char* const who = "weighted_least_squares";
   if (w.size() != A.rows())
-    detail::throw_joined<invalid_argument>({who, ": there are ", static_cast<std::size_t>(w.size()), " weights, but ", static_cast<std::size_t>(A.rows()), " rows"});
+    detail::throw_joined<invalid_argument>({who, ": there are ", static_cast<std::size_t>(w.size()), " weights, but ",
+                                            static_cast<std::size_t>(A.rows()), " rows"});
   for (Eigen::Index i = 0; i < w.size(); ++i)
     if (!(w[i] >= 0 && std::isfinite(w[i])))
       detail::throw_joined<invalid_argument>({who, ": the weight of row ", static_cast<std::size_t>(i), " is ", detail::number_text(w[i]),

@@ -17,8 +17,9 @@ namespace concino {
 /// The whole matrix is read, both triangles of a symmetric one too. Rows and columns are scaled by powers of two first, to entries near 1, so that
 /// unknowns and equations may come in different units. A matrix with the pattern of the one factorised before is factorised in the order found then.
 /// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular to
-///         working precision, its condition beyond some 1e13 (a column is named that depends on others: an unknown not determined); from solve if nothing was factorised,
-///         or the right-hand side has another size or is not finite, or the solution is not. A failed factorize leaves nothing to solve with.
+///         working precision, its condition beyond some 1e13 (a column is named that depends on others: an unknown not
+///         determined); from solve if nothing was factorised, or the right-hand side has another size or is not finite, or the solution is not.
+///         A failed factorize leaves nothing to solve with.
 /// Source: Eigen's SparseLU (Demmel, Eisenstat, Gilbert, Li, Liu 1999) with column approximate minimum degree ordering (Davis et al. 2004).
 class lu {
   using factors = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>;

@@ -43,7 +43,8 @@ class qr {
       if (a.rows() < a.cols()) throw_dependent(first_empty_or_last_column(a));
       pattern_.update(a, [&](const auto& m) { factors_.analyzePattern(m); });
       factors_.factorize(a);
-      if (factors_.info() != Eigen::Success) detail::throw_joined<solver_error>({"qr: the matrix cannot be factorised: ", factors_.lastErrorMessage()});
+      if (factors_.info() != Eigen::Success)
+        detail::throw_joined<solver_error>({"qr: the matrix cannot be factorised: ", factors_.lastErrorMessage()});
       if (factors_.rank() < a.cols()) throw_dependent(factors_.colsPermutation().indices()[factors_.rank()]);
     }
     rows_ = given.rows();

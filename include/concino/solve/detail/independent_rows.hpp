@@ -60,10 +60,13 @@ inline std::vector<int> independent_rows(const char* who, const Eigen::SparseMat
       terms += std::abs(factor) * pivot.terms;
     }
     int largest = -1;
+    double most = 0;
     for (const int j : touched)
-      if (row[static_cast<std::size_t>(j)] != 0 && (largest < 0 || std::abs(row[static_cast<std::size_t>(j)]) > std::abs(row[static_cast<std::size_t>(largest)])))
+      if (const double x = std::abs(row[static_cast<std::size_t>(j)]); x > most) {
+        most = x;
         largest = j;
-    if (largest >= 0 && std::abs(row[static_cast<std::size_t>(largest)]) > 1e-11 * scale) {
+      }
+    if (largest >= 0 && most > 1e-11 * scale) {
       const double pivot = row[static_cast<std::size_t>(largest)];
       reduced next{{{largest, 1.0}}, value / pivot, terms / std::abs(pivot)};
       for (const int j : touched)
@@ -72,8 +75,8 @@ inline std::vector<int> independent_rows(const char* who, const Eigen::SparseMat
       pivots.push_back(std::move(next));
       independent.push_back(i);
     } else if (!(std::abs(value) <= 1e-9 * terms)) {
-      throw_joined<solver_error>({who, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from theirs, but its right"
-                                  " side is off by ", number_text(std::abs(value))});
+      throw_joined<solver_error>({who, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from"
+                                  " theirs, but its right side is off by ", number_text(std::abs(value))});
     }
     for (const int j : touched) {
       row[static_cast<std::size_t>(j)] = 0;

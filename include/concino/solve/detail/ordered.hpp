@@ -23,7 +23,8 @@ struct elimination_order {
     place = row.inverse();
   }
 
-  /// The upper triangle of the reordered matrix, from the lower one of a, which is compressed. Loops, because Eigen's expressions take long to compile.
+  /// The upper triangle of the reordered matrix, from the lower one of a, which is compressed. Loops, because
+  /// Eigen's expressions take long to compile.
   Eigen::SparseMatrix<double> operator()(const Eigen::SparseMatrix<double>& a) const {
     const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = place.indices().data();
     const auto n = static_cast<int>(a.cols());

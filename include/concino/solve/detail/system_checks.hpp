@@ -56,8 +56,8 @@ inline void check_solution(const char* who, const Eigen::VectorXd& x) {
 
 /// `given`: the diagonal entry, or what else the pivot would be compared with.
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_bad_pivot(const char* who, const char* what, Eigen::Index row, double given, double pivot) {
-  throw_joined<solver_error>({who, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ", number_text(given),
-                              " elimination leaves ", number_text(pivot)});
+  throw_joined<solver_error>({who, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
+                              number_text(given), " elimination leaves ", number_text(pivot)});
 }
 
 /// The diagonal of a compressed matrix; 0 where it has no entry.
