@@ -19,8 +19,11 @@ namespace concino {
 namespace detail {
 
 template<class M>
-[[noreturn, gnu::noinline, gnu::cold]] void throw_infinite_mass(const M& m, const poly_t<M>& p) {
-  throw_joined<invalid_mesh>({"masses: poly ", static_cast<std::size_t>(index_of(m, p)), " has points that are not finite, so it has no mass; move its verts"});
+[[noreturn, gnu::noinline, gnu::cold]] void throw_infinite_mass(const M& m) {
+  for (const poly_t<M> p : polys(m))
+    if (!std::isfinite(measure(m, p)))
+      throw_joined<invalid_mesh>({"masses: poly ", static_cast<std::size_t>(index_of(m, p)), " has points that are not finite, so it has no mass; move its verts"});
+  throw_joined<invalid_mesh>({"masses: the polys are so large that their measures sum to infinity; scale the mesh"});
 }
 
 /// The area of the triangle or the volume, without a sign, of the tet with these corners.
@@ -51,18 +54,18 @@ vert_map<M, double> vert_masses(M&& m) {
       for (const vert_t<M> v : adj_p2v(m, p))
         if (n < corner.size()) corner[n++] = v;
       const double part = detail::simplex_measure(m, corner) / arity_v<M>;
-      if (!std::isfinite(part)) detail::throw_infinite_mass(m, p);
       for (const vert_t<M>& v : corner) mass[v] += part;
     }
-    return mass;
+  } else {
+    for (const poly_t<M> p : polys(m)) {
+      double n = 0;
+      for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) n += 1;
+      const double part = n > 0 ? std::abs(measure(m, p)) / n : 0;
+      for (const vert_t<M> v : adj_p2v(m, p)) mass[v] += part;
+    }
   }
-  for (const poly_t<M> p : polys(m)) {
-    double n = 0;
-    for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) n += 1;
-    const double part = n > 0 ? std::abs(measure(m, p)) / n : 0;
-    if (!std::isfinite(part)) detail::throw_infinite_mass(m, p);
-    for (const vert_t<M> v : adj_p2v(m, p)) mass[v] += part;
-  }
+  for (const double x : mass.values())
+    if (!std::isfinite(x)) detail::throw_infinite_mass(m);
   return mass;
 }
 
