@@ -3,6 +3,7 @@
 
 #include <concino/concepts/primal_graph.hpp>
 #include <concino/error.hpp>
+#include <concino/parallel.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -61,7 +62,7 @@ struct lower_triangle {
 
 /// The matrix with `sign` times the sum of the weights at a vert on the diagonal and minus `sign` times the weights beside it.
 /// column(v) is the row and column of vert v, negative where it has none: such a neighbour adds to the diagonal and is reported to
-/// outside(column of v, neighbour, weight). Part says which triangle is wanted. Verts may come in any order.
+/// outside(column of v, neighbour, weight), by several threads for different v. Part says which triangle is wanted. Verts may come in any order.
 template<class Part, class M, class W, class Column, class Outside>
 Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t size, double sign, const Column& column, const Outside& outside) {
   if (size >= static_cast<std::size_t>(std::numeric_limits<int>::max()))
@@ -89,9 +90,9 @@ Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t s
   a.resizeNonZeros(static_cast<Eigen::Index>(entries));
   int* const rows = a.innerIndexPtr();
   double* const values = a.valuePtr();
-  for (const vert_t<M> v : verts(m)) {
+  parallel_for_each(verts(m), [&](const vert_t<M>& v) {  // each vert writes its own column
     const int c = column(v);
-    if (c < 0) continue;
+    if (c < 0) return;
     const std::size_t first = static_cast<std::size_t>(begin[c]);
     std::size_t at = first + 1;
     double diagonal = 0;
@@ -106,7 +107,7 @@ Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t s
     rows[first] = c;
     values[first] = sign * diagonal;
     sort_column(rows + first, values + first, at - first);
-  }
+  });
   return a;
 }
 
