@@ -3,6 +3,8 @@
 #include <concino/operators/divergence_matrix.hpp>
 #include <concino/operators/gradient.hpp>
 #include <concino/operators/gradient_matrix.hpp>
+#include <concino/operators/laplacian.hpp>
+#include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/vert_gradient_matrix.hpp>
 
 #include <support/fields.hpp>
@@ -52,6 +54,16 @@ TEST_CASE_TEMPLATE("operators: the same for any number of threads", M, trimesh, 
     CHECK(same(gradient(m, u), gu));
     CHECK(same(vert_gradient(m, u), wu));
     CHECK(same(divergence(m, gu), du));
+  });
+}
+
+TEST_CASE_TEMPLATE("Laplacians and masses: the same for any number of threads", M, trimesh, polygonmesh, tetmesh, polyhedralmesh) {
+  const M m(jittered(grid_arrays<M>(VolumeMesh<M> ? 9 : 45), 0.1 / (VolumeMesh<M> ? 9 : 45)));
+  const auto standard = laplacian(m), uniform = laplacian(m, {.weights = weights::uniform}), mass = mass_matrix(m, {.lumped = false});
+  with_threads([&] {
+    CHECK(same_entries(laplacian(m), standard));
+    CHECK(same_entries(laplacian(m, {.weights = weights::uniform}), uniform));
+    CHECK(same_entries(mass_matrix(m, {.lumped = false}), mass));
   });
 }
 
