@@ -1,0 +1,11 @@
+// Operators on OpenMesh's meshes: real and generated surfaces.
+#include <support/openmesh.hpp>
+
+#include <support/operator_laws.hpp>
+
+using namespace concino;
+using namespace concino::testing;
+
+TEST_CASE_TEMPLATE("OpenMesh: gradients are exact on linear functions, masses sum to the area, matrices scale exactly", M, om::tri_double, om::poly_double) {
+  operators_of_foreign_surfaces<M>();
+}
