@@ -86,7 +86,7 @@ void grow(const bench::program& p, const std::string& name, Kind kind, bool with
     }
     if (operators) {
       const mesh m(arrays);
-      if constexpr (requires { floors::cotangent_laplacian(flat); }) {
+      if constexpr (requires { floors::cotangents(flat); }) {
         measure("laplacian", "n", timed([&] { return floors::cotangent_laplacian(flat); }), timed([&] { return concino::laplacian(m); }));
         measure("gradient", "n", timed([&] { return floors::gradient(flat); }), timed([&] { return concino::gradient_matrix(m); }));
       } else {
