@@ -37,7 +37,7 @@ int main() {
   cn::box unit;
   unit.add({0, 0, 0});
   unit.add({1, 1, 1});
-  for (const unsigned n : {4, 8}) {
+  for (const unsigned n : {4u, 8u}) {
     const auto cubes = cn::make_grid<cn::hexmesh>({.cells = {n, n, n}});
     solve("cubes", cubes);
     solve("Voronoi cells", cn::voronoi_polyhedra(cn::random_points(n * n * n, unit), unit, {.relax = 3}));

@@ -52,10 +52,10 @@ TEST_CASE("face_soup: a triangle and a quad on its verts are two faces") {
 
 TEST_CASE("face_soup: a triangle is no quad, whatever face follows it") {
   for (const bool triangle_first : {false, true}) {
-    std::vector<std::vector<unsigned>> faces = {{0, 1, 2}, {3, 0, 1}, {0, 1, 2, 3}};
-    if (!triangle_first) std::swap(faces[0], faces[2]);
+    std::vector<std::vector<unsigned>> lists = {{0, 1, 2}, {3, 0, 1}, {0, 1, 2, 3}};
+    if (!triangle_first) std::swap(lists[0], lists[2]);
     face_soup soup;
-    for (const auto& face : faces) {
+    for (const auto& face : lists) {
       for (const unsigned v : face) soup.face_verts.push_back(vert_id{v});
       soup.face_offsets.push_back(static_cast<std::uint32_t>(soup.face_verts.size()));
     }
