@@ -74,17 +74,19 @@ void parallel_for_each(const R& range, F&& f, [[maybe_unused]] std::size_t chunk
   if (chunk == 0) chunk = 1;
   std::vector<decltype(range.begin())> starts;
   std::size_t n = 0;
-  for (auto it = range.begin(); it != range.end(); ++it, ++n)
+  const auto end = range.end();
+  for (auto it = range.begin(); it != end; ++it, ++n)
     if (n % chunk == 0) starts.push_back(it);
   parallel_for(
       starts.size(),
       [&](std::size_t c) {
         auto it = starts[c];
-        for (std::size_t k = 0; k < chunk && it != range.end(); ++k, ++it) f(*it);
+        for (std::size_t k = 0; k < chunk && it != end; ++k, ++it) f(*it);
       },
       1);
 #else
-  for (auto it = range.begin(); it != range.end(); ++it) f(*it);
+  const auto end = range.end();
+  for (auto it = range.begin(); it != end; ++it) f(*it);
 #endif
 }
 
