@@ -70,24 +70,28 @@ void parallel_for(std::size_t n, F&& f, std::size_t chunk = 1024) {
 ///         chunks begin.                                         Errors: what f throws; of several, as parallel_for.
 template<class R, class F>
 void parallel_for_each(const R& range, F&& f, [[maybe_unused]] std::size_t chunk = 1024) {
+  const auto end = range.end();
 #ifdef _OPENMP
   if (chunk == 0) chunk = 1;
-  std::vector<decltype(range.begin())> starts;
-  std::size_t n = 0;
-  const auto end = range.end();
-  for (auto it = range.begin(); it != end; ++it, ++n)
-    if (n % chunk == 0) starts.push_back(it);
-  parallel_for(
-      starts.size(),
-      [&](std::size_t c) {
-        auto it = starts[c];
-        for (std::size_t k = 0; k < chunk && it != end; ++k, ++it) f(*it);
-      },
-      1);
-#else
-  const auto end = range.end();
-  for (auto it = range.begin(); it != end; ++it) f(*it);
+  std::size_t few = 0;
+  auto rest = range.begin();
+  for (; few < chunk && rest != end; ++rest) ++few;
+  if (rest != end) {
+    std::vector<decltype(range.begin())> starts;
+    std::size_t n = 0;
+    for (auto it = range.begin(); it != end; ++it, ++n)
+      if (n % chunk == 0) starts.push_back(it);
+    parallel_for(
+        starts.size(),
+        [&](std::size_t c) {
+          auto it = starts[c];
+          for (std::size_t k = 0; k < chunk && it != end; ++k, ++it) f(*it);
+        },
+        1);
+    return;
+  }
 #endif
+  for (auto it = range.begin(); it != end; ++it) f(*it);
 }
 
 }  // namespace concino
