@@ -87,7 +87,7 @@ class prepared_heat_geodesics {
     preparation r{{std::move(stiffness), std::move(corners), mean, solver}, time, edge};
     detail::tell(options.progress, 0.4, "factorising");
     std::vector<unsigned char> is_cold;
-    if (options.boundary != heat_boundary::natural) is_cold = detail::boundary_verts_of(m);
+    if (options.boundary != heat_boundary::natural) is_cold = detail::boundary_verts(m);
     const bool has_boundary = std::find(is_cold.begin(), is_cold.end(), 1) != is_cold.end();
     // Not quite 0 at the boundary, so that it has a logarithm, and sources there warm the rest.
     const auto chilled = [&](Eigen::SparseMatrix<double> a) {

@@ -6,6 +6,7 @@
 #include <concino/generate/detail/finite.hpp>
 #include <concino/generate/detail/random.hpp>
 #include <concino/geometry/polygon.hpp>
+#include <concino/graph/detail/boundary_verts.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -20,27 +21,6 @@ struct jitter_options {
   bool keep_boundary = true;  // verts of the border of a surface, or of the boundary of a volume, stay
   bool in_plane = true;       // surfaces: moves lie in the plane perpendicular to the sum of the vector areas around the vert
 };
-
-namespace detail {
-
-/// By index: the verts of edges (surfaces) or faces (volumes) with exactly one poly.
-template<AnyMesh M>
-std::vector<unsigned char> boundary_verts(const M& m) {
-  std::vector<unsigned char> on_boundary(vert_index_bound(m));
-  const auto mark = [&](const auto& facet_polys, const auto& facet_verts) {
-    std::size_t n = 0;
-    for ([[maybe_unused]] const poly_t<M> p : facet_polys) ++n;
-    if (n != 1) return;
-    for (const vert_t<M> v : facet_verts) on_boundary[index_of(m, v)] = 1;
-  };
-  if constexpr (SurfaceMesh<M>)
-    for (const edge_t<M> e : edges(m)) mark(adj_e2p(m, e), adj_e2v(m, e));
-  else
-    for (const face_t<M> f : faces(m)) mark(adj_f2p(m, f), adj_f2v(m, f));
-  return on_boundary;
-}
-
-}  // namespace detail
 
 /// Moves the interior verts of m at random, each by at most `amount` times its shortest edge along every axis.
 /// Needs:  MutablePoints AnyMesh. Cells of good shape stay valid up to an amount of about 0.2.

@@ -4,6 +4,7 @@
 
 #include <concino/fields/detail/heat_system.hpp>
 #include <concino/geometry/edge_length.hpp>
+#include <concino/graph/detail/boundary_verts.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
 #include <concino/operators/detail/simplex_gradients.hpp>
@@ -89,23 +90,6 @@ Eigen::SparseMatrix<double> lower_positive_stiffness(const M& m) {
   const auto column = [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); };
   return assemble<lower_triangle>(m, positive_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), 1.0, column,
                                   [](int, const vert_t<M>&, double) {});
-}
-
-/// By index, 1 for verts of boundary edges (surfaces) or boundary faces (volumes), those with one poly.
-template<AnyMesh M>
-std::vector<unsigned char> boundary_verts_of(const M& m) {
-  std::vector<unsigned char> on_boundary(static_cast<std::size_t>(vert_index_bound(m)));
-  const auto mark = [&](const auto& facet_polys, const auto& facet_verts) {
-    std::size_t n = 0;
-    for ([[maybe_unused]] const poly_t<M> p : facet_polys) ++n;
-    if (n != 1) return;
-    for (const vert_t<M> v : facet_verts) on_boundary[static_cast<std::size_t>(index_of(m, v))] = 1;
-  };
-  if constexpr (SurfaceMesh<M>)
-    for (const edge_t<M> e : edges(m)) mark(adj_e2p(m, e), adj_e2v(m, e));
-  else
-    for (const face_t<M> f : faces(m)) mark(adj_f2p(m, f), adj_f2v(m, f));
-  return on_boundary;
 }
 
 /// 0 where there are no edges.
