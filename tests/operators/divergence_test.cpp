@@ -49,6 +49,12 @@ TEST_CASE_TEMPLATE("divergence: what the matrix gives, of any map, on archetypes
   check_as_matrix(only_embedded_mesh(m));
 }
 
+TEST_CASE_TEMPLATE("divergence: of more polys than one thread takes at a time", M, quadmesh, hexmesh) {
+  const M m(jittered(grid_arrays<M>(VolumeMesh<M> ? 11 : 33), 0.003));
+  REQUIRE(num_polys(m) > 1024);
+  check_as_matrix(m);
+}
+
 TEST_CASE("divergence: of gradients, sums to 0; strangers, empty meshes, errors, no temporaries") {
   const auto m = grid<polyhedralmesh>(2);
   auto u = make_vert_map<double>(m);

@@ -61,6 +61,19 @@ TEST_CASE_TEMPLATE("vert_gradient_matrix: exact on linear functions, scales exac
   for (const double s : {1e6, 1e-6}) CHECK(difference(s * vert_gradient_matrix(M(scaled_arrays(arrays, s))), w) < 1e-9);
 }
 
+TEST_CASE("vert_gradient_matrix: of more polys than one thread takes at a time, and a single vert more than the columns") {
+  auto arrays = jittered(triangle_grid(31), 0.01, false);
+  arrays.points.push_back({-0.1, -0.1, 0});
+  for (const unsigned v : {0u, 32u, 1024u}) arrays.verts.push_back(vert_id{v});
+  const trimesh m(arrays);
+  REQUIRE(num_polys(m) > 1024);
+  REQUIRE(num_verts(m) == 2 * 512 + 1);
+  const Eigen::VectorXd gu = vert_gradient_matrix(m) * at_verts(m, [](const vec3& x) { return 2 * x.x - x.y + 3; });
+  double worst = 0;
+  for (const auto v : verts(m)) worst = std::max(worst, distance(vector_at(gu, index_of(m, v)), {2, -1, 0}));
+  CHECK(worst < 1e-11);
+}
+
 TEST_CASE("vert_gradient_matrix: cubes and pyramids of a stranger; errors name the poly") {
   check_is_mean(tiny::volume_example());
   const tetmesh pressed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});
