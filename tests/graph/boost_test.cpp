@@ -123,6 +123,9 @@ std::string wrong_walk(const G& g) {
     if ((back == *e) == directed || (number[back] == number[*e]) == directed) return "edge, from the other end";
     for (auto [i, end] = in_edges(target(*e, g), g); i != end; ++i)
       if ((*i == *e) != (number[*i] == number[*e])) return "number of an edge that comes in";
+    for (const auto v : {source(*e, g), target(*e, g)})
+      for (auto [i, end] = out_edges(v, g); i != end; ++i)
+        if ((*i == *e) != (number[*i] == number[*e])) return "number of an edge that goes out";
   }
   if (numbers.size() != listed.size() || (!numbers.empty() && *numbers.rbegin() != listed.size() - 1)) return "edge_index";
   return "";
@@ -133,7 +136,11 @@ struct counted_ring {
   std::size_t n;
   mutable int asked = 0;
 };
-struct one_way { int unused = 0; };
+/// Arcs that need not be mutual, of verts that need not come in the order of their numbers.
+struct arcs {
+  std::vector<std::vector<unsigned>> to;
+  bool backwards = false;
+};
 struct numbered { unsigned i = 0; friend bool operator==(numbered, numbered) = default; };
 struct from_zero {};
 
@@ -165,13 +172,22 @@ struct concino::mesh_traits<counted_ring> {
   }
 };
 template<>
-struct concino::mesh_traits<one_way> {
+struct concino::mesh_traits<arcs> {
   using vert = vert_id;
-  static std::size_t num_verts(const one_way&) { return 3; }
-  static std::size_t vert_index_bound(const one_way&) { return 3; }
-  static std::size_t index_of(const one_way&, vert_id v) { return v.raw(); }
-  static id_range<vert_id> verts(const one_way&) { return id_range<vert_id>(3); }
-  static std::vector<vert_id> adj_v2v(const one_way&, vert_id v) { return {vert_id{(v.raw() + 1) % 3}}; }
+  static std::size_t num_verts(const arcs& a) { return a.to.size(); }
+  static std::size_t vert_index_bound(const arcs& a) { return a.to.size(); }
+  static std::size_t index_of(const arcs&, vert_id v) { return v.raw(); }
+  static std::vector<vert_id> verts(const arcs& a) {
+    std::vector<vert_id> r;
+    for (unsigned i = 0; i < a.to.size(); ++i) r.push_back(vert_id{i});
+    if (a.backwards) std::reverse(r.begin(), r.end());
+    return r;
+  }
+  static std::vector<vert_id> adj_v2v(const arcs& a, vert_id v) {
+    std::vector<vert_id> r;
+    for (const unsigned i : a.to[v.raw()]) r.push_back(vert_id{i});
+    return r;
+  }
 };
 template<>
 struct concino::mesh_traits<from_zero> {
@@ -346,9 +362,14 @@ TEST_CASE("boost: a filter of Boost's bars nodes and edges") {
 }
 
 TEST_CASE("boost: neighbours that are not mutual and descriptors without a none are refused") {
-  const one_way bad;
-  CHECK_THROWS_AS(cn::directed(cn::primal(bad)), cn::invalid_mesh);
-  CHECK_THROWS_AS(get(boost::edge_index, cn::primal(bad)), cn::invalid_mesh);
+  const auto check_refused = [](const arcs& bad, const char* what) {
+    CHECK_THROWS_WITH_AS(cn::directed(cn::primal(bad)), doctest::Contains(what), cn::invalid_mesh);
+    CHECK_THROWS_WITH_AS(get(boost::edge_index, cn::primal(bad)), doctest::Contains(what), cn::invalid_mesh);
+  };
+  check_refused({{{1}, {2}, {0}}, false}, "edge numbers: vert 0 is a neighbour of vert 2, but not");  // as many arcs in as out
+  check_refused({{{1}, {2}, {0}}, true}, "edge numbers: vert 2 is a neighbour of vert 1, but not");
+  check_refused({{{3}, {2}, {3}, {1, 0}}, false}, "edge numbers: vert 1 is a neighbour of vert 3, but not");
+  check_refused({{{1, 2}, {0}, {}}, false}, "edge numbers: vert 2 is a neighbour of vert 0, but not");
   const from_zero zero;
   CHECK(num_edges(cn::primal(zero)) == 1);
   CHECK_THROWS_AS(cn::directed(cn::primal(zero)), cn::unsupported);
