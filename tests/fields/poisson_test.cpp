@@ -1,6 +1,7 @@
 #include <concino/fields/poisson.hpp>
 
 #include <concino/concepts/archetypes.hpp>
+#include <concino/fields/harmonic_map.hpp>
 
 #include <support/kinds.hpp>
 

@@ -4,17 +4,14 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
-#include <concino/operators/detail/assembly.hpp>
-#include <concino/operators/detail/product.hpp>
-#include <concino/operators/laplacian.hpp>
-#include <concino/operators/mass_matrix.hpp>
-#include <concino/operators/weights.hpp>
+#include <concino/fields/detail/laplace_system.hpp>
 #include <concino/progress.hpp>
 #include <concino/solve/ldlt.hpp>
 
 #include <initializer_list>
+#include <memory>
+#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace concino {
 
@@ -27,77 +24,90 @@ struct harmonic_map_options {
 
 namespace detail {
 
-/// 1 / mass of each vert, for M^-1 in powers of the Laplacian: 1 for uniform weights, else by the lumped mass. `a` is minus the Laplacian.
+/// Numbers the unknowns and assembles their system.
 template<class M>
-std::vector<double> inverse_masses(const M& m, const Eigen::SparseMatrix<double>& a, concino::weights which) {
-  std::vector<double> inverse(static_cast<std::size_t>(a.cols()), 1.0);
-  if constexpr (AnyMesh<M> && Embedded<M>) {
-    if (which == weights::uniform) return inverse;
-    const auto mass = vert_masses(m);
-    for (const vert_t<M> v : verts(m)) {
-      const std::size_t i = index_of(m, v);
-      if (mass[v] > 0) inverse[i] = 1 / mass[v];
-      else if (a.coeff(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) != 0)
-        throw invalid_mesh("harmonic_map: vert " + number_text(i) + " has edges but no polys with a measure, so no mass; use uniform weights");
-    }
-  }
-  return inverse;
+held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const harmonic_map_options& options) {
+  held.number_reached(m, "harmonic_map");
+  return laplace_system(m, std::move(held), options.weights, options.exponent, "harmonic_map");
 }
 
-/// Minus the Laplacian as far as it stands on edges, lower triangle; row_of[v] is the row of vert v, negative where it has none because a value is
-/// prescribed there, whose contribution goes to b. Summed poly by poly it is whole, by index_of, with both triangles: `is_whole` tells.
-template<class T, class M>
-Eigen::SparseMatrix<double> minus_laplacian(const M& m, concino::weights which, const vert_map<M, int>& row_of, std::size_t size,
-                                            const dirichlet_problem<M, T>& problem, right_hand_sides<T>& b, bool& is_whole) {
-  is_whole = false;
-  return with_weights(
-      m, which,
-      [&](const auto& weights) {
-        return assemble<lower_triangle>(
-            m, weights, size, 1.0, [&](const vert_t<M>& v) { return row_of[v]; },
-            [&](int row, const vert_t<M>& w, double weight) { problem.add_prescribed(b, row, problem.value[w], weight); });
-      },
-      [&](auto make_element) {
-        is_whole = true;
-        return assemble_stiffness(m, make_element, 1.0);
-      });
-}
-
-/// The rows and columns of the unknowns of minus the Laplacian, lower triangle; what prescribed values contribute goes to b.
-template<class T, class M>
-Eigen::SparseMatrix<double> minus_laplacian_of_unknowns(const M& m, concino::weights which, const dirichlet_problem<M, T>& problem, right_hand_sides<T>& b) {
-  bool is_whole;
-  auto a = minus_laplacian<T>(m, which, problem.unknown, static_cast<std::size_t>(problem.unknowns), problem, b, is_whole);
-  return is_whole ? restrict_to_unknowns<T>(a, m, problem, b) : a;
-}
-
-/// All of it, both triangles.
-template<class T, class M>
-Eigen::SparseMatrix<double> whole_minus_laplacian(const M& m, concino::weights which, const dirichlet_problem<M, T>& problem, right_hand_sides<T>& b) {
-  auto row_of = make_vert_map<int>(m);
-  for (const vert_t<M> v : verts(m)) row_of[v] = static_cast<int>(index_of(m, v));
-  bool is_whole;
-  auto a = minus_laplacian<T>(m, which, row_of, static_cast<std::size_t>(vert_index_bound(m)), problem, b, is_whole);
-  return is_whole ? a : with_both_triangles(a);
-}
-
-/// A (M^-1 A)^(n-1), n > 1.
-inline Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& inverse_mass, int exponent) {
-  Eigen::SparseMatrix<double> k = scaled_product(a, inverse_mass, a);
-  for (int n = 2; n < exponent; ++n) k = scaled_product(a, inverse_mass, k);
-  return k;
+inline void check_exponent(const char* who, int exponent) {
+  if (exponent < 1) throw_joined<invalid_argument>({who, ": exponent is ", number_text(exponent), "; it must be 1 or more"});
 }
 
 }  // namespace detail
+
+/// What prepare_harmonic_map prepares: it finds maps, from several threads too if the solver can. Copies share what was prepared.
+template<PrimalGraph M, class Solver>
+class prepared_harmonic_map {
+  struct preparation {
+    detail::held_system<M> system;
+    std::unique_ptr<Solver> solver;
+    double isolated_value;
+  };
+
+  detail::mesh_ref<M> mesh_;
+  std::shared_ptr<const preparation> prepared_;
+
+ public:
+  template<class V>
+  prepared_harmonic_map(const M& m, const V& fixed, const harmonic_map_options& options, const Solver& solver) : mesh_(m) {
+    detail::check_exponent("harmonic_map", options.exponent);
+    detail::tell(options.progress, 0, "harmonic map");
+    detail::held_verts<M> held(m);
+    held.hold(m, fixed, "harmonic_map");
+    auto own = detail::another_solver(solver);
+    auto system = detail::harmonic_system(m, std::move(held), options);
+    system.factorize(*own, options.progress);
+    prepared_ = std::make_shared<const preparation>(preparation{std::move(system), std::move(own), options.isolated_value});
+    detail::tell(options.progress, 1, "harmonic map");
+  }
+
+  const M& mesh() const { return mesh_.get(); }
+  /// How many verts have no edges and no value prescribed: they get isolated_value.
+  std::size_t isolated() const { return prepared_->system.verts.num_isolated; }
+
+  /// The harmonic map with these values at the verts that were named before, with_values<vec3> part by part to space.
+  /// Needs:  pairs of a vert and a value, in braces or any container, one at least for each of those verts and none elsewhere. The mesh is as it
+  ///         was prepared.
+  /// Result: that of harmonic_map with these values.
+  /// Cost:   one back-substitution, three to space.
+  /// Errors: invalid_argument if a value is not finite, a vert gets two or none, or has one that was not named; invalid_mesh if it is no vert of
+  ///         the mesh; solver_error.
+  template<class T = double, class D = std::initializer_list<std::pair<vert_t<M>, T>>>
+    requires detail::field_value<T>
+  vert_map<M, T> with_values(const D& values) const {
+    const M& m = mesh_.get();
+    auto value = detail::given_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "harmonic_map");
+    prepared_->system.template solve<T>(m, *prepared_->solver, nullptr, value, "harmonic_map");
+    return value;
+  }
+};
+
+/// Prepares harmonic maps with values at the same verts, for many of them: auto h = prepare_harmonic_map(m, {a, b});
+/// auto u = h.with_values({{a, 0.0}, {b, 1.0}}).
+/// Needs:  as harmonic_map; the mesh stays as it is. `fixed`: verts in braces or any container. solver: one like it is kept, made of its options()
+///         where it has them.
+/// Result: an object that answers with_values(...), and tells by isolated() how many verts got isolated_value.
+/// Cost:   that of harmonic_map, but for the back-substitution.
+/// Errors: as harmonic_map, but for those about values; invalid_mesh if a vert to be fixed is no vert of m.
+template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = ldlt>
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed,
+                                                                                                const harmonic_map_options& options = {},
+                                                                                                Solver&& solver = {}) {
+  return {m, fixed, options, solver};
+}
 
 /// The function u on the verts with the given values that is harmonic everywhere else: L u = 0, or L (M^-1 L)^(n-1) u = 0 for
 /// exponent n, with M the identity for uniform weights and the lumped mass otherwise. harmonic_map<vec3> maps to space, part by part.
 /// Needs:  PrimalGraph M; for cotangent weights an Embedded mesh of triangles or tets. `values`: verts and numbers (or points), in braces
 ///         ({{a, 0.0}, {b, 1.0}}) or any container of pairs; the same vert twice is fine if the value is the same.
 ///         T: double or vec3. solver: a SparseSolver for symmetric positive definite matrices.
-/// Result: a map of T, u[v]. Given values are exact. Verts without edges get isolated_value unless one is given. With standard weights
-///         linear functions of planar surfaces and of volumes are harmonic, whatever the polys; with uniform weights and exponent 1 every
-///         value lies between the extrema of those given in its component. On a mere graph standard weights are uniform ones.
+/// Result: a map of T, u[v]. Given values are exact. Verts without edges get isolated_value unless one is given; prepare_harmonic_map counts
+///         them. With standard weights linear functions of planar surfaces and of volumes are harmonic, whatever the polys; with uniform
+///         weights and exponent 1 every value lies between the extrema of those given in its component. On a mere graph standard
+///         weights are uniform ones.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
 /// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert gets two, or
 ///         exponent < 1; solver_error if a component that has edges has no value prescribed (one of its verts is named), or if the
@@ -108,20 +118,17 @@ template<class T = double, class M, class D = std::initializer_list<std::pair<ve
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> harmonic_map(M&& m, const D& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
-  if (options.exponent < 1)
-    throw invalid_argument("harmonic_map: exponent is " + detail::number_text(options.exponent) + "; it must be 1 or more");
+  detail::check_exponent("harmonic_map", options.exponent);
   detail::tell(options.progress, 0, "harmonic map");
-  auto problem = detail::dirichlet<T>(mesh_in, values, options.isolated_value, "harmonic_map");
-  auto b = problem.no_load();
-  const Eigen::SparseMatrix<double> a = [&] {
-    if (options.exponent == 1) return detail::minus_laplacian_of_unknowns<T>(mesh_in, options.weights, problem, b);
-    const auto all = detail::whole_minus_laplacian<T>(mesh_in, options.weights, problem, b);  // of powers the verts with given values are part too
-    const auto k = detail::polyharmonic(all, detail::inverse_masses(mesh_in, all, options.weights), options.exponent);
-    return detail::restrict_to_unknowns<T>(k, mesh_in, problem, b);
-  }();
-  detail::solve_unknowns<T>(mesh_in, problem, a, b, solver, "harmonic_map", options.progress);
+  detail::held_verts<std::remove_cvref_t<M>> held(mesh_in);
+  held.hold(mesh_in, values, "harmonic_map");
+  auto value = detail::given_values<T>(mesh_in, held, values, options.isolated_value, "harmonic_map");
+  const auto system = detail::harmonic_system(mesh_in, std::move(held), options);
+  system.factorize(solver, options.progress);
+  detail::tell(options.progress, 0.9, "solving");
+  system.template solve<T>(mesh_in, solver, nullptr, value, "harmonic_map");
   detail::tell(options.progress, 1, "harmonic map");
-  return std::move(problem.value);
+  return value;
 }
 
 }  // namespace concino

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <limits>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -43,18 +45,112 @@ T same_in_all_parts(double x) {
   if constexpr (std::same_as<T, double>) return x;
   else return {x, x, x};
 }
+/// Of a readable map over elements X: numbers or else points.
+template<class F, class X>
+using field_value_at = std::conditional_t<std::convertible_to<decltype(std::declval<const F&>()[std::declval<const X&>()]), double>, double, vec3>;
+
+/// A container or braces, which options are not.
+template<class R> concept walkable = requires(const R& r) { r.begin(); r.end(); };
 
 /// One right-hand side for each part.
 template<field_value T>
 using right_hand_sides = std::array<Eigen::VectorXd, parts_of<T>>;
 
-/// The verts whose values are to be found, numbered; the others are prescribed or stand alone.
-template<class M, class T = double>
-struct dirichlet_problem {
-  enum : int { prescribed = -1, isolated = -2, reached = -3 };
-  vert_map<M, T> value;
-  vert_map<M, int> unknown;  // number, prescribed or isolated; before they are numbered, reached
+template<field_value T>
+right_hand_sides<T> zeros(std::size_t size) {
+  right_hand_sides<T> b;
+  for (Eigen::VectorXd& part_of_b : b) part_of_b.setZero(static_cast<Eigen::Index>(size));
+  return b;
+}
+
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_no_vert(const char* who, const char* what) {
+  throw_joined<invalid_mesh>({who, ": ", what, " something that is no vert of the mesh; take verts from verts(m)"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_finite(const char* who, std::size_t vert) {
+  throw_joined<invalid_argument>({who, ": the value given at vert ", vert, " is not finite"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_two_values(const char* who, std::size_t vert, double x, double y) {
+  throw_joined<invalid_argument>({who, ": two values are given at vert ", vert, ", ", number_text(x), " and ", number_text(y), "; keep one"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_held(const char* who, std::size_t vert) {
+  throw_joined<invalid_argument>({who, ": a value is given at vert ", vert, ", which is none of those that were named when this was prepared"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_no_value(const char* who, std::size_t vert) {
+  throw_joined<invalid_argument>({who, ": no value is given at vert ", vert,
+                                  ", which was named when this was prepared; give one at each of those verts"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_nothing_given(const char* who, std::size_t vert, std::size_t component) {
+  throw_joined<solver_error>({who, ": singular, because the component of vert ", vert, " (", component,
+                              " verts) has no value prescribed; give one at any of its verts"});
+}
+
+/// The verts whose values are to be found, numbered; the others are held at given values, or are isolated: they have no edges.
+template<class M>
+struct held_verts {
+  enum : int { held = -1, isolated = -2, reached = -3 };
+  vert_map<M, int> unknown;       // number, held or isolated; before they are numbered, reached
+  std::vector<vert_t<M>> given;   // the held ones, each once
   int unknowns = 0;
+  std::size_t num_isolated = 0;
+
+  explicit held_verts(const M& m) : unknown(make_vert_map<int>(m, isolated)) {}
+
+  /// Holds verts or what comes first in pairs.      Errors: invalid_mesh if one is no vert of m.
+  template<class R>
+  void hold(const M& m, const R& verts_or_pairs, const char* who) {
+    for (const auto& x : verts_or_pairs) {
+      if constexpr (std::convertible_to<decltype(x), vert_t<M>>) {
+        hold_one(m, x, who, "what is to be prescribed is");
+      } else {
+        const auto& [vert, value] = x;
+        static_cast<void>(value);
+        hold_one(m, vert, who, "a value is given at");
+      }
+    }
+  }
+
+  /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a held vert along edges.
+  void number_reached(const M& m, const char* who) {
+    std::vector<vert_t<M>> front = given;
+    reach(m, front);
+    for (const vert_t<M> v : verts(m)) {
+      if (unknown[v] == held) continue;
+      if (unknown[v] == isolated) {
+        if (!has_edges(m, v)) {
+          ++num_isolated;
+          continue;
+        }
+        front.clear();
+        front.push_back(v);
+        unknown[v] = reached;
+        reach(m, front);
+        throw_nothing_given(who, index_of(m, v), front.size());
+      }
+      unknown[v] = unknowns++;
+    }
+  }
+
+  /// Numbers the verts with edges, for systems that need no value held.
+  void number_all(const M& m) {
+    for (const vert_t<M> v : verts(m)) {
+      if (unknown[v] == held) continue;
+      if (has_edges(m, v)) unknown[v] = unknowns++;
+      else ++num_isolated;
+    }
+  }
+
+ private:
+  static bool has_edges(const M& m, const vert_t<M>& v) {
+    const auto& around = adj_v2v(m, v);
+    return around.begin() != around.end();
+  }
+
+  void hold_one(const M& m, const vert_t<M>& v, const char* who, const char* what) {
+    if (!contains(m, v)) throw_no_vert(who, what);
+    if (unknown[v] == held) return;
+    unknown[v] = held;
+    given.push_back(v);
+  }
 
   /// Adds to `front` all verts that can be reached from it, and marks them.
   void reach(const M& m, std::vector<vert_t<M>>& front) {
@@ -67,110 +163,107 @@ struct dirichlet_problem {
       }
     }
   }
+};
 
-  right_hand_sides<T> no_load() const {
-    right_hand_sides<T> b;
-    for (Eigen::VectorXd& part_of_b : b) part_of_b.setZero(unknowns);
-    return b;
+/// A map with the given values at the held verts and isolated_value at all others.
+/// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert gets two, or the verts are
+///         not those that are held.
+template<class T, class M, class D>
+vert_map<M, T> given_values(const M& m, const held_verts<M>& verts, const D& pairs, double isolated_value, const char* who) {
+  auto value = make_vert_map<T>(m, same_in_all_parts<T>(isolated_value));
+  for (const vert_t<M>& v : verts.given) part(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // none yet
+  std::size_t known = 0;
+  for (const auto& [vert, number] : pairs) {
+    const vert_t<M> v = vert;
+    const T x = as_field_value<T>(number);
+    if (!contains(m, v)) throw_no_vert(who, "a value is given at");
+    if (verts.unknown[v] != held_verts<M>::held) throw_not_held(who, index_of(m, v));
+    const bool again = !std::isnan(part(value[v], 0));
+    for (std::size_t k = 0; k < parts_of<T>; ++k) {
+      if (!std::isfinite(part(x, k))) throw_not_finite(who, index_of(m, v));
+      if (again && part(value[v], k) != part(x, k)) throw_two_values(who, index_of(m, v), part(value[v], k), part(x, k));
+    }
+    known += !again;
+    value[v] = x;
   }
-  /// Adds x times the value of a prescribed vert to the right-hand side in this row.
-  void add_prescribed(right_hand_sides<T>& b, int row, const T& given, double x) const {
-    for (std::size_t k = 0; k < b.size(); ++k) b[k][row] += x * part(given, k);
+  if (known != verts.given.size())
+    for (const vert_t<M>& v : verts.given)
+      if (std::isnan(part(value[v], 0))) throw_no_value(who, index_of(m, v));
+  return value;
+}
+
+/// A x = b for the unknowns of a symmetric system over all verts. What held verts contribute goes to the right-hand side.
+template<class M>
+struct held_system {
+  struct coupling {
+    int row, vert;  // number of an unknown, index of a held vert
+    double weight;  // minus the entry of the matrix
+  };
+  held_verts<M> verts;
+  Eigen::SparseMatrix<double> lower;  // triangle
+  std::vector<coupling> couplings;
+
+  template<class Solver>
+  void factorize(Solver& solver, const progress& told) const {
+    if (verts.unknowns == 0) return;
+    tell(told, 0.1, "factorising");
+    factorize_symmetric(solver, lower);
+  }
+
+  /// Puts the solution into `value`, which has the values of the held verts. load: by index of verts, those of unknowns being read; null: none.
+  /// Errors: solver_error with the reason.
+  template<class T, class Solver>
+  void solve(const M& m, const Solver& solver, const right_hand_sides<T>* load, vert_map<M, T>& value, const char* who) const {
+    if (verts.unknowns == 0) return;
+    Eigen::VectorXd b;
+    for (std::size_t k = 0; k < parts_of<T>; ++k) {
+      b.setZero(verts.unknowns);
+      const T* const at = value.values().data();
+      for (const coupling& c : couplings) b[c.row] += c.weight * part(at[c.vert], k);
+      if (load)
+        for (const vert_t<M> v : concino::verts(m))
+          if (const int i = verts.unknown[v]; i >= 0) b[i] += (*load)[k][static_cast<Eigen::Index>(index_of(m, v))];
+      const Eigen::VectorXd u = solve_and_check(solver, lower, b, who);
+      for (const vert_t<M> v : concino::verts(m))
+        if (const int i = verts.unknown[v]; i >= 0) part(value[v], k) = u[i];
+    }
+  }
+
+  /// Takes the rows and columns of the unknowns from a matrix over all verts with both triangles.
+  void restrict_to_unknowns(const M& m, const Eigen::SparseMatrix<double>& whole) {
+    const int n = verts.unknowns;
+    lower.resize(n, n);
+    lower.resizeNonZeros(whole.nonZeros());
+    std::vector<int> column(static_cast<std::size_t>(n));
+    for (const vert_t<M> v : concino::verts(m))
+      if (const int c = verts.unknown[v]; c >= 0) column[static_cast<std::size_t>(c)] = static_cast<int>(index_of(m, v));
+    const int* const unknown = verts.unknown.values().data();
+    int* const rows = lower.innerIndexPtr();
+    double* const entries = lower.valuePtr();
+    int at = 0;
+    for (int c = 0; c < n; ++c) {
+      const int first = at, from = column[static_cast<std::size_t>(c)];
+      for (int l = whole.outerIndexPtr()[from]; l < whole.outerIndexPtr()[from + 1]; ++l) {
+        const int i = whole.innerIndexPtr()[l], row = unknown[i];
+        const double x = whole.valuePtr()[l];
+        if (row == held_verts<M>::held) couplings.push_back({c, i, -x});
+        if (row < c) continue;
+        rows[at] = row;
+        entries[at++] = x;
+      }
+      sort_column(rows + first, entries + first, static_cast<std::size_t>(at - first));
+      lower.outerIndexPtr()[c + 1] = at;
+    }
+    lower.resizeNonZeros(at);
   }
 };
 
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_finite(const char* who, std::size_t vert) {
-  throw_joined<invalid_argument>({who, ": the value given at vert ", vert, " is not finite"});
-}
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_two_values(const char* who, std::size_t vert, double x, double y) {
-  throw_joined<invalid_argument>({who, ": two values are given at vert ", vert, ", ", number_text(x), " and ", number_text(y), "; keep one"});
-}
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_nothing_given(const char* who, std::size_t vert, std::size_t component) {
-  throw_joined<solver_error>({who, ": singular, because the component of vert ", vert, " (", component,
-                              " verts) has no value prescribed; give one at any of its verts"});
-}
-
-/// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite or a vert gets two;
-///         solver_error if a component that has edges has no value prescribed.
-template<class T, class M, class D>
-dirichlet_problem<M, T> dirichlet(const M& m, const D& given, double isolated_value, const char* who) {
-  using problem = dirichlet_problem<M, T>;
-  problem r{make_vert_map<T>(m, same_in_all_parts<T>(isolated_value)), make_vert_map<int>(m, problem::isolated)};
-  std::vector<vert_t<M>> front;
-  for (const auto& [vert, number] : given) {
-    const vert_t<M> v = vert;
-    const T x = as_field_value<T>(number);
-    if (!contains(m, v)) throw_joined<invalid_mesh>({who, ": a value is given at something that is no vert of the mesh; take verts from verts(m)"});
-    const bool again = r.unknown[v] == problem::prescribed;
-    for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      if (!std::isfinite(part(x, k))) throw_not_finite(who, index_of(m, v));
-      if (again && part(r.value[v], k) != part(x, k)) throw_two_values(who, index_of(m, v), part(r.value[v], k), part(x, k));
-    }
-    if (!again) front.push_back(v);
-    r.unknown[v] = problem::prescribed;
-    r.value[v] = x;
-  }
-  r.reach(m, front);
-  for (const vert_t<M> v : verts(m)) {
-    if (r.unknown[v] == problem::prescribed) continue;
-    if (r.unknown[v] == problem::isolated) {
-      const auto& around = adj_v2v(m, v);
-      if (!(around.begin() != around.end())) continue;
-      front.clear();
-      front.push_back(v);
-      r.unknown[v] = problem::reached;
-      r.reach(m, front);
-      throw_nothing_given(who, index_of(m, v), front.size());
-    }
-    r.unknown[v] = r.unknowns++;
-  }
-  return r;
-}
-
-/// The rows and columns of the unknowns, lower triangle; what the prescribed values contribute goes to b.
-template<class T, class M>
-Eigen::SparseMatrix<double> restrict_to_unknowns(const Eigen::SparseMatrix<double>& k, const M& m, const dirichlet_problem<M, T>& problem, right_hand_sides<T>& b) {
-  Eigen::SparseMatrix<double> r(problem.unknowns, problem.unknowns);
-  r.resizeNonZeros(k.nonZeros());
-  std::vector<int> column(static_cast<std::size_t>(problem.unknowns));
-  for (const vert_t<M> v : verts(m))
-    if (const int c = problem.unknown[v]; c >= 0) column[static_cast<std::size_t>(c)] = static_cast<int>(index_of(m, v));
-  const int* const unknown = problem.unknown.values().data();
-  const T* const value = problem.value.values().data();
-  int* const rows = r.innerIndexPtr();
-  double* const entries = r.valuePtr();
-  int at = 0;
-  for (int c = 0; c < problem.unknowns; ++c) {
-    const int first = at, from = column[static_cast<std::size_t>(c)];
-    for (int l = k.outerIndexPtr()[from]; l < k.outerIndexPtr()[from + 1]; ++l) {
-      const int i = k.innerIndexPtr()[l], row = unknown[i];
-      const double x = k.valuePtr()[l];
-      if (row < 0) problem.add_prescribed(b, c, value[i], -x);
-      if (row < c) continue;
-      rows[at] = row;
-      entries[at++] = x;
-    }
-    sort_column(rows + first, entries + first, static_cast<std::size_t>(at - first));
-    r.outerIndexPtr()[c + 1] = at;
-  }
-  r.resizeNonZeros(at);
-  return r;
-}
-
-/// Factorises, solves for each part and puts the values in their places.
-/// Errors: solver_error with the reason; cancelled.
-template<class T, class M, class Solver>
-void solve_unknowns(const M& m, dirichlet_problem<M, T>& problem, const Eigen::SparseMatrix<double>& a, const right_hand_sides<T>& b, Solver& solver,
-                    const char* who, const progress& told) {
-  if (problem.unknowns == 0) return;
-  tell(told, 0.1, "factorising");
-  factorize_symmetric(solver, a);
-  tell(told, 0.9, "solving");
-  for (std::size_t k = 0; k < b.size(); ++k) {
-    const Eigen::VectorXd u = solve_and_check(solver, a, b[k], who);
-    for (const vert_t<M> v : verts(m))
-      if (const int i = problem.unknown[v]; i >= 0) part(problem.value[v], k) = u[i];
-  }
+/// Another solver like the caller's, for a problem to keep. Not a copy: factors are large, and Eigen's cannot be copied.
+template<class Solver>
+std::unique_ptr<Solver> another_solver(const Solver& solver) {
+  if constexpr (requires { Solver(solver.options()); }) return std::make_unique<Solver>(solver.options());
+  else if constexpr (std::default_initializable<Solver>) return std::make_unique<Solver>();
+  else return std::make_unique<Solver>(solver);
 }
 
 }  // namespace concino::detail

@@ -21,6 +21,23 @@ template<class M>
                               ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
 }
 
+/// Calls share(i, the integral of the function of vert i times `sign` times the normal) over a face that is a fan of triangles about the mean point
+/// of its verts, on which the function is linear, with the mean value in the middle. around: the verts, seen from there.
+/// Result: their sum, `sign` times the vector area. Linear functions are integrated exactly.
+template<class F>
+vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
+  const std::size_t n = around.size();
+  vec3 area;
+  for (std::size_t i = 0; i < n; ++i) area += cross(around[i], around[i + 1 < n ? i + 1 : 0]);
+  area *= 0.5 * sign;
+  const vec3 middle = area / (3 * static_cast<double>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const vec3 across = around[i + 1 < n ? i + 1 : 0] - around[i > 0 ? i - 1 : n - 1];
+    share(i, (sign / 6) * cross(around[i], across) + middle);
+  }
+  return area;
+}
+
 /// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i g_i. Used again
 /// for poly after poly, so that nothing is allocated for each.
 ///
@@ -130,15 +147,7 @@ struct corner_gradients {
     if (n == 0) return;
     const vec3 c = sum / static_cast<double>(n);
     for (vec3& x : around_) x -= c;
-    vec3 area;
-    for (std::size_t i = 0; i < n; ++i) area += cross(around_[i], around_[i + 1 < n ? i + 1 : 0]);
-    area *= 0.5 * sign;
-    measure += dot(c, area);
-    const vec3 share = area / (3 * static_cast<double>(n));
-    for (std::size_t i = 0; i < n; ++i) {
-      const vec3 across = around_[i + 1 < n ? i + 1 : 0] - around_[i > 0 ? i - 1 : n - 1];
-      gradient[corner_[i]] += (sign / 6) * cross(around_[i], across) + share;
-    }
+    measure += dot(c, integrate_fan(around_, sign, [&](std::size_t i, const vec3& share) { gradient[corner_[i]] += share; }));
   }
 };
 

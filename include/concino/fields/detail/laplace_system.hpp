@@ -1,0 +1,90 @@
+// Minus the Laplacian, or a power of it, where some verts are held at given values: what harmonic maps and Poisson's equation factorise. And the
+// masses that stand beside it in equations of heat and smoothness.
+#pragma once
+
+#include <concino/fields/detail/dirichlet.hpp>
+#include <concino/operators/detail/product.hpp>
+#include <concino/operators/laplacian.hpp>
+#include <concino/operators/mass_matrix.hpp>
+#include <concino/operators/weights.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// By index the lumped mass of each vert, or 1 for uniform weights, which know no lengths. 0 where the mesh has no vert with edges.
+/// Errors: invalid_mesh that names a vert with edges but without mass, and those of vert_masses.
+template<class M>
+std::vector<double> lumped_masses(const M& m, weights which, const char* who) {
+  std::vector<double> r(static_cast<std::size_t>(vert_index_bound(m)), 1.0);
+  if constexpr (AnyMesh<M> && Embedded<M>) {
+    if (which == weights::uniform) return r;
+    const auto mass = vert_masses(m);
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = mass.values()[i];
+    for (const vert_t<M> v : verts(m)) {
+      if (mass[v] > 0) continue;
+      const auto& around = adj_v2v(m, v);
+      if (around.begin() != around.end())
+        throw_joined<invalid_mesh>({who, ": vert ", static_cast<std::size_t>(index_of(m, v)),
+                                    " has edges but no polys with a measure, so no mass; use uniform weights"});
+    }
+  }
+  return r;
+}
+
+/// Both triangles.
+template<class M>
+Eigen::SparseMatrix<double> minus_laplacian(const M& m, weights which) {
+  Eigen::SparseMatrix<double> a = laplacian(m, {.weights = which});
+  double* const x = a.valuePtr();
+  for (Eigen::Index k = 0; k < a.nonZeros(); ++k) x[k] = -x[k];
+  return a;
+}
+
+/// A (M^-1 A)^(n-1) with A minus the Laplacian and M the lumped mass; both triangles.
+/// Errors: as lumped_masses; unsupported where 32-bit indices do not suffice; those of laplacian.
+template<class M>
+Eigen::SparseMatrix<double> polyharmonic(const M& m, weights which, int exponent, const char* who) {
+  const Eigen::SparseMatrix<double> a = minus_laplacian(m, which);
+  if (exponent == 1) return a;
+  std::vector<double> inverse_mass = lumped_masses(m, which, who);
+  for (double& x : inverse_mass) x = x > 0 ? 1 / x : 1;
+  Eigen::SparseMatrix<double> k = scaled_product(a, inverse_mass, a);
+  for (int n = 2; n < exponent; ++n) k = scaled_product(a, inverse_mass, k);
+  return k;
+}
+
+/// The system of the unknowns of that.
+template<class M>
+held_system<M> laplace_system(const M& m, held_verts<M>&& held, weights which, int exponent, const char* who) {
+  held_system<M> r{std::move(held), {}, {}};
+  if (exponent > 1) {  // of powers the verts with given values are part too
+    r.restrict_to_unknowns(m, polyharmonic(m, which, exponent, who));
+    return r;
+  }
+  const auto& unknown = r.verts.unknown;
+  bool is_whole = false;
+  Eigen::SparseMatrix<double> a = with_weights(
+      m, which,
+      [&](const auto& weights) {  // straight into the matrix of the unknowns
+        auto lower = assemble<lower_triangle>(
+            m, weights, static_cast<std::size_t>(r.verts.unknowns), 1.0, [&](const vert_t<M>& v) { return unknown[v]; },
+            [](int, const vert_t<M>&, double) {});
+        for (const vert_t<M>& v : r.verts.given)
+          weights.for_each_neighbour(v, [&](const vert_t<M>& w, double weight) {
+            if (const int row = unknown[w]; row >= 0) r.couplings.push_back({row, static_cast<int>(index_of(m, v)), weight});
+          });
+        return lower;
+      },
+      [&](auto make_element) {
+        is_whole = true;
+        return assemble_stiffness(m, make_element, 1.0);
+      });
+  if (is_whole) r.restrict_to_unknowns(m, a);
+  else r.lower = std::move(a);
+  return r;
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,98 @@
+// Derivatives prescribed across the boundary, and what they bring to the verts there.
+#pragma once
+
+#include <concino/fields/detail/dirichlet.hpp>
+#include <concino/geometry/edge_length.hpp>
+#include <concino/operators/detail/corner_gradients.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace concino {
+
+namespace detail {
+
+template<class M> struct facet_of {};
+template<SurfaceMesh M> struct facet_of<M> { using type = edge_t<M>; };
+template<VolumeMesh M> struct facet_of<M> { using type = face_t<M>; };
+
+}  // namespace detail
+
+/// What bounds polys and, where it has one poly only, the mesh: edges of surfaces, faces of volumes.
+template<class M> using facet_t = typename detail::facet_of<std::remove_cvref_t<M>>::type;
+
+namespace detail {
+
+/// Calls share(vert, the integral of the vert's function over the facet): half the length of an edge each; over faces by the fan of triangles by
+/// which polyhedra have gradients, seen along the vector area. So the sum is the length or area, and linear functions are integrated exactly.
+template<AnyMesh M, class F>
+void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
+  if constexpr (SurfaceMesh<M>) {
+    const double half = edge_length(m, x) / 2;
+    for (const vert_t<M> v : adj_e2v(m, x)) share(v, half);
+  } else {
+    std::vector<vert_t<M>> corner;
+    std::vector<vec3> around, shares;
+    const vec3 mean = shape_of(m, adj_f2v(m, x)).mean;
+    for (const vert_t<M> v : adj_f2v(m, x)) {
+      corner.push_back(v);
+      around.push_back(to_vec3(point(m, v)) - mean);
+    }
+    const vec3 area = integrate_fan(around, 1, [&](std::size_t, const vec3& s) { shares.push_back(s); });
+    const double size = norm(area);
+    if (size == 0) return;
+    for (std::size_t i = 0; i < corner.size(); ++i) share(corner[i], dot(shares[i], area / size));
+  }
+}
+
+template<class M>
+[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_flux(const char* who, const M& m, const facet_t<M>& x, const char* what) {
+  const char* const word = dimension_v<M> == 2 ? "edge " : "face ";
+  throw_joined<invalid_argument>({who, ": the flux given at ", word, static_cast<std::size_t>(index_of(m, x)), what});
+}
+
+/// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or none on the boundary; invalid_argument if one is not finite, or two
+///         different ones are given at one.
+template<class T, AnyMesh M, class N>
+void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const char* who) {
+  constexpr bool is_surface = dimension_v<M> == 2;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (!(fluxes.begin() != fluxes.end())) return;
+  auto known = [&] {
+    if constexpr (is_surface) return make_edge_map<T>(m, same_in_all_parts<T>(none));
+    else return make_face_map<T>(m, same_in_all_parts<T>(none));
+  }();
+  for (const auto& [facet, number] : fluxes) {
+    const facet_t<M> x = facet;
+    const T flux = as_field_value<T>(number);
+    if (!contains(m, x))
+      throw_joined<invalid_mesh>({who, is_surface ? ": a flux is given at something that is no edge of the mesh; take edges from edges(m)"
+                                                  : ": a flux is given at something that is no face of the mesh; take faces from faces(m)"});
+    std::size_t polys = 0;
+    const auto count = [&](const auto& around) {
+      for ([[maybe_unused]] const poly_t<M> p : around) ++polys;
+    };
+    if constexpr (is_surface) count(adj_e2p(m, x));
+    else count(adj_f2p(m, x));
+    if (polys != 1)
+      throw_joined<invalid_mesh>({who, ": a flux is given at ", is_surface ? "edge " : "face ", static_cast<std::size_t>(index_of(m, x)),
+                                  ", which has ", polys, " polys and so is not on the boundary; it can be given where there is one"});
+    T& before = known[x];
+    const bool again = !std::isnan(part(before, 0));
+    for (std::size_t k = 0; k < parts_of<T>; ++k) {
+      if (!std::isfinite(part(flux, k))) throw_bad_flux(who, m, x, " is not finite");
+      if (again && part(before, k) != part(flux, k)) throw_bad_flux(who, m, x, " is not the one given there before; keep one");
+    }
+    if (again) continue;
+    before = flux;
+    integrate_over(m, x, [&](const vert_t<M>& v, double size) {
+      for (std::size_t k = 0; k < parts_of<T>; ++k) load[k][static_cast<Eigen::Index>(index_of(m, v))] += size * part(flux, k);
+    });
+  }
+}
+
+}  // namespace detail
+
+}  // namespace concino

@@ -1,0 +1,170 @@
+// Harmonic maps and Poisson's equation prepared once and solved many times.
+#include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/poisson.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+using values = std::map<vert_id, double>;
+
+struct constant {
+  double value;
+  template<class V>
+  double operator[](const V&) const { return value; }
+};
+
+/// Counts in all its copies.
+struct counting : ldlt {
+  int* factorised;
+  explicit counting(int& n) : factorised(&n) {}
+  const counting& options() const { return *this; }
+  counting(const counting& other) : factorised(other.factorised) {}
+  void factorize(const Eigen::SparseMatrix<double>& a) {
+    ++*factorised;
+    ldlt::factorize(a);
+  }
+};
+
+template<class U, class W>
+bool same_bits(const U& u, const W& w) {
+  for (const auto v : verts(u.mesh()))
+    if (!(u[v] == w[v])) return false;
+  return true;
+}
+
+template<class M> concept preparable = requires { prepare_harmonic_map(std::declval<M>(), {vert_id{0}}); };
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("prepare_harmonic_map: the same bits as harmonic_map, one factorisation for all values", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
+  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
+  int factorised = 0;
+  for (const int n : {1, 2}) {
+    const harmonic_map_options options{.exponent = n};
+    factorised = 0;
+    const auto h = prepare_harmonic_map(m, {a, b, c, a}, options, counting(factorised));
+    const auto copy = h;
+    CHECK(&h.mesh() == &m);
+    CHECK(h.isolated() == 0);
+    for (const double x : {-3.0, 0.25, 7.0}) {
+      const values given{{a, 0}, {b, x}, {c, 1}};
+      CHECK(same_bits(copy.with_values({{a, 0.0}, {b, x}, {c, 1.0}}), harmonic_map(m, given, options)));
+    }
+    const values by_map{{a, 1}, {b, 2}, {c, 3}};
+    CHECK(same_bits(h.with_values(by_map), harmonic_map(m, by_map, options)));
+    const std::vector<std::pair<vert_id, vec3>> to_space{{a, {0, 1, 2}}, {b, {5, 4, 3}}, {c, {1, 1, 1}}};
+    CHECK(same_bits(h.template with_values<vec3>(to_space), harmonic_map<vec3>(m, to_space, options)));
+    CHECK(factorised == 1);
+  }
+  const std::vector<vert_id> all{a, b, c};
+  CHECK(same_bits(prepare_harmonic_map(m, all).with_values({{a, 1}, {b, 2}, {c, 3}}), harmonic_map(m, {{a, 1}, {b, 2}, {c, 3}})));
+  static_assert(preparable<const M&> && !preparable<M>);
+}
+
+TEST_CASE_TEMPLATE("prepare_poisson: what poisson solves, one factorisation for all loads, values and fluxes", M, CONCINO_ALL_KINDS) {
+  const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
+  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
+  facet_t<M> outer{};
+  if constexpr (SurfaceMesh<M>) {
+    for (const auto e : edges(m)) {
+      int n = 0;
+      for ([[maybe_unused]] const auto p : adj_e2p(m, e)) ++n;
+      if (n == 1) outer = e;
+    }
+  } else {
+    for (const auto e : faces(m)) {
+      int n = 0;
+      for ([[maybe_unused]] const auto p : adj_f2p(m, e)) ++n;
+      if (n == 1) outer = e;
+    }
+  }
+  int factorised = 0;
+  const auto p = prepare_poisson(m, {a, b}, {}, counting(factorised));
+  CHECK(same_bits(p.solve(constant{1}, {{a, 0.0}, {b, 1.0}}), poisson(m, constant{1}, {{a, 0.0}, {b, 1.0}})));
+  CHECK(same_bits(p.solve(constant{-2}, values{{a, 5}, {b, 1}}), poisson(m, constant{-2}, values{{a, 5}, {b, 1}})));
+  CHECK(same_bits(p.solve(constant{1}, {{a, 0}, {b, 1}}, {{outer, 3}}), poisson(m, constant{1}, {{a, 0}, {b, 1}}, {{outer, 3}})));
+  const auto f = make_vert_map<vec3>(m, vec3{1, 2, 3});
+  CHECK(same_bits(p.solve(f, {{a, {0, 0, 0}}, {b, {1, 2, 3}}}), poisson(m, f, {{a, {0, 0, 0}}, {b, {1, 2, 3}}})));
+  CHECK(factorised == 1);
+  CHECK(&p.mesh() == &m);
+}
+
+TEST_CASE_TEMPLATE("prepared problems: verts without edges are counted", M, polygonmesh, tetmesh) {
+  const M m = two_grids<M>(1);
+  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) / 2)}, alone{static_cast<unsigned>(num_verts(m) - 1)};
+  const auto h = prepare_harmonic_map(m, {a, b}, {.isolated_value = -3});
+  CHECK(h.isolated() == 1);
+  CHECK(h.with_values({{a, 0}, {b, 1}})[alone] == -3);
+  CHECK(h.template with_values<vec3>({{a, {0, 0, 0}}, {b, {1, 1, 1}}})[alone] == vec3{-3, -3, -3});
+  const auto all = prepare_harmonic_map(m, {a, b, alone});
+  CHECK(all.isolated() == 0);
+  CHECK(all.with_values({{a, 0}, {b, 1}, {alone, 7}})[alone] == 7);
+  const auto p = prepare_poisson(m, {a, b}, {.isolated_value = NAN});
+  CHECK(p.isolated() == 1);
+  CHECK(std::isnan(p.solve(constant{1}, {{a, 0}, {b, 1}})[alone]));
+}
+
+TEST_CASE_TEMPLATE("prepared problems: on archetypes", M, trimesh, polyhedralmesh) {
+  const M m = grid<M>(2);
+  const vert_id a{0}, b{3};
+  const auto graph = only_primal_graph(m);
+  const auto u = prepare_harmonic_map(m, {a, b}, {.weights = weights::uniform}).with_values({{a, 0.0}, {b, 1.0}});
+  const auto h = prepare_harmonic_map(graph, {graph.vert(a), graph.vert(b)}).with_values({{graph.vert(a), 0.0}, {graph.vert(b), 1.0}});
+  for (const auto v : verts(graph)) CHECK(h[v] == doctest::Approx(u[graph.base(v)]).epsilon(1e-12));
+  const auto weak = only_embedded_mesh(m);
+  const auto w = poisson(m, constant{1}, {{a, 0.0}});
+  const auto p = prepare_poisson(weak, {weak.vert(a)}).solve(constant{1}, {{weak.vert(a), 0.0}});
+  for (const auto v : verts(weak)) CHECK(p[v] == doctest::Approx(w[weak.base(v)]).epsilon(1e-12));
+}
+
+TEST_CASE("prepared problems: nothing to find, nothing at all") {
+  const trimesh none;
+  const auto h = prepare_harmonic_map(none, {});
+  CHECK(h.with_values(values{}).values().empty());
+  CHECK(prepare_poisson(none, {}).solve(constant{1}, values{}).values().empty());
+  const auto m = grid<trimesh>(1);
+  const std::vector<vert_id> all(verts(m).begin(), verts(m).end());
+  int factorised = 0;
+  const auto p = prepare_poisson(m, all, {}, counting(factorised));
+  CHECK(p.solve(constant{1}, {{all[0], 0}, {all[1], 1}, {all[2], 2}, {all[3], 3}})[all[2]] == 2);
+  CHECK(factorised == 0);
+}
+
+TEST_CASE("prepared problems: errors") {
+  const auto m = grid<quadmesh>(2);
+  const vert_id a{0}, b{8}, c{4}, none{9};
+  const auto h = prepare_harmonic_map(m, {a, b});
+  CHECK_THROWS_WITH_AS(h.with_values({{a, 0.0}}), doctest::Contains("harmonic_map: no value is given at vert 8, which was named when this"),
+                       invalid_argument);
+  CHECK_THROWS_WITH_AS(h.with_values({{a, 0.0}, {b, 1.0}, {c, 2.0}}),
+                       doctest::Contains("harmonic_map: a value is given at vert 4, which is none of those that were named"), invalid_argument);
+  CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, 1.0}, {none, 2.0}}), invalid_mesh);
+  CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, NAN}}), invalid_argument);
+  CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, 1.0}, {b, 2.0}}), invalid_argument);
+  CHECK(h.with_values({{a, 1.0}, {b, 1.0}, {b, 1.0}})[c] == doctest::Approx(1));  // it has not suffered
+  CHECK_THROWS_WITH_AS(prepare_harmonic_map(m, {none}),
+                       "harmonic_map: what is to be prescribed is something that is no vert of the mesh; take verts from verts(m)", invalid_mesh);
+  CHECK_THROWS_AS(prepare_harmonic_map(m, {a}, {.exponent = 0}), invalid_argument);
+  CHECK_THROWS_AS(prepare_harmonic_map(m, {}), solver_error);
+  CHECK_THROWS_AS(prepare_poisson(m, {}), solver_error);
+  CHECK_THROWS_AS(prepare_poisson(m, {none}), invalid_mesh);
+  const auto p = prepare_poisson(m, {a});
+  CHECK_THROWS_WITH_AS(p.solve(constant{INFINITY}, {{a, 0.0}}), "poisson: the load f at vert 0 is not finite", invalid_argument);
+  CHECK_THROWS_AS(p.solve(constant{1}, {{b, 0.0}}), invalid_argument);
+  CHECK_THROWS_AS(prepare_harmonic_map(m, {a}, {.progress = [](double, const char*) { return false; }}), cancelled);
+  CHECK_THROWS_AS(prepare_poisson(m, {a}, {.progress = [](double x, const char*) { return x == 0; }}), cancelled);
+}
