@@ -121,8 +121,10 @@ TEST_CASE_TEMPLATE("bfs: bounds, targets and predecessors, on verts and on polys
       for (const auto x : nodes) REQUIRE(near[x] == (hops[x] <= most ? hops[x] : -1));
     }
     const auto again = bfs(m, {s, s}, {.predecessors = &before});
+    const auto often = bfs(m, std::vector<node>(10000, s));
     for (const auto x : nodes) {
       REQUIRE(again[x] == hops[x]);
+      REQUIRE(often[x] == hops[x]);
       if (x == s) REQUIRE(before[x] == s);
       else REQUIRE(hops[before[x]] == hops[x] - 1);
     }
