@@ -239,7 +239,7 @@ class cell_tables {
     for (std::uint32_t p = 0; p < poly_count; ++p) {
       if (!are_distinct_verts(p2v_.begin(p), vert_count)) {
         std::vector<std::uint32_t> met;
-        detail::check_verts({p2v_.begin(p), p2v_.end(p)}, vert_count, "poly", p, met);
+        detail::check_verts(p2v_[p], vert_count, "poly", p, met);
       }
       for (unsigned i = 0; i < nv; ++i) ++counts[p2v_.begin(p)[i].raw() + 1];
     }

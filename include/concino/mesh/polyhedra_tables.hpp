@@ -181,7 +181,7 @@ class basic_polyhedra_tables {
   void check(std::size_t vert_count, const ragged<face_id>& polys) const {
     detail::check_counts(vert_count, polys.size(), f2v_.num_values());
     std::vector<std::uint32_t> met;
-    for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts({f2v_.begin(f), f2v_.end(f)}, vert_count, "face", f, met);
+    for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "face", f, met);
     met.assign(f2v_.size(), ~0u);
     for (std::size_t p = 0; p < polys.size(); ++p) {
       if (polys.length(p) == 0) throw invalid_mesh("poly " + std::to_string(p) + " has no faces; it needs at least 1");

@@ -116,7 +116,7 @@ class surface_tables {
   void check(std::size_t vert_count) const {
     detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
     std::vector<std::uint32_t> met;
-    for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts({p2v_.begin(p), p2v_.end(p)}, vert_count, "poly", p, met);
+    for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts(p2v_[p], vert_count, "poly", p, met);
   }
 
   void build(std::size_t vert_count) {
