@@ -1,6 +1,7 @@
 // Functions on meshes.
 #pragma once
 
+#include <concino/fields/exact_geodesics.hpp>
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/poisson.hpp>

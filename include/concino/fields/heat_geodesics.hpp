@@ -4,8 +4,8 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/detail/message.hpp>
 #include <concino/detail/number_text.hpp>
+#include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/detail/heat_preparation.hpp>
-#include <concino/graph/detail/graph_of.hpp>
 #include <concino/progress.hpp>
 #include <concino/solve/ldlt.hpp>
 
@@ -30,16 +30,6 @@ struct heat_geodesics_options {
   concino::heat_boundary boundary = concino::heat_boundary::averaged;
   concino::progress progress = nullptr;
 };
-
-namespace detail {
-
-template<class M, class S> concept gives_distances = any_range<S> && requires(const S& s) {
-  static_cast<vert_t<M>>((*s.begin()).first);
-  static_cast<double>((*s.begin()).second);
-};
-template<class M, class S> concept gives_verts = !gives_distances<M, S> && names_vert<M, vert_t<M>> && becomes_vert<M, source_element<M, S>>;
-
-}  // namespace detail
 
 /// What heat_geodesics prepares: it answers questions, from several threads too if the solver can. Copies share what was prepared.
 template<AnyMesh M, class Solver>
