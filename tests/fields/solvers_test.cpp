@@ -1,6 +1,8 @@
 // Problems by every solver: the same field, whichever triangle the solver reads.
 #include <concino/fields/harmonic_map.hpp>
 
+#include <concino/fields/heat_geodesics.hpp>
+#include <concino/mesh/tetmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 #include <concino/solve.hpp>
 
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/kinds.hpp"
 #include "support/meshes.hpp"
 
 using namespace concino;
@@ -32,4 +35,41 @@ TEST_CASE("harmonic_map: the same by every solver, used again for another proble
   check(bicgstab{});
   check(auto_solver{});
   check(auto_solver{{.most_factor_entries = 0}});
+}
+
+TEST_CASE("problems say by what they were solved") {
+  const trimesh m(testing::triangle_grid(12));
+  auto_solver solver, small({.most_factor_entries = 10});
+  harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{100}, 1.0}}, {}, solver);
+  CHECK(solver.used() == solver_used::ldlt);
+  harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{100}, 1.0}}, {}, small);
+  CHECK(small.used() == solver_used::conjugate_gradients);
+  CHECK(small.iterations() > 5);
+  CHECK(small.iterations() < 60);
+  CHECK(small.residual() <= 1e-12);
+}
+
+TEST_CASE("heat_geodesics: by iteration, where little heat has no correct digits, the same distances") {
+  const auto check = [](const auto& m, const auto& sources, double allowed) {
+    const auto expected = heat_geodesics(m).distance_from(sources);
+    const auto d = heat_geodesics(m, {}, auto_solver({.most_factor_entries = 0})).distance_from(sources);
+    double worst = 0, most = 0;
+    for (const auto v : verts(m)) {
+      worst = std::max(worst, std::abs(d[v] - expected[v]));
+      most = std::max(most, expected[v]);
+    }
+    CHECK(worst < allowed * most);
+  };
+  const trimesh square(testing::triangle_grid(30));
+  check(square, vert_id{0}, 2e-3);
+  check(square, std::vector<std::pair<vert_id, double>>{{vert_id{0}, 0.0}, {vert_id{30 * 31 + 30}, 1.2}}, 2e-3);  // far less heat at the other
+  check(tetmesh(testing::grid_arrays<tetmesh>(5)), vert_id{0}, 0.01);
+  surface_arrays strip;
+  strip.arity = 3;
+  for (unsigned i = 0; i <= 200; ++i)
+    for (unsigned j = 0; j <= 2; ++j) strip.points.push_back({static_cast<double>(i), static_cast<double>(j), 0});
+  for (unsigned i = 0; i < 200; ++i)
+    for (unsigned j = 0; j < 2; ++j)
+      for (const unsigned k : {0u, 3u, 4u, 0u, 4u, 1u}) strip.verts.push_back(vert_id{3 * i + j + k});
+  check(trimesh(strip), vert_id{0}, 1e-3);
 }

@@ -34,6 +34,21 @@ TEST_CASE("auto_solver: takes the factorisation up to the limit, and tells") {
   CHECK_THROWS_AS(auto_solver({.most_factor_entries = -1}), invalid_argument);
 }
 
+TEST_CASE("auto_solver: another one like it, and other values in the pattern of before, by either way") {
+  auto_solver solver({.most_factor_entries = 100, .iteration = {.tolerance = 1e-9}});
+  const auto_solver another(solver.options());
+  CHECK(another.options().most_factor_entries == 100);
+  CHECK(another.options().iteration.tolerance == 1e-9);
+  CHECK_THROWS_AS(auto_solver({.iteration = {.tolerance = 2}}), invalid_argument);
+  for (const int n : {3, 20, 20, 3, 3, 20})
+    for (const double more : {0.5, 2.0}) {
+      solver.factorize(grid(n, more));
+      CHECK(solver.used() == (n == 3 ? solver_used::ldlt : solver_used::conjugate_gradients));
+      const Eigen::VectorXd x = random_vector(n * n);
+      CHECK(distance(solver.solve(grid(n, more) * x), x) < 1e-7);
+    }
+}
+
 TEST_CASE("auto_solver: counts the entries that the factor has") {
   for (const int n : {1, 2, 7, 20}) {
     const Eigen::SimplicialLDLT<sparse> factors(grid(n));

@@ -2,6 +2,9 @@
 
 #include "support/systems.hpp"
 
+#include <algorithm>
+#include <random>
+
 using namespace concino;
 using namespace systems;
 
@@ -43,6 +46,43 @@ TEST_CASE("conjugate_gradients: what does not converge, and what cannot be defin
                        doctest::Contains("the diagonal entry of row 1 is -1"), solver_error);
   solver.factorize(grid(6, 0));  // singular: not for every right-hand side
   CHECK_THROWS_WITH_AS(solver.solve(Eigen::VectorXd::Ones(36)), doctest::Contains("not converged"), solver_error);
+}
+
+TEST_CASE("conjugate_gradients: few iterations in any order of rows, and where sums of rows are negative") {
+  std::vector<int> place(2500);
+  for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<int>(i);
+  std::shuffle(place.begin(), place.end(), std::mt19937(2));
+  const sparse ordered = grid(50, 1e-3);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int c = 0; c < 2500; ++c)
+    for (sparse::InnerIterator it(ordered, c); it; ++it)
+      entries.emplace_back(place[static_cast<std::size_t>(it.row())], place[static_cast<std::size_t>(c)], it.value());
+  conjugate_gradients solver;
+  for (const sparse& a : {ordered, from(2500, 2500, entries)}) {
+    solver.factorize(a);
+    CHECK(solver.has_pattern_of(a));
+    solver.solve(random_vector(2500));
+    CHECK(solver.iterations() < 80);
+  }
+  const sparse square = grid(12) * grid(12);  // entries of either sign: the first factorisations fail
+  solver.factorize(square);
+  const Eigen::VectorXd x = random_vector(144);
+  CHECK(distance(solver.solve(square * x), x) < 1e-8);
+  const sparse near_singular = from(2, 2, {{0, 0, 1.0}, {1, 0, 1 - 1e-9}, {0, 1, 1 - 1e-9}, {1, 1, 1.0}});
+  solver.factorize(near_singular);
+  CHECK(distance(near_singular * solver.solve(Eigen::Vector2d(1, 3)), Eigen::Vector2d(1, 3)) < 1e-5);
+}
+
+TEST_CASE("conjugate_gradients: another one like it, and copies") {
+  conjugate_gradients one({.tolerance = 1e-4, .max_iterations = 70});
+  const conjugate_gradients another(one.options());
+  CHECK(another.options().tolerance == 1e-4);
+  CHECK(another.options().max_iterations == 70);
+  one.factorize(grid(9));
+  const conjugate_gradients copy = one;
+  const Eigen::VectorXd b = random_vector(81), x = one.solve(b);
+  one.factorize(grid(4));
+  CHECK(copy.solve(b) == x);
 }
 
 TEST_CASE("conjugate_gradients: options out of their range") {

@@ -4,6 +4,12 @@
 // Laws:
 //   SS1  after factorize(a) has returned, solve(b) is the x with a x = b up to rounding errors, as often as asked
 //   SS2  a matrix or a right-hand side that cannot be solved is an exception derived from concino::error, never a result that is not finite
+//
+// What a solver may have besides, and problems ask for:
+//   static constexpr bool reads_both_triangles = true    symmetric matrices come whole; otherwise as their lower triangle
+//   static constexpr bool solves_least_squares = true    factorises matrices with more rows than columns, and solves for the nearest
+//   bool iterates() const                                solves to a residual relative to |b|, which it measures itself
+//   options() const                                      what makes another solver like it; otherwise others are made by default, or as copies
 #pragma once
 
 #include <concepts>

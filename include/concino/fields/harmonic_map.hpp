@@ -6,8 +6,9 @@
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
 #include <concino/progress.hpp>
-#include <concino/solve/ldlt.hpp>
+#include <concino/solve/auto_solver.hpp>
 
+#include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <type_traits>
@@ -64,6 +65,7 @@ class prepared_harmonic_map {
   }
 
   const M& mesh() const { return mesh_.get(); }
+  const Solver& solver() const { return *prepared_->solver; }
   /// How many verts have no edges and no value prescribed: they get isolated_value.
   std::size_t isolated() const { return prepared_->system.verts.num_isolated; }
 
@@ -91,7 +93,7 @@ class prepared_harmonic_map {
 /// Result: an object that answers with_values(...), and tells by isolated() how many verts got isolated_value.
 /// Cost:   that of harmonic_map, but for the back-substitution.
 /// Errors: as harmonic_map, but for those about values; invalid_mesh if a vert to be fixed is no vert of m.
-template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = ldlt>
+template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed,
                                                                                                 const harmonic_map_options& options = {},
@@ -103,7 +105,8 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 /// exponent n, with M the identity for uniform weights and the lumped mass otherwise. harmonic_map<vec3> maps to space, part by part.
 /// Needs:  PrimalGraph M; for cotangent weights an Embedded mesh of triangles or tets. `values`: verts and numbers (or points), in braces
 ///         ({{a, 0.0}, {b, 1.0}}) or any container of pairs; the same vert twice is fine if the value is the same.
-///         T: double or vec3. solver: a SparseSolver for symmetric positive definite matrices.
+///         T: double or vec3. solver: a SparseSolver for symmetric positive definite matrices; the default factorises, or, where the factor would be
+///         too large, iterates: see auto_solver, which tells what it did if it is given by name.
 /// Result: a map of T, u[v]. Given values are exact. Verts without edges get isolated_value unless one is given; prepare_harmonic_map counts
 ///         them. With standard weights linear functions of planar surfaces and of volumes are harmonic, whatever the polys; with uniform
 ///         weights and exponent 1 every value lies between the extrema of those given in its component. On a mere graph standard
@@ -113,7 +116,7 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 ///         exponent < 1; solver_error if a component that has edges has no value prescribed (one of its verts is named), or if the
 ///         system cannot be solved in double precision; with other weights than uniform also those of `laplacian`; cancelled.
 /// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
-template<class T = double, class M, class D = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = ldlt>
+template<class T = double, class M, class D = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::field_value<T> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> harmonic_map(M&& m, const D& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {

@@ -7,7 +7,7 @@
 #include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/detail/heat_preparation.hpp>
 #include <concino/progress.hpp>
-#include <concino/solve/ldlt.hpp>
+#include <concino/solve/auto_solver.hpp>
 
 #include <algorithm>
 #include <initializer_list>
@@ -233,7 +233,7 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const std::vector
 /// Errors: invalid_argument if time is out of its range; invalid_mesh if a poly has no area or volume or points that are not finite;
 ///         unsupported as laplacian; solver_error; cancelled.
 /// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; paper section 2.2, "Distances and paths".
-template<class M, class Solver = ldlt>
+template<class M, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> heat_geodesics(M&& m, const heat_geodesics_options& options = {},
                                                                                              Solver&& solver = {}) {

@@ -8,8 +8,9 @@
 #include <concino/fields/detail/masses.hpp>
 #include <concino/fields/detail/neumann.hpp>
 #include <concino/progress.hpp>
-#include <concino/solve/ldlt.hpp>
+#include <concino/solve/auto_solver.hpp>
 
+#include <cstddef>
 #include <initializer_list>
 #include <memory>
 #include <type_traits>
@@ -65,6 +66,7 @@ class prepared_poisson {
   }
 
   const M& mesh() const { return mesh_.get(); }
+  const Solver& solver() const { return *prepared_->solver; }
   /// How many verts have no edges and no value prescribed: they get isolated_value.
   std::size_t isolated() const { return prepared_->system.verts.num_isolated; }
 
@@ -93,7 +95,7 @@ class prepared_poisson {
 /// Result: an object that answers solve(...), and tells by isolated() how many verts got isolated_value.
 /// Cost:   that of poisson, but for the back-substitution.
 /// Errors: as poisson, but for those about values, loads and fluxes; invalid_mesh if a vert to be fixed is no vert of m.
-template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = ldlt>
+template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const poisson_options& options = {},
                                                                                       Solver&& solver = {}) {
@@ -118,7 +120,7 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 ///         edge or face of m or has not exactly one poly.
 /// Source: Beirao da Veiga et al. 2013, Ahmad et al. 2013 (the load); paper section 2.2.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
-         class N = detail::no_fluxes<M, T>, class Solver = ldlt>
+         class N = detail::no_fluxes<M, T>, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> && detail::walkable<N> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, const poisson_options& options = {}, Solver&& solver = {}) {
@@ -139,7 +141,7 @@ vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, cons
 
 /// The same without fluxes.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
-         class Solver = ldlt>
+         class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const D& values, const poisson_options& options = {}, Solver&& solver = {}) {

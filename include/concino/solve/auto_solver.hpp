@@ -16,25 +16,27 @@ struct auto_solver_options {
 enum class solver_used { none, ldlt, conjugate_gradients };
 
 /// Solves symmetric systems: by ldlt if its factor, whose entries are counted before anything is factorised, has at most most_factor_entries, and
-/// else, for positive definite matrices only, by conjugate_gradients. A SparseSolver; used() tells by which. Only the lower triangle is read.
-/// The default is reached by Laplacians of triangle surfaces of about 3 million verts, and of grids of hexes of about 50 verts a side. A matrix
+/// else, for positive definite matrices only, by conjugate_gradients. A SparseSolver; the default of all problems. Only the lower triangle is read.
+/// It says what it did if it is given a name: auto_solver s; harmonic_map(m, values, {}, s); then s.used(), and s.iterations() and s.residual() of
+/// the last solve by conjugate_gradients, which are 0 for ldlt.
+/// The limit is reached by Laplacians of triangle surfaces of about 3 million verts, and of grids of hexes of about 50 verts a side. A matrix
 /// with the pattern of the one factorised before is factorised in the order found then.
-/// iterations() and residual() tell of the last solve by conjugate_gradients, and are 0 for ldlt.
 /// Errors: as ldlt and as conjugate_gradients; their messages begin with their names. invalid_argument if an option is out of its range.
 class auto_solver {
-  std::int64_t most_;
+  auto_solver_options options_;
   ldlt direct_;
   conjugate_gradients iteration_;
   solver_used used_ = solver_used::none;
 
  public:
-  explicit auto_solver(const auto_solver_options& options = {}) : most_(options.most_factor_entries), iteration_(options.iteration) {
-    if (most_ < 0) throw invalid_argument("auto_solver: most_factor_entries is negative");
+  auto_solver() = default;
+  explicit auto_solver(const auto_solver_options& options) : options_(options), iteration_(options.iteration) {
+    if (options.most_factor_entries < 0) throw invalid_argument("auto_solver: most_factor_entries is negative");
   }
 
   void factorize(const Eigen::SparseMatrix<double>& a) {
     used_ = solver_used::none;
-    if (direct_.factorize_within(a, most_)) {
+    if (!iteration_.has_pattern_of(a) && direct_.factorize_within(a, options_.most_factor_entries)) {
       used_ = solver_used::ldlt;
     } else {
       iteration_.factorize(a);
@@ -47,10 +49,12 @@ class auto_solver {
     return used_ == solver_used::ldlt ? direct_.solve(b) : iteration_.solve(b);
   }
 
+  const auto_solver_options& options() const { return options_; }
   /// What the last factorize chose; none before it, and after one that failed.
   solver_used used() const { return used_; }
-  int iterations() const { return used_ == solver_used::conjugate_gradients ? iteration_.iterations() : 0; }
-  double residual() const { return used_ == solver_used::conjugate_gradients ? iteration_.residual() : 0; }
+  bool iterates() const { return used_ == solver_used::conjugate_gradients; }
+  int iterations() const { return iterates() ? iteration_.iterations() : 0; }
+  double residual() const { return iterates() ? iteration_.residual() : 0; }
 };
 
 }  // namespace concino

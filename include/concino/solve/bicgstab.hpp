@@ -41,7 +41,8 @@ class bicgstab {
  public:
   static constexpr bool reads_both_triangles = true;
 
-  explicit bicgstab(const bicgstab_options& options = {}) : options_(options) {
+  bicgstab() = default;
+  explicit bicgstab(const bicgstab_options& options) : options_(options) {
     if (!(options.tolerance > 0 && options.tolerance < 1))
       detail::throw_joined<invalid_argument>({"bicgstab: tolerance is ", detail::number_text(options.tolerance), "; it must be in (0, 1)"});
     if (!(options.drop >= 0 && options.drop < 1))
@@ -90,6 +91,8 @@ class bicgstab {
     return x;
   }
 
+  const bicgstab_options& options() const { return options_; }
+  static constexpr bool iterates() { return true; }
   int iterations() const { return iterations_; }
   double residual() const { return residual_; }
 

@@ -13,7 +13,7 @@
 
 namespace concino {
 
-/// Factorises a symmetric matrix as L D L^T, fill-reducing, and solves with it. A SparseSolver; the default of all problems.
+/// Factorises a symmetric matrix as L D L^T, fill-reducing, and solves with it. A SparseSolver.
 /// Only the lower triangle of the matrix is read. Matrices may be indefinite, but pivots are not exchanged for that: D is diagonal.
 /// A matrix with the pattern of the one factorised before, explicit zeros included, is factorised in the order found then.
 /// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular (the row

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/solve/auto_solver.hpp>
 #include <concino/solve/detail/conditions.hpp>
 #include <concino/solve/detail/equilibrate.hpp>
-#include <concino/solve/ldlt.hpp>
 
 #include <initializer_list>
 #include <type_traits>
@@ -58,13 +58,13 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
 }  // namespace detail
 
 /// Minimises |A x - b| over all x with x_i = v for the pairs (i, v) of `given`, braces or any container.
-/// Needs:  A: any shape; its columns of unknowns not given are independent. solver: a SparseSolver for positive definite matrices, which then gets
-///         the normal equations, columns scaled and the result corrected (Bjorck 1987); or qr, which gets A, for columns that are nearly dependent.
+/// Needs:  A: any shape; its columns of unknowns not given are independent. solver: a SparseSolver for positive definite matrices, which
+///         gets the normal equations, columns scaled and the result corrected (Bjorck 1987); or qr, which gets A, for columns that are nearly dependent.
 /// Result: x, with given values exact, and what is left, |A x - b|.      Cost: one factorisation of A^T A, or of A.
 /// Errors: solver_error if A has entries that are not finite, columns that depend on others, or b another size or entries that are not finite;
 ///         invalid_argument if an index is out of range, or a value is not finite, or given twice and differently.
 /// Source: Bjorck 1987 (corrected semi-normal equations).
-template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = ldlt>
+template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& given = {}, Solver&& solver = {}) {
   return detail::least_squares("least_squares", A, b, given, solver);
@@ -72,7 +72,7 @@ least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const E
 
 /// The same, with a weight w_i per row: minimises sum w_i (A x - b)_i^2. A row of weight 0 says nothing.
 /// Errors: as least_squares; invalid_argument if w has another size than A has rows, or a weight is negative or not finite.
-template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = ldlt>
+template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& w, const Eigen::VectorXd& b,
                                             const D& given = {}, Solver&& solver = {}) {

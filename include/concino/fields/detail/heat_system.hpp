@@ -36,8 +36,10 @@ struct heat_source {
 template<class Solver>
 class heat_system {
   static constexpr double none = -std::numeric_limits<double>::infinity();
-  static constexpr int lift = 900;         // heat starts from 2^900 and is trusted down to 2^-900: about 1250 times the square root of the time
-  static constexpr int most_rounds = 100;  // of carrying on
+  /// Heat starts from 2^lift and is trusted down to 2^-lift, about 1.4 lift times the square root of the time: as far as double precision goes, or,
+  /// of solvers that iterate, as far as what is little beside the rest has correct digits.
+  static int lift(const Solver& solver) { return iterates(solver) ? 13 : 900; }
+  static constexpr int most_rounds = 100;  // of carrying on; 70 times more where they are short
 
   struct factorised {
     Eigen::SparseMatrix<double> lower;  // triangle
@@ -163,19 +165,32 @@ class heat_system {
   std::vector<double> log_heat(const factorised& heat, const std::vector<heat_source>& sources) const {
     const int n = static_cast<int>(heat.lower.cols());
     const auto size = static_cast<std::size_t>(n);
-    const double least = std::ldexp(1.0, -lift), per_round = 2 * lift * std::log(2.0);
+    const int up = lift(*heat.solver), rounds = up < 900 ? 70 * most_rounds : most_rounds;
+    const double least = std::ldexp(1.0, -up), per_round = 2 * up * std::log(2.0);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n), u;
     std::vector<unsigned char> has_source(size);
+    std::vector<int> unit(size, unit_);  // of each component; where little is trusted, its heat starts from near 2^lift whatever its verts' masses
     for (const heat_source& s : sources) {
-      b[s.vert] += std::ldexp(s.strength, lift + unit_);
-      has_source[static_cast<std::size_t>(component(s.vert))] = 1;
+      const auto c = static_cast<std::size_t>(component(s.vert));
+      if (iterates(*heat.solver) && (!has_source[c] || s.strength == 1)) unit[c] = std::ilogb(heat.lower.coeff(s.vert, s.vert));
+      has_source[c] = 1;
     }
     std::vector<double> log_u(size, none);
     std::vector<int> round_of(size, -1);  // in which a vert was settled
+    const auto add_sources = [&](int round) {  // that have not been seen yet, being weaker than others
+      bool any = false;
+      for (const heat_source& s : sources) {
+        if (round_of[static_cast<std::size_t>(s.vert)] >= 0) continue;
+        b[s.vert] += std::ldexp(s.strength, up + unit[static_cast<std::size_t>(component(s.vert))] + 2 * up * round);
+        any = true;
+      }
+      return any;
+    };
     std::size_t left = 0;
     for (int i = 0; i < n; ++i) left += has_source[static_cast<std::size_t>(component(i))];
-    for (int round = 0; left > 0 && round < most_rounds; ++round) {
-      if (round > 0) load_beyond(heat.lower, u, round_of, round - 1, b);
+    for (int round = 0; left > 0 && round < rounds; ++round) {
+      if (round > 0) load_beyond(heat.lower, u, round_of, round - 1, 2 * up, b);
+      const bool waits = add_sources(round);
       u = heat.solver->solve(b);
       const std::size_t before = left;
       for (std::size_t i = 0; i < size; ++i) {
@@ -185,13 +200,13 @@ class heat_system {
         if (x > 0) log_u[i] = std::log(x) - round * per_round;
         --left;
       }
-      if (left == before) break;
+      if (left == before && !waits) break;
     }
     return log_u;
   }
 
-  /// b = -K v off the verts where v stands, and what makes up for it where it does, times 2^(2 lift); v is u at the verts settled in `round`.
-  static void load_beyond(const Eigen::SparseMatrix<double>& heat, const Eigen::VectorXd& u, const std::vector<int>& round_of, int round,
+  /// b = -K v off the verts where v stands, and what makes up for it where it does, times 2^up; v is u at the verts settled in `round`.
+  static void load_beyond(const Eigen::SparseMatrix<double>& heat, const Eigen::VectorXd& u, const std::vector<int>& round_of, int round, int up,
                           Eigen::VectorXd& b) {
     b.setZero();
     for (int c = 0; c < heat.cols(); ++c)
@@ -208,8 +223,8 @@ class heat_system {
         } else {
           continue;
         }
-        b[beyond] -= std::ldexp(heat.valuePtr()[k] * u[known], 2 * lift);
-        b[known] += std::ldexp(heat.valuePtr()[k] * u[beyond], 2 * lift);
+        b[beyond] -= std::ldexp(heat.valuePtr()[k] * u[known], up);
+        b[known] += std::ldexp(heat.valuePtr()[k] * u[beyond], up);
       }
   }
 };

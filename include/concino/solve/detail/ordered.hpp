@@ -16,6 +16,16 @@ struct elimination_order {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place;  // of each row
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> row;    // at each place
 
+  /// row_at: the row at each place.
+  void keep(const std::vector<int>& row_at) {
+    row.resize(static_cast<Eigen::Index>(row_at.size()));
+    place.resize(static_cast<Eigen::Index>(row_at.size()));
+    for (std::size_t i = 0; i < row_at.size(); ++i) {
+      row.indices()[static_cast<Eigen::Index>(i)] = row_at[i];
+      place.indices()[row_at[i]] = static_cast<int>(i);
+    }
+  }
+
   /// The order depends on where a has entries, in either triangle.
   void find(const Eigen::SparseMatrix<double>& a) {
     Eigen::AMDOrdering<int> order;

@@ -1,0 +1,136 @@
+// An incomplete Cholesky factorisation: what makes conjugate gradients converge in few steps. Loops over flat arrays, because Eigen's own takes
+// two seconds to compile.
+#pragma once
+
+#include <concino/solve/detail/ordered.hpp>
+
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace concino::detail {
+
+/// Numbers the rows of a symmetric matrix, given by its lower triangle, breadth first: neighbours lie near each other in memory, and an incomplete
+/// factorisation in this order is as good as any with its entries.
+inline std::vector<int> breadth_first_order(const Eigen::SparseMatrix<double>& lower) {
+  const auto n = static_cast<int>(lower.cols());
+  const int *const starts = lower.outerIndexPtr(), *const rows = lower.innerIndexPtr();
+  std::vector<int> begin(static_cast<std::size_t>(n) + 2), adjacent;
+  for (int c = 0; c < n; ++c)
+    for (int k = starts[c]; k < starts[c + 1]; ++k)
+      if (rows[k] > c) {
+        ++begin[static_cast<std::size_t>(c) + 2];
+        ++begin[static_cast<std::size_t>(rows[k]) + 2];
+      }
+  for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  adjacent.resize(static_cast<std::size_t>(begin.back()));
+  for (int c = 0; c < n; ++c)
+    for (int k = starts[c]; k < starts[c + 1]; ++k)
+      if (rows[k] > c) {
+        adjacent[static_cast<std::size_t>(begin[static_cast<std::size_t>(c) + 1]++)] = rows[k];
+        adjacent[static_cast<std::size_t>(begin[static_cast<std::size_t>(rows[k]) + 1]++)] = c;
+      }
+  std::vector<int> order;
+  order.reserve(static_cast<std::size_t>(n));
+  std::vector<char> is_known(static_cast<std::size_t>(n));
+  for (int seed = 0; seed < n; ++seed) {
+    if (is_known[static_cast<std::size_t>(seed)]) continue;
+    is_known[static_cast<std::size_t>(seed)] = 1;
+    order.push_back(seed);
+    for (std::size_t at = order.size() - 1; at < order.size(); ++at) {
+      const auto v = static_cast<std::size_t>(order[at]);
+      for (int k = begin[v]; k < begin[v + 1]; ++k) {
+        const int w = adjacent[static_cast<std::size_t>(k)];
+        if (is_known[static_cast<std::size_t>(w)]) continue;
+        is_known[static_cast<std::size_t>(w)] = 1;
+        order.push_back(w);
+      }
+    }
+  }
+  return order;
+}
+
+/// The transpose; its columns are sorted, so of an upper triangle it is a lower one whose columns begin with the diagonal.
+inline Eigen::SparseMatrix<double> sorted_transpose(const Eigen::SparseMatrix<double>& a) {
+  const auto n = static_cast<int>(a.rows());
+  Eigen::SparseMatrix<double> r(a.cols(), n);
+  r.resizeNonZeros(a.nonZeros());
+  std::vector<int> next(static_cast<std::size_t>(n) + 1);
+  for (Eigen::Index k = 0; k < a.nonZeros(); ++k) ++next[static_cast<std::size_t>(a.innerIndexPtr()[k]) + 1];
+  for (std::size_t i = 1; i < next.size(); ++i) r.outerIndexPtr()[i] = next[i] += next[i - 1];
+  for (int c = 0; c < a.cols(); ++c)
+    for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
+      const int at = next[static_cast<std::size_t>(a.innerIndexPtr()[k])]++;
+      r.innerIndexPtr()[at] = c;
+      r.valuePtr()[at] = a.valuePtr()[k];
+    }
+  return r;
+}
+
+/// L with L L^T near a matrix, with entries where its lower triangle has some. First what has no place is added to the diagonal, all but a small
+/// part: then the rows of L L^T have nearly the sums of the matrix, and of n steps needed otherwise some root of n are left. Where that leaves
+/// no positive pivot what has no place is dropped, and the diagonal is raised until all pivots are positive.
+/// Source: Meijerink, van der Vorst 1977; Gustafsson 1978 (sums kept); Manteuffel 1980 (diagonal raised).
+class incomplete_cholesky {
+  std::vector<double> l_;  // beside the entries of the matrix; on the diagonal 1 / l
+
+  bool try_to_factorize(const Eigen::SparseMatrix<double>& a, double raise, double keep) {
+    const auto n = static_cast<int>(a.cols());
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr();
+    l_.assign(a.valuePtr(), a.valuePtr() + a.nonZeros());
+    double* const l = l_.data();
+    for (int c = 0; c < n; ++c) l[starts[c]] *= 1 + raise;
+    for (int c = 0; c < n; ++c) {
+      const int first = starts[c], end = starts[c + 1];
+      if (!(l[first] > 1e-3 * a.valuePtr()[first])) return false;
+      l[first] = 1 / std::sqrt(l[first]);
+      for (int k = first + 1; k < end; ++k) l[k] *= l[first];
+      for (int j = first + 1; j < end; ++j) {
+        const int column = rows[j];
+        int to = starts[column];
+        const int to_end = starts[column + 1];
+        l[to++] -= l[j] * l[j];
+        for (int i = j + 1; i < end; ++i) {
+          while (to < to_end && rows[to] < rows[i]) ++to;
+          const double fill = l[i] * l[j];
+          if (to < to_end && rows[to] == rows[i]) {
+            l[to++] -= fill;
+          } else {
+            l[starts[column]] -= keep * fill;
+            l[starts[rows[i]]] -= keep * fill;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+ public:
+  /// a: a lower triangle with a positive diagonal; each column is sorted, so begins with its diagonal entry.
+  void factorize(const Eigen::SparseMatrix<double>& a) {
+    if (try_to_factorize(a, 0, 0.97) || try_to_factorize(a, 0, 0)) return;
+    for (double raise = 1e-3; !try_to_factorize(a, raise, 0); raise *= 4) {}
+  }
+
+  /// z = (L L^T)^-1 r. a: what was factorised.
+  void solve(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
+    const auto n = static_cast<int>(a.cols());
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr();
+    const double* const l = l_.data();
+    z = r;
+    double* const x = z.data();
+    for (int c = 0; c < n; ++c) {
+      const double xc = x[c] *= l[starts[c]];
+      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) x[rows[k]] -= l[k] * xc;
+    }
+    for (int c = n - 1; c >= 0; --c) {
+      double xc = x[c];
+      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) xc -= l[k] * x[rows[k]];
+      x[c] = xc * l[starts[c]];
+    }
+  }
+};
+
+}  // namespace concino::detail
