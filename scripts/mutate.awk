@@ -39,7 +39,7 @@ function note(change) {
 unfinished { if (/;$/) unfinished = 0; print; next }
 /^(template<.*> )?concept |^ *static_assert/ && !/;( *\/\/.*)?$/ { unfinished = 1 }
 /^ *(#|\/\/|template<|using |case |default:|enum |friend )|concept |^ *virtual .* = 0;|requires|static_assert|[^_a-z]assert\(|operator ?[<>=!+*\/%&|-]+ ?\(/ { print; next }
-/^ *(inline |static )*constexpr [^(]*( = |\{)|if constexpr|^ *[A-Za-z_:0-9]+ [a-z_]+\[[^;]*\];|<[A-Za-z_:]+, [A-Za-z_]+ [-+] [0-9]+>/ { all_text = 1 }
+/^ *(inline |static )*constexpr [^(]*( = |\{)|if constexpr|^ *[A-Za-z_:0-9]+ [a-z_]+\[[^;]*\];|<[A-Za-z_:0-9]+, [A-Za-z_]+ [-+] [0-9]+>/ { all_text = 1 }
 {
   # Constants over several lines, up to the semicolon; those that are computed, up to the brace.
   if (constant != "") {

@@ -2,6 +2,7 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit/elements.hpp>
+#include <concino/geometry/measure.hpp>
 #include <concino/mesh/face_soup.hpp>
 
 #include <support/kinds.hpp>
@@ -98,6 +99,19 @@ TEST_CASE_TEMPLATE("laplacian, standard: linear functions are in the kernel at i
     CHECK(std::abs(lf[static_cast<Eigen::Index>(index_of(m, v))]) < 1e-12);
   }
   CHECK(interior > 0);
+}
+
+TEST_CASE("laplacian, standard: of more polys than are computed at a time") {
+  const quadmesh m(jittered(quad_grid(33), 0.005, false));
+  REQUIRE(num_polys(m) > 1024);
+  const auto l = laplacian(m);
+  Eigen::VectorXd f(l.rows());
+  for (const auto v : verts(m)) f[static_cast<Eigen::Index>(index_of(m, v))] = 2 * point(m, v)[0] - 3 * point(m, v)[1] + 4;
+  const Eigen::VectorXd lf = l * f;
+  const auto inside = [](double x) { return x > 0.015 && x < 0.985; };
+  for (const auto v : verts(m))
+    if (inside(point(m, v)[0]) && inside(point(m, v)[1])) CHECK(std::abs(lf[static_cast<Eigen::Index>(index_of(m, v))]) < 1e-11);
+  CHECK(f.dot(lf) == doctest::Approx(-13 * total_measure(m)).epsilon(1e-11));
 }
 
 TEST_CASE_TEMPLATE("laplacian, standard: the cotangents where all polys are triangles or tets, by type or not", M, trimesh, tetmesh) {

@@ -18,9 +18,6 @@ struct local_matrix {
   std::size_t size() const { return verts.size(); }
   double& at(std::size_t i, std::size_t j) { return entries[i * (i + 1) / 2 + j]; }
   double at(std::size_t i, std::size_t j) const { return entries[i * (i + 1) / 2 + j]; }
-
-  /// As many rows as verts, all 0.
-  void clear_entries() { entries.assign(verts.size() * (verts.size() + 1) / 2, 0.0); }
 };
 
 /// What computes the local matrix of one poly after another. Behind a table of functions, so that the assembly is compiled once for a mesh type
