@@ -3,5 +3,7 @@
 
 #include <concino/fields/exact_geodesics.hpp>
 #include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/heat_flow.hpp>
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/poisson.hpp>
+#include <concino/fields/smooth.hpp>

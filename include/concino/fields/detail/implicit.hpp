@@ -1,0 +1,119 @@
+// The system (M + a K) u = M f, M a mass and K minus a Laplacian or a power of it: one step of heat, and smoothing.
+#pragma once
+
+#include <concino/fields/detail/dirichlet.hpp>
+#include <concino/fields/detail/laplace_system.hpp>
+#include <concino/fields/detail/masses.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// a + factor b, where rows are sorted within columns.
+inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, double factor, const Eigen::SparseMatrix<double>& b) {
+  Eigen::SparseMatrix<double> r(a.rows(), a.cols());
+  r.resizeNonZeros(a.nonZeros() + b.nonZeros());
+  int at = 0;
+  const auto put = [&](int row, double x) {
+    r.innerIndexPtr()[at] = row;
+    r.valuePtr()[at++] = x;
+  };
+  for (int c = 0; c < a.cols(); ++c) {
+    int i = a.outerIndexPtr()[c], j = b.outerIndexPtr()[c];
+    const int a_end = a.outerIndexPtr()[c + 1], b_end = b.outerIndexPtr()[c + 1];
+    while (i < a_end || j < b_end) {
+      const int none = static_cast<int>(a.rows()), in_a = i < a_end ? a.innerIndexPtr()[i] : none, in_b = j < b_end ? b.innerIndexPtr()[j] : none;
+      if (in_a < in_b) put(in_a, a.valuePtr()[i++]);
+      else if (in_b < in_a) put(in_b, factor * b.valuePtr()[j++]);
+      else put(in_a, a.valuePtr()[i++] + factor * b.valuePtr()[j++]);
+    }
+    r.outerIndexPtr()[c + 1] = at;
+  }
+  r.resizeNonZeros(at);
+  return r;
+}
+
+inline Eigen::SparseMatrix<double> diagonal_matrix(const std::vector<double>& x) {
+  const auto n = static_cast<Eigen::Index>(x.size());
+  Eigen::SparseMatrix<double> a(n, n);
+  a.resizeNonZeros(n);
+  for (int i = 0; i < n; ++i) {
+    a.outerIndexPtr()[i] = a.innerIndexPtr()[i] = i;
+    a.valuePtr()[i] = x[static_cast<std::size_t>(i)];
+  }
+  a.outerIndexPtr()[n] = static_cast<int>(n);
+  return a;
+}
+
+/// Both triangles of the mass that goes with these weights: the identity for uniform ones, lumped, or the Galerkin mass.
+/// Errors: invalid_mesh if a vert with edges has no mass, and those of mass_matrix.
+template<class M>
+Eigen::SparseMatrix<double> mass_beside(const M& m, weights which, bool lumped, const char* who) {
+  if constexpr (AnyMesh<M> && Embedded<M>)
+    if (!lumped && which != weights::uniform) return mass_matrix(m, {.lumped = false});
+  return diagonal_matrix(lumped_masses(m, which, who));
+}
+
+template<class M>
+class implicit_system {
+  held_system<M> system_;
+  Eigen::SparseMatrix<double> mass_;
+  const char* who_;
+
+ public:
+  /// mass and k: both triangles. Not yet factorised.
+  implicit_system(const M& m, held_verts<M>&& held, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
+                  const char* who)
+      : system_{std::move(held), {}, {}}, mass_(std::move(mass)), who_(who) {
+    system_.verts.number_all(m);
+    for (const vert_t<M> v : verts(m)) {
+      const auto i = static_cast<std::size_t>(index_of(m, v));
+      if (system_.verts.unknown[v] >= 0 && !has_mass(mass_, i))
+        throw_joined<invalid_mesh>({who_, ": vert ", i, " has edges but no polys, so no mass; use uniform weights"});
+    }
+    system_.restrict_to_unknowns(m, sum_of(mass_, amount, k));
+  }
+
+  const held_verts<M>& held() const { return system_.verts; }
+
+  template<class Solver>
+  void factorize(Solver& solver, const progress& told) const { system_.factorize(solver, told); }
+
+  /// The values of a readable map at all verts.
+  /// Errors: invalid_argument if one is not finite at a vert that has edges or is held.
+  template<class T, class F>
+  vert_map<M, T> values_of(const M& m, const F& f) const {
+    auto u = make_vert_map<T>(m);
+    for (const vert_t<M> v : verts(m)) {
+      const T x = u[v] = as_field_value<T>(f[v]);
+      if (system_.verts.unknown[v] == held_verts<M>::isolated) continue;
+      for (std::size_t k = 0; k < parts_of<T>; ++k)
+        if (!std::isfinite(part(x, k)))
+          throw_joined<invalid_argument>({who_, ": the value at vert ", static_cast<std::size_t>(index_of(m, v)), " is not finite"});
+    }
+    return u;
+  }
+
+  /// Replaces f by u; held and isolated verts keep what they have.      Errors: solver_error.
+  template<class T, class Solver>
+  void apply(const M& m, const Solver& solver, vert_map<M, T>& f) const {
+    const auto size = f.values().size();
+    auto load = zeros<T>(size);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size));
+    for (std::size_t k = 0; k < parts_of<T>; ++k) {
+      for (const vert_t<M> v : verts(m))
+        if (system_.verts.unknown[v] != held_verts<M>::isolated) x[static_cast<Eigen::Index>(index_of(m, v))] = part(f[v], k);
+      symmetric_times(mass_, x, load[k]);
+    }
+    system_.template solve<T>(m, solver, &load, f, who_);
+  }
+};
+
+/// Nothing held.
+template<class M> using no_verts = std::initializer_list<vert_t<M>>;
+
+}  // namespace concino::detail

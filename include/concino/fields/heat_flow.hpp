@@ -1,0 +1,173 @@
+// Heat flow: how values at the verts spread over a surface or through a volume as time goes by.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/concepts/sparse_solver.hpp>
+#include <concino/detail/number_text.hpp>
+#include <concino/fields/detail/implicit.hpp>
+#include <concino/progress.hpp>
+#include <concino/solve/auto_solver.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace concino {
+
+/// second_order:   two implicit stages with one matrix; the error falls with the square of the length of steps. Sharp differences die out in
+///                 few steps and do not swing on, though steps that are long for the mesh may overshoot them a little.
+/// backward_euler: one stage, of the first order. With lumped masses and no negative weights it never leaves the range of the values before.
+enum class heat_scheme { second_order, backward_euler };
+
+struct heat_flow_options {
+  concino::weights weights = concino::weights::standard;
+  int steps = 10;                         // 1 or more, each as long as the others
+  concino::heat_scheme scheme = concino::heat_scheme::second_order;
+  bool lumped = false;                    // lumped masses: see backward_euler; else the Galerkin mass, of the second order in the size of the polys
+  concino::progress progress = nullptr;
+};
+
+namespace detail {
+
+/// 1 - 1 / sqrt(2): with it the stages' matrix is one and the same and the scheme L-stable.
+inline constexpr double alexander_gamma = 0.29289321881345247560;
+
+template<class M, class V>
+implicit_system<M> heat_flow_system(const M& m, double time, const V& held, const heat_flow_options& options) {
+  const char* const who = "heat_flow";
+  if (!(time >= 0 && std::isfinite(time)))
+    throw_joined<invalid_argument>({who, ": time is ", number_text(time), "; it must be finite and 0 or more"});
+  if (options.steps < 1) throw_joined<invalid_argument>({who, ": steps is ", number_text(options.steps), "; it must be 1 or more"});
+  tell(options.progress, 0, "heat flow");
+  held_verts<M> fixed(m);
+  fixed.hold(m, held, who);
+  auto mass = mass_beside(m, options.weights, options.lumped, who);
+  const double step = time / options.steps;
+  return {m, std::move(fixed), std::move(mass), options.scheme == heat_scheme::second_order ? alexander_gamma * step : step,
+          minus_laplacian(m, options.weights), who};
+}
+
+/// Steps of M u' = -K u. With A = M + g dt K the stages are A v = M u and A w = M u - (1 - g) dt K v, where dt K v = M (u - v) / g, so that
+/// no more than A^-1 M is needed; w is u one step later.
+template<class T, class M, class Solver>
+void flow(const M& m, const implicit_system<M>& system, const Solver& solver, const heat_flow_options& options, vert_map<M, T>& u,
+          const progress& told) {
+  constexpr double forward = (1 - alexander_gamma) / alexander_gamma;
+  for (int i = 0; i < options.steps; ++i) {
+    tell(told, static_cast<double>(i) / options.steps, "heat flow");
+    if (options.scheme == heat_scheme::second_order) {
+      vert_map<M, T> stage = u;
+      system.template apply<T>(m, solver, stage);
+      for (const vert_t<M> v : verts(m))
+        if (system.held().unknown[v] >= 0) u[v] = u[v] + forward * (stage[v] - u[v]);
+    }
+    system.template apply<T>(m, solver, u);
+  }
+  tell(told, 1, "heat flow");
+}
+
+}  // namespace detail
+
+/// What prepare_heat_flow prepares: it lets heat flow, from several threads too if the solver can. Copies share what was prepared.
+template<PrimalGraph M, class Solver>
+class prepared_heat_flow {
+  struct preparation {
+    detail::implicit_system<M> system;
+    std::unique_ptr<Solver> solver;
+    heat_flow_options options;
+    double time;
+  };
+
+  detail::mesh_ref<M> mesh_;
+  std::shared_ptr<const preparation> prepared_;
+
+ public:
+  template<class V>
+  prepared_heat_flow(const M& m, double time, const V& held, const heat_flow_options& options, const Solver& solver) : mesh_(m) {
+    auto system = detail::heat_flow_system(m, time, held, options);
+    auto own = detail::another_solver(solver);
+    system.factorize(*own, options.progress);
+    preparation p{std::move(system), std::move(own), options, time};
+    p.options.progress = nullptr;  // the caller's callable may be gone by then
+    prepared_ = std::make_shared<const preparation>(std::move(p));
+    detail::tell(options.progress, 1, "heat flow");
+  }
+
+  const M& mesh() const { return mesh_.get(); }
+  const Solver& solver() const { return *prepared_->solver; }
+  /// For how long heat flows.
+  double time() const { return prepared_->time; }
+  /// How many verts have no edges and are not held: they keep their values.
+  std::size_t isolated() const { return prepared_->system.held().num_isolated; }
+
+  /// What has become of the values u after the time that was prepared; call it again with the result to go on.
+  /// Needs:  u as for heat_flow; the mesh is as it was prepared.
+  /// Result: that of heat_flow.      Cost: two back-substitutions a step, or one, see heat_scheme; three times that for vectors.
+  /// Errors: as heat_flow about u; solver_error; cancelled.
+  template<class F, class T = detail::field_value_at<F, vert_t<M>>>
+    requires ReadableMap<F, vert_t<M>>
+  vert_map<M, T> advance(const F& u, const progress& told = nullptr) const {
+    const M& m = mesh_.get();
+    auto r = prepared_->system.template values_of<T>(m, u);
+    detail::flow<T>(m, prepared_->system, *prepared_->solver, prepared_->options, r, told);
+    return r;
+  }
+};
+
+/// Prepares heat flow over the same time, for many fields and for one that goes on: auto h = prepare_heat_flow(m, time); u = h.advance(u).
+/// Needs:  as heat_flow; the mesh stays as it is. solver: one like it is kept, made of its options() where it has them.
+/// Result: an object that answers advance(u), and tells by isolated() how many verts have no edges.
+/// Cost, errors: as heat_flow, but for the steps and for what is about u.
+template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::walkable<V> &&
+           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const V& held,
+                                                                                          const heat_flow_options& options = {},
+                                                                                          Solver&& solver = {}) {
+  return {m, time, held, options, solver};
+}
+template<class M, class Solver = auto_solver>
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const heat_flow_options& options = {},
+                                                                                          Solver&& solver = {}) {
+  return {m, time, detail::no_verts<M>{}, options, solver};
+}
+
+/// What has become of the values `initial` after `time` by the equation u_t = Laplacian of u. Held verts keep their value; where none are
+/// held on the boundary, no heat crosses it.
+/// Needs:  PrimalGraph M; for other weights than uniform an Embedded AnyMesh, for cotangent weights of triangles or tets. initial: any readable
+///         map over verts, of numbers, or of points for vectors, whose parts flow on their own. time: finite, 0 or more, in units of length^2;
+///         with uniform weights, where M is the identity, without unit. `held`: verts in braces ({a, b}) or any container; they
+///         stand before the options. solver as for harmonic_map.
+/// Result: a map of double or vec3. Where nothing is held the heat, the sum of M u, stays what it is, the sum of u times M u never grows, and
+///         in the end there is one mean value in each component; with held values the harmonic map through them. Verts without edges keep
+///         what they have; prepare_heat_flow counts them.
+/// Cost:   one sparse factorisation of as many unknowns as there are verts to find, and two back-substitutions a step, or one, see heat_scheme.
+/// Errors: invalid_argument if time or steps is out of its range or a value is not finite at a vert that has edges or is held; invalid_mesh if what
+///         is to be held is no vert of m, or if a vert has edges and no mass; with other weights than uniform those of `laplacian` and
+///         mass_matrix; solver_error; cancelled.
+/// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
+template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> && detail::walkable<V> &&
+           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const V& held, const heat_flow_options& options = {}, Solver&& solver = {}) {
+  const std::remove_cvref_t<M>& mesh_in = m;
+  const auto system = detail::heat_flow_system(mesh_in, time, held, options);
+  auto u = system.template values_of<T>(mesh_in, initial);
+  system.factorize(solver, options.progress);
+  detail::flow<T>(mesh_in, system, solver, options, u, options.progress);
+  return u;
+}
+
+/// The same with nothing held.
+template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> &&
+           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options& options = {}, Solver&& solver = {}) {
+  return heat_flow(m, initial, time, detail::no_verts<M>{}, options, solver);
+}
+
+}  // namespace concino
