@@ -80,7 +80,7 @@ class prepared_harmonic_map {
     requires detail::field_value<T>
   vert_map<M, T> with_values(const D& values) const {
     const M& m = mesh_.get();
-    auto value = detail::given_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "harmonic_map");
+    auto value = detail::prescribed_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "harmonic_map");
     prepared_->system.template solve<T>(m, *prepared_->solver, nullptr, value, "harmonic_map");
     return value;
   }
@@ -125,7 +125,7 @@ vert_map<M, T> harmonic_map(M&& m, const D& values, const harmonic_map_options& 
   detail::tell(options.progress, 0, "harmonic map");
   detail::held_verts<std::remove_cvref_t<M>> held(mesh_in);
   held.hold(mesh_in, values, "harmonic_map");
-  auto value = detail::given_values<T>(mesh_in, held, values, options.isolated_value, "harmonic_map");
+  auto value = detail::prescribed_values<T>(mesh_in, held, values, options.isolated_value, "harmonic_map");
   const auto system = detail::harmonic_system(mesh_in, std::move(held), options);
   system.factorize(solver, options.progress);
   detail::tell(options.progress, 0.9, "solving");

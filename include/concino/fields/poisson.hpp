@@ -80,7 +80,7 @@ class prepared_poisson {
     requires ReadableMap<F, vert_t<M>> && detail::walkable<N>
   vert_map<M, T> solve(const F& f, const D& values, const N& fluxes = {}) const {
     const M& m = mesh_.get();
-    auto value = detail::given_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "poisson");
+    auto value = detail::prescribed_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "poisson");
     auto load = detail::mass_times<T>(m, prepared_->mass, f, "poisson: the load f");
     detail::add_fluxes<T>(m, fluxes, load, "poisson");
     prepared_->system.template solve<T>(m, *prepared_->solver, &load, value, "poisson");
@@ -128,7 +128,7 @@ vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, cons
   detail::tell(options.progress, 0, "Poisson's equation");
   detail::held_verts<std::remove_cvref_t<M>> held(mesh_in);
   held.hold(mesh_in, values, "poisson");
-  auto value = detail::given_values<T>(mesh_in, held, values, options.isolated_value, "poisson");
+  auto value = detail::prescribed_values<T>(mesh_in, held, values, options.isolated_value, "poisson");
   const auto system = detail::poisson_system(mesh_in, std::move(held), options.weights);
   auto load = detail::mass_times<T>(mesh_in, mass_matrix(mesh_in, {.lumped = false}), f, "poisson: the load f");
   detail::add_fluxes<T>(mesh_in, fluxes, load, "poisson");

@@ -169,7 +169,7 @@ struct held_verts {
 /// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert gets two, or the verts are
 ///         not those that are held.
 template<class T, class M, class D>
-vert_map<M, T> given_values(const M& m, const held_verts<M>& verts, const D& pairs, double isolated_value, const char* who) {
+vert_map<M, T> prescribed_values(const M& m, const held_verts<M>& verts, const D& pairs, double isolated_value, const char* who) {
   auto value = make_vert_map<T>(m, same_in_all_parts<T>(isolated_value));
   for (const vert_t<M>& v : verts.given) part(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // none yet
   std::size_t known = 0;
