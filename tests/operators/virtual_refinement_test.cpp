@@ -9,6 +9,9 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/LU>
+
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -50,6 +53,30 @@ template<class M> std::string message_for(const M& m) {
 
 }  // namespace
 
+TEST_CASE("a sum of squares: where it is least, 0 in directions in which it does not grow") {
+  const auto turned = [](const vec3& a, std::size_t by) { return vec3{a[by], a[(by + 1) % 3], a[(by + 2) % 3]}; };
+  CHECK(detail::sum_of_squares{}.minimum() == vec3{});
+  for (const double scale : {1.0, 0x1p-60, 0x1p60})
+    for (std::size_t by = 0; by < 3; ++by) {
+      const vec3 c = turned({0.3, -0.7, 1.1}, by);
+      detail::sum_of_squares all = {}, one = {}, two = {};
+      for (const vec3& d : {vec3{1, 0.5, 0.2}, vec3{-0.3, 2, 0.7}, vec3{0.4, -0.1, 3}, vec3{1, 1, 1}}) all.add(scale * turned(d, by), c);
+      CHECK(distance(all.minimum(), c) < 1e-14);
+      const vec3 axis = turned({1, 0, 0}, by), other = turned({0, 1, 0}, by);
+      one.add(scale * axis, c);
+      CHECK(distance(one.minimum(), dot(c, axis) * axis) < 1e-15);
+      two.add(scale * (axis + other), c);
+      two.add(scale * (axis - 2 * other), c);
+      CHECK(distance(two.minimum(), dot(c, axis) * axis + dot(c, other) * other) < 1e-15);
+    }
+  for (int i = 1; i < 40; ++i) {  // rounding is no growth
+    const vec3 d{0.01 * i, 0.3 / i, 1 + 0.1 * i}, c{1.5, -0.5, 0.75};
+    detail::sum_of_squares s = {};
+    for (const double factor : {0.7, 1.1, 1.3, 0.9}) s.add(factor * d, c);
+    CHECK(distance(s.minimum(), {0, 0, dot(d, c) / d.z}) < 1e-13);
+  }
+}
+
 TEST_CASE_TEMPLATE("virtual refinement is the cotangent Laplacian on simplices", M, trimesh, tetmesh) {
   const M m(jittered(grid_arrays<M>(3), 0.05));
   const Eigen::MatrixXd cotangent = laplacian(m, {.weights = weights::cotangent});
@@ -88,6 +115,9 @@ TEST_CASE_TEMPLATE("virtual refinement: scales exactly, does not see where the m
     for (const auto w : verts(stripped)) CHECK(same(at(v), at(w)) == doctest::Approx(k(base(v), base(w))).epsilon(1e-12));
   for (vec3& x : arrays.points) x *= 1048576;
   CHECK(refined(M(arrays)) == k * std::pow(1048576.0, dimension_v<M> - 2));
+  auto small = arrays;
+  for (vec3& x : small.points) x *= 0x1p-80;
+  CHECK(refined(M(small)) == k * std::pow(0x1p-60, dimension_v<M> - 2));
   for (vec3& x : arrays.points) x = x / 1048576 + vec3{1024, -512, 2048};
   CHECK((refined(M(arrays)) - k).cwiseAbs().maxCoeff() < 1e-9);
 }
@@ -106,6 +136,41 @@ TEST_CASE("virtual refinement of the unit square and the unit cube") {
   CHECK(alternating.dot(refined(cube) * alternating) == doctest::Approx(4));
 }
 
+TEST_CASE("virtual refinement of a polyhedron of triangles: as it is defined") {
+  polyhedra_arrays arrays{{{1, 0, 0.1}, {-0.6, 0.9, 0}, {-0.4, -0.8, 0.2}, {0.1, 0.2, 1.3}, {0.2, 0.1, -0.7}}, {0}, {}, {0}, {}, {}};
+  const std::array<unsigned, 3> triangles[] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
+  for (unsigned f = 0; f < 6; ++f) {
+    for (const unsigned v : triangles[f]) arrays.face_verts.push_back(vert_id{v});
+    arrays.face_offsets.push_back(3 * f + 3);
+    arrays.poly_faces.push_back(face_id{f});
+    arrays.outward.push_back(1);
+  }
+  arrays.poly_offsets.push_back(6);
+
+  const auto& x = arrays.points;
+  const auto column = [](const vec3& a) { return Eigen::Vector3d(a.x, a.y, a.z); };
+  Eigen::Matrix3d volumes = Eigen::Matrix3d::Zero(), spread = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero(), mean = Eigen::Vector3d::Zero();
+  for (const auto& [a, b, c] : triangles) {
+    const Eigen::Vector3d d = column(cross(x[b] - x[a], x[c] - x[a]));
+    volumes += d * d.transpose();
+    right += d * d.dot(column(x[a]));
+  }
+  for (const vec3& p : x) mean += column(p) / 5;
+  for (const vec3& p : x) spread += (column(p) - mean) * (column(p) - mean).transpose();
+  const Eigen::Vector3d within = volumes.inverse() * right, slope = spread.inverse() * (within - mean);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Identity(6, 5), cotangents = Eigen::MatrixXd::Zero(6, 6);
+  for (unsigned i = 0; i < 5; ++i) values(5, i) = 0.2 + slope.dot(column(x[i]) - mean);
+  for (const auto& [a, b, c] : triangles) {
+    const detail::simplex_weights<3> weight({vec3{within[0], within[1], within[2]}, x[a], x[b], x[c]});
+    const unsigned corner[] = {5, a, b, c};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) cotangents(corner[i], corner[j]) -= weight(i, j);
+  }
+  const Eigen::MatrixXd expected = values.transpose() * cotangents * values;
+  CHECK((refined(polyhedralmesh(arrays)) - expected).cwiseAbs().maxCoeff() < 1e-13);
+}
+
 TEST_CASE("virtual refinement on a mesh of other making, and of a polyhedron with more verts than are looked for one by one") {
   const auto volume = tiny::volume_example();
   const Eigen::MatrixXd k = refined(volume);
@@ -117,11 +182,14 @@ TEST_CASE("virtual refinement on a mesh of other making, and of a polyhedron wit
     disk.points.push_back({std::cos(0.1 * 3.14159265358979 * i), std::sin(0.1 * 3.14159265358979 * i), 0});
     disk.verts.push_back(vert_id{i});
   }
-  const polyhedralmesh prism(extrude(disk, 1));
-  const Eigen::MatrixXd p = refined(prism);
-  Eigen::VectorXd z(40);
-  for (Eigen::Index i = 0; i < 40; ++i) z[i] = i < 20 ? 0 : 1;
-  CHECK(z.dot(p * z) == doctest::Approx(total_measure(prism)));
+  for (const unsigned layers : {1u, 2u}) {
+    const polyhedralmesh prisms(extrude(disk, layers));
+    const Eigen::MatrixXd p = refined(prisms);
+    Eigen::VectorXd z(p.rows());
+    for (const auto v : verts(prisms)) z[static_cast<Eigen::Index>(index_of(prisms, v))] = point(prisms, v).z;
+    CHECK(z.dot(p * z) == doctest::Approx(total_measure(prisms)));
+    CHECK(p.rowwise().sum().cwiseAbs().maxCoeff() < 1e-13);
+  }
 }
 
 TEST_CASE("virtual refinement: polys that are not star-shaped are named") {
@@ -140,6 +208,10 @@ TEST_CASE_TEMPLATE("virtual refinement: polys without a measure and points that 
   CHECK_THROWS_AS(refined(M(arrays)), invalid_mesh);
   for (vec3& x : arrays.points) x = {x.y, x.y, x.y};
   CHECK_THROWS_AS(refined(M(arrays)), invalid_mesh);
+}
+
+TEST_CASE("virtual refinement: an area beyond the range of numbers is none") {
+  CHECK_THROWS_AS(refined(polygonmesh({{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}}, {{0, 1, 2}})), invalid_mesh);
 }
 
 TEST_CASE_TEMPLATE("virtual refinement: a volume turned inside out counts as if it were not", M, CONCINO_VOLUME_KINDS) {

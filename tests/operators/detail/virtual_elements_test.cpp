@@ -9,6 +9,9 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace concino;
 using namespace concino::testing;
 
@@ -68,6 +71,53 @@ TEST_CASE("stiffness of a cube: products of two coordinates have the energy they
   const Eigen::MatrixXd k = matrix_of(m, detail::virtual_stiffness<hexmesh>(m), poly_id{0});
   const auto u = at_corners(m, poly_id{0}, [](const vec3& x) { return (2 * x.x - 1) * (2 * x.y - 1); });
   CHECK(u.dot(k * u) == doctest::Approx(8.0 / 3).epsilon(1e-13));
+}
+
+TEST_CASE_TEMPLATE("stiffness of a polyhedron: what linear functions do not see counts by the least gradients that are exact", M, hexmesh, polyhedralmesh) {
+  const M m(jittered(grid_arrays<M>(2), 0.1));
+  detail::corner_gradients<M> poly;
+  double most = 0;
+  for (const auto p : polys(m)) {
+    poly.visit(m, p);
+    const std::size_t n = poly.verts.size();
+    Eigen::Matrix<double, 4, Eigen::Dynamic> seen(4, n);
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    Eigen::VectorXd u(n);
+    double squares = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto c = static_cast<Eigen::Index>(i);
+      const vec3 &g = poly.gradient[i], &y = poly.place[i];
+      seen.col(c) << 1, g.x, g.y, g.z;
+      const Eigen::Vector3d place(y.x, y.y, y.z);
+      spread += place * place.transpose();
+      u[c] = std::sin(5.0 * static_cast<double>(i));
+      squares += dot(g, g);
+    }
+    const Eigen::Matrix4d products = seen * seen.transpose();
+    const Eigen::Vector4d linear = products.inverse() * (seen * u);
+    u -= seen.transpose() * linear;
+    const double least = spread.inverse().trace(), factor = std::abs(measure(m, p)) * least * std::sqrt(static_cast<double>(n) / 162);
+    CHECK(u.dot(matrix_of(m, detail::virtual_stiffness<M>(m), p) * u) == doctest::Approx(factor * u.squaredNorm()).epsilon(1e-10));
+    most = std::max(most, squares / least);
+  }
+  CHECK(most > 1.05);  // some polys are ragged
+}
+
+TEST_CASE("stiffness of boxes next to flat: rounding makes nothing negative, and nothing more than it is") {
+  Eigen::VectorXd alternating(8);
+  alternating << 1, -1, 1, -1, -1, 1, -1, 1;
+  for (const double height : {3e-8, 1e-8})
+    for (int turn = 1; turn < 30; ++turn) {
+      vec3 a{1, 0.1 * turn, 0.007 * turn * turn}, b = cross(a, {0.3, 1, 0.2 * turn});
+      a /= norm(a);
+      b /= norm(b);
+      const vec3 c = height * cross(a, b);
+      const hexmesh box({{}, a, a + b, b, c, a + c, a + b + c, b + c}, {{0, 1, 2, 3, 4, 5, 6, 7}});
+      const Eigen::MatrixXd k = matrix_of(box, detail::virtual_stiffness<hexmesh>(box), poly_id{0});
+      const double energy = alternating.dot(k * alternating), squares = 1 + 0.5 / (height * height);
+      CHECK(energy > 0);
+      CHECK(energy < 1.05 * 8 * height * squares * std::sqrt(8.0 / 162));
+    }
 }
 
 TEST_CASE_TEMPLATE("stiffness and mass of a poly turned inside out are those of the poly", M, CONCINO_VOLUME_KINDS) {
