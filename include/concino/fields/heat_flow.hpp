@@ -123,14 +123,15 @@ class prepared_heat_flow {
 /// Cost, errors: as heat_flow, but for the steps and for what is about u.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::walkable<V> &&
-           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const V& held,
                                                                                           const heat_flow_options& options = {},
                                                                                           Solver&& solver = {}) {
   return {m, time, held, options, solver};
 }
 template<class M, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> &&
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const heat_flow_options& options = {},
                                                                                           Solver&& solver = {}) {
   return {m, time, detail::no_verts<M>{}, options, solver};

@@ -86,13 +86,14 @@ class prepared_smooth {
 /// Cost, errors: as smooth, but for the back-substitution and for what is about f.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::walkable<V> &&
-           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount, const V& held,
                                                                                     const smooth_options& options = {}, Solver&& solver = {}) {
   return {m, amount, held, options, solver};
 }
 template<class M, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> &&
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount, const smooth_options& options = {},
                                                                                     Solver&& solver = {}) {
   return {m, amount, detail::no_verts<M>{}, options, solver};

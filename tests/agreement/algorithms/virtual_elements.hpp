@@ -3,7 +3,9 @@
 
 #include <agreement/algorithms/operators.hpp>
 
+#include <concino/fields/heat_flow.hpp>
 #include <concino/fields/poisson.hpp>
+#include <concino/fields/smooth.hpp>
 #include <concino/operators/mass_matrix.hpp>
 
 namespace concino::agreement {
@@ -29,7 +31,18 @@ struct standard {
     const auto vert = vert_place(both);
     expect_same_matrix(mass_matrix(both.native, {.lumped = false}), mass_matrix(both.other, {.lumped = false}), vert, vert, "an entry of the mass");
     compare_poisson(both);
+    compare_flow(both);
     return true;
+  }
+
+  /// Every third edge or face on the boundary.
+  template<class B, class Facets, class PolysOf, class Add>
+  static void some_boundary(const B& both, const Facets& facets, const PolysOf& polys_of, const Add& add) {
+    for (const auto x : facets.all) {
+      int n = 0;
+      for ([[maybe_unused]] const auto p : polys_of(both.native, x)) ++n;
+      if (n == 1 && x.raw() % 3 == 0) add(x, facets.to(x));
+    }
   }
 
   template<class B>
@@ -43,9 +56,29 @@ struct standard {
         here.push_back({v, ++next});
         there.push_back({both.verts.to(v), next});
       }
-    const auto expected = poisson(both.native, waves(both, both.native, [](const auto v) { return v; }), here);
-    const auto found = poisson(both.other, waves(both, both.other, [&](const auto v) { return both.verts.to(v); }), there);
+    std::vector<std::pair<facet_t<typename B::native_mesh>, double>> out_here;
+    std::vector<std::pair<facet_t<typename B::other_mesh>, double>> out_there;
+    const auto add = [&](const auto& x, const auto& y) {
+      out_here.push_back({x, 0.5});
+      out_there.push_back({y, 0.5});
+    };
+    if constexpr (SurfaceMesh<typename B::native_mesh>) some_boundary(both, both.edges, adj_e2p, add);
+    else some_boundary(both, both.faces, adj_f2p, add);
+    const auto expected = poisson(both.native, waves(both, both.native, [](const auto v) { return v; }), here, out_here);
+    const auto found = poisson(both.other, waves(both, both.other, [&](const auto v) { return both.verts.to(v); }), there, out_there);
     for (const auto v : both.verts.all) expect_close(expected[v], found[both.verts.to(v)], "the solution of Poisson's equation");
+  }
+
+  template<class B>
+  static void compare_flow(const B& both) {
+    const auto here = waves(both, both.native, [](const auto v) { return v; });
+    const auto there = waves(both, both.other, [&](const auto v) { return both.verts.to(v); });
+    const auto expected = heat_flow(both.native, here, 0.1, {.steps = 2}), smoothed = smooth(both.native, here, 0.1);
+    const auto found = heat_flow(both.other, there, 0.1, {.steps = 2}), found_smoothed = smooth(both.other, there, 0.1);
+    for (const auto v : both.verts.all) {
+      expect_close(expected[v], found[both.verts.to(v)], "the heat");
+      expect_close(smoothed[v], found_smoothed[both.verts.to(v)], "what is smoothed");
+    }
   }
 };
 

@@ -1,0 +1,102 @@
+// Problems on meshes with elements removed, with points that are not finite, and on such that are not manifold.
+#include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/heat_flow.hpp>
+#include <concino/fields/poisson.hpp>
+#include <concino/fields/smooth.hpp>
+
+#include <concino/edit/elements.hpp>
+
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+struct by_number {
+  template<class V>
+  double operator[](const V& v) const { return std::sin(static_cast<double>(v.raw())); }
+};
+
+template<class U, class W>
+double largest_difference(const U& u, const W& w) {
+  double worst = 0;
+  for (const auto v : verts(u.mesh())) worst = std::max(worst, std::abs(u[v] - w[v]));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("prepared problems: elements removed and not renumbered", M, polygonmesh, tetmesh) {
+  M m(jittered(grid_arrays<M>(3), 0.02, VolumeMesh<M>));
+  const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)}, a{0};
+  facet_t<M> gone_too{};
+  if constexpr (SurfaceMesh<M>) {
+    for (const auto e : adj_v2e(m, gone)) gone_too = e;
+  } else {
+    for (const auto x : adj_v2f(m, gone)) gone_too = x;
+  }
+  remove_vert(m, gone);
+  const auto ones = make_vert_map<double>(m, 1.0);
+  CHECK(largest_difference(heat_flow(m, ones, 0.1), ones) < 1e-12);
+  CHECK(largest_difference(smooth(m, ones, 0.1, {.exponent = 2}), ones) < 1e-12);
+  const auto mass = vert_masses(m);
+  const by_number f;
+  const auto u = smooth(m, f, 0.1);
+  double before = 0, after = 0;
+  for (const auto v : verts(m)) {
+    before += mass[v] * f[v];
+    after += mass[v] * u[v];
+  }
+  CHECK(after == doctest::Approx(before).epsilon(1e-12).scale(1));
+  const auto h = prepare_harmonic_map(m, {a});
+  std::size_t isolated = 0;
+  for (const auto v : verts(m)) {
+    bool any = false;
+    for ([[maybe_unused]] const auto w : adj_v2v(m, v)) any = true;
+    isolated += !any;
+  }
+  CHECK(h.isolated() == isolated);
+  CHECK(prepare_smooth(m, 1).isolated() == isolated);
+  const auto two = make_vert_map<double>(m, 0.0);
+  const auto flat = poisson(m, two, {{a, 2.0}}, {.isolated_value = 2});
+  for (const auto v : verts(m)) CHECK(flat[v] == doctest::Approx(2).epsilon(1e-12));
+  CHECK_THROWS_AS(prepare_harmonic_map(m, {gone}), invalid_mesh);
+  CHECK_THROWS_AS(smooth(m, f, 0.1, {gone}), invalid_mesh);
+  CHECK_THROWS_AS(heat_flow(m, f, 0.1, {gone}), invalid_mesh);
+  CHECK_THROWS_AS(poisson(m, f, {{a, 0.0}}, {{gone_too, 1.0}}), invalid_mesh);
+}
+
+TEST_CASE_TEMPLATE("prepared problems: points that are not finite or too large", M, quadmesh, polyhedralmesh) {
+  const by_number f;
+  for (const double x : {double(NAN), double(INFINITY), 1e200}) {
+    auto arrays = grid_arrays<M>(1);
+    arrays.points[0].x = arrays.points[2].y = x;
+    const M m(arrays);
+    const vert_id a{0};
+    CHECK_THROWS_AS(poisson(m, f, {{a, 0.0}}), error);
+    CHECK_THROWS_AS(heat_flow(m, f, 1), error);
+    CHECK_THROWS_AS(smooth(m, f, 1), error);
+    CHECK_THROWS_AS(prepare_poisson(m, {a}), error);
+  }
+}
+
+TEST_CASE("prepared problems: an edge with three polys, a vert between two fans") {
+  const trimesh m({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {1, 5, 6}});
+  const auto ones = make_vert_map<double>(m, 1.0);
+  CHECK(largest_difference(heat_flow(m, ones, 3), ones) < 1e-12);
+  CHECK(largest_difference(smooth(m, ones, 3, {.exponent = 2}), ones) < 1e-11);
+  edge_id shared{};
+  for (const auto e : edges(m)) {
+    int n = 0;
+    for ([[maybe_unused]] const auto p : adj_e2p(m, e)) ++n;
+    if (n == 3) shared = e;
+  }
+  CHECK_THROWS_WITH_AS(poisson(m, ones, {{vert_id{0}, 0.0}}, {{shared, 1.0}}), doctest::Contains("which has 3 polys"), invalid_mesh);
+}
