@@ -204,6 +204,21 @@ TEST_CASE_TEMPLATE("poisson: fluxes on an archetype, and of vectors", M, CONCINO
   }
 }
 
+TEST_CASE_TEMPLATE("poisson: scaling the mesh by a power of two, and load and fluxes with it, changes no bit", M, trimesh, polyhedralmesh) {
+  const auto solution = [](double scale) {
+    auto arrays = jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>);
+    for (vec3& x : arrays.points) x *= scale;
+    const M m(arrays);
+    fluxes<M> across;
+    for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) { across.push_back({e, 0.7 / scale}); });
+    const auto u = poisson(m, constant{1.3 / scale / scale}, {{vert_id{0}, 0.5}}, across);
+    return std::vector<double>(u.values().begin(), u.values().end());
+  };
+  const auto u = solution(1);
+  CHECK(solution(0x1p20) == u);
+  CHECK(solution(0x1p-20) == u);
+}
+
 TEST_CASE_TEMPLATE("poisson: fluxes given wrongly", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(2);
   const vert_id a{0};

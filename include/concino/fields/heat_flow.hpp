@@ -4,6 +4,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/detail/number_text.hpp>
+#include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/implicit.hpp>
 #include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
 #include <concino/fields/detail/masses.hpp>

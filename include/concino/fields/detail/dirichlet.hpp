@@ -17,7 +17,6 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -257,13 +256,5 @@ struct held_system {
     lower.resizeNonZeros(at);
   }
 };
-
-/// Another solver like the caller's, for a problem to keep. Not a copy: factors are large, and Eigen's cannot be copied.
-template<class Solver>
-std::unique_ptr<Solver> another_solver(const Solver& solver) {
-  if constexpr (requires { Solver(solver.options()); }) return std::make_unique<Solver>(solver.options());
-  else if constexpr (std::default_initializable<Solver>) return std::make_unique<Solver>();
-  else return std::make_unique<Solver>(solver);
-}
 
 }  // namespace concino::detail

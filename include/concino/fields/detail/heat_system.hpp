@@ -2,6 +2,7 @@
 // however far away; the directions in which it flows; and the function that rises in these directions.
 #pragma once
 
+#include <concino/fields/detail/another_solver.hpp>
 #include <concino/geometry/vec3.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/operators/detail/product.hpp>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -57,13 +57,6 @@ class heat_system {
   std::vector<int> component_;  // of polys joined at verts: the number of one vert of each
   int unit_ = 0;                // 2^unit_ is about the mass of a vert: so heat does not depend on the scale of the mesh
 
-  /// Another solver like the caller's. Not a copy: factors are large, and Eigen's cannot be copied.
-  static std::unique_ptr<Solver> another(const Solver& solver) {
-    if constexpr (requires { Solver(solver.options()); }) return std::make_unique<Solver>(solver.options());
-    else if constexpr (std::default_initializable<Solver>) return std::make_unique<Solver>();
-    else return std::make_unique<Solver>(solver);
-  }
-
   void find_components(int size) {
     disjoint_sets sets(static_cast<std::size_t>(size));
     for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p)
@@ -78,7 +71,7 @@ class heat_system {
  public:
   /// stiffness: minus a Laplacian, the lower triangle with every diagonal entry present. mean_mass: of the verts, 0 if there are none.
   heat_system(Eigen::SparseMatrix<double>&& stiffness, corner_fluxes&& corners, double mean_mass, const Solver& solver)
-      : poisson_{std::move(stiffness), another(solver)}, corners_(std::move(corners)) {
+      : poisson_{std::move(stiffness), another_solver(solver)}, corners_(std::move(corners)) {
     const int n = static_cast<int>(poisson_.lower.cols());
     find_components(n);
     if (mean_mass > 0) unit_ = std::ilogb(mean_mass);
@@ -93,7 +86,7 @@ class heat_system {
 
   /// lower: the masses plus the time times minus a Laplacian, of the same pattern.
   void add_heat(Eigen::SparseMatrix<double>&& lower, const Solver& solver) {
-    heats_.push_back({std::move(lower), another(solver)});
+    heats_.push_back({std::move(lower), another_solver(solver)});
     for (int i = 0; i < heats_.back().lower.cols(); ++i)
       if (double& x = diagonal(heats_.back().lower, i); !(x > 0)) x = 1;  // a vert of no poly
     heats_.back().factorize();
