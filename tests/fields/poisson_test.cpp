@@ -101,6 +101,44 @@ TEST_CASE_TEMPLATE("poisson: a load of 1 pushes with the measure of the mesh", M
   CHECK(-(load.sum() - load[0]) == doctest::Approx(total_measure(m) - mass_matrix(m, {.lumped = false}).col(0).sum()).epsilon(1e-10));
 }
 
+TEST_CASE_TEMPLATE("poisson: the equation holds at every vert but those with values", M, CONCINO_ALL_KINDS) {
+  const M m = moved_grid<M>(2, 0.1);
+  const vert_id held{static_cast<unsigned>(num_verts(m) - 1)};
+  auto f = make_vert_map<double>(m);
+  Eigen::VectorXd load(static_cast<Eigen::Index>(vert_index_bound(m))), x(load.size());
+  for (const auto v : verts(m)) load[static_cast<Eigen::Index>(index_of(m, v))] = f[v] = 1 + 0.5 * static_cast<double>(index_of(m, v));
+  const auto u = poisson(m, f, {{held, 3.0}});
+  for (const auto v : verts(m)) x[static_cast<Eigen::Index>(index_of(m, v))] = u[v];
+  Eigen::VectorXd rest = laplacian(m) * x;
+  rest += mass_matrix(m, {.lumped = false}) * load;
+  rest[static_cast<Eigen::Index>(held.raw())] = 0;
+  CHECK(rest.cwiseAbs().maxCoeff() < 1e-9);
+}
+
+TEST_CASE("poisson: which verts have a mass") {
+  Eigen::SparseMatrix<double> mass(4, 4);  // an empty column, one of mass alone, one without, one whose first entry is 0 by chance
+  mass.insert(1, 1) = 0.5;
+  mass.insert(2, 2) = 0;
+  mass.insert(1, 3) = 0;
+  mass.insert(3, 3) = 0.25;
+  mass.makeCompressed();
+  for (std::size_t i = 0; i < 4; ++i) CHECK(detail::has_mass(mass, i) == (i % 2 == 1));
+}
+
+TEST_CASE("poisson: tells how far it is") {
+  const auto m = grid<quadmesh>(2);
+  double first = -1, last = -1;
+  const poisson_options options{.progress = [&](double fraction, const char*) {
+    CHECK((fraction >= 0 && fraction <= 1));
+    if (first < 0) first = fraction;
+    last = fraction;
+    return true;
+  }};
+  poisson(m, constant{1}, {{vert_id{0}, 0.0}}, options);
+  CHECK(first == 0);
+  CHECK(last == 1);
+}
+
 TEST_CASE_TEMPLATE("poisson: runs on any embedded mesh", M, CONCINO_ALL_KINDS) {
   const M m = moved_grid<M>(2, 0.1);
   const auto stripped = only_embedded_mesh(m);
@@ -115,6 +153,7 @@ TEST_CASE_TEMPLATE("poisson: verts without edges, parts without values, wrong va
   auto f = make_vert_map<double>(m, 1.0);
   f[lonely] = NAN;  // a vert of no poly has no load
   CHECK(poisson(m, f, {{a, 0}, {b, 1}}, {.isolated_value = -3})[lonely] == -3);
+  CHECK(poisson(m, f, {{a, 0}, {b, 1}})[lonely] == 0);
   CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}), doctest::Contains("poisson: singular, because the component of vert "), solver_error);
   f[a] = INFINITY;
   CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0}, {b, 1}}), "poisson: the load f at vert 0 is not finite", invalid_argument);

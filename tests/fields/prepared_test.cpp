@@ -144,6 +144,24 @@ TEST_CASE("prepared problems: nothing to find, nothing at all") {
   CHECK(factorised == 0);
 }
 
+TEST_CASE("prepared problems: tell how far they are") {
+  const auto m = grid<quadmesh>(2);
+  double first = -1, last = -1;
+  const auto told = [&](double fraction, const char*) {
+    CHECK((fraction >= 0 && fraction <= 1));
+    if (first < 0) first = fraction;
+    last = fraction;
+    return true;
+  };
+  prepare_harmonic_map(m, {vert_id{0}}, {.progress = told});
+  CHECK(first == 0);
+  CHECK(last == 1);
+  first = last = -1;
+  prepare_poisson(m, {vert_id{0}}, {.progress = told});
+  CHECK(first == 0);
+  CHECK(last == 1);
+}
+
 TEST_CASE("prepared problems: errors") {
   const auto m = grid<quadmesh>(2);
   const vert_id a{0}, b{8}, c{4}, none{9};
@@ -153,6 +171,8 @@ TEST_CASE("prepared problems: errors") {
   CHECK_THROWS_WITH_AS(h.with_values({{a, 0.0}, {b, 1.0}, {c, 2.0}}),
                        doctest::Contains("harmonic_map: a value is given at vert 4, which is none of those that were named"), invalid_argument);
   CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, 1.0}, {none, 2.0}}), invalid_mesh);
+  CHECK_THROWS_WITH_AS(h.with_values({{a, 0.0}, {a, 0.0}, {a, 0.0}}), doctest::Contains("no value is given at vert 8"), invalid_argument);
+  CHECK_THROWS_WITH_AS(h.with_values<vec3>({{a, {0, 0, 0}}}), doctest::Contains("no value is given at vert 8"), invalid_argument);
   CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, NAN}}), invalid_argument);
   CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, 1.0}, {b, 2.0}}), invalid_argument);
   CHECK(h.with_values({{a, 1.0}, {b, 1.0}, {b, 1.0}})[c] == doctest::Approx(1));  // it has not suffered
