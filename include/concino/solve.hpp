@@ -13,3 +13,4 @@
 #include <concino/solve/qp.hpp>
 #include <concino/solve/qr.hpp>
 #include <concino/solve/solve_columns.hpp>
+#include <concino/solve/solve_with_values.hpp>

@@ -58,8 +58,9 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
 }  // namespace detail
 
 /// Minimises |A x - b| over all x with x_i = v for the pairs (i, v) of `given`, braces or any container.
-/// Needs:  A: any shape; its columns of unknowns not given are independent. solver: a SparseSolver for positive definite matrices, which
-///         gets the normal equations, columns scaled and the result corrected (Bjorck 1987); or qr, which gets A, for columns that are nearly dependent.
+/// Needs:  A: any shape; its columns of unknowns not given are independent. solver: a SparseSolver for positive definite matrices,
+///         which gets the normal equations, columns scaled and the result corrected (Bjorck 1987); or qr, which gets A, for columns that are
+///         nearly dependent.
 /// Result: x, with given values exact, and what is left, |A x - b|.      Cost: one factorisation of A^T A, or of A.
 /// Errors: solver_error if A has entries that are not finite, columns that depend on others, or b another size or entries that are not finite;
 ///         invalid_argument if an index is out of range, or a value is not finite, or given twice and differently.

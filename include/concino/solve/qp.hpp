@@ -15,11 +15,11 @@ namespace concino {
 ///         a certificate that can be checked by hand. Equations only are solved by one factorisation. Otherwise by operator splitting on one
 ///         factorisation (few more where its weights are changed), then, with `polish`, exactly for the bounds found active.
 /// Cost:   a factorisation of n + m unknowns, and one substitution per iteration; some ten to some thousand of them.
-/// Errors: invalid_argument if sizes do not fit, a number is not finite (bounds may be infinite), some low > high, H is not symmetric, or an option is out
-///         of range; solver_error if H is not positive semidefinite; cancelled.
+/// Errors: invalid_argument if sizes do not fit, a number is not finite (bounds may be infinite), some low > high, H is not symmetric, or an
+///         option is out of range; solver_error if H is not positive semidefinite; cancelled.
 /// Source: Stellato, Banjac, Goulart, Bemporad, Boyd 2020, "OSQP: an operator splitting solver for quadratic programs"; paper section 4.
-inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::VectorXd& g, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& low,
-                          const Eigen::VectorXd& high, const qp_options& options = {}) {
+inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::VectorXd& g, const Eigen::SparseMatrix<double>& a,
+                          const Eigen::VectorXd& low, const Eigen::VectorXd& high, const qp_options& options = {}) {
   const auto refuse = [](const char* what) { throw invalid_argument(std::string("quadratic program: ") + what); };
   const auto finite = [](const Eigen::SparseMatrix<double>& m) {
     for (int c = 0; c < m.outerSize(); ++c)
@@ -35,8 +35,8 @@ inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::Vec
   if (h.cols() > 0 && (h - transposed).norm() > 1e-12 * h.norm()) refuse("H must be symmetric");
   for (Eigen::Index i = 0; i < low.size(); ++i)
     if (!(low[i] <= high[i]) || low[i] == std::numeric_limits<double>::infinity() || high[i] == -std::numeric_limits<double>::infinity())
-      detail::throw_joined<invalid_argument>({"quadratic program: row ", static_cast<std::size_t>(i), " has the bounds ", detail::number_text(low[i]), " and ",
-                                              detail::number_text(high[i]), ", between which there is nothing"});
+      detail::throw_joined<invalid_argument>({"quadratic program: row ", static_cast<std::size_t>(i), " has the bounds ", detail::number_text(low[i]),
+                                              " and ", detail::number_text(high[i]), ", between which there is nothing"});
   if (!(options.tolerance >= 1e-12 && options.tolerance <= 1)) refuse("tolerance must be from 1e-12 to 1");
   if (options.max_iterations < 1) refuse("max_iterations must be 1 or more");
   if (options.x.size() && (options.x.size() != g.size() || !options.x.allFinite())) refuse("the x to start from must be finite and of the size of g");

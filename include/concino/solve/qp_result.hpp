@@ -24,7 +24,7 @@ struct qp_result {
   double residual = 0;          // the largest of |Hx + g + A^T multipliers| and of the amounts by which Ax leaves its bounds
   int iterations = 0;
   bool polished = false;
-  Eigen::VectorXd certificate;  // infeasible: y with A^T y = 0 whose bounds contradict each other; unbounded: a direction along which the objective falls
+  Eigen::VectorXd certificate;  // infeasible: y with A^T y = 0 with contradicting bounds; unbounded: a direction in which the objective falls
 };
 
 }  // namespace concino

@@ -1,23 +1,25 @@
 // Whether a computed solution solves: the residual of a symmetric system, measured against what rounding errors allow, and improved.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/error.hpp>
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <string>
 #include <vector>
 
 namespace concino::detail {
 
-/// r = b - a x for a symmetric matrix given by its lower triangle, compressed. Loops, because Eigen's expressions take long to compile.
+/// r = b - a x, of a compressed matrix, or of a symmetric one given by its lower triangle. Loops, because Eigen's expressions take long to compile.
 /// Result: the largest |r_i| / (|a| |x| + |b|)_i: the relative change of matrix and right-hand side that would make x exact. It does not
 ///         depend on the scale of rows.
-inline double residual(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r) {
-  const auto n = static_cast<int>(lower.cols());
+inline double residual(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r,
+                       bool is_lower_triangle) {
+  const auto n = static_cast<int>(a.cols());
   std::vector<double> scale(static_cast<std::size_t>(n));
   double* const s = scale.data();
   r.resize(n);
@@ -26,13 +28,13 @@ inline double residual(const Eigen::SparseMatrix<double>& lower, const Eigen::Ve
     s[i] = std::abs(b[i]);
   }
   for (int c = 0; c < n; ++c) {
-    for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
-      const int row = lower.innerIndexPtr()[k];
-      const double below = lower.valuePtr()[k] * x[c];
+    for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
+      const int row = a.innerIndexPtr()[k];
+      const double below = a.valuePtr()[k] * x[c];
       r[row] -= below;
       s[row] += std::abs(below);
-      if (row == c) continue;
-      const double above = lower.valuePtr()[k] * x[row];
+      if (row == c || !is_lower_triangle) continue;
+      const double above = a.valuePtr()[k] * x[row];
       r[c] -= above;
       s[c] += std::abs(above);
     }
@@ -43,6 +45,22 @@ inline double residual(const Eigen::SparseMatrix<double>& lower, const Eigen::Ve
     if (!(e <= worst)) worst = e;
   }
   return worst;
+}
+
+/// |r| / |b|.
+inline double relative_size(const Eigen::VectorXd& r, const Eigen::VectorXd& b) {
+  double largest = 0, of_r = 0, of_b = 0;
+  for (Eigen::Index i = 0; i < b.size(); ++i) largest = std::max(largest, std::abs(b[i]));
+  for (Eigen::Index i = 0; i < b.size(); ++i) {
+    of_r += largest > 0 ? (r[i] / largest) * (r[i] / largest) : std::abs(r[i]);
+    of_b += largest > 0 ? (b[i] / largest) * (b[i] / largest) : 0;
+  }
+  return of_r > 0 ? std::sqrt(of_r / of_b) : 0;
+}
+
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_solved(const char* who, double error) {
+  throw_joined<solver_error>({who, ": the system is too badly conditioned for double precision, or not what the solver is for: the relative"
+                              " residual is ", number_text(error)});
 }
 
 /// Factorises a symmetric matrix given by its lower triangle, with the other triangle for solvers that say they read it.
@@ -65,24 +83,27 @@ bool iterates([[maybe_unused]] const Solver& solver) {
   else return false;
 }
 
-/// Solves with a factorised matrix and makes up for rounding errors while that helps.
-/// Errors: solver_error if what is left is more than 1e-8; of solvers that iterate, their own.
+/// Solves with a factorised matrix, here compressed or its lower triangle, and makes up for rounding errors while that helps.
+/// Errors: solver_error if what is left is more than 1e-8; of solvers that iterate, relative to |b|, more than 1e-5.
 template<class Solver>
-Eigen::VectorXd solve_and_check(const Solver& solver, const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b, const char* who) {
+Eigen::VectorXd solve_and_check(const Solver& solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b, const char* who,
+                                bool is_lower_triangle = true) {
   Eigen::VectorXd x = solver.solve(b), r;
-  if (iterates(solver)) return x;
-  double error = residual(lower, x, b, r);
+  double error = residual(a, x, b, r, is_lower_triangle);
+  if (iterates(solver)) {
+    error = relative_size(r, b);
+    if (!(error <= 1e-5)) throw_not_solved(who, error);
+    return x;
+  }
   for (int round = 0; round < 3 && error > 1e-13; ++round) {
     Eigen::VectorXd better = solver.solve(r);
     for (Eigen::Index i = 0; i < x.size(); ++i) better[i] += x[i];
-    const double left = residual(lower, better, b, r);
+    const double left = residual(a, better, b, r, is_lower_triangle);
     if (!(left < error)) break;
     x.swap(better);
     error = left;
   }
-  if (!(error <= 1e-8))
-    throw solver_error(std::string(who) + ": the system is too badly conditioned for double precision: the relative residual is " +
-                       number_text(error));
+  if (!(error <= 1e-8)) throw_not_solved(who, error);
   return x;
 }
 

@@ -1,0 +1,84 @@
+// Square systems in which some unknowns have given values.
+#pragma once
+
+#include <concino/concepts/sparse_solver.hpp>
+#include <concino/solve/auto_solver.hpp>
+#include <concino/solve/detail/conditions.hpp>
+#include <concino/solve/detail/residual.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <utility>
+
+namespace concino {
+
+namespace detail {
+
+/// The matrix with 1, in a unit of its own, in place of rows and columns of given unknowns: rows keep their numbers, by which solvers name them.
+inline Eigen::SparseMatrix<double> without_given(const conditions& problem, const Eigen::SparseMatrix<double>& a) {
+  double largest = 0;
+  for (Eigen::Index k = 0; k < a.nonZeros(); ++k) largest = std::max(largest, std::abs(a.valuePtr()[k]));
+  Eigen::SparseMatrix<double> r(a.rows(), a.cols());
+  r.resizeNonZeros(a.nonZeros() + a.cols());
+  int at = 0;
+  const auto put = [&](int row, double value) {
+    r.innerIndexPtr()[at] = row;
+    r.valuePtr()[at++] = value;
+  };
+  for (int c = 0; c < a.cols(); ++c) {
+    if (problem.unknown[static_cast<std::size_t>(c)] < 0) {
+      put(c, 1 / power_of_two_to_scale(largest));
+    } else {
+      for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k)
+        if (const int row = a.innerIndexPtr()[k]; problem.unknown[static_cast<std::size_t>(row)] >= 0) put(row, a.valuePtr()[k]);
+    }
+    r.outerIndexPtr()[c + 1] = at;
+  }
+  r.resizeNonZeros(at);
+  return r;
+}
+
+/// b less what given unknowns contribute; 0 in their rows.
+inline Eigen::VectorXd load_of_unknowns(const conditions& problem, const Eigen::SparseMatrix<double>& a, Eigen::VectorXd b) {
+  for (int c = 0; c < a.cols(); ++c)
+    if (problem.unknown[static_cast<std::size_t>(c)] < 0)
+      for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) b[a.innerIndexPtr()[k]] -= a.valuePtr()[k] * problem.x[c];
+  for (int c = 0; c < a.cols(); ++c)
+    if (problem.unknown[static_cast<std::size_t>(c)] < 0) b[c] = 0;
+  return b;
+}
+
+}  // namespace detail
+
+/// The x with x_i = v for the pairs (i, v) of `given`, braces or any container, and (A x)_j = b_j in all other rows j. Rows and columns of given
+/// unknowns are taken out, what they contribute goes to the right-hand side: what was symmetric or definite stays so.
+/// Needs:  A: square, both triangles. solver: a SparseSolver: the default for symmetric positive definite matrices, lu for others. Of rows of given
+///         unknowns, neither A nor b says anything.
+/// Result: x, given values exact, solved until nothing but rounding errors is left, which is checked; of solvers that iterate, to their tolerance.
+/// Cost:   one factorisation of what is left of A.
+/// Errors: solver_error if A is not square, b has another size, an entry is not finite, or with the reason if the solver cannot factorise what
+///         is left, rows named as A has them, or if x does not solve, as where A is not symmetric but the solver reads one triangle;
+///         invalid_argument if an index is out of range, or a value is not finite, or given twice and differently.
+template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
+  requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+Eigen::VectorXd solve_with_values(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& given, Solver&& solver = {}) {
+  const char* const who = "solve_with_values";
+  Eigen::SparseMatrix<double> storage;
+  const Eigen::SparseMatrix<double>& a = detail::compressed(A, storage);
+  detail::check_square(who, a);
+  detail::check_entries(who, a);
+  detail::check_right_hand_side(who, b, a.rows());
+  const detail::conditions problem(who, a.cols(), given);
+  if (problem.unknowns == 0) return problem.x;
+  const Eigen::SparseMatrix<double> left = detail::without_given(problem, a);
+  const Eigen::VectorXd load = detail::load_of_unknowns(problem, a, b);
+  solver.factorize(left);
+  Eigen::VectorXd x = detail::solve_and_check(solver, left, load, who, false);
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    if (problem.unknown[static_cast<std::size_t>(i)] < 0) x[i] = problem.x[i];
+  return x;
+}
+
+}  // namespace concino
