@@ -51,7 +51,7 @@ class heat_system {
     }
   };
 
-  std::vector<factorised> heats_;  // their solutions are added up
+  std::vector<factorised> heats_;  // one, or two whose solutions are added up
   factorised poisson_;
   corner_fluxes corners_;
   std::vector<int> component_;  // of polys joined at verts: the number of one vert of each
@@ -123,11 +123,18 @@ class heat_system {
   /// beyond, what is left, u - v, solves the same system with the right-hand side b - K v, which stands on both sides of that frontier,
   /// and can be multiplied by as much as is needed.
   std::vector<double> log_heat(const std::vector<heat_source>& sources) const {
-    std::vector<double> sum = log_heat(heats_.front(), sources);
-    for (std::size_t k = 1; k < heats_.size(); ++k) {
-      const std::vector<double> more = log_heat(heats_[k], sources);
-      for (std::size_t i = 0; i < sum.size(); ++i) {
-        const double large = std::max(sum[i], more[i]), small = std::min(sum[i], more[i]);
+    const settled a = settle(heats_.front(), sources);
+    std::vector<double> sum(a.heat.size());
+    if (heats_.size() == 1) {
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = a.log(i);
+      return sum;
+    }
+    const settled b = settle(heats_.back(), sources);
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      if (a.round[i] == b.round[i] && a.per_round == b.per_round) {
+        sum[i] = a.log_of(a.heat[i] + b.heat[i], a.round[i]);
+      } else {
+        const double x = a.log(i), y = b.log(i), large = std::max(x, y), small = std::min(x, y);
         sum[i] = small == none ? large : large + std::log1p(std::exp(small - large));
       }
     }
@@ -135,7 +142,7 @@ class heat_system {
   }
 
   /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which points where that of -u does. Gradients
-  /// are divided by their largest component before they are squared, so none is too small; where one is 0 nothing is asked of the function.
+  /// that are very small are divided by their largest component before they are squared; where one is 0 nothing is asked of the function.
   Eigen::VectorXd rise_along(const std::vector<double>& log_u) const {
     Eigen::VectorXd b = Eigen::VectorXd::Zero(poisson_.lower.cols());
     for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p) {
@@ -147,19 +154,29 @@ class heat_system {
       for (std::size_t k = first + 1; k < end; ++k) g += (here - log_u[static_cast<std::size_t>(corners_.vert[k])]) * corners_.flux[k];
       const double largest = std::max({std::abs(g.x), std::abs(g.y), std::abs(g.z)});
       if (!(largest > 0)) continue;
-      g = g / largest;
-      const vec3 direction = g / norm(g);
+      if (!(largest > 0x1p-400 && largest < 0x1p400)) g = g / largest;
+      const vec3 direction = (1 / std::sqrt(dot(g, g))) * g;
       for (std::size_t k = first; k < end; ++k) b[corners_.vert[k]] += dot(corners_.flux[k], direction);
     }
     return solve_and_check(*poisson_.solver, poisson_.lower, b, "heat_geodesics");
   }
 
  private:
-  std::vector<double> log_heat(const factorised& heat, const std::vector<heat_source>& sources) const {
+  /// Heat at each vert times 2^(2 lift) for each of the rounds of carrying on before it was found.
+  struct settled {
+    std::vector<double> heat;  // 0 where it is not positive
+    std::vector<int> round;    // -1 where nothing was found
+    double per_round;          // logarithm of that factor
+
+    double log_of(double x, int in_round) const { return x > 0 ? std::log(x) - in_round * per_round : none; }
+    double log(std::size_t i) const { return log_of(heat[i], round[i]); }
+  };
+
+  settled settle(const factorised& heat, const std::vector<heat_source>& sources) const {
     const int n = static_cast<int>(heat.lower.cols());
     const auto size = static_cast<std::size_t>(n);
     const int up = lift(*heat.solver), rounds = up < 900 ? 70 * most_rounds : most_rounds;
-    const double least = std::ldexp(1.0, -up), per_round = 2 * up * std::log(2.0);
+    const double least = std::ldexp(1.0, -up);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n), u;
     std::vector<unsigned char> has_source(size);
     std::vector<int> unit(size, unit_);  // of each component; where little is trusted, its heat starts from near 2^lift whatever its verts' masses
@@ -168,8 +185,8 @@ class heat_system {
       if (iterates(*heat.solver) && (!has_source[c] || s.strength == 1)) unit[c] = std::ilogb(heat.lower.coeff(s.vert, s.vert));
       has_source[c] = 1;
     }
-    std::vector<double> log_u(size, none);
-    std::vector<int> round_of(size, -1);  // in which a vert was settled
+    settled found{std::vector<double>(size), std::vector<int>(size, -1), 2 * up * std::log(2.0)};
+    std::vector<int>& round_of = found.round;
     const auto add_sources = [&](int round) {  // that have not been seen yet, being weaker than others
       bool any = false;
       for (const heat_source& s : sources) {
@@ -190,12 +207,13 @@ class heat_system {
         const double x = u[static_cast<Eigen::Index>(i)];
         if (round_of[i] >= 0 || !(std::abs(x) > least) || !has_source[static_cast<std::size_t>(component_[i])]) continue;
         round_of[i] = round;
-        if (x > 0) log_u[i] = std::log(x) - round * per_round;
+        const int scale = unit_ - unit[static_cast<std::size_t>(component_[i])];
+        if (x > 0) found.heat[i] = scale == 0 ? x : std::ldexp(x, scale);
         --left;
       }
       if (left == before && !waits) break;
     }
-    return log_u;
+    return found;
   }
 
   /// b = -K v off the verts where v stands, and what makes up for it where it does, times 2^up; v is u at the verts settled in `round`.
