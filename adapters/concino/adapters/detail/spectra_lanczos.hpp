@@ -1,0 +1,172 @@
+// The smallest eigenpairs of K u = lambda M u by Spectra, on matrices that were made ready for it.
+#pragma once
+
+#include <concino/detail/message.hpp>
+#include <concino/detail/number_text.hpp>
+#include <concino/error.hpp>
+#include <concino/function_ref.hpp>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+#include <Spectra/SymEigsBase.h>
+#include <Spectra/Util/SimpleRandom.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <vector>
+
+namespace concino::detail {
+
+/// y = a x for a symmetric matrix given by its lower triangle.
+inline Eigen::VectorXd symmetric_product(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& x) {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(lower.cols());
+  for (int c = 0; c < lower.cols(); ++c)
+    for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
+      const int row = lower.innerIndexPtr()[k];
+      y[row] += lower.valuePtr()[k] * x[c];
+      if (row != c) y[c] += lower.valuePtr()[k] * x[row];
+    }
+  return y;
+}
+
+/// Eigenvectors in columns that are orthonormal by the mass, least eigenvalue first.
+struct eigenbasis {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+  std::size_t solves = 0;
+};
+
+/// The eigenpairs within the span of the columns of v, as many as there are.
+inline eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd v) {
+  const Eigen::Index n = v.cols();
+  for (Eigen::Index j = 0; j < n; ++j) {  // Gram and Schmidt's method, twice for the digits
+    Eigen::VectorXd u = v.col(j), mu = symmetric_product(mass, u);
+    const double given = u.dot(mu);
+    for (int round = 0; round < 2; ++round) {
+      for (Eigen::Index i = 0; i < j; ++i) u -= v.col(i).dot(mu) * v.col(i);
+      mu = symmetric_product(mass, u);
+    }
+    const double left = u.dot(mu);
+    if (!(given > 0 && left > 1e-15 * given)) throw solver_error("eigenpairs: the mass matrix is not positive definite");
+    v.col(j) = u / std::sqrt(left);
+  }
+  Eigen::MatrixXd k(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Eigen::VectorXd kv = symmetric_product(stiffness, v.col(j));
+    for (Eigen::Index i = 0; i < n; ++i) k(i, j) = v.col(i).dot(kv);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(k);
+  return {all.eigenvalues(), v * all.eigenvectors()};
+}
+
+/// shift (K + shift M)^-1 M, whose largest eigenvalues shift / (lambda + shift) have the smallest lambda, on what is orthogonal to `found`.
+struct shifted_inverse {
+  using Scalar = double;
+
+  const Eigen::SparseMatrix<double>& mass;
+  function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve;
+  double shift;
+  const Eigen::MatrixXd& found;
+
+  Eigen::Index rows() const { return mass.cols(); }
+  Eigen::Index cols() const { return mass.cols(); }
+  void project(Eigen::VectorXd& x) const {
+    if (found.cols() > 0) x -= found * (found.transpose() * symmetric_product(mass, x)).eval();
+  }
+  void perform_op(const double* in, double* out) const {
+    Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(in, rows());
+    project(x);
+    x = shift * solve(symmetric_product(mass, x));
+    project(x);
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = x;
+  }
+};
+
+struct mass_product {
+  using Scalar = double;
+
+  const Eigen::SparseMatrix<double>& mass;
+
+  Eigen::Index rows() const { return mass.cols(); }
+  Eigen::Index cols() const { return mass.cols(); }
+  void perform_op(const double* in, double* out) const {
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = symmetric_product(mass, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(in, rows())));
+  }
+};
+
+/// Spectra's restarted Lanczos iteration, which also says how far off it was.
+class restarted_lanczos : public Spectra::SymEigsBase<shifted_inverse, mass_product> {
+  using base = Spectra::SymEigsBase<shifted_inverse, mass_product>;
+
+ public:
+  restarted_lanczos(shifted_inverse& op, const mass_product& mass, Eigen::Index count, Eigen::Index basis) : base(op, mass, count, basis) {}
+
+  /// The largest residual of the wanted pairs, relative to their eigenvalues.
+  double residual() const {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(Eigen::MatrixXd(this->m_fac.matrix_H()));
+    const Eigen::Index n = ritz.eigenvalues().size();
+    double worst = 0;
+    for (Eigen::Index i = std::max<Eigen::Index>(0, n - this->m_nev); i < n; ++i)
+      worst = std::max(worst, std::abs(ritz.eigenvectors()(n - 1, i)) * this->m_fac.f_norm() / std::abs(ritz.eigenvalues()[i]));
+    return worst;
+  }
+};
+
+/// The `count` largest eigenpairs of op. Errors: solver_error.
+inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tolerance, int max_restarts, unsigned seed) {
+  const Eigen::Index n = op.rows() - op.found.cols();
+  const mass_product mass{op.mass};
+  eigenbasis r;
+  try {
+    restarted_lanczos lanczos(op, mass, count, std::min(n, std::max<Eigen::Index>(2 * count + 1, 20)));
+    Eigen::VectorXd start = Spectra::SimpleRandom<double>(seed).random_vec(op.rows());
+    op.project(start);
+    lanczos.init(start.data());
+    const Eigen::Index converged = lanczos.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance, Spectra::SortRule::LargestAlge);
+    if (converged < count)
+      throw_joined<solver_error>({"eigenpairs: ", static_cast<std::size_t>(converged), " of ", static_cast<std::size_t>(count),
+                                  " have converged after ",
+                                  static_cast<std::size_t>(max_restarts), " restarts and ", static_cast<std::size_t>(lanczos.num_operations()),
+                                  " solves; the largest relative residual is ", number_text(lanczos.residual()), ", asked for were ",
+                                  number_text(tolerance), ": allow more restarts or more than that"});
+    r.values = lanczos.eigenvalues();
+    r.vectors = lanczos.eigenvectors();
+    r.solves = static_cast<std::size_t>(lanczos.num_operations());
+  } catch (const error&) {
+    throw;
+  } catch (const std::exception& e) {  // of Spectra, where numbers are not finite
+    throw_joined<solver_error>({"eigenpairs: the iteration broke down; is the mass matrix positive definite? (", e.what(), ")"});
+  }
+  return r;
+}
+
+/// The smallest eigenpairs. One vector spans one direction of each space of eigenvectors, and finds others by luck, so what is orthogonal to the
+/// vectors found is searched again, until nothing smaller is left there.
+inline eigenbasis smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass,
+                                      function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve, double shift, Eigen::Index count, double tolerance,
+                                      int max_restarts) {
+  const Eigen::Index n = mass.cols();
+  Eigen::MatrixXd found(n, 0);
+  eigenbasis first = largest_of({mass, solve, shift, found}, count, tolerance, max_restarts, 0);
+  std::size_t solves = first.solves;
+  found = first.vectors;
+  std::vector<double> best(first.values.data(), first.values.data() + count);  // largest first
+  for (unsigned seed = 1; n - found.cols() > 2; ++seed) {
+    const eigenbasis more = largest_of({mass, solve, shift, found}, 1, tolerance, max_restarts, seed);
+    solves += more.solves;
+    if (!(more.values[0] > best.back() * (1 + 10 * tolerance))) break;
+    best.back() = more.values[0];
+    std::sort(best.begin(), best.end(), [](double x, double y) { return x > y; });
+    found.conservativeResize(Eigen::NoChange, found.cols() + 1);
+    found.col(found.cols() - 1) = more.vectors.col(0);
+  }
+  eigenbasis r = eigenpairs_within(stiffness, mass, found);
+  r.solves = solves;
+  r.values.conservativeResize(count);
+  r.vectors.conservativeResize(Eigen::NoChange, count);
+  return r;
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,213 @@
+// Eigenpairs of large sparse matrices, and the eigenfunctions of surfaces and volumes of any polys, by Spectra (Debian: libspectra-dev).
+#pragma once
+
+#include <concino/adapters/detail/spectra_lanczos.hpp>
+#include <concino/concepts/sparse_solver.hpp>
+#include <concino/operators/laplacian.hpp>
+#include <concino/operators/mass_matrix.hpp>
+#include <concino/solve/detail/residual.hpp>
+#include <concino/solve/detail/system_checks.hpp>
+#include <concino/solve/ldlt.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+struct eigenpairs_options {
+  double tolerance = 1e-10;  // of residuals, relative to the eigenvalue plus the shift; above 0 and below 1
+  int max_restarts = 1000;   // of the iteration, 1 or more
+  double shift = 0;          // K + shift M is factorised, in units of the eigenvalues, finite; 0: mean of the diagonal of K over that of M and rows
+};
+
+struct eigenpairs_result {
+  Eigen::VectorXd values;     // least first
+  Eigen::MatrixXd vectors;    // a column each, orthonormal by the mass; the entry that is largest without its sign is positive
+  Eigen::VectorXd residuals;  // |K u - lambda M u| / |M u|, in units of the eigenvalues
+  std::size_t solves = 0;
+  std::size_t isolated = 0;  // rows without entries, where vectors are 0
+};
+
+namespace detail {
+
+/// K and M without rows that are empty in both, scaled so that their diagonals are about 1; lower triangles.
+struct eigenproblem {
+  Eigen::SparseMatrix<double> stiffness, mass;
+  std::vector<int> row;  // of the matrices given
+  int stiffness_exponent = 0, mass_exponent = 0;
+  double shift = 1;  // in units of the scaled eigenvalues
+
+  static void expect(bool good, message why) {
+    if (!good) throw_joined<invalid_argument>(why);
+  }
+
+  eigenproblem(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m, const eigenpairs_options& options) {
+    const std::string tolerance = number_text(options.tolerance), given_shift = number_text(options.shift);
+    expect(options.tolerance > 0 && options.tolerance < 1, {"eigenpairs: tolerance is ", tolerance, "; it must be above 0 and below 1"});
+    expect(options.max_restarts > 0, {"eigenpairs: max_restarts must be 1 or more"});
+    expect(options.shift >= 0 && std::isfinite(options.shift), {"eigenpairs: shift is ", given_shift, "; it must be finite and 0 or more"});
+    expect(k.rows() == m.rows() && k.cols() == m.cols(), {"eigenpairs: the mass has ", static_cast<std::size_t>(m.rows()), " rows, the other matrix ",
+                                                          static_cast<std::size_t>(k.rows()), "; they must be of the same size"});
+    check_square("eigenpairs", k);
+    Eigen::SparseMatrix<double> k_storage, m_storage;
+    const auto &whole_k = compressed(k, k_storage), &whole_m = compressed(m, m_storage);
+    check_entries("eigenpairs", whole_k);
+    check_entries("eigenpairs, mass", whole_m);
+    std::vector<int> place(static_cast<std::size_t>(k.cols()), -1);
+    for (const auto* a : {&whole_k, &whole_m})
+      for (int c = 0; c < a->cols(); ++c)
+        for (int e = a->outerIndexPtr()[c]; e < a->outerIndexPtr()[c + 1]; ++e)
+          if (a->valuePtr()[e] != 0) place[static_cast<std::size_t>(c)] = place[static_cast<std::size_t>(a->innerIndexPtr()[e])] = 0;
+    for (int c = 0; c < k.cols(); ++c)
+      if (place[static_cast<std::size_t>(c)] == 0) {
+        place[static_cast<std::size_t>(c)] = static_cast<int>(row.size());
+        row.push_back(c);
+      }
+    const std::vector<double> k_diagonal = diagonal(whole_k), m_diagonal = diagonal(whole_m);
+    double k_mean = 0, m_mean = 0;
+    const double n = static_cast<double>(row.size());
+    for (const int c : row) {
+      if (!(m_diagonal[static_cast<std::size_t>(c)] > 0))
+        throw_joined<solver_error>(
+            {"eigenpairs: row ", static_cast<std::size_t>(c), " has no positive mass, so it has no finite eigenvalue; leave it out"});
+      k_mean += std::abs(k_diagonal[static_cast<std::size_t>(c)]) / n;
+      m_mean += m_diagonal[static_cast<std::size_t>(c)] / n;
+    }
+    if (m_mean > 0) mass_exponent = std::ilogb(m_mean);
+    if (k_mean > 0) stiffness_exponent = std::ilogb(k_mean);
+    stiffness = part(whole_k, place, stiffness_exponent);
+    mass = part(whole_m, place, mass_exponent);
+    if (options.shift > 0) shift = std::ldexp(options.shift, mass_exponent - stiffness_exponent);
+    else if (k_mean > 0) shift = std::ldexp(k_mean, -stiffness_exponent) / std::ldexp(m_mean, -mass_exponent) / n;
+  }
+
+  Eigen::SparseMatrix<double> part(const Eigen::SparseMatrix<double>& a, const std::vector<int>& place, int exponent) const {
+    const auto n = static_cast<Eigen::Index>(row.size());
+    Eigen::SparseMatrix<double> r(n, n);
+    r.reserve(a.nonZeros());
+    for (int c = 0; c < n; ++c) {
+      r.startVec(c);
+      const int column = row[static_cast<std::size_t>(c)];
+      for (int e = a.outerIndexPtr()[column]; e < a.outerIndexPtr()[column + 1]; ++e) {
+        const int to = place[static_cast<std::size_t>(a.innerIndexPtr()[e])];
+        if (to >= c) r.insertBack(to, c) = std::ldexp(a.valuePtr()[e], -exponent);
+      }
+    }
+    r.finalize();
+    return r;
+  }
+
+  eigenpairs_result result(const eigenbasis& found, Eigen::Index rows) const {
+    eigenpairs_result r;
+    const Eigen::Index count = found.values.size();
+    r.values.resize(count);
+    r.residuals.resize(count);
+    r.vectors = Eigen::MatrixXd::Zero(rows, count);
+    r.solves = found.solves;
+    r.isolated = static_cast<std::size_t>(rows) - row.size();
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::VectorXd u = found.vectors.col(i), mu = symmetric_product(mass, u);
+      Eigen::Index largest = 0;
+      for (Eigen::Index k = 1; k < u.size(); ++k)
+        if (std::abs(u[k]) > std::abs(u[largest]) * (1 + 1e-6)) largest = k;
+      const int unit = stiffness_exponent - mass_exponent;
+      r.values[i] = std::ldexp(found.values[i], unit);
+      r.residuals[i] = std::ldexp((symmetric_product(stiffness, u) - found.values[i] * mu).norm() / mu.norm(), unit);
+      const int halved = mass_exponent >> 1;
+      const double factor = std::ldexp(u[largest] < 0 ? -1.0 : 1.0, -halved) * (mass_exponent == 2 * halved ? 1 : std::sqrt(0.5));
+      for (Eigen::Index k = 0; k < u.size(); ++k) r.vectors(row[static_cast<std::size_t>(k)], i) = factor * u[k];
+    }
+    return r;
+  }
+};
+
+}  // namespace detail
+
+/// The smallest eigenvalues lambda of K u = lambda M u, and their vectors.
+/// Needs:  K symmetric and positive semidefinite, such as minus a Laplacian; M symmetric and positive definite, lumped or not; of both only the lower
+///         triangle is read. Rows that are empty in both are left out and counted. count: at least 1, at most the rows that are left.
+///         solver: a SparseSolver for K + shift M, which is positive definite.
+/// Result: count of them, as often as they are multiple, with residuals; deterministic. Zeros are zero to rounding. Multiplying K and M
+///         by powers of 2 scales values exactly, and so vectors where that of M is one of 4.
+/// Cost:   one factorisation and, for each pair, some 2 to 10 solves; O(rows count) memory. All at once, O(rows^3), where rows < 2 count + 1
+///         or there are no more than 32.
+/// Errors: invalid_argument if count or an option is out of its range, or the matrices are not of one size; solver_error if a matrix has entries
+///         that are not finite, a row has no mass, or not all have converged, how many and with which residual; those of the solver.
+/// Source: Lehoucq, Sorensen 1996, "Deflation techniques for an implicitly restarted Arnoldi iteration", in Spectra; paper section 2.2.
+template<class Solver = ldlt>
+  requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+eigenpairs_result eigenpairs(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m, std::size_t count,
+                             const eigenpairs_options& options = {}, Solver&& solver = {}) {
+  const detail::eigenproblem problem(k, m, options);
+  const std::size_t rows = problem.row.size();
+  if (count < 1 || count > rows)
+    detail::throw_joined<invalid_argument>({"eigenpairs: ", count, " asked for; a problem of ", rows, " rows with entries has 1 to that many"});
+  const auto wanted = static_cast<Eigen::Index>(count);
+  detail::eigenbasis found;
+  if (rows <= 32 || rows < 2 * count + 1) {
+    const auto n = static_cast<Eigen::Index>(rows);
+    found = detail::eigenpairs_within(problem.stiffness, problem.mass, Eigen::MatrixXd::Identity(n, n));
+    found.values.conservativeResize(wanted);
+    found.vectors.conservativeResize(Eigen::NoChange, wanted);
+  } else {
+    const Eigen::SparseMatrix<double> shifted = problem.stiffness + problem.shift * problem.mass;
+    detail::factorize_symmetric(solver, shifted);
+    const auto solve = [&](const Eigen::VectorXd& b) -> Eigen::VectorXd { return std::as_const(solver).solve(b); };
+    found = detail::smallest_eigenpairs(problem.stiffness, problem.mass, solve, problem.shift, wanted, options.tolerance, options.max_restarts);
+  }
+  return problem.result(found, k.rows());
+}
+
+struct eigenfunctions_options {
+  concino::weights weights = concino::weights::standard;  // of the Laplacian
+  bool lumped = true;                                     // the mass, see mass_matrix: without, values converge from above
+  double tolerance = 1e-10;                               // as that of eigenpairs
+  int max_restarts = 1000;                                // likewise
+};
+
+template<class M>
+struct eigenfunctions_result {
+  std::vector<double> values;                  // least first, in units of 1 / length^2
+  std::vector<vert_map<M, double>> functions;  // the integral of the square of each is 1, of a product of two 0, by the mass
+  std::vector<double> residuals;               // as those of eigenpairs
+  std::size_t isolated = 0;                    // verts of no poly, where functions are 0
+};
+
+/// The functions that a surface or a volume vibrates in: minus the Laplacian of each is its value times the function, and across the boundary it is
+/// flat.
+/// Needs:  Embedded AnyMesh, no temporary. count: at least 1, at most the verts of polys. solver: as for eigenpairs.
+/// Result: as many as asked for; the first is constant, its value 0, and there are as many of value 0 as components of polys. Errors of values
+///         fall with the square of the edge length. Scaling the mesh by a power of 2 scales values exactly, and so functions, in volumes by one of 4.
+/// Cost:   as laplacian, mass_matrix and eigenpairs.
+/// Errors: as laplacian, mass_matrix and eigenpairs.
+/// Source: Vallet, Levy 2008, "Spectral geometry processing with manifold harmonics"; Reuter, Wolter, Peinecke 2006, "Laplace-Beltrami spectra as
+///         Shape-DNA"; Kac 1966, "Can one hear the shape of a drum?".
+template<class M, class Solver = ldlt>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const eigenfunctions_options& options = {},
+                                                             Solver&& solver = {}) {
+  const Eigen::SparseMatrix<double> k = -laplacian(m, {.weights = options.weights});
+  const eigenpairs_result pairs = eigenpairs(k, mass_matrix(m, {.lumped = options.lumped}), count,
+                                             {.tolerance = options.tolerance, .max_restarts = options.max_restarts}, solver);
+  eigenfunctions_result<std::remove_cvref_t<M>> r;
+  for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
+    r.values.push_back(pairs.values[i]);
+    r.residuals.push_back(pairs.residuals[i]);
+    r.functions.push_back(make_vert_map<double>(m, 0.0));
+    std::span<double> u = r.functions.back().values();
+    for (std::size_t v = 0; v < u.size(); ++v) u[v] = pairs.vectors(static_cast<Eigen::Index>(v), i);
+  }
+  for (const vert_t<M> v : verts(m)) {
+    bool has_poly = false;
+    for ([[maybe_unused]] const poly_t<M> p : adj_v2p(m, v)) has_poly = true;
+    r.isolated += !has_poly;
+  }
+  return r;
+}
+
+}  // namespace concino

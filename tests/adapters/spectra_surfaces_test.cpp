@@ -1,0 +1,50 @@
+// Eigenfunctions of surfaces of every kind.
+#include <support/eigenfunctions.hpp>
+
+#include <concino/concepts/archetypes.hpp>
+#include <concino/generate/icosphere.hpp>
+
+#include <limits>
+
+using namespace concino;
+using namespace concino::testing;
+
+TEST_CASE_TEMPLATE("eigenfunctions: of the square, of spheres, of two squares, and scaled", M, CONCINO_SURFACE_KINDS) {
+  const double coarse = error_on_square_or_cube<M>(6), fine = error_on_square_or_cube<M>(12);
+  CHECK(fine < 0.4 * coarse);
+  CHECK(fine < 0.03);
+  const M sphere = make_sphere<M>({.cells = 6});
+  check_sphere(sphere, {2, 6}, 0.08);  // l (l + 1)
+  check_components<M>();
+  check_scaling<M>();
+}
+
+TEST_CASE("eigenfunctions: symmetric spheres have eigenvalues that are multiple to the last digits") {
+  const trimesh m = icosphere(2);
+  check_sphere(m, {2, 6}, 0.03);
+  const auto r = eigenfunctions(m, 9);
+  for (const std::size_t k : {2u, 3u}) CHECK(r.values[k] == doctest::Approx(r.values[1]).epsilon(1e-11));
+  for (const std::size_t k : {5u, 6u, 7u, 8u}) CHECK(r.values[k] == doctest::Approx(r.values[4]).epsilon(1e-11));
+  CHECK(eigenfunctions(m, 6).values[5] == doctest::Approx(r.values[4]).epsilon(1e-11));  // cut within
+}
+
+TEST_CASE("eigenfunctions: archetypes, options and errors") {
+  const auto m = grid<trimesh>(8);
+  const auto weak = only_embedded_mesh(m);
+  const auto plain = eigenfunctions(m, 4);
+  const auto by_archetype = eigenfunctions(weak, 4);
+  for (std::size_t k = 0; k < 4; ++k) CHECK(by_archetype.values[k] == doctest::Approx(plain.values[k]).epsilon(1e-9));
+  CHECK(eigenfunctions(m, 3, {.weights = weights::cotangent}).values[1] == doctest::Approx(plain.values[1]));
+  CHECK(eigenfunctions(m, 3, {.lumped = false}).values[1] > std::numbers::pi * std::numbers::pi);  // from above
+  ldlt solver;
+  CHECK(eigenfunctions(m, 3, {.tolerance = 1e-6}, solver).values[2] == doctest::Approx(plain.values[2]));
+  CHECK_THROWS_AS(eigenfunctions(m, 0), invalid_argument);
+  CHECK_THROWS_AS(eigenfunctions(m, 82), invalid_argument);
+  CHECK_THROWS_AS(eigenfunctions(m, 20, {.max_restarts = 0}), invalid_argument);
+  const auto quads = grid<quadmesh>(2);
+  CHECK_THROWS_AS(eigenfunctions(quads, 2, {.weights = weights::cotangent}), unsupported);
+  const trimesh endless({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}}, {{0, 1, 2}});
+  CHECK_THROWS_AS(eigenfunctions(endless, 1), invalid_mesh);
+  const trimesh nothing;
+  CHECK_THROWS_AS(eigenfunctions(nothing, 1), invalid_argument);
+}

@@ -1,0 +1,15 @@
+// Eigenfunctions of volumes of every kind.
+#include <support/eigenfunctions.hpp>
+
+using namespace concino;
+using namespace concino::testing;
+
+TEST_CASE_TEMPLATE("eigenfunctions: of the cube, of balls, of two cubes, and scaled", M, CONCINO_VOLUME_KINDS) {
+  const double coarse = error_on_square_or_cube<M>(3), fine = error_on_square_or_cube<M>(6);
+  CHECK(fine < 0.4 * coarse);
+  CHECK(fine < 0.08);
+  const M ball = make_sphere<M>({.cells = 4});
+  check_sphere(ball, {4.333, 11.17}, 0.12);  // squares of roots of derivatives of spherical Bessel functions
+  check_components<M>();
+  check_scaling<M>();
+}
