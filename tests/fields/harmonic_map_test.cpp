@@ -285,6 +285,7 @@ TEST_CASE_TEMPLATE("harmonic_map<vec3>: part by part what the map of numbers is,
   }
   CHECK_THROWS_AS(harmonic_map<vec3>(m, {{a, {0, 1, 2}}, {a, {0, 1, 3}}}), invalid_argument);
   CHECK_THROWS_AS(harmonic_map<vec3>(m, {{a, {0, 1, INFINITY}}}), invalid_argument);
+  CHECK_THROWS_AS(harmonic_map<vec3>(m, {{a, {0, INFINITY, 1}}}), invalid_argument);
   const M two = two_grids<M>(1);
   const vert_id second{static_cast<unsigned>(num_verts(two) / 2)}, alone{static_cast<unsigned>(num_verts(two) - 1)};
   const auto with_lonely = harmonic_map<vec3>(two, {{a, {0, 0, 0}}, {second, {1, 1, 1}}}, {.isolated_value = 4});

@@ -130,6 +130,20 @@ TEST_CASE_TEMPLATE("poisson: what facets bring sums to their measure and first m
   CHECK(boundary == doctest::Approx(VolumeMesh<M> ? 6 : 4).epsilon(1e-14));
 }
 
+TEST_CASE_TEMPLATE("poisson: facets of size 1 and of no size", M, quadmesh, hexmesh) {
+  auto arrays = grid_arrays<M>(1);
+  const auto check_sums = [](const M& m, double size) {
+    for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) {
+      double sum = 0;
+      concino::detail::integrate_over(m, e, [&](const vert_id&, double x) { sum += x; });
+      CHECK(sum == doctest::Approx(size));
+    });
+  };
+  check_sums(M(arrays), 1);
+  for (vec3& x : arrays.points) x = {};
+  check_sums(M(arrays), 0);
+}
+
 TEST_CASE_TEMPLATE("poisson: values on one side and derivatives on the others, of the second order", M, CONCINO_ALL_KINDS) {
   const unsigned n = VolumeMesh<M> ? 3 : 5;
   const double coarse = mixed_error(moved_grid<M>(n, 0.1)), fine = mixed_error(moved_grid<M>(2 * n, 0.1));
@@ -236,13 +250,14 @@ TEST_CASE_TEMPLATE("poisson: fluxes given wrongly", M, CONCINO_ALL_KINDS) {
   const char* const word = SurfaceMesh<M> ? "edge " : "face ";
   const auto named = [&](const facet_t<M>& e) { return word + std::to_string(e.raw()); };
   const constant f{1};
-  CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{none, 1.0}}), doctest::Contains("a flux is given at something that is no "), invalid_mesh);
+  CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{none, 1.0}}), doctest::Contains(("poisson: a flux is given at something that is no " + std::string(word) + "of the mesh").c_str()), invalid_mesh);
   CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{inner, 1.0}}),
                        doctest::Contains(("poisson: a flux is given at " + named(inner) + ", which has 2 polys and so is not on").c_str()),
                        invalid_mesh);
   CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{outer, INFINITY}}), ("poisson: the flux given at " + named(outer) + " is not finite").c_str(),
                        invalid_argument);
   CHECK_THROWS_AS(poisson(m, f, {{a, 0.0}}, {{outer, NAN}}), invalid_argument);
+  CHECK_THROWS_AS(poisson(m, make_vert_map<vec3>(m), {{a, {0, 0, 0}}}, {{outer, {0, INFINITY, 0}}}), invalid_argument);
   CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{outer, 1.0}, {outer, 2.0}}),
                        ("poisson: the flux given at " + named(outer) + " is not the one given there before; keep one").c_str(), invalid_argument);
   CHECK_THROWS_WITH_AS(poisson(m, f, values<M>{}, {{outer, 1.0}}), doctest::Contains("has no value prescribed"), solver_error);
