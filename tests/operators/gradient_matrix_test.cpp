@@ -142,7 +142,7 @@ TEST_CASE("gradient_matrix: polyhedra turned inside out have the same gradients"
 }
 
 TEST_CASE("gradient_matrix: columns are sorted whatever the order of the walk") {
-  const std::vector<std::array<double, 3>> x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0.5}};
+  const std::vector<std::array<double, 3>> x = {{0, 0, 0}, {1, 0.2, 0.1}, {0.3, 1, 0}, {-1, 0.4, 0}, {0.1, -1, 0.5}};
   for (const auto& p : {std::vector<tiny::polygon>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}}) {
     const auto g = gradient_matrix(backwards(x, p));
     check_compressed(g);
