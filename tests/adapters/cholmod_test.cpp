@@ -2,6 +2,7 @@
 
 #include <concino/solve/llt.hpp>
 
+#include "support/solver_paths.hpp"
 #include "support/systems.hpp"
 
 using namespace concino;
@@ -45,4 +46,8 @@ TEST_CASE("cholmod: the order of elimination that more work is worth, kept for o
   }
   solver.factorize(grid(20));
   CHECK(distance(grid(20) * solver.solve(Eigen::VectorXd::Ones(400)), Eigen::VectorXd::Ones(400)) < 1e-12);
+}
+
+TEST_CASE("cholmod: every way a problem can go") {
+  solver_paths::check_all(solver_paths::any_solver::make<cholmod>(), solver_paths::indefinite::refused);
 }
