@@ -33,6 +33,8 @@ held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const harmonic_
   return laplace_system(m, std::move(held), options.weights, options.exponent, "harmonic_map");
 }
 
+inline constexpr auto no_load = [](std::size_t, int) { return 0.0; };
+
 inline void check_exponent(const char* who, int exponent) {
   if (exponent < 1) throw_joined<invalid_argument>({who, ": exponent is ", number_text(exponent), "; it must be 1 or more"});
 }
@@ -82,7 +84,7 @@ class prepared_harmonic_map {
   vert_map<M, T> with_values(const D& values) const {
     const M& m = mesh_.get();
     auto value = detail::prescribed_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "harmonic_map");
-    prepared_->system.template solve<T>(m, *prepared_->solver, nullptr, value, "harmonic_map");
+    prepared_->system.template solve<T>(*prepared_->solver, detail::no_load, value, "harmonic_map");
     return value;
   }
 };
@@ -131,7 +133,7 @@ vert_map<M, T> harmonic_map(M&& m, const D& values, const harmonic_map_options& 
   const auto system = detail::harmonic_system(mesh_in, std::move(held), options);
   system.factorize(solver, options.progress);
   detail::tell(options.progress, 0.9, "solving");
-  system.template solve<T>(mesh_in, solver, nullptr, value, "harmonic_map");
+  system.template solve<T>(solver, detail::no_load, value, "harmonic_map");
   detail::tell(options.progress, 1, "harmonic map");
   return value;
 }

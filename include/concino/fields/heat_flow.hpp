@@ -54,18 +54,21 @@ implicit_system<M> heat_flow_system(const M& m, double time, const V& held, cons
 /// Steps of M u' = -K u. With A = M + g dt K the stages are A v = M u and A w = M u - (1 - g) dt K v, where dt K v = M (u - v) / g, so that
 /// no more than A^-1 M is needed; w is u one step later.
 template<class T, class M, class Solver>
-void flow(const M& m, const implicit_system<M>& system, const Solver& solver, const heat_flow_options& options, vert_map<M, T>& u,
+void flow(const implicit_system<M>& system, const Solver& solver, const heat_flow_options& options, vert_map<M, T>& u,
           const progress& told) {
   constexpr double forward = (1 - alexander_gamma) / alexander_gamma;
   for (int i = 0; i < options.steps; ++i) {
     tell(told, static_cast<double>(i) / options.steps, "heat flow");
     if (options.scheme == heat_scheme::second_order) {
       vert_map<M, T> stage = u;
-      system.template apply<T>(m, solver, stage);
-      for (const vert_t<M> v : verts(m))
-        if (system.held().unknown[v] >= 0) u[v] = u[v] + forward * (stage[v] - u[v]);
+      system.template apply<T>(solver, stage);
+      const auto from = stage.values(), to = u.values();
+      for (const int index : system.held().index) {
+        const auto k = static_cast<std::size_t>(index);
+        to[k] = to[k] + forward * (from[k] - to[k]);
+      }
     }
-    system.template apply<T>(m, solver, u);
+    system.template apply<T>(solver, u);
   }
   tell(told, 1, "heat flow");
 }
@@ -113,7 +116,7 @@ class prepared_heat_flow {
   vert_map<M, T> advance(const F& u, const progress& told = nullptr) const {
     const M& m = mesh_.get();
     auto r = prepared_->system.template values_of<T>(m, u);
-    detail::flow<T>(m, prepared_->system, *prepared_->solver, prepared_->options, r, told);
+    detail::flow<T>(prepared_->system, *prepared_->solver, prepared_->options, r, told);
     return r;
   }
 };
@@ -160,7 +163,7 @@ vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const V& held, co
   const auto system = detail::heat_flow_system(mesh_in, time, held, options);
   auto u = system.template values_of<T>(mesh_in, initial);
   system.factorize(solver, options.progress);
-  detail::flow<T>(mesh_in, system, solver, options, u, options.progress);
+  detail::flow<T>(system, solver, options, u, options.progress);
   return u;
 }
 

@@ -84,7 +84,7 @@ class prepared_poisson {
     auto value = detail::prescribed_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "poisson");
     auto load = detail::mass_times<T>(m, prepared_->mass, f, "poisson: the load f");
     detail::add_fluxes<T>(m, fluxes, load, "poisson");
-    prepared_->system.template solve<T>(m, *prepared_->solver, &load, value, "poisson");
+    prepared_->system.template solve<T>(*prepared_->solver, [&](std::size_t k, int i) { return load[k][i]; }, value, "poisson");
     return value;
   }
 };
@@ -136,7 +136,7 @@ vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, cons
   detail::add_fluxes<T>(mesh_in, fluxes, load, "poisson");
   system.factorize(solver, options.progress);
   detail::tell(options.progress, 0.9, "solving");
-  system.template solve<T>(mesh_in, solver, &load, value, "poisson");
+  system.template solve<T>(solver, [&](std::size_t k, int i) { return load[k][i]; }, value, "poisson");
   detail::tell(options.progress, 1, "Poisson's equation");
   return value;
 }

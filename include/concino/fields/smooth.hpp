@@ -76,7 +76,7 @@ class prepared_smooth {
   vert_map<M, T> apply(const F& f) const {
     const M& m = mesh_.get();
     auto u = prepared_->system.template values_of<T>(m, f);
-    prepared_->system.template apply<T>(m, *prepared_->solver, u);
+    prepared_->system.template apply<T>(*prepared_->solver, u);
     return u;
   }
 };
@@ -125,7 +125,7 @@ vert_map<M, T> smooth(M&& m, const F& f, double amount, const V& held, const smo
   auto u = system.template values_of<T>(mesh_in, f);
   system.factorize(solver, options.progress);
   detail::tell(options.progress, 0.9, "solving");
-  system.template apply<T>(mesh_in, solver, u);
+  system.template apply<T>(solver, u);
   detail::tell(options.progress, 1, "smoothing");
   return u;
 }

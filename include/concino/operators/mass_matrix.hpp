@@ -6,6 +6,7 @@
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
+#include <concino/operators/detail/simplex_mass.hpp>
 #include <concino/operators/detail/virtual_elements.hpp>
 
 #include <Eigen/SparseCore>
@@ -24,15 +25,6 @@ template<class M>
     if (!std::isfinite(measure(m, p)))
       throw_joined<invalid_mesh>({"masses: poly ", static_cast<std::size_t>(index_of(m, p)), " has points that are not finite, so it has no mass; move its verts"});
   throw_joined<invalid_mesh>({"masses: the polys are so large that their measures sum to infinity; scale the mesh"});
-}
-
-/// The area of the triangle or the volume, without a sign, of the tet with these corners.
-template<class M, std::size_t N>
-double simplex_measure(const M& m, const std::array<vert_t<M>, N>& corner) {
-  const vec3 o = to_vec3(point(m, corner[0]));
-  const vec3 normal = cross(to_vec3(point(m, corner[1])) - o, to_vec3(point(m, corner[2])) - o);
-  if constexpr (N == 3) return norm(normal) / 2;
-  else return std::abs(dot(normal, to_vec3(point(m, corner[3])) - o)) / 6;
 }
 
 }  // namespace detail
@@ -85,8 +77,10 @@ struct mass_matrix_options {
 template<AnyMesh M>
   requires Embedded<M>
 Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& options = {}) {
-  if (!options.lumped)
-    return detail::with_both_triangles(detail::assemble_elements<M>(m, &detail::poly_operator_of<detail::virtual_mass<M>, M>));
+  if (!options.lumped) {
+    if constexpr (TriMesh<M> || TetMesh<M>) return detail::simplex_mass(m);
+    else return detail::with_both_triangles(detail::assemble_elements<M>(m, &detail::poly_operator_of<detail::virtual_mass<M>, M>));
+  }
   const auto mass = vert_masses(m);
   const auto n = static_cast<Eigen::Index>(mass.values().size());
   Eigen::SparseMatrix<double> a(n, n);

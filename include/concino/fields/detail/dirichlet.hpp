@@ -89,6 +89,7 @@ struct held_verts {
   enum : int { held = -1, isolated = -2, reached = -3 };
   vert_map<M, int> unknown;       // number, held or isolated; before they are numbered, reached
   std::vector<vert_t<M>> given;   // the held ones, each once
+  std::vector<int> index;         // by index_of, of each unknown
   int unknowns = 0;
   std::size_t num_isolated = 0;
 
@@ -125,7 +126,7 @@ struct held_verts {
         reach(m, front);
         throw_nothing_given(who, index_of(m, v), front.size());
       }
-      unknown[v] = unknowns++;
+      number(m, v);
     }
   }
 
@@ -133,12 +134,16 @@ struct held_verts {
   void number_all(const M& m) {
     for (const vert_t<M> v : verts(m)) {
       if (unknown[v] == held) continue;
-      if (has_edges(m, v)) unknown[v] = unknowns++;
+      if (has_edges(m, v)) number(m, v);
       else ++num_isolated;
     }
   }
 
  private:
+  void number(const M& m, const vert_t<M>& v) {
+    unknown[v] = unknowns++;
+    index.push_back(static_cast<int>(index_of(m, v)));
+  }
   static bool has_edges(const M& m, const vert_t<M>& v) {
     const auto& around = adj_v2v(m, v);
     return around.begin() != around.end();
@@ -209,39 +214,34 @@ struct held_system {
     factorize_symmetric(solver, lower);
   }
 
-  /// Puts the solution into `value`, which has the values of the held verts. load: by index of verts, those of unknowns being read; null: none.
+  /// Puts the solution into `value`, which has the values of the held verts. load(k, index): what stands on the right of the
+  /// unknown vert of that index, for part k of T.
   /// Errors: solver_error with the reason.
-  template<class T, class Solver>
-  void solve(const M& m, const Solver& solver, const right_hand_sides<T>* load, vert_map<M, T>& value, const char* who) const {
+  template<class T, class Solver, class Load>
+  void solve(const Solver& solver, const Load& load, vert_map<M, T>& value, const char* who) const {
     if (verts.unknowns == 0) return;
-    Eigen::VectorXd b;
+    const auto n = static_cast<std::size_t>(verts.unknowns);
+    T* const at = value.values().data();
+    Eigen::VectorXd b(verts.unknowns);
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      b.setZero(verts.unknowns);
-      const T* const at = value.values().data();
+      for (std::size_t i = 0; i < n; ++i) b[static_cast<Eigen::Index>(i)] = load(k, verts.index[i]);
       for (const coupling& c : couplings) b[c.row] += c.weight * part(at[c.vert], k);
-      if (load)
-        for (const vert_t<M> v : concino::verts(m))
-          if (const int i = verts.unknown[v]; i >= 0) b[i] += (*load)[k][static_cast<Eigen::Index>(index_of(m, v))];
       const Eigen::VectorXd u = solve_and_check(solver, lower, b, who);
-      for (const vert_t<M> v : concino::verts(m))
-        if (const int i = verts.unknown[v]; i >= 0) part(value[v], k) = u[i];
+      for (std::size_t i = 0; i < n; ++i) part(at[verts.index[i]], k) = u[static_cast<Eigen::Index>(i)];
     }
   }
 
   /// Takes the rows and columns of the unknowns from a matrix over all verts with both triangles.
-  void restrict_to_unknowns(const M& m, const Eigen::SparseMatrix<double>& whole) {
+  void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole) {
     const int n = verts.unknowns;
     lower.resize(n, n);
     lower.resizeNonZeros(whole.nonZeros());
-    std::vector<int> column(static_cast<std::size_t>(n));
-    for (const vert_t<M> v : concino::verts(m))
-      if (const int c = verts.unknown[v]; c >= 0) column[static_cast<std::size_t>(c)] = static_cast<int>(index_of(m, v));
     const int* const unknown = verts.unknown.values().data();
     int* const rows = lower.innerIndexPtr();
     double* const entries = lower.valuePtr();
     int at = 0;
     for (int c = 0; c < n; ++c) {
-      const int first = at, from = column[static_cast<std::size_t>(c)];
+      const int first = at, from = verts.index[static_cast<std::size_t>(c)];
       for (int l = whole.outerIndexPtr()[from]; l < whole.outerIndexPtr()[from + 1]; ++l) {
         const int i = whole.innerIndexPtr()[l], row = unknown[i];
         const double x = whole.valuePtr()[l];

@@ -75,7 +75,7 @@ class implicit_system {
       if (system_.verts.unknown[v] >= 0 && !has_mass(mass_, i))
         throw_joined<invalid_mesh>({who_, ": vert ", i, " has edges but no polys, so no mass; use uniform weights"});
     }
-    system_.restrict_to_unknowns(m, sum_of(mass_, amount, k));
+    system_.restrict_to_unknowns(sum_of(mass_, amount, k));
   }
 
   const held_verts<M>& held() const { return system_.verts; }
@@ -98,18 +98,19 @@ class implicit_system {
     return u;
   }
 
-  /// Replaces f by u; held and isolated verts keep what they have.      Errors: solver_error.
+  /// Replaces f by u; held and isolated verts keep what they have, and isolated ones, which share no poly with others, are not read.
+  /// Errors: solver_error.
   template<class T, class Solver>
-  void apply(const M& m, const Solver& solver, vert_map<M, T>& f) const {
-    const auto size = f.values().size();
-    auto load = zeros<T>(size);
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size));
-    for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      for (const vert_t<M> v : verts(m))
-        if (system_.verts.unknown[v] != held_verts<M>::isolated) x[static_cast<Eigen::Index>(index_of(m, v))] = part(f[v], k);
-      symmetric_times(mass_, x, load[k]);
-    }
-    system_.template solve<T>(m, solver, &load, f, who_);
+  void apply(const Solver& solver, vert_map<M, T>& f) const {
+    const T* const at = f.values().data();
+    const int *const begin = mass_.outerIndexPtr(), *const row = mass_.innerIndexPtr();
+    const double* const entry = mass_.valuePtr();
+    const auto load = [&](std::size_t k, int c) {
+      double sum = 0;
+      for (int l = begin[c]; l < begin[c + 1]; ++l) sum += entry[l] * part(at[row[l]], k);
+      return sum;
+    };
+    system_.template solve<T>(solver, load, f, who_);
   }
 };
 

@@ -61,7 +61,7 @@ template<class M>
 held_system<M> laplace_system(const M& m, held_verts<M>&& held, weights which, int exponent, const char* who) {
   held_system<M> r{std::move(held), {}, {}};
   if (exponent > 1) {  // of powers the verts with given values are part too
-    r.restrict_to_unknowns(m, polyharmonic(m, which, exponent, who));
+    r.restrict_to_unknowns(polyharmonic(m, which, exponent, who));
     return r;
   }
   const auto& unknown = r.verts.unknown;
@@ -82,7 +82,7 @@ held_system<M> laplace_system(const M& m, held_verts<M>&& held, weights which, i
         is_whole = true;
         return assemble_stiffness(m, make_element, 1.0);
       });
-  if (is_whole) r.restrict_to_unknowns(m, a);
+  if (is_whole) r.restrict_to_unknowns(a);
   else r.lower = std::move(a);
   return r;
 }

@@ -21,8 +21,9 @@ inline void symmetric_times(const Eigen::SparseMatrix<double>& a, const Eigen::V
 
 /// Whether a vert with this index has a mass.
 inline bool has_mass(const Eigen::SparseMatrix<double>& mass, std::size_t i) {
-  const int first = mass.outerIndexPtr()[i], end = mass.outerIndexPtr()[i + 1];
-  return end - first > 1 || (end > first && mass.valuePtr()[first] != 0);
+  for (int k = mass.outerIndexPtr()[i]; k < mass.outerIndexPtr()[i + 1]; ++k)
+    if (mass.valuePtr()[k] != 0) return true;
+  return false;
 }
 
 /// The mass, both triangles, times f, read at the verts that have one.
