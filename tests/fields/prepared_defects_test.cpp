@@ -5,6 +5,7 @@
 #include <concino/fields/smooth.hpp>
 
 #include <concino/edit/elements.hpp>
+#include <concino/mesh/boundary.hpp>
 
 #include <support/kinds.hpp>
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 using namespace concino;
 using namespace concino::testing;
@@ -99,4 +101,35 @@ TEST_CASE("prepared problems: an edge with three polys, a vert between two fans"
     if (n == 3) shared = e;
   }
   CHECK_THROWS_WITH_AS(poisson(m, ones, {{vert_id{0}, 0.0}}, {{shared, 1.0}}), doctest::Contains("which has 3 polys"), invalid_mesh);
+}
+
+TEST_CASE("poisson: through a face without area nothing flows, whatever its flux") {
+  auto arrays = grid_arrays<hexmesh>(2);
+  for (vec3& x : arrays.points)
+    if (x.x == 0) x.z = 0.5;
+  const hexmesh m(arrays);
+  std::vector<std::pair<face_id, double>> across;
+  for (const auto x : faces(m)) {
+    bool left = true;
+    for (const auto v : adj_f2v(m, x)) left = left && point(m, v)[0] == 0;
+    if (left) across.push_back({x, 7.0});
+  }
+  CHECK(across.size() == 4);
+  const auto load = make_vert_map<double>(m, 1.0);
+  const vert_id a{13};
+  CHECK(largest_difference(poisson(m, load, {{a, 0.0}}, across), poisson(m, load, {{a, 0.0}})) == 0);
+}
+
+TEST_CASE("prepared problems: they keep a view, not the name it had") {
+  const auto m = grid<hexmesh>(2);
+  const auto s = prepare_smooth(boundary(m), 0.1);
+  const auto flow = prepare_heat_flow(boundary(m), 0.1);
+  const auto h = prepare_harmonic_map(boundary(m), {vert_id{0}, vert_id{26}});
+  const auto surface = boundary(m);
+  const by_number f;
+  CHECK(largest_difference(smooth(surface, f, 0.1), s.apply(f)) == 0);
+  CHECK(largest_difference(heat_flow(surface, f, 0.1), flow.advance(f)) == 0);
+  const std::vector<std::pair<vert_id, double>> given{{vert_id{0}, 0}, {vert_id{26}, 1}};
+  CHECK(largest_difference(harmonic_map(surface, given), h.with_values(given)) == 0);
+  CHECK(num_verts(s.mesh()) == 26);
 }
