@@ -28,12 +28,15 @@ function measured(work,   a, part) {
   return (work, a) in value ? ours_over[work, a] : ""
 }
 
+# The logarithm of the model "n", "n log n" or "n^k" where that of n is x.
+function growth(model, x) { return model == "n" ? x : model ~ /^n\^/ ? substr(model, 3) * x : x + log(x) }
+
 # The slope of the line that fits best through the points of a curve in a log-log plot; which: whose values.
 function slope(name, which,   k, n, x, y, sx, sy, sxx, sxy) {
   n = points[name]
   for (k = 1; k <= n; ++k) {
     x = log(elements[name, k])
-    y = log(which == "ours" ? ours_at[name, k] : which == "floor" ? floor_at[name, k] : elements[name, k] * (model[name] == "n" ? 1 : x))
+    y = which == "ours" ? log(ours_at[name, k]) : which == "floor" ? log(floor_at[name, k]) : growth(model[name], x)
     sx += x; sy += y; sxx += x * x; sxy += x * y
   }
   return n < 2 ? 1 : (n * sxy - sx * sy) / (n * sxx - sx * sx)

@@ -1,0 +1,85 @@
+// How solving grows with the mesh: minus the Laplacian, one vert held, factorised and solved for one right-hand side: from 10^4 to 10^6.5 triangles
+// and to 10^5.5 tets, and by iteration to 10^6.5 of both. Beside it Eigen's factorisation, and as many products with the matrix as the
+// iteration took: what it cannot do without. Memory is the most that solving holds at a time, beside that of the matrix.
+#include "support/heap.hpp"
+#include "support/kinds.hpp"
+
+#include <concino/operators/laplacian.hpp>
+#include <concino/solve/auto_solver.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace {
+
+using sparse = Eigen::SparseMatrix<double>;
+
+/// The lower triangle.
+template<class M>
+sparse system_of(const M& m) {
+  sparse a = -concino::laplacian(m);
+  a.coeffRef(0, 0) *= 2;
+  return a.triangularView<Eigen::Lower>();
+}
+
+/// make(n) gives a mesh of about n polys.
+template<class Make>
+void grow(const bench::program& p, const std::string& kind, const char* by, double last, const char* model, const char* memory_model,
+          std::int64_t most_factor_entries, const Make& make) {
+  const std::string work = "scaling.solve." + std::string(by) + "." + kind, memory = "scaling.memory.solve." + std::string(by) + "." + kind;
+  if (!p.wants(work) && !p.wants(memory)) return;
+  for (double exponent = 4; exponent <= last; exponent += 0.5) {
+    if (p.data.tiny && exponent > 4.5) break;
+    const auto m = make(std::pow(10.0, p.data.tiny ? exponent - 2 : exponent));
+    const auto polys = static_cast<double>(concino::num_polys(m));
+    const sparse a = system_of(m);
+    Eigen::VectorXd b(a.cols()), x;
+    for (Eigen::Index i = 0; i < b.size(); ++i) b[i] = static_cast<double>(i * 7919 % 101) - 50;
+    int iterations = 0;
+    const std::size_t before = bench::heap::live;
+    bench::heap::peak = before;
+    const auto solve = [&] {
+      concino::auto_solver solver({.most_factor_entries = most_factor_entries});
+      solver.factorize(a);
+      x = solver.solve(b);
+      iterations = solver.iterations();
+      if (solver.iterates() != (most_factor_entries == 0)) throw std::runtime_error(work + ": another solver is measured than is meant");
+      return 0;
+    };
+    solve();
+    const auto held = static_cast<double>(bench::heap::peak - before);
+    const auto floor = [&] {
+      if (iterations == 0) {
+        const Eigen::SimplicialLDLT<sparse> factors(a);
+        x = factors.solve(b);
+      } else {
+        for (int k = 0; k < iterations; ++k) x = a.selfadjointView<Eigen::Lower>() * b;
+      }
+      return 0;
+    };
+    const auto rows = bench::compare(work, exponent > 5 ? 1 : std::min(p.rounds, 3),
+                                     {{"floor", [&] { return bench::seconds_of(floor); }}, {"concino", [&] { return bench::seconds_of(solve); }}});
+    p.print_point(work, model, polys, rows[1].value, rows[0].value);
+    p.print_point(memory, memory_model, polys, held, static_cast<double>(12 * a.nonZeros()));
+  }
+}
+
+concino::trimesh torus_of(double triangles) {
+  const double rows = std::sqrt(triangles / 3);
+  return concino::trimesh(bench::torus(static_cast<bench::u32>(rows), static_cast<bench::u32>(1.5 * rows)));
+}
+concino::tetmesh block_of(double tets) {
+  return concino::tetmesh(bench::tet_grid(static_cast<bench::u32>(std::lround(std::cbrt(tets / 6)))));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return bench::run_program(argc, argv, [](const bench::program& p) {
+    const std::int64_t any = concino::ldlt::any_number - 1;
+    grow(p, "trimesh", "iterative", 6.5, "n^1.25", "n", 0, torus_of);
+    grow(p, "tetmesh", "iterative", 6.5, "n^1.17", "n", 0, block_of);
+    grow(p, "trimesh", "direct", 6.5, "n^1.5", "n log n", any, torus_of);
+    grow(p, "tetmesh", "direct", 5.5, "n^2", "n^1.33", any, block_of);
+  });
+}
