@@ -52,6 +52,20 @@ TEST_CASE("masses: equal parts to the verts of each poly, by absolute volume") {
   for (const auto v : verts(inverted)) CHECK(vert_masses(inverted)[v] == doctest::Approx(1.0 / 24));
 }
 
+TEST_CASE_TEMPLATE("Galerkin mass: by edges where the type says simplices, by virtual elements where it does not, the same", M, trimesh, tetmesh) {
+  const M m = two_grids<M>(2);
+  const Eigen::SparseMatrix<double> mass = mass_matrix(m, {.lumped = false});
+  const auto check = [&](const auto& g) {
+    const Eigen::SparseMatrix<double> other = mass_matrix(g, {.lumped = false});
+    CHECK(other.nonZeros() == mass.nonZeros());
+    for (int c = 0; c < mass.cols(); ++c)
+      for (Eigen::SparseMatrix<double>::InnerIterator it(mass, c); it; ++it)
+        CHECK(other.coeff(it.row(), it.col()) == doctest::Approx(it.value()).epsilon(1e-13));
+  };
+  check(only_embedded_mesh(m));
+  check(only_fixed_arity_mesh(m));
+}
+
 TEST_CASE_TEMPLATE("Galerkin mass: symmetric, positive definite, sums to the measure, integrates products of linear functions exactly", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.04, VolumeMesh<M>));
   const Eigen::SparseMatrix<double> mass = mass_matrix(m, {.lumped = false});
