@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -141,5 +142,29 @@ TEST_CASE("ldlt: random matrices of any pattern, compressed or not, as a dense s
     solver.factorize(a);
     CHECK((whole * solver.solve(b) - b).cwiseAbs().maxCoeff() < 1e-12);
     CHECK((solver.solve(b) - whole.partialPivLu().solve(b)).cwiseAbs().maxCoeff() < 1e-12);
+  }
+}
+
+TEST_CASE("ldlt: blocks of every width, and right-hand sides that are 0 nearly everywhere") {
+  std::mt19937 random(7);
+  for (int width = 1; width <= 11; ++width) {  // a chain of dense blocks, each joined to the next, with gaps in between
+    const int blocks = 6, n = blocks * width + 1;
+    Eigen::SparseMatrix<double> a(n, n);
+    for (int b = 0; b < blocks; ++b)
+      for (int i = b * width; i < (b + 1) * width; ++i)
+        for (int j = b * width; j < std::min(n, (b + 1) * width + b % 3); ++j)
+          if (i < j) a.coeffRef(j, i) = -static_cast<double>(1 + random() % 9);
+    for (int i = 0; i < n; ++i) a.coeffRef(i, i) = 20 * width;
+    a.makeCompressed();
+    const Eigen::MatrixXd whole = Eigen::MatrixXd(a).selfadjointView<Eigen::Lower>();
+    ldlt solver;
+    solver.factorize(a);
+    for (int k = 0; k < n; ++k) {
+      const Eigen::VectorXd b = Eigen::VectorXd::Unit(n, k);
+      CHECK((whole * solver.solve(b) - b).cwiseAbs().maxCoeff() < 1e-13);
+    }
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1, 2);
+    CHECK((whole * solver.solve(b) - b).cwiseAbs().maxCoeff() < 1e-13);
+    CHECK(solver.solve(Eigen::VectorXd::Zero(n)) == Eigen::VectorXd::Zero(n));
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/solve/detail/ordered.hpp>
+#include <concino/solve/detail/supernodes.hpp>
 #include <concino/solve/detail/system_checks.hpp>
 
 #include <Eigen/SparseCholesky>
@@ -19,10 +20,12 @@ namespace concino {
 /// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular (the row
 ///         is named); from solve if nothing was factorised, or the right-hand side has another size or is not finite, or the solution is not.
 ///         A failed factorize leaves nothing to solve with.
-/// Source: Eigen's SimplicialLDLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996).
+/// Source: Eigen's SimplicialLDLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996); substitution by supernodes, Ng, Peyton 1993.
 class ldlt {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> factors_;  // of the reordered matrix
   detail::elimination_order order_;
+  detail::supernodes supernodes_;
+  Eigen::VectorXd pivots_;
   detail::sparsity_pattern pattern_;
   Eigen::Index size_ = -1;
 
@@ -54,6 +57,7 @@ class ldlt {
       pattern_.remember(a);
     }
     check_pivots(a);
+    supernodes_.find(factors_.matrixL().nestedExpression());
     size_ = a.rows();
     return true;
   }
@@ -62,7 +66,10 @@ class ldlt {
     detail::check_right_hand_side("ldlt", b, size_);
     if (size_ == 0) return Eigen::VectorXd(0);
     Eigen::VectorXd x = order_.place * b;
-    x = factors_.solve(x).eval();
+    const Eigen::SparseMatrix<double>& l = factors_.matrixL().nestedExpression();
+    supernodes_.solve_lower(l, x);
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] /= pivots_[i];
+    supernodes_.solve_upper(l, x);
     x = order_.row * x;
     detail::check_solution("ldlt", x);
     return x;
@@ -70,14 +77,14 @@ class ldlt {
 
  private:
   /// A pivot is a diagonal entry minus what elimination takes away: where nothing but rounding errors is left, it says nothing.
-  void check_pivots(const Eigen::SparseMatrix<double>& a) const {
+  void check_pivots(const Eigen::SparseMatrix<double>& a) {
     const std::vector<double> given = detail::diagonal(a);
-    const Eigen::VectorXd pivots = factors_.vectorD();
+    pivots_ = factors_.vectorD();
     const auto& row = order_.row.indices();
-    for (Eigen::Index k = 0; k < pivots.size(); ++k) {  // elimination stops at the first 0
+    for (Eigen::Index k = 0; k < pivots_.size(); ++k) {  // elimination stops at the first 0
       const double diagonal = given[static_cast<std::size_t>(row[k])];
-      if (!(std::abs(pivots[k]) > 1e-15 * std::abs(diagonal) && std::abs(pivots[k]) < std::numeric_limits<double>::infinity()))
-        detail::throw_bad_pivot("ldlt", "singular to working precision", row[k], diagonal, pivots[k]);
+      if (!(std::abs(pivots_[k]) > 1e-15 * std::abs(diagonal) && std::abs(pivots_[k]) < std::numeric_limits<double>::infinity()))
+        detail::throw_bad_pivot("ldlt", "singular to working precision", row[k], diagonal, pivots_[k]);
     }
   }
 };
