@@ -128,13 +128,13 @@ TEST_CASE("poisson: which verts have a mass") {
 TEST_CASE("poisson: tells how far it is") {
   const auto m = grid<quadmesh>(2);
   double first = -1, last = -1;
-  const poisson_options options{.progress = [&](double fraction, const char*) {
+  const auto told = [&](double fraction, const char*) {
     CHECK((fraction >= 0 && fraction <= 1));
     if (first < 0) first = fraction;
     last = fraction;
     return true;
-  }};
-  poisson(m, constant{1}, {{vert_id{0}, 0.0}}, options);
+  };
+  poisson(m, constant{1}, {{vert_id{0}, 0.0}}, {.progress = told});
   CHECK(first == 0);
   CHECK(last == 1);
 }

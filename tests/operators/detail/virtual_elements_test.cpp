@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("stiffness of a polyhedron: what linear functions do not see 
 TEST_CASE("stiffness of boxes next to flat: rounding makes nothing negative, and nothing more than it is") {
   Eigen::VectorXd alternating(8);
   alternating << 1, -1, 1, -1, -1, 1, -1, 1;
-  for (const double height : {3e-8, 1e-8, 1e-9})
+  for (const double height : {3e-8, 1e-8, 5e-9})
     for (int turn = 1; turn < 30; ++turn) {
       vec3 a{1, 0.1 * turn, 0.007 * turn * turn}, b = cross(a, {0.3, 1, 0.2 * turn});
       a /= norm(a);
@@ -116,7 +116,7 @@ TEST_CASE("stiffness of boxes next to flat: rounding makes nothing negative, and
       const Eigen::MatrixXd k = matrix_of(box, detail::virtual_stiffness<hexmesh>(box), poly_id{0});
       const double energy = alternating.dot(k * alternating), squares = 1 + 0.5 / (height * height);
       CHECK(energy > 0);
-      if (height > 5e-9) CHECK(energy < 1.05 * 8 * height * squares * std::sqrt(8.0 / 162));
+      if (height > 6e-9) CHECK(energy < 1.05 * 8 * height * squares * std::sqrt(8.0 / 162));
     }
 }
 
