@@ -181,8 +181,9 @@ vert_map<M, double> prepared_exact_geodesics<M>::distance_from(const poly_t<M>& 
 ///         along, edges of more than two triangles, where they pass from each to each other, verts where several fans meet, and need not be oriented.
 /// Result: an object that answers distance_from(...). It knows lengths of edges only, which rounding changes by parts in 10^16: triangles
 ///         with angles a, in radians, leave some 10^-16 / a of a length in doubt.
-/// Cost:   O(n) to prepare, for n triangles. A question: O(n^2 log n) at worst, O(n) memory at once; on surfaces in use about n^1.7: 0.1 s for 2 10^4
-///         triangles, 1.4 s for 8 10^4, twice that where all is flat. Heat answers sooner, and on other polys, see heat_geodesics: with an error below an edge.
+/// Cost:   O(n) to prepare, for n triangles. A question: O(n^2 log n) at worst where no edge has more than two, on surfaces in use about n^1.7:
+///         0.1 s for 2 10^4 triangles, 1.4 s for 8 10^4, twice that where all is flat. Heat answers sooner and on other polys, with an error
+///         below an edge, see heat_geodesics.
 /// Errors: unsupported if a poly is no triangle; invalid_mesh if one has no area or points that are not finite.
 /// Source: Mitchell, Mount, Papadimitriou 1987; windows and their order: Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe 2005, "Fast exact and
 ///         approximate geodesics on meshes"; which of them are dropped: Chen and Han 1990, Xin and Wang 2009.
