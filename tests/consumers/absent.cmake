@@ -1,6 +1,6 @@
 # Configures concino where foreign libraries are absent: it goes on without them and says so, with the Debian package, and so do their tests;
 # asked to have them (CONCINO_WITH_...=ON) it stops with an error that names the package. Nothing is built here.
-set(absent "OpenMesh|openmesh|libopenmesh-dev" "CGAL|cgal|libcgal-dev" "embree|embree|libembree-dev")
+set(absent "OpenMesh|openmesh|libopenmesh-dev" "CGAL|cgal|libcgal-dev" "embree|embree|libembree-dev" "Spectra|spectra|libspectra-dev")
 set(common -S ${source} -G ${generator} -DCMAKE_CXX_COMPILER=${compiler} -DCONCINO_BUILD_TOOLS=OFF)
 file(REMOVE_RECURSE ${scratch})
 
@@ -13,7 +13,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} ${common} -B ${scratch}/without ${hidde
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "concino cannot be configured without libraries that are optional:\n${said}")
 endif()
-execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${scratch}/without -V -R "^(adapters|agreement|examples)/.*(openmesh|cgal|embree)" OUTPUT_VARIABLE tested
+execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${scratch}/without -V -R "^(adapters|agreement|examples)/.*(openmesh|cgal|embree|spectra|eigenfunctions)" OUTPUT_VARIABLE tested
   RESULT_VARIABLE code ERROR_VARIABLE tested)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "tests of libraries that are absent fail instead of saying so:\n${tested}")
