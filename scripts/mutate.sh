@@ -27,7 +27,7 @@ io/numbers             io/numbers io/read_obj
 io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
 fields/harmonic_map    fields/harmonic_map fields/prepared
 fields/poisson         fields/poisson fields/poisson_fluxes fields/prepared
-fields/detail/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/smooth
+fields/detail/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/laplace_system fields/smooth
 fields/detail/laplace_system   fields/laplace_system fields/smooth fields/poisson fields/harmonic_map
 fields/detail/masses   fields/poisson fields/poisson_fluxes
 fields/detail/neumann  fields/poisson_fluxes

@@ -6,7 +6,38 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 using namespace concino;
+
+namespace {
+
+/// Walks its verts from the last to the first.
+struct downwards : tiny::surface {};
+
+}  // namespace
+
+template<>
+struct concino::mesh_traits<downwards> : concino::mesh_traits<tiny::surface> {
+  static std::vector<vert> verts(const tiny::surface& m) {
+    auto r = tiny::all<vert>(m.points.size());
+    std::reverse(r.begin(), r.end());
+    return r;
+  }
+};
+
+TEST_CASE("systems of unknowns: whatever the order in which verts come") {
+  tiny::surface m = tiny::surface_example();
+  m.points[0] = {0.1, 0.05, 0};
+  m.points[5] = {-1.2, -0.9, 0.1};
+  const downwards turned{m};
+  const tiny::vertex a{2}, b{6};
+  for (const int n : {1, 2}) {
+    const auto u = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = n});
+    const auto w = harmonic_map(turned, {{a, 0.0}, {b, 1.0}}, {.exponent = n});
+    for (const auto v : verts(m)) CHECK(w[v] == doctest::Approx(u[v]).epsilon(1e-11));
+  }
+}
 
 TEST_CASE("harmonic_map: higher exponents need a mass at every vert with edges") {
   auto m = tiny::surface_example();  // of which vert 7 has no edges
