@@ -1,12 +1,11 @@
-// Heat geodesics by the library's own solver: preparing them beside the two factorisations that they cannot do without, and one question beside the
-// two back-substitutions.
+// Heat geodesics by the library's own solver: preparing them beside the factorisations that they cannot do without, two or, where there is a
+// boundary, three, and one question beside as many back-substitutions.
 #include "support/kinds.hpp"
 
 #include <concino/fields.hpp>
 
 #include <Eigen/SparseCholesky>
 
-#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -32,12 +31,14 @@ struct matrix_keeper {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return inner.solve(b); }
 };
 
-void measure(const bench::program& p, const std::string& name, const concino::surface_arrays& arrays) {
+template<class M>
+void measure(const bench::program& p, const std::string& name, const M& m) {
   const std::string prepare = "heat.prepare." + name, query = "heat.query." + name;
-  const concino::trimesh m(arrays);
   std::vector<sparse> matrices;
   const auto heat = concino::heat_geodesics(m, {}, matrix_keeper(&matrices));
-  if (matrices.size() != 2) throw std::runtime_error(prepare + ": " + std::to_string(matrices.size()) + " factorisations on a closed surface, not 2");
+  const std::size_t count = concino::VolumeMesh<M> ? 3 : 2;  // the surfaces are closed
+  if (matrices.size() != count)
+    throw std::runtime_error(prepare + ": " + std::to_string(matrices.size()) + " factorisations, not " + std::to_string(count));
   const concino::vert_id source{0};
   const auto d = heat.distance_from(source);
   for (const auto e : concino::edges(m)) {  // lengths: no edge is passed in less than nothing or in more than about its length
@@ -51,22 +52,23 @@ void measure(const bench::program& p, const std::string& name, const concino::su
     p.print(bench::compare(prepare, rounds,
                            {{"factorisations", [&] {
                                return bench::seconds_of([&] {
-                                 auto both = std::make_unique<std::array<factors, 2>>();
-                                 for (std::size_t k = 0; k < 2; ++k) (*both)[k].compute(matrices[k]);
-                                 return both;
+                                 std::vector<std::unique_ptr<factors>> all;
+                                 for (const sparse& a : matrices) all.push_back(std::make_unique<factors>(a));
+                                 return all;
                                });
                              }},
                             {"concino", [&] { return bench::seconds_of([&] { return concino::heat_geodesics(m); }); }}}));
   if (!p.wants(query)) return;
-  std::array<factors, 2> both;
-  for (std::size_t k = 0; k < 2; ++k) both[k].compute(matrices[k]);
+  std::vector<std::unique_ptr<factors>> all;
+  for (const sparse& a : matrices) all.push_back(std::make_unique<factors>(a));
   Eigen::VectorXd load = Eigen::VectorXd::Zero(matrices[0].cols());
   load[0] = 1;
   p.print(bench::compare(query, p.rounds,
                          {{"substitutions", [&] {
                              return bench::seconds_of([&] {
-                               const Eigen::VectorXd u = both[0].solve(load);
-                               return Eigen::VectorXd(both[1].solve(u));
+                               Eigen::VectorXd u = load;
+                               for (const auto& one : all) u = one->solve(u).eval();
+                               return u;
                              });
                            }},
                           {"concino", [&] { return bench::seconds_of([&] { return heat.distance_from(source); }); }}}));
@@ -76,7 +78,10 @@ void measure(const bench::program& p, const std::string& name, const concino::su
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
-    if (p.wants("heat.prepare.bunny") || p.wants("heat.query.bunny")) measure(p, "bunny", p.data.bunny());
-    if (p.wants("heat.prepare.bunny16") || p.wants("heat.query.bunny16")) measure(p, "bunny16", p.data.bunny16());
+    const auto wants = [&](const std::string& name) { return p.wants("heat.prepare." + name) || p.wants("heat.query." + name); };
+    if (wants("bunny")) measure(p, "bunny", concino::trimesh(p.data.bunny()));
+    if (wants("bunny16")) measure(p, "bunny16", concino::trimesh(p.data.bunny16()));
+    if (wants("tet25k")) measure(p, "tet25k", concino::tetmesh(bench::tet_grid(p.data.tiny ? 3 : 16)));
+    if (wants("hex8k")) measure(p, "hex8k", concino::hexmesh(bench::hex_grid(p.data.tiny ? 3 : 20)));
   });
 }
