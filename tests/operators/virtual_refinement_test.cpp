@@ -13,8 +13,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <string>
+#include <vector>
 
 using namespace concino;
 using namespace concino::testing;
@@ -40,6 +43,42 @@ surface_arrays letter_c() {
   surface_arrays s{{{0, 0, 0}, {6, 0, 0}, {6, 1, 0}, {1, 1, 0}, {1, 5, 0}, {6, 5, 0}, {6, 6, 0}, {0, 6, 0}}, {0, 8}, {}, 0};
   for (unsigned i = 0; i < 8; ++i) s.verts.push_back(vert_id{i});
   return s;
+}
+
+void add_face(polyhedra_arrays& a, std::initializer_list<unsigned> corners) {
+  for (const unsigned v : corners) a.face_verts.push_back(vert_id{v});
+  a.face_offsets.push_back(static_cast<std::uint32_t>(a.face_verts.size()));
+  a.poly_faces.push_back(face_id{static_cast<unsigned>(a.poly_faces.size())});
+  a.outward.push_back(1);
+}
+
+/// The matrix of a polyhedron of 5 verts with these triangles on it, if it has a square of verts 0 to 3 about a vert 5 in the middle of it.
+Eigen::MatrixXd by_definition(std::vector<vec3> x, bool has_square, const std::vector<std::array<unsigned, 3>>& triangles) {
+  const auto column = [](const vec3& a) { return Eigen::Vector3d(a.x, a.y, a.z); };
+  const unsigned last = has_square ? 6 : 5;
+  if (has_square) x.push_back((x[0] + x[1] + x[2] + x[3]) / 4);
+  Eigen::Matrix3d volumes = Eigen::Matrix3d::Zero(), spread = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero(), mean = Eigen::Vector3d::Zero();
+  for (const auto& [a, b, c] : triangles) {
+    const Eigen::Vector3d d = column(cross(x[b] - x[a], x[c] - x[a]));
+    volumes += d * d.transpose();
+    right += d * d.dot(column(x[a]));
+  }
+  for (unsigned i = 0; i < 5; ++i) mean += column(x[i]) / 5;
+  for (unsigned i = 0; i < 5; ++i) spread += (column(x[i]) - mean) * (column(x[i]) - mean).transpose();
+  const Eigen::Vector3d within = volumes.inverse() * right, slope = spread.inverse() * (within - mean);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Identity(last + 1, 5), cotangents = Eigen::MatrixXd::Zero(last + 1, last + 1);
+  for (unsigned i = 0; i < 5; ++i) {
+    if (has_square) values(5, i) = i < 4 ? 0.25 : 0;
+    values(last, i) = 0.2 + slope.dot(column(x[i]) - mean);
+  }
+  for (const auto& [a, b, c] : triangles) {
+    const detail::simplex_weights<3> weight({vec3{within[0], within[1], within[2]}, x[a], x[b], x[c]});
+    const unsigned corner[] = {last, a, b, c};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) cotangents(corner[i], corner[j]) -= weight(i, j);
+  }
+  return values.transpose() * cotangents * values;
 }
 
 template<class M> std::string message_for(const M& m) {
@@ -136,39 +175,19 @@ TEST_CASE("virtual refinement of the unit square and the unit cube") {
   CHECK(alternating.dot(refined(cube) * alternating) == doctest::Approx(4));
 }
 
-TEST_CASE("virtual refinement of a polyhedron of triangles: as it is defined") {
-  polyhedra_arrays arrays{{{1, 0, 0.1}, {-0.6, 0.9, 0}, {-0.4, -0.8, 0.2}, {0.1, 0.2, 1.3}, {0.2, 0.1, -0.7}}, {0}, {}, {0}, {}, {}};
-  const std::array<unsigned, 3> triangles[] = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
-  for (unsigned f = 0; f < 6; ++f) {
-    for (const unsigned v : triangles[f]) arrays.face_verts.push_back(vert_id{v});
-    arrays.face_offsets.push_back(3 * f + 3);
-    arrays.poly_faces.push_back(face_id{f});
-    arrays.outward.push_back(1);
-  }
-  arrays.poly_offsets.push_back(6);
+TEST_CASE("virtual refinement of a bipyramid and of a pyramid: as it is defined") {
+  polyhedra_arrays bipyramid{{{1, 0, 0.1}, {-0.6, 0.9, 0}, {-0.4, -0.8, 0.2}, {0.1, 0.2, 1.3}, {0.2, 0.1, -0.7}}, {0}, {}, {0}, {}, {}};
+  add_face(bipyramid, {0, 1, 3}), add_face(bipyramid, {1, 2, 3}), add_face(bipyramid, {2, 0, 3});
+  add_face(bipyramid, {1, 0, 4}), add_face(bipyramid, {2, 1, 4}), add_face(bipyramid, {0, 2, 4});
+  bipyramid.poly_offsets.push_back(6);
+  const Eigen::MatrixXd two = by_definition(bipyramid.points, false, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}});
+  CHECK((refined(polyhedralmesh(bipyramid)) - two).cwiseAbs().maxCoeff() < 1e-13);
 
-  const auto& x = arrays.points;
-  const auto column = [](const vec3& a) { return Eigen::Vector3d(a.x, a.y, a.z); };
-  Eigen::Matrix3d volumes = Eigen::Matrix3d::Zero(), spread = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero(), mean = Eigen::Vector3d::Zero();
-  for (const auto& [a, b, c] : triangles) {
-    const Eigen::Vector3d d = column(cross(x[b] - x[a], x[c] - x[a]));
-    volumes += d * d.transpose();
-    right += d * d.dot(column(x[a]));
-  }
-  for (const vec3& p : x) mean += column(p) / 5;
-  for (const vec3& p : x) spread += (column(p) - mean) * (column(p) - mean).transpose();
-  const Eigen::Vector3d within = volumes.inverse() * right, slope = spread.inverse() * (within - mean);
-  Eigen::MatrixXd values = Eigen::MatrixXd::Identity(6, 5), cotangents = Eigen::MatrixXd::Zero(6, 6);
-  for (unsigned i = 0; i < 5; ++i) values(5, i) = 0.2 + slope.dot(column(x[i]) - mean);
-  for (const auto& [a, b, c] : triangles) {
-    const detail::simplex_weights<3> weight({vec3{within[0], within[1], within[2]}, x[a], x[b], x[c]});
-    const unsigned corner[] = {5, a, b, c};
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) cotangents(corner[i], corner[j]) -= weight(i, j);
-  }
-  const Eigen::MatrixXd expected = values.transpose() * cotangents * values;
-  CHECK((refined(polyhedralmesh(arrays)) - expected).cwiseAbs().maxCoeff() < 1e-13);
+  polyhedra_arrays pyramid{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.7, 0.4, 1.3}}, {0}, {}, {0}, {}, {}};
+  add_face(pyramid, {3, 2, 1, 0}), add_face(pyramid, {0, 1, 4}), add_face(pyramid, {1, 2, 4}), add_face(pyramid, {2, 3, 4}), add_face(pyramid, {3, 0, 4});
+  pyramid.poly_offsets.push_back(5);
+  const Eigen::MatrixXd one = by_definition(pyramid.points, true, {{1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  CHECK((refined(polyhedralmesh(pyramid)) - one).cwiseAbs().maxCoeff() < 1e-13);
 }
 
 TEST_CASE("virtual refinement on a mesh of other making, and of a polyhedron with more verts than are looked for one by one") {
