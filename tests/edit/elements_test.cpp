@@ -228,6 +228,9 @@ TEST_CASE_TEMPLATE("a refused edit changes nothing", M, CONCINO_ALL_KINDS) {
     CHECK_THROWS_AS(cn::add_poly(m, std::span<const cn::vert_id>(corners)), cn::invalid_mesh);
     corners.back() = corners.front();
     CHECK_THROWS_AS(cn::add_poly(m, std::span<const cn::vert_id>(corners)), cn::invalid_mesh);
+    corners.clear();
+    for (unsigned i = 0; i < cn::arity_v<M> + 1; ++i) corners.push_back(cn::vert_id{i});
+    if (cn::arity_v<M> > 0) CHECK_THROWS_AS(cn::add_poly(m, std::span<const cn::vert_id>(corners)), cn::invalid_mesh);
   }
   CHECK(cn::num_edges(m) == edges);
   CHECK(cn::num_polys(m) == polys);

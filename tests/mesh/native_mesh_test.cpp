@@ -264,6 +264,18 @@ TEST_CASE("what cannot be a mesh is refused by name") {
   CHECK(has(message([&] { cn::polygonmesh(std::vector<cn::vec3>(39), lists{large}); }), "vert 0 twice"));
 }
 
+TEST_CASE_TEMPLATE("a vert that is not there is refused, whichever poly or face names it", M, CONCINO_ALL_KINDS) {
+  const auto arrays = cn::testing::grid_arrays<M>(2);
+  for (const std::size_t i : {0u, 1u, 2u, 3u}) {
+    auto bad = arrays;
+    if constexpr (std::same_as<M, cn::polyhedralmesh>) bad.face_verts[bad.face_offsets[i + 1] - 1] = cn::vert_id{1000};
+    else if constexpr (std::same_as<M, cn::polygonmesh>) bad.verts[bad.offsets[i + 1] - 1] = cn::vert_id{1000};
+    else bad.verts[(i + 1) * bad.arity - 1] = cn::vert_id{1000};
+    const std::string expected = (std::same_as<M, cn::polyhedralmesh> ? "face " : "poly ") + std::to_string(i) + " names vert 1000";
+    CHECK_THROWS_WITH_AS(static_cast<void>(M(bad)), doctest::Contains(expected.c_str()), cn::invalid_mesh);
+  }
+}
+
 TEST_CASE("more polys, verts or corners than can be numbered are refused") {
   using cn::detail::check_counts;
   CHECK_NOTHROW(check_counts(0xFFFFFFFEu, cn::detail::across::mask - 1, 0xFFFFFFFEu));
