@@ -52,7 +52,7 @@ class ldlt {
       pattern_.forget();
       order_.find(a);
       const Eigen::SparseMatrix<double> upper = order_(a);
-      if (most != any_number && detail::factor_entries(upper, most) > most) return false;
+      if (const std::int64_t n = a.cols(); n * (n - 1) / 2 > most && detail::factor_entries(upper, most) > most) return false;
       factors_.compute(upper);
       pattern_.remember(a);
     }
