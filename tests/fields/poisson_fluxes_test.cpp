@@ -165,7 +165,7 @@ TEST_CASE_TEMPLATE("poisson: the load and what flows out balance at the verts th
   CHECK(-l[0] == doctest::Approx(load[0] + out).epsilon(1e-10));
 }
 
-TEST_CASE_TEMPLATE("poisson: every spelling of a call means one", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("poisson: every spelling of a call means one", M, quadmesh, tetmesh) {
   const M m = grid<M>(2);
   const vert_id a{0};
   facet_t<M> e{};
@@ -191,7 +191,7 @@ TEST_CASE_TEMPLATE("poisson: every spelling of a call means one", M, CONCINO_ALL
   same(w, poisson(m, f, {{a, 0.0}}, {{e, 2}}, {}, solver));
 }
 
-TEST_CASE_TEMPLATE("poisson: fluxes on an archetype, and of vectors", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("poisson: fluxes on an archetype, and of vectors", M, polygonmesh, polyhedralmesh) {
   const M m = moved_grid<M>(2, 0.1);
   fluxes<M> across;
   std::vector<std::pair<facet_t<M>, vec3>> to_space;
