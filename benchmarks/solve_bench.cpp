@@ -77,8 +77,8 @@ concino::tetmesh block_of(double tets) {
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
     const std::int64_t any = concino::ldlt::any_number - 1;
-    grow(p, "trimesh", "iterative", 6.5, "n^1.25", "n", 0, torus_of);
-    grow(p, "tetmesh", "iterative", 6.5, "n^1.17", "n", 0, block_of);
+    grow(p, "trimesh", "iterative", 6.5, "n^1.5", "n", 0, torus_of);
+    grow(p, "tetmesh", "iterative", 6.5, "n^1.33", "n", 0, block_of);
     grow(p, "trimesh", "direct", 6.5, "n^1.5", "n log n", any, torus_of);
     grow(p, "tetmesh", "direct", 5.5, "n^2", "n^1.33", any, block_of);
   });

@@ -70,8 +70,8 @@ inline Eigen::SparseMatrix<double> sorted_transpose(const Eigen::SparseMatrix<do
 }
 
 /// L with L L^T near a matrix, with entries where its lower triangle has some. First what has no place is added to the diagonal, all but a small
-/// part: then the rows of L L^T have nearly the sums of the matrix, and of n steps needed otherwise some root of n are left. Where that leaves
-/// no positive pivot what has no place is dropped, and the diagonal is raised until all pivots are positive.
+/// part: then the rows of L L^T have nearly the sums of the matrix, and of n steps needed otherwise some root of n are left. Single
+/// pivots that come out small are lifted. Where many do, what has no place is dropped, and the diagonal is raised until all are positive.
 /// Source: Meijerink, van der Vorst 1977; Gustafsson 1978 (sums kept); Manteuffel 1980 (diagonal raised).
 class incomplete_cholesky {
   std::vector<double> l_;  // beside the entries of the matrix; on the diagonal 1 / l
@@ -82,9 +82,14 @@ class incomplete_cholesky {
     l_.assign(a.valuePtr(), a.valuePtr() + a.nonZeros());
     double* const l = l_.data();
     for (int c = 0; c < n; ++c) l[starts[c]] *= 1 + raise;
+    int lifted = 0;  // pivots
     for (int c = 0; c < n; ++c) {
       const int first = starts[c], end = starts[c + 1];
-      if (!(l[first] > 1e-3 * a.valuePtr()[first])) return false;
+      const double given = a.valuePtr()[first];
+      if (!(l[first] > (keep > 0 ? 0.2 : 1e-3) * given)) {
+        if (keep == 0 || !(l[first] > -given) || ++lifted > n / 10) return false;
+        l[first] = 0.2 * given;
+      }
       l[first] = 1 / std::sqrt(l[first]);
       for (int k = first + 1; k < end; ++k) l[k] *= l[first];
       for (int j = first + 1; j < end; ++j) {
