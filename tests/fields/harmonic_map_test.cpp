@@ -1,6 +1,5 @@
 #include <concino/fields/harmonic_map.hpp>
 
-#include <concino/concepts/archetypes.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/operators/laplacian.hpp>
 
@@ -154,18 +153,6 @@ TEST_CASE("harmonic_map: exponent 2 reproduces cubics along a ring of verts") {
   for (const int i : {0, 1, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23}) given[vert_id{i}] = cubic(i);
   const auto u = harmonic_map(m, given, {.weights = weights::uniform, .exponent = 2});
   for (int i = 0; i < n; ++i) CHECK(u[vert_id{i}] == doctest::Approx(cubic(i)).epsilon(1e-11));
-}
-
-TEST_CASE_TEMPLATE("harmonic_map, uniform: uses nothing but a primal graph", M, CONCINO_ALL_KINDS) {
-  const M m = grid<M>(2);
-  const auto g = only_primal_graph(m);
-  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
-  const auto u = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.weights = weights::uniform});
-  const auto stripped = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}});
-  for (const auto v : verts(g)) CHECK(stripped[v] == doctest::Approx(u[g.base(v)]).epsilon(1e-12));
-  const auto squared = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}}, {.exponent = 2});
-  const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.weights = weights::uniform, .exponent = 2});
-  for (const auto v : verts(g)) CHECK(squared[v] == doctest::Approx(expected[g.base(v)]).epsilon(1e-8));
 }
 
 TEST_CASE_TEMPLATE("harmonic_map: pieces are solved apart; lonely verts get the isolated value or what is given", M, CONCINO_ALL_KINDS) {
@@ -335,18 +322,6 @@ TEST_CASE_TEMPLATE("harmonic_map: the value of isolated verts is of no concern t
   }
   CHECK(distance_to_dense(grid<M>(1), {{a, -2}, {vert_id{1}, 5}}, weights::uniform, 4) < 1e-6);
   CHECK(distance_to_dense(m, {{b, 1}, {c, 2}}, weights::uniform, 2) < 1e-9);  // of which vert 0 is no part
-}
-
-TEST_CASE_TEMPLATE("harmonic_map: higher exponents need no points, and points alone are no measure", M, CONCINO_ALL_KINDS) {
-  const M m = grid<M>(2);
-  const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
-  const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.weights = weights::uniform, .exponent = 2});
-  const auto same = [&](const auto& stripped) {
-    const auto u = harmonic_map(stripped, {{stripped.vert(a), 0.0}, {stripped.vert(b), 1.0}}, {.weights = weights::uniform, .exponent = 2});
-    for (const auto v : verts(stripped)) CHECK(u[v] == doctest::Approx(expected[stripped.base(v)]).epsilon(1e-8));
-  };
-  same(only_mesh(m));
-  same(only_embedded_graph(m));
 }
 
 TEST_CASE_TEMPLATE("harmonic_map, laplacian, masses: on a mesh with elements removed and not renumbered", M, CONCINO_ALL_KINDS) {
