@@ -52,10 +52,10 @@ void add_face(polyhedra_arrays& a, std::initializer_list<unsigned> corners) {
   a.outward.push_back(1);
 }
 
-/// The matrix of a polyhedron of 5 verts with these triangles on it, if it has a square of verts 0 to 3 about a vert 5 in the middle of it.
+/// The matrix of a polyhedron with these triangles on it; if it has a square of verts 0 to 3, about one vert more in the middle of it.
 Eigen::MatrixXd by_definition(std::vector<vec3> x, bool has_square, const std::vector<std::array<unsigned, 3>>& triangles) {
   const auto column = [](const vec3& a) { return Eigen::Vector3d(a.x, a.y, a.z); };
-  const unsigned last = has_square ? 6 : 5;
+  const auto n = static_cast<unsigned>(x.size()), last = has_square ? n + 1 : n;
   if (has_square) x.push_back((x[0] + x[1] + x[2] + x[3]) / 4);
   Eigen::Matrix3d volumes = Eigen::Matrix3d::Zero(), spread = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero(), mean = Eigen::Vector3d::Zero();
@@ -64,13 +64,13 @@ Eigen::MatrixXd by_definition(std::vector<vec3> x, bool has_square, const std::v
     volumes += d * d.transpose();
     right += d * d.dot(column(x[a]));
   }
-  for (unsigned i = 0; i < 5; ++i) mean += column(x[i]) / 5;
-  for (unsigned i = 0; i < 5; ++i) spread += (column(x[i]) - mean) * (column(x[i]) - mean).transpose();
+  for (unsigned i = 0; i < n; ++i) mean += column(x[i]) / n;
+  for (unsigned i = 0; i < n; ++i) spread += (column(x[i]) - mean) * (column(x[i]) - mean).transpose();
   const Eigen::Vector3d within = volumes.inverse() * right, slope = spread.inverse() * (within - mean);
-  Eigen::MatrixXd values = Eigen::MatrixXd::Identity(last + 1, 5), cotangents = Eigen::MatrixXd::Zero(last + 1, last + 1);
-  for (unsigned i = 0; i < 5; ++i) {
-    if (has_square) values(5, i) = i < 4 ? 0.25 : 0;
-    values(last, i) = 0.2 + slope.dot(column(x[i]) - mean);
+  Eigen::MatrixXd values = Eigen::MatrixXd::Identity(last + 1, n), cotangents = Eigen::MatrixXd::Zero(last + 1, last + 1);
+  for (unsigned i = 0; i < n; ++i) {
+    if (has_square) values(n, i) = i < 4 ? 0.25 : 0;
+    values(last, i) = 1.0 / n + slope.dot(column(x[i]) - mean);
   }
   for (const auto& [a, b, c] : triangles) {
     const detail::simplex_weights<3> weight({vec3{within[0], within[1], within[2]}, x[a], x[b], x[c]});
@@ -183,10 +183,12 @@ TEST_CASE("virtual refinement of a bipyramid and of a pyramid: as it is defined"
   const Eigen::MatrixXd two = by_definition(bipyramid.points, false, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}});
   CHECK((refined(polyhedralmesh(bipyramid)) - two).cwiseAbs().maxCoeff() < 1e-13);
 
-  polyhedra_arrays pyramid{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.7, 0.4, 1.3}}, {0}, {}, {0}, {}, {}};
-  add_face(pyramid, {3, 2, 1, 0}), add_face(pyramid, {0, 1, 4}), add_face(pyramid, {1, 2, 4}), add_face(pyramid, {2, 3, 4}), add_face(pyramid, {3, 0, 4});
-  pyramid.poly_offsets.push_back(5);
-  const Eigen::MatrixXd one = by_definition(pyramid.points, true, {{1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  polyhedra_arrays pyramid{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.7, 0.4, 1.3}, {0.5, -0.4, 0.4}}, {0}, {}, {0}, {}, {}};  // with a knob
+  add_face(pyramid, {3, 2, 1, 0}), add_face(pyramid, {0, 1, 5}), add_face(pyramid, {1, 4, 5}), add_face(pyramid, {4, 0, 5});
+  add_face(pyramid, {1, 2, 4}), add_face(pyramid, {2, 3, 4}), add_face(pyramid, {3, 0, 4});
+  pyramid.poly_offsets.push_back(7);
+  const Eigen::MatrixXd one = by_definition(
+      pyramid.points, true, {{1, 0, 6}, {2, 1, 6}, {3, 2, 6}, {0, 3, 6}, {0, 1, 5}, {1, 4, 5}, {4, 0, 5}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
   CHECK((refined(polyhedralmesh(pyramid)) - one).cwiseAbs().maxCoeff() < 1e-13);
 }
 
