@@ -59,3 +59,18 @@ TEST_CASE("auto_solver: counts the entries that the factor has") {
     if (all > 0) CHECK(detail::factor_entries(order(grid(n)), all - 1) > all - 1);
   }
 }
+
+TEST_CASE("auto_solver: an order taken over from another counts only within its own limit") {
+  const sparse a = grid(10);
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(a.rows());
+  auto_solver first, second, small({.most_factor_entries = 100});
+  first.factorize(a);
+  for (auto_solver* s : {&second, &small}) {
+    s->use_order_of(first);
+    CHECK(s->used() == solver_used::none);
+    s->factorize(a);
+    CHECK(distance(s->solve(b), first.solve(b)) < 1e-9);
+  }
+  CHECK(second.used() == solver_used::ldlt);
+  CHECK(small.used() == solver_used::conjugate_gradients);
+}

@@ -168,3 +168,28 @@ TEST_CASE("ldlt: blocks of every width, and right-hand sides that are 0 nearly e
     CHECK(solver.solve(Eigen::VectorXd::Zero(n)) == Eigen::VectorXd::Zero(n));
   }
 }
+
+TEST_CASE("ldlt: an order taken over from another, for its pattern and for others") {
+  using namespace systems;
+  const sparse a = grid(9), b = sparse(3 * grid(9)), other = from(2, 2, {{0, 0, 2.0}, {1, 0, 1.0}, {0, 1, 1.0}, {1, 1, 2.0}});
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(a.rows(), 1, 2);
+  ldlt first, second, none;
+  first.factorize(a);
+  second.factorize(other);
+  second.use_order_of(first);
+  CHECK_THROWS_AS(second.solve(Eigen::VectorXd::Ones(2)), solver_error);
+  for ([[maybe_unused]] const int twice : {0, 1}) {
+    second.factorize(b);
+    CHECK(distance(3 * second.solve(right), first.solve(right)) < 1e-12);
+  }
+  second.factorize(other);
+  CHECK(distance(other * second.solve(Eigen::VectorXd::Ones(2)), Eigen::VectorXd::Ones(2)) < 1e-14);
+  second.use_order_of(none);
+  second.factorize(a);
+  CHECK(second.solve(right) == first.solve(right));
+  second.use_order_of(first);
+  CHECK(!second.factorize_within(a, 5));
+  CHECK_THROWS_AS(second.solve(right), solver_error);
+  second.factorize(a);
+  CHECK(second.solve(right) == first.solve(right));
+}

@@ -44,6 +44,12 @@ class auto_solver {
     }
   }
 
+  /// Takes over the order that another has found for a factorisation, see ldlt.
+  void use_order_of(const auto_solver& other) {
+    used_ = solver_used::none;
+    direct_.use_order_of(other.direct_);
+  }
+
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
     if (used_ == solver_used::none) throw solver_error("auto_solver: solve without a factorised matrix; call factorize first");
     return used_ == solver_used::ldlt ? direct_.solve(b) : iteration_.solve(b);

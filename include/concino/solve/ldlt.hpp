@@ -26,7 +26,8 @@ class ldlt {
   detail::elimination_order order_;
   detail::supernodes supernodes_;
   Eigen::VectorXd pivots_;
-  detail::sparsity_pattern pattern_;
+  detail::sparsity_pattern pattern_;  // that the order was found for
+  bool is_analysed_ = false;          // factors_ knows the pattern too
   Eigen::Index size_ = -1;
 
  public:
@@ -46,20 +47,34 @@ class ldlt {
       size_ = 0;
       return true;
     }
-    if (pattern_.is_of(a)) {
+    const bool has_order = pattern_.is_of(a);
+    if (has_order && is_analysed_) {
       factors_.factorize(order_(a));
     } else {
-      pattern_.forget();
-      order_.find(a);
+      is_analysed_ = false;
+      if (!has_order) {
+        pattern_.forget();
+        order_.find(a);
+      }
       const Eigen::SparseMatrix<double> upper = order_(a);
       if (const std::int64_t n = a.cols(); n * (n - 1) / 2 > most && detail::factor_entries(upper, most) > most) return false;
       factors_.compute(upper);
-      pattern_.remember(a);
+      is_analysed_ = true;
+      if (!has_order) pattern_.remember(a);
     }
     check_pivots(a);
     supernodes_.find(factors_.matrixL().nestedExpression());
     size_ = a.rows();
     return true;
+  }
+
+  /// Takes over the order that another has found, so that a matrix of the pattern it was found for need not be ordered again. There is nothing to solve
+  /// with until the next factorize.
+  void use_order_of(const ldlt& other) {
+    size_ = -1;
+    is_analysed_ = false;
+    order_ = other.order_;
+    pattern_ = other.pattern_;
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {

@@ -87,6 +87,7 @@ class heat_system {
   /// lower: the masses plus the time times minus a Laplacian, of the same pattern.
   void add_heat(Eigen::SparseMatrix<double>&& lower, const Solver& solver) {
     heats_.push_back({std::move(lower), another_solver(solver)});
+    if constexpr (requires(Solver& s) { s.use_order_of(s); }) heats_.back().solver->use_order_of(*poisson_.solver);
     for (int i = 0; i < heats_.back().lower.cols(); ++i)
       if (double& x = diagonal(heats_.back().lower, i); !(x > 0)) x = 1;  // a vert of no poly
     heats_.back().factorize();
