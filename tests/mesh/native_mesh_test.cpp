@@ -264,15 +264,35 @@ TEST_CASE("what cannot be a mesh is refused by name") {
   CHECK(has(message([&] { cn::polygonmesh(std::vector<cn::vec3>(39), lists{large}); }), "vert 0 twice"));
 }
 
-TEST_CASE_TEMPLATE("a vert that is not there is refused, whichever poly or face names it", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("what is not there, or stands twice, is refused, whichever poly or face names it", M, CONCINO_ALL_KINDS) {
   const auto arrays = cn::testing::grid_arrays<M>(2);
+  const cn::vert_id none{static_cast<unsigned>(arrays.points.size())};
+  const auto check_refused = [](const auto& bad, const std::string& what) {
+    CHECK_THROWS_WITH_AS(static_cast<void>(M(bad)), doctest::Contains(what.c_str()), cn::invalid_mesh);
+  };
   for (const std::size_t i : {0u, 1u, 2u, 3u}) {
     auto bad = arrays;
-    if constexpr (std::same_as<M, cn::polyhedralmesh>) bad.face_verts[bad.face_offsets[i + 1] - 1] = cn::vert_id{1000};
-    else if constexpr (std::same_as<M, cn::polygonmesh>) bad.verts[bad.offsets[i + 1] - 1] = cn::vert_id{1000};
-    else bad.verts[(i + 1) * bad.arity - 1] = cn::vert_id{1000};
-    const std::string expected = (std::same_as<M, cn::polyhedralmesh> ? "face " : "poly ") + std::to_string(i) + " names vert 1000";
-    CHECK_THROWS_WITH_AS(static_cast<void>(M(bad)), doctest::Contains(expected.c_str()), cn::invalid_mesh);
+    if constexpr (std::same_as<M, cn::polyhedralmesh>) {
+      bad.face_verts[bad.face_offsets[i + 1] - 1] = none;
+      check_refused(bad, "face " + std::to_string(i) + " names vert " + std::to_string(none.raw()));
+      bad = arrays;
+      bad.poly_faces[bad.poly_offsets[i + 1] - 1] = cn::face_id{static_cast<unsigned>(arrays.num_faces())};
+      check_refused(bad, "poly " + std::to_string(i) + " names face " + std::to_string(arrays.num_faces()));
+      bad.poly_faces[bad.poly_offsets[i + 1] - 1] = bad.poly_faces[bad.poly_offsets[i]];
+      check_refused(bad, "poly " + std::to_string(i) + " has face ");
+    } else {
+      std::size_t first = i * bad.arity, end = first + bad.arity;
+      if constexpr (std::same_as<M, cn::polygonmesh>) first = bad.offsets[i], end = bad.offsets[i + 1];
+      for (std::size_t c = first; c < end; ++c) {
+        bad.verts[c] = none;
+        check_refused(bad, "poly " + std::to_string(i) + " names vert " + std::to_string(none.raw()));
+        for (std::size_t d = first; d < c; ++d) {
+          bad.verts[c] = bad.verts[d];
+          check_refused(bad, "poly " + std::to_string(i) + " has vert " + std::to_string(bad.verts[d].raw()) + " twice");
+        }
+        bad.verts[c] = arrays.verts[c];
+      }
+    }
   }
 }
 
