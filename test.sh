@@ -105,8 +105,9 @@ whole() {
 
 whole gcc dev-gcc "$gcc"
 if [ $quick -eq 0 ]; then
-  # The matrix of algorithms and models is a question of templates, which one compiler answers; all else is built by both.
-  whole clang dev-clang "$clang" -D CONCINO_TEST_AGREEMENT="$([ $long -eq 1 ] && echo ON || echo OFF)"
+  # The matrix of algorithms and models is a question of templates, which one compiler answers; all else is built by both, what runs with
+  # sanitizers with these.
+  whole clang dev-clang "$clang" -D CONCINO_TEST_AGREEMENT="$([ $long -eq 1 ] && echo ON || echo OFF)" -D CONCINO_TEST_WITHOUT="${sanitized//|/;}"
   if configure asan asan "$clang" -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF; then
     targets=$(cmake --build "$build/asan" --target help | grep -oE "\btests_($sanitized)\b" | sort -u)
     # shellcheck disable=SC2086
