@@ -4,12 +4,12 @@
 #include <concino/fields/harmonic_map.hpp>
 
 #include <support/kinds.hpp>
+#include <support/values_at_verts.hpp>
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
 using namespace concino;
@@ -18,14 +18,6 @@ using namespace concino::testing;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-template<class M>
-vert_map<M, double> random_values(const M& m) {
-  std::mt19937 random(7);
-  auto u = make_vert_map<double>(m);
-  for (const auto v : verts(m)) u[v] = static_cast<double>(random() % 1000) / 500 - 1;
-  return u;
-}
 
 template<class M>
 vert_map<M, double> wave(const M& m) {
@@ -39,13 +31,6 @@ Eigen::VectorXd vector_of(const Map& u) {
   Eigen::VectorXd x(static_cast<Eigen::Index>(u.values().size()));
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = u.values()[static_cast<std::size_t>(i)];
   return x;
-}
-
-template<class U, class W>
-double largest_difference(const U& u, const W& w) {
-  double worst = 0;
-  for (const auto v : verts(u.mesh())) worst = std::max(worst, std::abs(u[v] - w[v]));
-  return worst;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <concino/mesh/boundary.hpp>
 
 #include <support/kinds.hpp>
+#include <support/values_at_verts.hpp>
 
 #include <doctest/doctest.h>
 
@@ -18,22 +19,6 @@
 
 using namespace concino;
 using namespace concino::testing;
-
-namespace {
-
-struct by_number {
-  template<class V>
-  double operator[](const V& v) const { return std::sin(static_cast<double>(v.raw())); }
-};
-
-template<class U, class W>
-double largest_difference(const U& u, const W& w) {
-  double worst = 0;
-  for (const auto v : verts(u.mesh())) worst = std::max(worst, std::abs(u[v] - w[v]));
-  return worst;
-}
-
-}  // namespace
 
 TEST_CASE_TEMPLATE("prepared problems: elements removed and not renumbered", M, polygonmesh, tetmesh) {
   M m(jittered(grid_arrays<M>(3), 0.02, VolumeMesh<M>));

@@ -7,6 +7,7 @@
 #include <concino/solve.hpp>
 
 #include <support/kinds.hpp>
+#include <support/values_at_verts.hpp>
 
 #include <doctest/doctest.h>
 
@@ -16,22 +17,6 @@
 
 using namespace concino;
 using namespace concino::testing;
-
-namespace {
-
-struct by_number {
-  template<class V>
-  double operator[](const V& v) const { return std::sin(static_cast<double>(v.raw())); }
-};
-
-template<class U, class W>
-double largest_difference(const U& u, const W& w) {
-  double worst = 0;
-  for (const auto v : verts(u.mesh())) worst = std::max(worst, std::abs(u[v] - w[v]));
-  return worst;
-}
-
-}  // namespace
 
 TEST_CASE("prepared problems: the same fields by every solver") {
   const trimesh m(jittered(grid_arrays<trimesh>(10), 0.02, false));

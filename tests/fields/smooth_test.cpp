@@ -5,6 +5,7 @@
 #include <concino/generate/icosphere.hpp>
 
 #include <support/kinds.hpp>
+#include <support/values_at_verts.hpp>
 
 #include <doctest/doctest.h>
 
@@ -16,25 +17,6 @@
 
 using namespace concino;
 using namespace concino::testing;
-
-namespace {
-
-template<class M>
-vert_map<M, double> random_values(const M& m) {
-  std::mt19937 random(7);
-  auto u = make_vert_map<double>(m);
-  for (const auto v : verts(m)) u[v] = static_cast<double>(random() % 1000) / 500 - 1;
-  return u;
-}
-
-template<class U, class W>
-double largest_difference(const U& u, const W& w) {
-  double worst = 0;
-  for (const auto v : verts(u.mesh())) worst = std::max(worst, std::abs(u[v] - w[v]));
-  return worst;
-}
-
-}  // namespace
 
 TEST_CASE_TEMPLATE("smooth: what is taken away is the amount times the Laplacian or its power", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));

@@ -137,13 +137,7 @@ class prepared_exact_geodesics {
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   vert_map<M, double> distance_from(const S& sources) const {
     std::vector<start> starts;
-    if constexpr (detail::gives_distances<M, S>) {
-      for (const auto& [v, d] : sources) add_start(starts, static_cast<vert_t<M>>(v), static_cast<double>(d));
-    } else if constexpr (detail::any_range<S> && !std::same_as<S, vert_t<M>>) {
-      for (const auto& v : sources) add_start(starts, static_cast<vert_t<M>>(v), 0);
-    } else {
-      add_start(starts, static_cast<vert_t<M>>(sources), 0);
-    }
+    detail::for_each_source<M>(sources, [&](const vert_t<M>& v, double d) { add_start(starts, v, d); });
     return answer(starts);
   }
   vert_map<M, double> distance_from(std::initializer_list<vert_t<M>> sources) const {
