@@ -25,10 +25,10 @@ io/read_hedra          io/read_hedra io/load
 io/orient              io/orient io/read_hedra io/load
 io/numbers             io/numbers io/read_obj
 io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
-fields/harmonic_map    fields/harmonic_map fields/prepared
+fields/harmonic_map    fields/harmonic_map fields/harmonic_map_archetypes fields/prepared
 fields/poisson         fields/poisson fields/poisson_fluxes fields/prepared
 fields/detail/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/laplace_system fields/smooth
-fields/detail/laplace_system   fields/laplace_system fields/smooth fields/poisson fields/harmonic_map
+fields/detail/laplace_system   fields/laplace_system fields/smooth fields/poisson fields/harmonic_map fields/harmonic_map_archetypes
 fields/detail/masses   fields/poisson fields/poisson_fluxes
 fields/detail/neumann  fields/poisson_fluxes
 operators/weights      operators/weights operators/laplacian
@@ -47,7 +47,7 @@ operators/detail/corner_gradients  operators/detail/corner_gradients operators/g
 operators/detail/de_goes   operators/de_goes
 operators/detail/local_matrix  operators/mass_matrix operators/laplacian
 operators/detail/poly_chunks   operators/detail/poly_chunks operators/gradient
-operators/detail/product   fields/harmonic_map
+operators/detail/product   fields/smooth fields/harmonic_map
 operators/detail/simplex_gradients operators/detail/corner_gradients operators/gradient_matrix operators/divergence_matrix
 operators/detail/simplex_weights   operators/laplacian
 operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian
