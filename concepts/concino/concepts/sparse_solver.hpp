@@ -10,6 +10,7 @@
 //   static constexpr bool solves_least_squares = true    factorises matrices with more rows than columns, and solves for the nearest
 //   bool iterates() const                                solves to a residual relative to |b|, which it measures itself
 //   options() const                                      what makes another solver like it; otherwise others are made by default, or as copies
+//   void use_order_of(const S&)                          takes over the order that another has found, for matrices of the same pattern
 #pragma once
 
 #include <concepts>

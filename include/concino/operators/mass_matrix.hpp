@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace concino {
 
@@ -61,6 +62,22 @@ vert_map<M, double> vert_masses(M&& m) {
   return mass;
 }
 
+namespace detail {
+
+inline Eigen::SparseMatrix<double> diagonal_matrix(std::span<const double> x) {
+  const auto n = static_cast<Eigen::Index>(x.size());
+  Eigen::SparseMatrix<double> a(n, n);
+  a.resizeNonZeros(n);
+  for (int i = 0; i < n; ++i) {
+    a.outerIndexPtr()[i] = a.innerIndexPtr()[i] = i;
+    a.valuePtr()[i] = x[static_cast<std::size_t>(i)];
+  }
+  a.outerIndexPtr()[n] = static_cast<int>(n);
+  return a;
+}
+
+}  // namespace detail
+
 struct mass_matrix_options {
   bool lumped = true;  // a diagonal matrix, of vert_masses; otherwise the Galerkin matrix, which does not lose the order of a load
 };
@@ -82,15 +99,7 @@ Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& o
     else return detail::with_both_triangles(detail::assemble_elements<M>(m, &detail::poly_operator_of<detail::virtual_mass<M>, M>));
   }
   const auto mass = vert_masses(m);
-  const auto n = static_cast<Eigen::Index>(mass.values().size());
-  Eigen::SparseMatrix<double> a(n, n);
-  a.resizeNonZeros(n);
-  for (int i = 0; i < n; ++i) {
-    a.outerIndexPtr()[i] = a.innerIndexPtr()[i] = i;
-    a.valuePtr()[i] = mass.values()[static_cast<std::size_t>(i)];
-  }
-  a.outerIndexPtr()[n] = static_cast<int>(n);
-  return a;
+  return detail::diagonal_matrix(mass.values());
 }
 
 }  // namespace concino

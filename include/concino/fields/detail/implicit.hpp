@@ -37,18 +37,6 @@ inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, 
   return r;
 }
 
-inline Eigen::SparseMatrix<double> diagonal_matrix(const std::vector<double>& x) {
-  const auto n = static_cast<Eigen::Index>(x.size());
-  Eigen::SparseMatrix<double> a(n, n);
-  a.resizeNonZeros(n);
-  for (int i = 0; i < n; ++i) {
-    a.outerIndexPtr()[i] = a.innerIndexPtr()[i] = i;
-    a.valuePtr()[i] = x[static_cast<std::size_t>(i)];
-  }
-  a.outerIndexPtr()[n] = static_cast<int>(n);
-  return a;
-}
-
 /// Both triangles of the mass that goes with these weights: the identity for uniform ones, lumped, or the Galerkin mass.
 /// Errors: invalid_mesh if a vert with edges has no mass, and those of mass_matrix.
 template<class M>
