@@ -35,7 +35,7 @@ template<class M>
 void measure(const bench::program& p, const std::string& name, const M& m) {
   const std::string prepare = "heat.prepare." + name, query = "heat.query." + name;
   std::vector<sparse> matrices;
-  const auto heat = concino::heat_geodesics(m, {}, matrix_keeper(&matrices));
+  const auto heat = concino::prepare_heat_geodesics(m, {}, matrix_keeper(&matrices));
   const std::size_t count = concino::VolumeMesh<M> ? 3 : 2;  // the surfaces are closed
   if (matrices.size() != count)
     throw std::runtime_error(prepare + ": " + std::to_string(matrices.size()) + " factorisations, not " + std::to_string(count));
@@ -57,7 +57,7 @@ void measure(const bench::program& p, const std::string& name, const M& m) {
                                  return all;
                                });
                              }},
-                            {"concino", [&] { return bench::seconds_of([&] { return concino::heat_geodesics(m); }); }}}));
+                            {"concino", [&] { return bench::seconds_of([&] { return concino::prepare_heat_geodesics(m); }); }}}));
   if (!p.wants(query)) return;
   std::vector<std::unique_ptr<factors>> all;
   for (const sparse& a : matrices) all.push_back(std::make_unique<factors>(a));

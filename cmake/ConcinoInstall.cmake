@@ -28,6 +28,6 @@ endforeach()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/concinoConfig.cmake.in ${PROJECT_BINARY_DIR}/concinoConfig.cmake
   INSTALL_DESTINATION ${concino_config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/concinoConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES ${PROJECT_BINARY_DIR}/concinoConfig.cmake ${PROJECT_BINARY_DIR}/concinoConfigVersion.cmake DESTINATION ${concino_config_dir})
+install(FILES ${PROJECT_BINARY_DIR}/concinoConfig.cmake ${PROJECT_BINARY_DIR}/concinoConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/ConcinoCheckLinks.cmake DESTINATION ${concino_config_dir})
 install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/modules DESTINATION ${concino_config_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

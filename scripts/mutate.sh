@@ -23,12 +23,19 @@ io/off_binary          io/read_off
 io/read_medit          io/read_medit io/load
 io/read_hedra          io/read_hedra io/load
 io/orient              io/orient io/read_hedra io/load
+io/replacing_file      io/replacing_file io/killed_save io/save
+io/read_mtl            io/read_mtl io/library_file io/write_mtl
+io/write_mtl           io/write_mtl io/library_file
+io/library_file        io/library_file io/killed_save io/write_mtl
+detail/hash_bytes      detail/hash_bytes
 io/numbers             io/numbers io/read_obj
 io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
 fields/harmonic_map    fields/harmonic_map fields/harmonic_map_archetypes fields/prepared
 fields/poisson         fields/poisson fields/poisson_fluxes fields/prepared
 fields/detail/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/laplace_system fields/smooth
 fields/detail/laplace_system   fields/laplace_system fields/smooth fields/poisson fields/harmonic_map fields/harmonic_map_archetypes
+fields/detail/distance_bounds  fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
+fields/detail/scaled_mesh  fields/heat_geodesics_scale fields/heat_geodesics
 fields/detail/masses   fields/poisson fields/poisson_fluxes
 fields/detail/neumann  fields/poisson_fluxes
 operators/weights      operators/weights operators/laplacian
@@ -52,14 +59,19 @@ operators/detail/simplex_gradients operators/detail/corner_gradients operators/g
 operators/detail/simplex_weights   operators/laplacian
 operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian
 operators/detail/virtual_refinement    operators/virtual_refinement
+validate/detail/hex_orders mesh/corner_orders validate/minimal
+validate/detail/halfedge_laws validate/halfedge_links concepts/halfedge_kernel
+mesh/corner_orders     mesh/corner_orders
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
-mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws
-mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
-mesh/sides             mesh/sides mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws
+mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/crowds
+mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/crowds
+mesh/sides             mesh/sides mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/crowds
+mesh/side_ranges       mesh/sides validate/crowds
+mesh/row_places        mesh/row_places mesh/sides validate/crowds
 mesh/rows              mesh/rows mesh/native_mesh edit/elements
 mesh/stars             mesh/native_mesh edit/elements
 mesh/checks            mesh/native_mesh edit/elements
-mesh/face_soup         mesh/face_soup io/load io/read_medit
+mesh/face_soup         mesh/face_soup io/load io/read_medit validate/crowds
 graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path
 graph/bfs              graph/bfs graph/predecessors
 graph/detail/indexed_heap  graph/dijkstra

@@ -93,10 +93,10 @@ TEST_CASE_TEMPLATE("any soup goes to the general kind and back unchanged", M, CO
   std::mt19937 random(5);
   for (int round = 0; round < 30; ++round) {
     const M m = cn::testing::random_soup<M>(random, 8 + static_cast<unsigned>(random() % 12), 1 + static_cast<unsigned>(random() % 20)).mesh();
-    const auto there = cn::convert<general_of<M>>(m);
+    const auto there = cn::convert_with_correspondence<general_of<M>>(m);
     names_agree(there);
     if constexpr (cn::HexMesh<M>) continue;  // soups of hexes have cells that cannot be told from their faces alone
-    const auto back = cn::convert<M>(there.mesh);
+    const auto back = cn::convert_with_correspondence<M>(there.mesh);
     names_agree(back);
     same_mesh(m, back.mesh);
   }
@@ -114,8 +114,9 @@ TEST_CASE_TEMPLATE("grids go to the general kind and back with all their propert
     auto wall = cn::face_property<float>(m, "wall");
     for (const auto f : cn::faces(m)) wall[f] = static_cast<float>(f.raw());
   }
-  const auto there = cn::convert<general_of<M>>(m);
-  const auto back = cn::convert<M>(there.mesh);
+  *cn::mesh_property<std::string>(m, "title") = "a grid";
+  const auto there = cn::convert_with_correspondence<general_of<M>>(m);
+  const auto back = cn::convert_with_correspondence<M>(there.mesh);
   same_mesh(m, back.mesh);
   CHECK(cn::property_list(back.mesh).size() == cn::property_list(m).size());
   for (const auto v : cn::verts(m)) CHECK(cn::find_vert_property<double>(back.mesh, "heat")[back.vert_of(there.vert_of(v))] == heat[v]);
@@ -124,7 +125,8 @@ TEST_CASE_TEMPLATE("grids go to the general kind and back with all their propert
   if constexpr (cn::VolumeMesh<M>)
     for (const auto f : cn::faces(m))
       CHECK(cn::find_face_property<float>(back.mesh, "wall")[back.face_of(there.face_of(f))] == cn::find_face_property<float>(m, "wall")[f]);
-  CHECK(cn::property_list(cn::convert<general_of<M>>(m, {.properties = false}).mesh).empty());
+  CHECK(*cn::find_mesh_property<std::string>(back.mesh, "title") == "a grid");
+  CHECK(cn::property_list(cn::convert<general_of<M>>(m, {.properties = false})).empty());
 }
 
 TEST_CASE_TEMPLATE("gaps of deleted elements are closed", M, CONCINO_ALL_KINDS) {
@@ -133,7 +135,7 @@ TEST_CASE_TEMPLATE("gaps of deleted elements are closed", M, CONCINO_ALL_KINDS) 
   cn::remove_vert(m, *cn::verts(m).begin());
   auto age = cn::vert_property<int>(m, "age");
   for (const auto v : cn::verts(m)) age[v] = static_cast<int>(v.raw());
-  const auto c = cn::convert<M>(m);
+  const auto c = cn::convert_with_correspondence<M>(m);
   names_agree(c);
   CHECK(cn::vert_index_bound(c.mesh) == cn::num_verts(m));
   CHECK(cn::poly_index_bound(c.mesh) == cn::num_polys(m));
@@ -155,18 +157,18 @@ TEST_CASE("a mesh that is made by adding") {
   cn::trimesh m = cn::testing::grid<cn::trimesh>(2);
   cn::vert_property<int>(m, "lost");
   cn::convert_report report;
-  const auto c = cn::convert<added>(m, {.report = &report});
+  const auto c = cn::convert_with_correspondence<added>(m, {.report = &report});
   names_agree(c);
   same_mesh(m, c.mesh.inner);
   REQUIRE(report.lost.size() == 1);
   CHECK(report.lost[0].find("vert property \"lost\"") != std::string::npos);
-  const auto back = cn::convert<cn::trimesh>(c.mesh);
+  const auto back = cn::convert_with_correspondence<cn::trimesh>(c.mesh);
   same_mesh(m, back.mesh);
 }
 
 TEST_CASE("values go from map to map") {
   const auto m = cn::testing::grid<cn::tetmesh>(2);
-  const auto c = cn::convert<cn::polyhedralmesh>(m);
+  const auto c = cn::convert_with_correspondence<cn::polyhedralmesh>(m);
   auto from = cn::make_poly_map<int>(m);
   auto to = cn::make_poly_map<int>(c.mesh, -1);
   for (const auto p : cn::polys(m)) from[p] = static_cast<int>(p.raw());
@@ -181,7 +183,7 @@ TEST_CASE("values go from map to map") {
 
 TEST_CASE("views are meshes too: the boundary of a volume becomes a surface of its own") {
   const auto m = cn::testing::grid<cn::hexmesh>(2);
-  const auto c = cn::convert<cn::quadmesh>(cn::boundary(m));
+  const auto c = cn::convert_with_correspondence<cn::quadmesh>(cn::boundary(m));
   CHECK(cn::num_polys(c.mesh) == 24);
   CHECK(cn::num_verts(c.mesh) == 26);
   names_agree(c);
@@ -201,7 +203,21 @@ TEST_CASE("progress is told, and can stop it") {
 
 TEST_CASE("empty meshes") {
   const cn::tetmesh none;
-  CHECK(cn::num_polys(cn::convert<cn::polyhedralmesh>(none).mesh) == 0);
+  CHECK(cn::num_polys(cn::convert<cn::polyhedralmesh>(none)) == 0);
   const cn::polyhedralmesh one_vert(cn::point_list{{1, 2, 3}}, cn::index_lists{}, cn::face_lists{});
-  CHECK(cn::num_verts(cn::convert<cn::tetmesh>(one_vert).mesh) == 1);
+  CHECK(cn::num_verts(cn::convert<cn::tetmesh>(one_vert)) == 1);
+}
+
+template<class M> concept can_convert = requires(M&& m) { cn::convert<cn::polygonmesh>(static_cast<M&&>(m)); };
+template<class M> concept can_correspond = requires(M&& m) { cn::convert_with_correspondence<cn::polygonmesh>(static_cast<M&&>(m)); };
+
+TEST_CASE("convert: one call gives the mesh, of a temporary too; the correspondence needs a mesh that stays") {
+  const cn::trimesh m(std::vector<cn::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}});
+  const cn::polygonmesh polygons = cn::convert<cn::polygonmesh>(m);
+  CHECK(cn::num_polys(polygons) == 2);
+  CHECK(cn::num_edges(cn::convert<cn::trimesh>(cn::convert<cn::polygonmesh>(m))) == 5);
+  const auto c = cn::convert_with_correspondence<cn::polygonmesh>(m);
+  CHECK(c.poly_of(cn::poly_id{1}) == cn::poly_id{1});
+  static_assert(can_convert<cn::trimesh> && can_convert<const cn::trimesh&>);
+  static_assert(!can_correspond<cn::trimesh> && can_correspond<const cn::trimesh&>);
 }

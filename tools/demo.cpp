@@ -127,16 +127,13 @@ auto solve(const M& m, const D& values, const cn::progress& progress, std::strin
 /// One number a line, in the order of the verts of the file.
 template<class M, class U>
 void write_field(const M& m, const U& u, const std::string& path) {
-  const std::string unfinished = path + ".part";
-  std::FILE* file = std::fopen(unfinished.c_str(), "w");
-  if (!file) throw cn::io_error(path + ": cannot be created");
+  cn::detail::replacing_file file(path);
   fmt::memory_buffer text;
   for (const auto v : cn::verts(m)) fmt::format_to(std::back_inserter(text), "{}\n", u[v]);
-  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  if (std::fclose(file) != 0 || !written || std::rename(unfinished.c_str(), path.c_str()) != 0) {
-    std::remove(unfinished.c_str());
-    throw cn::io_error(path + ": cannot be written");
-  }
+  cn::detail::text_sink out(file.descriptor(), path);
+  out << std::string_view(text.data(), text.size());
+  out.flush();
+  file.commit();
 }
 
 template<class M, class U>

@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
     const surface s = surface_of(arrays);
     const concino::trimesh m(arrays);
     const auto ours = [&] {
-      const auto d = concino::exact_geodesics(m).distance_from(concino::vert_id{0});
+      const auto d = concino::prepare_exact_geodesics(m).distance_from(concino::vert_id{0});
       return std::vector<double>(d.values().begin(), d.values().end());
     };
     const auto theirs = [&] {

@@ -2,6 +2,7 @@
 #include <concino/solve/ldlt.hpp>
 
 #include <support/convergence.hpp>
+#include <support/geodesic_table.hpp>
 
 #include <Eigen/IterativeLinearSolvers>
 
@@ -51,6 +52,19 @@ void add_rows(std::string& table) {
   }
 }
 
+template<class M>
+void add_geodesics(std::string& table) {
+  const auto coarse = measure_geodesics<M>(coarse_geodesic_mesh), fine = measure_geodesics<M>(fine_geodesic_mesh);
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    std::string line = fmt::format("{}\t{}\t{}\t{}", coarse[i].what, coarse[i].weights, coarse[i].kind, coarse[i].family);
+    for (const auto& row : {coarse[i], fine[i]})
+      for (const double error : row.errors) line += fmt::format("\t{:.4f}", error);
+    line += '\n';
+    fmt::print(stderr, "{}", line);
+    table += line;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -62,5 +76,11 @@ int main(int argc, char** argv) {
   add_rows<tetmesh>(table);
   add_rows<hexmesh>(table);
   add_rows<polyhedralmesh>(table);
+  add_geodesics<trimesh>(table);
+  add_geodesics<quadmesh>(table);
+  add_geodesics<polygonmesh>(table);
+  add_geodesics<tetmesh>(table);
+  add_geodesics<hexmesh>(table);
+  add_geodesics<polyhedralmesh>(table);
   std::ofstream(argv[1]) << table;
 }

@@ -12,12 +12,26 @@ namespace convergence {
 
 inline bool is_of_volumes(const std::string& kind) { return kind == "tets" || kind == "hexes" || kind == "polyhedra"; }
 
+inline bool print_geodesics(bool volumes) {
+  fmt::print("| kind | mesh | coarse: mean | largest | fine: mean | largest |\n|---|---|---|---|---|---|\n");
+  for (auto row : concino::testing::read_convergence_table()) {
+    if (row.what != "geodesics" || is_of_volumes(row.kind) != volumes) continue;
+    for (char& c : row.family)
+      if (c == '_') c = ' ';
+    fmt::print("| {} | {} |", row.kind, row.family);
+    for (const double error : row.errors) fmt::print(" {:.2f} |", error);
+    fmt::print("\n");
+  }
+  return true;
+}
+
 /// What a table is of: "gradient surfaces", say. Nothing else is printed.
 inline bool print_table(const std::string& which) {
   const std::size_t gap = which.find(' ');
   if (gap == std::string::npos) return false;
   const std::string what = which.substr(0, gap);
   const bool volumes = which.substr(gap + 1) == "volumes", with_weights = what == "poisson";
+  if (what == "geodesics") return print_geodesics(volumes);
   fmt::print("| kind | family |{}", with_weights ? " weights |" : "");
   for (int n = volumes ? 4 : 8; n <= (volumes ? 32 : 64); n *= 2) fmt::print(" {} |", n);
   fmt::print(" order |\n|---|---|{}---|---|---|---|---|\n", with_weights ? "---|" : "");

@@ -45,5 +45,5 @@ int main() {
 
   const auto hull = cn::boundary(m);
   const auto own = cn::convert<cn::tetmesh>(m);
-  fmt::print("the hull: {} triangles of area {:.3f}; the same tets in a tetmesh: volume {:.3f}\n", cn::num_polys(hull), cn::total_measure(hull), cn::total_measure(own.mesh));
+  fmt::print("the hull: {} triangles of area {:.3f}; the same tets in a tetmesh: volume {:.3f}\n", cn::num_polys(hull), cn::total_measure(hull), cn::total_measure(own));
 }

@@ -42,14 +42,14 @@ int main() {
   auto material = cn::poly_property<std::string>(hexes, "material");
   for (const auto p : cn::polys(hexes)) material[p] = p.raw() % 3 == 0 ? "steel" : "glass";
 
-  const auto general = cn::convert<cn::polyhedralmesh>(hexes);
+  const auto general = cn::convert_with_correspondence<cn::polyhedralmesh>(hexes);
   const cn::poly_id last{11};
   fmt::print("{} hexes are {} polyhedra with {} faces; the last is of {}\n", cn::num_polys(hexes), cn::num_polys(general.mesh), cn::num_faces(general.mesh),
              cn::find_poly_property<std::string>(general.mesh, "material")[general.poly_of(last)]);
-  fmt::print("and back: {} hexes\n", cn::num_polys(cn::convert<cn::hexmesh>(general.mesh).mesh));
+  fmt::print("and back: {} hexes\n", cn::num_polys(cn::convert<cn::hexmesh>(general.mesh)));
 
   // A view is a mesh too. Its properties are those of the volume behind it; carry() takes the values of any map along.
-  const auto skin = cn::convert<drawing>(cn::boundary(hexes));
+  const auto skin = cn::convert_with_correspondence<drawing>(cn::boundary(hexes));
   auto warm = cn::make_vert_map<double>(skin.mesh);
   skin.carry(heat, warm);
   double hottest = 0;

@@ -1,17 +1,14 @@
-// Three meshes of strangers, adapted: none of them knows concino, none is changed, each becomes a mesh in less than 25 lines.
+// Three meshes of strangers, adapted: none of them knows concino, none is changed, each becomes a mesh in less than 30 lines.
 #pragma once
 
 #include "corner_table.hpp"
 #include "half_faces.hpp"
 #include "winged_edge.hpp"
 
-#include <concino/concepts/halfedge_kernel.hpp>
-#include <concino/mesh/arrays.hpp>
-#include <concino/mesh/indexed_base.hpp>
-#include <concino/mesh/polyhedra_tables.hpp>
-#include <concino/mesh/surface_tables.hpp>
-
 //! [winged edges]
+#include <concino/concepts/halfedge_kernel.hpp>
+#include <concino/concepts/mesh.hpp>
+
 struct winged_links {  // a half-edge is an edge, walked with its left or its right side on the left
   using vert = concino::vert_id;
   using edge = concino::edge_id;
@@ -39,6 +36,11 @@ template<> struct concino::mesh_traits<wings::Mesh> : concino::halfedge_kernel<w
 //! [winged edges]
 
 //! [half-faces]
+#include <concino/concepts/mesh.hpp>
+#include <concino/mesh/arrays.hpp>
+#include <concino/mesh/indexed_base.hpp>
+#include <concino/mesh/polyhedra_tables.hpp>
+
 struct indexed_volume_of {  // the mesh of somebody else, and beside it the adjacencies that it lacks
   const hfm::PolyhedralMesh* mesh;
   concino::polyhedra_tables tables;
@@ -62,6 +64,12 @@ template<> struct concino::mesh_traits<indexed_volume_of> : concino::indexed_vol
 //! [half-faces]
 
 //! [corner table]
+#include <concino/concepts/mesh.hpp>
+#include <concino/mesh/indexed_base.hpp>
+#include <concino/mesh/surface_tables.hpp>
+
+#include <vector>
+
 struct indexed_corners {
   const CornerTable* mesh;
   concino::surface_tables<3> tables;

@@ -1,5 +1,5 @@
 // One factorisation, a thousand queries: how far is it over a sphere, from here, from there, from a point inside a triangle. Preparing costs two
-// factorisations, a question two back-substitutions. The same lines go through a solid.
+// factorisations, a question two back-substitutions. The same lines go through a solid; over triangles there is the shortest path itself.
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
@@ -15,7 +15,7 @@ double arc(const cn::vec3& a, const cn::vec3& b) { return std::atan2(cn::norm(cn
 
 int main() {
   const auto m = cn::icosphere(3);  // of radius 1
-  const auto heat = cn::heat_geodesics(m);
+  const auto heat = cn::prepare_heat_geodesics(m);
 
   // Distances between all pairs of verts: the mean over a sphere is a quarter of its great circle.
   double sum = 0, pairs = 0, wrong = 0;
@@ -43,14 +43,19 @@ int main() {
   for (const auto v : cn::verts(m)) far = std::max(far, inside[v]);
   fmt::print("from the middle of a triangle, the other side is {:.1f} away\n", far);
 
-  // Through a solid ball of hexahedra.
+  // Through a solid ball of hexahedra, asked once.
   const auto ball = cn::make_sphere<cn::hexmesh>({.cells = 6});
-  const auto warm = cn::heat_geodesics(ball);
   cn::vert_id centre{0};
   for (const auto v : cn::verts(ball))
     if (cn::norm(cn::point(ball, v)) < cn::norm(cn::point(ball, centre))) centre = v;
-  const auto d = warm.distance_from(centre);
+  const auto d = cn::heat_geodesics(ball, centre);
   double radius = 0;
   for (const auto v : cn::verts(ball)) radius = std::max(radius, d[v]);
   fmt::print("a ball of {} hexahedra has the radius {:.1f}\n", cn::num_polys(ball), radius);
+
+  // Over triangles the shortest path itself: straight through triangles, from edge to edge. Its length is exact.
+  const auto path = cn::prepare_exact_geodesics(m).path_between(north, other);
+  const double straight = cn::norm(cn::point(m, other) - cn::point(m, north)), round = arc(cn::point(m, north), cn::point(m, other));
+  fmt::print("a path of {} points, longer than the chord and shorter than the arc: {}\n", path.points.size(),
+             straight < path.length && path.length < round ? "yes" : "no");
 }

@@ -1,9 +1,11 @@
-// From any mesh to any other of the same dimension: convert<To>(from). What stands for an element of the one in the other is known afterwards,
-// and properties come along.
+// From any mesh to any other of the same dimension: auto to = convert<To>(from). Properties come along; convert_with_correspondence<To>(from) also
+// says which element of the one stands for which of the other.
 #pragma once
 
 #include <concino/convert/arrays_of.hpp>
 #include <concino/convert/conversion.hpp>
+#include <concino/detail/message.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/mesh/property.hpp>
 #include <concino/progress.hpp>
@@ -78,7 +80,7 @@ conversion<To, From> make_by_adding(const From& m) {
     try {
       poly_names[p] = add_poly(mesh, std::span<const vert_t<To>>(corners));
     } catch (const invalid_mesh& refused) {
-      throw unsupported("convert: the wanted mesh cannot hold poly " + std::to_string(index_of(m, p)) + ": " + refused.what());
+      detail::throw_joined<unsupported>({"convert: the wanted mesh cannot hold poly ", index_of(m, p), ": ", refused.what()});
     }
   };
   constexpr auto arity = static_cast<std::uint32_t>(arity_v<To>);
@@ -86,7 +88,7 @@ conversion<To, From> make_by_adding(const From& m) {
     for (const poly_t<From> p : polys(m)) {
       corners.clear();
       for (const vert_t<From> v : adj_p2v(m, p)) corners.push_back(vert_names[v]);
-      if (arity != 0 && corners.size() != arity) throw_wrong_arity(false, index_of(m, p), "has " + std::to_string(corners.size()) + " verts", arity);
+      if (arity != 0 && corners.size() != arity) throw_wrong_arity(false, index_of(m, p), detail::joined({"has ", corners.size(), " verts"}), arity);
       add(p);
     }
   } else {
@@ -121,27 +123,25 @@ void carry_properties(conversion<To, From>& c, convert_report& report) {
       take(element_kind::edge, edges(m), edge_index_bound(c.mesh), [&](const auto& x) { return c.edge_of(x); });
       if constexpr (dimension_v<From> == 3) take(element_kind::face, faces(m), face_index_bound(c.mesh), [&](const auto& x) { return c.face_of(x); });
       take(element_kind::poly, polys(m), poly_index_bound(c.mesh), [&](const auto& x) { return c.poly_of(x); });
+      if (given.has(element_kind::mesh)) taken.gather(given, element_kind::mesh, {0u});
     } else {
       for (const property_info& p : property_list(m))
-        report.lost.push_back(std::string(to_string(p.kind)) + " property \"" + p.name + "\": the wanted mesh holds no named properties; carry() takes values to a map");
+        report.lost.push_back(detail::joined({to_string(p.kind), " property \"", p.name,
+                                              "\": the wanted mesh holds no named properties; carry() takes values to a map"}));
     }
   }
 }
 
 }  // namespace detail
 
-/// The same mesh as a To.
-/// Needs:  Embedded AnyMesh M and a To of the same dimension that is made from flat arrays (all six meshes of this library) or that can add verts
-///         and polys, in volumes tets or hexes (OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly).
-/// Result: c.mesh, and c.vert_of(v), c.edge_of(e), c.face_of(f), c.poly_of(p) name in it what stands for an element of m. Verts, polys and, in a
-///         polyhedralmesh, faces are numbered as m walks them; gaps of deleted elements are closed. Named properties of this library's meshes come
-///         along under their names; values in other maps by c.carry(map, map_of_the_new_mesh).
-/// Cost:   O(elements) time and memory; for properties of edges or faces, times the edges or faces at a vert.
-/// Errors: unsupported that names the poly which a To cannot hold: of another size, no tet or hex, or refused by the library that To is of; m stays
-///         as it is. cancelled.
+/// The same mesh as a To, and which of its elements stand for those of m.
+/// Needs:  as convert; m is no temporary and stays where it is as long as the result is asked about its elements.
+/// Result: c.mesh, and c.vert_of(v), c.edge_of(e), c.face_of(f), c.poly_of(p) name in it what stands for an element of m. Values of maps are taken
+///         along by c.carry(map, map_of_the_new_mesh).
+/// Cost, errors: as convert.
 template<class To, class M>
   requires requirement::is_no_temporary<M> && requirement::can_be_made_from<To, std::remove_cvref_t<M>>
-conversion<To, std::remove_cvref_t<M>> convert(M&& m, const convert_options& options = {}) {
+conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const convert_options& options = {}) {
   detail::tell(options.progress, 0, "converting");
   convert_report unheard, &report = options.report ? *options.report : unheard;
   report = {};
@@ -154,5 +154,26 @@ conversion<To, std::remove_cvref_t<M>> convert(M&& m, const convert_options& opt
   detail::tell(options.progress, 1, "converting");
   return c;
 }
+
+/// The same mesh as a To: auto polygons = convert<polygonmesh>(m).
+/// Needs:  Embedded AnyMesh M and a To of the same dimension that is made from flat arrays (all six meshes of this library) or that can add verts
+///         and polys, in volumes tets or hexes (OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly).
+/// Result: a To. Verts, polys and, in a polyhedralmesh, faces are numbered as m walks them; gaps of deleted elements are closed. Named properties of
+///         this library's meshes come along under their names.
+/// Cost:   O(elements) time and memory; for properties of edges or faces, times the edges or faces at a vert.
+/// Errors: unsupported that names the poly which a To cannot hold: of another size, no tet or hex, or refused by the library that To is of; m stays
+///         as it is. cancelled.
+template<class To, class M>
+  requires requirement::can_be_made_from<To, M>
+To convert(const M& m, const convert_options& options = {}) {
+  return std::move(convert_with_correspondence<To>(m, options).mesh);
+}
+
+// What to write instead of calls that cannot compile.
+template<class... T> void convert(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void convert(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void convert_with_correspondence(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void convert_with_correspondence(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void convert_with_correspondence(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/fields/exact_geodesics.hpp>
+#include <concino/fields/exact_paths.hpp>
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/fields/heat_flow.hpp>
 #include <concino/fields/heat_geodesics.hpp>

@@ -3,5 +3,6 @@
 
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
+#include <concino/io/material_table.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/scalar_field.hpp>

@@ -5,6 +5,7 @@
 #include <concino/mesh/boundary.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/hexmesh.hpp>
+#include <concino/mesh/mesh_point.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
 #include <concino/mesh/property.hpp>

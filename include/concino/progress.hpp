@@ -15,7 +15,7 @@ using progress = function_ref<bool(double fraction, const char* label)>;
 namespace detail {
 
 inline void tell(const progress& p, double fraction, const char* label) {
-  if (p && !p(fraction, label)) throw cancelled(std::string("stopped by the progress callback while ") + label);
+  if (p && !p(fraction, label)) detail::throw_joined<cancelled>({"stopped by the progress callback while ", label});
 }
 
 }  // namespace detail

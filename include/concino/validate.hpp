@@ -2,4 +2,5 @@
 #pragma once
 
 #include <concino/validate/check_laws.hpp>
+#include <concino/validate/halfedge_links.hpp>
 #include <concino/validate/validate.hpp>

@@ -20,7 +20,7 @@ TEST_CASE("CGAL: its surface mesh conforms in every state") {
   cn::check_conformance([] {
     cn::quadmesh q = cn::testing::grid<cn::quadmesh>(3);
     cn::add_vert(q, {7, 7, 7});
-    return cn::convert<polygons>(q).mesh;
+    return cn::convert<polygons>(q);
   }, {.states = {{"after a vert was removed", [](polygons& m) { m.remove_vertex(CGAL::SM_Vertex_index(16)); }}}});
 }
 

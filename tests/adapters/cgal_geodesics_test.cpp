@@ -28,8 +28,8 @@ using shortest_path = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shorte
 void compare(const surface_arrays& arrays, const std::vector<unsigned>& sources) {
   const trimesh m(arrays);
   const surface theirs = cgal_surface<kernel::Point_3>(arrays);
-  const auto exact = exact_geodesics(m);
-  const auto on_theirs = exact_geodesics(theirs);
+  const auto exact = prepare_exact_geodesics(m);
+  const auto on_theirs = prepare_exact_geodesics(theirs);
   for (const unsigned s : sources) {
     shortest_path paths(theirs);
     paths.add_source_point(CGAL::SM_Vertex_index(s));

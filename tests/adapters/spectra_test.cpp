@@ -119,6 +119,23 @@ TEST_CASE("eigenpairs: masses, lower triangles, solvers, shifts and isolated row
   for (int i = 1; i < 121; i += 2) CHECK(r.vectors.row(i).cwiseAbs().maxCoeff() == 0);
 }
 
+TEST_CASE("eigenpairs: residuals are at most the tolerance times the eigenvalue plus the shift") {
+  for (const int n : {60, 300, 900}) {
+    Eigen::SparseMatrix<double> graded = identity(n), k = chain(n);
+    for (int i = 0; i < n; ++i) graded.coeffRef(i, i) = 1 + 30.0 * (i % 7) / n;
+    for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+      const double shift = 2.0 / n;
+      const auto r = eigenpairs(k, graded, 9, {.tolerance = tolerance, .shift = shift});
+      double worst = 0;
+      for (int i = 0; i < 9; ++i) {
+        const Eigen::VectorXd u = r.vectors.col(i), mu = graded * u;
+        worst = std::max(worst, (k * u - r.values[i] * mu).norm() / mu.norm() / (r.values[i] + shift));
+      }
+      CHECK(worst <= tolerance);
+    }
+  }
+}
+
 TEST_CASE("eigenpairs: errors") {
   const auto k = chain(50), m = identity(50);
   CHECK_THROWS_WITH_AS(eigenpairs(k, m, 0), "eigenpairs: 0 asked for; a problem of 50 rows with entries has 1 to that many", invalid_argument);

@@ -61,6 +61,18 @@ TEST_CASE("what cannot be written is said, and nothing is left behind") {
   CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);
 }
 
+TEST_CASE("a picture goes where other files go: links stay links, long names are names, a path holds no zero") {
+  const scratch_folder scratch;
+  namespace fs = std::filesystem;
+  fs::create_symlink("real.png", scratch.path / "link.png");
+  write_png(image(2, 2), (scratch.path / "link.png").string(), {.sync = true});
+  CHECK(fs::is_symlink(scratch.path / "link.png"));
+  CHECK(fs::is_regular_file(fs::symlink_status(scratch.path / "real.png")));
+  write_png(image(2, 2), (scratch.path / (std::string(251, 'n') + ".png")).string());
+  CHECK_THROWS_AS(write_png(image(2, 2), (scratch.path / "a").string() + std::string("\0.png", 5)), io_error);
+  CHECK(std::distance(fs::directory_iterator(scratch.path), {}) == 3);
+}
+
 TEST_CASE("bytes are sRGB and back") {
   for (int i = 0; i < 256; ++i) {
     const float x = static_cast<float>(i) / 255;

@@ -11,10 +11,12 @@ TEST_CASE("an id knows its number and whether it names anything") {
   static_assert(std::regular<cn::vert_id> && std::totally_ordered<cn::vert_id>);
   static_assert(!std::convertible_to<cn::vert_id, unsigned> && !std::convertible_to<unsigned, cn::vert_id> &&
                 !std::convertible_to<cn::vert_id, cn::poly_id>);
+  static_assert(std::constructible_from<cn::vert_id, long> && std::constructible_from<cn::poly_id, unsigned char>);
+  static_assert(!std::constructible_from<cn::vert_id, double> && !std::constructible_from<cn::poly_id, float>);
   CHECK(cn::vert_id{}.is_none());
   CHECK(cn::vert_id{3}.raw() == 3);
   CHECK(cn::vert_id{3} < cn::vert_id{4});
-  CHECK(cn::vert_id{std::size_t{3}} == cn::vert_id{3.0});
+  CHECK(cn::vert_id{std::size_t{3}} == cn::vert_id{3});
 }
 
 TEST_CASE("an id prints its letter and number") {

@@ -124,6 +124,29 @@ struct own_handles : links {
 };
 struct gappy : linked {};
 
+/// The same links as if the border had no half-edges: nothing is asked about those that it has.
+struct inner_links : links {
+  static constexpr bool has_border_halfedges = false;
+  static void is_border(const linked&, int) = delete;
+  static bool has_opposite(const linked& m, int h) { return m.poly[std::size_t(h ^ 1)] >= 0; }
+  static int inner(const linked& m, int h) { REQUIRE(m.poly[std::size_t(h)] >= 0); return h; }
+  static int next(const linked& m, int h) { return m.next[std::size_t(inner(m, h))]; }
+  static int opposite(const linked& m, int h) { return inner(m, inner(m, h) ^ 1); }
+  static vert target(const linked& m, int h) { return links::target(m, inner(m, h)); }
+  static edge edge_of(const linked& m, int h) { return links::edge_of(m, inner(m, h)); }
+  static int halfedge_of(const linked& m, vert v) {
+    int h = m.leaving[v.raw()];
+    while (m.poly[std::size_t(h)] < 0) h = m.next[std::size_t(h ^ 1)];
+    return inner(m, h);
+  }
+  static int halfedge_of(const linked& m, edge e) { return inner(m, m.poly[2 * e.raw()] >= 0 ? int(2 * e.raw()) : int(2 * e.raw() + 1)); }
+  static int halfedge_of(const linked& m, poly p) { return inner(m, m.along[p.raw()]); }
+};
+struct borderless : linked {};
+struct incomplete_links : inner_links {
+  static void has_opposite(const linked&, int);
+};
+
 struct lacking : links {
   static void next(const linked&, int);
 };
@@ -133,10 +156,13 @@ struct hopeless {};
 
 template<> struct concino::mesh_traits<linked> : halfedge_kernel<linked, links> {};
 template<> struct concino::mesh_traits<gappy> : halfedge_kernel<gappy, own_handles> {};
+template<> struct concino::mesh_traits<borderless> : halfedge_kernel<borderless, inner_links> {};
 template<> struct concino::mesh_traits<hopeless> : halfedge_kernel<linked, lacking> {};
 
 static_assert(cn::testing::models_in_all_forms<linked>(cn::testing::surface));
 static_assert(cn::testing::models_in_all_forms<gappy>(cn::testing::surface));
+static_assert(cn::testing::models_in_all_forms<borderless>(cn::testing::surface));
+static_assert(cn::HalfedgeLinks<inner_links, linked> && !cn::HalfedgeLinks<incomplete_links, linked>);
 static_assert(!cn::PrimalGraph<hopeless> && !cn::SurfaceMesh<hopeless>);
 static_assert(cn::HalfedgeLinks<links, linked> && !cn::HalfedgeLinks<lacking, linked> && !cn::HalfedgeLinks<int, linked>);
 static_assert(std::forward_iterator<decltype(cn::adj_v2v(linked(), cn::vert_id()).begin())>);
@@ -154,19 +180,16 @@ std::multiset<std::size_t> numbers(const R& r) {
   return s;
 }
 
-void same_rings(const tiny::surface& s) {
-  const linked m = link(s);
-  const gappy g{m};
+template<class M>
+void same_rings_of(const M& m, const tiny::surface& s) {
   for (const auto& b : cn::check_laws(m)) MESSAGE(b.law << ": " << b.what);
   CHECK(cn::check_laws(m).empty());
-  CHECK(cn::check_laws(g).empty());
   for (int i = 0; i < static_cast<int>(s.points.size()); ++i) {
     const cn::vert_id v(i);
     const tiny::vertex w{i};
     CHECK(numbers(cn::adj_v2v(m, v)) == numbers(cn::adj_v2v(s, w)));
     CHECK(numbers(cn::adj_v2e(m, v)) == numbers(cn::adj_v2e(s, w)));
     CHECK(numbers(cn::adj_v2p(m, v)) == numbers(cn::adj_v2p(s, w)));
-    CHECK(numbers(cn::adj_v2v(g, own_handles::vert(i))) == numbers(cn::adj_v2v(s, w)));
   }
   for (int i = 0; i < static_cast<int>(s.es.size()); ++i) {
     CHECK(numbers(cn::adj_e2v(m, cn::edge_id(i))) == numbers(cn::adj_e2v(s, tiny::segment{i})));
@@ -177,7 +200,22 @@ void same_rings(const tiny::surface& s) {
     CHECK(numbers(cn::adj_p2v(m, p)) == numbers(cn::adj_p2v(s, tiny::cell{i})));
     CHECK(numbers(cn::adj_p2e(m, p)) == numbers(cn::adj_p2e(s, tiny::cell{i})));
     CHECK(numbers(cn::adj_p2p(m, p)) == numbers(cn::adj_p2p(s, tiny::cell{i})));
+    std::vector<cn::poly_id> called, walked;
+    cn::adj_p2p(m, p).for_each([&](cn::poly_id q) { called.push_back(q); });
+    for (const cn::poly_id q : cn::adj_p2p(m, p)) walked.push_back(q);
+    CHECK(called == walked);
   }
+}
+
+/// `fans`: some vert has several fans, which only border half-edges can link.
+void same_rings(const tiny::surface& s, bool fans = false) {
+  const linked m = link(s);
+  const gappy g{m};
+  same_rings_of(m, s);
+  if (!fans) same_rings_of(borderless{m}, s);
+  CHECK(cn::check_laws(g).empty());
+  for (int i = 0; i < static_cast<int>(s.points.size()); ++i)
+    CHECK(numbers(cn::adj_v2v(g, own_handles::vert(i))) == numbers(cn::adj_v2v(s, tiny::vertex{i})));
 }
 
 using points = std::vector<std::array<double, 3>>;
@@ -192,8 +230,8 @@ TEST_CASE("open, closed, in pieces, with isolated verts") {
 }
 
 TEST_CASE("fans that touch in a vert") {
-  same_rings({points(7), {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}}});
-  same_rings({points(8), {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 6, 7}}});
+  same_rings({points(7), {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}}}, true);
+  same_rings({points(8), {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 6, 7}}}, true);
 }
 
 TEST_CASE("polys that share several edges are each other's neighbours once") {

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <iterator>
 #include <vector>
 
 namespace cn = concino;
@@ -34,4 +35,21 @@ TEST_CASE("id_span shows memory that is not its own") {
   CHECK(r[1] == cn::vert_id{2});
   CHECK(*r.begin() == cn::vert_id{4});
   CHECK(cn::id_span<cn::vert_id>().empty());
+}
+
+TEST_CASE("ids_where walks what a function of the user's takes") {
+  const std::vector<bool> deleted{true, false, true, false, false, true};
+  const auto r = cn::ids_where<cn::edge_id>(deleted.size(), [&](unsigned i) { return !deleted[i]; });
+  static_assert(cn::ElementRange<decltype(r), cn::edge_id> && std::forward_iterator<decltype(r.begin())>);
+  for (int walk = 0; walk < 2; ++walk) {
+    std::vector<unsigned> met;
+    for (auto e : r) met.push_back(e.raw());
+    CHECK(met == std::vector<unsigned>{1, 3, 4});
+  }
+  const auto copy = [&] { return r; }();
+  CHECK(*copy.begin() == cn::edge_id{1});
+  const auto none = cn::ids_where<cn::vert_id>(3, [](unsigned) { return false; });
+  CHECK_FALSE(none.begin() != none.end());
+  const auto empty = cn::ids_where<cn::vert_id>(0, [](unsigned) { return true; });
+  CHECK_FALSE(empty.begin() != empty.end());
 }

@@ -48,6 +48,14 @@ if(way STREQUAL "find_package")
   if(code EQUAL 0 OR NOT said MATCHES "there is no component 'warp_drive'")
     message(FATAL_ERROR "a missing component is not refused by name:\n${said}")
   endif()
+
+  # A target whose component was not asked for is an error that says what to ask for.
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${here}/forgotten_component -B ${scratch}/forgotten ${arguments}
+    RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  string(REGEX REPLACE "[ \n]+" " " words "${said}")
+  if(code EQUAL 0 OR NOT words MATCHES "consumer links to concino::span: .*find_package[(]concino REQUIRED COMPONENTS span[)]")
+    message(FATAL_ERROR "a forgotten component is not named:\n${said}")
+  endif()
 endif()
 run(${CMAKE_COMMAND} -S ${here}/${way} -B ${scratch}/build ${arguments})
 run(${CMAKE_COMMAND} --build ${scratch}/build)

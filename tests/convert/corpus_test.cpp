@@ -45,8 +45,8 @@ TEST_CASE("corpus: there and back") {
           using M = std::remove_cvref_t<decltype(m)>;
           auto number = vert_property<unsigned>(m, "number");
           for (const auto v : verts(m)) number[v] = v.raw();
-          const auto there = convert<general_of<M>>(m);
-          const auto back = convert<M>(there.mesh);
+          const auto there = convert_with_correspondence<general_of<M>>(m);
+          const auto back = convert_with_correspondence<M>(there.mesh);
           CHECK(num_verts(back.mesh) == num_verts(m));
           CHECK(num_edges(back.mesh) == num_edges(m));
           CHECK(num_polys(back.mesh) == num_polys(m));

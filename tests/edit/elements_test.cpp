@@ -138,6 +138,31 @@ TEST_CASE_TEMPLATE("random adding and removing", M, CONCINO_ALL_KINDS) {
   }
 }
 
+TEST_CASE("random adding and removing of long polygons, which share several edges and crowd others") {
+  std::mt19937 random(6);
+  const unsigned rounds = concino::testing::long_run() ? 100 : 4;
+  for (unsigned round = 0; round < rounds; ++round) {
+    cn::polygonmesh m(std::vector<cn::vec3>(44), std::vector<list>{});
+    for (unsigned step = 0; step < 30; ++step) {
+      const list polys = raw(cn::polys(m));
+      if (polys.size() > 6 || (!polys.empty() && random() % 3 == 0)) {
+        cn::remove_poly(m, cn::poly_id{polys[random() % polys.size()]});
+      } else {
+        // arcs of one ring, and verts at random between them
+        const auto n = 20 + static_cast<unsigned>(random() % 20), keep = 2 + static_cast<unsigned>(random() % 8);
+        std::vector<cn::vert_id> corners;
+        for (unsigned i = 0; i < n; ++i) corners.push_back(cn::vert_id{i});
+        for (unsigned i = 0; i < n; ++i)
+          if (i % keep == keep - 1) std::swap(corners[i], corners[random() % n]);
+        if (random() % 2) std::reverse(corners.begin(), corners.end());
+        cn::add_poly(m, std::span<const cn::vert_id>(corners));
+      }
+      keeps_all_laws(m);
+    }
+    equals_rebuilt(m);
+  }
+}
+
 TEST_CASE_TEMPLATE("a mesh taken apart and put together again", M, cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
   const M whole = cn::testing::grid<M>(3);
   M m = whole;

@@ -20,8 +20,8 @@ void compare(const std::filesystem::path& path, double percent) {
   CAPTURE(path);
   const auto m = load<trimesh>(path.string());
   const vert_id s{0};
-  const auto d = exact_geodesics(m).distance_from(s);
-  const auto heat = heat_geodesics(m).distance_from(s);
+  const auto d = exact_geodesics(m, s);
+  const auto heat = heat_geodesics(m, s);
   double mean = 0, n = 0, largest = 0;
   for (const auto v : verts(m)) {
     if (!std::isfinite(d[v])) continue;
@@ -54,7 +54,7 @@ TEST_CASE("corpus: heat geodesics are near exact ones, which are no longer than 
 TEST_CASE("corpus: exact geodesics on the sphere are great circles but for the size of its triangles") {
   CONCINO_CORPUS_OR_SKIP(path, "tri/sphere.obj");
   const auto m = load<trimesh>(path.string());
-  const auto d = exact_geodesics(m).distance_from(vert_id{0});
+  const auto d = prepare_exact_geodesics(m).distance_from(vert_id{0});
   const vec3 from = point(m, vert_id{0});
   double largest = 0;
   for (const auto v : verts(m)) {

@@ -77,14 +77,14 @@ surface_arrays refined(const std::vector<std::array<vec3, 3>>& triangles, unsign
 TEST_CASE("exact_geodesics: straight lines in the plane, on even and uneven triangles, from anywhere, in any order of verts") {
   for (const surface_arrays& a : {triangle_grid(12), uneven_square(12), uneven_square(12, 2)}) {
     const trimesh m(a);
-    const auto exact = exact_geodesics(m);
+    const auto exact = prepare_exact_geodesics(m);
     for (const unsigned s : {0u, 6u, 84u, 100u, 168u})
       CHECK(largest_error(exact.distance_from(vert_id{s}), line_from(point(m, vert_id{s}))) < 1e-13);
     // not oriented: every third triangle is turned over
     surface_arrays turned = a;
     for (std::size_t i = 0; i < turned.verts.size(); i += 9) std::swap(turned.verts[i], turned.verts[i + 1]);
     const trimesh t(turned);
-    CHECK(largest_error(exact_geodesics(t).distance_from(vert_id{84}), line_from(point(t, vert_id{84}))) < 1e-13);
+    CHECK(largest_error(prepare_exact_geodesics(t).distance_from(vert_id{84}), line_from(point(t, vert_id{84}))) < 1e-13);
   }
 }
 
@@ -94,11 +94,11 @@ TEST_CASE("exact_geodesics: polygons that are triangles, archetypes, and symmetr
   const trimesh m(a);
   const polygonmesh p(with_offsets(a));
   const auto weak = only_embedded_mesh(m);
-  const auto exact = exact_geodesics(m);
+  const auto exact = prepare_exact_geodesics(m);
   for (const unsigned s : {0u, 17u, 24u}) {
     const auto d = exact.distance_from(vert_id{s});
-    const auto e = exact_geodesics(p).distance_from(vert_id{s});
-    const auto f = exact_geodesics(weak).distance_from(weak.vert(vert_id{s}));
+    const auto e = prepare_exact_geodesics(p).distance_from(vert_id{s});
+    const auto f = prepare_exact_geodesics(weak).distance_from(weak.vert(vert_id{s}));
     for (const auto v : verts(weak)) {
       CHECK(e[weak.base(v)] == d[weak.base(v)]);
       CHECK(f[v] == d[weak.base(v)]);
@@ -144,7 +144,7 @@ TEST_CASE("exact_geodesics: around a hole, along its sides and corners") {
     return t0 >= t1;
   };
   const trimesh m(r);
-  const auto exact = exact_geodesics(m);
+  const auto exact = prepare_exact_geodesics(m);
   for (const unsigned s : {0u, 4u, 23u, 33u, 46u, 99u}) {
     const vec3 from = point(m, vert_id{s});
     const auto way = [&](const vec3& x) {
@@ -181,7 +181,7 @@ TEST_CASE("exact_geodesics: the surface of a cube, unfolded, from a corner and f
       halves.push_back({place(0, 0), place(1, 1), place(0, 1)});
     }
   const trimesh m(refined(halves, 6));
-  const auto exact = exact_geodesics(m);
+  const auto exact = prepare_exact_geodesics(m);
   const auto vert_at = [&](const vec3& x) {
     vert_id best{0};
     for (const auto v : verts(m))
@@ -223,7 +223,7 @@ TEST_CASE("exact_geodesics: a regular tetrahedron, which is the plane rolled up"
   const std::array<vec3, 4> x{vec3{1, 1, 1}, vec3{1, -1, -1}, vec3{-1, 1, -1}, vec3{-1, -1, 1}};
   const double side = std::sqrt(8.0);
   const trimesh m(refined({{x[0], x[1], x[2]}, {x[1], x[3], x[2]}, {x[0], x[3], x[1]}, {x[0], x[2], x[3]}}, 5));
-  const auto d = exact_geodesics(m).distance_from(vert_id{0});
+  const auto d = prepare_exact_geodesics(m).distance_from(vert_id{0});
   REQUIRE(point(m, vert_id{0}) == x[0]);
   const vec3 e1{1, 0, 0}, e2{0.5, std::sqrt(0.75), 0};
   CHECK(largest_error(d, [&](const vec3& p) {
@@ -263,7 +263,7 @@ TEST_CASE("exact_geodesics: cones, where paths go around on one side or over the
       return std::pair{norm(p), k * std::numbers::pi / 3 + angle};
     };
     const double whole = wedges * std::numbers::pi / 3;
-    const auto exact = exact_geodesics(m);
+    const auto exact = prepare_exact_geodesics(m);
     for (const unsigned s : {0u, 1u, 7u, 13u, 20u}) {
       const auto [r, at] = polar(point(m, vert_id{s}));
       CHECK(largest_error(exact.distance_from(vert_id{s}), [&, r = r, at = at](const vec3& p) {
@@ -281,7 +281,7 @@ TEST_CASE("exact_geodesics: on the sphere shorter than arcs, and nearer to them 
   for (const unsigned k : {1u, 2u, 3u, 4u}) {
     const trimesh m = icosphere(k);
     const vec3 from = point(m, vert_id{5});
-    const auto d = exact_geodesics(m).distance_from(vert_id{5});
+    const auto d = prepare_exact_geodesics(m).distance_from(vert_id{5});
     const auto arc = [&](const vec3& x) { return std::atan2(norm(cross(x, from)), dot(x, from)); };
     for (const auto v : verts(m)) CHECK(d[v] <= arc(point(m, v)) + 1e-15);
     const double e = largest_error(d, arc);
@@ -293,7 +293,7 @@ TEST_CASE("exact_geodesics: on the sphere shorter than arcs, and nearer to them 
 
 TEST_CASE("exact_geodesics: several sources are the nearest of each; initial distances; components") {
   const trimesh m = two_grids<trimesh>(6);
-  const auto exact = exact_geodesics(m);
+  const auto exact = prepare_exact_geodesics(m);
   const vert_id a{0}, b{20}, c{33}, other{60}, alone{static_cast<unsigned>(num_verts(m) - 1)};
   const auto da = exact.distance_from(a), db = exact.distance_from(b), dc = exact.distance_from(c);
   const auto several = exact.distance_from({a, b, c});
@@ -317,7 +317,7 @@ TEST_CASE("exact_geodesics: several sources are the nearest of each; initial dis
 
 TEST_CASE("exact_geodesics: from points in triangles, on edges and at verts") {
   const trimesh m(uneven_square(6));
-  const auto exact = exact_geodesics(m);
+  const auto exact = prepare_exact_geodesics(m);
   for (const unsigned p : {0u, 13u, 40u, 71u})
     for (const auto& part : {vec3{0.2, 0.5, 0.3}, vec3{0, 0.5, 0.5}, vec3{0.25, 0, 0.75}, vec3{0.75, 0.25, 0}, vec3{1, 0, 0}, vec3{0, 0, 1}}) {
       vec3 x;
@@ -328,7 +328,7 @@ TEST_CASE("exact_geodesics: from points in triangles, on edges and at verts") {
     }
   // beside a vert of a sphere as from the vert, less the way there or more
   const trimesh ball = icosphere(3);
-  const auto around = exact_geodesics(ball);
+  const auto around = prepare_exact_geodesics(ball);
   const vert_id v{9};
   const auto from_vert = around.distance_from(v);
   for (const auto p : adj_v2p(ball, v)) {
@@ -359,7 +359,7 @@ TEST_CASE("exact_geodesics: three pages of a book, and cones that meet at a vert
       if (norm(cross(x - vec3{0, 0, x.z}, out[k])) < 1e-9 && dot(x, out[k]) > -1e-9) return k;
     return std::size_t{3};
   };
-  const auto exact = exact_geodesics(book);
+  const auto exact = prepare_exact_geodesics(book);
   for (const unsigned s : {0u, 1u, 3u, 9u, 14u, 30u}) {
     const vec3 from = point(book, vert_id{s});
     const double r = std::hypot(from.x, from.y);
@@ -370,7 +370,7 @@ TEST_CASE("exact_geodesics: three pages of a book, and cones that meet at a vert
   }
 
   const trimesh two({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {1, 0, -1}, {0, 1, -1}}, {{0, 1, 2}, {0, 3, 4}});
-  const auto d = exact_geodesics(two).distance_from(vert_id{1});
+  const auto d = prepare_exact_geodesics(two).distance_from(vert_id{1});
   CHECK(d[vert_id{0}] == doctest::Approx(std::sqrt(2.0)));
   CHECK(d[vert_id{4}] == doctest::Approx(std::sqrt(8.0)));
 }
@@ -379,18 +379,18 @@ TEST_CASE("exact_geodesics: scaling the mesh scales the distances to the last bi
   surface_arrays a = uneven_square(7);
   for (vec3& x : a.points) x.z = 0.4 * std::sin(9 * x.x + 4 * x.y);
   const trimesh m(a);
-  const auto d = exact_geodesics(m).distance_from(vert_id{11});
+  const auto d = prepare_exact_geodesics(m).distance_from(vert_id{11});
   for (const int power : {20, -20, 900, -900}) {
     auto b = a;
     for (vec3& x : b.points) x *= std::ldexp(1.0, power);
     const trimesh scaled(b);
-    const auto e = exact_geodesics(scaled).distance_from(vert_id{11});
+    const auto e = prepare_exact_geodesics(scaled).distance_from(vert_id{11});
     for (const auto v : verts(m)) CHECK(e[v] == std::ldexp(d[v], power));
   }
   auto moved = a;
   for (vec3& x : moved.points) x = 1e3 * vec3{x.y, x.z, x.x} + vec3{500, 7, -3};
   const trimesh other(moved);
-  const auto e = exact_geodesics(other).distance_from(vert_id{11});
+  const auto e = prepare_exact_geodesics(other).distance_from(vert_id{11});
   for (const auto v : verts(m)) CHECK(e[v] == doctest::Approx(1e3 * d[v]).epsilon(1e-12));
 }
 
@@ -400,16 +400,16 @@ TEST_CASE("exact_geodesics: long and thin triangles") {
     for (vec3& x : a.points) x = {std::pow(x.x, power), std::pow(x.y, power), 0};
     const trimesh m(a);
     for (const unsigned s : {0u, 100u, 255u})
-      CHECK(largest_error(exact_geodesics(m).distance_from(vert_id{s}), line_from(point(m, vert_id{s}))) < 1e-12);
+      CHECK(largest_error(prepare_exact_geodesics(m).distance_from(vert_id{s}), line_from(point(m, vert_id{s}))) < 1e-12);
   }
 }
 
 TEST_CASE("exact_geodesics: errors") {
   const auto quads = grid<quadmesh>(2);
-  CHECK_THROWS_WITH_AS(exact_geodesics(quads),
+  CHECK_THROWS_WITH_AS(prepare_exact_geodesics(quads),
                        "exact_geodesics: poly 0 has 4 verts; all polys must be triangles: triangulate it, or ask heat_geodesics", unsupported);
   const auto m = grid<trimesh>(2);
-  const auto exact = exact_geodesics(m);
+  const auto exact = prepare_exact_geodesics(m);
   CHECK_THROWS_WITH_AS(exact.distance_from(vert_id{9}), "exact_geodesics: a source is no vert of the mesh; take it from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(exact.distance_from(std::vector<vert_id>()), "exact_geodesics: there is no source; give at least one vert", invalid_argument);
   CHECK_THROWS_WITH_AS(exact.distance_from({{vert_id{1}, std::nan("")}}), "exact_geodesics: the initial distance at vert 1 is not finite",
@@ -417,19 +417,19 @@ TEST_CASE("exact_geodesics: errors") {
   CHECK_THROWS_AS(exact.distance_from(poly_id{8}, {0, 0, 0}), invalid_mesh);
   CHECK_THROWS_AS(exact.distance_from(poly_id{0}, {0, 0, infinity}), invalid_argument);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 3}, {0, 1, 2}});
-  CHECK_THROWS_WITH_AS(exact_geodesics(flat),
+  CHECK_THROWS_WITH_AS(prepare_exact_geodesics(flat),
                        "exact_geodesics: poly 1 has no area, or points that are not finite; remove it or move its verts", invalid_mesh);
   for (const double bad : {infinity, std::nan("")}) {
     const trimesh endless({{0, 0, 0}, {1, 0, 0}, {0, bad, 0}}, {{0, 1, 2}});
-    CHECK_THROWS_AS(exact_geodesics(endless), invalid_mesh);
+    CHECK_THROWS_AS(prepare_exact_geodesics(endless), invalid_mesh);
   }
 }
 
 TEST_CASE("exact_geodesics: elements removed and not renumbered, and no elements at all") {
   trimesh m(uneven_square(4));
   remove_vert(m, vert_id{4});
-  const auto d = exact_geodesics(m).distance_from(vert_id{24});
+  const auto d = prepare_exact_geodesics(m).distance_from(vert_id{24});
   for (const auto v : verts(m)) CHECK(d[v] == doctest::Approx(distance(point(m, v), point(m, vert_id{24}))).epsilon(1e-12));
   const trimesh empty;
-  CHECK_THROWS_AS(exact_geodesics(empty).distance_from(vert_id{0}), invalid_mesh);
+  CHECK_THROWS_AS(prepare_exact_geodesics(empty).distance_from(vert_id{0}), invalid_mesh);
 }

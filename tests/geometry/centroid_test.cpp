@@ -4,6 +4,7 @@
 #include <concino/mesh/boundary.hpp>
 
 #include <support/kinds.hpp>
+#include <support/motions.hpp>
 
 #include <doctest/doctest.h>
 
@@ -66,4 +67,23 @@ TEST_CASE("centroid: of a poly without measure it is the mean of the verts") {
   CHECK(centroid(line, poly_id{0}) == vec3{2, 2, 2});
   const tetmesh flat({{0, 0, 0}, {0.1, 0.7, 0}, {0.3, 0.9, 0}, {1, 0.3, 0}}, {{0, 1, 2, 3}});
   CHECK(centroid(flat, poly_id{0}) == vert_mean(flat, poly_id{0}));
+}
+
+TEST_CASE_TEMPLATE("centroid: scales with the mesh as far as doubles go", M, CONCINO_ALL_KINDS) {
+  const auto arrays = grid_arrays<M>(3);
+  const M m(arrays);
+  for (const double scale : {0x1p-400, 0x1p-300, 0x1p-90, 0x1p90, 0x1p300, 0x1p996, 0x1p1022}) {
+    const M s(scaled(arrays, scale));
+    const auto all = centroids(s);
+    for (const auto p : polys(m)) {
+      CHECK(distance(all[p] / scale, centroid(m, p)) < 1e-14);
+      CHECK(distance(vert_mean(s, p) / scale, vert_mean(m, p)) < 1e-14);
+    }
+    if constexpr (VolumeMesh<M>)
+      for (const auto f : faces(m)) CHECK(distance(centroid(s, f) / scale, centroid(m, f)) < 1e-14);
+  }
+  auto wide = scaled(arrays, 0x1p1022);
+  for (vec3& x : wide.points) x = 3.9 * (x - vec3{0x1p1021, 0x1p1021, SurfaceMesh<M> ? 0 : 0x1p1021});
+  const M w(wide);
+  for (const auto p : polys(w)) CHECK((is_finite(centroid(w, p)) && is_finite(vert_mean(w, p))));
 }

@@ -97,3 +97,24 @@ TEST_CASE_TEMPLATE("measures: the measure of each poly", M, CONCINO_ALL_KINDS) {
 TEST_CASE_TEMPLATE("measure: empty meshes measure nothing", M, CONCINO_ALL_KINDS) {
   CHECK(total_measure(M()) == 0);
 }
+
+TEST_CASE_TEMPLATE("measure: of finite points never NaN: infinite where it is too large, at any place and turned inside out", M, CONCINO_ALL_KINDS) {
+  for (const double scale : {1e150, 1e200, 1e300, 1e308}) {
+    auto arrays = scaled(grid_arrays<M>(3), scale);
+    for (const bool centred : {false, true}) {
+      if (centred)
+        for (vec3& x : arrays.points) x = 1.7 * (x - vec3{scale / 2, scale / 2, SurfaceMesh<M> ? 0 : scale / 2});
+      const M m(arrays);
+      const bool fits = SurfaceMesh<M> && scale < 1e151;
+      const double total = total_measure(m);
+      CHECK((fits ? std::isfinite(total) : total == HUGE_VAL));
+      const auto all = measures(m);
+      for (const auto p : polys(m)) {
+        CHECK(all[p] == measure(m, p));
+        CHECK((fits ? all[p] > 0 : all[p] == HUGE_VAL));
+      }
+    }
+    for (vec3& x : arrays.points) x.x = -x.x;  // a mirror image
+    CHECK_FALSE(std::isnan(total_measure(M(arrays))));
+  }
+}

@@ -42,7 +42,8 @@ TEST_CASE("bfs: hops around a ring, one source and several") {
 
   CHECK(bfs(r, {vert_id{0}, vert_id{3}})[vert_id{2}] == 1);
   CHECK(bfs(r, std::vector{vert_id{5}, vert_id{5}})[vert_id{1}] == 3);
-  CHECK(bfs(r, std::vector<vert_id>{})[vert_id{1}] == -1);
+  CHECK_THROWS_WITH_AS(bfs(r, std::vector<vert_id>{}), "bfs: there is no source; give at least one vert", invalid_argument);
+  CHECK_THROWS_WITH_AS(bfs(r, std::vector<vert_id>{}, {.max_hops = 3}), "bfs: there is no source; give at least one vert", invalid_argument);
   CHECK(bfs(r, std::vector<vert_id>(10000, vert_id{5}))[vert_id{1}] == 3);  // a source enters the queue once
 }
 

@@ -22,14 +22,14 @@ constexpr auto one = [](const auto&, const auto&) { return 1.0; };
 
 TEST_CASE_TEMPLATE("graphs: without elements, and with one vert and nothing else", M, CONCINO_ALL_KINDS) {
   const M none;
-  CHECK(bfs(none, std::vector<vert_id>{}).values().empty());
-  CHECK(dijkstra(none, std::vector<poly_id>{}, one).values().empty());
-  CHECK(dijkstra(none, std::vector<vert_id>{}).values().empty());
-  CHECK(shortest_path(none, std::vector<poly_id>{}, std::vector<poly_id>{}).empty());
+  CHECK_THROWS_WITH_AS(bfs(none, std::vector<vert_id>{}), "bfs: there is no source; give at least one vert", invalid_argument);
+  CHECK_THROWS_WITH_AS(dijkstra(none, std::vector<poly_id>{}, one), "dijkstra: there is no source; give at least one poly", invalid_argument);
+  CHECK_THROWS_WITH_AS(dijkstra(none, std::vector<vert_id>{}), "dijkstra: there is no source; give at least one vert", invalid_argument);
+  CHECK_THROWS_AS(shortest_path(none, std::vector<poly_id>{}, std::vector<poly_id>{}), invalid_argument);
   CHECK(connected_components(none).count == 0);
   CHECK(spanning_tree(dual(none)).arcs.empty());
   CHECK(spanning_tree(none, {.method = tree_method::prim}).arcs.empty());
-  CHECK(grow_regions(none, std::vector<vert_id>{}, one).values().empty());
+  CHECK_THROWS_WITH_AS(grow_regions(none, std::vector<vert_id>{}, one), "grow_regions: there is no seed; give at least one vert", invalid_argument);
   CHECK_THROWS_AS(bfs(none, vert_id{0}), invalid_mesh);
   CHECK_THROWS_AS(dijkstra(none, poly_id{0}), invalid_mesh);
 

@@ -33,7 +33,7 @@ TEST_CASE("grow_regions: ring by ring, ties to the earlier seed, labels by place
   CHECK(grow_regions(m, {p, p, q}, freely)[q] == 2);
   CHECK(grow_regions(m, p, freely, {.max_cost = 1})[poly_id{1}] == 0);
   CHECK(grow_regions(m, p, freely, {.max_cost = 1})[poly_id{2}] == -1);
-  CHECK(grow_regions(m, std::vector<poly_id>{}, freely)[p] == -1);
+  CHECK_THROWS_WITH_AS(grow_regions(m, std::vector<poly_id>{}, freely), "grow_regions: there is no seed; give at least one poly", invalid_argument);
   CHECK(grow_regions(m, vert_id{0}, freely, {.may_enter = [](auto) { return false; }})[vert_id{0}] == 0);
   CHECK(grow_regions(m, vert_id{0}, freely, {.may_cross = [](auto) { return false; }})[vert_id{1}] == -1);
   CHECK(grow_regions(dual(m), p, freely, {.may_cross = [](auto) { return false; }})[poly_id{1}] == -1);

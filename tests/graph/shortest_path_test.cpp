@@ -86,8 +86,8 @@ TEST_CASE("shortest_path: to itself, to none, around a wall, across a barred edg
   CHECK(shortest_path(primal(m), a, b, {.may_cross = first}).size() == 5);
   CHECK(shortest_path(m, {a, beyond}, {b, vert_id{16}}) == std::vector<vert_id>{beyond, vert_id{16}});
   CHECK(shortest_path(m, {a}, {b}, [](auto, auto) { return 1; }).size() == 3);
-  CHECK(shortest_path(m, a, std::vector<vert_id>{}).empty());
-  CHECK(shortest_path(m, std::vector<vert_id>{}, a).empty());
+  CHECK_THROWS_WITH_AS(shortest_path(m, a, std::vector<vert_id>{}), "shortest_path: there is no target; give at least one vert", invalid_argument);
+  CHECK_THROWS_WITH_AS(shortest_path(m, std::vector<vert_id>{}, a), "shortest_path: there is no source; give at least one vert", invalid_argument);
   CHECK(shortest_path(m, vert_id{5}, {vert_id{9}, vert_id{6}, vert_id{4}}).back() == vert_id{9});  // all equally near
   CHECK(shortest_path(dual(m), poly_id{0}, poly_id{2}) == std::vector<poly_id>{poly_id{0}, poly_id{1}, poly_id{2}});
 }

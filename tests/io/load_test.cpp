@@ -47,6 +47,41 @@ TEST_CASE("load: the extension decides, in any case") {
   CHECK_THROWS_AS(load_text<trimesh>("", file_format::by_extension), invalid_argument);
 }
 
+TEST_CASE("load: read, mapped or from a pipe: the same mesh") {
+  const temporary_folder dir;
+  const std::string text = square + "f 1 2 3 4\n";
+  write_file(dir / "a.obj", text);
+  const auto read = load<polygonmesh>(dir / "a.obj"), mapped = load<polygonmesh>(dir / "a.obj", {.map = true});
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  REQUIRE(::write(ends[1], text.data(), text.size()) == static_cast<::ssize_t>(text.size()));
+  ::close(ends[1]);
+  const auto piped = load<polygonmesh>("/dev/fd/" + std::to_string(ends[0]), {.format = file_format::obj});
+  ::close(ends[0]);
+  for (const polygonmesh* m : {&mapped, &piped}) CHECK(listed(*m) == listed(read));
+  CHECK_THROWS_AS(load<polygonmesh>("/dev/zero", {.format = file_format::obj}), io_error);
+}
+
+TEST_CASE("load: a file that shrinks or grows while it is read is an io_error") {
+  const temporary_folder dir;
+  const std::string path = dir / "a.obj", text = square + "f 1 2 3 4\n";
+  for (const bool grow : {false, true}) {
+    write_file(path, text);
+    const auto change = [&](double, std::string_view) {
+      std::filesystem::resize_file(path, text.size() + 10 * grow);
+      return true;
+    };
+    // A file that is read is safe from changes by then; one that is mapped is not.
+    CHECK(num_polys(load<polygonmesh>(path, {.progress = change})) == 1);
+    write_file(path, text);
+    CHECK_THROWS_WITH_AS(load<polygonmesh>(path, {.progress = [&](double done, std::string_view) {
+                                                   if (done == 1.0) std::filesystem::resize_file(path, text.size() - 1 + 10 * grow);
+                                                   return true;
+                                                 }, .map = true}),
+                         (path + (grow ? ": grew" : ": shrank") + " while it was read; load it again once it is complete").c_str(), io_error);
+  }
+}
+
 TEST_CASE("load: parse errors name the path") {
   const temporary_folder dir;
   write_file(dir / "bad.obj", square + "f 1 2 9\n");

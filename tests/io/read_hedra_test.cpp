@@ -110,6 +110,22 @@ TEST_CASE("read_hedra: a mesh of hexes takes hexes only") {
   CHECK(num_polys(hedra<hexmesh>("4 4 0\n" + points + face_rows)) == 0);
 }
 
+TEST_CASE("read_hedra: a large face of very many polyhedra") {
+  const auto crowded = [](int n, int copies) {
+    const auto text = [](int i) { return std::to_string(i); };
+    std::string s = text(n) + " 1 " + text(copies) + "\n";
+    for (int i = 0; i < n; ++i) s += "0 0 0\n";
+    s += text(n);
+    for (int i = 1; i <= n; ++i) s += " " + text(i);
+    s += "\n";
+    for (int i = 0; i < copies; ++i) s += "1 1\n";
+    return s;
+  };
+  CHECK(hedra(crowded(1104, 980)).num_polys() == 980);
+  CHECK_THROWS_WITH_AS(hedra(crowded(1104, 981)), doctest::Contains("t.hedra: faces of many verts belong to so many polys"), unsupported);
+  CHECK_THROWS_AS(hedra<cell_arrays>(crowded(1104, 981)), unsupported);
+}
+
 TEST_CASE("read_hedra: a volume asked for as a surface") {
   CHECK_THROWS_AS(hedra<surface_arrays>(tet), unsupported);
   CHECK_THROWS_AS(hedra<surface_arrays>("0 0 0"), unsupported);

@@ -157,6 +157,32 @@ TEST_CASE("read_medit: references at the ends of their range, from the first tha
   for (unsigned p = 0; p < 5; ++p) CHECK(labels[poly_id{p}] == expected[p]);
 }
 
+TEST_CASE("read_medit: references that are written as reals") {
+  const std::string vertices = "Vertices\n4\n0 0 0 0.0\n1 0 0 7.\n0 1 0 -3e0\n0 0 1 +2.000\n";
+  load_report r;
+  const auto m = load_text<trimesh>(head + vertices + "Triangles 2\n1 2 3 5.0#c\n1 2 4 0.\nEnd", file_format::medit, {.report = &r});
+  const int expected[] = {0, 7, -3, 2};
+  for (unsigned v = 0; v < 4; ++v) CHECK(find_vert_property<int>(m, "label")[vert_id{v}] == expected[v]);
+  CHECK(find_poly_property<int>(m, "label")[poly_id{0}] == 5);
+  CHECK(find_poly_property<int>(m, "label")[poly_id{1}] == 0);
+  CHECK(r.notes.empty());
+
+  const auto n = load_text<trimesh>(head + points + "Triangles 3\n1 2 3 1.4\n1 2 4 -1.6\n1 3 4 2.0\nEnd", file_format::medit, {.report = &r});
+  const int rounded[] = {1, -2, 2};
+  for (unsigned p = 0; p < 3; ++p) CHECK(find_poly_property<int>(n, "label")[poly_id{p}] == rounded[p]);
+  CHECK(r.notes == std::vector<std::string>{"2 references are no integers and were rounded, the first on line 10"});
+
+  const auto says = [](const std::string& number) {
+    return complaint<surface_arrays>(head + points + "Triangles\n1\n1 2 3 " + number + "\nEnd", file_format::medit);
+  };
+  CHECK(says("2147483648.0") == "11: the reference of an element, an integer of 32 bits | '2147483648.0'");
+  CHECK(says("-1e300") == "11: the reference of an element, an integer of 32 bits | '-1e300'");
+  CHECK(says("nan").starts_with("11: the reference of an element, an integer"));
+  CHECK(says("1e999").starts_with("11: the reference of an element, an integer"));
+  CHECK(says("1.0x") == "11: the reference of an element, an integer | '1.0x'");
+  CHECK(says("2147483647.0").empty());
+}
+
 TEST_CASE("read_medit: several sections of a kind, empty ones, and what is skipped") {
   load_report r;
   CHECK(medit<cell_arrays>(head + points + "Tetrahedra 1\n1 2 3 4 0\nTetrahedra 2\n1 2 3 4 0\n1 2 3 4 0\nEnd").arity == 4);

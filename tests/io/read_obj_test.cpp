@@ -116,7 +116,7 @@ TEST_CASE("read_obj: what has no place in the mesh is counted in the report") {
                                               "1 weights of verts, or other numbers after x y z that are no r g b",
                                               "2 points and lines (p, l)", "1 smoothing groups (s)",
                                               "1 lines with other keywords, the first 'vp' on line 20"});
-  CHECK(r.notes == std::vector<std::string>{"no material is used: the material library was not read"});
+  CHECK(r.notes == std::vector<std::string>{"material library 'x.mtl': not read, the text has no folder"});
   obj(tet, {.report = &r});
   CHECK(r.skipped.empty());
 }
@@ -248,4 +248,18 @@ TEST_CASE("read_obj: the locale does not matter") {
   const char* const set = std::setlocale(LC_ALL, "de_DE.UTF-8");
   CHECK(obj("v 1.5 -2.25 1e-3\n").points[0] == vec3{1.5, -2.25, 0.001});
   if (set) std::setlocale(LC_ALL, "C");
+}
+
+TEST_CASE("read_obj: very long names are cut, and noted; labels tell them apart by their whole length") {
+  const std::string a(1000, 'a');
+  load_report r;
+  const auto m = load_text<polygonmesh>("v 0 0 0\nv 1 0 0\nv 0 1 0\ng " + a + "\nf 1 2 3\ng " + a + "b\nf 1 2 3\ng " + a + "c\nf 1 2 3\n",
+                                        file_format::obj, {.report = &r});
+  for (unsigned p = 0; p < 3; ++p) {
+    CHECK(find_poly_property<std::string>(m, "group")[poly_id{p}] == a);
+    CHECK(find_poly_property<int>(m, "label")[poly_id{p}] == static_cast<int>(p + 1));
+  }
+  CHECK(r.notes == std::vector<std::string>{"names longer than 1000 bytes were cut: every poly has a copy of its name"});
+  load_text<polygonmesh>("v 0 0 0\nv 1 0 0\nv 0 1 0\no " + a + "\nf 1 2 3\n", file_format::obj, {.report = &r});
+  CHECK(r.notes.empty());
 }

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <bit>
 
 using namespace concino;
@@ -445,4 +446,46 @@ TEST_CASE("read_off: in binary, what follows the corners is a colour, an index o
   CHECK(find_poly_property<int>(m, "label")[poly_id{4}] == -2147483520);
   CHECK(find_poly_property<int>(m, "label")[poly_id{1}] == 0);
   CHECK(r.skipped == list{"3 polys with numbers after the corners that are no colour"});
+}
+
+TEST_CASE("read_off: binary numbers in little-endian order are recognised, and noted") {
+  const auto little = [](const bytes& b) {
+    std::string text = b.text;
+    for (std::size_t i = 0; i + 4 <= text.size(); i += 4) std::reverse(text.begin() + static_cast<std::ptrdiff_t>(i), text.begin() + static_cast<std::ptrdiff_t>(i + 4));
+    return text;
+  };
+  bytes b;
+  b.i(4).i(2).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+  b.i(3).i(0).i(2).i(1).i(0);
+  b.i(4).i(0).i(1).i(2).i(3).i(1).f({6});
+  load_report r;
+  const std::string text = "OFF BINARY\n" + little(b);
+  const auto m = mesh(text, &r);
+  CHECK(r.notes == list{"the numbers of the binary file are little-endian; those of OFF are big-endian"});
+  CHECK(num_verts(m) == 4);
+  CHECK(point(m, vert_id{3}) == vec3{0, 0, 1});
+  CHECK(raw(adj_p2v(m, poly_id{1})) == std::vector<unsigned>{0, 1, 2, 3});
+  CHECK(find_poly_property<int>(m, "label")[poly_id{1}] == 6);
+  for (std::size_t n = 0; n < text.size() - 11; ++n) CHECK(line(text.substr(0, 11 + n)) > 0);
+  mesh("OFF BINARY\n" + b.text, &r);
+  CHECK(r.notes.empty());
+  mesh(text + "more", &r);
+  CHECK(r.skipped[0] == "4 bytes after the last poly");
+
+  bytes dimension;
+  dimension.i(2).i(3).i(1).i(0).f({1, 2, 3, 4, 5, 6}).i(3).i(0).i(1).i(2).i(0);
+  CHECK(point(mesh("nOFF BINARY\n" + little(dimension)), vert_id{2}) == vec3{5, 6, 0});
+  // Counts that are possible in both orders: big-endian if the polys are. 65536 points are 256 in the other order.
+  for (const bool is_little : {false, true}) {
+    bytes both;
+    both.i(65536).i(65536).i(0);
+    for (int i = 0; i < 65536; ++i) both.f({1, 2, static_cast<float>(i)});
+    for (int i = 0; i < 65536; ++i) both.i(3).i(i).i(i == 0).i(i < 2 ? 2 : 1).i(0);
+    const auto many = mesh("OFF BINARY\n" + (is_little ? little(both) : both.text), &r);
+    CHECK(num_polys(many) == 65536);
+    CHECK(point(many, vert_id{65535}) == vec3{1, 2, 65535});
+    CHECK(r.notes.size() == is_little);
+  }
+  mesh("OFF BINARY\n" + bytes().i(0).i(0).i(0).text, &r);
+  CHECK(r.notes.empty());
 }

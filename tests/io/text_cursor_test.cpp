@@ -189,3 +189,14 @@ TEST_CASE("first_repeated: neighbours, among few and many") {
   CHECK(first_repeated(v.data(), 5, scratch) == 1);
   CHECK(first_repeated(v.data(), 100, scratch) == 1);
 }
+
+TEST_CASE("text_cursor: lines of places in any order") {
+  const std::string text = "a\nb\r\nc\rd\n\ne";
+  const concino::detail::text_cursor in(text, "t");
+  const std::size_t lines[] = {1, 1, 2, 2, 3, 3, 3, 4, 4, 5, 6};
+  for (std::size_t i = 0; i < text.size(); ++i)
+    for (std::size_t j = 0; j < text.size(); ++j) {
+      CHECK(in.line_of(text.data() + i) == concino::detail::text_cursor(text, "t").line_of(text.data() + i));
+      CHECK(in.line_of(text.data() + j) == lines[j]);
+    }
+}

@@ -1,5 +1,7 @@
 #include <concino/io/text_sink.hpp>
 
+#include <concino/io/replacing_file.hpp>
+
 #include <support/temporary.hpp>
 
 #include <doctest/doctest.h>
@@ -36,34 +38,6 @@ TEST_CASE("text_sink: more than its buffer holds, in one piece and in many") {
   written.flush();
   file.commit();
   CHECK(read_file(dir / "f") == text);
-}
-
-TEST_CASE("replacing_file: what is there is replaced by commit and by nothing else") {
-  const temporary_folder dir;
-  write_file(dir / "f", "old");
-  {
-    replacing_file file(dir / "f");
-    text_sink out(file.descriptor(), dir / "f");
-    out << "new";
-    out.flush();
-    CHECK(read_file(dir / "f") == "old");
-    CHECK(dir.num_files() == 2);
-  }
-  CHECK(read_file(dir / "f") == "old");
-  CHECK(dir.num_files() == 1);
-  {
-    // two writers at once: the last to commit wins, whole
-    replacing_file a(dir / "f"), b(dir / "f");
-    text_sink out_a(a.descriptor(), dir / "f"), out_b(b.descriptor(), dir / "f");
-    out_a << "aaa";
-    out_b << "bbbbbb";
-    out_a.flush(), out_b.flush();
-    b.commit();
-    CHECK(read_file(dir / "f") == "bbbbbb");
-    a.commit();
-  }
-  CHECK(read_file(dir / "f") == "aaa");
-  CHECK(dir.num_files() == 1);
 }
 
 TEST_CASE("text_sink: what cannot be written is an io_error with the reason") {

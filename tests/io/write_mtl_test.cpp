@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 
 using namespace concino;
@@ -29,9 +30,29 @@ bool same_property(const M& a, const M& b, const char* name) {
 }
 template<class M>
 bool same_properties(const M& a, const M& b) {
-  return property_list(a).size() == property_list(b).size() && same_property<rgba>(a, b, "color") && same_property<int>(a, b, "label") &&
+  const auto of_polys = [](const M& m) {
+    const auto all = property_list(m);
+    return std::count_if(all.begin(), all.end(), [](const property_info& p) { return p.kind == element_kind::poly; });
+  };
+  return of_polys(a) == of_polys(b) && same_property<rgba>(a, b, "color") && same_property<int>(a, b, "label") &&
          same_property<std::string>(a, b, "object") && same_property<std::string>(a, b, "group") &&
          same_property<std::string>(a, b, "material");
+}
+
+/// A row of triangles.
+trimesh triangles(std::size_t n) {
+  surface_arrays a;
+  for (std::size_t i = 0; i < n + 2; ++i) a.points.push_back({static_cast<double>(i), static_cast<double>(i % 2), 0});
+  a.arity = 3;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < 3; ++k) a.verts.push_back(vert_id{i + k});
+  return trimesh(std::move(a));
+}
+
+using lines = std::vector<material>;
+lines lines_of(const trimesh& m) {
+  const auto table = find_mesh_property<material_table>(m, "materials");
+  return table ? table->materials : lines{};
 }
 
 }  // namespace
@@ -157,4 +178,96 @@ TEST_CASE("write_mtl: a library that cannot be written leaves the mesh's file as
   CHECK_THROWS_AS(save(m, dir / "a.obj"), io_error);
   CHECK(read_file(dir / "a.obj") == "old");
   CHECK(dir.num_files() == 2);
+}
+
+TEST_CASE("write_mtl: a poly in another colour has a material that differs in the colour alone") {
+  const temporary_folder dir;
+  trimesh m = triangles(6);
+  mesh_property<material_table>(m, "materials")->materials = {
+      {"gold", {"Ka 0.1 0.1 0", "Kd 1 0.75 0", "Tr 0", "Ns 30", "d 1", "# rich"}}, {"plain", {"illum 1"}}, {"glass", {"Kd 0 0 1", "d 0.5", "Tr 0.5"}}, {"unused", {"Kd 1 1 1"}}};
+  const auto name = poly_property<std::string>(m, "material");
+  const auto color = poly_property<rgba>(m, "color");
+  const std::string names[] = {"gold", "gold", "gold", "plain", "glass", ""};
+  for (const auto p : polys(m)) name[p] = names[p.raw()];
+  color[poly_id{0}] = {0, 1, 0};  // not the colour of gold, which is met later
+  color[poly_id{1}] = {1, 0.75f, 0};
+  color[poly_id{2}] = {1, 0.75f, 0, 0.25f};
+  color[poly_id{3}] = {};
+  color[poly_id{4}] = {0, 0, 0.5f, 0.5f};  // nobody has the colour of glass
+  color[poly_id{5}] = {};                  // white, and no material
+  save_report r;
+  save(m, dir / "a.obj", {.report = &r});
+  CHECK(r.lost == list{"materials of several colours: 2 were given names of their own, as a material of .mtl has one colour"});
+  CHECK(r.notes.empty());
+  const auto again = load<trimesh>(dir / "a.obj");
+  CHECK(same_property<rgba>(m, again, "color"));
+  CHECK(lines_of(again) == lines{{"gold", {"Ka 0.1 0.1 0", "Kd 1 0.75 0", "Tr 0", "Ns 30", "d 1", "# rich"}},
+                                 {"plain", {"illum 1"}},
+                                 {"glass", {"Kd 0 0 0.5", "d 0.5", "Tr 0.5"}},
+                                 {"unused", {"Kd 1 1 1"}},
+                                 {"gold_1", {"Ka 0.1 0.1 0", "Kd 0 1 0", "Tr 0", "Ns 30", "d 1", "# rich"}},
+                                 {"gold_2", {"Ka 0.1 0.1 0", "Kd 1 0.75 0", "Tr 0.75", "Ns 30", "d 0.25", "# rich"}}});
+  const auto named = find_poly_property<std::string>(again, "material");
+  const std::string expected[] = {"gold_1", "gold", "gold_2", "plain", "glass", ""};
+  for (const auto p : polys(m)) CHECK(named[p] == expected[p.raw()]);
+
+  // a material that says no colour, in a colour; one that is said to be opaque elsewhere
+  trimesh other = triangles(2);
+  mesh_property<material_table>(other, "materials")->materials = {{"plain", {"illum 1", "d 0.5"}}, {"odd", {"Kd xyz 1 1 1", "Kd 0 0", "d -halo 0.5", "Kd 1 1 0"}}};
+  for (const auto p : polys(other)) {
+    poly_property<std::string>(other, "material")[p] = p.raw() ? "odd" : "plain";
+    poly_property<rgba>(other, "color")[p] = {0, 0.5f, 0, p.raw() ? 0.5f : 1};
+  }
+  save(other, dir / "b.obj", {.report = &r});
+  CHECK(r.lost.empty());
+  const auto back = load<trimesh>(dir / "b.obj");
+  CHECK(same_properties(other, back));
+  CHECK(lines_of(back) == lines{{"plain", {"Kd 0 0.5 0", "illum 1", "d 1"}}, {"odd", {"Kd 0 0.5 0", "d 0.5"}}});
+}
+
+TEST_CASE("write_mtl: what no library can hold of the materials of a mesh is reported") {
+  const temporary_folder dir;
+  trimesh m = triangles(1);
+  *mesh_property<material_table>(m, "materials") = {
+      .materials = {{"a\nb", {"Ks 1\n1 1 ", " # x", "newmtl c", "  "}}, {"a_b", {}}, {"", {"Kd 1 1 1"}}, {"d", {}}}, .head = {"# head"}};
+  save_report r;
+  save(m, dir / "a.obj", {.report = &r});
+  CHECK(r.lost == list{"materials without a name, or of a name that another has: 2 were left out",
+                       "lines of materials that are empty or begin another material: 2 were left out",
+                       "names of polys that no line of .obj can hold: they were changed"});
+  const auto again = load<trimesh>(dir / "a.obj");
+  CHECK(lines_of(again) == lines{{"a_b", {"Ks 1 1 1", "# x"}}, {"d", {}}});
+  CHECK(find_mesh_property<material_table>(again, "materials")->head == list{"# head"});
+
+  save_text(m, file_format::obj, {.report = &r});
+  CHECK(r.lost == list{"mesh property \"materials\": it goes to a .mtl file beside the .obj file, and text has none beside it"});
+  save_text(m, file_format::off, {.report = &r});
+  CHECK(r.lost == list{"mesh property \"materials\": .off has no place for it"});
+  const auto text = load_text<trimesh>("mtllib x.mtl\n" + save_text(triangles(1), file_format::obj), file_format::obj);
+  CHECK(save_text(text, file_format::obj, {.report = &r}).find("\nmtllib x.mtl\n") != std::string::npos);
+  CHECK(r.lost.empty());
+}
+
+TEST_CASE("write_mtl: names that no library defines stay undefined beside a table, and white") {
+  const temporary_folder dir;
+  trimesh m = triangles(3);
+  mesh_property<material_table>(m, "materials")->materials = {{"red", {"Kd 1 0 0"}}};
+  const auto name = poly_property<std::string>(m, "material");
+  const auto color = poly_property<rgba>(m, "color");
+  name[poly_id{0}] = "red", color[poly_id{0}] = {1, 0, 0};
+  name[poly_id{1}] = "grey";
+  save(m, dir / "a.obj");
+  load_report read;
+  const auto again = load<trimesh>(dir / "a.obj", {.report = &read});
+  CHECK(same_properties(m, again));
+  CHECK(lines_of(again).size() == 1);
+  CHECK(read.notes == list{"1 materials have no colour in a library: white; 'grey'"});
+  // a library that defines it is none for this mesh
+  write_file(dir / "b.mtl", "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl red\nKd 1 0 0\n");
+  save(m, dir / "b.obj");
+  CHECK(same_properties(m, load<trimesh>(dir / "b.obj")));
+  // but one of two colours is defined
+  name[poly_id{2}] = "grey", color[poly_id{2}] = {0, 0, 0.5f};
+  save(m, dir / "c.obj");
+  CHECK(same_property<rgba>(m, load<trimesh>(dir / "c.obj"), "color"));
 }

@@ -304,6 +304,24 @@ TEST_CASE("more polys, verts or corners than can be numbered are refused") {
   CHECK_THROWS_AS(check_counts(0, 0, 0xFFFFFFFFu), cn::unsupported);
 }
 
+TEST_CASE("polyhedra are refused where large faces belong to very many of them, and only there") {
+  // A face of `verts` verts, and `polys` polys that have this face alone.
+  const auto crowded = [](std::size_t verts, std::size_t polys) {
+    cn::polyhedra_arrays a{std::vector<cn::vec3>(verts), {0, static_cast<std::uint32_t>(verts)}, {}, {0}, {}, {}};
+    for (std::size_t v = 0; v < verts; ++v) a.face_verts.push_back(cn::vert_id{v});
+    for (std::size_t p = 0; p < polys; ++p) a.poly_offsets.push_back(static_cast<std::uint32_t>(p + 1));
+    a.poly_faces.assign(polys, cn::face_id{0});
+    a.outward.assign(polys, 1);
+    return cn::polyhedralmesh(std::move(a));
+  };
+  CHECK(cn::adj_p2v(crowded(16, 80000), cn::poly_id{79999}).size() == 16);
+  CHECK(cn::adj_v2p(crowded(80000, 16), cn::vert_id{79999}).size() == 16);
+  CHECK(cn::adj_v2p(crowded(1104, 980), cn::vert_id{0}).size() == 980);  // 2^20 + 16 (1104 + 980) verts of polys: the most there may be
+  CHECK_THROWS_AS(crowded(1104, 981), cn::unsupported);
+  CHECK_THROWS_WITH_AS(crowded(2000, 2000), doctest::Contains("4000000 entries, for lists of 4000; a face of more than 16 verts should belong to at most 16 polys"),
+                       cn::unsupported);
+}
+
 TEST_CASE_TEMPLATE("empty meshes, copies, moves", M, CONCINO_ALL_KINDS) {
   const M empty;
   CHECK(cn::num_verts(empty) + cn::num_edges(empty) + cn::num_polys(empty) == 0);

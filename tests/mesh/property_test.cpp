@@ -49,6 +49,28 @@ TEST_CASE("a handle outlives the removal of its property") {
   CHECK_FALSE(cn::find_vert_property<double>(m, "u"));
 }
 
+TEST_CASE_TEMPLATE("a property of the mesh as a whole is one value, copied with it and left alone by edits", M, CONCINO_ALL_KINDS) {
+  M m = cn::testing::grid<M>(2);
+  CHECK_FALSE(cn::find_mesh_property<std::string>(m, "title"));
+  const auto title = cn::mesh_property<std::string>(m, "title");
+  CHECK(title->empty());
+  *title = "a mesh with a title";
+  cn::vert_property<double>(m, "title");
+  CHECK(cn::to_string(cn::property_list(m)[0].kind) == "mesh");
+  const M copy = m;
+  cn::remove_poly(m, cn::poly_id{0});
+  cn::add_vert(m, {7, 7, 7});
+  CHECK(*cn::mesh_property<std::string>(m, "title") == "a mesh with a title");
+  *title = "changed";
+  CHECK(*cn::find_mesh_property<std::string>(copy, "title") == "a mesh with a title");
+  CHECK_THROWS_AS(cn::mesh_property<int>(m, "title"), cn::invalid_argument);
+  CHECK_THROWS_AS(cn::find_mesh_property<int>(m, "title"), cn::invalid_argument);
+  CHECK(cn::remove_property(m, cn::element_kind::mesh, "title"));
+  CHECK(*title == "changed");
+  CHECK_FALSE(cn::find_mesh_property<std::string>(m, "title"));
+  CHECK(cn::find_vert_property<double>(m, "title"));
+}
+
 TEST_CASE_TEMPLATE("properties follow their elements through edits", M, CONCINO_ALL_KINDS) {
   M m = cn::testing::grid<M>(2);
   auto u = cn::vert_property<unsigned>(m, "u");

@@ -115,3 +115,52 @@ TEST_CASE("rows of one length") {
   CHECK(r[2][1] == 6);
   CHECK(r.length(0) == 2);
 }
+
+TEST_CASE("a staged row counts when it is committed, and may hold the rows' own values") {
+  rows<int, 0> r = three_rows();
+  const std::vector<int> before = row(r, 2);
+  for (int i = 0; i < 20; ++i) {
+    const int* const staged = r.stage_row(r.begin(2), 3);  // not committed: the next one takes its place
+    CHECK(std::vector<int>(staged, staged + 3) == before);
+  }
+  CHECK(r.size() == 3);
+  r.stage_row(r.begin(2), 3, 5);
+  r.commit_row(3, 5);
+  CHECK(r.size() == 4);
+  CHECK(row(r, 3) == before);
+  const int* const at = r.begin(3);
+  r.push(3, 7), r.push(3, 8);
+  CHECK(r.begin(3) == at);
+  r.push(3, 9);
+  CHECK(row(r, 3) == std::vector<int>{2, 3, 4, 7, 8, 9});
+  CHECK(row(r, 2) == before);
+  int* const to_write = r.stage_row(nullptr, 2);
+  to_write[0] = 5, to_write[1] = 6;
+  r.commit_row(2);
+  CHECK(row(r, 4) == std::vector<int>{5, 6});
+
+  rows<int, 2> pairs(std::vector<int>{1, 2, 3, 4});
+  for (int i = 0; i < 20; ++i) {
+    pairs.stage_row(pairs.begin(1), 2);
+    CHECK(pairs.size() == 2u + static_cast<unsigned>(i));
+    pairs.commit_row(2);
+  }
+  CHECK(pairs[21][0] == 3);
+  CHECK(pairs[21][1] == 4);
+}
+
+TEST_CASE("with room reserved, rows stay where they are while values are added") {
+  rows<int, 0> r = three_rows();
+  r.reserve_in_row(1, 9);
+  r.reserve_rows(2, 6);
+  const int* const second = r.begin(1);
+  const int* const third = r.begin(2);
+  for (int i = 0; i < 9; ++i) r.push(1, i);
+  const std::vector<int> values{1, 2, 3};
+  r.add_row(values.begin(), values.end());
+  r.add_row(values.begin(), values.end());
+  CHECK(r.begin(1) == second);
+  CHECK(r.begin(2) == third);
+  CHECK(r.length(1) == 9);
+  CHECK(row(r, 4) == values);
+}

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace {
 using list = std::vector<unsigned>;
 
 /// Poly p has the facets polys[p]: the polys across its sides are those with a facet in common, each once.
-void are_right(const std::vector<list>& polys) {
+void are_right(const std::vector<list>& polys, bool first_is_known) {
   detail::offsets lengths{0};
   unsigned facets = 0;
   for (const list& p : polys) {
@@ -26,8 +27,17 @@ void are_right(const std::vector<list>& polys) {
   }
   sides<edge_id, 0> all(make_rows<edge_id>(lengths), make_rows<across>(lengths));
   for (unsigned f = 0; f < facets; ++f) all.add_facet();
+  std::vector<sides<edge_id, 0>::side> met_first(facets);
   for (unsigned p = 0; p < polys.size(); ++p)
-    for (unsigned k = 0; k < polys[p].size(); ++k) all.link(p, k, edge_id{polys[p][k]});
+    for (unsigned k = 0; k < polys[p].size(); ++k) {
+      const edge_id f{polys[p][k]};
+      if (first_is_known && all.is_owned(f)) {
+        all.link(p, k, f, met_first[f.raw()]);
+      } else {
+        met_first[f.raw()] = {p, k};
+        all.link(p, k, f);
+      }
+    }
   all.finish();
   for (unsigned p = 0; p < polys.size(); ++p) {
     std::set<unsigned> expected;
@@ -36,9 +46,17 @@ void are_right(const std::vector<list>& polys) {
         if (p != q && std::count(polys[p].begin(), polys[p].end(), f)) expected.insert(q);
     std::vector<unsigned> found;
     for (const poly_id q : all.polys(poly_id{p})) found.push_back(q.raw());
+    std::vector<unsigned> called;
+    all.polys(poly_id{p}).for_each([&](poly_id q) { called.push_back(q.raw()); });
+    CHECK(called == found);
     std::sort(found.begin(), found.end());
     CHECK(found == std::vector<unsigned>(expected.begin(), expected.end()));
   }
+}
+
+void are_right(const std::vector<list>& polys) {
+  are_right(polys, false);
+  are_right(polys, true);
 }
 
 list numbers(unsigned first, unsigned n) {
@@ -50,7 +68,7 @@ list numbers(unsigned first, unsigned n) {
 }  // namespace
 
 TEST_CASE("sides: polys that meet across one side or several, where there are few sides and many") {
-  for (const unsigned n : {3u, 6u, 24u, 25u, 40u}) {
+  for (const unsigned n : {3u, 6u, 24u, 25u, 40u, 80u}) {
     const list ring = numbers(0, n), apart = numbers(n, n);
     list one = apart, two = apart, first_two = apart, last_two = apart;
     one[1] = 0;
@@ -65,7 +83,7 @@ TEST_CASE("sides: polys that meet across one side or several, where there are fe
 }
 
 TEST_CASE("sides: three polys at a facet, two of which may meet again") {
-  for (const unsigned n : {4u, 30u}) {
+  for (const unsigned n : {4u, 30u, 80u}) {
     const list ring = numbers(0, n);
     list a = numbers(100, n), b = numbers(200, n), again = b, c = numbers(300, n);
     a[0] = b[0] = again[0] = 1;
@@ -87,4 +105,30 @@ TEST_CASE("sides: between the sides that lead to the same poly some lead nowhere
   for (unsigned i = 0; i < 40; i += 2) every_other[i] = i;
   are_right({ring, every_other});
   are_right({every_other, ring});
+}
+
+TEST_CASE("sides: facets with many polys, some of which meet again in other crowds and across facets of two polys") {
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round) {
+    // few facets for many polys: nearly every facet has a crowd, and crowds overlap
+    const unsigned facets = round % 3 == 0 ? 8 : round % 3 == 1 ? 60 : 400, count = 2 + static_cast<unsigned>(random() % 30);
+    std::vector<list> lists;
+    for (unsigned p = 0; p < count; ++p) {
+      list all = numbers(0, facets);
+      std::shuffle(all.begin(), all.end(), random);
+      all.resize(std::min<std::size_t>(facets, 3 + random() % (round % 2 ? 6 : 90)));
+      lists.push_back(random() % 4 == 0 && p > 0 ? lists.back() : all);
+    }
+    are_right(lists);
+  }
+}
+
+TEST_CASE("sides: equal polys, with and without a poly of its own at every side") {
+  for (const unsigned n : {3u, 9u, 30u, 90u})
+    for (const unsigned copies : {2u, 3u, 20u}) {
+      std::vector<list> lists(copies, numbers(0, n));
+      are_right(lists);
+      for (unsigned f = 0; f < n; ++f) lists.push_back({f, n + 2 * f, n + 2 * f + 1});
+      are_right(lists);
+    }
 }

@@ -1,4 +1,4 @@
-// expect: concino: may_cross needs a mesh that says what lies between its nodes: adj_v2e and adj_e2v
+// expect in 10 lines: may_cross(: not of a bare graph| needs a mesh that says what lies between its nodes)
 // Where a graph is all there is, nothing lies between its nodes that could be barred, and the caller is told what is missing.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/graph/bfs.hpp>

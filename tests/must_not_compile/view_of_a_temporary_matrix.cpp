@@ -1,4 +1,4 @@
-// expect: is_no_temporary_array<.*Matrix<int
+// expect in 10 lines: give the array a name
 #include <concino/adapters/eigen.hpp>
 
 Eigen::MatrixXi made();

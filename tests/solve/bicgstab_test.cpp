@@ -2,6 +2,9 @@
 
 #include "support/systems.hpp"
 
+#include <string>
+#include <vector>
+
 using namespace concino;
 using namespace systems;
 
@@ -29,6 +32,46 @@ TEST_CASE("bicgstab: singular matrices, and what does not converge") {
   CHECK_THROWS_WITH_AS(solver.solve(Eigen::VectorXd::Ones(100)), doctest::Contains("not converged"), solver_error);
   one.factorize(grid(20, 0.01, 0.4));
   CHECK_THROWS_WITH_AS(one.solve(random_vector(400)), doctest::Contains("not converged after 1 iterations: the residual is "), solver_error);
+}
+
+TEST_CASE("bicgstab: a missed tolerance is an error, or by option a flag; what is told is a number") {
+  const sparse a = grid(30, 0.01, 0.4);
+  const Eigen::VectorXd b = random_vector(900);
+  bicgstab few({.max_iterations = 2, .drop = 0.5, .fill = 1}), flagged({.max_iterations = 2, .drop = 0.5, .fill = 1, .accept_missed_tolerance = true});
+  few.factorize(a);
+  flagged.factorize(a);
+  CHECK_THROWS_WITH_AS(few.solve(b), doctest::Contains("not converged after 2 iterations"), solver_error);
+  const Eigen::VectorXd x = flagged.solve(b);
+  CHECK_FALSE(flagged.converged());
+  CHECK(flagged.residual() > 1e-12);
+  CHECK(flagged.residual() <= 1);
+  for (const double scale : {1.0, 1e150}) {  // singular; in the iteration numbers may overflow
+    std::vector<Eigen::Triplet<double>> entries{{0, 0, 1.0}, {0, 1, 1.0}, {1, 0, scale}, {1, 1, scale}, {2, 2, 1.0}};
+    bicgstab singular;
+    std::string said = "solved";
+    try {
+      singular.factorize(from(3, 3, entries));
+      singular.solve(Eigen::Vector3d(1, 3 * scale, 1));
+    } catch (const solver_error& e) {
+      said = e.what();
+    }
+    CHECK(said.find("bicgstab: ") == 0);
+    CHECK(said.find("nan") == std::string::npos);
+  }
+}
+
+TEST_CASE("bicgstab: large entries of some rows do not hide the others") {
+  const int n = 30;
+  sparse a = grid(n, 0, 0.1);
+  Eigen::VectorXd x(n * n);
+  for (int i = 0; i < n * n; ++i) {
+    x[i] = std::sin(0.1 * (i % n)) + 0.02 * (i / n);
+    if (i % n == 0 || i % n == n - 1) a.coeffRef(i, i) += 1e12;
+  }
+  bicgstab solver;
+  solver.factorize(a);
+  CHECK(distance(solver.solve(a * x), x) < 1e-9);
+  CHECK(solver.converged());
 }
 
 TEST_CASE("bicgstab: options out of their range") {

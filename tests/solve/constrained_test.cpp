@@ -79,6 +79,28 @@ TEST_CASE("solve_with_constraints: redundant constraints are counted, contradict
   }
 }
 
+TEST_CASE("solve_with_constraints: constraints that nearly depend on others are constraints, in any units") {
+  sparse k(2, 2);
+  k.setIdentity();
+  for (const double little : {1e-6, 1e-9, 1e-11, 3e-12, 1e-13})
+    for (const double unit : {1e-30, 1.0, 1e40}) {
+      const sparse c = from(2, 2, {{0, 0, 1.0}, {0, 1, 1.0}, {1, 0, unit}, {1, 1, unit * (1 + little)}});
+      const Eigen::Vector2d x(-3, 1000);
+      const auto r = solve_with_constraints(k, Eigen::Vector2d::Zero(), c, c * x);
+      CHECK(r.redundant == 0);
+      CHECK(distance(r.x, x) < 1e-12 / little);
+      const Eigen::Vector2d terms = c.transpose().cwiseAbs() * r.multipliers.cwiseAbs();
+      CHECK(distance(r.x, -(c.transpose() * r.multipliers)) < 1e-14 * terms.maxCoeff());
+    }
+  for (const double unit : {1e-30, 1.0, 1e40}) {  // and those that depend are none, also on a row of which little was left
+    const sparse c = from(4, 3, {{0, 0, 1.0}, {0, 1, 1.0}, {1, 0, 1.0}, {1, 1, 1 + 1e-7}, {1, 2, 1e-7}, {2, 0, 0.3 * unit}, {2, 1, (0.3 + 0.3e-7) * unit},
+                              {2, 2, 0.3e-7 * unit}, {3, 0, 0.7 * unit}, {3, 1, 0.7 * unit}});
+    sparse k3(3, 3);
+    k3.setIdentity();
+    CHECK(solve_with_constraints(k3, Eigen::Vector3d::Zero(), c, c * Eigen::Vector3d(1, 2, 3)).redundant == 2);
+  }
+}
+
 TEST_CASE("solve_with_constraints: redundancy as a dense rank has it") {
   std::mt19937 random(6);
   for (int round = 0; round < 40; ++round) {

@@ -5,7 +5,9 @@
 
 #include "support/systems.hpp"
 
+#include <cmath>
 #include <utility>
+#include <vector>
 
 using namespace concino;
 using namespace systems;
@@ -72,6 +74,30 @@ TEST_CASE("least_squares: no smaller residual beside the result, with and withou
   check(least_squares(a, b, given, conjugate_gradients{}).x, one, true);
   ldlt mine;
   CHECK(least_squares(a, b, given, mine).x == least_squares(a, b, given).x);
+}
+
+TEST_CASE("least_squares: nearly dependent columns lose no more digits than by qr, whatever the solver") {
+  const int rows = 60;
+  bool some_by_qr = false, some_without = false;
+  for (int degree = 2; degree <= 12; ++degree) {  // polynomials through points: condition numbers up to 10^9
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < rows; ++i)
+      for (int k = 0; k <= degree; ++k) entries.emplace_back(i, k, std::pow(i / (rows - 1.0), k));
+    const sparse a = from(rows, degree + 1, entries);
+    const Eigen::VectorXd x = random_vector(degree + 1), b = a * x;
+    for (const double away : {0.0, 1e-6}) {  // from what A reaches
+      const Eigen::VectorXd near = b + away * random_vector(rows, 5);
+      const Eigen::VectorXd expected = least_squares(a, near, {}, qr{}).x;
+      const double allowed = 50 * distance(least_squares(a, b, {}, qr{}).x, x) + 1e-12;
+      const auto by_default = least_squares(a, near), by_iteration = least_squares(a, near, {}, conjugate_gradients{});
+      CHECK(distance(by_default.x, expected) < allowed);
+      CHECK(distance(by_iteration.x, expected) < allowed);
+      (by_default.used_qr ? some_by_qr : some_without) = true;
+    }
+  }
+  CHECK((some_by_qr && some_without));
+  CHECK(least_squares(differences(9), Eigen::VectorXd::Ones(9), {}, qr{}).used_qr);
+  CHECK_FALSE(least_squares(tall(300, 80), random_vector(300)).used_qr);
 }
 
 TEST_CASE("least_squares: exact systems, and conditions on all unknowns") {

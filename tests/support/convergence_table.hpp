@@ -1,5 +1,6 @@
 // docs/convergence.tsv: the errors that docs/convergence.md shows and the tests compute again. A line says what was computed, with which
-// weights, on which kind of mesh and which family, and then the error for each size, - where the weights do not support some poly.
+// weights, on which kind of mesh and which family, and then the error for each size, - where the weights do not support some poly. Of geodesics
+// it names the mesh, with _ for blanks, and then the mean and largest error on a coarse one and on a fine one.
 #pragma once
 
 #include <array>

@@ -16,11 +16,11 @@ namespace concino::testing {
 
 template<class F, class M>
 void there_and_back(const M& m) {
-  const auto there = convert<F>(m);
+  const auto there = convert_with_correspondence<F>(m);
   REQUIRE(num_verts(there.mesh) == num_verts(m));
   REQUIRE(num_edges(there.mesh) == num_edges(m));
   REQUIRE(num_polys(there.mesh) == num_polys(m));
-  const auto back = convert<M>(there.mesh);
+  const auto back = convert_with_correspondence<M>(there.mesh);
   for (const auto v : verts(m)) CHECK(to_vec3(point(back.mesh, back.vert_of(there.vert_of(v)))) == to_vec3(point(m, v)));
   for (const auto p : polys(m)) {
     std::vector<vert_id> expected, found;
@@ -57,7 +57,7 @@ void conversions_of_half_edge_meshes() {
 
   // values of a map come along by carry()
   const auto m = testing::grid<trimesh>(3);
-  const auto c = convert<Polygons>(m);
+  const auto c = convert_with_correspondence<Polygons>(m);
   auto values = make_vert_map<double>(m);
   for (const auto v : verts(m)) values[v] = 0.25 * v.raw();
   auto taken = make_vert_map<double>(c.mesh, -1);
@@ -81,8 +81,8 @@ void corpus_there_and_back() {
           if constexpr (SurfaceMesh<M>) {
             if (arity_v<F> != 0 && arity_v<F> != arity_v<M>) return;
             try {
-              const auto there = convert<F>(m);
-              const auto back = convert<M>(there.mesh);
+              const auto there = convert_with_correspondence<F>(m);
+              const auto back = convert_with_correspondence<M>(there.mesh);
               std::size_t wrong = num_verts(back.mesh) != num_verts(m) || num_edges(back.mesh) != num_edges(m) || num_polys(back.mesh) != num_polys(m);
               for (const auto v : verts(m)) wrong += !(point(back.mesh, back.vert_of(there.vert_of(v))) == point(m, v));
               for (const auto p : polys(m)) {

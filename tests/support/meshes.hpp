@@ -4,6 +4,7 @@
 #include <concino/mesh/arrays.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -141,6 +142,13 @@ Arrays jittered(Arrays a, double amount, bool in_space = true, unsigned seed = 1
     p.y += d();
     if (in_space) p.z += d();
   }
+  return a;
+}
+
+/// The arrays with every coordinate multiplied by 2^exponent.
+template<class Arrays>
+Arrays scaled_by_power_of_two(Arrays a, int exponent) {
+  for (vec3& x : a.points) x = {std::ldexp(x.x, exponent), std::ldexp(x.y, exponent), std::ldexp(x.z, exponent)};
   return a;
 }
 

@@ -62,7 +62,7 @@ void operators_of_foreign_surfaces() {
     if constexpr (SurfaceMesh<decltype(m)>) {
       F foreign;
       try {
-        foreign = convert<F>(m).mesh;
+        foreign = convert<F>(m);
       } catch (const unsupported&) {
         return;  // not for a half-edge mesh, or not of triangles
       }

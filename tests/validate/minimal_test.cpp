@@ -82,6 +82,7 @@ kinds_shown on_volumes() {
   const auto four = points({0, 1, 2, 3});
   const polygons tet_faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   shows_only(non_finite_point, tetmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -inf}}, {{0, 1, 2, 3}}));
+  shows_only(corner_order, hexmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}, {{0, 1, 2, 3, 4, 5, 6, 7}}));
   shows_only(isolated_vert, tetmesh(points({0, 1, 2, 3, 4}), polygons{{0, 1, 2, 3}}));
   // Two tets, and a triangle across both.
   shows_only(unreferenced_face, polyhedralmesh(points({0, 1, 2, 3, 4}), polygons{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 1}, {0, 2, 4}, {1, 4, 2}, {0, 3, 4}},
@@ -116,4 +117,18 @@ TEST_CASE("every kind of defect has a smallest mesh that shows exactly it") {
     INFO(defect_name(defect_kind(k)));
     CHECK(all.count(defect_kind(k)) == 1);
   }
+}
+
+TEST_CASE("validate: the report has its records in `defects` and everything in words") {
+  const trimesh sound(points({0, 1, 2}), std::vector<std::array<int, 3>>{{0, 1, 2}});
+  CHECK(validate(sound).text() == "no defects\n");
+  CHECK(validate(sound).defects.empty());
+
+  const trimesh lonely(points({0, 1, 2, 3, 4, 5}), std::vector<std::array<int, 3>>{{0, 1, 2}});
+  const auto all = validate(lonely);
+  REQUIRE(all.defects.size() == 3);
+  CHECK(all.text() == "3 defects\nisolated vert: " + all.defects[0].what + "\nisolated vert: " + all.defects[1].what + "\nisolated vert: " + all.defects[2].what + "\n");
+  const auto some_of_them = validate(lonely, {.most_per_kind = 1});
+  CHECK(some_of_them.defects.size() == 1);
+  CHECK(some_of_them.text() == "3 defects\nisolated vert: " + all.defects[0].what + "\nisolated vert: 2 more\n");
 }

@@ -179,8 +179,8 @@ template<class G, class Index>
 auto graph_view(const G& g, Index index) {
   return views::foreign_graph<G, Index>(g, std::move(index));
 }
-template<class G> requires requirement::is_boost_graph<G> void graph_view(const G&& g) = delete;
-template<class G, class Index> requires requirement::is_boost_graph<G> void graph_view(const G&& g, Index index) = delete;
+template<class G> requires requirement::is_boost_graph<G> void graph_view(const G&& g) = delete;  // give the graph a name: auto g = ...;
+template<class G, class Index> requires requirement::is_boost_graph<G> void graph_view(const G&& g, Index index) = delete;  // give the graph a name: auto g = ...;
 
 static_assert(PrimalGraph<boost::compressed_sparse_row_graph<>> && PrimalGraph<boost::compressed_sparse_row_graph<boost::bidirectionalS>>);
 static_assert(PrimalGraph<boost::adjacency_list<>> && PrimalGraph<boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS>>);

@@ -66,7 +66,7 @@ class indexed_cell_complex {
         const face_id f = opposite.is_none() ? face_id(n->face_darts.size()) : opposite;
         dart d = side;
         do {
-          if (lcc.is_free(d, 1)) throw invalid_mesh("poly " + std::to_string(p.raw()) + " has a facet that is not closed: a dart of it has no next (beta 1)");
+          if (lcc.is_free(d, 1)) detail::throw_joined<invalid_mesh>({"poly ", p.raw(), " has a facet that is not closed: a dart of it has no next (beta 1)"});
           n->polys[d] = p;
           n->faces[d] = f;
           vert_id& v = n->verts[lcc.vertex_attribute(d)];
@@ -159,6 +159,6 @@ template<requirement::is_cgal_cell_complex L>
 auto indexed(const L& lcc) {
   return views::indexed_cell_complex<L>(lcc);
 }
-template<requirement::is_cgal_cell_complex L> void indexed(const L&& lcc) = delete;
+template<requirement::is_cgal_cell_complex L> void indexed(const L&& lcc) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

@@ -65,8 +65,9 @@ struct cgal_polyhedron_ids : cgal_polyhedron_links<P> {
   template<class Iterator>
   static std::size_t bound(std::size_t size, Iterator end, const char* kind) {
     if (size > 0 && (--end)->id() != size - 1)
-      throw invalid_mesh(std::string("CGAL::Polyhedron_3: the last ") + kind + " has another id than the number of those before it; call "
-                         "CGAL::set_halfedgeds_items_id(m) after changes of connectivity");
+      detail::throw_joined<invalid_mesh>({"CGAL::Polyhedron_3: the last ", kind,
+                                          " has another id than the number of those before it; call "
+                                          "CGAL::set_halfedgeds_items_id(m) after changes of connectivity"});
     return size;
   }
 };
@@ -163,6 +164,6 @@ struct mesh_traits<views::indexed_polyhedron<P>> : halfedge_kernel<views::indexe
 template<detail::is_cgal_polyhedron M>
 auto indexed(const M& m) { return views::indexed_polyhedron<typename decltype(detail::base_of_cgal_polyhedron(&m))::type>(m); }
 template<detail::is_cgal_polyhedron M>
-void indexed(const M&& m) = delete;
+void indexed(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

@@ -125,12 +125,12 @@ struct cgal_surface_links {
     return v;
   }
   static poly add_poly(mesh& m, std::span<const vert> corners) {
-    const auto refuse = [&](const std::string& why) { throw invalid_mesh("poly " + std::to_string(m.num_faces()) + " " + why); };
-    if (corners.size() < 3) refuse("has " + std::to_string(corners.size()) + " verts; it needs at least 3");
+    const auto refuse = [&](const std::string& why) { detail::throw_joined<invalid_mesh>({"poly ", m.num_faces(), " ", why}); };
+    if (corners.size() < 3) refuse(detail::joined({"has ", corners.size(), " verts; it needs at least 3"}));
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      if (!contains(m, corners[i])) refuse("names vert " + std::to_string(corners[i].idx()) + ", which is not in the mesh");
+      if (!contains(m, corners[i])) refuse(detail::joined({"names vert ", corners[i].idx(), ", which is not in the mesh"}));
       if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) != corners.begin() + static_cast<std::ptrdiff_t>(i))
-        refuse("has vert " + std::to_string(corners[i].idx()) + " twice; its verts must differ");
+        refuse(detail::joined({"has vert ", corners[i].idx(), " twice; its verts must differ"}));
     }
     const poly p = m.add_face(corners);
     if (p == mesh::null_face())

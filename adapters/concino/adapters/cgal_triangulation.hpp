@@ -183,7 +183,7 @@ auto indexed(const C& c) {
   return views::indexed_triangulation<triangulation>(c.triangulation(), std::vector<typename triangulation::Vertex_handle>(),
                                                      c.cells_in_complex_begin(), c.cells_in_complex_end(), c.number_of_cells_in_complex());
 }
-template<class G, class D, class L> void indexed(const CGAL::Triangulation_3<G, D, L>&& t) = delete;
-template<requirement::is_cgal_complex C> void indexed(const C&& c) = delete;
+template<class G, class D, class L> void indexed(const CGAL::Triangulation_3<G, D, L>&& t) = delete;  // give the mesh a name: auto m = ...;
+template<requirement::is_cgal_complex C> void indexed(const C&& c) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

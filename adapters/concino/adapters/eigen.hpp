@@ -14,6 +14,7 @@
 // A Matrix is kept by its address, so its memory may change hands (V = smoothed(V)); of the others the place in memory is kept.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/mesh/view_arrays.hpp>
 
 #include <Eigen/Core>
@@ -77,8 +78,8 @@ class eigen_place {
 
   std::string misfit(unsigned wanted) const {
     if (at().rows() == 0 || at().cols() == static_cast<Eigen::Index>(wanted)) return {};
-    return "has " + number_text(static_cast<std::uint64_t>(at().cols())) + " columns; it needs " + number_text(wanted) +
-           (wanted == 3 && at().cols() == 2 ? ", or a type with 2 columns such as Eigen::MatrixX2d" : "");
+    return joined({"has ", at().cols(), " columns; it needs ", wanted,
+                   wanted == 3 && at().cols() == 2 ? ", or a type with 2 columns such as Eigen::MatrixX2d" : ""});
   }
   std::size_t size() const { return static_cast<std::size_t>(Flat ? at().rows() * at().cols() : at().rows()); }
   auto row(std::size_t i) const

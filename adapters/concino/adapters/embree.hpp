@@ -34,11 +34,11 @@ class embree_caster {
       case RTC_ERROR_OUT_OF_MEMORY:
         throw std::bad_alloc();
       case RTC_ERROR_UNSUPPORTED_CPU:
-        throw unsupported(std::string("embree: ") + doing + ": this processor is not supported, it needs SSE2");
+        detail::throw_joined<unsupported>({"embree: ", doing, ": this processor is not supported, it needs SSE2"});
       case RTC_ERROR_INVALID_ARGUMENT:
-        throw invalid_argument(std::string("embree: ") + doing + ": invalid argument");
+        detail::throw_joined<invalid_argument>({"embree: ", doing, ": invalid argument"});
       default:
-        throw unsupported(std::string("embree: ") + doing + ": failed inside Embree");
+        detail::throw_joined<unsupported>({"embree: ", doing, ": failed inside Embree"});
     }
   }
 

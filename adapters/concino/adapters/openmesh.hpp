@@ -53,16 +53,38 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
     return p;
   }
   // OpenMesh deletes by status attributes. They are requested, as users of OpenMesh do by hand, where the mesh has none.
+  static void reserve_removal(M& m, std::span<const poly>) {
+    request_vert_status(m);
+    request_status(m);
+  }
   static void remove_poly(M& m, poly p) {
-    if (!m.has_face_status()) {
-      m.request_face_status();
-      if (!m.has_edge_status()) m.request_edge_status();
-    }
+    request_status(m);
     m.OpenMesh::PolyConnectivity::delete_face(p, false);
   }
   static void remove_vert(M& m, vert v) {
-    if (!m.has_vertex_status()) m.request_vertex_status();
+    request_vert_status(m);
     m.OpenMesh::PolyConnectivity::delete_vertex(v, false);
+  }
+
+ private:
+  // OpenMesh counts a request that fails as one that was granted, and leaves the attribute half made: it is released then, and the next request
+  // begins anew. Each is requested for itself, as there may be memory for one and not for the other.
+  template<class Request, class Release>
+  static void request_or_release(bool has, const Request& request, const Release& release) {
+    if (has) return;
+    try {
+      request();
+    } catch (...) {
+      release();
+      throw;
+    }
+  }
+  static void request_vert_status(M& m) {
+    request_or_release(m.has_vertex_status(), [&] { m.request_vertex_status(); }, [&] { m.release_vertex_status(); });
+  }
+  static void request_status(M& m) {
+    request_or_release(m.has_edge_status(), [&] { m.request_edge_status(); }, [&] { m.release_edge_status(); });
+    request_or_release(m.has_face_status(), [&] { m.request_face_status(); }, [&] { m.release_face_status(); });
   }
 };
 

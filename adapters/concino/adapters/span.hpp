@@ -11,6 +11,7 @@
 // change hands (xyz = smoothed(xyz)); a span as it is.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/mesh/view_arrays.hpp>
 
 #include <array>
@@ -55,7 +56,7 @@ class rows_of_numbers : kept_span<A> {
   std::string misfit(unsigned) const {
     const std::size_t n = this->get().size();
     if (n % N == 0) return {};
-    return "has " + number_text(n) + " numbers; it needs " + number_text(N) + " for each";
+    return joined({"has ", n, " numbers; it needs ", N, " for each"});
   }
   auto numbers() const
     requires(N == 1)

@@ -3,6 +3,7 @@
 
 #include <concino/adapters/detail/spectra_lanczos.hpp>
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/solve/detail/residual.hpp>
@@ -20,7 +21,7 @@
 namespace concino {
 
 struct eigenpairs_options {
-  double tolerance = 1e-10;  // of residuals, relative to the eigenvalue plus the shift; above 0 and below 1
+  double tolerance = 1e-10;  // of residuals, relative to the eigenvalue plus the shift, or rounding errors of K u if larger; above 0 and below 1
   int max_restarts = 1000;   // of the iteration, 1 or more
   double shift = 0;          // K + shift M is factorised, in units of the eigenvalues, finite; 0: mean of the diagonal of K over that of M and rows
 };
@@ -111,13 +112,13 @@ struct eigenproblem {
     r.solves = found.solves;
     r.isolated = static_cast<std::size_t>(rows) - row.size();
     for (Eigen::Index i = 0; i < count; ++i) {
-      const Eigen::VectorXd u = found.vectors.col(i), mu = symmetric_product(mass, u);
+      const Eigen::VectorXd u = found.vectors.col(i);
       Eigen::Index largest = 0;
       for (Eigen::Index k = 1; k < u.size(); ++k)
         if (std::abs(u[k]) > std::abs(u[largest]) * (1 + 1e-6)) largest = k;
       const int unit = stiffness_exponent - mass_exponent;
       r.values[i] = std::ldexp(found.values[i], unit);
-      r.residuals[i] = std::ldexp((symmetric_product(stiffness, u) - found.values[i] * mu).norm() / mu.norm(), unit);
+      r.residuals[i] = std::ldexp(eigen_residual(stiffness, mass, found.values[i], u).size, unit);
       const int halved = mass_exponent >> 1;
       const double factor = std::ldexp(u[largest] < 0 ? -1.0 : 1.0, -halved) * (mass_exponent == 2 * halved ? 1 : std::sqrt(0.5));
       for (Eigen::Index k = 0; k < u.size(); ++k) r.vectors(row[static_cast<std::size_t>(k)], i) = factor * u[k];
@@ -132,9 +133,9 @@ struct eigenproblem {
 /// Needs:  K symmetric and positive semidefinite, such as minus a Laplacian; M symmetric and positive definite, lumped or not; of both only the lower
 ///         triangle is read. Rows that are empty in both are left out and counted. count: at least 1, at most the rows that are left.
 ///         solver: a SparseSolver for K + shift M, which is positive definite.
-/// Result: count of them, as often as they are multiple, with residuals; deterministic. Zeros are zero to rounding. Multiplying K and M
+/// Result: count of them, as often as they are multiple, with residuals, which are verified; deterministic. Zeros are zero to rounding. Multiplying K and M
 ///         by powers of 2 scales values exactly, and so vectors where that of M is one of 4.
-/// Cost:   one factorisation and, for each pair, some 2 to 10 solves; O(rows count) memory. All at once, O(rows^3), where rows < 2 count + 1
+/// Cost:   one factorisation and, for each pair, some 3 to 11 solves; O(rows count) memory. All at once, O(rows^3), where rows < 2 count + 1
 ///         or there are no more than 32.
 /// Errors: invalid_argument if count or an option is out of its range, or the matrices are not of one size; solver_error if a matrix has entries
 ///         that are not finite, a row has no mass, or not all have converged, how many and with which residual; those of the solver.
@@ -209,5 +210,10 @@ eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t 
   }
   return r;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void eigenfunctions(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void eigenfunctions(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void eigenfunctions(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: a point at each vert, or with_points(m, map)
 
 }  // namespace concino

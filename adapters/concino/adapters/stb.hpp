@@ -2,10 +2,12 @@
 #pragma once
 
 #include <concino/error.hpp>
+#include <concino/io/options.hpp>
+#include <concino/io/replacing_file.hpp>
+#include <concino/io/text_sink.hpp>
 #include <concino/render/image.hpp>
 
 #include <cassert>
-#include <cerrno>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -13,6 +15,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // stb's implementation is compiled into each translation unit, static and in a namespace of ours, so that any number of them can be
@@ -55,29 +58,22 @@ namespace concino::detail::stb {
 namespace concino {
 
 /// Writes a picture as an 8-bit sRGB PNG.
-/// Result: the file at `path` is the old one or the whole new one, never a part: it is written beside its place and renamed.
+/// Result: the file at `path` is the old one or the whole new one, never a part.
 /// Errors: invalid_argument if the picture is empty; io_error if the file cannot be written.
 // Static because it calls stb's static functions: an inline function must not mean something else in each translation unit.
-[[maybe_unused]] static inline void write_png(const image& picture, const std::string& path) {
-  if (picture.width() == 0) throw invalid_argument("write_png: " + path + ": the picture has no pixels");
+[[maybe_unused]] static inline void write_png(const image& picture, const std::string& path, const file_options& options = {}) {
+  if (picture.width() == 0) detail::throw_joined<invalid_argument>({"write_png: ", path, ": the picture has no pixels"});
   const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
+  detail::replacing_file file(path, {.sync = options.sync});
   const std::vector<std::uint8_t> pixels = srgb_bytes(picture);
   int length = 0;
   unsigned char* const bytes = detail::stb::stbi_write_png_to_mem(pixels.data(), width * 3, width, height, 3, &length);
   const std::unique_ptr<unsigned char, decltype(&std::free)> png(bytes, &std::free);
-  if (!png) throw io_error("write_png: " + path + ": not enough memory to compress the picture");
-
-  const std::string unfinished = path + ".part";
-  const auto fail = [&](const char* what) {
-    const std::string why = std::strerror(errno);
-    std::remove(unfinished.c_str());
-    throw io_error("write_png: " + path + ": " + what + ": " + why);
-  };
-  std::FILE* file = std::fopen(unfinished.c_str(), "wb");
-  if (!file) fail("cannot be created");
-  const bool written = std::fwrite(png.get(), 1, static_cast<std::size_t>(length), file) == static_cast<std::size_t>(length);
-  if (std::fclose(file) != 0 || !written) fail("cannot be written");
-  if (std::rename(unfinished.c_str(), path.c_str()) != 0) fail("cannot be put in place");
+  if (!png) detail::throw_joined<io_error>({"write_png: ", path, ": not enough memory to compress the picture"});
+  detail::text_sink out(file.descriptor(), path);
+  out << std::string_view(reinterpret_cast<const char*>(png.get()), static_cast<std::size_t>(length));
+  out.flush();
+  file.commit();
 }
 
 }  // namespace concino

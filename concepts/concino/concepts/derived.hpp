@@ -132,7 +132,8 @@ class faces_of_face {
 
 /// The edges that share a vert with e, each once.
 /// Cost: proportional to the edges at the ends of e; nothing is allocated.
-inline constexpr struct adj_e2e_verb {
+inline constexpr struct adj_e2e_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires AnyMesh<M> || requires(const M& m, edge_t<M> e) { traits<M>::adj_e2e(m, e); }
   constexpr decltype(auto) operator()(const M& m, edge_t<M> e) const {
@@ -143,7 +144,8 @@ inline constexpr struct adj_e2e_verb {
 
 /// The faces of a volume that share an edge with f, each once.
 /// Cost: proportional to the edges of f, times the faces at an edge squared, times the edges of a face; nothing is allocated.
-inline constexpr struct adj_f2f_verb {
+inline constexpr struct adj_f2f_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires VolumeMesh<M> || requires(const M& m, face_t<M> f) { traits<M>::adj_f2f(m, f); }
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const {

@@ -9,7 +9,7 @@
 namespace concino {
 
 /// Names one element by its index. Regular, ordered, 32 bits, unrelated to integers and to ids of other kinds:
-/// `vert_id{3} == poly_id{3}` does not compile. A default id names no element; `is_none()` tells.
+/// `vert_id{3} == poly_id{3}` and `vert_id{2.5}` do not compile. A default id names no element; `is_none()` tells.
 template<class Tag>
 class id {
   unsigned raw_ = ~0u;
@@ -18,8 +18,7 @@ class id {
   using tag = Tag;
 
   constexpr id() = default;
-  template<class I>
-    requires std::integral<I> || std::floating_point<I>
+  template<std::integral I>
   constexpr explicit id(I index) : raw_(static_cast<unsigned>(index)) {}
 
   constexpr unsigned raw() const { return raw_; }

@@ -38,7 +38,7 @@ consteval void explain_dual_graph() {
   else if constexpr (!requirement::has_poly<M>)
     static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::poly: using poly = a std::regular type; names one poly");
   else if constexpr (!requirement::has_polys<M>)
-    static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::polys: static ElementRange<poly> polys(const M&); all polys");
+    static_assert(detail::explain_range<poly_t<M>, decltype(polys), const std::remove_cvref_t<M>&>() && missing<M>, "concino: DualGraph needs mesh_traits<M>::polys: static ElementRange<poly> polys(const M&); all polys");
   else if constexpr (!requirement::has_num_polys<M>)
     static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::num_polys: static std::size_t num_polys(const M&); how many polys the walk meets");
   else if constexpr (!requirement::has_poly_index_bound<M>)
@@ -46,7 +46,7 @@ consteval void explain_dual_graph() {
   else if constexpr (!requirement::has_poly_index_of<M>)
     static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, poly); below poly_index_bound, different for different polys");
   else if constexpr (!requirement::has_adj_p2p<M>)
-    static_assert(missing<M>, "concino: DualGraph needs mesh_traits<M>::adj_p2p: static ElementRange<poly> adj_p2p(const M&, poly); the polys across an edge (surface) or a face (volume)");
+    static_assert(detail::explain_range<poly_t<M>, decltype(adj_p2p), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: DualGraph needs mesh_traits<M>::adj_p2p: static ElementRange<poly> adj_p2p(const M&, poly); the polys across an edge (surface) or a face (volume)");
   else static_assert(DualGraph<M>);
   // clang-format on
 }

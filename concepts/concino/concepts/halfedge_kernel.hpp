@@ -13,18 +13,30 @@
 //     static halfedge halfedge_of(const my_mesh& m, edge e);            // either of the two
 //     static halfedge halfedge_of(const my_mesh& m, poly p);            // one along p
 //     static std::size_t num_verts(const my_mesh& m);                   // num_edges, num_polys alike
+//     // Where the border has no half-edges, say so; has_opposite then stands for is_border, and opposite is asked only where it is true:
+//     //   static constexpr bool has_border_halfedges = false;
+//     //   static bool has_opposite(const my_mesh& m, halfedge h);
+//     //   static halfedge previous(const my_mesh& m, halfedge h);         // optional; else found by a walk along the poly
 //     // verts(m), vert_index_bound(m), index_of(m, v) and so on: not needed where the descriptors are vert_id, edge_id and poly_id
 //     // numbered without gaps.  point(m, v) for Embedded, arity, set_point ... as in any mesh_traits.
 //   };
 //   template<> struct concino::mesh_traits<my_mesh> : concino::halfedge_kernel<my_mesh, my_links> {};
 //
-// What the links must keep: every edge has two half-edges, opposite to each other, also at the border; `next` leads around each poly and
-// along each border; and stepping from h to next(opposite(h)) meets every half-edge that leaves the vert before it comes back to h. At a
-// vert with several gaps (fans of polys that only touch there) this means that the border half-edges are linked from one fan to the next,
-// as OpenMesh and CGAL do. No two edges join the same two verts. check_laws finds where any of this is not so.
+// What is still missing: explain_halfedge_links<my_links, my_mesh>() does not compile, and says in one sentence what to write next; then
+// explain_surface_mesh<my_mesh>() and explain_embedded<my_mesh>().
+//
+// Half-edges hold oriented manifolds only: surfaces whose edges have at most two polys that run them in opposite directions. For any other
+// mesh use indexed_surface. The fans of polys at a vert must be linked by the border half-edges, from one fan to the next, as OpenMesh and
+// CGAL do; without border half-edges a vert has one fan.
+//
+// Laws (check_laws names the first that is broken; assert_halfedge_links checks these alone):
+//   HE1  stepping with next from halfedge_of(p) meets half-edges of p only and comes back; at the border it meets border half-edges
+//   HE2  no two verts are joined by more than two polys' half-edges, and by two only in opposite directions
+//   HE3  opposite(h) is another half-edge, at the border too, whose opposite is h; edge_of gives both the same edge, halfedge_of one of them
+//   HE4  stepping from halfedge_of(v) to next(opposite(h)) meets every half-edge that leaves v and comes back
 #pragma once
 
-#include <concino/concepts/surface_mesh.hpp>
+#include <concino/concepts/mesh.hpp>
 
 namespace concino {
 
@@ -45,6 +57,12 @@ template<class K, class M> concept has_target = requires(const M& m, typename K:
 template<class K, class M> concept has_is_border = requires(const M& m, typename K::halfedge h) {
   { K::is_border(m, h) } -> std::convertible_to<bool>;
 };
+template<class K> concept lacks_border_halfedges = requires { requires !K::has_border_halfedges; };
+template<class K, class M> concept has_has_opposite = requires(const M& m, typename K::halfedge h) {
+  { K::has_opposite(m, h) } -> std::convertible_to<bool>;
+};
+template<class K, class M>
+concept has_borders = (lacks_border_halfedges<K> && has_has_opposite<K, M>) || (!lacks_border_halfedges<K> && has_is_border<K, M>);
 template<class K, class M> concept has_poly_of = requires(const M& m, typename K::halfedge h) {
   { K::poly_of(m, h) } -> std::convertible_to<typename K::poly>;
 };
@@ -69,7 +87,7 @@ concept has_numbers = requires(const M& m) {
 /// K says how the half-edges of M are linked: the list above.
 template<class K, class M>
 concept HalfedgeLinks = requirement::has_link_types<K, M> && requirement::has_next<K, M> && requirement::has_opposite<K, M> &&
-    requirement::has_target<K, M> && requirement::has_is_border<K, M> && requirement::has_poly_of<K, M> && requirement::has_edge_of<K, M> &&
+    requirement::has_target<K, M> && requirement::has_borders<K, M> && requirement::has_poly_of<K, M> && requirement::has_edge_of<K, M> &&
     requirement::has_is_isolated<K, M> && requirement::has_halfedge_of<K, M, typename K::vert> &&
     requirement::has_halfedge_of<K, M, typename K::edge> && requirement::has_halfedge_of<K, M, typename K::poly> &&
     requirement::has_numbers<K, M>;
@@ -88,8 +106,10 @@ consteval void explain_halfedge_links() {
     static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge opposite(const M&, halfedge); the other half-edge of the edge");
   else if constexpr (!requirement::has_target<K, M>)
     static_assert(missing<K>, "concino: HalfedgeLinks needs static vert target(const M&, halfedge); the vert that the half-edge leads to");
-  else if constexpr (!requirement::has_is_border<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static bool is_border(const M&, halfedge); whether the half-edge has no poly");
+  else if constexpr (requirement::lacks_border_halfedges<K> && !requirement::has_has_opposite<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks without border half-edges needs static bool has_opposite(const M&, halfedge); false where the edge has no other poly");
+  else if constexpr (!requirement::has_borders<K, M>)
+    static_assert(missing<K>, "concino: HalfedgeLinks needs static bool is_border(const M&, halfedge); whether the half-edge has no poly; where the border has no half-edges: static constexpr bool has_border_halfedges = false; and has_opposite");
   else if constexpr (!requirement::has_poly_of<K, M>)
     static_assert(missing<K>, "concino: HalfedgeLinks needs static poly poly_of(const M&, halfedge); asked only where is_border is false");
   else if constexpr (!requirement::has_edge_of<K, M>)
@@ -115,7 +135,8 @@ consteval void explain_halfedge_links() {
 namespace concino {
 
 /// mesh_traits from links: inherit mesh_traits<M> from it.
-/// Cost: every ring in time proportional to its length, adj_p2p besides that to the polys across; nothing is stored.
+/// Cost: every ring in time proportional to its length, adj_p2p besides that to the polys across; nothing is stored. Without border
+/// half-edges and without `previous`, a vert at the border costs the size of the polys there.
 template<class M, class K>
 struct halfedge_kernel : K {
   static constexpr int dimension = 2;
@@ -123,10 +144,12 @@ struct halfedge_kernel : K {
   using vert = typename K::vert;
   using edge = typename K::edge;
   using poly = typename K::poly;
+  using halfedge_links = detail::links_with_border<M, K>;
 
  private:
+  using L = halfedge_links;
   template<class X, class Tag> static constexpr bool is_id = std::same_as<X, id<Tag>>;
-  template<detail::around Ring> using ring = detail::halfedge_ring<M, K, Ring>;
+  template<detail::around Ring> using ring = detail::halfedge_ring<M, L, Ring>;
 
  public:
   static decltype(auto) verts(const M& m) requires(requires { K::verts(m); } || is_id<vert, vert_tag>) {
@@ -165,19 +188,19 @@ struct halfedge_kernel : K {
   static auto adj_v2p(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::around::v2p>::of(m, v); }
   static auto adj_p2v(const M& m, poly p) requires HalfedgeLinks<K, M> { return ring<detail::around::p2v>::of(m, p); }
   static auto adj_p2e(const M& m, poly p) requires HalfedgeLinks<K, M> { return ring<detail::around::p2e>::of(m, p); }
-  static auto adj_p2p(const M& m, poly p) requires HalfedgeLinks<K, M> { return detail::halfedge_neighbours<M, K>(m, p); }
+  static auto adj_p2p(const M& m, poly p) requires HalfedgeLinks<K, M> { return detail::halfedge_neighbours<M, L>(m, p); }
   static auto adj_e2v(const M& m, edge e) requires HalfedgeLinks<K, M> {
-    const typename K::halfedge h = K::halfedge_of(m, e);
-    return detail::up_to_two<vert>(K::target(m, K::opposite(m, h)), K::target(m, h));
+    const typename L::halfedge h = L::halfedge_of(m, e);
+    return detail::up_to_two<vert>(L::target(m, L::opposite(m, h)), L::target(m, h));
   }
   static auto adj_e2p(const M& m, edge e) requires HalfedgeLinks<K, M> {
-    const typename K::halfedge h = K::halfedge_of(m, e), o = K::opposite(m, h);
-    const bool has_left = !K::is_border(m, h), has_right = !K::is_border(m, o);
+    const typename L::halfedge h = L::halfedge_of(m, e), o = L::opposite(m, h);
+    const bool has_left = !L::is_border(m, h), has_right = !L::is_border(m, o);
     if (!has_left && !has_right) return detail::up_to_two<poly>();
-    if (!has_right) return detail::up_to_two<poly>(K::poly_of(m, h));
-    const poly right = K::poly_of(m, o);
+    if (!has_right) return detail::up_to_two<poly>(L::poly_of(m, h));
+    const poly right = L::poly_of(m, o);
     if (!has_left) return detail::up_to_two<poly>(right);
-    const poly left = K::poly_of(m, h);
+    const poly left = L::poly_of(m, h);
     return left == right ? detail::up_to_two<poly>(left) : detail::up_to_two<poly>(left, right);
   }
 };

@@ -7,6 +7,54 @@ namespace concino::detail {
 
 enum class around { v2v, v2e, v2p, p2v, p2e };
 
+/// Gives border half-edges to links that have none. The border half-edge of an edge is named by the half-edge on its other side; the
+/// next one along the border is found by a walk round the vert between them.
+template<class M, class K>
+struct border_halfedges {
+  using vert = typename K::vert;
+  using edge = typename K::edge;
+  using poly = typename K::poly;
+  struct halfedge {
+    typename K::halfedge inner{};
+    bool border = false;
+    friend bool operator==(const halfedge&, const halfedge&) = default;
+  };
+
+  static halfedge opposite(const M& m, const halfedge& h) {
+    if (h.border) return {h.inner, false};
+    if (K::has_opposite(m, h.inner)) return {K::opposite(m, h.inner), false};
+    return {h.inner, true};
+  }
+  static halfedge next(const M& m, const halfedge& h) {
+    if (!h.border) return {K::next(m, h.inner), false};
+    typename K::halfedge g = previous(m, h.inner);
+    while (K::has_opposite(m, g)) g = previous(m, K::opposite(m, g));
+    return {g, true};
+  }
+  static vert target(const M& m, const halfedge& h) { return K::target(m, h.border ? previous(m, h.inner) : h.inner); }
+  static bool is_border(const M&, const halfedge& h) { return h.border; }
+  static poly poly_of(const M& m, const halfedge& h) { return K::poly_of(m, h.inner); }
+  static edge edge_of(const M& m, const halfedge& h) { return K::edge_of(m, h.inner); }
+  static bool is_isolated(const M& m, const vert& v) { return K::is_isolated(m, v); }
+  template<class X> static halfedge halfedge_of(const M& m, const X& x) { return {K::halfedge_of(m, x), false}; }
+
+ private:
+  static typename K::halfedge previous(const M& m, const typename K::halfedge& h) {
+    if constexpr (requires { K::previous(m, h); }) {
+      return K::previous(m, h);
+    } else {
+      typename K::halfedge g = K::next(m, h), after = K::next(m, g);
+      for (; !(after == h); after = K::next(m, g)) g = after;
+      return g;
+    }
+  }
+};
+
+template<class M, class K, bool HasBorder> struct complete_links { using type = K; };
+template<class M, class K> struct complete_links<M, K, false> { using type = border_halfedges<M, K>; };
+/// Links in which the border has half-edges: K, or what is made of it.
+template<class M, class K> using links_with_border = typename complete_links<M, K, !requires { requires !K::has_border_halfedges; }>::type;
+
 /// What the half-edges that leave a vert, or go along a poly, show: their far ends, edges or polys.
 template<class M, class K, around Ring>
 class halfedge_ring {
@@ -82,6 +130,12 @@ class halfedge_neighbours {
   const M* m_;
   poly p_;
 
+  /// The poly across h, p itself where there is none.
+  poly across(const halfedge& h) const {
+    const halfedge o = K::opposite(*m_, h);
+    return K::is_border(*m_, o) ? p_ : poly(K::poly_of(*m_, o));
+  }
+
  public:
   class iterator {
     const M* m_ = nullptr;
@@ -155,6 +209,20 @@ class halfedge_neighbours {
   };
 
   halfedge_neighbours(const M& m, const poly& p) : m_(&m), p_(p) {}
+  /// Calls f(q) for all of them in the same order. The neighbours of a triangle are compared without an iterator, which would carry them along.
+  template<class F>
+  constexpr void for_each(F&& f) const {
+    const M& m = *m_;
+    const halfedge first = K::halfedge_of(m, p_), second = K::next(m, first), third = K::next(m, second);
+    if (K::next(m, third) == first) {
+      const poly a = across(first), b = across(second), c = across(third);
+      if (!(a == p_)) f(a);
+      if (!(b == p_) && !(b == a)) f(b);
+      if (!(c == p_) && !(c == a) && !(c == b)) f(c);
+    } else {
+      for (iterator it = begin(); !(it == end()); ++it) f(*it);
+    }
+  }
   iterator begin() const { return {*m_, p_}; }
   iterator end() const { return {}; }
 };

@@ -14,6 +14,21 @@ concept ReadableMap = requires(const std::remove_cvref_t<P>& p, const E& e) { p[
 template<class P, class E, class T>
 concept WritableMap = requires(std::remove_reference_t<P>& p, const E& e, const T& t) { p[e] = t; };
 
+namespace requirement {
+
+/// What a map gives: numbers, or points and vectors p with p[0], p[1], p[2].
+template<class P, class E> concept gives_numbers = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
+  { p[e] } -> std::convertible_to<double>;
+};
+template<class P, class E> concept gives_points = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
+  { p[e][0] } -> std::convertible_to<double>;
+  { p[e][1] } -> std::convertible_to<double>;
+  { p[e][2] } -> std::convertible_to<double>;
+};
+template<class P, class E> concept gives_numbers_or_points = gives_numbers<P, E> || gives_points<P, E>;
+
+}  // namespace requirement
+
 namespace detail {
 
 /// False, but only once the types are known.

@@ -2,6 +2,7 @@
 //
 // Laws:
 //   EM1  point(m, v) is three finite numbers
+//   EM2  where polys are hexes by type, not all of them look as if their corners were listed in lexicographic order
 #pragma once
 
 #include <concino/concepts/surface_mesh.hpp>
@@ -22,12 +23,26 @@ template<class M> concept has_point = requires(const std::remove_cvref_t<M>& m, 
 };
 template<class M> concept has_set_point = requires(std::remove_cvref_t<M>& m, vert_t<M> v, const double (&x)[3]) { traits<M>::set_point(m, v, x); };
 
+// A forgotten &: what is returned, or set, belongs to a copy of the mesh that is gone. Views and meshes as small as a pointer may be copied.
+template<class M> concept is_copied_freely = is_view_v<M> || std::is_trivially_copyable_v<std::remove_cvref_t<M>>;
+template<class M, class P>
+concept point_is_of_a_copy = (std::is_lvalue_reference_v<P> || std::is_pointer_v<P>) &&
+    requires { static_cast<P (*)(std::remove_cvref_t<M>, vert_t<M>)>(&traits<M>::point); } && !is_copied_freely<M>;
+template<class M>
+concept has_point_of_the_mesh = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) {
+  requires !point_is_of_a_copy<M, decltype(traits<M>::point(m, v))>;
+};
+template<class M>
+concept sets_point_of_a_copy =
+    requires { static_cast<void (*)(std::remove_cvref_t<M>, vert_t<M>, const double (&)[3])>(&traits<M>::set_point); } && !is_copied_freely<M>;
+
 }  // namespace requirement
 
-template<class M> concept Embedded = requirement::is_adapted<M> && requirement::has_vert<M> && requirement::has_point<M>;
+template<class M>
+concept Embedded = requirement::is_adapted<M> && requirement::has_vert<M> && requirement::has_point<M> && requirement::has_point_of_the_mesh<M>;
 
 /// set_point takes anything with x[0], x[1], x[2].
-template<class M> concept MutablePoints = Embedded<M> && requirement::has_set_point<M>;
+template<class M> concept MutablePoints = Embedded<M> && requirement::has_set_point<M> && !requirement::sets_point_of_a_copy<M>;
 
 /// Fails to compile with one sentence that names the first thing M lacks to be Embedded and what to write.
 template<class M>
@@ -41,6 +56,8 @@ consteval void explain_embedded() {
     static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
   else if constexpr (!requirement::has_point<M>)
     static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::point: static P point(const M&, vert); P has p[0], p[1], p[2] that convert to double");
+  else if constexpr (!requirement::has_point_of_the_mesh<M>)
+    static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::point to take the mesh by reference, const M&: without the & it returns a reference into a copy that is gone");
   else static_assert(Embedded<M>);
   // clang-format on
 }
@@ -52,6 +69,8 @@ consteval void explain_mutable_points() {
   if constexpr (!Embedded<M>) explain_embedded<M>();
   else if constexpr (!requirement::has_set_point<M>)
     static_assert(missing<M>, "concino: MutablePoints needs mesh_traits<M>::set_point: static void set_point(M&, vert, const X& x); X has x[0], x[1], x[2]");
+  else if constexpr (requirement::sets_point_of_a_copy<M>)
+    static_assert(missing<M>, "concino: MutablePoints needs mesh_traits<M>::set_point to take the mesh by reference, M&: without the & the point of a copy is set");
 }
 
 /// Fails to compile with one sentence that names the first thing M lacks to be an AnyMesh and what to write.
@@ -69,7 +88,8 @@ consteval void explain_any_mesh() {
 }
 
 /// Whether x is an element of m now. Constant time where the traits offer `contains`, else one walk over the elements of its kind.
-inline constexpr struct contains_verb {
+inline constexpr struct contains_verb : detail::verb {
+  using verb::operator();
   template<class M, class X>
     requires requires(const M& m, const X& x) { traits<M>::index_of(m, x); }
   constexpr bool operator()(const M& m, const X& x) const {

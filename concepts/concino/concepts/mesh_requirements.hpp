@@ -31,3 +31,7 @@ template<class M>
 concept promises_edges_in_order = requires { requires traits<M>::edges_in_order; } && (dimension_v<M> == 2 || arity_v<M> == 4);
 
 }  // namespace concino::requirement
+
+// Whoever includes the parts can ask for what is missing: explain_surface_mesh<M>(), explain_volume_mesh<M>().
+#include <concino/concepts/surface_mesh.hpp>
+#include <concino/concepts/volume_mesh.hpp>

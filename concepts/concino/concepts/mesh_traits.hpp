@@ -79,6 +79,59 @@ template<class M> inline constexpr int arity_v = detail::arity_of<traits<M>>::va
 /// Whether M shows another mesh rather than owning one.
 template<class M> inline constexpr bool is_view_v = detail::view_of<traits<M>>::value;
 
+namespace requirement {
+
+/// What a result may refer to after the call: a mesh with a name, or a view, which is copied. A function that returns a map asks for
+/// this of its argument, so that handing it a temporary mesh does not compile instead of leaving a dangling pointer.
+template<class M> concept is_no_temporary = std::is_lvalue_reference_v<M> || is_view_v<M>;
+
+}  // namespace requirement
+
+/// Parameter types of deleted functions that say what to write instead of a call that cannot compile: g++ shows the sentence in the type of the
+/// parameter, clang++ the line of the function. A class converts to such a type where it makes that mistake; a conversion and `...` are the
+/// worst match there is, so that any function that takes the call is preferred.
+namespace mistake {
+
+template<std::size_t N>
+struct sentence {
+  char text[N] = {};
+  consteval sentence(const char (&words)[N]) {
+    for (std::size_t i = 0; i < N; ++i) text[i] = words[i];
+  }
+};
+
+/// Made of a class of which no mesh_traits are known.
+template<sentence Remedy>
+struct no_mesh_traits {
+  template<class M>
+    requires(std::is_class_v<M> && !requirement::is_adapted<M>)
+  no_mesh_traits(const M&);
+};
+inline constexpr sentence include_adapter("include the adapter of the mesh's library, #include <concino/adapters/openmesh.hpp> or a sibling, or specialise concino::mesh_traits");
+
+/// Made of a mesh without a name, which would be gone when the result is used.
+template<sentence Remedy>
+struct temporary_mesh {
+  template<class M>
+    requires(requirement::is_adapted<M> && !requirement::is_no_temporary<M>)
+  temporary_mesh(M&&);
+};
+inline constexpr sentence name_the_mesh("the result refers to the mesh, which must not be a temporary: give it a name, auto m = ...;");
+
+/// The type of a default template argument: compilers show it where no parameter can say what is wrong.
+template<sentence Remedy> struct remedy {};
+
+}  // namespace mistake
+
+namespace detail {
+
+/// What the verbs have in common.
+struct verb {
+  void operator()(mistake::no_mesh_traits<mistake::include_adapter>, ...) const = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+};
+
+}  // namespace detail
+
 }  // namespace concino
 
 #include <concino/concepts/verbs.hpp>

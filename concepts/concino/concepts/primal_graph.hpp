@@ -37,7 +37,7 @@ consteval void explain_primal_graph() {
   else if constexpr (!requirement::has_vert<M>)
     static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
   else if constexpr (!requirement::has_verts<M>)
-    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::verts: static ElementRange<vert> verts(const M&); all verts");
+    static_assert(detail::explain_range<vert_t<M>, decltype(verts), const std::remove_cvref_t<M>&>() && missing<M>, "concino: PrimalGraph needs mesh_traits<M>::verts: static ElementRange<vert> verts(const M&); all verts");
   else if constexpr (!requirement::has_num_verts<M>)
     static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::num_verts: static std::size_t num_verts(const M&); how many verts the walk meets");
   else if constexpr (!requirement::has_vert_index_bound<M>)
@@ -45,7 +45,7 @@ consteval void explain_primal_graph() {
   else if constexpr (!requirement::has_vert_index_of<M>)
     static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, vert); below vert_index_bound, different for different verts");
   else if constexpr (!requirement::has_adj_v2v<M>)
-    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::adj_v2v: static ElementRange<vert> adj_v2v(const M&, vert); the verts joined to a vert by an edge");
+    static_assert(detail::explain_range<vert_t<M>, decltype(adj_v2v), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: PrimalGraph needs mesh_traits<M>::adj_v2v: static ElementRange<vert> adj_v2v(const M&, vert); the verts joined to a vert by an edge");
   else static_assert(PrimalGraph<M>);
   // clang-format on
 }

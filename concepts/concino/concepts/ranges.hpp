@@ -1,4 +1,4 @@
-// What an algorithm may ask of a range of elements, and the two small ranges that the library's own meshes return.
+// What an algorithm may ask of a range of elements, and the small ranges that meshes return.
 #pragma once
 
 #include <compare>
@@ -73,5 +73,44 @@ class id_range {
   constexpr iterator begin() const { return {0, bound_, dead_}; }
   constexpr iterator end() const { return {bound_, bound_, nullptr}; }
 };
+
+/// Elements 0 .. bound-1, without those that a function denies: what ids_where makes. Iterators live no longer than the range.
+template<class Id, class Alive>
+class filtered_id_range {
+  unsigned bound_;
+  Alive alive_;
+
+ public:
+  class iterator {
+    const filtered_id_range* r_ = nullptr;
+    unsigned i_ = 0;
+    constexpr void skip() { while (i_ != r_->bound_ && !r_->alive_(i_)) ++i_; }
+
+   public:
+    using value_type = Id;
+    using reference = Id;
+    using difference_type = std::ptrdiff_t;
+
+    constexpr iterator() = default;
+    constexpr iterator(const filtered_id_range& r, unsigned i) : r_(&r), i_(i) { skip(); }
+    constexpr Id operator*() const { return Id(i_); }
+    constexpr iterator& operator++() { ++i_; skip(); return *this; }
+    constexpr iterator operator++(int) { iterator old = *this; ++*this; return old; }
+    friend constexpr bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
+  };
+  using value_type = Id;
+
+  constexpr filtered_id_range(std::size_t bound, const Alive& alive) : bound_(static_cast<unsigned>(bound)), alive_(alive) {}
+  constexpr iterator begin() const { return {*this, 0}; }
+  constexpr iterator end() const { return {*this, bound_}; }
+};
+
+/// The elements of a mesh whose indices have gaps: ids_where<vert_id>(bound, [&m](unsigned i) { return !m.is_deleted(i); }).
+/// Needs:  Id(i) makes an element from an unsigned; alive(i) for all i below bound, the same each time.
+/// Result: an ElementRange of Id. It holds a copy of `alive`, so what that refers to must outlive the range.
+/// Cost:   a walk asks about every i once.
+/// Errors: none.
+template<class Id, class Alive>
+constexpr auto ids_where(std::size_t bound, const Alive& alive) { return filtered_id_range<Id, Alive>(bound, alive); }
 
 }  // namespace concino

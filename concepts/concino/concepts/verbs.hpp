@@ -4,207 +4,262 @@
 
 #include <concino/concepts/mesh_traits.hpp>
 
+#include <concepts>
+#include <type_traits>
+
 namespace concino {
 
 /// All live elements of one kind, in an order that does not change while the mesh does not.
-inline constexpr struct verts_verb {
+inline constexpr struct verts_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::verts(m); }
   constexpr decltype(auto) operator()(const M& m) const { return traits<M>::verts(m); }
 } verts{};
 
-inline constexpr struct edges_verb {
+inline constexpr struct edges_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::edges(m); }
   constexpr decltype(auto) operator()(const M& m) const { return traits<M>::edges(m); }
 } edges{};
 
-inline constexpr struct faces_verb {
+inline constexpr struct faces_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::faces(m); }
   constexpr decltype(auto) operator()(const M& m) const { return traits<M>::faces(m); }
 } faces{};
 
-inline constexpr struct polys_verb {
+inline constexpr struct polys_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::polys(m); }
   constexpr decltype(auto) operator()(const M& m) const { return traits<M>::polys(m); }
 } polys{};
 
 /// How many elements that walk finds.
-inline constexpr struct num_verts_verb {
+inline constexpr struct num_verts_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::num_verts(m); }
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::num_verts(m)); }
 } num_verts{};
 
-inline constexpr struct num_edges_verb {
+inline constexpr struct num_edges_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::num_edges(m); }
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::num_edges(m)); }
 } num_edges{};
 
-inline constexpr struct num_faces_verb {
+inline constexpr struct num_faces_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::num_faces(m); }
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::num_faces(m)); }
 } num_faces{};
 
-inline constexpr struct num_polys_verb {
+inline constexpr struct num_polys_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::num_polys(m); }
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::num_polys(m)); }
 } num_polys{};
 
 /// Exclusive upper bound of index_of; an array of this size holds a value for every element. Deleted elements leave gaps.
-inline constexpr struct vert_index_bound_verb {
+inline constexpr struct vert_index_bound_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::vert_index_bound(m); }
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::vert_index_bound(m)); }
 } vert_index_bound{};
 
-inline constexpr struct edge_index_bound_verb {
+inline constexpr struct edge_index_bound_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::edge_index_bound(m); }
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::edge_index_bound(m)); }
 } edge_index_bound{};
 
-inline constexpr struct face_index_bound_verb {
+inline constexpr struct face_index_bound_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::face_index_bound(m); }
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::face_index_bound(m)); }
 } face_index_bound{};
 
-inline constexpr struct poly_index_bound_verb {
+inline constexpr struct poly_index_bound_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m) { traits<M>::poly_index_bound(m); }
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::poly_index_bound(m)); }
 } poly_index_bound{};
 
 /// A number below the index bound, different for different elements.
-inline constexpr struct index_of_verb {
+inline constexpr struct index_of_verb : detail::verb {
+  using verb::operator();
   template<class M, class X>
     requires requires(const M& m, const X& x) { traits<M>::index_of(m, x); }
   constexpr std::size_t operator()(const M& m, const X& x) const { return static_cast<std::size_t>(traits<M>::index_of(m, x)); }
 } index_of{};
 
 /// Where a vert lies: p[0], p[1], p[2].
-inline constexpr struct point_verb {
+inline constexpr struct point_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, vert_t<M> v) { traits<M>::point(m, v); }
   constexpr decltype(auto) operator()(const M& m, vert_t<M> v) const { return traits<M>::point(m, v); }
 } point{};
 
 /// Moves a vert.
-inline constexpr struct set_point_verb {
+inline constexpr struct set_point_verb : detail::verb {
+  using verb::operator();
   template<class M, class P>
     requires requires(M& m, vert_t<M> v, const P& p) { traits<M>::set_point(m, v, p); }
   constexpr void operator()(M& m, vert_t<M> v, const P& p) const { traits<M>::set_point(m, v, p); }
 } set_point{};
 
 /// Whether face f of poly p, walked as adj_f2v does, runs counter-clockwise seen from outside p.
-inline constexpr struct face_is_outward_verb {
+inline constexpr struct face_is_outward_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, poly_t<M> p, face_t<M> f) { traits<M>::face_is_outward(m, p, f); }
   constexpr bool operator()(const M& m, poly_t<M> p, face_t<M> f) const { return static_cast<bool>(traits<M>::face_is_outward(m, p, f)); }
 } face_is_outward{};
 
 /// The verts joined to v by an edge.
-inline constexpr struct adj_v2v_verb {
+inline constexpr struct adj_v2v_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, vert_t<M> v) { traits<M>::adj_v2v(m, v); }
   constexpr decltype(auto) operator()(const M& m, vert_t<M> v) const { return traits<M>::adj_v2v(m, v); }
 } adj_v2v{};
 
 /// The edges at v.
-inline constexpr struct adj_v2e_verb {
+inline constexpr struct adj_v2e_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, vert_t<M> v) { traits<M>::adj_v2e(m, v); }
   constexpr decltype(auto) operator()(const M& m, vert_t<M> v) const { return traits<M>::adj_v2e(m, v); }
 } adj_v2e{};
 
 /// The faces at v.
-inline constexpr struct adj_v2f_verb {
+inline constexpr struct adj_v2f_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, vert_t<M> v) { traits<M>::adj_v2f(m, v); }
   constexpr decltype(auto) operator()(const M& m, vert_t<M> v) const { return traits<M>::adj_v2f(m, v); }
 } adj_v2f{};
 
 /// The polys at v.
-inline constexpr struct adj_v2p_verb {
+inline constexpr struct adj_v2p_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, vert_t<M> v) { traits<M>::adj_v2p(m, v); }
   constexpr decltype(auto) operator()(const M& m, vert_t<M> v) const { return traits<M>::adj_v2p(m, v); }
 } adj_v2p{};
 
 /// The two ends of e.
-inline constexpr struct adj_e2v_verb {
+inline constexpr struct adj_e2v_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, edge_t<M> e) { traits<M>::adj_e2v(m, e); }
   constexpr decltype(auto) operator()(const M& m, edge_t<M> e) const { return traits<M>::adj_e2v(m, e); }
 } adj_e2v{};
 
 /// The faces at e.
-inline constexpr struct adj_e2f_verb {
+inline constexpr struct adj_e2f_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, edge_t<M> e) { traits<M>::adj_e2f(m, e); }
   constexpr decltype(auto) operator()(const M& m, edge_t<M> e) const { return traits<M>::adj_e2f(m, e); }
 } adj_e2f{};
 
 /// The polys at e.
-inline constexpr struct adj_e2p_verb {
+inline constexpr struct adj_e2p_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, edge_t<M> e) { traits<M>::adj_e2p(m, e); }
   constexpr decltype(auto) operator()(const M& m, edge_t<M> e) const { return traits<M>::adj_e2p(m, e); }
 } adj_e2p{};
 
 /// The verts of f in cyclic order.
-inline constexpr struct adj_f2v_verb {
+inline constexpr struct adj_f2v_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, face_t<M> f) { traits<M>::adj_f2v(m, f); }
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const { return traits<M>::adj_f2v(m, f); }
 } adj_f2v{};
 
 /// The edges of f.
-inline constexpr struct adj_f2e_verb {
+inline constexpr struct adj_f2e_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, face_t<M> f) { traits<M>::adj_f2e(m, f); }
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const { return traits<M>::adj_f2e(m, f); }
 } adj_f2e{};
 
 /// The polys on the sides of f.
-inline constexpr struct adj_f2p_verb {
+inline constexpr struct adj_f2p_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, face_t<M> f) { traits<M>::adj_f2p(m, f); }
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const { return traits<M>::adj_f2p(m, f); }
 } adj_f2p{};
 
 /// The verts of p (surfaces: in cyclic order; tets and hexes: in the standard order).
-inline constexpr struct adj_p2v_verb {
+inline constexpr struct adj_p2v_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, poly_t<M> p) { traits<M>::adj_p2v(m, p); }
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2v(m, p); }
 } adj_p2v{};
 
 /// The edges of p.
-inline constexpr struct adj_p2e_verb {
+inline constexpr struct adj_p2e_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, poly_t<M> p) { traits<M>::adj_p2e(m, p); }
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2e(m, p); }
 } adj_p2e{};
 
 /// The faces of p.
-inline constexpr struct adj_p2f_verb {
+inline constexpr struct adj_p2f_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, poly_t<M> p) { traits<M>::adj_p2f(m, p); }
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2f(m, p); }
 } adj_p2f{};
 
 /// The polys across an edge of p (surface) or a face of p (volume).
-inline constexpr struct adj_p2p_verb {
+inline constexpr struct adj_p2p_verb : detail::verb {
+  using verb::operator();
   template<class M>
     requires requires(const M& m, poly_t<M> p) { traits<M>::adj_p2p(m, p); }
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2p(m, p); }
 } adj_p2p{};
+
+namespace detail {
+
+/// Fails to compile with a sentence that says why what a member of mesh_traits returns is no ElementRange of Ts; true if there is no such
+/// member. Asked in the assertion that names the member, so that this sentence comes first.
+template<class T, class Verb, class... Arguments>
+consteval bool explain_range() {
+  if constexpr (std::is_invocable_v<Verb, Arguments...>) {
+    using R = std::remove_cvref_t<std::invoke_result_t<Verb, Arguments...>>;
+    if constexpr (!requires(R& r) { r.begin(); r.end(); })
+      static_assert(missing<R>, "concino: the member is there, but what it returns has no begin() and end()");
+    else if constexpr (!requires(const R& r) { r.begin(); r.end(); })
+      static_assert(missing<R>, "concino: the member is there, but begin() or end() of what it returns is not const: write `iterator begin() const`");
+    else if constexpr (!requires(const R& r) { requires std::same_as<std::remove_cvref_t<decltype(*r.begin())>, T>; })
+      static_assert(missing<R>, "concino: the member is there, but what it returns yields elements of another type than mesh_traits<M> names");
+    else
+      static_assert(missing<R>, "concino: the member is there, but the iterators of what it returns lack ++ or !=, or cannot be copied");
+  }
+  return true;
+}
+
+}  // namespace detail
 
 }  // namespace concino

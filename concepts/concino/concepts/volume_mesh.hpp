@@ -61,10 +61,12 @@ consteval void explain_volume_mesh() {
     static_assert(missing<M>, "concino: VolumeMesh: " CONCINO_NO_TRAITS);
   else if constexpr (!requirement::is_volume<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::dimension: static constexpr int dimension = 3;");
+  else if constexpr (requirement::has_vert<M> && requirement::has_poly<M> && requirement::has_edge<M> && !requirement::has_distinct_descriptors<M>)
+    static_assert(missing<M>, "concino: VolumeMesh needs vert, edge and poly of mesh_traits<M> to be different types; wrap those that are the same");
   else if constexpr (!requirement::has_vert<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
   else if constexpr (!requirement::has_verts<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::verts: static ElementRange<vert> verts(const M&); all verts");
+    static_assert(detail::explain_range<vert_t<M>, decltype(verts), const std::remove_cvref_t<M>&>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::verts: static ElementRange<vert> verts(const M&); all verts");
   else if constexpr (!requirement::has_num_verts<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::num_verts: static std::size_t num_verts(const M&); how many verts the walk meets");
   else if constexpr (!requirement::has_vert_index_bound<M>)
@@ -72,11 +74,11 @@ consteval void explain_volume_mesh() {
   else if constexpr (!requirement::has_vert_index_of<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, vert); below vert_index_bound, different for different verts");
   else if constexpr (!requirement::has_adj_v2v<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2v: static ElementRange<vert> adj_v2v(const M&, vert); the verts joined to a vert by an edge");
+    static_assert(detail::explain_range<vert_t<M>, decltype(adj_v2v), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2v: static ElementRange<vert> adj_v2v(const M&, vert); the verts joined to a vert by an edge");
   else if constexpr (!requirement::has_poly<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::poly: using poly = a std::regular type; names one poly");
   else if constexpr (!requirement::has_polys<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::polys: static ElementRange<poly> polys(const M&); all polys");
+    static_assert(detail::explain_range<poly_t<M>, decltype(polys), const std::remove_cvref_t<M>&>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::polys: static ElementRange<poly> polys(const M&); all polys");
   else if constexpr (!requirement::has_num_polys<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::num_polys: static std::size_t num_polys(const M&); how many polys the walk meets");
   else if constexpr (!requirement::has_poly_index_bound<M>)
@@ -84,13 +86,11 @@ consteval void explain_volume_mesh() {
   else if constexpr (!requirement::has_poly_index_of<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, poly); below poly_index_bound, different for different polys");
   else if constexpr (!requirement::has_adj_p2p<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2p: static ElementRange<poly> adj_p2p(const M&, poly); the polys across an edge (surface) or a face (volume)");
+    static_assert(detail::explain_range<poly_t<M>, decltype(adj_p2p), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2p: static ElementRange<poly> adj_p2p(const M&, poly); the polys across an edge (surface) or a face (volume)");
   else if constexpr (!requirement::has_edge<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::edge: using edge = a std::regular type; names one edge");
-  else if constexpr (!requirement::has_distinct_descriptors<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs vert, edge and poly of mesh_traits<M> to be different types; wrap those that are the same");
   else if constexpr (!requirement::has_edges<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::edges: static ElementRange<edge> edges(const M&); all edges");
+    static_assert(detail::explain_range<edge_t<M>, decltype(edges), const std::remove_cvref_t<M>&>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::edges: static ElementRange<edge> edges(const M&); all edges");
   else if constexpr (!requirement::has_num_edges<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::num_edges: static std::size_t num_edges(const M&); how many edges the walk meets");
   else if constexpr (!requirement::has_edge_index_bound<M>)
@@ -98,23 +98,23 @@ consteval void explain_volume_mesh() {
   else if constexpr (!requirement::has_edge_index_of<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, edge); below edge_index_bound, different for different edges");
   else if constexpr (!requirement::has_adj_e2v<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2v: static ElementRange<vert> adj_e2v(const M&, edge); the two ends of an edge");
+    static_assert(detail::explain_range<vert_t<M>, decltype(adj_e2v), const std::remove_cvref_t<M>&, edge_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2v: static ElementRange<vert> adj_e2v(const M&, edge); the two ends of an edge");
   else if constexpr (!requirement::has_adj_e2p<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2p: static ElementRange<poly> adj_e2p(const M&, edge); the polys at an edge");
+    static_assert(detail::explain_range<poly_t<M>, decltype(adj_e2p), const std::remove_cvref_t<M>&, edge_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2p: static ElementRange<poly> adj_e2p(const M&, edge); the polys at an edge");
   else if constexpr (!requirement::has_adj_v2e<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2e: static ElementRange<edge> adj_v2e(const M&, vert); the edges at a vert");
+    static_assert(detail::explain_range<edge_t<M>, decltype(adj_v2e), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2e: static ElementRange<edge> adj_v2e(const M&, vert); the edges at a vert");
   else if constexpr (!requirement::has_adj_v2p<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2p: static ElementRange<poly> adj_v2p(const M&, vert); the polys at a vert");
+    static_assert(detail::explain_range<poly_t<M>, decltype(adj_v2p), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2p: static ElementRange<poly> adj_v2p(const M&, vert); the polys at a vert");
   else if constexpr (!requirement::has_adj_p2v<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2v: static ElementRange<vert> adj_p2v(const M&, poly); the verts of a poly");
+    static_assert(detail::explain_range<vert_t<M>, decltype(adj_p2v), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2v: static ElementRange<vert> adj_p2v(const M&, poly); the verts of a poly");
   else if constexpr (!requirement::has_adj_p2e<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2e: static ElementRange<edge> adj_p2e(const M&, poly); the edges of a poly");
+    static_assert(detail::explain_range<edge_t<M>, decltype(adj_p2e), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2e: static ElementRange<edge> adj_p2e(const M&, poly); the edges of a poly");
   else if constexpr (!requirement::has_face<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::face: using face = a std::regular type; names one face");
   else if constexpr (!requirement::has_distinct_faces<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs face of mesh_traits<M> to be another type than vert, edge and poly; wrap it if it is the same");
   else if constexpr (!requirement::has_faces<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::faces: static ElementRange<face> faces(const M&); all faces");
+    static_assert(detail::explain_range<face_t<M>, decltype(faces), const std::remove_cvref_t<M>&>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::faces: static ElementRange<face> faces(const M&); all faces");
   else if constexpr (!requirement::has_num_faces<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::num_faces: static std::size_t num_faces(const M&); how many faces the walk meets");
   else if constexpr (!requirement::has_face_index_bound<M>)
@@ -122,17 +122,17 @@ consteval void explain_volume_mesh() {
   else if constexpr (!requirement::has_face_index_of<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, face); below face_index_bound, different for different faces");
   else if constexpr (!requirement::has_adj_f2v<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2v: static ElementRange<vert> adj_f2v(const M&, face); the verts of a face in cyclic order");
+    static_assert(detail::explain_range<vert_t<M>, decltype(adj_f2v), const std::remove_cvref_t<M>&, face_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2v: static ElementRange<vert> adj_f2v(const M&, face); the verts of a face in cyclic order");
   else if constexpr (!requirement::has_adj_f2e<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2e: static ElementRange<edge> adj_f2e(const M&, face); the edges of a face");
+    static_assert(detail::explain_range<edge_t<M>, decltype(adj_f2e), const std::remove_cvref_t<M>&, face_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2e: static ElementRange<edge> adj_f2e(const M&, face); the edges of a face");
   else if constexpr (!requirement::has_adj_f2p<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2p: static ElementRange<poly> adj_f2p(const M&, face); the polys on the sides of a face");
+    static_assert(detail::explain_range<poly_t<M>, decltype(adj_f2p), const std::remove_cvref_t<M>&, face_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2p: static ElementRange<poly> adj_f2p(const M&, face); the polys on the sides of a face");
   else if constexpr (!requirement::has_adj_v2f<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2f: static ElementRange<face> adj_v2f(const M&, vert); the faces at a vert");
+    static_assert(detail::explain_range<face_t<M>, decltype(adj_v2f), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2f: static ElementRange<face> adj_v2f(const M&, vert); the faces at a vert");
   else if constexpr (!requirement::has_adj_e2f<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2f: static ElementRange<face> adj_e2f(const M&, edge); the faces at an edge");
+    static_assert(detail::explain_range<face_t<M>, decltype(adj_e2f), const std::remove_cvref_t<M>&, edge_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2f: static ElementRange<face> adj_e2f(const M&, edge); the faces at an edge");
   else if constexpr (!requirement::has_adj_p2f<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2f: static ElementRange<face> adj_p2f(const M&, poly); the faces of a poly");
+    static_assert(detail::explain_range<face_t<M>, decltype(adj_p2f), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2f: static ElementRange<face> adj_p2f(const M&, poly); the faces of a poly");
   else if constexpr (!requirement::has_face_is_outward<M>)
     static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::face_is_outward: static bool face_is_outward(const M&, poly, face); whether the face runs counter-clockwise seen from outside the poly");
   else static_assert(VolumeMesh<M>);

@@ -30,9 +30,11 @@ std::vector<vec3> points_of(const M& m) {
 }
 
 [[noreturn, gnu::cold]] inline void throw_wrong_arity(bool volume, std::size_t p, const std::string& has, std::uint32_t arity) {
-  throw unsupported("convert: poly " + std::to_string(p) + " " + has + "; " +
-                    (volume ? std::string("the wanted mesh holds ") + (arity == 4 ? "tets" : "hexes") + " only (a polyhedralmesh takes any cell)"
-                            : "every poly of the wanted mesh has " + std::to_string(arity) + " verts (a polygonmesh takes any polygon)"));
+  if (volume)
+    throw_joined<unsupported>({"convert: poly ", p, " ", has, "; the wanted mesh holds ", arity == 4 ? "tets" : "hexes",
+                               " only (a polyhedralmesh takes any cell)"});
+  throw_joined<unsupported>({"convert: poly ", p, " ", has, "; every poly of the wanted mesh has ", arity,
+                             " verts (a polygonmesh takes any polygon)"});
 }
 
 /// `vert_number`: by index. Arity 0: polys of any size, else all of that.
@@ -47,7 +49,7 @@ surface_arrays arrays_of(const M& m, const std::vector<std::uint32_t>& vert_numb
     const std::size_t before = a.verts.size();
     for (const vert_t<M> v : adj_p2v(m, p)) a.verts.push_back(vert_id{vert_number[index_of(m, v)]});
     if (arity && a.verts.size() - before != arity)
-      throw_wrong_arity(false, index_of(m, p), "has " + std::to_string(a.verts.size() - before) + " verts", arity);
+      throw_wrong_arity(false, index_of(m, p), joined({"has ", a.verts.size() - before, " verts"}), arity);
     if (!arity) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
   }
   return a;
@@ -99,7 +101,8 @@ void for_each_cell(const M& m, const std::vector<std::uint32_t>& vert_number, st
     }
     const cell_shape s = known.recognise();
     if (s != (arity == 4 ? cell_shape::tet : cell_shape::hex))
-      throw_wrong_arity(true, index_of(m, p), "is a " + std::string(s == cell_shape::general ? "polyhedron" : table_of(s).name) + " of " + std::to_string(count) + " faces", arity);
+      throw_wrong_arity(true, index_of(m, p),
+                        joined({"is a ", s == cell_shape::general ? "polyhedron" : table_of(s).name, " of ", count, " faces"}), arity);
     take(p, known.cell);
   }
 }

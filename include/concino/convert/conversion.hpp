@@ -1,4 +1,4 @@
-// What convert() gives back: a mesh, and which of its elements stand for those of the mesh that it was made from.
+// What convert_with_correspondence() gives back: a mesh, and which of its elements stand for those of the mesh that it was made from.
 #pragma once
 
 #include <concino/concepts/maps.hpp>

@@ -10,34 +10,40 @@
 
 namespace concino::detail {
 
-/// A text or a number on its way into a message.
+/// A text, a character or an integer on its way into a message.
 class message_piece {
-  static constexpr std::uint64_t ends_with_zero = ~std::uint64_t{0};
-  const char* text_;      // null: a number
-  std::uint64_t number_;  // or the length of the text
+  enum class kind : unsigned char { text, terminated_text, character, number, negative };
+  const char* text_ = nullptr;
+  std::uint64_t number_ = 0;  // or the length of the text, or the character
+  kind kind_;
 
  public:
-  message_piece(const char* text) : text_(text), number_(ends_with_zero) {}
-  message_piece(std::string_view text) : text_(text.data() ? text.data() : ""), number_(text.size()) {}
-  message_piece(const std::string& text) : text_(text.data()), number_(text.size()) {}
-  template<std::unsigned_integral I>
-  message_piece(I number) : text_(nullptr), number_(number) {}
+  message_piece(const char* text) : text_(text), kind_(kind::terminated_text) {}
+  message_piece(std::string_view text) : text_(text.data()), number_(text.size()), kind_(kind::text) {}
+  message_piece(const std::string& text) : text_(text.data()), number_(text.size()), kind_(kind::text) {}
+  message_piece(char c) : number_(static_cast<unsigned char>(c)), kind_(kind::character) {}
+  message_piece(bool) = delete;
+  template<std::integral I>
+  message_piece(I number)
+      : number_(number < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number)),
+        kind_(number < 0 ? kind::negative : kind::number) {}
 
   void add_to(std::string& s) const {
-    char digits[20];
-    const char* at = text_;
-    std::size_t size = number_;
-    if (!text_) {
+    if (kind_ == kind::text) {
+      if (number_ > 0) s.append(text_, number_);
+    } else if (kind_ == kind::terminated_text) {
+      s.append(text_, std::strlen(text_));
+    } else if (kind_ == kind::character) {
+      s.push_back(static_cast<char>(number_));
+    } else {
+      char digits[21];
+      char* digit = digits + 21;
       std::uint64_t rest = number_;
-      char* digit = digits + 20;
       do *--digit = static_cast<char>('0' + rest % 10);
       while (rest /= 10);
-      at = digit;
-      size = static_cast<std::size_t>(digits + 20 - digit);
-    } else if (number_ == ends_with_zero) {
-      size = std::strlen(text_);
+      if (kind_ == kind::negative) *--digit = '-';
+      s.append(digit, static_cast<std::size_t>(digits + 21 - digit));
     }
-    s.append(at, size);
   }
 };
 

@@ -1,5 +1,6 @@
 // Adding and removing verts and polys. No element but the removed ones changes its name, so descriptors, maps and properties stay right;
-// indices of removed elements are left as gaps.
+// indices of removed elements are left as gaps. An edit that fails leaves a mesh of this library, its adjacencies and its properties as they
+// were, also where memory ran out (std::bad_alloc) or a property's default value threw.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -73,18 +74,20 @@ poly_t<M> add_poly(M& m, std::initializer_list<std::pair<face_t<M>, bool>> face_
 /// Errors: invalid_mesh if p is not a poly of m.                            Cost: the elements at its verts, but O(mesh) the first time.
 template<requirement::has_remove_poly M>
 void remove_poly(M& m, poly_t<M> p) {
-  if (!contains(m, p)) throw invalid_mesh("poly " + std::to_string(index_of(m, p)) + " cannot be removed: it is not a poly of the mesh");
+  if (!contains(m, p)) detail::throw_joined<invalid_mesh>({"poly ", index_of(m, p), " cannot be removed: it is not a poly of the mesh"});
   traits<M>::remove_poly(m, p);
 }
 
-/// Takes v away and the polys at it first.
+/// Takes v away and the polys at it first. All or nothing: where the traits offer reserve_removal(m, polys), they find the memory for taking
+/// these polys and verts away before the first goes.
 /// Errors: invalid_mesh if v is not a vert of m.
 template<requirement::has_remove_vert M>
   requires requirement::has_remove_poly<M>
 void remove_vert(M& m, vert_t<M> v) {
-  if (!contains(m, v)) throw invalid_mesh("vert " + std::to_string(index_of(m, v)) + " cannot be removed: it is not a vert of the mesh");
+  if (!contains(m, v)) detail::throw_joined<invalid_mesh>({"vert ", index_of(m, v), " cannot be removed: it is not a vert of the mesh"});
   std::vector<poly_t<M>> around;
   for (const auto& p : adj_v2p(m, v)) around.push_back(p);
+  if constexpr (requires { traits<M>::reserve_removal(m, std::span<const poly_t<M>>(around)); }) traits<M>::reserve_removal(m, std::span<const poly_t<M>>(around));
   for (const auto& p : around) traits<M>::remove_poly(m, p);
   traits<M>::remove_vert(m, v);
 }

@@ -3,8 +3,10 @@
 
 #include <concino/concepts/surface_mesh.hpp>
 #include <concino/detail/message.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/fields/detail/exact_windows.hpp>
 #include <concino/fields/detail/geodesic_sources.hpp>
+#include <concino/fields/exact_paths.hpp>
 #include <concino/geometry/closest_point.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -16,6 +18,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -23,11 +26,6 @@
 namespace concino {
 
 namespace detail {
-
-struct exact_preparation {
-  flat_triangles triangles;
-  std::vector<int> triangle_of;  // each poly
-};
 
 /// Errors: as exact_geodesics.
 template<SurfaceMesh M>
@@ -77,15 +75,14 @@ exact_preparation prepare_exact(const M& m) {
     }
     edge_of.insert(edge_of.end(), of_side.begin(), of_side.end());
   }
-  r.join(edge_of, static_cast<std::size_t>(edge_index_bound(m)), static_cast<std::size_t>(vert_index_bound(m)));
+  r.join(std::move(edge_of), static_cast<std::size_t>(edge_index_bound(m)), static_cast<std::size_t>(vert_index_bound(m)));
   return prepared;
 }
 
 }  // namespace detail
 
 /// What exact_geodesics prepares: it answers questions, from several threads too. Copies share what was prepared.
-template<SurfaceMesh M>
-  requires Embedded<M>
+template<class M>
 class prepared_exact_geodesics {
   detail::mesh_ref<M> mesh_;
   std::shared_ptr<const detail::exact_preparation> prepared_;
@@ -105,20 +102,30 @@ class prepared_exact_geodesics {
     starts.push_back({i, distance});
   }
 
-  vert_map<M, double> answer(detail::exact_windows& windows, double least) const {
-    const std::vector<double>& d = windows.run();
+  vert_map<M, double> solve(detail::exact_windows& windows, double least, int target = -1) const {
+    const std::vector<double>& d = windows.run(target);
     auto r = make_vert_map<double>(mesh_.get(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < d.size(); ++i) r.values()[i] = least + std::ldexp(d[i], triangles().exponent);
     return r;
   }
 
-  vert_map<M, double> answer(const std::vector<start>& starts) const {
+  template<class S>
+  vert_map<M, double> solve_from(const S& sources, detail::path_tree* paths = nullptr, int target = -1) const {
+    std::vector<start> starts;
+    detail::for_each_source<M>(sources, [&](const vert_t<M>& v, double d) { add_start(starts, v, d); });
     if (starts.empty()) throw invalid_argument("exact_geodesics: there is no source; give at least one vert");
     double least = starts.front().distance;
     for (const start& s : starts) least = std::min(least, s.distance);
-    detail::exact_windows windows(triangles());
+    detail::exact_windows windows(triangles(), paths);
     for (const start& s : starts) windows.add_vert(s.vert, std::ldexp(s.distance - least, -triangles().exponent));
-    return answer(windows, least);
+    return solve(windows, least, target);
+  }
+  /// place: the source, the point of p nearest to x.
+  vert_map<M, double> solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& place, detail::path_tree* paths = nullptr) const;
+
+  detail::path_tree empty_tree() const { return detail::path_tree(triangles().around.size()); }
+  exact_paths<M> with_paths(vert_map<M, double> distances, detail::path_tree tree, std::optional<mesh_point<M>> place = {}) const {
+    return {std::move(distances), prepared_, std::move(tree), std::move(place)};
   }
 
  public:
@@ -136,9 +143,7 @@ class prepared_exact_geodesics {
   template<class S>
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   vert_map<M, double> distance_from(const S& sources) const {
-    std::vector<start> starts;
-    detail::for_each_source<M>(sources, [&](const vert_t<M>& v, double d) { add_start(starts, v, d); });
-    return answer(starts);
+    return solve_from(sources);
   }
   vert_map<M, double> distance_from(std::initializer_list<vert_t<M>> sources) const {
     return distance_from<std::initializer_list<vert_t<M>>>(sources);
@@ -146,15 +151,49 @@ class prepared_exact_geodesics {
   vert_map<M, double> distance_from(std::initializer_list<std::pair<vert_t<M>, double>> sources) const {
     return distance_from<std::initializer_list<std::pair<vert_t<M>, double>>>(sources);
   }
+  void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 
   /// How far away everything is from a point of poly p: the one that is nearest to x.
   /// Result, cost: as above.      Errors: invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
-  vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const;
+  vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
+    mesh_point<M> place{p, x};
+    return solve_from(p, x, place);
+  }
+
+  /// The shortest paths to all verts, from the same sources as distance_from takes.
+  /// Result: an object that gives distances() and path_to(v).
+  /// Cost:   as distance_from, and memory for the windows that some path runs through.      Errors: as distance_from.
+  template<class S>
+    requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
+  exact_paths<M> paths_from(const S& sources) const {
+    detail::path_tree tree = empty_tree();
+    auto distances = solve_from(sources, &tree);
+    return with_paths(std::move(distances), std::move(tree));
+  }
+  exact_paths<M> paths_from(std::initializer_list<vert_t<M>> sources) const { return paths_from<std::initializer_list<vert_t<M>>>(sources); }
+  exact_paths<M> paths_from(std::initializer_list<std::pair<vert_t<M>, double>> sources) const {
+    return paths_from<std::initializer_list<std::pair<vert_t<M>, double>>>(sources);
+  }
+  exact_paths<M> paths_from(const poly_t<M>& p, const vec3& x) const {
+    detail::path_tree tree = empty_tree();
+    mesh_point<M> place{p, x};
+    auto distances = solve_from(p, x, place, &tree);
+    return with_paths(std::move(distances), std::move(tree), std::move(place));
+  }
+
+  /// The shortest path between two verts.
+  /// Result: see geodesic_path.      Cost: as distance_from, but the search ends at the target.
+  /// Errors: invalid_mesh if source or target is no vert of the mesh.
+  geodesic_path<M> path_between(const vert_t<M>& source, const vert_t<M>& target) const {
+    if (!contains(mesh_.get(), target)) throw invalid_mesh("exact_geodesics: the target is no vert of the mesh; take it from verts(m)");
+    detail::path_tree tree = empty_tree();
+    auto distances = solve_from(source, &tree, static_cast<int>(index_of(mesh_.get(), target)));
+    return with_paths(std::move(distances), std::move(tree)).path_to(target);
+  }
 };
 
-template<SurfaceMesh M>
-  requires Embedded<M>
-vert_map<M, double> prepared_exact_geodesics<M>::distance_from(const poly_t<M>& p, const vec3& x) const {
+template<class M>
+vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& place, detail::path_tree* paths) const {
   const M& m = mesh_.get();
   if (!contains(m, p)) throw invalid_mesh("exact_geodesics: the poly of a source is no poly of the mesh; take it from polys(m)");
   if (!is_finite(x)) throw invalid_argument("exact_geodesics: the point of a source is not finite");
@@ -162,29 +201,61 @@ vert_map<M, double> prepared_exact_geodesics<M>::distance_from(const poly_t<M>& 
   std::size_t n = 0;
   const double unit = std::ldexp(1.0, -triangles().exponent);
   for (const vert_t<M> v : adj_p2v(m, p)) corner[n++] = unit * to_vec3(point(m, v));
-  const vec3 side = corner[1] - corner[0], to = closest_point(unit * x, corner[0], corner[1], corner[2]) - corner[0];
-  detail::exact_windows windows(triangles());
+  const vec3 nearest = closest_point(unit * x, corner[0], corner[1], corner[2]), side = corner[1] - corner[0], to = nearest - corner[0];
+  place.position = std::ldexp(1.0, triangles().exponent) * nearest;
+  detail::exact_windows windows(triangles(), paths);
   const double length = norm(side);
   windows.add_place(3 * prepared_->triangle_of[static_cast<std::size_t>(index_of(m, p))], dot(to, side) / length, norm(cross(side, to)) / length);
-  return answer(windows, 0);
+  return solve(windows, 0);
 }
 
-/// Prepares exact distances over a surface of triangles, for many questions: auto exact = exact_geodesics(m); auto d = exact.distance_from(v);
-/// d[w] is the length of a shortest path over the surface, to rounding.
+/// Prepares exact distances and shortest paths over a surface of triangles, for many questions: auto exact = prepare_exact_geodesics(m);
+/// auto d = exact.distance_from(v); d[w] is the length of a shortest path over the surface, to rounding; exact.path_between(v, w) is the path.
 /// Needs:  Embedded SurfaceMesh, no temporary, that stays as it is, of triangles whatever the type says; it may have a boundary, which paths may run
 ///         along, edges of more than two triangles, where they pass from each to each other, verts where several fans meet, and need not be oriented.
-/// Result: an object that answers distance_from(...). It knows lengths of edges only, which rounding changes by parts in 10^16: triangles
-///         with angles a, in radians, leave some 10^-16 / a of a length in doubt.
+/// Result: an object that answers distance_from(...), paths_from(...) and path_between(...). It knows lengths of edges only, which rounding
+///         changes by parts in 10^16: triangles with angles a, in radians, leave some 10^-16 / a of a length in doubt.
 /// Cost:   O(n) to prepare, for n triangles. A question: O(n^2 log n) at worst where no edge has more than two, on surfaces in use about n^1.7:
-///         0.1 s for 2 10^4 triangles, 1.4 s for 8 10^4, twice that where all is flat. Heat answers sooner and on other polys, with an error
-///         below an edge, see heat_geodesics.
+///         0.1 s for 2 10^4 triangles, 1.4 s for 8 10^4, twice that where all is flat. Heat answers sooner and on other polys, but not exactly,
+///         see prepare_heat_geodesics.
 /// Errors: unsupported if a poly is no triangle; invalid_mesh if one has no area or points that are not finite.
 /// Source: Mitchell, Mount, Papadimitriou 1987; windows and their order: Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe 2005, "Fast exact and
 ///         approximate geodesics on meshes"; which of them are dropped: Chen and Han 1990, Xin and Wang 2009.
 template<class M>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M>
-prepared_exact_geodesics<std::remove_cvref_t<M>> exact_geodesics(M&& m) {
+prepared_exact_geodesics<std::remove_cvref_t<M>> prepare_exact_geodesics(M&& m) {
   return prepared_exact_geodesics<std::remove_cvref_t<M>>(m);
 }
+
+/// Exact distances over a surface of triangles from one vert, from the nearest of several, or from a point of a poly: for one question.
+/// Needs:  as prepare_exact_geodesics; sources as its distance_from takes them.
+/// Result: a map of double, in units of length; +inf at verts that no path over polys leads to.
+/// Cost, errors, source: as prepare_exact_geodesics and its distance_from.
+template<class M, class S = std::initializer_list<vert_t<M>>>
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M> &&
+           (detail::gives_verts<std::remove_cvref_t<M>, S> || detail::gives_distances<std::remove_cvref_t<M>, S>)
+vert_map<std::remove_cvref_t<M>, double> exact_geodesics(M&& m, const S& sources) {
+  return prepare_exact_geodesics(m).distance_from(sources);
+}
+template<class M>
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M>
+vert_map<std::remove_cvref_t<M>, double> exact_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources) {
+  return prepare_exact_geodesics(m).distance_from(sources);
+}
+template<class M>
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M>
+vert_map<std::remove_cvref_t<M>, double> exact_geodesics(M&& m, const poly_t<M>& p, const vec3& x) {
+  return prepare_exact_geodesics(m).distance_from(p, x);
+}
+
+// What to write instead of calls that cannot compile.
+template<class... T> void prepare_exact_geodesics(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void prepare_exact_geodesics(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_exact_geodesics(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void prepare_exact_geodesics(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void exact_geodesics(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void exact_geodesics(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void exact_geodesics(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void exact_geodesics(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
+#include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
@@ -30,7 +32,9 @@ namespace detail {
 template<class M>
 held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const harmonic_map_options& options) {
   held.number_reached(m, "harmonic_map");
-  return laplace_system(m, std::move(held), options.weights, options.exponent, "harmonic_map");
+  return at_unit_size(m, options.weights, [&](const auto& at, int) {  // no factor of the Laplacian changes the map
+    return laplace_system(at, std::move(held), options.weights, options.exponent, "harmonic_map");
+  });
 }
 
 inline constexpr auto no_load = [](std::size_t, int) { return 0.0; };
@@ -42,7 +46,7 @@ inline void check_exponent(const char* who, int exponent) {
 }  // namespace detail
 
 /// What prepare_harmonic_map prepares: it finds maps, from several threads too if the solver can. Copies share what was prepared.
-template<PrimalGraph M, class Solver>
+template<class M, class Solver>
 class prepared_harmonic_map {
   struct preparation {
     detail::held_system<M> system;
@@ -62,7 +66,7 @@ class prepared_harmonic_map {
     held.hold(m, fixed, "harmonic_map");
     auto own = detail::another_solver(solver);
     auto system = detail::harmonic_system(m, std::move(held), options);
-    system.factorize(*own, options.progress);
+    system.factorize(*own, options.progress, "harmonic_map");
     prepared_ = std::make_shared<const preparation>(preparation{std::move(system), std::move(own), options.isolated_value});
     detail::tell(options.progress, 1, "harmonic map");
   }
@@ -80,13 +84,15 @@ class prepared_harmonic_map {
   /// Errors: invalid_argument if a value is not finite, a vert gets two or none, or has one that was not named; invalid_mesh if it is no vert of
   ///         the mesh; solver_error.
   template<class T = double, class D = std::initializer_list<std::pair<vert_t<M>, T>>>
-    requires detail::field_value<T>
+    requires detail::field_value<T> && detail::gives_values<D, vert_t<M>>
   vert_map<M, T> with_values(const D& values) const {
     const M& m = mesh_.get();
     auto value = detail::prescribed_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "harmonic_map");
     prepared_->system.template solve<T>(*prepared_->solver, detail::no_load, value, "harmonic_map");
     return value;
   }
+  template<class... T>
+  void with_values(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 };
 
 /// Prepares harmonic maps with values at the same verts, for many of them: auto h = prepare_harmonic_map(m, {a, b});
@@ -97,7 +103,7 @@ class prepared_harmonic_map {
 /// Cost:   that of harmonic_map, but for the back-substitution.
 /// Errors: as harmonic_map, but for those about values; invalid_mesh if a vert to be fixed is no vert of m.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> &&
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed,
                                                                                                 const harmonic_map_options& options = {},
@@ -121,7 +127,7 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 ///         system cannot be solved in double precision; with other weights than uniform also those of `laplacian`; cancelled.
 /// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
 template<class T = double, class M, class D = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::field_value<T> &&
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::field_value<T> && detail::gives_values<D, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> harmonic_map(M&& m, const D& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
@@ -131,11 +137,19 @@ vert_map<M, T> harmonic_map(M&& m, const D& values, const harmonic_map_options& 
   held.hold(mesh_in, values, "harmonic_map");
   auto value = detail::prescribed_values<T>(mesh_in, held, values, options.isolated_value, "harmonic_map");
   const auto system = detail::harmonic_system(mesh_in, std::move(held), options);
-  system.factorize(solver, options.progress);
+  system.factorize(solver, options.progress, "harmonic_map");
   detail::tell(options.progress, 0.9, "solving");
   system.template solve<T>(solver, detail::no_load, value, "harmonic_map");
   detail::tell(options.progress, 1, "harmonic map");
   return value;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void prepare_harmonic_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void prepare_harmonic_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_harmonic_map(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void harmonic_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void harmonic_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void harmonic_map(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

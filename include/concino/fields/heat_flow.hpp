@@ -3,9 +3,11 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/implicit.hpp>
+#include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
@@ -45,10 +47,11 @@ implicit_system<M> heat_flow_system(const M& m, double time, const V& held, cons
   tell(options.progress, 0, "heat flow");
   held_verts<M> fixed(m);
   fixed.hold(m, held, who);
-  auto mass = mass_beside(m, options.weights, options.lumped, who);
-  const double step = time / options.steps;
-  return {m, std::move(fixed), std::move(mass), options.scheme == heat_scheme::second_order ? alexander_gamma * step : step,
-          minus_laplacian(m, options.weights), who};
+  const double step = (options.scheme == heat_scheme::second_order ? alexander_gamma : 1) * (time / options.steps);
+  return at_unit_size(m, options.weights, [&](const auto& at, int exponent) -> implicit_system<M> {
+    auto mass = mass_beside(at, options.weights, options.lumped, who);
+    return {m, std::move(fixed), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, options.weights), who};
+  });
 }
 
 /// Steps of M u' = -K u. With A = M + g dt K the stages are A v = M u and A w = M u - (1 - g) dt K v, where dt K v = M (u - v) / g, so that
@@ -76,7 +79,7 @@ void flow(const implicit_system<M>& system, const Solver& solver, const heat_flo
 }  // namespace detail
 
 /// What prepare_heat_flow prepares: it lets heat flow, from several threads too if the solver can. Copies share what was prepared.
-template<PrimalGraph M, class Solver>
+template<class M, class Solver>
 class prepared_heat_flow {
   struct preparation {
     detail::implicit_system<M> system;
@@ -112,7 +115,7 @@ class prepared_heat_flow {
   /// Result: that of heat_flow.      Cost: two back-substitutions a step, or one, see heat_scheme; three times that for vectors.
   /// Errors: as heat_flow about u; solver_error; cancelled.
   template<class F, class T = detail::field_value_at<F, vert_t<M>>>
-    requires ReadableMap<F, vert_t<M>>
+    requires requirement::gives_numbers_or_points<F, vert_t<M>>
   vert_map<M, T> advance(const F& u, const progress& told = nullptr) const {
     const M& m = mesh_.get();
     auto r = prepared_->system.template values_of<T>(m, u);
@@ -126,7 +129,7 @@ class prepared_heat_flow {
 /// Result: an object that answers advance(u), and tells by isolated() how many verts have no edges.
 /// Cost, errors: as heat_flow, but for the steps and for what is about u.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::walkable<V> &&
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const V& held,
                                                                                           const heat_flow_options& options = {},
@@ -156,7 +159,7 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 ///         mass_matrix; solver_error; cancelled.
 /// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> && detail::walkable<V> &&
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const V& held, const heat_flow_options& options = {}, Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
@@ -169,10 +172,19 @@ vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const V& held, co
 
 /// The same with nothing held.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> &&
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options& options = {}, Solver&& solver = {}) {
   return heat_flow(m, initial, time, detail::no_verts<M>{}, options, solver);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void prepare_heat_flow(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void prepare_heat_flow(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void heat_flow(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void heat_flow(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
+  requires(PrimalGraph<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
+void heat_flow(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

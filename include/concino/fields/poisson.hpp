@@ -3,14 +3,17 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
 #include <concino/fields/detail/masses.hpp>
 #include <concino/fields/detail/neumann.hpp>
+#include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
@@ -30,21 +33,49 @@ namespace detail {
 /// Without fluxes.
 template<class M, class T> using no_fluxes = std::initializer_list<std::pair<facet_t<M>, T>>;
 
+/// All at a size near 1, where coordinates are 2^-exponent as large.
 template<class M>
-held_system<M> poisson_system(const M& m, held_verts<M>&& held, weights which) {
-  held.number_reached(m, "poisson");
-  return laplace_system(m, std::move(held), which, 1, "poisson");
-}
+struct poisson_problem {
+  held_system<M> system;
+  Eigen::SparseMatrix<double> mass;
+  int exponent;
+
+  poisson_problem(const M& m, held_verts<M>&& held, weights which) : poisson_problem(numbered(m, std::move(held)), m, which) {}
+
+  /// The right-hand side: M f + S at this size, where u is a length^2 of f and a length of the fluxes.
+  template<class T, class F, class N>
+  right_hand_sides<T> load(const M& m, const F& f, const N& fluxes) const {
+    auto sum = mass_times<T>(m, mass, f, "poisson: the load f");
+    enlarge(sum);
+    add_fluxes<T>(views::scaled<M>(m, exponent), fluxes, sum, "poisson");
+    enlarge(sum);
+    return sum;
+  }
+
+ private:
+  static held_verts<M> numbered(const M& m, held_verts<M>&& held) {
+    held.number_reached(m, "poisson");
+    return std::move(held);
+  }
+  poisson_problem(held_verts<M>&& held, const M& m, weights which)
+      : poisson_problem(std::move(held), views::scaled<M>(m, which == weights::uniform ? 0 : length_exponent(m)), which) {}
+  poisson_problem(held_verts<M>&& held, const views::scaled<M>& at, weights which)
+      : system(laplace_system(at, std::move(held), which, 1, "poisson")), mass(mass_matrix(at, {.lumped = false})), exponent(at.exponent()) {}
+
+  void enlarge(auto& sides) const {
+    if (exponent == 0) return;
+    for (auto& side : sides)
+      for (Eigen::Index i = 0; i < side.size(); ++i) side[i] = std::ldexp(side[i], exponent);
+  }
+};
 
 }  // namespace detail
 
 /// What prepare_poisson prepares: it solves, from several threads too if the solver can. Copies share what was prepared.
-template<AnyMesh M, class Solver>
-  requires Embedded<M>
+template<class M, class Solver>
 class prepared_poisson {
   struct preparation {
-    detail::held_system<M> system;
-    Eigen::SparseMatrix<double> mass;
+    detail::poisson_problem<M> problem;
     std::unique_ptr<Solver> solver;
     double isolated_value;
   };
@@ -59,17 +90,16 @@ class prepared_poisson {
     detail::held_verts<M> held(m);
     held.hold(m, fixed, "poisson");
     auto own = detail::another_solver(solver);
-    auto system = detail::poisson_system(m, std::move(held), options.weights);
-    auto mass = mass_matrix(m, {.lumped = false});
-    system.factorize(*own, options.progress);
-    prepared_ = std::make_shared<const preparation>(preparation{std::move(system), std::move(mass), std::move(own), options.isolated_value});
+    detail::poisson_problem<M> problem(m, std::move(held), options.weights);
+    problem.system.factorize(*own, options.progress, "poisson");
+    prepared_ = std::make_shared<const preparation>(preparation{std::move(problem), std::move(own), options.isolated_value});
     detail::tell(options.progress, 1, "Poisson's equation");
   }
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
   /// How many verts have no edges and no value prescribed: they get isolated_value.
-  std::size_t isolated() const { return prepared_->system.verts.num_isolated; }
+  std::size_t isolated() const { return prepared_->problem.system.verts.num_isolated; }
 
   /// The function with the load f, these values at the verts that were named before, and these outward derivatives on the boundary.
   /// Needs:  f and fluxes as for poisson; values: one at least for each of those verts and none elsewhere. The mesh is as it was prepared.
@@ -78,13 +108,12 @@ class prepared_poisson {
   /// Errors: as poisson about values, loads and fluxes; invalid_argument if one of those verts has no value, or one that was not named has.
   template<class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
            class N = detail::no_fluxes<M, T>>
-    requires ReadableMap<F, vert_t<M>> && detail::walkable<N>
+    requires requirement::gives_numbers_or_points<F, vert_t<M>> && detail::gives_values<D, vert_t<M>> && detail::walkable<N>
   vert_map<M, T> solve(const F& f, const D& values, const N& fluxes = {}) const {
     const M& m = mesh_.get();
-    auto value = detail::prescribed_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "poisson");
-    auto load = detail::mass_times<T>(m, prepared_->mass, f, "poisson: the load f");
-    detail::add_fluxes<T>(m, fluxes, load, "poisson");
-    prepared_->system.template solve<T>(*prepared_->solver, [&](std::size_t k, int i) { return load[k][i]; }, value, "poisson");
+    auto value = detail::prescribed_values<T>(m, prepared_->problem.system.verts, values, prepared_->isolated_value, "poisson");
+    const auto load = prepared_->problem.template load<T>(m, f, fluxes);
+    prepared_->problem.system.template solve<T>(*prepared_->solver, [&](std::size_t k, int i) { return load[k][i]; }, value, "poisson");
     return value;
   }
 };
@@ -97,7 +126,7 @@ class prepared_poisson {
 /// Cost:   that of poisson, but for the back-substitution.
 /// Errors: as poisson, but for those about values, loads and fluxes; invalid_mesh if a vert to be fixed is no vert of m.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> &&
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const poisson_options& options = {},
                                                                                       Solver&& solver = {}) {
@@ -123,7 +152,7 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 /// Source: Beirao da Veiga et al. 2013, Ahmad et al. 2013 (the load); paper section 2.2.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
          class N = detail::no_fluxes<M, T>, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> && detail::walkable<N> &&
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && detail::gives_values<D, vert_t<M>> && detail::walkable<N> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, const poisson_options& options = {}, Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
@@ -131,12 +160,11 @@ vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, cons
   detail::held_verts<std::remove_cvref_t<M>> held(mesh_in);
   held.hold(mesh_in, values, "poisson");
   auto value = detail::prescribed_values<T>(mesh_in, held, values, options.isolated_value, "poisson");
-  const auto system = detail::poisson_system(mesh_in, std::move(held), options.weights);
-  auto load = detail::mass_times<T>(mesh_in, mass_matrix(mesh_in, {.lumped = false}), f, "poisson: the load f");
-  detail::add_fluxes<T>(mesh_in, fluxes, load, "poisson");
-  system.factorize(solver, options.progress);
+  const detail::poisson_problem<std::remove_cvref_t<M>> problem(mesh_in, std::move(held), options.weights);
+  const auto load = problem.template load<T>(mesh_in, f, fluxes);
+  problem.system.factorize(solver, options.progress, "poisson");
   detail::tell(options.progress, 0.9, "solving");
-  system.template solve<T>(solver, [&](std::size_t k, int i) { return load[k][i]; }, value, "poisson");
+  problem.system.template solve<T>(solver, [&](std::size_t k, int i) { return load[k][i]; }, value, "poisson");
   detail::tell(options.progress, 1, "Poisson's equation");
   return value;
 }
@@ -144,10 +172,22 @@ vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, cons
 /// The same without fluxes.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
          class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> &&
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && detail::gives_values<D, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const D& values, const poisson_options& options = {}, Solver&& solver = {}) {
   return poisson(m, f, values, detail::no_fluxes<M, T>{}, options, solver);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void prepare_poisson(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void prepare_poisson(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_poisson(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void prepare_poisson(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void poisson(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void poisson(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void poisson(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
+  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
+void poisson(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -3,9 +3,11 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/implicit.hpp>
+#include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
@@ -35,14 +37,17 @@ implicit_system<M> smoothing_system(const M& m, double amount, const V& held, co
   tell(options.progress, 0, "smoothing");
   held_verts<M> fixed(m);
   fixed.hold(m, held, who);
-  auto mass = mass_beside(m, options.weights, true, who);
-  return {m, std::move(fixed), std::move(mass), amount, polyharmonic(m, options.weights, options.exponent, who), who};
+  return at_unit_size(m, options.weights, [&](const auto& at, int exponent) -> implicit_system<M> {
+    auto mass = mass_beside(at, options.weights, true, who);
+    return {m, std::move(fixed), std::move(mass), std::ldexp(amount, -2 * options.exponent * exponent),
+            polyharmonic(at, options.weights, options.exponent, who), who};
+  });
 }
 
 }  // namespace detail
 
 /// What prepare_smooth prepares: it smooths, from several threads too if the solver can. Copies share what was prepared.
-template<PrimalGraph M, class Solver>
+template<class M, class Solver>
 class prepared_smooth {
   struct preparation {
     detail::implicit_system<M> system;
@@ -72,7 +77,7 @@ class prepared_smooth {
   /// Result: that of smooth.      Cost: one back-substitution, three for vectors.
   /// Errors: as smooth about f; solver_error.
   template<class F, class T = detail::field_value_at<F, vert_t<M>>>
-    requires ReadableMap<F, vert_t<M>>
+    requires requirement::gives_numbers_or_points<F, vert_t<M>>
   vert_map<M, T> apply(const F& f) const {
     const M& m = mesh_.get();
     auto u = prepared_->system.template values_of<T>(m, f);
@@ -86,7 +91,7 @@ class prepared_smooth {
 /// Result: an object that answers apply(f), and tells by isolated() how many verts have no edges.
 /// Cost, errors: as smooth, but for the back-substitution and for what is about f.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::walkable<V> &&
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount, const V& held,
                                                                                     const smooth_options& options = {}, Solver&& solver = {}) {
@@ -117,7 +122,7 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature
 ///         flow".
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> && detail::walkable<V> &&
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const V& held, const smooth_options& options = {}, Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
@@ -132,10 +137,19 @@ vert_map<M, T> smooth(M&& m, const F& f, double amount, const V& held, const smo
 
 /// The same with nothing held.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && ReadableMap<F, vert_t<M>> &&
+  requires PrimalGraph<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const smooth_options& options = {}, Solver&& solver = {}) {
   return smooth(m, f, amount, detail::no_verts<M>{}, options, solver);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void prepare_smooth(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void prepare_smooth(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void smooth(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void smooth(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
+  requires(PrimalGraph<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
+void smooth(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

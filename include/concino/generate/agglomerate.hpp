@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/error.hpp>
 #include <concino/generate/detail/union_border.hpp>
@@ -131,5 +132,12 @@ polyhedralmesh agglomerate(const M& m, const L& labels) {
     if (number[index_of(m, v)] != ~0u) a.points.push_back(to_vec3(point(m, v)));
   return polyhedralmesh(std::move(a));
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void agglomerate(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void agglomerate(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_labels_at_polys>>
+  requires(AnyMesh<M> && Embedded<M> && !requirement::is_label_map<U, M>)
+void agglomerate(M&&, const U&, ...) = delete;  // an int at each poly: make_poly_map<int>(m)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // The dual of a mesh: a vert for each poly, a poly for each vert.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/generate/detail/star_checker.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
@@ -140,5 +141,9 @@ polyhedralmesh dual_mesh(const M& m, const dual_mesh_options& options = {}) {
   if (!clipped) detail::drop_unused(a.points, a.face_verts);
   return polyhedralmesh(std::move(a));
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void dual_mesh(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void dual_mesh(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

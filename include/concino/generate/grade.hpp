@@ -1,6 +1,7 @@
 // Cells that grow from one end of the mesh to the other.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/generate/detail/finite.hpp>
 #include <concino/geometry/bounding_box.hpp>
@@ -42,5 +43,9 @@ void grade(M& m, const vec3& powers) {
   std::size_t k = 0;
   for (const vert_t<M> v : verts(m)) set_point(m, v, moved[k++]);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void grade(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void grade(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

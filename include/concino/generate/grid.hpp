@@ -1,6 +1,7 @@
 // Rectangles and boxes cut into cells of every kind: make_grid<M>().
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/generate/detail/made.hpp>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ class spaced {
 };
 
 inline void check_grid(const char* what, const grid_options& o, std::size_t axes) {
-  for (std::size_t k = 0; k < axes; ++k) check_at_least(what, "cells[" + std::to_string(k) + "]", o.cells[k], 1);
+  for (std::size_t k = 0; k < axes; ++k) check_at_least(what, detail::joined({"cells[", k, "]"}), o.cells[k], 1);
   if (axes == 2 && !std::isfinite(o.min.z)) throw_joined<invalid_argument>({what, ": min.z is not finite"});
 }
 
@@ -138,5 +139,10 @@ M make_grid(const grid_options& options = {}) {
     return detail::made_of<M>(detail::honeycomb(options));
   }
 }
+
+// What to write instead of calls that cannot compile.
+template<class M, class R = mistake::remedy<mistake::include_adapter>>
+  requires(!requirement::is_adapted<M>)
+M make_grid(...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/generate/detail/finite.hpp>
 #include <concino/generate/detail/random.hpp>
@@ -75,5 +76,9 @@ void jitter(M& m, double amount, const jitter_options& options = {}) {
   std::size_t k = 0;
   for (const vert_t<M> v : verts(m)) set_point(m, v, moved[k++]);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void jitter(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void jitter(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

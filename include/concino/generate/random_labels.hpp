@@ -1,6 +1,7 @@
 // Labels that part a mesh into random pieces, most of them concave, that agglomerate() can merge.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/error.hpp>
 #include <concino/generate/detail/random.hpp>
 #include <concino/generate/detail/union_border.hpp>
@@ -152,5 +153,9 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
   }
   return labels;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void random_labels(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void random_labels(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

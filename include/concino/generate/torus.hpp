@@ -1,6 +1,7 @@
 // Tori, hollow and solid: make_torus<M>().
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/generate/detail/box_skin.hpp>
 #include <concino/generate/detail/made.hpp>
 #include <concino/generate/detail/round.hpp>
@@ -93,7 +94,7 @@ inline cell_arrays hex_torus(const torus_options& o) {
 /// Source: tets by Dompierre et al. 1999.
 template<requirement::can_be_made M>
 M make_torus(const torus_options& options = {}) {
-  for (const std::size_t k : {0u, 1u}) detail::check_at_least("make_torus", "cells[" + std::to_string(k) + "]", options.cells[k], 3);
+  for (const std::size_t k : {0u, 1u}) detail::check_at_least("make_torus", detail::joined({"cells[", k, "]"}), options.cells[k], 3);
   detail::check_positive("make_torus", "radius", options.radius);
   detail::check_positive("make_torus", "tube_radius", options.tube_radius);
   if (options.tube_radius >= options.radius)
@@ -119,5 +120,10 @@ M make_torus(const torus_options& options = {}) {
     }
   }
 }
+
+// What to write instead of calls that cannot compile.
+template<class M, class R = mistake::remedy<mistake::include_adapter>>
+  requires(!requirement::is_adapted<M>)
+M make_torus(...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/primal_graph.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/geometry/vec3.hpp>
 
 #include <limits>
@@ -61,5 +62,9 @@ box bounding_box(const M& m, const edge_t<M>& e) {
   for (const vert_t<M> v : adj_e2v(m, e)) b.add(to_vec3(point(m, v)));
   return b;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void bounding_box(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void bounding_box(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

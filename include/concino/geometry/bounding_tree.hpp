@@ -1,6 +1,7 @@
 // A tree of boxes over the polys of any mesh: the nearest one, those that a ray or a box meets, the one that holds a point, inside or outside.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/geometry/detail/box_tree_build.hpp>
 #include <concino/geometry/detail/polygon_pieces.hpp>
 #include <concino/geometry/detail/solid_pieces.hpp>
@@ -138,5 +139,10 @@ template<class M>
 poly_tree<std::remove_cvref_t<M>> bounding_tree(M&& m) {
   return poly_tree<std::remove_cvref_t<M>>(m);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void bounding_tree(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void bounding_tree(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void bounding_tree(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

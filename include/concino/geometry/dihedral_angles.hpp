@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/detail/message.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/error.hpp>
 #include <concino/geometry/normals.hpp>
 
@@ -131,5 +132,13 @@ edge_map<M, double> dihedral_angles(M&& m) {
   parallel_for_each(edges(m), [&](const edge_t<M>& e) { angle[e] = detail::dihedral_angle_with(m, e, normal_of); });
   return angle;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void dihedral_angle(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void dihedral_angle(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void dihedral_angle(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void dihedral_angles(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void dihedral_angles(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void dihedral_angles(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,63 +1,57 @@
 // How large elements are: areas of polygons, volumes of polyhedra, and the measure of a poly that is one or the other.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
+#include <concino/geometry/detail/any_scale.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/parallel.hpp>
 
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
 namespace concino {
 
-/// The vector area of poly p of a surface, or of face f of a volume: normal to it and as long as its area.
-/// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face, walked as adj_f2v does).
-/// Result: half the sum of the cross products along the boundary; for a polygon that is not planar it is shorter than any surface
-///         spanned by it. Units of length^2, scales exactly; 0 for a degenerate polygon.
-/// Cost:   O(verts of the polygon).      Errors: none.
-/// Source: Sunday 2002, "Fast polygon area and Newell normal computation"; paper section 2.2.
-template<SurfaceMesh M>
-  requires Embedded<M>
-vec3 area_vector(const M& m, const poly_t<M>& p) {
-  return area_vector_of(m, adj_p2v(m, p));
+namespace detail {
+
+/// Of points so far apart that the sum overflows on the way.
+template<class M, class Loop>
+[[gnu::noinline, gnu::cold]] vec3 large_area_vector(const M& m, const Loop& loop, const vec3& otherwise) {
+  const local_frame frame = frame_of_loop(m, loop);
+  if (!frame.is_finite()) return otherwise;
+  const vec3 a = area_vector_through<vert_t<M>>(loop, points_by_vert_in(m, frame));
+  return {frame.from_local(a.x, 2), frame.from_local(a.y, 2), frame.from_local(a.z, 2)};
 }
-template<VolumeMesh M>
-  requires Embedded<M>
-vec3 area_vector(const M& m, const face_t<M>& f) {
-  return area_vector_of(m, adj_f2v(m, f));
+template<class M, class Loop>
+vec3 safe_area_vector(const M& m, const Loop& loop) {
+  const vec3 a = area_vector_of(m, loop);
+  if (is_finite(a)) [[likely]] return a;
+  return large_area_vector(m, loop, a);
 }
 
-/// The area of poly p of a surface, or of face f of a volume: the length of its vector area.
-/// Needs:  as area_vector.      Result: 0 or more, in units of length^2.      Cost: O(verts of the polygon).      Errors: none.
-template<SurfaceMesh M>
-  requires Embedded<M>
-double area(const M& m, const poly_t<M>& p) {
-  return norm(area_vector(m, p));
-}
-template<VolumeMesh M>
-  requires Embedded<M>
-double area(const M& m, const face_t<M>& f) {
-  return norm(area_vector(m, f));
+template<class M, class Loop>
+double safe_area(const M& m, const Loop& loop) {
+  const vec3 a = area_vector_of(m, loop);
+  const double size = norm(a);
+  if (size <= std::numeric_limits<double>::max()) [[likely]] return size;
+  return norm(large_area_vector(m, loop, a));
 }
 
-/// The volume of poly p: enclosed by its faces, each of them, planar or not, fanned from its mean point, so that neighbours tile space
-/// without gap or overlap.
-/// Needs:  Embedded VolumeMesh; faces of p that close up.
-/// Result: positive where face_is_outward tells the truth, negative for a poly turned inside out; in units of length^3, scales exactly;
-///         0 for a degenerate poly.
-/// Cost:   O(verts of the faces of p).      Errors: none.
-/// Source: the divergence theorem: a fan of triangles about c, seen from o, encloses (c - o) . A / 3 with A its vector area.
-template<VolumeMesh M>
-  requires Embedded<M>
-double volume(const M& m, const poly_t<M>& p) {
+/// at(v): the point of vert v.
+template<class M, class At>
+[[gnu::always_inline]] inline double volume_through(const M& m, const poly_t<M>& p, const At& at) {
   if constexpr (TetMesh<M>) {
     vec3 x[4];
     std::size_t n = 0;
-    for (const vert_t<M> v : adj_p2v(m, p)) x[n++] = to_vec3(point(m, v));
+    for (const vert_t<M> v : adj_p2v(m, p)) x[n++] = at(v);
     return dot(cross(x[1] - x[0], x[2] - x[0]), x[3] - x[0]) / 6;
   } else {
     vec3 origin;
     double sum = 0;
     bool first = true;
     for (const face_t<M> f : adj_p2f(m, p)) {
-      const polygon_shape s = shape_of(m, adj_f2v(m, f));
+      const polygon_shape s = shape_through<vert_t<M>>(adj_f2v(m, f), at);
       if (first) origin = s.mean;
       first = false;
       const double part = dot(s.mean - origin, s.area);
@@ -65,6 +59,76 @@ double volume(const M& m, const poly_t<M>& p) {
     }
     return sum / 3;
   }
+}
+
+/// The size of p in the points at(v), of either dimension.
+template<class M, class At>
+[[gnu::always_inline]] inline double measure_through(const M& m, const poly_t<M>& p, const At& at) {
+  if constexpr (SurfaceMesh<M>) return norm(area_vector_through<vert_t<M>>(adj_p2v(m, p), at));
+  else return volume_through(m, p, at);
+}
+
+template<class M>
+[[gnu::noinline, gnu::cold]] double large_volume(const M& m, const poly_t<M>& p, double otherwise) {
+  const local_frame frame = frame_of_poly(m, p);
+  return frame.is_finite() ? frame.from_local(volume_through(m, p, points_by_vert_in(m, frame)), 3) : otherwise;
+}
+template<class M>
+[[gnu::noinline, gnu::cold]] double large_total_measure(const M& m, double otherwise) {
+  const local_frame frame([&](auto&& visit) {
+    for (const poly_t<M> p : polys(m)) for_each_point_of(m, p, visit);
+  });
+  if (!frame.is_finite()) return otherwise;
+  double sum = 0;
+  for (const poly_t<M> p : polys(m)) sum += measure_through(m, p, points_by_vert_in(m, frame));
+  return frame.from_local(sum, SurfaceMesh<M> ? 2 : 3);
+}
+
+}  // namespace detail
+
+/// The vector area of poly p of a surface, or of face f of a volume: normal to it and as long as its area.
+/// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face, walked as adj_f2v does).
+/// Result: half the sum of the cross products along the boundary; for a polygon that is not planar it is shorter than any surface
+///         spanned by it. Units of length^2, scales exactly; 0 for a degenerate polygon. Components too large for a double are infinite.
+/// Cost:   O(verts of the polygon).      Errors: none.
+/// Source: Sunday 2002, "Fast polygon area and Newell normal computation"; paper section 2.2.
+template<SurfaceMesh M>
+  requires Embedded<M>
+vec3 area_vector(const M& m, const poly_t<M>& p) {
+  return detail::safe_area_vector(m, adj_p2v(m, p));
+}
+template<VolumeMesh M>
+  requires Embedded<M>
+vec3 area_vector(const M& m, const face_t<M>& f) {
+  return detail::safe_area_vector(m, adj_f2v(m, f));
+}
+
+/// The area of poly p of a surface, or of face f of a volume: the length of its vector area.
+/// Needs:  as area_vector.      Result: 0 or more, in units of length^2; +inf if too large.      Cost: O(verts of the polygon).      Errors: none.
+template<SurfaceMesh M>
+  requires Embedded<M>
+double area(const M& m, const poly_t<M>& p) {
+  return detail::safe_area(m, adj_p2v(m, p));
+}
+template<VolumeMesh M>
+  requires Embedded<M>
+double area(const M& m, const face_t<M>& f) {
+  return detail::safe_area(m, adj_f2v(m, f));
+}
+
+/// The volume of poly p: enclosed by its faces, each of them, planar or not, fanned from its mean point, so that neighbours tile space
+/// without gap or overlap.
+/// Needs:  Embedded VolumeMesh; faces of p that close up.
+/// Result: positive where face_is_outward tells the truth, negative for a poly turned inside out; in units of length^3, scales exactly;
+///         0 for a degenerate poly; infinite, of finite points never NaN, where it is too large for a double.
+/// Cost:   O(verts of the faces of p).      Errors: none.
+/// Source: the divergence theorem: a fan of triangles about c, seen from o, encloses (c - o) . A / 3 with A its vector area.
+template<VolumeMesh M>
+  requires Embedded<M>
+double volume(const M& m, const poly_t<M>& p) {
+  const double size = detail::volume_through(m, p, detail::points_by_vert(m));
+  if (std::isfinite(size)) [[likely]] return size;
+  return detail::large_volume(m, p, size);
 }
 
 /// The area of a polygon or the volume of a polyhedron: what algorithms on surfaces and volumes alike call the size of a poly.
@@ -88,13 +152,30 @@ poly_map<M, double> measures(M&& m) {
 
 /// The sum of the measures of all polys: the area of a surface, the volume of a volume.
 /// Needs:  Embedded AnyMesh.
-/// Result: polys that are turned inside out count negative.      Cost: O(size of the mesh).      Errors: none.
+/// Result: polys that are turned inside out count negative; infinite where the sum is too large.      Cost: O(size of the mesh).      Errors: none.
 template<AnyMesh M>
   requires Embedded<M>
 double total_measure(const M& m) {
   double sum = 0;
-  for (const poly_t<M> p : polys(m)) sum += measure(m, p);
-  return sum;
+  for (const poly_t<M> p : polys(m)) sum += detail::measure_through(m, p, detail::points_by_vert(m));
+  if (std::isfinite(sum)) [[likely]] return sum;
+  return detail::large_total_measure(m, sum);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void area(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void area(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void area(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void volume(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void volume(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void volume(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void measure(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void measure(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void measure(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void measures(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void measures(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void measures(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void total_measure(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void total_measure(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

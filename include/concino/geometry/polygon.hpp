@@ -13,17 +13,15 @@ struct polygon_shape {
   vec3 area;
 };
 
-/// The shape of the polygon through `loop`, a range of verts in cyclic order.
-/// Needs:  Embedded M.
-/// Result: see polygon_shape. Differences to the first vert are summed, so that a polygon far from the origin loses no digits; the same
-///         polygon gives the same bits wherever it is used. Fewer than three verts, or all on one line: no area.
-/// Cost:   O(verts).      Errors: none.
-template<Embedded M, class Loop>
-polygon_shape shape_of(const M& m, const Loop& loop) {
+namespace detail {
+
+/// at(v): the point of vert v.
+template<class V, class Loop, class At>
+[[gnu::always_inline]] inline polygon_shape shape_through(const Loop& loop, const At& at) {
   vec3 first, previous, sum, doubled;
   double n = 0;
-  for (const vert_t<M> v : loop) {
-    const vec3 x = to_vec3(point(m, v));
+  for (const V v : loop) {
+    const vec3 x = at(v);
     if (n == 0) {
       first = x;
     } else {
@@ -37,28 +35,51 @@ polygon_shape shape_of(const M& m, const Loop& loop) {
   return {n > 0 ? first + sum / n : first, 0.5 * doubled};
 }
 
-/// The vector area alone.
-/// Needs:  Embedded M.      Result: the area of shape_of, to the bit.      Cost: O(verts), half of that.      Errors: none.
-template<Embedded M, class Loop>
-vec3 area_vector_of(const M& m, const Loop& loop) {
+template<class V, class Loop, class At>
+[[gnu::always_inline]] inline vec3 area_vector_through(const Loop& loop, const At& at) {
   auto it = loop.begin();
   const auto end = loop.end();
   vec3 doubled;
   if (!(it != end)) return doubled;
-  const auto at = [&] {
-    const vert_t<M> v = *it;
-    return to_vec3(point(m, v));
+  const auto here = [&] {
+    const V v = *it;
+    return at(v);
   };
-  const vec3 first = at();
+  const vec3 first = here();
   ++it;
   if (!(it != end)) return doubled;
-  vec3 previous = at() - first;
+  vec3 previous = here() - first;
   for (++it; it != end; ++it) {
-    const vec3 step = at() - first;
+    const vec3 step = here() - first;
     doubled += cross(previous, step);
     previous = step;
   }
   return 0.5 * doubled;
+}
+
+/// The points of m, as a function of verts.
+template<class M>
+auto points_by_vert(const M& m) {
+  return [&m](const vert_t<M>& v) { return to_vec3(point(m, v)); };
+}
+
+}  // namespace detail
+
+/// The shape of the polygon through `loop`, a range of verts in cyclic order.
+/// Needs:  Embedded M.
+/// Result: see polygon_shape. Differences to the first vert are summed, so that a polygon far from the origin loses no digits; the same
+///         polygon gives the same bits wherever it is used. Fewer than three verts, or all on one line: no area.
+/// Cost:   O(verts).      Errors: none.
+template<Embedded M, class Loop>
+polygon_shape shape_of(const M& m, const Loop& loop) {
+  return detail::shape_through<vert_t<M>>(loop, detail::points_by_vert(m));
+}
+
+/// The vector area alone.
+/// Needs:  Embedded M.      Result: the area of shape_of, to the bit.      Cost: O(verts), half of that.      Errors: none.
+template<Embedded M, class Loop>
+vec3 area_vector_of(const M& m, const Loop& loop) {
+  return detail::area_vector_through<vert_t<M>>(loop, detail::points_by_vert(m));
 }
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Where a surface meets itself: pairs of polys with more in common than the verts and edges they share, by exact tests.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/geometry/detail/box_pairs.hpp>
 #include <concino/geometry/detail/box_tree_build.hpp>
 #include <concino/geometry/detail/polygon_pieces.hpp>
@@ -124,5 +125,9 @@ std::vector<std::pair<poly_t<M>, poly_t<M>>> self_intersections(const M& m) {
   for (const auto& [first, second] : all) result.emplace_back(pieces.poly(first), pieces.poly(second));
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void self_intersections(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void self_intersections(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

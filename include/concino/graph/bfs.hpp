@@ -1,6 +1,8 @@
 // Breadth-first search: how many steps away is everything.
 #pragma once
 
+#include <concino/detail/message.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/fetch.hpp>
@@ -92,7 +94,7 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
 
 template<class G, class S>
 auto bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
-  if (options.max_hops < 0) throw invalid_argument("bfs: max_hops is " + number_text(options.max_hops) + "; it must be 0 or more");
+  if (options.max_hops < 0) detail::throw_joined<invalid_argument>({"bfs: max_hops is ", number_text(options.max_hops), "; it must be 0 or more"});
   const bool plain = options.targets.empty() && !options.may_cross && !options.predecessors && options.max_hops == std::numeric_limits<int>::max();
   if (!plain) return full_bfs(g, sources, options);
   return options.may_enter ? plain_bfs<true>(g, sources, options.may_enter) : plain_bfs<false>(g, sources, nullptr);
@@ -107,18 +109,23 @@ auto bfs(const G& g, const S& sources, const bfs_options<typename G::node, cross
 ///         nearest_target up to the nearest, and -1 beyond. The predecessor of a node is the first among those one step nearer that was
 ///         reached; sources are reached in their order, the neighbours of a node in that of the mesh.
 /// Cost:   O(V + E) time, O(V) memory.
-/// Errors: invalid_mesh if a source or target is not an element of m; invalid_argument if max_hops < 0.
+/// Errors: invalid_mesh if a source or target is not an element of m; invalid_argument if there is no source or max_hops < 0.
 /// Source: Moore 1959; paper section 2.1, "Architecture".
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
-auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, source, options);
 }
 
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
-auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, sources, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void bfs(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void bfs(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void bfs(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // The border of a surface, as loops of edges.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/graph/detail/sides.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/graph/edge_walk.hpp>
@@ -157,5 +158,8 @@ boundary_loops_result<M> boundary_loops(const M& m) {
     if (!border.is_taken(i)) go_from(border.from(i));
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void boundary_loops(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

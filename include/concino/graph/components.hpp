@@ -1,6 +1,7 @@
 // Connected components: which elements hang together, and how many pieces there are.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
@@ -86,8 +87,12 @@ auto connected_components(const G& g, const component_options<typename G::node, 
 /// Source: Galler, Fisher 1964; paper section 2.1, "Architecture".
 template<class M>
   requires requirement::is_no_temporary<M> && requirement::is_graph<M>
-auto connected_components(M&& m, const component_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
+auto connected_components(M&& m, const component_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::connected_components(detail::default_graph_of<M>{m}, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void connected_components(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void connected_components(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

@@ -1,6 +1,8 @@
 // Shortest paths: how far away is everything, along edges or from poly to poly.
 #pragma once
 
+#include <concino/detail/message.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/function_ref.hpp>
 #include <concino/graph/detail/fetch.hpp>
 #include <concino/graph/detail/for_each_in.hpp>
@@ -32,8 +34,8 @@ namespace detail {
 template<class G>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_bad_length(const G& g, const typename G::node& from, const typename G::node& to, double length,
                                                              const char* who) {
-  throw invalid_mesh(std::string(who) + ": the length from " + name_of(g, from) + " to " + name_of(g, to) + " is " +
-                     (length < 0 ? number_text(length) : std::string("not a number")) + "; lengths must be 0 or more");
+  detail::throw_joined<invalid_mesh>({who, ": the length from ", name_of(g, from), " to ", name_of(g, to), " is ",
+                                      length < 0 ? number_text(length) : std::string("not a number"), "; lengths must be 0 or more"});
 }
 
 /// Full: with may_enter, may_cross and predecessors, which are not even asked for otherwise.
@@ -95,7 +97,7 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
 template<class G, class S, class L>
 auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options,
               const char* who = "dijkstra") {
-  if (!(options.max_distance >= 0)) throw invalid_argument(std::string(who) + ": max_distance must be 0 or more");
+  if (!(options.max_distance >= 0)) detail::throw_joined<invalid_argument>({who, ": max_distance must be 0 or more"});
   return options.may_enter || options.may_cross || options.predecessors ? search_by_length<true>(g, sources, lengths, options, who)
                                                    : search_by_length<false>(g, sources, lengths, options, who);
 }
@@ -113,32 +115,38 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
 ///         is the same in every run.
 /// Cost:   O(E log V) time, O(V) memory.
 /// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number;
-///         invalid_argument if max_distance is negative or not a number.
+///         invalid_argument if there is no source, or max_distance is negative or not a number.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
-auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, source, detail::default_lengths(g), options);
 }
 
 template<class M, class S, class L>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::given_lengths<L>{length}, options);
 }
 
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, sources, detail::default_lengths(g), options);
 }
 
 template<class M, class S, class L>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::given_lengths<L>{length}, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void dijkstra(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void dijkstra(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void dijkstra(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void dijkstra(mistake::no_points<"no points (Embedded) to measure by: give a callable of lengths, dijkstra(m, source, length)">, ...) = delete;
 
 }  // namespace concino

@@ -1,6 +1,8 @@
 // Regions that grow from seeds, conquering element after adjacent element.
 #pragma once
 
+#include <concino/detail/message.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/graph/detail/lengths.hpp>
 
 #include <cstddef>
@@ -60,8 +62,8 @@ auto grow_regions(const G& g, const S& seeds, const C& cost, const region_option
       if constexpr (std::is_same_v<std::remove_cvref_t<decltype(cost(v, w))>, bool>) step = cost(v, w) ? 1 : infinity;
       else step = static_cast<double>(cost(v, w));
       if (!(step >= 0)) [[unlikely]]
-        throw invalid_mesh("grow_regions: the cost from " + name_of(g, v) + " to " + name_of(g, w) + " is " +
-                           (step < 0 ? number_text(step) : std::string("not a number")) + "; costs must be 0 or more, +inf for never");
+        detail::throw_joined<invalid_mesh>({"grow_regions: the cost from ", name_of(g, v), " to ", name_of(g, w), " is ",
+                                            step < 0 ? number_text(step) : std::string("not a number"), "; costs must be 0 or more, +inf for never"});
       const double total = summed ? so_far + step : step;
       if (total == infinity || total > options.max_cost) return;
       if (summed) {
@@ -115,18 +117,23 @@ template<class C, class N> concept is_cost = is_length<C, N>;
 ///         stands first. Of regions that reach an element at equal cost, that of the earlier seed takes it.
 /// Cost:   O(E log E) time, O(V + E) memory.
 /// Errors: invalid_mesh if a seed is not an element of m, or if a cost met on the way is negative or not a number; invalid_argument if
-///         max_cost is negative or not a number.
+///         there is no seed, or max_cost is negative or not a number.
 /// Source: Adams, Bischof 1994 (growth::step); Erwig 2000, graph Voronoi diagrams (growth::accumulated); paper section 2.1, "Architecture".
 template<class M, class S, class C>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
-auto grow_regions(M&& m, const S& seeds, const C& cost, const region_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+auto grow_regions(M&& m, const S& seeds, const C& cost, const region_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
 }
 
 template<class M, class S, class C>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
-auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost, const region_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
+auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost, const region_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void grow_regions(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void grow_regions(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void grow_regions(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

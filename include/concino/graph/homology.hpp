@@ -1,6 +1,7 @@
 // Loops that generate the first homology of a closed surface: around each handle and through it.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/graph/edge_walk.hpp>
 #include <concino/graph/tree_cotree.hpp>
 
@@ -55,5 +56,8 @@ std::vector<edge_walk<M>> homology_generators(const M& m, const homology_options
   }
   return loops;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void homology_generators(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

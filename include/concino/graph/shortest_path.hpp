@@ -1,6 +1,7 @@
 // The shortest path from one element to another, or from the nearest of several to the nearest of several.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/graph/dijkstra.hpp>
 
 #include <limits>
@@ -58,11 +59,11 @@ auto shortest_path(const G& g, const S& source, const T& target, const L& length
 ///         every run.
 /// Cost:   O(E log V) time, O(V) memory; the search stops at the nearest target.
 /// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number;
-///         invalid_argument if max_distance is negative or not a number.
+///         invalid_argument if there is no source or no target, or max_distance is negative or not a number.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S, class T = std::initializer_list<detail::node_of<M, S>>>
   requires requirement::is_target<M, S, T> && requirement::has_lengths<M, S>
-auto shortest_path(const M& m, const S& source, const T& target,
+auto shortest_path(const M& m, const S& source, const T& target,  // may_cross: not of a bare graph, which has no edges or faces to cross
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::shortest_path(g, source, target, detail::default_lengths(g), options);
@@ -70,14 +71,14 @@ auto shortest_path(const M& m, const S& source, const T& target,
 
 template<class M, class S, class L, class T = std::initializer_list<detail::node_of<M, S>>>
   requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
-auto shortest_path(const M& m, const S& source, const T& target, const L& length,
+auto shortest_path(const M& m, const S& source, const T& target, const L& length,  // may_cross: not of a bare graph, which has no edges or faces to cross
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::shortest_path(detail::graph_of<M, S>{m}, source, target, detail::given_lengths<L>{length}, options);
 }
 
 template<class M, class S, class T = std::initializer_list<S>>
   requires requirement::is_target<M, S, T> && requirement::has_lengths<M, S>
-auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target,
+auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target,  // may_cross: not of a bare graph, which has no edges or faces to cross
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::shortest_path(g, sources, target, detail::default_lengths(g), options);
@@ -85,9 +86,14 @@ auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target
 
 template<class M, class S, class L, class T = std::initializer_list<S>>
   requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
-auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target, const L& length,
+auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target, const L& length,  // may_cross: not of a bare graph, which has no edges or faces to cross
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::shortest_path(detail::graph_of<M, S>{m}, sources, target, detail::given_lengths<L>{length}, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void shortest_path(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void shortest_path(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void shortest_path(mistake::no_points<"no points (Embedded) to measure by: give a callable of lengths, shortest_path(m, source, target, length)">, ...) = delete;
 
 }  // namespace concino

@@ -1,6 +1,8 @@
 // Spanning trees: the fewest and shortest arcs that hold together what hangs together.
 #pragma once
 
+#include <concino/detail/message.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/graph/detail/lengths.hpp>
 
@@ -91,8 +93,8 @@ class tree_builder {
       const auto& to = upward ? w : v;
       const double length = lengths.from(from)(to, std::numeric_limits<double>::infinity());
       if (!(length > -std::numeric_limits<double>::infinity())) [[unlikely]]
-        throw invalid_mesh("spanning_tree: the length from " + name_of(g_, from) + " to " + name_of(g_, to) + " is " +
-                           (length < 0 ? "-inf" : "not a number") + "; lengths must be numbers, +inf for no arc");
+        detail::throw_joined<invalid_mesh>({"spanning_tree: the length from ", name_of(g_, from), " to ", name_of(g_, to), " is ",
+                                            length < 0 ? "-inf" : "not a number", "; lengths must be numbers, +inf for no arc"});
       if (length < std::numeric_limits<double>::infinity()) visit(candidate{length, std::min(i, j), std::max(i, j), {from, to}, upward, via});
     };
     if constexpr (has_edges) {
@@ -180,16 +182,20 @@ concept has_default_lengths = Embedded<concino::detail::mesh_behind_t<std::remov
 /// Source: Kruskal 1956; Prim 1957; paper section 2.1, "Architecture".
 template<class M>
   requires requirement::is_graph<M> && requirement::has_default_lengths<M>
-auto spanning_tree(const M& m, const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
+auto spanning_tree(const M& m, const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   const detail::default_graph_of<M> g{m};
   return detail::spanning_tree(g, detail::default_lengths(g), options);
 }
 
 template<class M, class L>
   requires requirement::is_graph<M> && requirement::is_length<L, detail::default_node_of<M>>
-auto spanning_tree(const M& m, const L& length,
+auto spanning_tree(const M& m, const L& length,  // may_cross: not of a bare graph, which has no edges or faces to cross
                    const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::spanning_tree(detail::default_graph_of<M>{m}, detail::given_lengths<L>{length}, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void spanning_tree(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void spanning_tree(mistake::no_points<"no points (Embedded) to measure by: give a callable of lengths, spanning_tree(m, length)">, ...) = delete;
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // A tree of verts and a tree of polys that share no edge, and the few edges of a closed surface that are in neither.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/detail/number_text.hpp>
 #include <concino/error.hpp>
 #include <concino/graph/detail/corners.hpp>
@@ -23,14 +24,14 @@ namespace detail {
 
 template<SurfaceMesh M>
 void expect_closed_manifold(const M& m, const char* who) {
-  const auto refuse = [&](const std::string& what) { throw invalid_mesh(std::string(who) + ": " + what); };
+  const auto refuse = [&](const std::string& what) { detail::throw_joined<invalid_mesh>({who, ": ", what}); };
   for (const edge_t<M> e : edges(m)) {
     std::size_t n = 0;
     for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) ++n;
     if (n == 2) continue;
-    refuse("edge " + number_text(index_of(m, e)) + " has " + number_text(n) + (n == 1 ? " poly" : " polys") +
-           (n < 2 ? "; the surface must be closed, fill its borders (boundary_loops) first"
-                  : "; the surface must be manifold, with two polys at every edge"));
+    refuse(detail::joined({"edge ", index_of(m, e), " has ", n, n == 1 ? " poly" : " polys",
+                           n < 2 ? "; the surface must be closed, fill its borders (boundary_loops) first"
+                                 : "; the surface must be manifold, with two polys at every edge"}));
   }
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   corner_classes<M> corners(m, [](std::size_t) { return false; });
@@ -42,8 +43,8 @@ void expect_closed_manifold(const M& m, const char* who) {
       const std::size_t here = corners.classes.root(corner++);
       if (known == none) known = here;
       else if (known != here)
-        refuse("the polys at vert " + number_text(index_of(m, v)) +
-               " are several fans; the surface must be manifold, with one fan at every vert");
+        refuse(detail::joined({"the polys at vert ", index_of(m, v),
+                               " are several fans; the surface must be manifold, with one fan at every vert"}));
     }
   }
 }
@@ -153,5 +154,8 @@ template<SurfaceMesh M>
 tree_cotree_result<M> tree_cotree(const M& m) {
   return detail::tree_cotree_tables<M>(m, "tree_cotree");
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void tree_cotree(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

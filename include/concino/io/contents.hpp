@@ -3,6 +3,7 @@
 
 #include <concino/geometry/rgba.hpp>
 #include <concino/detail/message.hpp>
+#include <concino/io/material_table.hpp>
 #include <concino/io/name_runs.hpp>
 #include <concino/io/options.hpp>
 #include <concino/mesh/arrays.hpp>
@@ -53,6 +54,7 @@ struct file_contents {
   given_values<vec3> vert_normals;
   given_values<std::array<double, 2>> vert_textures;
   name_runs objects, groups, materials;  // of polys
+  material_table table;                  // of the materials
 };
 
 struct volume_contents : file_contents {

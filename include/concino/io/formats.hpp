@@ -32,8 +32,18 @@ inline std::string_view extension_of(file_format f) {
   return "";
 }
 
-/// Upper and lower case mean the same. Errors: unsupported if the extension is not known, naming those that are.
+/// A character of value 0 would end the path for the system, which then opened another file.
+/// Errors: io_error that shows where it stands.
+[[gnu::noinline, gnu::cold]] inline void check_path(std::string_view path) {
+  if (path.find('\0') == path.npos) return;
+  std::string shown;
+  for (const char c : path) shown.append(c ? std::string_view(&c, 1) : std::string_view("\\0"));
+  throw_joined<io_error>({shown, ": no path holds a character of value 0"});
+}
+
+/// Upper and lower case mean the same. Errors: as check_path; unsupported if the extension is not known, naming those that are.
 [[gnu::noinline, gnu::cold]] inline file_format format_of(std::string_view path, file_format asked) {
+  check_path(path);
   if (asked != file_format::by_extension) return asked;
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; };
   std::string known;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
-#include <concino/io/mapped_file.hpp>
+#include <concino/io/file_text.hpp>
 #include <concino/io/properties.hpp>
 #include <concino/io/read_hedra.hpp>
 #include <concino/io/read_medit.hpp>
@@ -61,13 +61,15 @@ M mesh_of(volume_contents& contents, std::string_view name, load_report* report)
   }
 }
 
+/// From a file if there is one, which is let go as soon as it is read; else from the text.
 template<class M>
-M load_from(std::string_view text, std::string_view name, file_format format, const load_options& options, bool is_file) {
+M load_from(std::string_view text, std::string_view name, file_format format, const load_options& options, file_text* file = nullptr) {
   constexpr bool surface = from_surface<M>, volume = from_cells<M> || from_polyhedra<M>;
   load_report unheard;
   const wanted_mesh wanted{surface, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
   contents_of<volume> contents;
-  read_contents<surface, volume>({text, name, wanted, options.report ? options.report : &unheard, &options.progress, is_file}, format, contents);
+  read_contents<surface, volume>({text, name, wanted, options.report ? options.report : &unheard, &options.progress, file != nullptr}, format, contents);
+  if (file) file->close(std::string(name));
   if constexpr (volume) return mesh_of<M>(contents, name, options.report);
   else return mesh_of<M>(contents, options.report);
 }
@@ -82,16 +84,17 @@ template<class M> concept Loadable = detail::from_surface<M> || detail::from_cel
 /// Result: the mesh, elements in the order of the file. Any volume becomes a polyhedralmesh, any surface a polygonmesh; the other kinds
 ///         take only what they can hold. What the file says of its elements becomes properties, which are made only where it says any:
 ///         "label" (int) and "color" (rgba) of verts and polys; "normal" (vec3) and "texture" (std::array<double, 2>) of verts from .off;
-///         "object", "group" and "material" (std::string) of polys from .obj, with colours from the .mtl beside it. What was skipped,
-///         turned or worth a remark is in options.report.
-/// Cost:   one pass over the file, which is mapped, not copied; the arrays are handed over to the mesh.
-/// Errors: io_error if the file cannot be read; parse_error with the line if it breaks its format or holds a poly that M cannot;
-///         unsupported if the extension is not known, or the file holds a volume and M is a surface, or the reverse; cancelled.
+///         "object", "group" and "material" (std::string) of polys from .obj, with colours from the .mtl files beside it, of which the mesh
+///         property "materials" (material_table) keeps all lines. What was skipped, turned or worth a remark is in options.report.
+/// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are handed over to the mesh.
+/// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile; parse_error with the line if it breaks its format or holds a
+///         poly that M cannot; unsupported if the extension is not known, or the file holds a volume and M is a surface, or the reverse, or
+///         faces of more than 16 verts belong to very many polyhedra; cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
-  const detail::mapped_file file(path);
-  return detail::load_from<M>(file.text(), path, format, options, true);
+  detail::file_text file(path, {.map = options.map, .pipes = true});
+  return detail::load_from<M>(file.text(), path, format, options, &file);
 }
 
 /// The same from memory, without material libraries. `name` is what messages call the text.
@@ -99,7 +102,15 @@ M load(const std::string& path, const load_options& options = {}) {
 template<Loadable M>
 M load_text(std::string_view text, file_format format, const load_options& options = {}, std::string_view name = "text") {
   if (format == file_format::by_extension) throw invalid_argument("load_text: say which format the text is in; it has no extension");
-  return detail::load_from<M>(text, name, format, options, false);
+  return detail::load_from<M>(text, name, format, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class M, class R = mistake::remedy<"files are read as a mesh of this library, auto m = load<polygonmesh>(path); convert<To>(m) makes others of it">>
+  requires(!Loadable<M>)
+M load(...) = delete;  // load<trimesh>(path), load<polygonmesh>(path) ..., then convert<To>(m)
+template<class M, class R = mistake::remedy<"texts are read as a mesh of this library, auto m = load_text<polygonmesh>(text, format); convert<To>(m) makes others of it">>
+  requires(!Loadable<M>)
+M load_text(...) = delete;  // load_text<trimesh>(text, format) ..., then convert<To>(m)
 
 }  // namespace concino

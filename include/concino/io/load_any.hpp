@@ -23,11 +23,12 @@ using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, 
 template<class Variant = any_mesh>  // a template only so that programs that do not call it need not compile six meshes
 Variant load_any(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
-  const detail::mapped_file file(path);
+  detail::file_text file(path, {.map = options.map, .pipes = true});
   load_report unheard;
   detail::volume_contents contents;
   detail::read_contents<true, true>({file.text(), path, {}, options.report ? options.report : &unheard, &options.progress, true}, format, contents);
   const auto make = [&]<class M>(std::type_identity<M>) -> Variant { return detail::mesh_of<M>(contents, path, options.report); };
+  file.close(path);
   if (contents.held == detail::held_mesh::surface) {
     if (contents.surface.arity == 3) return make(std::type_identity<trimesh>{});
     if (contents.surface.arity == 4) return make(std::type_identity<quadmesh>{});

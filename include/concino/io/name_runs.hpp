@@ -1,8 +1,10 @@
 // Names that files give to polys: a line of text holds until the next one.
 #pragma once
 
+#include <concino/detail/hash_bytes.hpp>
 #include <concino/io/numbers.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,8 +20,7 @@ class name_table {
   std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16);  // open addressed, at most half full: 0 or number + 1
 
   std::size_t slot_of(std::string_view name) const {
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    const std::uint64_t hash = hash_bytes(name);
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = (hash ^ (hash >> 32)) & mask;
     while (slots_[i] != 0 && std::string_view(names_[slots_[i] - 1]) != name) i = (i + 1) & mask;
@@ -87,6 +88,13 @@ class name_runs {
     for (const std::string& name : names_)
       if (!name.empty() && !f(std::string_view(name))) return false;
     return true;
+  }
+
+  /// Bytes of the longest name.
+  std::size_t longest() const {
+    std::size_t n = 0;
+    for (const std::string& name : names_) n = std::max(n, name.size());
+    return n;
   }
 
   /// Names f(name) in the place of all names.

@@ -1,4 +1,4 @@
-// What the first word of an OFF file says, and the binary form: 32-bit integers and floats, big-endian.
+// What the first word of an OFF file says, and the binary form: 32-bit integers and floats, big-endian as Geomview has it, or little-endian.
 #pragma once
 
 #include <concino/io/contents.hpp>
@@ -53,6 +53,7 @@ class off_binary_reader {
   off_header& header_;
   const wanted_mesh& wanted_;
   load_report& report_;
+  bool little_ = false;
   const char* line_;  // errors name the line of the word BINARY: after it there are no lines
 
  public:
@@ -60,6 +61,8 @@ class off_binary_reader {
       : in_(in), header_(header), wanted_(wanted), report_(report), line_(in.at - 2) {}
 
   void read(surface_arrays& out, file_contents& extra, std::uint32_t& arity) {
+    little_ = is_little();
+    if (little_) report_.notes.push_back("the numbers of the binary file are little-endian; those of OFF are big-endian");
     if (header_.any_dimension) {
       header_.dimension = count("the dimension of the space, from 1", 1);
       if (header_.dimension == 0) fail(in_.at - 4, "the dimension of the space, from 1");
@@ -106,7 +109,44 @@ class off_binary_reader {
     if (in_.left() < 4) fail(in_.end(), expected);
     std::uint32_t x = 0;
     for (int i = 0; i < 4; ++i) x = (x << 8) | static_cast<unsigned char>(*in_.at++);
-    return x;
+    return little_ ? x << 24 | (x & 0xFF00u) << 8 | (x >> 8 & 0xFF00u) | x >> 24 : x;
+  }
+
+  /// Whether the file makes sense in little-endian numbers, and in big-endian ones it does not.
+  [[gnu::noinline, gnu::cold]] bool is_little() { return fits(true) && !fits(false); }
+
+  /// Whether the counts of verts and polys, and of corners and colours of each poly, lead to no place beyond the end of the file.
+  [[gnu::noinline, gnu::cold]] bool fits(bool little) {
+    const char* const begin = in_.at;
+    const std::uint64_t dimension = header_.dimension;
+    little_ = little;
+    const auto has = [&](std::uint64_t words) { return words <= in_.left() / 4; };
+    const auto walk = [&] {
+      if (header_.any_dimension) {
+        if (!has(1)) return false;
+        header_.dimension = word("");
+      }
+      if (!has(3) || header_.dimension == 0) return false;
+      const std::uint64_t verts = word(""), polys = word("");
+      word("");
+      if (verts > in_.left() / 4 / header_.numbers()) return false;
+      in_.at += 4 * verts * header_.numbers();
+      for (std::uint64_t f = 0; f < polys; ++f) {
+        if (!has(1)) return false;
+        const std::uint64_t size = word("");
+        if (size < 3 || !has(size + 1)) return false;
+        in_.at += 4 * size;
+        const std::uint64_t colors = word("");
+        if (colors > 4 || !has(colors)) return false;
+        in_.at += 4 * colors;
+      }
+      return true;
+    };
+    const bool is = walk();
+    in_.at = begin;
+    header_.dimension = dimension;
+    little_ = false;
+    return is;
   }
   double real() {
     const double x = std::bit_cast<float>(word("a number"));

@@ -27,6 +27,9 @@ struct load_options {
   file_format format = file_format::by_extension;
   concino::load_report* report = nullptr;  // filled in if given; cleared first
   concino::progress progress = {};         // told the fraction of the file read
+  /// Files are mapped into memory, not read: loading is about a tenth faster, but a file that shrinks meanwhile may end the program by
+  /// SIGBUS. Read files cannot; both are an io_error where the size is another at the end.
+  bool map = false;
 };
 
 struct save_options {
@@ -34,6 +37,12 @@ struct save_options {
   concino::save_report* report = nullptr;  // filled in if given; cleared first
   concino::progress progress = {};         // told the fraction of the elements written
   bool binary = false;                     // .off only: 32-bit numbers, so coordinates are rounded to floats; unsupported elsewhere
+  bool sync = false;                       // what is written reaches the disk before it replaces a file; else the system decides when
+};
+
+/// Of what writes a file and has nothing else to choose.
+struct file_options {
+  bool sync = false;  // as in save_options
 };
 
 }  // namespace concino

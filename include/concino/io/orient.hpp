@@ -47,10 +47,12 @@ class winding_check {
     std::uint64_t edge;
     std::int32_t faces, sum;
   };
+  static constexpr int max_probes = 1000;
   std::vector<entry> table_;
   std::vector<std::uint32_t> used_;
 
  public:
+  /// Whether they agree, for certain; false may also mean that it is not known.
   bool operator()(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
     std::size_t sides = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
@@ -67,7 +69,11 @@ class winding_check {
         const std::uint32_t b = m.face_verts[k].raw();
         const std::uint64_t edge = a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
         std::uint64_t at = (edge * 0x9e3779b97f4a7c15u >> 32) & mask;
-        while (table_[at].faces != 0 && table_[at].edge != edge) at = (at + 1) & mask;
+        for (int probes = 0; table_[at].faces != 0 && table_[at].edge != edge; at = (at + 1) & mask)
+          if (++probes == max_probes) {  // edges chosen so that they collide: the long way is n log n
+            for (const std::uint32_t u : used_) table_[u] = {0, 0, 0};
+            return false;
+          }
         if (table_[at].faces++ == 0) {
           table_[at].edge = edge;
           used_.push_back(static_cast<std::uint32_t>(at));

@@ -59,13 +59,15 @@ namespace concino::detail {
   skipped(contents.objects.empty(), "names of objects");
   skipped(contents.groups.empty(), "names of groups");
   skipped(contents.materials.empty(), "names of materials");
+  skipped(contents.table.materials.empty(), "what libraries say of materials");
 }
 
 /// What the file says about elements as properties, where the mesh can have them: "label", "color", "normal", "texture", "object", "group",
-/// "material". Elements are walked in the order of the file.
+/// "material"; "materials" of the mesh itself. Elements are walked in the order of the file.
 template<class M>
 void give_properties(M& m, file_contents& contents, load_report* report) {
   if constexpr (HasProperties<M>) {
+    if (!contents.table.empty()) *mesh_property<material_table>(m, "materials") = std::move(contents.table);
     std::vector<std::uint32_t> where;
     if (!contents.vert_labels.empty() || !contents.vert_colors.empty() || !contents.vert_normals.empty() || !contents.vert_textures.empty()) {
       for (const vert_t<M> v : verts(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, v)));

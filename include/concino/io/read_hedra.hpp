@@ -5,6 +5,7 @@
 #include <concino/io/orient.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sample.hpp>
+#include <concino/mesh/checks.hpp>
 
 namespace concino::detail {
 
@@ -81,6 +82,7 @@ class hedra_reader : token_cursor {
 
   void polys(std::uint64_t n) {
     std::vector<std::uint32_t> last_poly(out_.num_faces(), ~0u);  // that had the face
+    std::uint64_t poly_corners = 0;
     reserve_large(out_.poly_offsets, room(n, 4) + 1);
     out_.poly_offsets.push_back(0);
     for (std::uint64_t p = 0; p < n; ++p) {
@@ -96,6 +98,7 @@ class hedra_reader : token_cursor {
         if (k < 1 || k > out_.num_faces()) fail(here, {"a face index from 1 to ", out_.num_faces(), ", or its negative"});
         if (last_poly[k - 1] == p) fail(here, {"different faces in a polyhedron"}, {"face ", k, " twice"});
         last_poly[k - 1] = static_cast<std::uint32_t>(p);
+        poly_corners += out_.face_offsets[k] - out_.face_offsets[k - 1];
         out_.poly_faces.push_back(face_id{k - 1});
         out_.outward.push_back(f > 0);
       }
@@ -107,6 +110,7 @@ class hedra_reader : token_cursor {
       out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
       tell();
     }
+    check_poly_corners(poly_corners, out_.face_verts.size(), out_.poly_faces.size(), joined({name(), ": "}));
   }
 
   /// For meshes of tets or hexes only.
@@ -144,7 +148,8 @@ class hedra_reader : token_cursor {
 ///         and counted.
 /// Cost:   O(size of the text), and sorting the edges of each polyhedron.
 /// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
-///         polyhedron that the wanted mesh cannot hold, text after the last.
+///         polyhedron that the wanted mesh cannot hold, text after the last; unsupported if faces of more than 16 verts belong to very many
+///         polyhedra.
 template<class Contents>
 void read_hedra(const read_context& context, Contents& out) {
   hedra_reader<Contents>(context).read(out);

@@ -22,6 +22,8 @@ class medit_reader : token_cursor {
   std::vector<std::uint8_t> shapes_;       // cell_shape of each poly, once they differ
   std::size_t polys_ = 0;
   const medit_section* only_ = nullptr;    // the section of all polys so far
+  std::uint64_t num_rounded_ = 0;          // references that are no integers
+  const char* first_rounded_ = nullptr;
 
   struct part {
     const medit_section* section;
@@ -110,9 +112,20 @@ class medit_reader : token_cursor {
   int next_label(const char* what) {
     skip();
     const char* const from = at;
-    const std::int64_t label = next_integer(what);
+    std::int64_t label = 0;
+    const char* const p = parse_integer(at, end(), label);
+    if (p && ends_token(p, comment)) [[likely]] at = p;
+    else label = real_label(what);
     if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) fail(from, {what, " of 32 bits"});
     return static_cast<int>(label);
+  }
+
+  /// Some programs write references as reals. Beyond 32 bits: any integer that is too large.
+  [[gnu::noinline, gnu::cold]] std::int64_t real_label(const char* what) {
+    const char* const from = at;
+    const double x = std::clamp(real(what, comment), -0x1p40, 0x1p40), rounded = std::round(x);
+    if (x != rounded && num_rounded_++ == 0) first_rounded_ = from;
+    return static_cast<std::int64_t>(rounded);
   }
 
   /// Labels are kept from the first on that is not zero; `n` elements came before.
@@ -203,6 +216,9 @@ class medit_reader : token_cursor {
       next_count("a number of elements", 2 * p.section->arity + 2);
       elements(p);
     }
+    if (num_rounded_)
+      report_.notes.push_back(
+          joined({num_rounded_, " references are no integers and were rounded, the first on line ", line_of(first_rounded_)}));
     if (report_.reoriented_polys)
       report_.notes.push_back(joined({report_.reoriented_polys, " of ", polys_,
                                       " cells had a negative volume: their verts were put into the standard order"}));
@@ -250,7 +266,7 @@ class medit_reader : token_cursor {
 
 /// Needs:  text of a MEDIT file: keywords, counts and rows in any layout, sections in any order, `#` comments, Dimension 2 (z is 0) or 3.
 /// Result: a volume if there is any cell, else a surface. Elements keep their order. Cells of negative volume are turned into the standard
-///         order and counted. References become labels unless all are zero. Surface elements of a volume, and sections that a mesh has no
+///         order and counted. References become labels unless all are zero; those that are no integers are rounded and counted. Surface elements of a volume, and sections that a mesh has no
 ///         place for, are reported as skipped.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the

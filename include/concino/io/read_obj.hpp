@@ -21,6 +21,7 @@ class obj_reader : text_cursor {
   std::string other_;
   std::uint32_t arity_ = 0;
   std::vector<vert_id> scratch_;
+  static constexpr std::size_t max_name = 1000;  // bytes of the names that polys get
 
  public:
   obj_reader(const read_context& c, file_contents& out)
@@ -39,12 +40,11 @@ class obj_reader : text_cursor {
     }
     if (out_.points.empty() && num_other_ > 0)
       fail(end(), {"verts (v x y z)"}, {"none, and ", num_other_, " lines that are not of an OBJ file, the first '", other_, "'"});
-    if (out_.verts.size() > max_ids) fail_to_count("corners");
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
     tell_of_skipped(report);
     if (!extra_.vert_colors.empty()) extra_.vert_colors.resize(out_.points.size());
-    end_names(report);
+    end_names();
   }
 
  private:
@@ -191,6 +191,7 @@ class obj_reader : text_cursor {
       fail(line, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
     if (wanted_.surface && wanted_.arity && size != wanted_.arity)
       fail(line, {name_of_poly(false, wanted_.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", size, " corners"});
+    if (out_.verts.size() > max_ids) fail_to_count("corners");
     end_poly(out_, arity_, first);
   }
 
@@ -213,8 +214,8 @@ class obj_reader : text_cursor {
     return name;
   }
 
-  /// Labels from the names of groups or objects, colours from the libraries.
-  [[gnu::noinline, gnu::cold]] void end_names(load_report& report) {
+  /// Labels from the names of groups or objects, materials and colours from the libraries.
+  [[gnu::noinline, gnu::cold]] void end_names() {
     const std::size_t n = out_.num_polys();
     for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) names->end(n);
     const name_runs& named = extra_.groups.empty() ? extra_.objects : extra_.groups;
@@ -231,8 +232,12 @@ class obj_reader : text_cursor {
       });
       if (numbers) extra_.groups.clear();
     }
-    if (!extra_.materials.empty()) color_polys(context_, libraries_, n, extra_);
-    else if (!libraries_.empty()) report.notes.push_back("no material is used: the material library was not read");
+    if (!extra_.materials.empty() || !libraries_.empty()) assign_materials(context_, libraries_, n, extra_);
+    for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) {
+      if (names->longest() <= max_name) continue;
+      names->rename([](std::string_view name) { return std::string(name.substr(0, max_name)); });
+      context_.report->notes.push_back(joined({"names longer than ", max_name, " bytes were cut: every poly has a copy of its name"}));
+    }
   }
 
   [[gnu::noinline]] void other() {
@@ -273,9 +278,10 @@ class obj_reader : text_cursor {
 /// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
 /// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are. `v x y z r g b` gives
 /// colours
-///         of verts, white where there is none. `o`, `g` and `usemtl` give names of polys. Labels number the groups, or the objects where
+///         of verts, white where there is none. `o`, `g` and `usemtl` give names of polys, of 1000 bytes at most. Labels number the groups, or the objects where
 ///         there are no groups, from 1 as they come; groups that are all called label_<number> are labels and nothing else. The libraries'
-///         Kd and d give colours of polys; materials called color_<number> are colours and nothing else.
+///         Kd and d give colours of polys; materials called color_<number> that say nothing else are colours and no materials. All that
+///         the libraries say is kept in `table`.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a number that is none or not finite, of an index out of range, of a poly of fewer than three
 ///         verts or with a vert twice, of a poly that the wanted mesh cannot hold; of an empty file.

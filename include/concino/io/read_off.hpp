@@ -243,11 +243,12 @@ class off_reader : off_cursor {
   }
 };
 
-/// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, then BINARY and numbers of 32 bits, big-endian, or text with comments.
+/// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, then BINARY and numbers of 32 bits, or text with comments.
 /// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: coordinates that are missing are 0, those
 ///         beyond the third are reported as skipped. Colours, normals and texture coordinates of verts; colours of polys, white where there
 ///         is none, and indices of colours as labels. Integers from 0 to 255 and reals from 0 to 1 are told apart colour by colour; only
 ///         where no integer of the verts exceeds 1 they are parts too, as Geomview has it.
+///         Binary numbers are big-endian; where only little-endian ones give a file that makes sense, these are read, and a note says so.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line (in binary files, the byte) of what is no number or not finite, of counts that are negative or
 ///         larger than the file, of an index out of range, of a poly of fewer than three verts or with a vert twice, of a poly that the

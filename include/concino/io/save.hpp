@@ -1,6 +1,8 @@
 // Writes a mesh of any type to a file.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
+#include <concino/io/replacing_file.hpp>
 #include <concino/io/write_hedra.hpp>
 #include <concino/io/write_medit.hpp>
 #include <concino/io/write_obj.hpp>
@@ -10,17 +12,15 @@ namespace concino {
 
 namespace detail {
 
-/// Where there may be a file beside this one, `library` is filled in with its text if it is needed.
+/// Materials go to `library`, where there may be a file beside this one.
 template<class M>
-void write_to(text_sink& out, const M& m, std::string_view name, file_format format, const save_options& options,
-              std::string* library = nullptr, std::string_view library_name = {}) {
+void write_to(text_sink& out, const M& m, std::string_view name, file_format format, const save_options& options, library_file* library = nullptr) {
   save_report unheard, &report = options.report ? *options.report : unheard;
   report = {};
   if (options.binary && format != file_format::off)
     throw_joined<unsupported>({name, ": ", extension_of(format), " has no binary form here"});
   write_context<M> context(m, name, out, report, options.progress);
   context.library = library;
-  context.library_name = library_name;
   if (format == file_format::obj) write_obj(context);
   else if (format == file_format::off) write_off(context, options.binary);
   else if (format == file_format::medit) write_medit(context);
@@ -31,13 +31,6 @@ void write_to(text_sink& out, const M& m, std::string_view name, file_format for
     report.lost.push_back(joined({context.num_not_finite, " numbers of colours and the like that are not finite: written as 0"}));
 }
 
-/// a/b.obj: a/b.mtl
-[[gnu::noinline, gnu::cold]] inline std::string library_path(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  const bool has_extension = dot != std::string::npos && path.find('/', dot) == std::string::npos;
-  return joined({std::string_view(path).substr(0, has_extension ? dot : path.size()), ".mtl"});
-}
-
 }  // namespace detail
 
 /// Writes a mesh to a file; which format follows from the extension: .obj and .off for surfaces; .mesh for triangles and quads, or for
@@ -46,31 +39,28 @@ void write_to(text_sink& out, const M& m, std::string_view name, file_format for
 /// numbered as
 ///         they are walked. Properties "label" (int) of verts and polys go to .mesh; "color" (rgba) and "label" of polys, of which .off
 ///         holds one, and "color" of verts to .obj and .off; "normal" (vec3) and "texture" (std::array<double, 2>) of verts to .off;
-///         "object", "group" and "material" (std::string) of polys to .obj. Colours of polys make a material library of the same name,
-///         .mtl, beside the .obj. Whatever is lost is named in options.report.
-/// Cost:   O(size of the mesh) time; O(verts) memory, O(corners) for .mesh.
+///         "object", "group" and "material" (std::string) of polys to .obj, with all lines of the mesh property "materials". Colours and
+///         materials are in the libraries that the mesh's file named, where these are beside the new one and hold the same; else in a new one
+///         beside the .obj, of the same name, .mtl, or _1.mtl and so on: no library that is there is changed, but those that earlier saves
+///         made for this file are removed. Both files change or neither does; killed at any moment, the .obj that is there finds its
+///         materials. Whatever is lost, changed or called otherwise is named in options.report.
+/// Cost:   O(size of the mesh) time; O(verts) memory, O(corners) for .mesh, O(polys) for .obj with colours or materials.
 /// Errors: unsupported if the extension is not known, or the format cannot hold the mesh, naming the first poly that it cannot and formats
-///         that can; invalid_mesh if a coordinate is not finite; io_error if the file cannot be written; cancelled. The target then is as
-///         it was.
+///         that can; invalid_mesh if a coordinate is not finite; io_error if a file cannot be written, or another program makes a library of
+///         that name meanwhile; cancelled. The target then is as it was, and no other file has been made or changed. (With options.sync,
+///         io_error also where the new file stands there but its folder cannot be brought to the disk.)
 template<class M>
   requires(AnyMesh<M>&& Embedded<M>)
 void save(const M& m, const std::string& path, const save_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
-  detail::replacing_file file(path);
+  detail::replacing_file file(path, {.sync = options.sync});
   detail::text_sink out(file.descriptor(), path);
-  std::string library;
-  const std::string beside = detail::library_path(path);
-  detail::write_to(out, m, path, format, options, &library, std::string_view(beside).substr(beside.rfind('/') + 1));
+  detail::library_file library(path, options.sync);
+  detail::write_to(out, m, path, format, options, &library);
   out.flush();
-  if (!library.empty()) {
-    detail::replacing_file other(beside);
-    detail::text_sink text(other.descriptor(), beside);
-    text << library;
-    text.flush();
-    other.commit();
-  }
+  file.finish();
   if (options.progress) detail::tell(options.progress, 1.0, "writing");
-  file.commit();
+  library.commit_with(file);
 }
 
 /// The text that save would write.
@@ -83,5 +73,11 @@ std::string save_text(const M& m, file_format format, const save_options& option
   detail::write_to(out, m, "text", format, options);
   return std::move(out).take();
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void save(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void save(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void save_text(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void save_text(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -3,6 +3,9 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/primal_graph.hpp>
+#include <concino/detail/mistakes.hpp>
+#include <concino/io/options.hpp>
+#include <concino/io/replacing_file.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -14,10 +17,10 @@ namespace concino {
 /// Result: a file that load_field reads back to the last bit, +inf and NaN included. It replaces a file of that name only when it is
 ///         complete.
 /// Cost:   O(V).      Errors: io_error.
-template<class M, ReadableMap<vert_t<M>> U>
-  requires requirement::has_verts<M> && requirement::has_num_verts<M>
-void save_field(const M& m, const U& u, const std::string& path) {
-  detail::replacing_file file(path);
+template<class M, class U>
+  requires requirement::has_verts<M> && requirement::has_num_verts<M> && requirement::gives_numbers<U, vert_t<M>>
+void save_field(const M& m, const U& u, const std::string& path, const file_options& options = {}) {
+  detail::replacing_file file(path, {.sync = options.sync});
   detail::text_sink out(file.descriptor(), path);
   out << "SCALAR_FIELD " << static_cast<std::uint64_t>(num_verts(m)) << '\n';
   for (const vert_t<M> v : verts(m)) out << static_cast<double>(u[v]) << '\n';
@@ -32,7 +35,8 @@ void save_field(const M& m, const U& u, const std::string& path) {
 template<class M>
   requires requirement::is_no_temporary<M> && requirement::has_verts<M> && requirement::has_num_verts<M>
 vert_map<M, double> load_field(M&& m, const std::string& path) {
-  const detail::mapped_file file(path);
+  detail::check_path(path);
+  const detail::file_text file(path);
   detail::token_cursor in(file.text(), path, nullptr, 0);
   in.skip();
   const char* const head = in.at;
@@ -55,5 +59,13 @@ vert_map<M, double> load_field(M&& m, const std::string& path) {
   if (!in.at_end()) in.fail(in.at, {"the end of the file after ", wanted, " values"});
   return u;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void save_field(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void load_field(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void load_field(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(PrimalGraph<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void save_field(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -33,11 +33,13 @@ class text_cursor {
   const char* next_tell_;
   std::string_view name_;
   const concino::progress* progress_;
+  mutable const char* counted_;  // lines up to here, so that many complaints in a row cost one walk
+  mutable std::size_t lines_ = 1;
 
  public:
   /// `name` appears in errors. A byte order mark is skipped.
   text_cursor(std::string_view text, std::string_view name, const concino::progress* progress = nullptr)
-      : at(text.data()), begin_(at), end_(at + text.size()), next_tell_(end_), name_(name), progress_(progress) {
+      : at(text.data()), begin_(at), end_(at + text.size()), next_tell_(end_), name_(name), progress_(progress), counted_(begin_) {
     if (text.substr(0, 3) == "\xEF\xBB\xBF") at += 3;
     if (progress_ && *progress_) next_tell_ = at;
   }
@@ -64,9 +66,13 @@ class text_cursor {
   /// Line of a place, from 1; LF, CRLF and CR each end one. The end of the text counts as the end of its last line that says something.
   [[gnu::noinline, gnu::cold]] std::size_t line_of(const char* place) const {
     if (place == end_) while (place != begin_ && is_space(place[-1])) --place;
-    std::size_t line = 1;
-    for (const char* p = begin_; p != place; ++p) line += *p == '\n' ? (p == begin_ || p[-1] != '\r') : *p == '\r';
-    return line;
+    if (place < counted_) {
+      counted_ = begin_;
+      lines_ = 1;
+    }
+    for (; counted_ != place; ++counted_)
+      lines_ += *counted_ == '\n' ? (counted_ == begin_ || counted_[-1] != '\r') : *counted_ == '\r';
+    return lines_;
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, message expected, message found) const {
@@ -92,7 +98,7 @@ class text_cursor {
       if (*p >= 32 && *p < 127) found += *p;
       else (found += "\\x") += {"0123456789abcdef"[static_cast<unsigned char>(*p) >> 4], "0123456789abcdef"[*p & 15]};
     }
-    return found + "'";
+    return joined({found, "'"});
   }
 
   void skip_line() {
@@ -180,19 +186,18 @@ struct token_cursor : text_cursor {
   }
 };
 
-/// The first corner that a list of verts repeats, or its length: by a table, for lists of many. It is open addressed, at most half full.
+/// The first corner that a list of verts repeats, or its length: by sorting, for lists of many.
 [[gnu::noinline, gnu::cold]] inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, std::vector<vert_id>& scratch) {
-  std::size_t size = 64;
-  while (size < 2 * n) size *= 2;
-  scratch.clear();
-  scratch.resize(size);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::size_t at = (verts[i].raw() * 0x9e3779b97f4a7c15u >> 32) & (size - 1);
-    while (!scratch[at].is_none() && scratch[at] != verts[i]) at = (at + 1) & (size - 1);
-    if (!scratch[at].is_none()) return i;
-    scratch[at] = verts[i];
-  }
-  return n;
+  scratch.assign(verts, verts + n);
+  std::sort(scratch.begin(), scratch.end());
+  if (std::adjacent_find(scratch.begin(), scratch.end()) == scratch.end()) return n;
+  std::vector<std::size_t> place(n);
+  for (std::size_t i = 0; i < n; ++i) place[i] = i;
+  std::sort(place.begin(), place.end(), [&](std::size_t a, std::size_t b) { return verts[a] != verts[b] ? verts[a] < verts[b] : a < b; });
+  std::size_t first = n;
+  for (std::size_t i = 1; i < n; ++i)
+    if (verts[place[i]] == verts[place[i - 1]]) first = std::min(first, place[i]);
+  return first;
 }
 
 /// The same, quadratic for the few corners that polys have.

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/geometry/vec3.hpp>
+#include <concino/io/library_file.hpp>
 #include <concino/io/numbers.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/properties.hpp>
@@ -27,8 +28,7 @@ struct write_state {
   std::size_t done = 0, all = 0;  // elements
   kept_property kept[8] = {};     // what the format holds of the properties of the mesh
   std::size_t num_kept = 0;
-  std::string* library = nullptr;  // where a material library goes: a file beside this one
-  std::string_view library_name = {};
+  library_file* library = nullptr;  // where materials go; null: there is no file beside this one
   std::size_t num_not_finite = 0;          // parts of colours and the like, written as 0
   std::vector<std::uint32_t> number = {};  // of each vert in the file, from 0: deleted verts leave no gap
   std::uint32_t next_number = 0;
@@ -95,19 +95,6 @@ struct write_context : write_state {
   const std::string_view text(digits, static_cast<std::size_t>(end - digits));
   out << text;
   if (is_real && text.find_first_of(".e") == text.npos) out << ".0";
-}
-
-/// A name as a line can hold it. `changed` tells whether it is another.
-[[gnu::noinline]] inline std::string line_name(std::string name, bool& changed) {
-  const auto hide = [&](char& c) {
-    c = '_';
-    changed = true;
-  };
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if (static_cast<unsigned char>(name[i]) < 32 || name[i] == '\\' || (name[i] == '#' && (i == 0 || name[i - 1] == ' '))) hide(name[i]);
-  if (!name.empty() && name.front() == ' ') hide(name.front());
-  if (!name.empty() && name.back() == ' ') hide(name.back());
-  return name;
 }
 
 }  // namespace concino::detail

@@ -1,7 +1,6 @@
 // Writes surfaces as Wavefront OBJ, and the material library that holds the colours of their polys.
 #pragma once
 
-#include <concino/io/write_common.hpp>
 #include <concino/io/write_mtl.hpp>
 
 namespace concino::detail {
@@ -57,9 +56,13 @@ void write_obj(write_context<M>& c) {
     if (labels_are_names || labels_are_groups) c.keep(element_kind::poly, "label", typeid(int));
 
     c.out << "# " << static_cast<std::size_t>(num_verts(m)) << " verts, " << static_cast<std::size_t>(num_polys(m)) << " polys\n";
-    mtl_names material(c, values_if_any<std::string>(m, element_kind::poly, "material"), values_if_any<rgba>(m, element_kind::poly, "color"));
-    if (material.any_to_take())
-      for (const poly_t<M> p : polys(m)) material.take(index_of(m, p));
+    mtl_names material(c, values_if_any<std::string>(m, element_kind::poly, "material"), values_if_any<rgba>(m, element_kind::poly, "color"),
+                       values_if_any<material_table>(m, element_kind::mesh, "materials"));
+    if (material.any()) {
+      for (const poly_t<M> p : polys(m)) material.register_poly(index_of(m, p));
+      for (const poly_t<M> p : polys(m)) material.assign_material(index_of(m, p));
+    }
+    material.end();
     bool transparent = false;
     for (const vert_t<M> v : verts(m)) {
       c.out << "v ";
@@ -76,12 +79,13 @@ void write_obj(write_context<M>& c) {
       c.tell();
     }
     obj_names objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
+    std::size_t walked = 0;
     for (const poly_t<M> p : polys(m)) {
       const std::size_t i = index_of(m, p);
       if (object) objects.before_poly(object[i]);
       if (group) groups.before_poly(group[i]);
       else if (labels_are_groups) groups.before_poly(label_name(label[i]));
-      if (material.any()) materials.before_poly(material(i));
+      if (material.any()) materials.before_poly(material[walked++]);
       c.out << 'f';
       for (const vert_t<M> v : adj_p2v(m, p)) c.out << ' ' << c.number_of(v) + 1;
       c.out << '\n';
@@ -90,7 +94,6 @@ void write_obj(write_context<M>& c) {
     if (transparent) c.report.lost.push_back("opacity of verts: .obj has no place for it");
     if (objects.changed || groups.changed || material.changed)
       c.report.lost.push_back("names of polys that no line of .obj can hold: they were changed");
-    material.end();
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/derived.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/mesh/detail/filtered.hpp>
 
 #include <cstdint>
@@ -158,8 +159,11 @@ auto boundary(const M& m) {
   detail::mark_whole_verts(m, *s);
   return views::boundary_view<M>(m, std::move(s), std::move(turned));
 }
-template<VolumeMesh M>
+template<VolumeMesh M, class R = mistake::remedy<mistake::name_the_mesh>>
   requires(!is_view_v<M>)
-void boundary(const M&& m) = delete;
+void boundary(const M&& m) = delete;  // give the mesh a name: auto m = ...;
+
+// What to write instead of calls that cannot compile.
+template<class... T> void boundary(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

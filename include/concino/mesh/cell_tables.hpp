@@ -3,8 +3,10 @@
 // faces around an edge (from poly to poly), faces at a vert.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/mesh/cell_ranges.hpp>
 #include <concino/mesh/checks.hpp>
+#include <concino/mesh/corner_orders.hpp>
 #include <concino/mesh/stars.hpp>
 
 namespace concino {
@@ -31,7 +33,13 @@ class cell_tables {
   ragged<poly_id> v2p_;
 
  public:
+  static constexpr unsigned arity = Shape::verts;
+
   cell_tables() = default;
+  cell_tables(const cell_tables&) = default;
+  cell_tables(cell_tables&&) noexcept = default;
+  cell_tables& operator=(const cell_tables& o) { return *this = cell_tables(o); }  // all or nothing
+  cell_tables& operator=(cell_tables&&) noexcept = default;
 
   /// From the verts of every poly in the standard order. Linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
@@ -39,6 +47,11 @@ class cell_tables {
     detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
     build(vert_count);
   }
+  /// From lists in another order: a tet_order or hex_order.
+  template<class Order>
+    requires(detail::corners_in(Order{}) == Shape::verts)
+  cell_tables(std::size_t vert_count, std::vector<vert_id> polys, Order order)
+      : cell_tables(vert_count, detail::to_standard_order(std::move(polys), order)) {}
   /// The same for polys that are listed elsewhere, with what was built of a copy of those lists.
   cell_tables(cell_tables<Shape>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, detail::rows<vert_id, Shape::verts>>)
@@ -93,60 +106,125 @@ class cell_tables {
     return false;
   }
 
+  // Edits find their memory first, which changes nothing, and then cannot fail: each is done as a whole or not at all. `grow` is called in
+  // between, with the bounds of indices that the edit leads to; it may fail too.
+
   /// A vert without edges.
-  vert_id add_vert() {
+  template<class Grow = detail::nothing_else_grows>
+  vert_id add_vert(const Grow& grow = {}) {
+    detail::stage_star(v2v_, v2e_, v2p_);
+    verts_.reserve(1);
+    grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound()});
     detail::add_star(v2v_, v2e_, v2p_);
     return verts_.add();
   }
 
   /// A poly on verts that are there, in the standard order. Cost: the edges and polys at its verts.
   /// Errors: invalid_mesh as in the constructor; nothing has changed then.
-  poly_id add_poly(std::span<const vert_id> corners) {
+  template<class Grow = detail::nothing_else_grows>
+  poly_id add_poly(std::span<const vert_id> corners, const Grow& grow = {}) {
     const poly_id p{polys_.bound()};
     if (corners.size() != Shape::verts)
-      throw invalid_mesh("poly " + std::to_string(p.raw()) + " has " + std::to_string(corners.size()) + " verts; every poly of this mesh has " + std::to_string(Shape::verts));
+      detail::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Shape::verts});
     detail::check_new_verts(corners, verts_, "poly", p.raw());
+    vert_id c[Shape::verts];
+    std::copy_n(corners.begin(), Shape::verts, c);
     edge_id e[Shape::edges];
+    std::uint32_t polys_at_edge[Shape::edges], more_edges = 0, more_at[Shape::verts] = {}, crowds = 0;
+    std::size_t crowded = 0;
+    crowds_.loosen();
     for (unsigned j = 0; j < Shape::edges; ++j) {
-      const vert_id a = corners[Shape::edge_vert[j][0]], b = corners[Shape::edge_vert[j][1]];
-      e[j] = detail::edge_between(v2v_, v2e_, a, b);
+      const unsigned a = Shape::edge_vert[j][0], b = Shape::edge_vert[j][1];
+      e[j] = detail::edge_between(v2v_, v2e_, c[a], c[b]);
+      polys_at_edge[j] = 1;
       if (e[j].is_none()) {
-        e[j] = detail::add_edge(edges_, e2v_, v2v_, v2e_, a, b);
+        ++more_edges, ++more_at[a], ++more_at[b];
+      } else {
+        polys_at_edge[j] += count_polys(e[j]);
+        if (is_crowded(e[j])) crowds_.reserve_in_row(crowd_number(e[j]), 1);
+        else ++crowds, crowded += polys_at_edge[j];
+      }
+    }
+    face_id* const f = sides_.stage_poly(Shape::faces);
+    std::uint32_t more_faces = 0;
+    for (unsigned k = 0; k < Shape::faces; ++k) {
+      f[k] = face_on(c, k);
+      more_faces += f[k].is_none();
+    }
+    for (unsigned i = 0; i < Shape::verts; ++i) {
+      detail::reserve_edges_at(v2v_, v2e_, c[i], more_at[i]);
+      v2p_.reserve_in_row(c[i].raw(), 1);
+    }
+    p2v_.reserve_rows(1);
+    p2e_.reserve_rows(1);
+    e2v_.reserve_rows(more_edges);
+    e2p_.room_for(more_edges);
+    if (crowds > 0) crowds_.reserve_rows(crowds, crowded);
+    edges_.reserve(more_edges);
+    faces_.reserve(more_faces);
+    polys_.reserve(1);
+    auto scratch = sides_.reserve_links(f, Shape::faces, more_faces);
+    grow(detail::index_bounds{verts_.bound(), edges_.bound() + more_edges, faces_.bound() + more_faces, polys_.bound() + 1});
+
+    for (unsigned j = 0; j < Shape::edges; ++j)
+      if (e[j].is_none()) {
+        e[j] = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[Shape::edge_vert[j][0]], c[Shape::edge_vert[j][1]]);
         e2p_.push_back(p.raw());
       }
-    }
-    face_id f[Shape::faces];
-    for (unsigned k = 0; k < Shape::faces; ++k) f[k] = face_on(corners, k);
-    p2v_.add_row(corners.begin(), corners.end());
+    p2v_.add_row(c, c + Shape::verts);
     p2e_.add_row(e, e + Shape::edges);
-    sides_.add_poly(Shape::faces);
+    sides_.commit_poly(Shape::faces);
     for (unsigned k = 0; k < Shape::faces; ++k) {
-      if (f[k].is_none()) {
-        f[k] = faces_.add();
+      face_id side = f[k];
+      if (side.is_none()) {
+        side = faces_.add();
         sides_.add_facet();
       }
-      sides_.link(p.raw(), k, f[k]);
+      sides_.link(p.raw(), k, side);
     }
-    sides_.remark(p.raw());
-    for (const vert_id v : adj_p2v(p)) v2p_.push(v.raw(), p);
+    sides_.remark(p.raw(), std::move(scratch));
+    for (const vert_id v : c) v2p_.push(v.raw(), p);
     const poly_id added = polys_.add();
-    for (const edge_id at : adj_p2e(p)) refan(at);
+    for (unsigned j = 0; j < Shape::edges; ++j) refan(e[j], polys_at_edge[j]);
     return added;
+  }
+
+  /// Finds the memory that removing these polys one after another, and verts that no poly has any more, takes: none of it can fail then.
+  void reserve_removal(std::span<const poly_id> polys) {
+    v2v_.loosen();
+    v2e_.loosen();
+    v2p_.loosen();
+    crowds_.loosen();
+    sides_.reserve_removal();
+    verts_.reserve_removal();
+    edges_.reserve_removal();
+    faces_.reserve_removal();
+    polys_.reserve_removal();
+    std::size_t crowds = 0, crowded = 0;
+    for (const poly_id p : polys)
+      for (const edge_id e : adj_p2e(p)) ++crowds, crowded += count_polys(e) - 1;
+    if (crowds > 0) crowds_.reserve_rows(crowds, crowded);
   }
 
   /// Takes p away, and with it the faces and edges that no other poly has; verts stay. No other element changes its name.
   void remove_poly(poly_id p) {
+    std::uint32_t left[Shape::edges];
+    std::size_t crowded = 0;
+    for (unsigned j = 0; j < Shape::edges; ++j) crowded += left[j] = count_polys(adj_p2e(p)[j]) - 1;
+    reserve_removal({});
+    crowds_.reserve_rows(Shape::edges, crowded);
     sides_.unlink(p.raw());
     for (const face_id f : sides_.facets(p))
       if (!sides_.is_owned(f)) faces_.remove(f);
     for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
     polys_.remove(p);
-    for (const edge_id e : adj_p2e(p)) refan(e);
+    for (unsigned j = 0; j < Shape::edges; ++j) refan(adj_p2e(p)[j], left[j]);
   }
 
   /// Takes away a vert that no poly has any more.
   void remove_vert(vert_id v) {
     assert(v2p_[v.raw()].empty());
+    verts_.reserve_removal();
     verts_.remove(v);
   }
 
@@ -157,7 +235,7 @@ class cell_tables {
   }
   poly_id first_poly(edge_id e) const { return poly_id{e2p_[e.raw()]}; }
   bool is_crowded(edge_id e) const { return e2p_[e.raw()] & detail::across::special; }
-  id_span<poly_id> crowd(edge_id e) const { return crowds_[e2p_[e.raw()] & ~detail::across::special]; }
+  id_span<poly_id> crowd(edge_id e) const { return crowds_[crowd_number(e)]; }
   bool owns(poly_id p, std::uint32_t k) const {
     const auto s = sides_.owner(sides_.facets(p)[k]);
     return s.poly == p.raw() && s.k == k;
@@ -201,23 +279,39 @@ class cell_tables {
     return {};
   }
 
-  /// After polys at e came or went: where stepping around e begins, or who crowds it, or that e is gone.
-  void refan(edge_id e) {
-    std::vector<poly_id> polys;
+  std::size_t crowd_number(edge_id e) const { return e2p_[e.raw()] & ~detail::across::special; }
+
+  /// Calls f(p) for every poly at e, in the order in which its first vert lists them.
+  template<class F>
+  void for_each_poly_at(edge_id e, const F& f) const {
     for (const poly_id p : adj_v2p(adj_e2v(e)[0]))
       for (const edge_id other : adj_p2e(p))
-        if (other == e) polys.push_back(p);
-    if (is_crowded(e)) crowds_.clear_row(e2p_[e.raw()] & ~detail::across::special);
-    if (polys.empty()) {
+        if (other == e) f(p);
+  }
+  std::uint32_t count_polys(edge_id e) const {
+    std::uint32_t n = 0;
+    for_each_poly_at(e, [&](poly_id) { ++n; });
+    return n;
+  }
+
+  /// After polys at e came or went, so that there are n: where stepping around e begins, or who crowds it, or that e is gone. There is room for
+  /// them in the crowd of e, or for a new one if n > 1.
+  void refan(edge_id e, std::uint32_t n) {
+    const bool was_crowded = is_crowded(e);
+    const std::size_t crowd = was_crowded ? crowd_number(e) : crowds_.size();
+    if (was_crowded) crowds_.clear_row(crowd);
+    if (n == 0) {
       detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
       return;
     }
-    e2p_[e.raw()] = polys[0].raw();
-    check_fan(e, static_cast<std::uint32_t>(polys.size()));
-    if (e2p_[e.raw()] == detail::across::special) {
-      e2p_[e.raw()] |= static_cast<std::uint32_t>(crowds_.size());
-      crowds_.add_row(polys.begin(), polys.end());
-    }
+    poly_id first;
+    for_each_poly_at(e, [&](poly_id p) { first = first.is_none() ? p : first; });
+    e2p_[e.raw()] = first.raw();
+    check_fan(e, n);
+    if (e2p_[e.raw()] != detail::across::special) return;
+    e2p_[e.raw()] |= static_cast<std::uint32_t>(crowd);
+    if (!was_crowded) crowds_.add_row(&first, &first, n);
+    for_each_poly_at(e, [&](poly_id p) { crowds_.push(crowd, p); });
   }
 
   static constexpr unsigned valence = detail::shape_tables<Shape>::valence;
@@ -227,6 +321,56 @@ class cell_tables {
   struct met_face {
     std::uint32_t other[Shape::face_verts - 2];
     std::uint32_t next;
+  };
+  static constexpr std::uint32_t longest_list = 24;  // of faces at an edge that are looked through one by one
+
+  /// The other faces met at a vert where an edge has more: a hash table, so that the number of faces at an edge does not matter.
+  class further_faces {
+    struct slot {
+      std::uint32_t edge = 0, face = ~0u;
+    };
+    std::vector<slot> slots_;
+    std::size_t used_ = 0;
+
+    static std::size_t hash(std::uint32_t edge, const met_face& f) {
+      std::uint64_t x = edge;
+      for (const std::uint32_t v : f.other) {
+        x = (x + 1) * 0x9e3779b97f4a7c15u;
+        x ^= (x >> 32) ^ v;
+      }
+      x *= 0x9e3779b97f4a7c15u;
+      x ^= x >> 32;
+      return static_cast<std::size_t>(x);
+    }
+    std::size_t place(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
+      std::size_t i = hash(edge, wanted) & (slots_.size() - 1);
+      while (slots_[i].face != ~0u && !(slots_[i].edge == edge && std::equal(wanted.other, std::end(wanted.other), all[slots_[i].face].other)))
+        i = (i + 1) & (slots_.size() - 1);
+      return i;
+    }
+
+   public:
+    void clear() {
+      slots_.clear();
+      used_ = 0;
+    }
+    std::uint32_t find(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
+      return slots_.empty() ? ~0u : slots_[place(edge, wanted, all)].face;
+    }
+    /// A face that find() does not find, the last of `all`.
+    void add(std::uint32_t edge, const std::vector<met_face>& all) {
+      if (2 * ++used_ > slots_.size()) {
+        const std::vector<slot> old = std::exchange(slots_, std::vector<slot>(std::max<std::size_t>(64, 2 * slots_.size())));
+        for (const slot& s : old)
+          if (s.face != ~0u) slots_[place(s.edge, all[s.face], all)] = s;
+      }
+      slots_[place(edge, all.back(), all)] = {edge, static_cast<std::uint32_t>(all.size() - 1)};
+    }
+  };
+
+  /// How often an edge was counted that has `many` polys or more.
+  struct edge_use {
+    std::uint32_t edge, polys;
   };
 
   void build(std::size_t vert_count) {
@@ -259,6 +403,8 @@ class cell_tables {
     detail::flat_array<std::uint8_t> uses;     // of each edge, by polys; `many` or more
     std::vector<std::uint32_t> faces_to;       // per edge of a: the first of the faces met there whose smaller neighbour it leads to
     std::vector<met_face> met_faces;
+    further_faces further;
+    std::vector<edge_use> used_often;          // sorted by edge
     const std::size_t guess = std::min(vert_count + (Shape::faces / 2 - 1) * std::size_t{poly_count} + poly_count / 8 + 64, std::size_t{poly_count} * Shape::edges);
     ends.reserve(2 * guess);
     v2v.reserve(2 * guess);
@@ -272,6 +418,7 @@ class cell_tables {
       const std::uint32_t first_edge = edge_count, first_face = face_count;
       faces_to.clear();
       met_faces.clear();
+      further.clear();
       const std::size_t most = std::size_t{valence} * v2p_.length(a);
       vert_id* end = ends.room_for(2 * most);
       vert_id* near = v2v.room_for(most);
@@ -320,12 +467,14 @@ class cell_tables {
           wanted.other[0] = far[y];
           if constexpr (Shape::face_verts == 4) wanted.other[1] = pv[along[1]].raw();
           std::uint32_t& first = faces_to[met[x]];
-          std::uint32_t f = first;
-          while (f != ~0u && !std::equal(wanted.other, std::end(wanted.other), met_faces[f].other)) f = met_faces[f].next;
+          std::uint32_t f = first, listed = 0;
+          for (; f != ~0u && !std::equal(wanted.other, std::end(wanted.other), met_faces[f].other); ++listed) f = met_faces[f].next;
+          if (f == ~0u && listed == longest_list) f = further.find(met[x], wanted, met_faces);
           if (f == ~0u) {
             wanted.next = first;
-            first = static_cast<std::uint32_t>(met_faces.size());
+            if (listed < longest_list) first = static_cast<std::uint32_t>(met_faces.size());
             met_faces.push_back(wanted);
+            if (listed == longest_list) further.add(met[x], met_faces);
             sides_.add_facet(p, shape.vert_face[i][k], face_id{face_count++});
           } else {
             sides_.link(p, shape.vert_face[i][k], face_id{first_face + f});
@@ -341,8 +490,16 @@ class cell_tables {
       if (v2v.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
       star[a + 1] = static_cast<std::uint32_t>(v2v.size());
       // All faces at these edges are linked by now, since a is the smallest vert of each or was passed before.
+      if (std::find(uses.begin() + first_edge, uses.end(), many) != uses.end()) {
+        std::vector<std::uint32_t> polys(edge_count - first_edge);
+        for (const poly_id p : v2p_[a])
+          for (const edge_id e : adj_p2e(p))
+            if (e.raw() - first_edge < polys.size()) ++polys[e.raw() - first_edge];
+        for (std::uint32_t e = first_edge; e < edge_count; ++e)
+          if (uses[e] == many) used_often.push_back({e, polys[e - first_edge]});
+      }
       for (std::uint32_t e = first_edge; e < edge_count; ++e)
-        if (uses[e] > 5 && closes_early(edge_id{e}, polys_at(vert_id{a}, edge_id{e}, uses[e]))) e2p_[e] = detail::across::special;
+        if (uses[e] > 5 && closes_early(edge_id{e}, polys_at(e, uses[e], used_often))) e2p_[e] = detail::across::special;
     }
     ends.give_back_spare_room();
     v2v.give_back_spare_room();
@@ -357,9 +514,10 @@ class cell_tables {
     polys_ = detail::live<poly_id>(poly_count);
 
     // What closes_early() takes for granted does not hold at the boundary, in crowds, and of polys that share two faces.
-    // Once an edge is known to be crowded it is not counted again: each of its many faces comes by.
+    // Each edge is checked once, though each of its many faces comes by.
     const auto check = [&](edge_id e) {
-      if (!is_crowded(e)) check_fan(e, polys_at(e2v_.begin(e.raw())[0], e, uses[e.raw()]));
+      const std::uint8_t met = std::exchange(uses.data()[e.raw()], 0);
+      if (met > 0 && !is_crowded(e)) check_fan(e, polys_at(e.raw(), met, used_often));
     };
     sides_.finish();
     for (std::uint32_t f = 0; f < face_count; ++f)
@@ -379,13 +537,10 @@ class cell_tables {
 
   static constexpr std::uint8_t many = 255;
 
-  /// How many polys have e, an edge of a, of which `met` were counted.
-  std::uint32_t polys_at(vert_id a, edge_id e, std::uint8_t met) const {
+  /// How many polys have edge e, of which `met` were counted.
+  static std::uint32_t polys_at(std::uint32_t e, std::uint8_t met, const std::vector<edge_use>& used_often) {
     if (met != many) return met;
-    std::uint32_t n = 0;
-    for (const poly_id p : v2p_[a.raw()])
-      for (const edge_id other : adj_p2e(p)) n += other == e;
-    return n;
+    return std::lower_bound(used_often.begin(), used_often.end(), e, [](const edge_use& x, std::uint32_t y) { return x.edge < y; })->polys;
   }
 
   /// Whether stepping around e comes back to the first poly before all n polys were met. Two polys share at most one face at e, so that no way
@@ -414,17 +569,23 @@ class cell_tables {
     if (n != uses) e2p_[e.raw()] = detail::across::special;
   }
 
+  /// Lists the polys of the edges that are marked as crowded.
   void crowd_edges() {
-    std::vector<poly_id> polys;
-    for (std::uint32_t e = 0; e < e2p_.size(); ++e) {
-      if (!(e2p_[e] & detail::across::special)) continue;
-      polys.clear();
-      for (const poly_id p : v2p_[e2v_.begin(e)[0].raw()])
-        for (const edge_id other : adj_p2e(p))
-          if (other == edge_id{e}) polys.push_back(p);
-      e2p_[e] = detail::across::special | static_cast<std::uint32_t>(crowds_.size());
-      crowds_.add_row(polys.begin(), polys.end());
-    }
+    std::uint32_t num = 0;
+    for (std::uint32_t *e = e2p_.data(), *last = e + e2p_.size(); e != last; ++e)
+      if (*e & detail::across::special) *e = detail::across::special | num++;
+    if (num == 0) return;
+    const auto for_each_use = [&](auto&& use) {
+      for (std::size_t p = 0; p < p2e_.size(); ++p)
+        for (const edge_id e : p2e_[p])
+          if (is_crowded(e)) use(crowd_number(e), poly_id{p});
+    };
+    detail::offsets sizes(num + std::size_t{1}, 0);
+    for_each_use([&](std::size_t crowd, poly_id) { ++sizes[crowd + 1]; });
+    crowds_ = detail::make_rows<poly_id>(std::move(sizes));
+    detail::offsets next(crowds_.shape()->begin(), crowds_.shape()->end() - 1);
+    poly_id* const polys = crowds_.begin(0);
+    for_each_use([&](std::size_t crowd, poly_id p) { polys[next[crowd]++] = p; });
   }
 };
 

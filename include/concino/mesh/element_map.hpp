@@ -13,14 +13,6 @@
 
 namespace concino {
 
-namespace requirement {
-
-/// What a result may refer to after the call: a mesh with a name, or a view, which is copied. A function that returns a map asks for
-/// this of its argument, so that handing it a temporary mesh does not compile instead of leaving a dangling pointer.
-template<class M> concept is_no_temporary = std::is_lvalue_reference_v<M> || is_view_v<M>;
-
-}  // namespace requirement
-
 namespace detail {
 
 /// The mesh that a map answers for: its address, or the view itself. Const as a whole: nobody changes a mesh through a map.
@@ -67,8 +59,8 @@ struct map_storage<T> {
 ///         Elements added to the mesh after the map was made have no value in it: asking for one is a programming error (assert).
 /// Cost:   one array of index_bound values.
 template<class M, class X, class T>
+  requires(!std::is_reference_v<M> && !std::is_const_v<M>)
 class element_map {
-  static_assert(!std::is_reference_v<M> && !std::is_const_v<M>);
   using stored = std::conditional_t<std::is_same_v<T, bool>, unsigned char, T>;
 
   detail::mesh_ref<M> mesh_;
@@ -89,6 +81,11 @@ class element_map {
       : mesh_(m), values_(detail::map_storage<stored>::filled(bound, static_cast<stored>(init))) {}
   /// Without values: every element's is to be written before it is read.
   element_map(const M& m, std::size_t bound, detail::unwritten) : mesh_(m), values_(detail::map_storage<stored>::unfilled(bound)) {}
+
+  element_map(const element_map&) = default;
+  element_map(element_map&&) = default;
+  element_map& operator=(const element_map& o) { return *this = element_map(o); }  // all or nothing
+  element_map& operator=(element_map&&) = default;
 
   stored& operator[](const X& x) { return values_[slot(x)]; }
   std::conditional_t<std::is_same_v<T, bool>, bool, const T&> operator[](const X& x) const {
@@ -134,5 +131,15 @@ template<class T, class M>
 poly_map<M, T> make_poly_map(M&& m, const T& init = T()) {
   return {m, static_cast<std::size_t>(poly_index_bound(m)), init};
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void make_vert_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void make_vert_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void make_edge_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void make_edge_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void make_face_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void make_face_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void make_poly_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void make_poly_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

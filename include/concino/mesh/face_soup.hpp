@@ -13,6 +13,31 @@ namespace concino::detail {
 /// Faces are numbered as they are first met, and are outward for the poly that has them first. Linear time but for the sorting of the few
 /// faces that have the same smallest vert.
 struct face_soup {
+  /// A face for sorting: equal cycles are neighbours, the first of them first, whatever vert they begin with and whichever way they run.
+  class cycle {
+    const vert_id* verts_;
+    std::uint32_t size_, start_, face_;
+    bool back_;
+
+    vert_id vert(std::uint32_t i) const {
+      const std::uint32_t k = back_ ? start_ + size_ - i : start_ + i;
+      return verts_[k < size_ ? k : k - size_];
+    }
+
+   public:
+    cycle(const vert_id* verts, std::uint32_t size, std::uint32_t face)
+        : verts_(verts), size_(size), start_(static_cast<std::uint32_t>(std::min_element(verts, verts + size) - verts)), face_(face), back_(false) {
+      back_ = vert(size - 1) < vert(1);
+    }
+    std::uint32_t face() const { return face_; }
+    friend bool operator<(const cycle& a, const cycle& b) {
+      if (a.size_ != b.size_) return a.size_ < b.size_;
+      for (std::uint32_t i = 0; i < a.size_; ++i)
+        if (const vert_id x = a.vert(i), y = b.vert(i); x != y) return x < y;
+      return a.face_ < b.face_;
+    }
+  };
+
   std::vector<std::uint32_t> face_offsets{0};  // of the faces of all polys, one after another, common ones twice
   std::vector<vert_id> face_verts;
   std::vector<std::uint32_t> poly_offsets{0};
@@ -56,20 +81,32 @@ struct face_soup {
     // twin[f]: the first face equal to f, and whether f runs the other way
     std::vector<std::uint32_t> twin(n);
     std::vector<std::uint8_t> outward(n, 1);
+    std::vector<cycle> cycles;
+    auto original = entries.begin();  // the last face without a twin, where faces are sorted
     for (std::size_t v = 0, from = 0; v < points.size(); from = where[v++]) {
       const auto b = entries.begin() + static_cast<std::ptrdiff_t>(from), e = entries.begin() + where[v];
       std::sort(b, e, [](const entry& x, const entry& y) { return x.others != y.others ? x.others < y.others : x.face < y.face; });
-      auto run = b;
-      for (auto i = b; i != e; ++i) {
-        if (i->others != run->others) run = i;
-        twin[i->face] = i->face;
-        for (auto j = run; j != i; ++j) {
-          if (twin[j->face] != j->face || size(j->face) != size(i->face)) continue;
-          if (const int way = compare_cycles(first(j->face), first(i->face), size(i->face))) {
-            twin[i->face] = j->face;
-            outward[i->face] = way > 0;
-            break;
+      for (auto run = b, after = b; run != e; run = after) {
+        while (after != e && after->others == run->others) ++after;
+        // Where many faces have the same three verts they are sorted; then equal ones follow one another.
+        const bool sorted = after - run > 16;
+        if (sorted) {
+          cycles.clear();
+          for (auto i = run; i != after; ++i) cycles.push_back(cycle(first(i->face), size(i->face), i->face));
+          std::sort(cycles.begin(), cycles.end());
+          for (std::size_t k = 0; k < cycles.size(); ++k) run[static_cast<std::ptrdiff_t>(k)].face = cycles[k].face();
+        }
+        for (auto i = run; i != after; ++i) {
+          twin[i->face] = i->face;
+          for (auto j = sorted && i != run ? original : run; j != i; ++j) {
+            if (twin[j->face] != j->face || size(j->face) != size(i->face)) continue;
+            if (const int way = compare_cycles(first(j->face), first(i->face), size(i->face))) {
+              twin[i->face] = j->face;
+              outward[i->face] = way > 0;
+              break;
+            }
           }
+          if (twin[i->face] == i->face) original = i;
         }
       }
     }

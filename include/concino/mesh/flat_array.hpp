@@ -93,16 +93,21 @@ class flat_array {
     if (size_ + n > capacity_) reallocate(std::max(size_ + n, size_ + size_ / 2));
     return data_ + size_;
   }
-  /// n values, which may be some of this array's own.
-  void append(const T* first, std::size_t n) {
-    if (n == 0) return;
-    if (size_ + n > capacity_) {
+  /// Writes n values, which may be some of this array's own, or none if `first` is null, where there is room for `room` >= n more. What is
+  /// written counts after resize().
+  T* stage(const T* first, std::size_t n, std::size_t room) {
+    if (size_ + room > capacity_) {
       const std::size_t at = reinterpret_cast<std::uintptr_t>(first) - reinterpret_cast<std::uintptr_t>(data_);
       const bool own = at < size_ * sizeof(T);
-      reallocate(std::max(size_ + n, size_ + size_ / 2));
+      reallocate(std::max(size_ + room, size_ + size_ / 2));
       if (own) first = data_ + at / sizeof(T);
     }
-    std::copy_n(first, n, data_ + size_);
+    if (first) std::copy_n(first, n, data_ + size_);
+    return data_ + size_;
+  }
+  /// n values, which may be some of this array's own.
+  void append(const T* first, std::size_t n) {
+    stage(first, n, n);
     size_ += n;
   }
   void give_back_spare_room() {

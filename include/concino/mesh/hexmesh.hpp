@@ -1,6 +1,7 @@
 // hexmesh: a volume of hexahedra.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
@@ -15,18 +16,20 @@ class hexmesh : public detail::native_mesh<hex_tables> {
  public:
   hexmesh() = default;
 
-  /// From flat arrays with arity 8, taken over without a copy.
+  /// From flat arrays with arity 8, taken over without a copy. `order`: how the lists name the corners of a hex.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
-  explicit hexmesh(cell_arrays a) : base(std::move(a.points), {}) {
-    if (a.arity != 8) throw invalid_mesh("the arrays hold polys of " + std::to_string(a.arity) + " verts; a hexmesh needs 8");
-    tables() = hex_tables(points().size(), std::move(a.verts));
+  explicit hexmesh(cell_arrays a, hex_order order = hex_order::standard) : base(std::move(a.points), {}) {
+    if (a.arity != 8) detail::throw_joined<invalid_mesh>({"the arrays hold polys of ", a.arity, " verts; a hexmesh needs 8"});
+    tables() = hex_tables(points().size(), std::move(a.verts), order);
   }
 
   /// From points and lists of 8 verts, in braces or in containers.
-  hexmesh(point_list points, index_lists poly_verts) : hexmesh(detail::to_cells({points}, poly_verts, 8)) {}
+  hexmesh(point_list points, index_lists poly_verts, hex_order order = hex_order::standard)
+      : hexmesh(detail::to_cells({points}, poly_verts, 8), order) {}
   template<detail::PointRange Points, detail::IndexListRange Polys>
-  hexmesh(const Points& points, const Polys& poly_ranges) : hexmesh(detail::to_cells(detail::to_points(points), poly_ranges, 8)) {}
+  hexmesh(const Points& points, const Polys& poly_ranges, hex_order order = hex_order::standard)
+      : hexmesh(detail::to_cells(detail::to_points(points), poly_ranges, 8), order) {}
 };
 
 template<>

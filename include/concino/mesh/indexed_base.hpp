@@ -7,14 +7,44 @@
 //   };
 //
 // The tables are an object that the mesh's author owns and sees; after the lists change they must be built again. The library's own meshes
-// are adapted by these very bases.
+// are adapted by these very bases. `arity` may be promised where the type of the tables fixes it: surface_tables<3>, tet_tables, hex_tables.
 #pragma once
 
-#include <concino/concepts/mesh_traits.hpp>
+#include <concino/concepts/mesh.hpp>
 
 namespace concino {
 
 namespace detail {
+
+/// Verts of every poly where the type of tables fixes it, else 0.
+template<class T> inline constexpr int arity_of_tables = 0;
+template<class T>
+  requires requires { T::arity; }
+inline constexpr int arity_of_tables<T> = static_cast<int>(T::arity);
+
+/// Whether tables(M) takes a copy of the mesh.
+template<class M, class R> concept takes_a_copy = requires { static_cast<R (*)(M)>(&mesh_traits<M>::tables); };
+
+// One line per message, so that compilers show it in one.
+// clang-format off
+template<class M, class R>
+consteval void check_tables() {
+  if constexpr (!std::is_lvalue_reference_v<R>)
+    static_assert(missing<M>, "concino: mesh_traits<M>::tables must return a reference, static const auto& tables(const M&): without the & every question would be answered from a copy that is gone");
+  else if constexpr (takes_a_copy<M, R>)
+    static_assert(missing<M>, "concino: mesh_traits<M>::tables must take the mesh by reference, static const auto& tables(const M&): without the & it returns a reference into a copy that is gone");
+  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>> && dimension_v<M> == 2)
+    static_assert(missing<M>, "concino: mesh_traits<M>::arity needs tables(m) to be surface_tables<arity>: leave arity out, or build these");
+  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>>)
+    static_assert(missing<M>, "concino: mesh_traits<M>::arity = 4 needs tables(m) to be tet_tables, 8 hex_tables, whose lists keep the standard order of corners; polyhedra_tables do not: leave arity out, or build the others");
+}
+// clang-format on
+
+template<class M>
+const auto& tables_of(const M& m) {
+  check_tables<M, decltype(mesh_traits<M>::tables(m))>();
+  return mesh_traits<M>::tables(m);
+}
 
 template<class M>
 struct indexed_elements {
@@ -23,41 +53,41 @@ struct indexed_elements {
   using poly = poly_id;
   static constexpr bool edges_in_order = true;
 
-  static auto verts(const M& m) { return mesh_traits<M>::tables(m).verts().all(); }
-  static auto edges(const M& m) { return mesh_traits<M>::tables(m).edges().all(); }
-  static auto polys(const M& m) { return mesh_traits<M>::tables(m).polys().all(); }
-  static std::size_t num_verts(const M& m) { return mesh_traits<M>::tables(m).verts().size(); }
-  static std::size_t num_edges(const M& m) { return mesh_traits<M>::tables(m).edges().size(); }
-  static std::size_t num_polys(const M& m) { return mesh_traits<M>::tables(m).polys().size(); }
-  static std::size_t vert_index_bound(const M& m) { return mesh_traits<M>::tables(m).verts().bound(); }
-  static std::size_t edge_index_bound(const M& m) { return mesh_traits<M>::tables(m).edges().bound(); }
-  static std::size_t poly_index_bound(const M& m) { return mesh_traits<M>::tables(m).polys().bound(); }
+  static auto verts(const M& m) { return detail::tables_of<M>(m).verts().all(); }
+  static auto edges(const M& m) { return detail::tables_of<M>(m).edges().all(); }
+  static auto polys(const M& m) { return detail::tables_of<M>(m).polys().all(); }
+  static std::size_t num_verts(const M& m) { return detail::tables_of<M>(m).verts().size(); }
+  static std::size_t num_edges(const M& m) { return detail::tables_of<M>(m).edges().size(); }
+  static std::size_t num_polys(const M& m) { return detail::tables_of<M>(m).polys().size(); }
+  static std::size_t vert_index_bound(const M& m) { return detail::tables_of<M>(m).verts().bound(); }
+  static std::size_t edge_index_bound(const M& m) { return detail::tables_of<M>(m).edges().bound(); }
+  static std::size_t poly_index_bound(const M& m) { return detail::tables_of<M>(m).polys().bound(); }
   static std::size_t index_of(const M&, vert_id v) { return v.raw(); }
   static std::size_t index_of(const M&, edge_id e) { return e.raw(); }
   static std::size_t index_of(const M&, poly_id p) { return p.raw(); }
-  static bool contains(const M& m, vert_id v) { return mesh_traits<M>::tables(m).verts().contains(v); }
-  static bool contains(const M& m, edge_id e) { return mesh_traits<M>::tables(m).edges().contains(e); }
-  static bool contains(const M& m, poly_id p) { return mesh_traits<M>::tables(m).polys().contains(p); }
+  static bool contains(const M& m, vert_id v) { return detail::tables_of<M>(m).verts().contains(v); }
+  static bool contains(const M& m, edge_id e) { return detail::tables_of<M>(m).edges().contains(e); }
+  static bool contains(const M& m, poly_id p) { return detail::tables_of<M>(m).polys().contains(p); }
 
-  static auto adj_v2v(const M& m, vert_id v) { return mesh_traits<M>::tables(m).adj_v2v(v); }
-  static auto adj_v2e(const M& m, vert_id v) { return mesh_traits<M>::tables(m).adj_v2e(v); }
-  static auto adj_v2p(const M& m, vert_id v) { return mesh_traits<M>::tables(m).adj_v2p(v); }
-  static auto adj_e2v(const M& m, edge_id e) { return mesh_traits<M>::tables(m).adj_e2v(e); }
-  static auto adj_e2p(const M& m, edge_id e) { return mesh_traits<M>::tables(m).adj_e2p(e); }
-  static auto adj_p2v(const M& m, poly_id p) { return mesh_traits<M>::tables(m).adj_p2v(p); }
-  static auto adj_p2e(const M& m, poly_id p) { return mesh_traits<M>::tables(m).adj_p2e(p); }
-  static auto adj_p2p(const M& m, poly_id p) { return mesh_traits<M>::tables(m).adj_p2p(p); }
+  static auto adj_v2v(const M& m, vert_id v) { return detail::tables_of<M>(m).adj_v2v(v); }
+  static auto adj_v2e(const M& m, vert_id v) { return detail::tables_of<M>(m).adj_v2e(v); }
+  static auto adj_v2p(const M& m, vert_id v) { return detail::tables_of<M>(m).adj_v2p(v); }
+  static auto adj_e2v(const M& m, edge_id e) { return detail::tables_of<M>(m).adj_e2v(e); }
+  static auto adj_e2p(const M& m, edge_id e) { return detail::tables_of<M>(m).adj_e2p(e); }
+  static auto adj_p2v(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2v(p); }
+  static auto adj_p2e(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2e(p); }
+  static auto adj_p2p(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2p(p); }
 };
 
 }  // namespace detail
 
-/// tables(m) is a surface_tables.
+/// tables(m) is a reference to a surface_tables.
 template<class M>
 struct indexed_surface : detail::indexed_elements<M> {
   static constexpr int dimension = 2;
 };
 
-/// tables(m) is a tet_tables, hex_tables or polyhedra_tables.
+/// tables(m) is a reference to a tet_tables, hex_tables or polyhedra_tables.
 template<class M>
 struct indexed_volume : detail::indexed_elements<M> {
   using base = detail::indexed_elements<M>;
@@ -66,19 +96,19 @@ struct indexed_volume : detail::indexed_elements<M> {
 
   using base::contains;
   using base::index_of;
-  static auto faces(const M& m) { return mesh_traits<M>::tables(m).faces().all(); }
-  static std::size_t num_faces(const M& m) { return mesh_traits<M>::tables(m).faces().size(); }
-  static std::size_t face_index_bound(const M& m) { return mesh_traits<M>::tables(m).faces().bound(); }
+  static auto faces(const M& m) { return detail::tables_of<M>(m).faces().all(); }
+  static std::size_t num_faces(const M& m) { return detail::tables_of<M>(m).faces().size(); }
+  static std::size_t face_index_bound(const M& m) { return detail::tables_of<M>(m).faces().bound(); }
   static std::size_t index_of(const M&, face_id f) { return f.raw(); }
-  static bool contains(const M& m, face_id f) { return mesh_traits<M>::tables(m).faces().contains(f); }
+  static bool contains(const M& m, face_id f) { return detail::tables_of<M>(m).faces().contains(f); }
 
-  static auto adj_v2f(const M& m, vert_id v) { return mesh_traits<M>::tables(m).adj_v2f(v); }
-  static auto adj_e2f(const M& m, edge_id e) { return mesh_traits<M>::tables(m).adj_e2f(e); }
-  static auto adj_f2v(const M& m, face_id f) { return mesh_traits<M>::tables(m).adj_f2v(f); }
-  static auto adj_f2e(const M& m, face_id f) { return mesh_traits<M>::tables(m).adj_f2e(f); }
-  static auto adj_f2p(const M& m, face_id f) { return mesh_traits<M>::tables(m).adj_f2p(f); }
-  static auto adj_p2f(const M& m, poly_id p) { return mesh_traits<M>::tables(m).adj_p2f(p); }
-  static bool face_is_outward(const M& m, poly_id p, face_id f) { return mesh_traits<M>::tables(m).face_is_outward(p, f); }
+  static auto adj_v2f(const M& m, vert_id v) { return detail::tables_of<M>(m).adj_v2f(v); }
+  static auto adj_e2f(const M& m, edge_id e) { return detail::tables_of<M>(m).adj_e2f(e); }
+  static auto adj_f2v(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2v(f); }
+  static auto adj_f2e(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2e(f); }
+  static auto adj_f2p(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2p(f); }
+  static auto adj_p2f(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2f(p); }
+  static bool face_is_outward(const M& m, poly_id p, face_id f) { return detail::tables_of<M>(m).face_is_outward(p, f); }
 };
 
 }  // namespace concino

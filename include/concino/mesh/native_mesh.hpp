@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/detail/message.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/indexed_base.hpp>
 #include <concino/mesh/property_set.hpp>
@@ -60,7 +61,7 @@ surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_
     for (const auto& i : list) a.verts.push_back(vert_id{list_index(i).raw()});
     const std::size_t n = a.verts.size() - before;
     if (arity && n != arity)
-      throw invalid_mesh("poly " + std::to_string(p) + " has " + std::to_string(n) + " verts; every poly of this mesh has " + std::to_string(arity));
+      detail::throw_joined<invalid_mesh>({"poly ", p, " has ", n, " verts; every poly of this mesh has ", arity});
     if (!arity) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
     ++p;
   }
@@ -77,9 +78,9 @@ inline surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
     const std::size_t n = a.num_polys();
     for (std::size_t p = 0; p < n; ++p) {
       const std::uint32_t has = a.arity ? a.arity : a.offsets[p + 1] - a.offsets[p];
-      if (has != arity) throw invalid_mesh("poly " + std::to_string(p) + " has " + std::to_string(has) + " verts; every poly of this mesh has " + std::to_string(arity));
+      if (has != arity) detail::throw_joined<invalid_mesh>({"poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
     }
-    if (n * arity != a.verts.size()) throw invalid_mesh("the offsets of polys do not fit the " + std::to_string(a.verts.size()) + " verts listed");
+    if (n * arity != a.verts.size()) detail::throw_joined<invalid_mesh>({"the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
     a.offsets.clear();
   }
   a.arity = arity;
@@ -118,6 +119,10 @@ class native_mesh {
 
  public:
   native_mesh() = default;
+  native_mesh(const native_mesh&) = default;
+  native_mesh(native_mesh&&) noexcept = default;
+  native_mesh& operator=(const native_mesh& o) { return *this = native_mesh(o); }  // all or nothing
+  native_mesh& operator=(native_mesh&&) noexcept = default;
 
   const std::vector<vec3>& points() const { return points_; }
   std::vector<vec3>& points() { return points_; }
@@ -138,41 +143,38 @@ struct native_traits : Base<M> {
   static property_set& properties(M& m) { return m.properties(); }
 
   static vert_id add_vert(M& m, const vec3& x) {
-    m.points().push_back(x);
-    const vert_id v = m.tables().add_vert();
-    grow(m);
+    const vec3 place = x;  // x may be a point of m, which moves
+    reserve_more(m.points(), 1);
+    const vert_id v = m.tables().add_vert(growing(m));
+    m.points().push_back(place);
     return v;
   }
   static void remove_vert(M& m, vert_id v) { m.tables().remove_vert(v); }
   static poly_id add_poly(M& m, std::span<const vert_id> corners)
     requires requires { m.tables().add_poly(corners); }
   {
-    const poly_id p = m.tables().add_poly(corners);
-    grow(m);
-    return p;
+    return m.tables().add_poly(corners, growing(m));
   }
   static face_id add_face(M& m, std::span<const vert_id> corners)
     requires requires { m.tables().add_face(corners); }
   {
-    const face_id f = m.tables().add_face(corners);
-    grow(m);
-    return f;
+    return m.tables().add_face(corners, growing(m));
   }
   static poly_id add_poly(M& m, std::span<const face_id> list, std::span<const std::uint8_t> outward)
     requires requires { m.tables().add_poly(list, outward); }
   {
-    const poly_id p = m.tables().add_poly(list, outward);
-    grow(m);
-    return p;
+    return m.tables().add_poly(list, outward, growing(m));
   }
+  static void reserve_removal(M& m, std::span<const poly_id> polys) { m.tables().reserve_removal(polys); }
   static void remove_poly(M& m, poly_id p) { m.tables().remove_poly(p); }
 
  private:
-  static void grow(M& m) {
-    m.properties().resize(element_kind::vert, m.tables().verts().bound());
-    m.properties().resize(element_kind::edge, m.tables().edges().bound());
-    if constexpr (requires { m.tables().faces(); }) m.properties().resize(element_kind::face, m.tables().faces().bound());
-    m.properties().resize(element_kind::poly, m.tables().polys().bound());
+  static auto growing(M& m) {
+    return [&m](const index_bounds& after) {
+      index_bounds before{m.tables().verts().bound(), m.tables().edges().bound(), 0, m.tables().polys().bound()};
+      if constexpr (requires { m.tables().faces(); }) before.faces = m.tables().faces().bound();
+      m.properties().grow(before, after);
+    };
   }
 };
 

@@ -7,7 +7,8 @@
 namespace concino {
 
 /// A volume of polyhedra with any number of faces of any size. Any lists can be represented: faces of no poly, polys that are not closed,
-/// more than two polys at a face. Elements are named by vert_id, edge_id, face_id, poly_id; verts, faces and polys are numbered as given.
+/// more than two polys at a face; only where faces of more than 16 verts belong to very many polys they are refused. Elements are named by
+/// vert_id, edge_id, face_id, poly_id; verts, faces and polys are numbered as given.
 /// Everything is asked through the verbs: verts(m), adj_p2f(m, p), point(m, v) ...
 class polyhedralmesh : public detail::native_mesh<polyhedra_tables> {
   using base = detail::native_mesh<polyhedra_tables>;
@@ -18,7 +19,8 @@ class polyhedralmesh : public detail::native_mesh<polyhedra_tables> {
   /// From flat arrays, taken over without a copy.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the face with fewer than 3 verts, or with a vert out of range or twice, the poly with no face, or with a
-  ///         face out of range or twice, or arrays that do not fit each other.
+  ///         face out of range or twice, or arrays that do not fit each other; unsupported if faces of more than 16 verts belong to so many
+  ///         polys, always more than 16, that the adjacencies would be far longer than the arrays.
   explicit polyhedralmesh(polyhedra_arrays a) : base(std::move(a.points), {}) {
     tables() = polyhedra_tables(points().size(), std::move(a.face_offsets), std::move(a.face_verts), std::move(a.poly_offsets), std::move(a.poly_faces),
                                 std::move(a.outward));

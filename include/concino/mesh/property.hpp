@@ -1,4 +1,4 @@
-// Named, typed properties of a mesh's elements. They belong to the mesh, are copied with it, follow its elements through edits, and are read
+// Named, typed properties of a mesh's elements, and of the mesh itself. They belong to the mesh, are copied with it, follow its elements through edits, and are read
 // and written by file formats that can hold them. For values that need no name, see element_map.hpp.
 #pragma once
 
@@ -29,6 +29,25 @@ class property_map {
   }
 };
 
+/// The same of a property that is one value for the mesh as a whole: `*u` reads and writes.
+template<class T>
+class property_value {
+  std::shared_ptr<detail::column> column_;
+
+ public:
+  using value_type = std::remove_const_t<T>;
+
+  property_value() = default;
+  explicit property_value(std::shared_ptr<detail::column> c) : column_(std::move(c)) {}
+
+  explicit operator bool() const { return column_ != nullptr; }
+  T& operator*() const {
+    assert(column_);
+    return *static_cast<T*>(column_->data());
+  }
+  T* operator->() const { return &**this; }
+};
+
 template<class M>
 concept HasProperties = requires(std::remove_cvref_t<M>& m, const std::remove_cvref_t<M>& c) {
   { traits<M>::properties(m) } -> std::same_as<property_set&>;
@@ -56,6 +75,15 @@ property_map<poly_t<M>, T> poly_property(M& m, std::string_view name) {
   return property_map<poly_t<M>, T>(traits<M>::properties(m).get(element_kind::poly, name, detail::values_of<T>, poly_index_bound(m)));
 }
 
+/// The property `name` of the mesh as a whole, made with a default value if there is none. Edits leave it as it is.
+/// Needs:  a mesh of this library; T copyable with a default value.
+/// Result: a handle u, *u is T&.               Cost: O(number of properties).
+/// Errors: invalid_argument if the property exists with a value of another type.
+template<class T, HasProperties M>
+property_value<T> mesh_property(M& m, std::string_view name) {
+  return property_value<T>(traits<M>::properties(m).get(element_kind::mesh, name, detail::values_of<T>, 1));
+}
+
 /// The property `name`, to be read only; empty (tests false) if there is none. Errors as above.
 template<class T, HasProperties M>
 property_map<vert_t<M>, const T> find_vert_property(const M& m, std::string_view name) {
@@ -72,6 +100,10 @@ property_map<face_t<M>, const T> find_face_property(const M& m, std::string_view
 template<class T, HasProperties M>
 property_map<poly_t<M>, const T> find_poly_property(const M& m, std::string_view name) {
   return property_map<poly_t<M>, const T>(traits<M>::properties(m).find(element_kind::poly, name, detail::values_of<T>));
+}
+template<class T, HasProperties M>
+property_value<const T> find_mesh_property(const M& m, std::string_view name) {
+  return property_value<const T>(traits<M>::properties(m).find(element_kind::mesh, name, detail::values_of<T>));
 }
 
 /// Kind, name and type of every property of m, in the order in which they were made.

@@ -4,6 +4,7 @@
 #include <concino/concepts/descriptors.hpp>
 #include <concino/detail/message.hpp>
 #include <concino/error.hpp>
+#include <concino/mesh/live.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -19,10 +20,11 @@
 
 namespace concino {
 
-enum class element_kind { vert, edge, face, poly };
+/// What a property gives values to; `mesh`: one value to the mesh as a whole.
+enum class element_kind { vert, edge, face, poly, mesh };
 
 inline std::string_view to_string(element_kind k) {
-  constexpr std::string_view names[] = {"vert", "edge", "face", "poly"};
+  constexpr std::string_view names[] = {"vert", "edge", "face", "poly", "mesh"};
   return names[static_cast<unsigned>(k)];
 }
 
@@ -203,10 +205,19 @@ class property_set {
       if (e.kind == kind) entries_.push_back({kind, e.name, std::make_shared<detail::column>(*e.values, source)});
   }
 
-  /// After elements were added.
-  void resize(element_kind kind, std::size_t n) {
-    for (entry& e : entries_)
-      if (e.kind == kind) e.values->resize(n);
+  /// Default values for elements that are about to be added. If one of them cannot be made, nothing has changed.
+  void grow(const detail::index_bounds& before, const detail::index_bounds& after) {
+    if (entries_.empty()) return;
+    const auto resize = [&](const detail::index_bounds& to) {
+      const std::size_t sizes[] = {to.verts, to.edges, to.faces, to.polys, 1};
+      for (entry& e : entries_) e.values->resize(sizes[static_cast<unsigned>(e.kind)]);
+    };
+    try {
+      resize(after);
+    } catch (...) {
+      resize(before);  // only destroys
+      throw;
+    }
   }
 
   std::size_t size() const { return entries_.size(); }

@@ -6,6 +6,7 @@
 #include <concino/concepts/ranges.hpp>
 #include <concino/error.hpp>
 #include <concino/mesh/flat_array.hpp>
+#include <concino/mesh/live.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -58,6 +59,20 @@ class rows {
   static constexpr std::uint32_t length(std::size_t) { return N; }
   std::size_t num_values() const { return data_.size(); }
 
+  // Edits find their memory first, which changes no row, and then cannot fail.
+
+  /// After this n times add_row() cannot fail.
+  void reserve_rows(std::size_t n) { data_.room_for(n * N); }
+  /// Writes a row behind the last, where it counts after commit_row(), which cannot fail. The values may lie in these rows; if `first` is null
+  /// the caller writes them.
+  T* stage_row(const T* first, [[maybe_unused]] std::size_t n) {
+    assert(n == N);
+    return data_.stage(first, N, N);
+  }
+  void commit_row([[maybe_unused]] std::size_t n) {
+    assert(n == N);
+    data_.resize(data_.size() + N);
+  }
   template<class It>
   void add_row(It first, [[maybe_unused]] It last) {
     assert(last - first == N);
@@ -83,29 +98,23 @@ class rows<T, 0> {
     last_ = packed_ ? packed_->data() + 1 : loose_last_.data();
   }
 
-  void loosen() {
-    if (!packed_) return;
-    offsets first(size_), last(size_), room(size_);
-    for (std::size_t i = 0; i < size_; ++i) {
-      first[i] = first_[i];
-      last[i] = last_[i];
-      room[i] = last[i] - first[i];
-    }
-    loose_first_ = std::move(first);
-    loose_last_ = std::move(last);
-    room_ = std::move(room);
-    packed_.reset();
-    aim();
-  }
-
   void check_room(std::size_t more) const {
     if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+  }
+
+  void reserve_offsets(std::size_t n) {
+    loosen();
+    if (std::min({loose_first_.capacity(), loose_last_.capacity(), room_.capacity()}) - size_ >= n) return;
+    reserve_more(loose_first_, n), aim();
+    reserve_more(loose_last_, n), aim();
+    reserve_more(room_, n);
   }
 
   void move_row(std::size_t i, std::uint32_t room) {
     check_room(room);
     const std::size_t n = loose_last_[i] - loose_first_[i];
     const std::size_t from = loose_first_[i], to = data_.size();
+    data_.room_for(room);
     data_.resize(to + room);
     std::copy_n(data_.data() + from, n, data_.data() + to);
     loose_first_[i] = static_cast<std::uint32_t>(to);
@@ -155,22 +164,64 @@ class rows<T, 0> {
     aim();
   }
 
-  template<class It>
-  void add_row(It from, It to) {
+  // Edits find their memory first, which changes no row, and then cannot fail.
+
+  /// After this remove() and clear_row() cannot fail.
+  void loosen() {
+    if (!packed_) return;
+    offsets first(size_), last(size_), room(size_);
+    for (std::size_t i = 0; i < size_; ++i) {
+      first[i] = first_[i];
+      last[i] = last_[i];
+      room[i] = last[i] - first[i];
+    }
+    loose_first_ = std::move(first);
+    loose_last_ = std::move(last);
+    room_ = std::move(room);
+    packed_.reset();
+    aim();
+  }
+  /// After this n times add_row() cannot fail, with room for so many values in all.
+  void reserve_rows(std::size_t n, std::size_t values) {
+    reserve_offsets(n);
+    check_room(values);
+    data_.room_for(values);
+  }
+  /// After this n times push(i) cannot fail. Takes room that reserve_rows() found, so it comes before that.
+  void reserve_in_row(std::size_t i, std::uint32_t n) {
     loosen();
-    const auto n = static_cast<std::uint32_t>(to - from);
-    check_room(n);
-    loose_first_.push_back(static_cast<std::uint32_t>(data_.size()));
-    data_.append(std::to_address(from), n);
-    loose_last_.push_back(static_cast<std::uint32_t>(data_.size()));
-    room_.push_back(n);
+    if (room_[i] - length(i) < n) move_row(i, std::max({std::uint32_t{4}, 2 * room_[i], length(i) + n}));
+  }
+  /// Writes a row behind the last, where it counts after commit_row(), which cannot fail. The values may lie in these rows; if `first` is null
+  /// the caller writes them.
+  T* stage_row(const T* first, std::size_t n, std::size_t room = 0) {
+    reserve_offsets(1);
+    check_room(std::max(n, room));
+    return data_.stage(first, n, std::max(n, room));
+  }
+  /// The row that was staged with the same numbers.
+  void commit_row(std::size_t n, std::size_t room = 0) {
+    room = std::max(n, room);
+    const std::size_t at = data_.size();
+    loose_first_.push_back(static_cast<std::uint32_t>(at));
+    loose_last_.push_back(static_cast<std::uint32_t>(at + n));
+    room_.push_back(static_cast<std::uint32_t>(room));
+    data_.resize(at + room);
     ++size_;
     aim();
   }
+
+  /// A row with room for at least so many values.
+  template<class It>
+  void add_row(It from, It to, std::size_t room = 0) {
+    const auto n = static_cast<std::size_t>(to - from);
+    stage_row(std::to_address(from), n, room);
+    commit_row(n, room);
+  }
   void push(std::size_t i, const T& value) {
-    loosen();
-    if (length(i) == room_[i]) move_row(i, std::max<std::uint32_t>(4, 2 * room_[i]));
-    data_[loose_last_[i]++] = value;
+    const T kept = value;  // it may lie in these rows
+    reserve_in_row(i, 1);
+    data_[loose_last_[i]++] = kept;
   }
   /// Takes the value out of row i; the others keep their order.
   void remove(std::size_t i, const T& value) {

@@ -2,8 +2,10 @@
 // faces of a volume; the table is the same for both, and it is what the dual graph is walked on.
 #pragma once
 
+#include <concino/mesh/row_places.hpp>
 #include <concino/mesh/side_ranges.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -15,7 +17,8 @@ class sides {
   rows<Facet, N> facets_;        // per poly
   rows<across, N> across_;       // parallel to facets_
   flat_array<std::uint32_t> owner_;  // per facet: N > 0: the side N * poly + k that met it first; N = 0: that poly; ~0: none
-  rows<poly_id, 0> crowds_;
+  crowd_lists crowds_;
+  row_places places_;  // of facets in polys of many sides
 
  public:
   struct side {
@@ -44,11 +47,18 @@ class sides {
     if constexpr (N > 0) {
       return {o / N, o % N};
     } else {
-      const Facet* at = facets_.begin(o);
-      std::uint32_t k = 0;
-      while (at[k] != f) ++k;
-      return {o, k};
+      return {o, local(o, f)};
     }
+  }
+
+  /// Which side of p is f; the number of its sides if none.
+  std::uint32_t side_of(poly_id p, Facet f) const {
+    const std::uint32_t n = facets_.length(p.raw());
+    if (n > row_places::longest_scan) [[unlikely]] return places_.find(p.raw(), facets_[p.raw()], f);
+    const Facet* const at = facets_.begin(p.raw());
+    std::uint32_t k = 0;
+    while (k < n && at[k] != f) ++k;
+    return k;
   }
 
   polys_of_facet polys_of(Facet f) const {
@@ -83,9 +93,12 @@ class sides {
       across_.begin(p)[k] = {};
       return;
     }
-    join(owner(f), p, k);
+    const side first = owner(f);
+    const across before = across_.begin(first.poly)[first.k];
+    join(first, p, k);
+    if (!before.is_none() && !before.is_crowd()) across_.begin(before.poly())[local(before.poly(), f)] = across_.begin(p)[k];
   }
-  /// The same where it is known which side met f first: looking that up takes long where polys have many sides.
+  /// The same where it is known which side met f first: looking that up takes long where polys have many sides. finish() must follow.
   void link(std::uint32_t p, std::uint32_t k, Facet f, side first) {
     facets_.begin(p)[k] = f;
     join(first, p, k);
@@ -94,45 +107,103 @@ class sides {
   /// Builds: after the last link, so that a poly met across two sides is listed once.
   void finish() {
     owner_.give_back_spare_room();
+    if constexpr (N == 0) {
+      places_ = row_places(facets_);
+      tell_crowds();
+      crowds_.list_crowds(across_, 8);
+    }
     std::vector<std::uint32_t> met;
     for (std::uint32_t p = 0; p < num_polys(); ++p)
       if (may_repeat(p)) mark_repeats(p, met);
   }
 
-  /// Edits: a poly with n sides that are still to be linked; their facets, if they are known.
-  void add_poly(std::uint32_t n, const Facet* facets = nullptr) {
-    const std::vector<Facet> unknown(facets ? 0 : n);
-    const std::vector<across> open(n);
-    if (!facets) facets = unknown.data();
-    facets_.add_row(facets, facets + n);
-    across_.add_row(open.begin(), open.end());
+  // Edits find their memory first, which changes nothing, and then cannot fail.
+
+  /// Edits: the facets of a poly with n sides that is about to be added: given, or to be written, none where a facet is still to be made.
+  Facet* stage_poly(std::uint32_t n, const Facet* facets = nullptr) {
+    across_.stage_row(nullptr, n);
+    return facets_.stage_row(facets, n);
+  }
+  /// Edits: memory for the links of the poly that was staged, `more` of whose facets are new. Returns what remark() works in.
+  std::vector<std::uint64_t> reserve_links(const Facet* facets, std::uint32_t n, std::size_t more) {
+    std::size_t crowds = 0;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (facets[k].is_none() || !is_owned(facets[k])) continue;
+      const side s = owner(facets[k]);
+      const across x = across_.begin(s.poly)[s.k];
+      if (x.is_crowd()) crowds_.reserve_in_row(x.crowd(), 1);
+      else if (!x.is_none()) ++crowds;
+    }
+    if (crowds > 0) crowds_.reserve_rows(crowds, crowds * small_crowd);
+    owner_.room_for(more);
+    std::vector<std::uint64_t> scratch;
+    if (n > few_sides) scratch.reserve(n);
+    return scratch;
+  }
+  /// Edits: the poly that was staged; then add_facet() and link() its sides.
+  void commit_poly(std::uint32_t n) {
+    facets_.commit_row(n);
+    across_.commit_row(n);
+    std::fill_n(across_.begin(num_polys() - 1), n, across{});
   }
 
-  /// Edits: after p was linked, sets right which sides of p and of the polys around it repeat a poly.
-  void remark(std::uint32_t p) {
-    remark_one(p);
-    for (const Facet f : facets_[p])
-      for (const poly_id q : polys_of(f))
-        if (q.raw() != p) remark_one(q.raw());
+  /// Edits: after p, a new poly, was linked, sets right which sides of p and of the polys around it repeat a poly.
+  void remark(std::uint32_t p, std::vector<std::uint64_t> scratch) {
+    across* const s = across_.begin(p);
+    const std::uint32_t n = facets_.length(p);
+    if (n <= few_sides) {
+      mark_among_few(p);
+    } else {
+      for (std::uint32_t k = 0; k < n; ++k)
+        if (!s[k].is_none() && !s[k].is_crowd()) scratch.push_back(std::uint64_t{s[k].poly()} << 32 | k);
+      std::sort(scratch.begin(), scratch.end());
+      for (std::size_t i = 1; i < scratch.size(); ++i)
+        if (scratch[i] >> 32 == scratch[i - 1] >> 32) s[static_cast<std::uint32_t>(scratch[i])].raw |= across::special;
+    }
+    mark_in_crowds(p);
+    for (const Facet f : facets_[p]) {
+      const polys_of_facet all = polys_of(f);
+      if (all.size() == 3) {  // the others were neighbours across f before
+        mark_sides_to(all[0].raw(), all[1].raw());
+        mark_sides_to(all[1].raw(), all[0].raw());
+      }
+      for (const poly_id q : all)
+        if (q.raw() != p) mark_repeats_of(p, q.raw());
+    }
   }
 
+  /// Edits: after this unlink() cannot fail.
+  void reserve_removal() { crowds_.loosen(); }
   /// Edits: takes p off all its facets. Those that no poly has any more are left unowned.
   void unlink(std::uint32_t p) {
-    std::vector<std::uint32_t> around;
-    std::vector<poly_id> rest;
-    for (const Facet f : facets_[p]) {
-      rest.clear();
-      for (const poly_id q : polys_of(f))
-        if (q.raw() != p) rest.push_back(q), around.push_back(q.raw());
-      relink(f, rest);
+    for (std::uint32_t k = 0; k < facets_.length(p); ++k) {
+      const Facet f = facets_.begin(p)[k];
+      const across x = across_.begin(p)[k];
+      if (x.is_none()) {
+        owner_[f.raw()] = ~0u;
+      } else if (!x.is_crowd()) {
+        const std::uint32_t q = x.poly(), j = local(q, f);
+        across_.begin(q)[j] = {};
+        set_owner(f, q, j);
+      } else {
+        crowds_.remove(x.crowd(), poly_id{p});
+        const id_span<poly_id> left = crowds_[x.crowd()];
+        const std::uint32_t a = left[0].raw(), b = left[1].raw(), i = local(a, f), j = local(b, f);
+        set_owner(f, a, i);
+        if (left.size() > 2) continue;
+        crowds_.clear_row(x.crowd());
+        across_.begin(a)[i].raw = b;
+        across_.begin(b)[j].raw = a;
+        mark_if_in_crowd(a, i);
+        mark_if_in_crowd(b, j);
+      }
     }
-    for (const std::uint32_t q : around) remark_one(q);
   }
 
   /// The quick answer for nearly all polys.
   bool may_repeat(std::uint32_t p) const {
     const std::uint32_t n = facets_.length(p);
-    if (n > 24) return true;
+    if (n > few_sides) return true;
     const across* const s = across_.begin(p);
     bool may = false;
     for (std::uint32_t k = 0; k < n; ++k) {
@@ -142,71 +213,123 @@ class sides {
     return may;
   }
 
-  /// Marks the sides of p that lead where an earlier side does.
+  /// Marks the sides of p that lead where an earlier side or a crowd of p does.
   void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
     across* const s = across_.begin(p);
     const std::uint32_t n = facets_.length(p);
-    bool crowded = false;
-    if (n <= 24) {
-      for (std::uint32_t k = 1; k < n; ++k)
-        if (!s[k].is_none() && !s[k].is_crowd())
-          for (std::uint32_t j = 0; j < k; ++j)
-            if (!s[j].is_none() && !s[j].is_crowd() && s[j].poly() == s[k].poly()) {
-              s[k].raw |= across::special;
-              break;
-            }
-    } else {
-      if (met.size() < num_polys()) met.resize(num_polys(), ~0u);
-      for (std::uint32_t k = 0; k < n; ++k)
-        if (!s[k].is_none() && !s[k].is_crowd()) {
-          if (met[s[k].poly()] == p) s[k].raw |= across::special;
-          met[s[k].poly()] = p;
-        }
+    if (n <= few_sides) {
+      mark_among_few(p);
+      return mark_in_crowds(p);
     }
-    for (std::uint32_t k = 0; k < n; ++k) crowded = crowded || s[k].is_crowd();
-    if (!crowded) return;
-    for (std::uint32_t k = 1; k < n; ++k)
-      if (s[k].is_first())
-        for (std::uint32_t j = 0; j < k && s[k].is_first(); ++j)
-          if (s[j].is_crowd())
-            for (poly_id q : crowds_[s[j].crowd()])
-              if (q.raw() == s[k].poly()) s[k].raw |= across::special;
+    if (met.size() < num_polys()) met.resize(num_polys(), ~0u);
+    std::size_t different = 0;
+    bool crowded = false;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      crowded = crowded || s[k].is_crowd();
+      if (s[k].is_none() || s[k].is_crowd()) continue;
+      const std::uint32_t q = s[k].poly();
+      if (met[q] == p) s[k].raw |= across::special;
+      else ++different;
+      met[q] = p;
+    }
+    if (!crowded || different == 0) return;
+    // met[q] becomes more than p where a crowd holds q. Of the crowd and the sides those are looked through that are fewer.
+    for (std::uint32_t j = 0; j < n; ++j) {
+      if (!s[j].is_crowd()) continue;
+      const id_span<poly_id> crowd = crowds_[s[j].crowd()];
+      if (crowd.size() <= 16 * different) {
+        for (const poly_id q : crowd)
+          if (met[q.raw()] == p) met[q.raw()] = p | across::special;
+      } else {
+        for (std::uint32_t k = 0; k < n; ++k)
+          if (s[k].is_first() && crowds_.holds(s[j].crowd(), poly_id{s[k].poly()})) s[k].raw |= across::special;
+      }
+    }
+    for (std::uint32_t k = 0; k < n; ++k)
+      if (s[k].is_first() && met[s[k].poly()] == (p | across::special)) s[k].raw |= across::special;
   }
 
  private:
-  /// A side that leads where an earlier one does goes on doing so as long as the poly there lives, so marks are only added.
-  void remark_one(std::uint32_t p) {
-    std::vector<std::uint32_t> met;
-    mark_repeats(p, met);
+  static constexpr std::uint32_t few_sides = 24;  // among which comparing all is fastest
+  static constexpr std::size_t small_crowd = 4;       // the room of a new crowd
+
+  void mark_among_few(std::uint32_t p) {
+    across* const s = across_.begin(p);
+    for (std::uint32_t k = 1; k < facets_.length(p); ++k)
+      if (!s[k].is_none() && !s[k].is_crowd())
+        for (std::uint32_t j = 0; j < k; ++j)
+          if (!s[j].is_none() && !s[j].is_crowd() && s[j].poly() == s[k].poly()) {
+            s[k].raw |= across::special;
+            break;
+          }
   }
 
+  /// Marks the sides of p that lead to a poly in one of its crowds.
+  void mark_in_crowds(std::uint32_t p) {
+    across* const s = across_.begin(p);
+    const std::uint32_t n = facets_.length(p);
+    for (std::uint32_t j = 0; j < n; ++j)
+      if (s[j].is_crowd())
+        for (std::uint32_t k = 0; k < n; ++k)
+          if (s[k].is_first() && crowds_.holds(s[j].crowd(), poly_id{s[k].poly()})) s[k].raw |= across::special;
+  }
+
+  // A side that leads where an earlier one or a crowd does goes on doing so as long as the poly there lives, so marks are only added: at the
+  // sides that lead to a new poly or to one that is in a crowd now, and at those that were in a crowd before.
+
+  /// Marks the sides of q that lead to p, the last poly of each of its crowds, where a crowd or an earlier side of q does.
+  void mark_repeats_of(std::uint32_t p, std::uint32_t q) {
+    across* const s = across_.begin(q);
+    const std::uint32_t n = facets_.length(q);
+    bool met = false;
+    for (std::uint32_t k = 0; k < n; ++k) met = met || (s[k].is_crowd() && *(crowds_.end(s[k].crowd()) - 1) == poly_id{p});
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (s[k].is_none() || s[k].is_crowd() || s[k].poly() != p) continue;
+      if (met) s[k].raw |= across::special;
+      met = true;
+    }
+  }
+  /// Marks the sides of q across which lies p alone.
+  void mark_sides_to(std::uint32_t p, std::uint32_t q) {
+    across* const s = across_.begin(q);
+    for (std::uint32_t k = 0; k < facets_.length(q); ++k)
+      if (s[k].is_first() && s[k].poly() == p) s[k].raw |= across::special;
+  }
+  /// Marks side k of p, which leads to one poly, if a crowd of p does.
+  void mark_if_in_crowd(std::uint32_t p, std::uint32_t k) {
+    across* const s = across_.begin(p);
+    for (std::uint32_t j = 0; j < facets_.length(p); ++j)
+      if (s[j].is_crowd() && crowds_.holds(s[j].crowd(), poly_id{s[k].poly()})) {
+        s[k].raw |= across::special;
+        return;
+      }
+  }
+
+  /// Tells the second poly of every facet that more than two have of the crowd: it was the only one across before.
+  void tell_crowds() {
+    if (crowds_.size() == 0) return;
+    std::vector<std::uint32_t> crowd(num_facets(), across::none);
+    const auto for_each_side = [&](auto&& visit) {
+      for (std::uint32_t p = 0; p < num_polys(); ++p)
+        for (std::uint32_t k = 0; k < facets_.length(p); ++k) visit(facets_.begin(p)[k], across_.begin(p)[k]);
+    };
+    for_each_side([&](Facet f, const across& x) {
+      if (x.is_crowd()) crowd[f.raw()] = x.raw;
+    });
+    for_each_side([&](Facet f, across& x) {
+      if (crowd[f.raw()] != across::none) x.raw = crowd[f.raw()];
+    });
+  }
+
+  /// Which side of p is f, which is one of them.
   std::uint32_t local(std::uint32_t p, Facet f) const {
     const Facet* const at = facets_.begin(p);
-    std::uint32_t k = 0;
-    while (at[k] != f) ++k;
-    return k;
+    for (std::uint32_t k = 0; k < row_places::longest_scan; ++k)
+      if (at[k] == f) [[likely]] return k;
+    return places_.find(p, facets_[p], f);
   }
 
-  /// Makes `polys` the polys of f; all of them have it among their facets.
-  void relink(Facet f, const std::vector<poly_id>& polys) {
-    if (polys.empty()) {
-      owner_[f.raw()] = ~0u;
-      return;
-    }
-    const std::uint32_t first = polys[0].raw(), k = local(first, f);
-    across& x = across_.begin(first)[k];
-    const across before = x;
-    owner_[f.raw()] = N > 0 ? N * first + k : first;
-    if (polys.size() == 1) {
-      x = {};
-    } else if (polys.size() == 2) {
-      x.raw = polys[1].raw();
-      across_.begin(polys[1].raw())[local(polys[1].raw(), f)].raw = first;
-    } else {
-      crowds_.clear_row(before.crowd());
-      for (const poly_id q : polys) crowds_.push(before.crowd(), q);
-    }
-  }
+  void set_owner(Facet f, std::uint32_t p, std::uint32_t k) { owner_[f.raw()] = N > 0 ? N * p + k : p; }
 
   void join(side s, std::uint32_t p, std::uint32_t k) {
     across& first = across_.begin(s.poly)[s.k];
@@ -218,20 +341,17 @@ class sides {
     }
   }
 
+  /// The side of the second poly still has to be told.
   void crowd_in(side s, across& first, std::uint32_t p, std::uint32_t k) {
-    if (!first.is_crowd()) {
-      const std::uint32_t other = first.poly();
-      const poly_id two[] = {poly_id{s.poly}, poly_id{other}};
-      const Facet f = facets_.begin(s.poly)[s.k];
+    if (first.is_crowd()) {
+      crowds_.push(first.crowd(), poly_id{p});
+    } else {
+      const poly_id three[] = {poly_id{s.poly}, poly_id{first.poly()}, poly_id{p}};
       const std::uint32_t raw = across::special | across::crowd_bit | static_cast<std::uint32_t>(crowds_.size());
-      crowds_.add_row(two, two + 2);
+      crowds_.add_row(three, three + 3, small_crowd);
       first.raw = raw;
-      std::uint32_t j = 0;
-      while (facets_.begin(other)[j] != f) ++j;
-      across_.begin(other)[j].raw = raw;
     }
     across_.begin(p)[k].raw = first.raw;
-    crowds_.push(first.crowd(), poly_id{p});
   }
 };
 

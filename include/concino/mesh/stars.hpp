@@ -30,13 +30,25 @@ inline edge_id edge_between(const rows<vert_id, 0>& v2v, const rows<edge_id, 0>&
   return {};
 }
 
+/// After this add_star() cannot fail.
+inline void stage_star(rows<vert_id, 0>& v2v, rows<edge_id, 0>& v2e, rows<poly_id, 0>& v2p) {
+  v2v.stage_row(nullptr, 0);
+  v2e.stage_row(nullptr, 0);
+  v2p.stage_row(nullptr, 0);
+}
+
+/// The star that was staged.
 inline void add_star(rows<vert_id, 0>& v2v, rows<edge_id, 0>& v2e, rows<poly_id, 0>& v2p) {
-  const vert_id* const no_vert = nullptr;
-  const edge_id* const no_edge = nullptr;
-  const poly_id* const no_poly = nullptr;
-  v2v.add_row(no_vert, no_vert);
-  v2e.add_row(no_edge, no_edge);
-  v2p.add_row(no_poly, no_poly);
+  v2v.commit_row(0);
+  v2e.commit_row(0);
+  v2p.commit_row(0);
+}
+
+/// After this add_edge() cannot fail for n new edges, as far as the rows of one of their ends are concerned.
+inline void reserve_edges_at(rows<vert_id, 0>& v2v, rows<edge_id, 0>& v2e, vert_id v, std::uint32_t n) {
+  if (n == 0) return;
+  v2v.reserve_in_row(v.raw(), n);
+  v2e.reserve_in_row(v.raw(), n);
 }
 
 inline edge_id add_edge(live<edge_id>& edges, rows<vert_id, 2>& ends, rows<vert_id, 0>& v2v, rows<edge_id, 0>& v2e, vert_id a, vert_id b) {

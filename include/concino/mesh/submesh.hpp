@@ -1,6 +1,7 @@
 // submesh(m, keep): the polys of a mesh that `keep` accepts, with the verts, edges and faces they use, as a mesh.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/mesh/detail/filtered.hpp>
 
 namespace concino {
@@ -115,8 +116,11 @@ auto submesh(const M& m, const Keep& keep) {
   detail::mark_whole_verts(m, *s);
   return views::submesh_view<M>(m, std::move(s));
 }
-template<AnyMesh M, class Keep>
+template<AnyMesh M, class Keep, class R = mistake::remedy<mistake::name_the_mesh>>
   requires(!is_view_v<M>)
-void submesh(const M&& m, const Keep& keep) = delete;
+void submesh(const M&& m, const Keep& keep) = delete;  // give the mesh a name: auto m = ...;
+
+// What to write instead of calls that cannot compile.
+template<class... T> void submesh(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 // what any mesh that has only face-vertex lists can keep beside them (see indexed_base.hpp).
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/mesh/checks.hpp>
 #include <concino/mesh/live.hpp>
 #include <concino/mesh/sides.hpp>
@@ -28,7 +29,13 @@ class surface_tables {
   ragged<poly_id> v2p_;
 
  public:
+  static constexpr unsigned arity = Arity;
+
   surface_tables() = default;
+  surface_tables(const surface_tables&) = default;
+  surface_tables(surface_tables&&) noexcept = default;
+  surface_tables& operator=(const surface_tables& o) { return *this = surface_tables(o); }  // all or nothing
+  surface_tables& operator=(surface_tables&&) noexcept = default;
 
   /// From the verts of every polygon, in cyclic order. Linear in time and memory.
   /// Errors: invalid_mesh that names the polygon with a bad vert, a repeated vert or fewer than 3.
@@ -67,38 +74,75 @@ class surface_tables {
   id_span<edge_id> adj_p2e(poly_id p) const { return sides_.facets(p); }
   detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
 
+  // Edits find their memory first, which changes nothing, and then cannot fail: each is done as a whole or not at all. `grow` is called in
+  // between, with the bounds of indices that the edit leads to; it may fail too.
+
   /// A vert without edges.
-  vert_id add_vert() {
+  template<class Grow = detail::nothing_else_grows>
+  vert_id add_vert(const Grow& grow = {}) {
+    detail::stage_star(v2v_, v2e_, v2p_);
+    verts_.reserve(1);
+    grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), 0, polys_.bound()});
     detail::add_star(v2v_, v2e_, v2p_);
     return verts_.add();
   }
 
   /// A polygon on verts that are there. Cost: its size times the edges and polys at its verts.
   /// Errors: invalid_mesh as in the constructor; nothing has changed then.
-  poly_id add_poly(std::span<const vert_id> corners) {
+  template<class Grow = detail::nothing_else_grows>
+  poly_id add_poly(std::span<const vert_id> corners, const Grow& grow = {}) {
     const poly_id p{polys_.bound()};
     if (Arity > 0 && corners.size() != Arity)
-      throw invalid_mesh("poly " + std::to_string(p.raw()) + " has " + std::to_string(corners.size()) + " verts; every poly of this mesh has " + std::to_string(Arity));
+      detail::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
     detail::check_new_verts(corners, verts_, "poly", p.raw());
     const auto n = static_cast<std::uint32_t>(corners.size());
-    p2v_.add_row(corners.begin(), corners.end());
-    sides_.add_poly(n);
+    const vert_id* const c = p2v_.stage_row(corners.data(), n);  // corners may have lain in a row that moved
+    edge_id* const e = sides_.stage_poly(n);
+    std::size_t more = 0;
     for (std::uint32_t k = 0; k < n; ++k) {
-      const vert_id a = adj_p2v(p)[k], b = adj_p2v(p)[k + 1 == n ? 0 : k + 1];  // corners may have lain in the row that moved
-      edge_id e = detail::edge_between(v2v_, v2e_, a, b);
-      if (e.is_none()) {
-        e = detail::add_edge(edges_, e2v_, v2v_, v2e_, a, b);
+      e[k] = detail::edge_between(v2v_, v2e_, c[k], c[k + 1 == n ? 0 : k + 1]);
+      more += e[k].is_none();
+    }
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t at_corner = (e[k].is_none() ? 1u : 0u) + (e[k == 0 ? n - 1 : k - 1].is_none() ? 1u : 0u);
+      detail::reserve_edges_at(v2v_, v2e_, c[k], at_corner);
+      v2p_.reserve_in_row(c[k].raw(), 1);
+    }
+    e2v_.reserve_rows(more);
+    edges_.reserve(more);
+    polys_.reserve(1);
+    auto scratch = sides_.reserve_links(e, n, more);
+    grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, 0, polys_.bound() + 1});
+
+    p2v_.commit_row(n);
+    sides_.commit_poly(n);
+    for (std::uint32_t k = 0; k < n; ++k) {
+      edge_id side = e[k];
+      if (side.is_none()) {
+        side = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[k], c[k + 1 == n ? 0 : k + 1]);
         sides_.add_facet();
       }
-      sides_.link(p.raw(), k, e);
-      v2p_.push(a.raw(), p);
+      sides_.link(p.raw(), k, side);
+      v2p_.push(c[k].raw(), p);
     }
-    sides_.remark(p.raw());
+    sides_.remark(p.raw(), std::move(scratch));
     return polys_.add();
+  }
+
+  /// Finds the memory that removing these polys one after another, and verts that no poly has any more, takes: none of it can fail then.
+  void reserve_removal(std::span<const poly_id>) {
+    v2v_.loosen();
+    v2e_.loosen();
+    v2p_.loosen();
+    sides_.reserve_removal();
+    verts_.reserve_removal();
+    edges_.reserve_removal();
+    polys_.reserve_removal();
   }
 
   /// Takes p away, and with it the edges that no other poly has; verts stay. No other element changes its name.
   void remove_poly(poly_id p) {
+    reserve_removal({&p, 1});
     sides_.unlink(p.raw());
     for (const edge_id e : sides_.facets(p))
       if (!sides_.is_owned(e)) detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
@@ -109,6 +153,7 @@ class surface_tables {
   /// Takes away a vert that no poly has any more.
   void remove_vert(vert_id v) {
     assert(v2p_[v.raw()].empty());
+    verts_.reserve_removal();
     verts_.remove(v);
   }
 

@@ -1,6 +1,7 @@
 // tetmesh: a volume of tetrahedra.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
@@ -15,18 +16,20 @@ class tetmesh : public detail::native_mesh<tet_tables> {
  public:
   tetmesh() = default;
 
-  /// From flat arrays with arity 4, taken over without a copy.
+  /// From flat arrays with arity 4, taken over without a copy. `order`: how the lists name the corners of a tet.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
-  explicit tetmesh(cell_arrays a) : base(std::move(a.points), {}) {
-    if (a.arity != 4) throw invalid_mesh("the arrays hold polys of " + std::to_string(a.arity) + " verts; a tetmesh needs 4");
-    tables() = tet_tables(points().size(), std::move(a.verts));
+  explicit tetmesh(cell_arrays a, tet_order order = tet_order::standard) : base(std::move(a.points), {}) {
+    if (a.arity != 4) detail::throw_joined<invalid_mesh>({"the arrays hold polys of ", a.arity, " verts; a tetmesh needs 4"});
+    tables() = tet_tables(points().size(), std::move(a.verts), order);
   }
 
   /// From points and lists of 4 verts, in braces or in containers.
-  tetmesh(point_list points, index_lists poly_verts) : tetmesh(detail::to_cells({points}, poly_verts, 4)) {}
+  tetmesh(point_list points, index_lists poly_verts, tet_order order = tet_order::standard)
+      : tetmesh(detail::to_cells({points}, poly_verts, 4), order) {}
   template<detail::PointRange Points, detail::IndexListRange Polys>
-  tetmesh(const Points& points, const Polys& poly_ranges) : tetmesh(detail::to_cells(detail::to_points(points), poly_ranges, 4)) {}
+  tetmesh(const Points& points, const Polys& poly_ranges, tet_order order = tet_order::standard)
+      : tetmesh(detail::to_cells(detail::to_points(points), poly_ranges, 4), order) {}
 };
 
 template<>

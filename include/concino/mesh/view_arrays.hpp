@@ -19,6 +19,9 @@ template<class A> concept is_no_temporary_array = std::is_lvalue_reference_v<A> 
 template<class A> concept is_point_array = concino::detail::holds_points<A> && is_no_temporary_array<A>;
 template<class A, unsigned N> concept is_list_array = concino::detail::holds_lists<A, N> && is_no_temporary_array<A>;
 template<class A> concept is_index_array = concino::detail::holds_indices<A> && is_no_temporary_array<A>;
+template<class A>
+concept is_temporary_array = (concino::detail::holds_points<A> || concino::detail::holds_lists<A, 3> || concino::detail::holds_lists<A, 4> ||
+                              concino::detail::holds_lists<A, 8> || concino::detail::holds_indices<A>) && !is_no_temporary_array<A>;
 template<class A> concept is_signed_index_array = is_index_array<A> && std::signed_integral<concino::detail::number_in<A>>;
 
 }  // namespace requirement
@@ -53,6 +56,22 @@ auto view_hex(P&& points, H&& poly_verts) {
   return detail::view_of_lists<3, 8, detail::hex_tables_of>(points, poly_verts, "view_hex");
 }
 
+/// A volume of tets or hexes whose rows name the corners in another order than the native meshes: view_hex(V, H, hex_order::lexicographic).
+/// Needs:  as view_tet and view_hex; order: the one of <concino/mesh/corner_orders.hpp> that fits all rows.
+/// Result: as view_tet and view_hex. adj_p2v(m, p) reads the user's array in the standard order.
+/// Cost:   as view_tet and view_hex; each vert of adj_p2v is found through a table of 4 or 8 numbers.
+/// Errors: invalid_mesh as view_tet and view_hex. Whether the order is right only the points show: validate(m) says which it looks like.
+template<class P, class T>
+  requires requirement::is_point_array<P> && requirement::is_list_array<T, 4>
+auto view_tet(P&& points, T&& poly_verts, tet_order order) {
+  return detail::view_of_cells<detail::tet_tables_of>(points, poly_verts, order, "view_tet");
+}
+template<class P, class H>
+  requires requirement::is_point_array<P> && requirement::is_list_array<H, 8>
+auto view_hex(P&& points, H&& poly_verts, hex_order order) {
+  return detail::view_of_cells<detail::hex_tables_of>(points, poly_verts, order, "view_hex");
+}
+
 /// A surface of polygons: poly i has the verts indices[offsets[i]] .. indices[offsets[i + 1] - 1], in cyclic order.
 /// Needs:  as view_tri; offsets: one more than there are polys, from 0 to the number of indices.
 /// Result: a view that models SurfaceMesh, and the rest as view_tri.
@@ -70,7 +89,7 @@ auto view_polygons(P&& points, O&& offsets, I&& indices) {
 /// Needs:  as view_polygons; poly_faces of a signed type where there is no `outward`.
 /// Result: a view that models VolumeMesh, and the rest as view_tri. Faces are numbered as given.
 /// Cost:   as view_polygons; faces of polys are held with what lies across them.
-/// Errors: invalid_mesh as view_polygons, of faces and polys.
+/// Errors: invalid_mesh as view_polygons, of faces and polys; unsupported as polyhedralmesh.
 template<class P, class FO, class FV, class PO, class PF, class W>
   requires requirement::is_point_array<P> && requirement::is_index_array<FO> && requirement::is_index_array<FV> &&
            requirement::is_index_array<PO> && requirement::is_index_array<PF> && detail::holds_numbers<W>
@@ -83,5 +102,29 @@ template<class P, class FO, class FV, class PO, class PF>
 auto view_polyhedra(P&& points, FO&& face_offsets, FV&& face_verts, PO&& poly_offsets, PF&& poly_faces) {
   return detail::view_of_polyhedra(points, face_offsets, face_verts, poly_offsets, poly_faces, detail::signs{}, "view_polyhedra");
 }
+
+// What to write instead of calls that cannot compile.
+namespace mistake {
+inline constexpr sentence name_the_array("the view reads the array later, which must not be a temporary: give the array a name, auto points = ...;");
+}
+template<class R = mistake::remedy<mistake::name_the_array>, class... A>
+  requires(... || requirement::is_temporary_array<A>)
+void view_tri(A&&... arrays) = delete;  // give the array a name: auto points = ...;
+template<class R = mistake::remedy<mistake::name_the_array>, class... A>
+  requires(... || requirement::is_temporary_array<A>)
+void view_quad(A&&... arrays) = delete;  // give the array a name: auto points = ...;
+template<class R = mistake::remedy<mistake::name_the_array>, class... A>
+  requires(... || requirement::is_temporary_array<A>)
+void view_tet(A&&... arrays) = delete;  // give the array a name: auto points = ...;
+template<class R = mistake::remedy<mistake::name_the_array>, class... A>
+  requires(... || requirement::is_temporary_array<A>)
+void view_hex(A&&... arrays) = delete;  // give the array a name: auto points = ...;
+template<class R = mistake::remedy<mistake::name_the_array>, class... A>
+  requires(... || requirement::is_temporary_array<A>)
+void view_polygons(A&&... arrays) = delete;  // give the array a name: auto points = ...;
+template<class R = mistake::remedy<mistake::name_the_array>, class P, class FO, class FV, class PO, class PF, class... W>
+  requires(requirement::is_temporary_array<P> || requirement::is_temporary_array<FO> || requirement::is_temporary_array<FV> ||
+           requirement::is_temporary_array<PO> || requirement::is_temporary_array<PF>)
+void view_polyhedra(P&&, FO&&, FV&&, PO&&, PF&&, W&&...) = delete;  // give the array a name: auto points = ...;
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
 #include <concino/operators/detail/simplex_gradients.hpp>
@@ -16,7 +17,7 @@ namespace concino {
 /// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
 /// Source: as divergence_matrix.
 template<class M, class Field>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && ReadableMap<Field, poly_t<M>>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_points<Field, poly_t<M>>
 vert_map<M, double> divergence(M&& m, const Field& field) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_vert_map<double>(m, 0.0);
@@ -38,5 +39,13 @@ vert_map<M, double> divergence(M&& m, const Field& field) {
     for (const vert_t<mesh> v : adj_p2v(m, p)) result[v] -= part[corner++];
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void divergence(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void divergence(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void divergence(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_vectors_at_polys>>
+  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_points<U, poly_t<M>>)
+void divergence(M&&, const U&, ...) = delete;  // a vector at each poly: make_poly_map<vec3>(m)
 
 }  // namespace concino

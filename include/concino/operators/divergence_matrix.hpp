@@ -1,6 +1,7 @@
 // The divergence of vector fields on polys, integrated about each vert, as a sparse matrix.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
@@ -52,5 +53,9 @@ Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
   });
   return d;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void divergence_matrix(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void divergence_matrix(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

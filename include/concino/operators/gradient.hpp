@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
 #include <concino/operators/detail/simplex_gradients.hpp>
@@ -29,7 +30,7 @@ vec3 gradient_of(const Local& local, const U& u) {
 /// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
 /// Source: as gradient_matrix.
 template<class M, class U>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers<U, vert_t<M>>
 poly_map<M, vec3> gradient(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_poly_map<vec3>(m);
@@ -49,7 +50,7 @@ poly_map<M, vec3> gradient(M&& m, const U& u) {
 /// Cost:   as gradient, and O(V) memory.      Errors: as gradient.
 /// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes" (AGS).
 template<class M, class U>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers<U, vert_t<M>>
 vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   struct weighted {
@@ -77,5 +78,19 @@ vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
     if (of_vert[i].size > 0) result.values()[i] = of_vert[i].sum / of_vert[i].size;
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void gradient(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void gradient(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void gradient(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void vert_gradient(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void vert_gradient(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void vert_gradient(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void gradient(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void vert_gradient(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // The gradient of functions on verts, one vector per poly, as a sparse matrix.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
@@ -62,5 +63,9 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
       detail::sort_column(rows + begin[c], values + begin[c], static_cast<std::size_t>(begin[c + 1] - begin[c]));
   return g;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void gradient_matrix(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void gradient_matrix(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

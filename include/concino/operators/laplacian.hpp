@@ -1,6 +1,7 @@
 // The Laplacian of functions on verts, as a sparse matrix.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
 #include <concino/operators/weights.hpp>
@@ -39,5 +40,8 @@ Eigen::SparseMatrix<double> laplacian(const M& m, const laplacian_options& optio
       },
       [&](auto make_element) { return detail::assemble_stiffness(m, make_element, -1.0); });
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void laplacian(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

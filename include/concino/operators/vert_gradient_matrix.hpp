@@ -1,6 +1,7 @@
 // The gradient of functions on verts, one vector per vert, as a sparse matrix.
 #pragma once
 
+#include <concino/detail/mistakes.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
 #include <concino/operators/detail/simplex_gradients.hpp>
@@ -122,5 +123,9 @@ Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
       1);
   return g;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void vert_gradient_matrix(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void vert_gradient_matrix(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/mesh.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/error.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/render/colormap.hpp>
@@ -103,8 +104,8 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
         at = static_cast<std::uint32_t>(d.points.size());
         d.points.push_back(to_vec3(point(m, v)));
         if (!is_finite(d.points.back()))
-          throw invalid_mesh("make_drawable: vert " + std::to_string(static_cast<std::size_t>(index_of(m, v))) +
-                             " has a coordinate that is not a finite number");
+          detail::throw_joined<invalid_mesh>({"make_drawable: vert ", static_cast<std::size_t>(index_of(m, v)),
+                                              " has a coordinate that is not a finite number"});
         if (with_values) d.values.push_back(value(v));
       }
       d.corners.push_back(at);
@@ -132,11 +133,18 @@ drawable make_drawable(const M& m, const drawable_options& options = {}) {
 
 /// The same coloured by a value per vert, interpolated over each polygon. `look.scale` is linear over the finite values shown.
 template<class M, class U>
-  requires AnyMesh<M> && Embedded<M> && ReadableMap<U, vert_t<M>>
+  requires AnyMesh<M> && Embedded<M> && requirement::gives_numbers<U, vert_t<M>>
 drawable make_drawable(const M& m, const U& u, const drawable_options& options = {}) {
   drawable d = detail::make_drawable(m, options, true, [&](const auto& v) { return static_cast<double>(u[v]); });
   d.look.scale = value_scale::linear(d.values);
   return d;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void make_drawable(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void make_drawable(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void make_drawable(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Still pictures: a surface in soft daylight on a light ground, good enough to print. The rays are cast by whatever is handed in.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/parallel.hpp>
 #include <concino/progress.hpp>
 #include <concino/render/camera.hpp>
@@ -37,7 +38,7 @@ namespace detail {
 
 inline void check(const render_options& o) {
   const auto need = [](bool ok, const char* what) {
-    if (!ok) throw invalid_argument(std::string("render: ") + what);
+    if (!ok) detail::throw_joined<invalid_argument>({"render: ", what});
   };
   need(o.samples >= 1 && o.samples <= 32, "samples must be 1 to 32");
   need(o.sky_rays >= 0 && o.sky_rays <= 1 << 20, "sky_rays must be 0 to 1048576");

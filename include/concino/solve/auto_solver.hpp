@@ -17,8 +17,9 @@ enum class solver_used { none, ldlt, conjugate_gradients };
 
 /// Solves symmetric systems: by ldlt if its factor, whose entries are counted before anything is factorised, has at most most_factor_entries, and
 /// else, for positive definite matrices only, by conjugate_gradients. A SparseSolver; the default of all problems. Only the lower triangle is read.
-/// It says what it did if it is given a name: auto_solver s; harmonic_map(m, values, {}, s); then s.used(), and s.iterations() and s.residual() of
-/// the last solve by conjugate_gradients, which are 0 for ldlt.
+/// It says what it did if it is given a name: auto_solver s; harmonic_map(m, values, {}, s); then s.used(), and s.iterations(), s.error(), s.residual() and
+/// s.converged() of the last solve by conjugate_gradients, which are 0, 0, 0 and true for ldlt. Either way gives the same values up to 1e-9 of the
+/// largest on grids of triangles, tets and hexes graded by x^3; by iteration, values far smaller than the largest have no correct digits.
 /// The limit is reached by Laplacians of triangle surfaces of about 3 million verts, and of grids of hexes of about 50 verts a side. A matrix
 /// with the pattern of the one factorised before is factorised in the order found then.
 /// Errors: as ldlt and as conjugate_gradients; their messages begin with their names. invalid_argument if an option is out of its range.
@@ -60,7 +61,9 @@ class auto_solver {
   solver_used used() const { return used_; }
   bool iterates() const { return used_ == solver_used::conjugate_gradients; }
   int iterations() const { return iterates() ? iteration_.iterations() : 0; }
+  double error() const { return iterates() ? iteration_.error() : 0; }
   double residual() const { return iterates() ? iteration_.residual() : 0; }
+  bool converged() const { return !iterates() || iteration_.converged(); }
 };
 
 }  // namespace concino

@@ -7,35 +7,45 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace concino {
 
 struct bicgstab_options {
-  double tolerance = 1e-12;    // of |b - a x| / |b|, rows and columns scaled to entries near 1; in (0, 1)
+  double tolerance = 1e-12;    // of the residual, see below; in (0, 1)
   int max_iterations = 0;      // 0: twice as many as there are unknowns
   double drop = 1e-4;          // entries of the incomplete factors that are smaller, relative to their row, are left out; in [0, 1)
   int fill = 10;               // at most so many times the entries of the matrix in the incomplete factors; positive
+  bool accept_missed_tolerance = false;  // true: solve returns the best it has reached; converged() says whether that meets the tolerance
 };
 
 /// Solves square systems, symmetric or not, by stabilised bi-conjugate gradients, with an incomplete LU factorisation to speed them up. A
 /// SparseSolver of memory proportional to the entries of the matrix. The whole matrix is read, both triangles of a symmetric one too. Rows and
 /// columns are scaled by powers of two first. `factorize` keeps a scaled copy of the matrix and prepares: there is no analysis to save.
-/// iterations() and residual(), |b - a x| / |b| of the scaled system, tell of the last solve; therefore not for several threads at once.
+/// residual() is the largest of three numbers: |b - A x| / |b| of the scaled system, and the largest |b - A x|_i / (|b|_i + max_j |a_ij| max|x|) of all rows
+/// i, of the given and of the scaled system: large entries of some rows, as penalties are, do not hide the others. A small residual of a badly
+/// conditioned system does not mean a small error. Where rounding errors allow no better, residuals of single rows of at most 1e-14 are accepted
+/// if |b - A x| / |b| is at most 1e-6. Solutions so large that b is no more than rounding errors of A x are never accepted.
+/// iterations(), residual() and converged() describe the last solve; therefore one object must not solve in several threads at once.
 /// Errors: invalid_argument if an option is out of its range; solver_error, with the reason, from factorize if the matrix is not square, has
 ///         entries that are not finite, or a row or column of zeros; from solve if nothing was factorised, or the right-hand side has another
-///         size or is not finite, or the iteration has not converged: n iterations and residual r are named. Singular matrices end so,
-///         unless the right-hand side lets the iteration find a solution. Where rounding errors hide what the last iterations gain, residuals
-///         of up to 1e-6 are let pass; residual() tells.
+///         size or is not finite, or the tolerance is missed, after max_iterations or because the iteration stagnates or breaks down: iterations,
+///         residual and tolerance are named. Singular matrices end so, unless the right-hand side lets the iteration find a solution.
 /// Source: van der Vorst 1992; Saad 1994; Eigen's BiCGSTAB and IncompleteLUT.
 class bicgstab {
   bicgstab_options options_;
   Eigen::SparseMatrix<double> a_;  // the iteration refers to it
   detail::equilibration scale_;
-  Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, Eigen::IncompleteLUT<double>> iteration_;
-  mutable int iterations_ = 0;
+  std::vector<double> entry_, entry_in_units_;  // the largest of each row; and divided by the scale of its column
+  mutable Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, Eigen::IncompleteLUT<double>> iteration_;
+  mutable std::int64_t iterations_ = 0;
   mutable double residual_ = 0;
+  mutable bool has_converged_ = true;
   Eigen::Index size_ = -1;
 
  public:
@@ -60,13 +70,12 @@ class bicgstab {
     a_.prune([](Eigen::Index, Eigen::Index, double x) { return x != 0; });
     scale_ = detail::equilibrate(a_);
     check_rows_and_columns();
+    find_largest_entries();
     if (a_.cols() > 0) {
       iteration_.preconditioner().setDroptol(options_.drop);
       iteration_.preconditioner().setFillfactor(options_.fill);
       iteration_.compute(a_);
       if (iteration_.info() != Eigen::Success) throw solver_error("bicgstab: the incomplete LU factorisation failed; the matrix is singular");
-      iteration_.setTolerance(options_.tolerance);
-      iteration_.setMaxIterations(options_.max_iterations > 0 ? options_.max_iterations : 2 * a_.cols());
     }
     size_ = a_.rows();
   }
@@ -75,17 +84,17 @@ class bicgstab {
     detail::check_right_hand_side("bicgstab", given, size_);
     iterations_ = 0;
     residual_ = 0;
+    has_converged_ = true;
     if (given.isZero(0)) return Eigen::VectorXd::Zero(size_);
     Eigen::VectorXd b = detail::scaled(given, scale_.rows);
     const double b_scale = detail::power_of_two_to_scale(b.cwiseAbs().maxCoeff());
     b *= b_scale;
-    Eigen::VectorXd x = iteration_.solve(b);
-    iterations_ = static_cast<int>(iteration_.iterations());
-    residual_ = (b - a_ * x).norm() / b.norm();  // the iteration's own is only estimated
-    if (iteration_.info() != Eigen::Success || !(residual_ <= std::max(options_.tolerance, 1e-6)))
+    Eigen::VectorXd x = iterate(b);
+    if (!has_converged_ && !options_.accept_missed_tolerance)
       detail::throw_joined<solver_error>({"bicgstab: not converged after ", static_cast<std::size_t>(iterations_), " iterations: the residual is ",
                                           detail::number_text(residual_), ", the tolerance ", detail::number_text(options_.tolerance),
-                                          "; the matrix is singular or badly conditioned"});
+                                          "; the matrix is singular or badly conditioned: use lu, allow more iterations, more fill or a larger"
+                                          " tolerance, or set accept_missed_tolerance"});
     x = detail::scaled(std::move(x), scale_.columns) / b_scale;
     detail::check_solution("bicgstab", x);
     return x;
@@ -93,10 +102,65 @@ class bicgstab {
 
   const bicgstab_options& options() const { return options_; }
   static constexpr bool iterates() { return true; }
-  int iterations() const { return iterations_; }
+  int iterations() const { return static_cast<int>(iterations_); }
   double residual() const { return residual_; }
+  bool converged() const { return has_converged_; }
 
  private:
+  /// Solves for what is left, again and again, while that halves the residual: the iteration only estimates it, and stagnates or breaks down without notice.
+  Eigen::VectorXd iterate(const Eigen::VectorXd& b) const {
+    const std::int64_t most = options_.max_iterations > 0 ? options_.max_iterations : 2 * static_cast<std::int64_t>(size_);
+    const auto at_a_time = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(size_)));
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(size_), r = b;
+    residual_ = 1;
+    has_converged_ = false;
+    for (bool helps = true; helps && residual_ > options_.tolerance && iterations_ < most;) {
+      iteration_.setTolerance(std::clamp(options_.tolerance / residual_ / 2, options_.tolerance, 0.1));
+      iteration_.setMaxIterations(static_cast<Eigen::Index>(std::min(most - iterations_, at_a_time)));
+      const Eigen::VectorXd better = x + iteration_.solve(r);
+      iterations_ += iteration_.iterations();
+      if (!better.allFinite()) break;
+      const Eigen::VectorXd rest = b - a_ * better;
+      const double of_rows = largest_residual(rest, b, better), reached = std::max(of_rows, rest.norm() / b.norm());
+      helps = reached < residual_ / 2;
+      if (!(reached < residual_)) break;
+      x = better;
+      r = rest;
+      residual_ = reached;
+      const double rounding = std::numeric_limits<double>::epsilon() * better.cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+      has_converged_ = (reached <= options_.tolerance || (of_rows <= 1e-14 && reached <= 1e-6)) && rounding <= 1e-6;
+    }
+    return x;
+  }
+
+  /// Of the scaled system.
+  double largest_residual(const Eigen::VectorXd& r, const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
+    double largest = 0, largest_in_units = 0, worst = 0;
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      largest = std::max(largest, std::abs(x[i]));
+      largest_in_units = std::max(largest_in_units, std::abs(x[i]) * scale_.columns[static_cast<std::size_t>(i)]);
+    }
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      const double allowed = std::abs(b[i]) + std::min(entry_[row] * largest, entry_in_units_[row] * largest_in_units);
+      const double e = r[i] == 0 ? 0 : std::abs(r[i]) / allowed;
+      if (!(e <= worst)) worst = e;
+    }
+    return worst;
+  }
+
+  void find_largest_entries() {
+    entry_.assign(static_cast<std::size_t>(a_.rows()), 0);
+    entry_in_units_ = entry_;
+    for (int c = 0; c < a_.cols(); ++c)
+      for (int k = a_.outerIndexPtr()[c]; k < a_.outerIndexPtr()[c + 1]; ++k) {
+        const auto row = static_cast<std::size_t>(a_.innerIndexPtr()[k]);
+        const double size = std::abs(a_.valuePtr()[k]);
+        entry_[row] = std::max(entry_[row], size);
+        entry_in_units_[row] = std::max(entry_in_units_[row], size / scale_.columns[static_cast<std::size_t>(c)]);
+      }
+  }
+
   void check_rows_and_columns() const {
     std::vector<char> row_has(static_cast<std::size_t>(a_.rows()));
     for (Eigen::Index k = 0; k < a_.nonZeros(); ++k) row_has[static_cast<std::size_t>(a_.innerIndexPtr()[k])] = 1;

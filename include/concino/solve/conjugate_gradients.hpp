@@ -1,6 +1,7 @@
 // Symmetric positive definite sparse systems by iteration: what is too large for a factorisation.
 #pragma once
 
+#include <concino/solve/detail/energy_gains.hpp>
 #include <concino/solve/detail/incomplete_cholesky.hpp>
 #include <concino/solve/detail/system_checks.hpp>
 
@@ -9,26 +10,35 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace concino {
 
 struct conjugate_gradients_options {
-  double tolerance = 1e-12;  // of |b - a x| / |b|; in (0, 1)
-  int max_iterations = 0;    // 0: twice as many as there are unknowns
+  double tolerance = 1e-12;             // of the estimated error and of the residual, see below; in (0, 1)
+  int max_iterations = 0;               // 0: twice as many as there are unknowns
+  bool accept_missed_tolerance = false; // true: solve returns the best it has reached; converged() says whether that meets the tolerance
 };
 
-/// Solves symmetric positive definite systems by conjugate gradients, with an incomplete Cholesky factorisation to speed them up. A SparseSolver of
+/// Solves symmetric positive definite systems by conjugate gradients, with an incomplete Cholesky factorisation as preconditioner. A SparseSolver of
 /// memory proportional to the entries of the matrix. Only the lower triangle of the matrix is read. Scaling the matrix or the right-hand
-/// side by a power of two scales the solution exactly. `factorize` keeps a scaled copy of the matrix and prepares; of a matrix with the pattern of
-/// the one before, in the order found then.
-/// iterations() and residual(), |b - a x| / |b|, tell of the last solve; therefore not for several threads at once.
+/// side by a power of two scales the solution exactly. `factorize` keeps a scaled copy of the matrix and prepares the preconditioner; a matrix with the
+/// pattern of the one before keeps its order.
+/// A solution x is accepted if both of these are at most the tolerance:
+/// - error(), the estimated error of x in the energy norm, |x - x*|_A / |x*|_A, where |y|_A^2 = y.Ay. It is extrapolated from what the last
+///   iterations gained, commonly right within a factor of 10, and does not depend on the units of the unknowns;
+/// - residual(), the largest |b - A x|_i / (|b|_i + a_ii max|x|) of all rows i. Large entries of some rows, as penalties are, do not hide the others. In
+///   the denominator the smaller counts of a_ii max|x| and the same in unknowns scaled to a diagonal of 1, sqrt(a_ii) max_j sqrt(a_jj)|x_j|.
+/// Where rounding errors allow no better, a residual() of at most 1e-14 and an error() of at most 1e-6 are accepted as well: x then solves a system that
+/// differs from the given one by rounding errors only, and is as good as what a factorisation gives.
+/// iterations(), error(), residual() and converged() describe the last solve; therefore one object must not solve in several threads at once.
 /// Errors: invalid_argument if an option is out of its range; solver_error, with the reason, from factorize if the matrix is not square, has
-///         entries that are not finite, or a diagonal entry that is not positive; from solve if nothing was factorised, or the right-hand side
-///         has another size or is not finite, or the iteration has not converged: n iterations and residual r are named. Indefinite
-///         and singular matrices with a positive diagonal end so, unless the iteration happens to find a solution. Where rounding errors hide
-///         what the last iterations gain, residuals of up to 1e-6 are let pass; residual() tells.
-/// Source: Hestenes, Stiefel 1952; Meijerink, van der Vorst 1977.
+///         entries that are not finite, or a diagonal entry that is not positive; from solve if nothing was factorised, the right-hand side
+///         has another size or is not finite, or the tolerance is missed, after max_iterations or because the iteration stagnates: iterations, error,
+///         residual and tolerance are named. Indefinite and singular matrices with a positive diagonal end so, unless the
+///         right-hand side has a solution that the iteration finds.
+/// Source: Hestenes, Stiefel 1952 (iteration, error estimate); Golub, Meurant 1997 (estimate with a delay); Meijerink, van der Vorst 1977.
 class conjugate_gradients {
   conjugate_gradients_options options_;
   detail::elimination_order order_;
@@ -37,7 +47,8 @@ class conjugate_gradients {
   double scale_ = 1;
   detail::incomplete_cholesky near_a_;
   mutable std::int64_t iterations_ = 0;
-  mutable double residual_ = 0;
+  mutable double residual_ = 0, error_ = 0;
+  mutable bool has_converged_ = true;
   Eigen::Index size_ = -1;
 
  public:
@@ -59,8 +70,9 @@ class conjugate_gradients {
     const std::vector<double> diagonal = detail::diagonal(given);
     for (std::size_t i = 0; i < diagonal.size(); ++i) {
       if (!(diagonal[i] > 0))
-        detail::throw_joined<solver_error>({"conjugate_gradients: the matrix is not positive definite: the diagonal entry of row ", i, " is ",
-                                            detail::number_text(diagonal[i])});
+        throw detail::singular_row(detail::joined({"conjugate_gradients: the matrix is not positive definite: the diagonal entry of row ", i, " is ",
+                                                   detail::number_text(diagonal[i])}),
+                                   static_cast<Eigen::Index>(i));
       largest = std::max(largest, diagonal[i]);
     }
     scale_ = detail::power_of_two_to_scale(largest);
@@ -77,7 +89,8 @@ class conjugate_gradients {
   Eigen::VectorXd solve(const Eigen::VectorXd& given) const {
     detail::check_right_hand_side("conjugate_gradients", given, size_);
     iterations_ = 0;
-    residual_ = 0;
+    residual_ = error_ = 0;
+    has_converged_ = true;
     double largest = 0;
     for (Eigen::Index i = 0; i < given.size(); ++i) largest = std::max(largest, std::abs(given[i]));
     if (!(largest > 0)) return Eigen::VectorXd::Zero(size_);
@@ -85,11 +98,8 @@ class conjugate_gradients {
     Eigen::VectorXd b(size_), x(size_);
     const int* const row = order_.row.indices().data();
     for (Eigen::Index i = 0; i < size_; ++i) b[i] = given[row[i]] * b_scale;
-    if (!iterate(b, x))
-      detail::throw_joined<solver_error>({"conjugate_gradients: not converged after ", static_cast<std::size_t>(iterations_),
-                                          " iterations: the residual is ",
-                                          detail::number_text(residual_), ", the tolerance ", detail::number_text(options_.tolerance),
-                                          "; the matrix is not positive definite, or badly conditioned"});
+    iterate(b, x);
+    if (!has_converged_ && !options_.accept_missed_tolerance) throw_missed();
     for (Eigen::Index i = 0; i < size_; ++i) b[row[i]] = x[i] * scale_ / b_scale;
     detail::check_solution("conjugate_gradients", b);
     return b;
@@ -98,9 +108,19 @@ class conjugate_gradients {
   const conjugate_gradients_options& options() const { return options_; }
   static constexpr bool iterates() { return true; }
   int iterations() const { return static_cast<int>(iterations_); }
+  double error() const { return error_; }
   double residual() const { return residual_; }
+  bool converged() const { return has_converged_; }
 
  private:
+  [[noreturn, gnu::noinline, gnu::cold]] void throw_missed() const {
+    detail::throw_joined<solver_error>({"conjugate_gradients: not converged after ", static_cast<std::size_t>(iterations_),
+                                        " iterations: the error is estimated as ", detail::number_text(error_), " of the solution, the residual is ",
+                                        detail::number_text(residual_), ", the tolerance ", detail::number_text(options_.tolerance),
+                                        "; the matrix is not positive definite, or badly conditioned: use ldlt, allow more iterations or a larger"
+                                        " tolerance, or set accept_missed_tolerance"});
+  }
+
   static double dot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
     double sum[4] = {};  // several, so that additions need not wait for each other
     const Eigen::Index n = x.size() / 4 * 4;
@@ -110,57 +130,106 @@ class conjugate_gradients {
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
   }
 
-  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  struct products {
+    double energy, diagonal;  // x.Ax, and the part of it that the diagonal makes
+  };
+
+  /// y = A x.
+  products multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
     const auto n = static_cast<int>(a_.cols());
     const int *const starts = a_.outerIndexPtr(), *const rows = a_.innerIndexPtr();
     const double* const a = a_.valuePtr();
-    for (int c = 0; c < n; ++c) y[c] = a[starts[c]] * x[c];
+    products r{0, 0};
+    for (int c = 0; c < n; ++c) y[c] = 0;
     for (int c = 0; c < n; ++c) {
-      const double xc = x[c];
+      const double xc = x[c], on = a[starts[c]] * xc;
       double sum = 0;
       for (int k = starts[c] + 1; k < starts[c + 1]; ++k) {
         y[rows[k]] += a[k] * xc;
         sum += a[k] * x[rows[k]];
       }
-      y[c] += sum;
+      y[c] += on + sum;
+      r.diagonal += on * xc;
+      r.energy += (on + 2 * sum) * xc;
     }
+    return r;
   }
 
-  /// Result: whether x solves, by the residual computed from x itself, which the iteration only estimates: where they differ it starts afresh from x
-  /// as long as that helps.
-  bool iterate(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+  /// The largest |r|_i / (|b|_i + a_ii max|x|), or with the unknowns scaled to a diagonal of 1, whichever asks more of a row.
+  double largest_residual(const Eigen::VectorXd& r, const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
+    const int* const starts = a_.outerIndexPtr();
+    const double* const a = a_.valuePtr();
+    double largest = 0, largest_scaled = 0, worst = 0;
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      const double xi = x[i] * x[i];
+      largest = std::max(largest, xi);
+      largest_scaled = std::max(largest_scaled, a[starts[i]] * xi);
+    }
+    largest = std::sqrt(largest);
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      const double d = a[starts[i]], allowed = std::abs(b[i]) + std::min(d * largest, std::sqrt(d * largest_scaled));
+      const double e = r[i] == 0 ? 0 : std::abs(r[i]) / allowed;
+      if (!(e <= worst)) worst = e;
+    }
+    return worst;
+  }
+
+  /// Iterates until error and residual are small by what the iteration knows of them. Then the residual is computed from x itself: where it differs, or the
+  /// preconditioner sees a larger error in it, the iteration starts afresh from x, as long as that helps.
+  void iterate(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+    const double unknown = std::numeric_limits<double>::infinity(), wanted = options_.tolerance * options_.tolerance;
     const std::int64_t most = options_.max_iterations > 0 ? options_.max_iterations : 2 * static_cast<std::int64_t>(size_);
-    const double size_of_b = std::sqrt(dot(b, b)), wanted = options_.tolerance * size_of_b;
+    const std::int64_t patience = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(size_)));
     Eigen::VectorXd r = b, z(size_), p(size_), q(size_);
     x.setZero();
+    detail::energy_gains gained;
+    near_a_.solve(a_, r, z);
+    double along = dot(r, z);  // |r|^2 as the preconditioner measures it
+    double left = unknown;     // the square of the error
     residual_ = 1;
     for (;;) {
-      double along = 0;  // r.z
-      bool falls = true;
-      for (bool first = true; falls && iterations_ < most && !(std::sqrt(dot(r, r)) <= wanted); first = false) {
-        near_a_.solve(a_, r, z);
-        const double before = along;
-        along = dot(r, z);
-        const double turn = first ? 0 : along / before;
-        for (Eigen::Index i = 0; i < size_; ++i) p[i] = first ? z[i] : z[i] + turn * p[i];
-        multiply(p, q);
-        const double curvature = dot(p, q);
-        falls = curvature > 0 && std::isfinite(curvature);
-        if (!falls) break;
-        const double step = along / curvature;
+      gained.start();
+      const double first = along, residual_before = residual_, left_before = left;
+      double smallest = along;
+      std::int64_t of_smallest = iterations_;
+      left = unknown;
+      bool is_stuck = !(along > 0 && std::isfinite(along));
+      for (double turn = 0; !is_stuck && iterations_ < most;) {
+        for (Eigen::Index i = 0; i < size_; ++i) p[i] = turn == 0 ? z[i] : z[i] + turn * p[i];
+        const products product = multiply(p, q);
+        if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;  // no definite matrix
+        const double step = along / product.energy;
         for (Eigen::Index i = 0; i < size_; ++i) {
           x[i] += step * p[i];
           r[i] -= step * q[i];
         }
         ++iterations_;
+        gained.add(step * along);
+        left = gained.left();
+        if (gained.is_exhausted() || (left <= wanted * gained.all() && largest_residual(r, b, x) <= options_.tolerance)) break;
+        near_a_.solve(a_, r, z);
+        const double before = along;
+        along = dot(r, z);
+        turn = along / before;
+        if (along < smallest / 2) {
+          smallest = along;
+          of_smallest = iterations_;
+        }
+        is_stuck = !(along > 0 && std::isfinite(along)) || iterations_ - of_smallest > patience;
       }
+      const double expected = along;
       multiply(x, q);
       for (Eigen::Index i = 0; i < size_; ++i) r[i] = b[i] - q[i];
-      const double last = residual_;
-      residual_ = std::sqrt(dot(r, r)) / size_of_b;
-      if (!falls || iterations_ >= most || residual_ <= options_.tolerance || !(residual_ < last / 2))
-        return residual_ <= options_.tolerance || (residual_ <= 1e-6 && iterations_ < most);
+      near_a_.solve(a_, r, z);
+      along = dot(r, z);
+      if (left == unknown) left = gained.has_any() ? gained.recent() : left_before;
+      left = along == 0 ? 0 : left * std::max(1.0, along / expected);
+      residual_ = largest_residual(r, b, x);
+      error_ = gained.all() > 0 ? std::sqrt(left / gained.all()) : 1;
+      has_converged_ = error_ <= options_.tolerance && residual_ <= options_.tolerance;
+      if (has_converged_ || iterations_ >= most || !(along < first / 4 || residual_ < residual_before / 2)) break;
     }
+    has_converged_ |= residual_ <= 1e-14 && error_ <= 1e-6;
   }
 };
 

@@ -22,7 +22,9 @@ struct constrained_result {
 /// K itself may be singular, as the Laplacian of a mesh without boundary values is, if C determines what K does not.
 /// Needs:  K: symmetric, n x n, both triangles; C: m x n, any rank. solver: a SparseSolver for symmetric indefinite matrices; ldlt and others
 ///         that read one triangle will do, but ldlt does not exchange pivots and so fails on some systems that lu, the default, solves.
-/// Result: x, the multipliers, and how many constraints were redundant.
+/// Result: x, the multipliers, and how many constraints were redundant: those whose row depends on the rows before it up to rounding errors, some
+///         1e-15 of its largest entry, in any units of rows; and whose right side then agrees with theirs up to 1e-9 of the numbers it is made of.
+///         Rows that differ by a little more are constraints, and lose as many digits as they have in common.
 /// Cost:   one factorisation of n + m unknowns, and an elimination of C with its fill.
 /// Errors: solver_error if a constraint contradicts those before it (its row is named), if K and C leave x undetermined, or if something is not
 ///         finite or of the wrong size.
@@ -42,25 +44,30 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
                                         static_cast<std::size_t>(k.cols())});
   detail::check_entries(who, c);
   detail::check_right_hand_side(who, d, c.rows());
-  const std::vector<int> kept = detail::independent_rows(who, c, d);
+  const detail::row_space space = detail::independent_rows(who, c, d);
+  const std::vector<int>& kept = space.independent;
   const auto n = static_cast<int>(k.cols()), m = static_cast<int>(kept.size());
   std::vector<int> place(static_cast<std::size_t>(c.rows()), -1);
   Eigen::VectorXd right(n + m);
   right.head(n) = b;
   for (int i = 0; i < m; ++i) {
     place[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])] = n + i;
-    right[n + i] = d[kept[static_cast<std::size_t>(i)]];
+    right[n + i] = space.is_nearly_dependent ? space.reduced[static_cast<std::size_t>(i)].value : d[kept[static_cast<std::size_t>(i)]];
   }
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(static_cast<std::size_t>(k.nonZeros() + 2 * c.nonZeros()));
+  const auto couple = [&](int row, int column, double value) {
+    entries.emplace_back(row, column, value);
+    entries.emplace_back(column, row, value);
+  };
   for (int column = 0; column < n; ++column) {
     for (Eigen::SparseMatrix<double>::InnerIterator it(k, column); it; ++it) entries.emplace_back(static_cast<int>(it.row()), column, it.value());
     for (Eigen::SparseMatrix<double>::InnerIterator it(c, column); it; ++it)
-      if (const int row = place[static_cast<std::size_t>(it.row())]; row >= 0) {
-        entries.emplace_back(row, column, it.value());
-        entries.emplace_back(column, row, it.value());
-      }
+      if (const int row = place[static_cast<std::size_t>(it.row())]; row >= 0 && !space.is_nearly_dependent) couple(row, column, it.value());
   }
+  if (space.is_nearly_dependent)  // as they are, they would lose more digits
+    for (int i = 0; i < m; ++i)
+      for (const auto& [column, value] : space.reduced[static_cast<std::size_t>(i)].entries) couple(n + i, column, value);
   Eigen::SparseMatrix<double> whole(n + m, n + m);
   whole.setFromTriplets(entries.begin(), entries.end());
   try {
@@ -74,7 +81,9 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   constrained_result r;
   r.x = found.head(n);
   r.multipliers = Eigen::VectorXd::Zero(c.rows());
-  for (int i = 0; i < m; ++i) r.multipliers[kept[static_cast<std::size_t>(i)]] = found[n + i];
+  std::vector<double> multipliers(found.data() + n, found.data() + n + m);
+  if (space.is_nearly_dependent) space.multipliers_of_given(multipliers);
+  for (std::size_t i = 0; i < kept.size(); ++i) r.multipliers[kept[i]] = multipliers[i];
   r.redundant = static_cast<std::size_t>(c.rows()) - kept.size();
   return r;
 }

@@ -73,7 +73,9 @@ class ldlt {
   void use_order_of(const ldlt& other) {
     size_ = -1;
     is_analysed_ = false;
-    order_ = other.order_;
+    if (this == &other) return;
+    pattern_.forget();  // in case that there is no memory for the order
+    order_ = detail::elimination_order(other.order_);
     pattern_ = other.pattern_;
   }
 

@@ -5,10 +5,17 @@
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/detail/conditions.hpp>
 #include <concino/solve/detail/equilibrate.hpp>
+#include <concino/solve/qr.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace concino {
 
@@ -21,10 +28,40 @@ template<class S> concept solves_least_squares = requires { requires std::remove
 
 struct least_squares_result {
   Eigen::VectorXd x;
-  double residual = 0;  // |b - A x|, or the root of sum w_i (b - A x)_i^2
+  double residual = 0;   // |b - A x|, or the root of sum w_i (b - A x)_i^2
+  bool used_qr = false;  // by qr, also where another solver lost too many digits
 };
 
 namespace detail {
+
+/// Beyond this the factor of an orthogonal factorisation may be too large.
+inline constexpr Eigen::Index most_unknowns_of_qr = 10'000;
+
+/// Solves the normal equations of j y = b, and for what is left as long as that helps: with a condition number K of j, each correction takes
+/// the error down by K^2 times the rounding unit e, to about K e + K^2 e |r| / |y|, as orthogonal factorisation has it.
+/// Result: whether corrections fell, and so far. Where the first is not small, K^2 e is not, and digits are lost that corrections cannot bring back.
+/// Errors: those of the solver.
+template<class Solver>
+bool solve_normal_equations(const Eigen::SparseMatrix<double>& j, const Eigen::VectorXd& b, Solver& solver, Eigen::VectorXd& y) {
+  const double unit = std::numeric_limits<double>::epsilon();
+  const Eigen::SparseMatrix<double> transposed = j.transpose();
+  const Eigen::SparseMatrix<double> normal = transposed * j;
+  solver.factorize(normal);
+  y = solver.solve(Eigen::VectorXd(transposed * b));
+  double first = 0, last = y.norm();
+  for (int step = 0; step < 12; ++step) {
+    const Eigen::VectorXd r = b - j * y, correction = solver.solve(Eigen::VectorXd(transposed * r));
+    const double size = correction.norm(), whole = y.norm();
+    if (step == 0) first = whole > 0 ? std::max(size / whole, unit) : unit;
+    const double reachable = 64 * (std::sqrt(first * unit) * whole + first * r.norm());
+    if (!(size < last)) return first <= 0.01 && last <= reachable;
+    y += correction;
+    if (size <= unit * whole) break;
+    if (size > last / 4) return first <= 0.01 && size <= reachable;
+    last = size;
+  }
+  return first <= 0.01;
+}
 
 template<class D, class Solver>
 least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> a, Eigen::VectorXd b, const D& given, Solver& solver) {
@@ -36,34 +73,43 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
   b -= a * problem.x;
   const std::vector<double> scale = scale_columns(j);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(j.cols());
+  bool used_qr = false;
   if (j.cols() > 0) {
     if constexpr (requirement::solves_least_squares<Solver>) {
       solver.factorize(j);
       y = solver.solve(b);
+      used_qr = std::same_as<std::remove_cvref_t<Solver>, qr>;
     } else {
-      const Eigen::SparseMatrix<double> transposed = j.transpose();
-      const Eigen::SparseMatrix<double> normal = transposed * j;
-      solver.factorize(normal);
-      Eigen::VectorXd r = b;
-      for (int step = 0; step < 3; ++step) {  // normal equations lose half the digits; solving for what is left brings them back
-        y += solver.solve(Eigen::VectorXd(transposed * r));
-        r = b - j * y;
+      const bool may_use_qr = j.cols() <= most_unknowns_of_qr;
+      try {
+        used_qr = !solve_normal_equations(j, b, solver, y);
+      } catch (const solver_error&) {
+        if (!may_use_qr) throw;
+        used_qr = true;
+      }
+      if (used_qr && !may_use_qr)
+        throw_joined<solver_error>({who, ": the columns of the matrix are nearly dependent, so that normal equations lose too many digits, and ",
+                                    static_cast<std::size_t>(j.cols()), " unknowns are more than qr takes by itself; hand in qr, or give more conditions"});
+      if (used_qr) {
+        qr orthogonal;
+        orthogonal.factorize(j);
+        y = orthogonal.solve(b);
       }
     }
   }
   const double residual = (b - j * y).norm();
-  return {problem.with(scaled(std::move(y), scale)), residual};
+  return {problem.with(scaled(std::move(y), scale)), residual, used_qr};
 }
 
 }  // namespace detail
 
 /// Minimises |A x - b| over all x with x_i = v for the pairs (i, v) of `given`, braces or any container.
 /// Needs:  A: any shape; its columns of unknowns not given are independent. solver: a SparseSolver for positive definite matrices,
-///         which gets the normal equations, columns scaled and the result corrected (Bjorck 1987); or qr, which gets A, for columns that are
-///         nearly dependent.
-/// Result: x, with given values exact, and what is left, |A x - b|.      Cost: one factorisation of A^T A, or of A.
-/// Errors: solver_error if A has entries that are not finite, columns that depend on others, or b another size or entries that are not finite;
-///         invalid_argument if an index is out of range, or a value is not finite, or given twice and differently.
+///         which gets the normal equations, columns scaled and the result corrected until only rounding errors are left (Bjorck 1987); or qr, which
+///         gets A. Where columns are nearly dependent, so that corrections do not fall, qr is used by itself, up to 10,000 unknowns.
+/// Result: x, with given values exact, what is left, |A x - b|, and whether qr was used.      Cost: one factorisation of A^T A, or of A, or both.
+/// Errors: solver_error if A has entries that are not finite, columns that depend on others, or nearly so beyond 10,000 unknowns, or b another size
+///         or entries that are not finite; invalid_argument if an index is out of range, or a value is not finite, or given twice and differently.
 /// Source: Bjorck 1987 (corrected semi-normal equations).
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>

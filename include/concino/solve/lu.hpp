@@ -33,7 +33,8 @@ class lu {
 
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
     size_ = -1;
-    Eigen::SparseMatrix<double> a = matrix;
+    Eigen::SparseMatrix<double> a;
+    a = matrix;  // Eigen's copy constructor leaks where memory runs out
     a.makeCompressed();
     detail::check_square("lu", a);
     detail::check_entries("lu", a);

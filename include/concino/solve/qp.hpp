@@ -20,7 +20,7 @@ namespace concino {
 /// Source: Stellato, Banjac, Goulart, Bemporad, Boyd 2020, "OSQP: an operator splitting solver for quadratic programs"; paper section 4.
 inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::VectorXd& g, const Eigen::SparseMatrix<double>& a,
                           const Eigen::VectorXd& low, const Eigen::VectorXd& high, const qp_options& options = {}) {
-  const auto refuse = [](const char* what) { throw invalid_argument(std::string("quadratic program: ") + what); };
+  const auto refuse = [](const char* what) { detail::throw_joined<invalid_argument>({"quadratic program: ", what}); };
   const auto finite = [](const Eigen::SparseMatrix<double>& m) {
     for (int c = 0; c < m.outerSize(); ++c)
       for (Eigen::SparseMatrix<double>::InnerIterator it(m, c); it; ++it)

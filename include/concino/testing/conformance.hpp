@@ -9,11 +9,13 @@
 //   KIT6  what was removed is gone, what was added is there, and no other element is renamed; editing throws nothing on sound arguments
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/testing/detail/edit_checks.hpp>
 #include <concino/testing/detail/oracle.hpp>
 #include <concino/testing/detail/range_checks.hpp>
 #include <concino/validate/check_laws.hpp>
 
+#include <new>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -36,12 +38,13 @@ struct conformance_report {
   /// A page for people.
   std::string text() const {
     std::string s = "models:";
-    for (const std::string& c : models) s += " " + c;
+    for (const std::string& c : models) s += concino::detail::joined({" ", c});
     s += "\nlooked at:";
-    for (std::size_t i = 0; i < states.size(); ++i) s += (i ? ", " : " ") + states[i];
+    for (std::size_t i = 0; i < states.size(); ++i) s += concino::detail::joined({i ? ", " : " ", states[i]});
     s += "\n";
     if (ok()) s += "all laws hold\n";
-    for (const finding& f : findings) s += f.law + ", " + f.state + ": " + f.what + (f.witness.empty() ? "" : " [" + f.witness + "]") + "\n";
+    for (const finding& f : findings) s += concino::detail::joined({f.law, ", ", f.state, ": ", f.what, f.witness.empty() ? "" : " [", f.witness,
+                                                        f.witness.empty() ? "" : "]", "\n"});
     return s;
   }
 };
@@ -90,8 +93,10 @@ void check_state(const M& m, const std::string& state, bool algorithms, conforma
     concino::detail::law_log log;
     try {
       check(log);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& e) {
-      log.add(law, std::string("throws: ") + e.what(), "");
+      log.add(law, concino::detail::joined({"throws: ", e.what()}), "");
     }
     return keep(log.take());
   };
@@ -108,7 +113,7 @@ void check_state(const M& m, const std::string& state, bool algorithms, conforma
 /// Result: what was looked at and what was found; report.text() says it in words. As made, and, where the traits offer add_vert, add_poly,
 ///         remove_poly or remove_vert, in the states that these lead to, and in those of the options.
 /// Cost:   some tens of walks over the mesh, and make() once a state; a mesh of a few hundred elements finds what one of a million does.
-/// Errors: none; what the mesh throws is a finding. What make() throws passes.
+/// Errors: std::bad_alloc passes, and so does what make() throws. All else that the mesh throws is a finding.
 template<class Make, class M = std::remove_cvref_t<std::invoke_result_t<const Make&>>>
   requires PrimalGraph<M> || DualGraph<M>
 conformance_report conformance(const Make& make, const conformance_options<M>& options = {}) {
@@ -117,7 +122,7 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
   for (const kit::named_concept& c : kit::forms<M>()) {
     if (c.in_any_form) report.models.push_back(c.name);
     if (c.in_any_form != c.in_all_forms)
-      report.findings.push_back({"KIT1", "as made", std::string(c.name) + " holds for some of M, const M, M& and const M&, not for all", ""});
+      report.findings.push_back({"KIT1", "as made", concino::detail::joined({c.name, " holds for some of M, const M, M& and const M&, not for all"}), ""});
   }
   {
     const M m = make();
@@ -130,8 +135,10 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
     concino::detail::law_log log;
     try {
       edit(m, log);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& e) {
-      log.add("KIT6", std::string("editing throws: ") + e.what(), "");
+      log.add("KIT6", concino::detail::joined({"editing throws: ", e.what()}), "");
     }
     for (const broken_law& b : log.take()) report.findings.push_back({b.law, state, b.what, b.witness});
     kit::check_state(m, state, options.algorithms, report);

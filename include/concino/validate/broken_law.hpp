@@ -29,6 +29,7 @@ class law_log {
     for (const broken_law& b : found_) n += b.law == law;
     return n;
   }
+  bool empty() const { return found_.empty(); }
   bool full(const char* law) const { return count(law) >= per_law; }
   void add(const char* law, std::string what, std::string witness) {
     if (!full(law)) found_.push_back({law, std::move(what), std::move(witness)});

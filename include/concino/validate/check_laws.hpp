@@ -1,10 +1,15 @@
 // check_laws: does a mesh keep what its concepts promise beyond what the compiler sees? For the tests of anybody's mesh or adapter.
 #pragma once
 
+#include <concino/detail/message.hpp>
+#include <concino/validate/detail/halfedge_laws.hpp>
+#include <concino/validate/detail/hex_orders.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/validate/surface_laws.hpp>
 #include <concino/validate/volume_laws.hpp>
 
 #include <cmath>
+#include <new>
 
 namespace concino {
 
@@ -17,11 +22,25 @@ void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) 
       const auto& x = point(m, vs.items[v]);
       if (!std::isfinite(static_cast<double>(x[0])) || !std::isfinite(static_cast<double>(x[1])) ||
           !std::isfinite(static_cast<double>(x[2])))
-        log.add("EM1", "point(" + vs.name(v) + ") is not three finite numbers", vs.name(v));
+        log.add("EM1", detail::joined({"point(", vs.name(v), ") is not three finite numbers"}), vs.name(v));
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& e) {
-      log.add("EM1", "point(" + vs.name(v) + ") throws: " + e.what(), vs.name(v));
+      log.add("EM1", detail::joined({"point(", vs.name(v), ") throws: ", e.what()}), vs.name(v));
     }
   }
+}
+
+/// A few hexes may look like anything; where all of them look like lexicographic order, their lists are in that order.
+template<HexMesh M>
+void check_corner_order(const M& m, law_log& log) {
+  hex_order_checks order_of;
+  hex_order order = hex_order::standard;
+  for (const poly_t<M> p : polys(m)) {
+    order = order_of(m, p);
+    if (!is_lexicographic(order)) return;
+  }
+  if (is_lexicographic(order)) log.add("EM2", joined({"the corners of all hexes look like ", hex_order_remedy(order)}), "");
 }
 
 }  // namespace detail
@@ -30,20 +49,27 @@ void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) 
 /// Needs:  PrimalGraph or DualGraph M; AnyMesh and Embedded are checked where M models them.
 /// Result: at most four witnesses per law, in the order of the concepts. Meshes that answer nonsense (indices out of bounds, one-sided
 ///         adjacency, endless walks, exceptions) are described, not believed: nothing is asked about an element that the walks do not meet.
-///         Where the indices of a kind of elements are at fault (PG1, DG1, SM1, VM1), repair these first: what follows from them is not
-///         told.
-/// Cost:   O(elements + adjacencies) time and memory.
-/// Errors: none; what the mesh throws is told as a broken law.
+///         Where the indices of a kind of elements are at fault (PG1, DG1, SM1, VM1), or the links of half-edges (HE1 .. HE4), repair these
+///         first: what follows from them is not told.
+/// Cost:   O(elements + adjacencies) time and memory, adjacencies as the mesh lists them: n equal triangles have n^2 neighbours.
+/// Errors: std::bad_alloc passes. All else that the mesh throws is told as a broken law.
 template<class M>
   requires PrimalGraph<M> || DualGraph<M>
 std::vector<broken_law> check_laws(const M& m) {
   detail::law_log log;
+  if constexpr (detail::halfedge_mesh<M>) {
+    detail::law_log elements;  // checked again below, with what depends on them
+    detail::halfedge_laws<M> laws(m, log);
+    if (laws.read_elements_of_mesh(elements) && !laws.check()) return log.take();
+  }
   if constexpr (AnyMesh<M>) {
     const auto primal = detail::check_primal_graph(m, log);
     const auto dual = detail::check_dual_graph(m, log);
     if constexpr (SurfaceMesh<M>) detail::check_surface_mesh(m, primal, dual, log);
     else detail::check_volume_mesh(m, primal, dual, log);
     if constexpr (Embedded<M>) detail::check_points(m, primal.nodes, log);
+    if constexpr (Embedded<M> && HexMesh<M>)
+      if (log.empty()) detail::check_corner_order(m, log);
   } else {
     if constexpr (PrimalGraph<M>) {
       [[maybe_unused]] const auto primal = detail::check_primal_graph(m, log);
@@ -53,5 +79,8 @@ std::vector<broken_law> check_laws(const M& m) {
   }
   return log.take();
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void check_laws(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/detail/message.hpp>
 
 #include <array>
 #include <cstddef>
@@ -17,6 +18,7 @@ namespace concino {
 
 enum class defect_kind : std::uint8_t {
   non_finite_point,      ///< a vert whose coordinates are not three finite numbers
+  corner_order,          ///< a hex of a HexMesh whose corners look like another order than the standard one, see hex_order
   isolated_vert,         ///< a vert of no poly
   unreferenced_face,     ///< volumes: a face of no poly
   degenerate_element,    ///< an edge from a vert to itself; a polygon with a vert twice or less than three; a polyhedron of less than four faces
@@ -27,17 +29,17 @@ enum class defect_kind : std::uint8_t {
   inconsistent_winding,  ///< two polygons run their edge in the same sense, or a face turns the same side to both its polyhedra
   not_orientable,        ///< connected polys that cannot be wound consistently (then their windings are not told one by one)
   open_cell,             ///< volumes: a poly with an edge that lies in only one of its faces
-  inverted_cell,         ///< volumes: a poly of negative volume
+  inverted_cell,         ///< volumes: a poly of negative volume; where all are, tet_order::mirrored or hex_order::mirrored reads them
   zero_size,             ///< an edge without length, a polygon without area, a polyhedron without volume
   self_touching,         ///< a polygon whose boundary meets itself
   non_planar             ///< a polygon whose verts lie far off its plane
 };
-inline constexpr std::size_t num_defect_kinds = 15;
+inline constexpr std::size_t num_defect_kinds = 16;
 
 /// A few words for a kind, such as "non-manifold edge".
 constexpr const char* defect_name(defect_kind kind) {
   constexpr std::array<const char*, num_defect_kinds> names = {
-      "non-finite point",  "isolated vert",        "unreferenced face", "degenerate element", "duplicated element",
+      "non-finite point",  "corner order",      "isolated vert",        "unreferenced face", "degenerate element", "duplicated element",
       "non-manifold face", "non-manifold edge",    "non-manifold vert", "inconsistent winding", "not orientable",
       "open cell",         "inverted cell",        "zero size",         "self-touching polygon", "non-planar polygon"};
   return names[static_cast<std::size_t>(kind)];
@@ -96,16 +98,17 @@ struct mesh_facts {
   std::optional<std::size_t> genus;     ///< sum over the components; of volumes, of the boundary. None if not manifold and orientable.
 };
 
-/// The defects, sorted by kind: `for (auto& defect : report)`.
+/// The defects, sorted by kind: `for (auto& defect : report)`; all in words: report.text().
 template<class M>
 class validation_report {
  public:
   mesh_facts facts;
+  std::vector<defect<M>> defects;  ///< records, of each kind as many as validate_options allows
 
-  auto begin() const { return records_.begin(); }
-  auto end() const { return records_.end(); }
-  std::size_t size() const { return records_.size(); }
-  const defect<M>& operator[](std::size_t i) const { return records_[i]; }
+  auto begin() const { return defects.begin(); }
+  auto end() const { return defects.end(); }
+  std::size_t size() const { return defects.size(); }
+  const defect<M>& operator[](std::size_t i) const { return defects[i]; }
 
   /// How many defects there are of one kind, and of all, those without a record included.
   std::size_t count(defect_kind kind) const { return counts_[static_cast<std::size_t>(kind)]; }
@@ -117,24 +120,40 @@ class validation_report {
   /// Nothing was found.
   bool clean() const { return count() == 0; }
 
+  /// A page for people: a line for each defect that has a record, and for each kind the number of those that have none.
+  std::string text() const {
+    if (clean()) return "no defects\n";
+    std::string s = detail::joined({count(), count() == 1 ? " defect\n" : " defects\n"});
+    for (std::size_t k = 0; k < num_defect_kinds; ++k) {
+      const char* const name = defect_name(static_cast<defect_kind>(k));
+      std::size_t rest = counts_[k];
+      for (const defect<M>& d : defects) {
+        if (static_cast<std::size_t>(d.kind) != k) continue;
+        s.append(detail::joined({name, ": ", d.what, '\n'}));
+        --rest;
+      }
+      if (rest > 0) s.append(detail::joined({name, ": ", rest, " more\n"}));
+    }
+    return s;
+  }
+
   /// Counts a defect; keeps its record if there are less than `most` of this kind.   Result: the record to fill in, or null.
   defect<M>* add(defect_kind kind, const mesh_element<M>& element, std::size_t most) {
     if (counts_[static_cast<std::size_t>(kind)]++ >= most) return nullptr;
-    records_.push_back({kind, element, {}, {}});
-    return &records_.back();
+    defects.push_back({kind, element, {}, {}});
+    return &defects.back();
   }
   /// Records of one kind beside one another, each kind in the order in which it was found.
   void sort() {
     std::vector<defect<M>> sorted;
-    sorted.reserve(records_.size());
+    sorted.reserve(defects.size());
     for (std::size_t k = 0; k < num_defect_kinds; ++k)
-      for (defect<M>& d : records_)
+      for (defect<M>& d : defects)
         if (static_cast<std::size_t>(d.kind) == k) sorted.push_back(std::move(d));
-    records_ = std::move(sorted);
+    defects = std::move(sorted);
   }
 
  private:
-  std::vector<defect<M>> records_;
   std::array<std::size_t, num_defect_kinds> counts_{};
 };
 

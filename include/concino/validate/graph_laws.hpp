@@ -1,6 +1,7 @@
 // The laws of PrimalGraph (PG1 .. PG4) and DualGraph (DG1 .. DG4).
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/validate/law_tables.hpp>
 
 namespace concino::detail {
@@ -19,14 +20,14 @@ void check_graph(const graph_tables<D>& g, const char* symmetry, const char* loo
       g.next, transposed(g.next, n.size()), n.size(),
       [&](position a, position b) {
         log.add(symmetry,
-                verb + ("(" + n.name(a)) + ") holds " + n.name(b) + ", but " + verb + "(" + n.name(b) + ") does not hold " + n.name(a),
-                n.name(a) + " " + n.name(b));
+                joined({verb, "(", n.name(a), ") holds ", n.name(b), ", but ", verb, "(", n.name(b), ") does not hold ", n.name(a)}),
+                joined({n.name(a), " ", n.name(b)}));
         return !log.full(symmetry);
       },
       [](position, position) { return true; });  // the same pair from the other side
   for (position a = 0; a < g.next.size() && !log.full(loops); ++a)
     for (const position b : g.next[a])
-      if (a == b) log.add(loops, verb + ("(" + g.nodes.name(a)) + ") holds " + g.nodes.name(a) + " itself", g.nodes.name(a));
+      if (a == b) log.add(loops, joined({verb, "(", g.nodes.name(a), ") holds ", g.nodes.name(a), " itself"}), g.nodes.name(a));
 }
 
 template<PrimalGraph M>

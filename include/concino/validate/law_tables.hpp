@@ -3,11 +3,13 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/detail/message.hpp>
 #include <concino/validate/broken_law.hpp>
 
 #include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -26,9 +28,9 @@ struct element_table {
   bool sound = true;               // nothing was left out
 
   position size() const { return static_cast<position>(items.size()); }
-  std::string name(position i) const { return letter + std::to_string(index[i]); }
+  std::string name(position i) const { return joined({letter, index[i]}); }
   std::string kind() const { return letter == 'v' ? "vert" : letter == 'e' ? "edge" : letter == 'f' ? "face" : "poly"; }
-  std::string index_bound() const { return kind() + "_index_bound"; }
+  std::string index_bound() const { return joined({kind(), "_index_bound"}); }
 
   template<class M>
   position find(const M& m, const D& x) const {
@@ -48,13 +50,15 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
   try {
     num = num_of(m);
     bound = bound_of(m);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
-    log.add(indices, "num_" + kind + "s or " + t.index_bound() + " throws: " + e.what(), "");
+    log.add(indices, joined({"num_", kind, "s or ", t.index_bound(), " throws: ", e.what()}), "");
     t.sound = false;
     return t;
   }
   const auto fault = [&](const char* law, std::string what, std::size_t i) {
-    log.add(law, std::move(what), letter + std::to_string(i));
+    log.add(law, std::move(what), joined({letter, i}));
     t.sound = false;
     ++faults;
   };
@@ -66,32 +70,30 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
       const D x = *it;
       const std::size_t i = index_of(m, x);
       if (i >= bound) {
-        fault(indices, "index_of gives " + std::to_string(i) + ", which is not below " + t.index_bound() + ", " + std::to_string(bound), i);
+        fault(indices, joined({"index_of gives ", i, ", which is not below ", t.index_bound(), ", ", bound}), i);
       } else if (i / 1024 > walked + 65536) {
         fault(indices,
-              "index_of gives " + std::to_string(i) + " for one of the first " + std::to_string(walked + 1) + " " + kind +
-                  "s: too sparse for arrays",
+              joined({"index_of gives ", i, " for one of the first ", walked + 1, " ", kind, "s: too sparse for arrays"}),
               i);
       } else if (i < t.slot.size() && t.slot[i] != no_position) {
         const bool again = t.items[t.slot[i]] == x;
         fault(again ? counting : indices,
-              again ? "walking the " + kind + "s meets this one twice"
-                    : "index_of gives " + std::to_string(i) + " for two different " + kind + "s",
+              again ? joined({"walking the ", kind, "s meets this one twice"})
+                    : joined({"index_of gives ", i, " for two different ", kind, "s"}),
               i);
       } else {
         if (i >= t.slot.size()) t.slot.resize(std::max(i + 1, std::min(bound, 2 * t.slot.size())), no_position);
-        t.slot[i] = t.size();
         t.items.push_back(x);
         t.index.push_back(i);
+        t.slot[i] = t.size() - 1;  // last: a slot names an item that is there, even where copying x throws
         if constexpr (requires { traits<M>::contains(m, x); })
-          if (!traits<M>::contains(m, x)) fault(counting, "contains denies a " + kind + " that the walk meets", i);
+          if (!traits<M>::contains(m, x)) fault(counting, joined({"contains denies a ", kind, " that the walk meets"}), i);
       }
     }
     const bool ended = !(it != range.end());
     if (walked != num && faults == 0)
       log.add(counting,
-              "walking the " + kind + "s meets " + std::to_string(walked) + (ended ? "" : " or more") + ", but num_" + kind + "s is " +
-                  std::to_string(num),
+              joined({"walking the ", kind, "s meets ", walked, ended ? "" : " or more", ", but num_", kind, "s is ", num}),
               "");
     if (!ended) t.sound = false;
     // Ranges are multi-pass, and keep their order while the mesh does not change.
@@ -101,9 +103,11 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
       for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
         same = i < t.size() && t.items[i] == static_cast<D>(*again);
     if (t.sound && (!same || i != t.size()))
-      log.add(counting, "walking the " + kind + "s a second time meets others than the first time", "");
+      log.add(counting, joined({"walking the ", kind, "s a second time meets others than the first time"}), "");
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
-    log.add(counting, "walking the " + kind + "s throws: " + e.what(), "");
+    log.add(counting, joined({"walking the ", kind, "s throws: ", e.what()}), "");
     t.sound = false;
   }
   return t;
@@ -127,7 +131,7 @@ rings read_rings(const M& m, const element_table<A>& from, const element_table<B
   r.offsets.reserve(from.items.size() + 1);
   std::vector<position> seen(to.items.size(), no_position);
   for (position a = 0; a < from.size(); ++a) {
-    const auto call = [&] { return verb + ("(" + from.name(a)) + ")"; };
+    const auto call = [&] { return joined({verb, "(", from.name(a), ")"}); };
     try {
       auto&& ring = ring_of(m, from.items[a]);
       std::size_t faults = 0;  // an endless ring has many
@@ -140,10 +144,10 @@ rings read_rings(const M& m, const element_table<A>& from, const element_table<B
           continue;
         }
         if (faults++ > 0) continue;  // one witness per ring
-        if (b != no_position) log.add(law, call() + " holds " + to.name(b) + " twice", from.name(a) + " " + to.name(b));
+        if (b != no_position) log.add(law, joined({call(), " holds ", to.name(b), " twice"}), joined({from.name(a), " ", to.name(b)}));
         else if (to.sound)  // else it may be one that was left out of the table and has been reported
-          log.add(law, call() + " holds something that is not a " + to.kind() + " of the mesh",
-                  from.name(a) + " " + to.letter + std::to_string(index_of(m, x)));
+          log.add(law, joined({call(), " holds something that is not a ", to.kind(), " of the mesh"}),
+                  joined({from.name(a), " ", to.letter, index_of(m, x)}));
       }
       if (faults == 0) {
         std::size_t i = r.offsets.back();
@@ -151,10 +155,12 @@ rings read_rings(const M& m, const element_table<A>& from, const element_table<B
         for (auto it = ring.begin(); same && it != ring.end(); ++it, ++i)
           same = i < r.items.size() && to.items[r.items[i]] == static_cast<B>(*it);
         if (!same || i != r.items.size())
-          log.add(law, "walking " + call() + " a second time meets others than the first time", from.name(a));
+          log.add(law, joined({"walking ", call(), " a second time meets others than the first time"}), from.name(a));
       }
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& e) {
-      log.add(law, call() + " throws: " + e.what(), from.name(a));
+      log.add(law, joined({call(), " throws: ", e.what()}), from.name(a));
     }
     r.close();
   }
@@ -203,7 +209,7 @@ template<class A, class B>
 void check_mirror(const element_table<A>& as, const element_table<B>& bs, const rings& ab, const rings& ba, const char* law,
                   const char* a2b, const char* b2a, law_log& log) {
   const auto one_sided = [&](const std::string& x, const std::string& y, const char* x2y, const char* y2x) {
-    log.add(law, x2y + ("(" + x) + ") holds " + y + ", but " + y2x + "(" + y + ") does not hold " + x, x + " " + y);
+    log.add(law, joined({x2y, "(", x, ") holds ", y, ", but ", y2x, "(", y, ") does not hold ", x}), joined({x, " ", y}));
     return !log.full(law);
   };
   compare_sets(
@@ -218,11 +224,11 @@ void check_same(const element_table<A>& as, const element_table<B>& bs, const ri
   compare_sets(
       given, expected, bs.size(),
       [&](position a, position b) {
-        log.add(law, verb + ("(" + as.name(a)) + ") holds " + bs.name(b) + ", which is not " + rule, as.name(a) + " " + bs.name(b));
+        log.add(law, joined({verb, "(", as.name(a), ") holds ", bs.name(b), ", which is not ", rule}), joined({as.name(a), " ", bs.name(b)}));
         return !log.full(law);
       },
       [&](position a, position b) {
-        log.add(law, verb + ("(" + as.name(a)) + ") lacks " + bs.name(b) + ", which is " + rule, as.name(a) + " " + bs.name(b));
+        log.add(law, joined({verb, "(", as.name(a), ") lacks ", bs.name(b), ", which is ", rule}), joined({as.name(a), " ", bs.name(b)}));
         return !log.full(law);
       });
 }

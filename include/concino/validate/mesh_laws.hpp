@@ -1,6 +1,7 @@
 // The laws that surfaces and volumes share: edges (SM1, SM2), closed walks around polygons, and neighbours across a side.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/validate/graph_laws.hpp>
 
 #include <cstdint>
@@ -20,7 +21,7 @@ edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, la
   t.e2v = read_rings(m, t.edges, vs, adj_e2v, "SM2", "adj_e2v", log);
   t.v2e = read_rings(m, vs, t.edges, adj_v2e, "SM2", "adj_v2e", log);
   for (position e = 0; e < t.edges.size() && !log.full("SM2"); ++e)
-    if (t.e2v[e].size() != 2 && vs.sound) log.add("SM2", "adj_e2v(" + t.edges.name(e) + ") is not two different verts", t.edges.name(e));
+    if (t.e2v[e].size() != 2 && vs.sound) log.add("SM2", joined({"adj_e2v(", t.edges.name(e), ") is not two different verts"}), t.edges.name(e));
   check_mirror(t.edges, vs, t.e2v, t.v2e, "SM2", "adj_e2v", "adj_v2e", log);
   rings far;
   for (position v = 0; v < vs.size(); ++v) {
@@ -51,11 +52,11 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
       at[ring[i]] = i;
       owner[ring[i]] = a;
     }
-    const std::string args = "(" + polygons.name(a) + ")";
+    const std::string args = joined({"(", polygons.name(a), ")"});
     if (edges_of[a].size() != n && vs.sound && es.sound)
       log.add(
           law,
-          a2e + args + " has " + std::to_string(edges_of[a].size()) + " edges, but " + a2v + args + " has " + std::to_string(n) + " verts",
+          joined({a2e, args, " has ", edges_of[a].size(), " edges, but ", a2v, args, " has ", n, " verts"}),
           polygons.name(a));
     for (std::size_t k = edges_of.offsets[a]; k < edges_of.offsets[a + std::size_t{1}]; ++k) {
       const position e = edges_of.items[k];
@@ -77,14 +78,14 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
         }
       }
       if (!on_rim && vs.sound)
-        log.add(law, a2e + args + " holds " + es.name(e) + ", whose ends do not follow one another in " + a2v + args,
-                polygons.name(a) + " " + es.name(e));
+        log.add(law, joined({a2e, args, " holds ", es.name(e), ", whose ends do not follow one another in ", a2v, args}),
+                joined({polygons.name(a), " ", es.name(e)}));
     }
     for (position i = 0; i < n && es.sound; ++i)
       if (walked[ring[i]] != a) {
         const std::string here = vs.name(ring[i]), next = vs.name(ring[(i + 1) % n]);
-        log.add(law, a2v + args + " goes from " + here + " to " + next + ", which are not the ends of one of " + a2e + args,
-                polygons.name(a) + " " + here + " " + next);
+        log.add(law, joined({a2v, args, " goes from ", here, " to ", next, ", which are not the ends of one of ", a2e, args}),
+                joined({polygons.name(a), " ", here, " ", next}));
       }
   }
   return senses;
@@ -107,14 +108,14 @@ void check_neighbours(const element_table<P>& ps, const element_table<S>& sides,
         expected[q] = p;
         good = given[q] == p;
         if (!good)
-          log.add(law, "adj_p2p(" + ps.name(p) + ") lacks " + ps.name(q) + ", across " + sides.name(s),
-                  ps.name(p) + " " + ps.name(q) + " " + sides.name(s));
+          log.add(law, joined({"adj_p2p(", ps.name(p), ") lacks ", ps.name(q), ", across ", sides.name(s)}),
+                  joined({ps.name(p), " ", ps.name(q), " ", sides.name(s)}));
       }
     for (const position q : p2p[p]) {
       if (good && q != p && expected[q] != p) {
         good = false;
-        log.add(law, "adj_p2p(" + ps.name(p) + ") holds " + ps.name(q) + ", but they share not even " + side,
-                ps.name(p) + " " + ps.name(q));
+        log.add(law, joined({"adj_p2p(", ps.name(p), ") holds ", ps.name(q), ", but they share not even ", side}),
+                joined({ps.name(p), " ", ps.name(q)}));
       }
     }
   }
@@ -132,11 +133,11 @@ void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs
       if (i >= corners.size() || j >= corners.size() || ends.size() != 2) continue;  // reported elsewhere
       const position a = corners[i], b = corners[j];
       if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) continue;
-      const std::string arg = "(" + ps.name(p) + ")";
+      const std::string arg = joined({"(", ps.name(p), ")"});
       log.add(law,
-              "adj_p2e" + arg + " has " + es.name(sides[k]) + " where the type promises, by edges_in_order, the edge from " + vs.name(a) + " to " + vs.name(b) +
-                  " of adj_p2v" + arg,
-              ps.name(p) + " " + es.name(sides[k]));
+              joined({"adj_p2e", arg, " has ", es.name(sides[k]), " where the type promises, by edges_in_order, the edge from ", vs.name(a), " to ",
+                      vs.name(b), " of adj_p2v", arg}),
+              joined({ps.name(p), " ", es.name(sides[k])}));
     }
   }
 }

@@ -1,6 +1,7 @@
 // The laws of SurfaceMesh (SM1 .. SM7).
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/validate/mesh_laws.hpp>
 
 namespace concino::detail {
@@ -26,8 +27,7 @@ void check_surface_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const
     for (position p = 0; p < ps.size() && !log.full("SM6"); ++p)
       if (p2v[p].size() != static_cast<std::size_t>(arity_v<M>) && vs.sound)
         log.add("SM6",
-                "adj_p2v(" + ps.name(p) + ") has " + std::to_string(p2v[p].size()) + " verts, but the arity of the type is " +
-                    std::to_string(arity_v<M>),
+                joined({"adj_p2v(", ps.name(p), ") has ", p2v[p].size(), " verts, but the arity of the type is ", arity_v<M>}),
                 ps.name(p));
   }
   if constexpr (requirement::promises_edges_in_order<M>)

@@ -1,6 +1,8 @@
 // validate: what is wrong with a mesh, said in typed records and in sentences. Never an exception for a bad mesh.
 #pragma once
 
+#include <concino/detail/message.hpp>
+#include <concino/detail/mistakes.hpp>
 #include <concino/validate/detail/duplicates.hpp>
 #include <concino/validate/detail/geometry_checks.hpp>
 #include <concino/validate/detail/volume_checks.hpp>
@@ -11,7 +13,7 @@ namespace detail {
 
 inline void check_options(const validate_options& options) {
   const auto at_least_zero = [](double x, const char* name) {
-    if (!(x >= 0)) throw invalid_argument(std::string("validate: ") + name + " is " + number_text(x) + "; it must be 0 or more");
+    if (!(x >= 0)) detail::throw_joined<invalid_argument>({"validate: ", name, " is ", number_text(x), "; it must be 0 or more"});
   };
   at_least_zero(options.length_tolerance, "length_tolerance");
   at_least_zero(options.size_tolerance, "size_tolerance");
@@ -22,7 +24,7 @@ template<class X, class M, class R, class Ring>
 void check_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, defect_log<M>& log) {
   find_duplicates<X>(m, all, count, ring, [&](const X& x, const X& earlier) {
     if (defect<M>* d = log.add(defect_kind::duplicated_element, x)) {
-      d->what = log.name(x) + " has the same verts as " + log.name(earlier);
+      d->what = detail::joined({log.name(x), " has the same verts as ", log.name(earlier)});
       d->others.push_back(earlier);
     }
   });
@@ -37,8 +39,8 @@ void check_duplicates(const M& m, const R& all, std::size_t count, const Ring& r
 ///         edges when their ends are equal, areas and volumes when moving the coordinates by their rounding errors could make them
 ///         0; larger tolerances are options. Polygons of more than three verts are looked at along their vector area.
 ///         Nothing depends on the scale of the mesh, up to the largest and smallest numbers there are.
-/// Cost:   O(elements + adjacencies) time and memory, where the verbs of m cost no more than they give (polygons of n verts: O(n log n), at
-///         worst O(n^2), to see if they touch themselves; polyhedralmesh looks for a face among all faces of its poly).
+/// Cost:   O(elements + adjacencies) time and memory, where the verbs of m cost no more than they give; polygons of n verts O(n log n), to
+///         see if they touch themselves.
 /// Errors: invalid_argument if a tolerance is negative or not a number; cancelled. None for whatever is wrong with the mesh.
 /// Source: Tarjan 1975 for fans, components and windings; the definitions of manifolds are those of Hoffmann 1989, "Geometric and Solid Modeling".
 template<AnyMesh M>
@@ -60,5 +62,8 @@ validation_report<M> validate(const M& m, const validate_options& options = {}) 
   detail::tell(options.progress, 1, "validate");
   return report;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void validate(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

@@ -1,9 +1,11 @@
 // The laws of VolumeMesh (VM1 .. VM8).
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/validate/mesh_laws.hpp>
 
 #include <array>
+#include <new>
 
 namespace concino::detail {
 
@@ -52,8 +54,8 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
     }
     if (!good && vs.sound)
       log.add("VM7",
-              "adj_p2v(" + ps.name(p) + ") is not the standard order of a " + (Arity == 4 ? "tet" : "hex") +
-                  " with the faces adj_p2f gives, turned outward",
+              joined({"adj_p2v(", ps.name(p), ") is not the standard order of a ", Arity == 4 ? "tet" : "hex",
+                      " with the faces adj_p2f gives, turned outward"}),
               ps.name(p));
   }
 }
@@ -87,9 +89,9 @@ void check_winding(const element_table<P>& ps, const element_table<E>& es, const
       if (good && at[e].sum != 0) {
         good = false;
         log.add("VM6",
-                "the two faces of " + ps.name(p) + " at " + es.name(e) +
-                    ", turned outward as face_is_outward says, run along it in the same sense",
-                ps.name(p) + " " + es.name(e));
+                joined({"the two faces of ", ps.name(p), " at ", es.name(e),
+                        ", turned outward as face_is_outward says, run along it in the same sense"}),
+                joined({ps.name(p), " ", es.name(e)}));
       }
     });
   }
@@ -133,8 +135,10 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
     for (std::size_t k = p2f.offsets[p]; k < p2f.offsets[p + std::size_t{1}]; ++k) {
       try {
         outward[k] = face_is_outward(m, ps.items[p], fs.items[p2f.items[k]]);
+      } catch (const std::bad_alloc&) {
+        throw;
       } catch (const std::exception& e) {
-        log.add("VM6", "face_is_outward throws: " + std::string(e.what()), ps.name(p) + " " + fs.name(p2f.items[k]));
+        log.add("VM6", joined({"face_is_outward throws: ", e.what()}), joined({ps.name(p), " ", fs.name(p2f.items[k])}));
       }
     }
   check_winding(ps, es, p2f, f2e, senses, outward, log);

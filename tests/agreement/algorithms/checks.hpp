@@ -36,10 +36,14 @@ struct defects {
   static bool check(const B& both, const In&) {
     const auto expected = validate(both.native);
     const auto found = validate(both.other);
+    // The reference knows no arity, and so no order of corners. Of a hex that looks listed in another order the shape is not judged.
+    const bool other_order = found.count(defect_kind::corner_order) > 0;
     for (std::size_t k = 0; k < num_defect_kinds; ++k) {
       const auto kind = static_cast<defect_kind>(k);
+      if (kind == defect_kind::corner_order) continue;
       const bool is_shape = kind == defect_kind::non_finite_point || kind == defect_kind::inverted_cell || kind == defect_kind::zero_size ||
                             kind == defect_kind::self_touching || kind == defect_kind::non_planar;
+      if (is_shape && other_order) continue;
       const std::size_t n = is_shape && !Embedded<typename B::other_mesh> ? 0 : expected.count(kind);
       INFO(std::string(defect_name(kind)));
       expect(found.count(kind) == n, "as many defects of each kind");

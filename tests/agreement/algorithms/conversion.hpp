@@ -16,7 +16,7 @@ struct conversions {
     using M = typename B::other_mesh;
     using to = std::conditional_t<dimension_v<M> == 2, polygonmesh, polyhedralmesh>;
     const auto& m = both.other;
-    const auto c = convert<to>(m);
+    const auto c = convert_with_correspondence<to>(m);
     expect(num_verts(c.mesh) == num_verts(both.native) && num_edges(c.mesh) == num_edges(both.native) && num_polys(c.mesh) == num_polys(both.native), "as many elements");
     auto given = make_poly_map<int>(m, -1);
     auto taken = make_poly_map<int>(c.mesh, -1);

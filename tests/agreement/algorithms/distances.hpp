@@ -14,8 +14,8 @@ struct distances {
   template<class B, class In>
   static bool check(const B& both, const In&) {
     if (!all_polys_have_measure(both.native)) return false;
-    const auto here = heat_geodesics(both.native);
-    const auto there = heat_geodesics(both.other);
+    const auto here = prepare_heat_geodesics(both.native);
+    const auto there = prepare_heat_geodesics(both.other);
     const auto expect_same = [&](const auto& expected, const auto& found) {
       for (const auto v : both.verts.all) {
         const double a = expected[v], b = found[both.verts.to(v)];

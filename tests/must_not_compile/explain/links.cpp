@@ -14,6 +14,7 @@ struct mesh {};
 #define no_halfedge_of_edge 10
 #define no_halfedge_of_poly 11
 #define no_num_edges 12
+#define no_has_opposite 13
 #define HAS(what) (LACKING != no_##what)
 
 struct links {
@@ -31,6 +32,9 @@ struct links {
 #endif
 #if HAS(target)
   static vert target(const mesh&, int);
+#endif
+#if !HAS(has_opposite)
+  static constexpr bool has_border_halfedges = false;
 #endif
 #if HAS(is_border)
   static bool is_border(const mesh&, int);

@@ -4,6 +4,7 @@
 #include <concino/mesh/face_soup.hpp>
 
 #include <support/kinds.hpp>
+#include <support/motions.hpp>
 
 #include <doctest/doctest.h>
 
@@ -142,4 +143,40 @@ TEST_CASE_TEMPLATE("mass of a poly: first moments as the centroid says, positive
     CHECK(one.dot(mass * x) == doctest::Approx(measure(m, p) * dot(slope, centroid(m, p))).epsilon(1e-12));
     CHECK(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mass, Eigen::EigenvaluesOnly).eigenvalues()[0] > 1e-3 * measure(m, p) / static_cast<double>(mass.rows()));
   }
+}
+
+namespace {
+
+/// The least eigenvalue and the largest product with constants, both beside the largest eigenvalue.
+struct rounding {
+  double least, of_constants;
+};
+rounding rounding_of(const Eigen::MatrixXd& k) {
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues();
+  const double largest = values[values.size() - 1];
+  return {values[0] / largest, (k * Eigen::VectorXd::Ones(k.cols())).cwiseAbs().maxCoeff() / largest};
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("stiffness: no negative energy but rounding of single entries, however thin polys are", M, CONCINO_ALL_KINDS) {
+  rounding worst{0, 0};
+  for (const double jitter : {0.0, 0.08})
+    for (const double thin : {1e-3, 1e-6, 1e-9, 1e-12})
+      for (std::size_t along = 0; along < (SurfaceMesh<M> ? 2u : 3u); ++along) {
+        auto arrays = grid_arrays<M>(2);
+        if (jitter > 0) arrays = jittered(arrays, jitter, VolumeMesh<M>);
+        for (vec3& x : arrays.points) x[along] *= thin;
+        for (const bool turned : {false, true}) {
+          const M m(turned ? rotated(arrays) : arrays);
+          detail::virtual_stiffness<M> stiffness(m);
+          for (const auto p : polys(m)) {
+            const rounding r = rounding_of(matrix_of(m, stiffness, p));
+            worst.least = std::min(worst.least, r.least);
+            worst.of_constants = std::max(worst.of_constants, r.of_constants);
+          }
+        }
+      }
+  CHECK(worst.least > -1e-14);
+  CHECK(worst.of_constants < 1e-14);
 }

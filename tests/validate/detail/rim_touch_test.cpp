@@ -40,7 +40,7 @@ bool touches(const std::vector<whole>& p) {
 
 TEST_CASE("random polygons, simple and not, are told apart as by all pairs") {
   std::mt19937 random(3);
-  concino::detail::rim_touch touch;
+  concino::detail::rim_touch touch, impatient(0);
   std::size_t simple = 0;
   for (int round = 0; round < 4000; ++round) {
     // Around the centre by angle, which is simple, and then a few corners moved anywhere.
@@ -64,11 +64,15 @@ TEST_CASE("random polygons, simple and not, are told apart as by all pairs") {
     for (const whole& x : p) q.push_back({static_cast<double>(x.x), static_cast<double>(x.y)});
     const auto found = touch(q);
     const bool expected = touches(p);
+    const auto in_order = impatient(q);
     CHECK(found.has_value() == expected);
-    if (found) {
-      const auto [i, j] = *found;
+    CHECK(in_order.has_value() == expected);
+    for (const auto& pair : {found, in_order}) {
+      if (!pair) continue;
+      const auto [i, j] = *pair;
       CHECK(i < j);
       CHECK(j < n);
+      CHECK(meet(p[i], p[(i + 1) % n], p[j], p[(j + 1) % n]));
     }
     simple += !expected;
   }
@@ -93,4 +97,29 @@ TEST_CASE("many corners are no matter") {
   CHECK_FALSE(touch(circle));
   circle[70000] = {1.5, 0.3};
   CHECK(touch(circle));
+}
+
+TEST_CASE("long sides beside one another are no matter") {
+  // A comb whose teeth stand askew: every two of its long sides overlap in both coordinates.
+  const auto comb = [](int teeth, double bend) {
+    std::vector<plane_point> corners;
+    const auto add = [&](double along, double across) { corners.push_back({along - across, along + across}); };
+    for (int i = 0; i < teeth; ++i) {
+      const double at = static_cast<double>(i) / teeth, step = 0.25 / teeth;
+      add(0.1, at);
+      add(1, at + step + (i == teeth / 2 ? bend : 0));
+      add(1, at + 2 * step + (i == teeth / 2 ? bend : 0));
+      add(0.1, at + 3 * step);
+    }
+    add(0, 1);
+    add(0, 0);
+    return corners;
+  };
+  concino::detail::rim_touch touch;
+  for (const int teeth : {4, 100, 50000}) {
+    CHECK_FALSE(touch(comb(teeth, 0)));
+    CHECK_FALSE(touch(comb(teeth, 0.2 / teeth)));
+    CHECK(touch(comb(teeth, 1.0 / teeth)));
+    CHECK(touch(comb(teeth, -0.9 / teeth)));
+  }
 }

@@ -15,6 +15,9 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <limits>
+#include <utility>
+#include <new>
 #include <vector>
 
 namespace concino::detail {
@@ -60,6 +63,34 @@ inline eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& stiffness
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(k);
   return {all.eigenvalues(), v * all.eigenvectors()};
 }
+
+/// |K u - lambda M u| / |M u|, and what rounding errors of the products may contribute to it.
+struct eigen_residual {
+  double size, rounding;
+
+  eigen_residual(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass, double value, const Eigen::VectorXd& u) {
+    Eigen::VectorXd r = Eigen::VectorXd::Zero(u.size()), mu = r, terms = r;
+    const auto add = [&](const Eigen::SparseMatrix<double>& lower, double factor, Eigen::VectorXd* product) {
+      const auto add_entry = [&](int row, int column, double a) {
+        const double x = a * u[column];
+        r[row] += factor * x;
+        terms[row] += std::abs(factor * x);
+        if (product) (*product)[row] += x;
+      };
+      for (int c = 0; c < lower.cols(); ++c)
+        for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
+          const int row = lower.innerIndexPtr()[k];
+          add_entry(row, c, lower.valuePtr()[k]);
+          if (row != c) add_entry(c, row, lower.valuePtr()[k]);
+        }
+    };
+    add(stiffness, 1, nullptr);
+    add(mass, -value, &mu);
+    const double of_mass = mu.norm();
+    size = r.norm() / of_mass;
+    rounding = 8 * std::numeric_limits<double>::epsilon() * terms.norm() / of_mass;
+  }
+};
 
 /// shift (K + shift M)^-1 M, whose largest eigenvalues shift / (lambda + shift) have the smallest lambda, on what is orthogonal to `found`.
 struct shifted_inverse {
@@ -136,10 +167,44 @@ inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tole
     r.solves = static_cast<std::size_t>(lanczos.num_operations());
   } catch (const error&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {  // of Spectra, where numbers are not finite
     throw_joined<solver_error>({"eigenpairs: the iteration broke down; is the mass matrix positive definite? (", e.what(), ")"});
   }
   return r;
+}
+
+/// The eigenpairs within the span of the columns of `found`, until the residuals of the first `count` are small enough. Spectra measures those of
+/// the inverse, where high frequencies count for little: one more solve for a pair takes them away.
+/// Errors: solver_error if a residual is more than the tolerance times its eigenvalue plus the shift, and than rounding errors.
+inline eigenbasis refine(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass,
+                         function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve, double shift, Eigen::Index count, double tolerance,
+                         Eigen::MatrixXd found) {
+  std::size_t solves = 0;
+  for (double before = std::numeric_limits<double>::infinity();;) {
+    eigenbasis r = eigenpairs_within(stiffness, mass, std::move(found));
+    r.solves = solves;
+    double worst = 0;
+    std::vector<Eigen::Index> above;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const eigen_residual left(stiffness, mass, r.values[i], r.vectors.col(i));
+      if (left.size <= std::max(tolerance * (r.values[i] + shift), left.rounding)) continue;
+      above.push_back(i);
+      worst = std::max(worst, left.size / (r.values[i] + shift));
+    }
+    if (above.empty()) return r;
+    if (!(worst < before / 2))
+      throw_joined<solver_error>({"eigenpairs: not converged: ", above.size(), " of ", static_cast<std::size_t>(count), " residuals are up to ",
+                                  number_text(worst), " of the eigenvalue plus the shift, asked for were ", number_text(tolerance),
+                                  ": allow more than that, or take another solver"});
+    before = worst;
+    found = std::move(r.vectors);
+    for (const Eigen::Index i : above) {
+      found.col(i) = (r.values[i] + shift) * solve(symmetric_product(mass, found.col(i)));
+      ++solves;
+    }
+  }
 }
 
 /// The smallest eigenpairs. One vector spans one direction of each space of eigenvectors, and finds others by luck, so what is orthogonal to the
@@ -162,8 +227,8 @@ inline eigenbasis smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffne
     found.conservativeResize(Eigen::NoChange, found.cols() + 1);
     found.col(found.cols() - 1) = more.vectors.col(0);
   }
-  eigenbasis r = eigenpairs_within(stiffness, mass, found);
-  r.solves = solves;
+  eigenbasis r = refine(stiffness, mass, solve, shift, count, tolerance, std::move(found));
+  r.solves += solves;
   r.values.conservativeResize(count);
   r.vectors.conservativeResize(Eigen::NoChange, count);
   return r;

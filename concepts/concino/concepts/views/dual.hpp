@@ -25,8 +25,11 @@ struct mesh_traits<views::dual_view<M>> : detail::forward_polys<views::dual_view
 ///         (volume).
 /// Cost:   none.
 template<DualGraph M> constexpr auto dual(const M& m) { return views::dual_view<M>(m); }
-template<DualGraph M>
+template<DualGraph M, class R = mistake::remedy<mistake::name_the_mesh>>
   requires(!is_view_v<M>)
-void dual(const M&& m) = delete;
+void dual(const M&& m) = delete;  // give the mesh a name: auto m = ...;
+
+// What to write instead of calls that cannot compile.
+template<class... T> void dual(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

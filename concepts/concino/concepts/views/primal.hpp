@@ -25,8 +25,11 @@ struct mesh_traits<views::primal_view<M>> : detail::forward_verts<views::primal_
 /// Result: models PrimalGraph, and Embedded where M does, but no DualGraph. Its descriptors are those of m.
 /// Cost:   none.
 template<PrimalGraph M> constexpr auto primal(const M& m) { return views::primal_view<M>(m); }
-template<PrimalGraph M>
+template<PrimalGraph M, class R = mistake::remedy<mistake::name_the_mesh>>
   requires(!is_view_v<M>)
-void primal(const M&& m) = delete;
+void primal(const M&& m) = delete;  // give the mesh a name: auto m = ...;
+
+// What to write instead of calls that cannot compile.
+template<class... T> void primal(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

@@ -6,16 +6,6 @@
 
 namespace concino {
 
-namespace requirement {
-
-template<class P, class E> concept is_point_map = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
-  { p[e][0] } -> std::convertible_to<double>;
-  { p[e][1] } -> std::convertible_to<double>;
-  { p[e][2] } -> std::convertible_to<double>;
-};
-
-}  // namespace requirement
-
 namespace views {
 
 /// P is the map itself, or a const reference to it.
@@ -48,13 +38,16 @@ struct mesh_traits<views::with_points_view<M, P>> : detail::forward_all<views::w
 /// Result: models what M models, and Embedded. Its descriptors are those of m.
 /// Cost:   none; copying the view copies a map that it keeps.
 template<PrimalGraph M, class P>
-  requires requirement::is_point_map<P, vert_t<M>>
+  requires requirement::gives_points<P, vert_t<M>>
 constexpr auto with_points(const M& m, P&& points) {
   if constexpr (std::is_lvalue_reference_v<P>) return views::with_points_view<M, const std::remove_cvref_t<P>&>(m, points);
   else return views::with_points_view<M, std::remove_cvref_t<P>>(m, static_cast<P&&>(points));
 }
-template<PrimalGraph M, class P>
+template<PrimalGraph M, class P, class R = mistake::remedy<mistake::name_the_mesh>>
   requires(!is_view_v<M>)
-void with_points(const M&& m, P&& points) = delete;
+void with_points(const M&& m, P&& points) = delete;  // give the mesh a name: auto m = ...;
+
+// What to write instead of calls that cannot compile.
+template<class... T> void with_points(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 
 }  // namespace concino

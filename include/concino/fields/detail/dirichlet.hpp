@@ -51,6 +51,15 @@ using field_value_at = std::conditional_t<std::convertible_to<decltype(std::decl
 /// A container or braces, which options are not.
 template<class R> concept walkable = requires(const R& r) { r.begin(); r.end(); };
 
+/// Elements X in a container or braces; or pairs of an X and a T, or anything else that comes apart in two.
+template<class R, class X> concept holds_elements = walkable<R> && requires(const R& r) { requires std::convertible_to<decltype(*r.begin()), X>; };
+template<class R> concept holds_pairs = walkable<R> && requires(const R& r) { (*r.begin()).first; (*r.begin()).second; };
+template<class R, class X> concept holds_pairs_of = holds_pairs<R> && requires(const R& r) { requires std::convertible_to<decltype((*r.begin()).first), X>; };
+template<class P> concept comes_apart = std::is_aggregate_v<P> || requires { std::tuple_size<P>::value; };
+template<class R> concept holds_twos = walkable<R> && !holds_pairs<R> && requires(const R& r) { requires comes_apart<std::remove_cvref_t<decltype(*r.begin())>>; };
+template<class R, class X> concept gives_values = !holds_elements<R, X> && (holds_pairs_of<R, X> || holds_twos<R>);
+template<class R, class X> concept names_elements = holds_elements<R, X> || gives_values<R, X>;
+
 /// One right-hand side for each part.
 template<field_value T>
 using right_hand_sides = std::array<Eigen::VectorXd, parts_of<T>>;
@@ -208,10 +217,10 @@ struct held_system {
   std::vector<coupling> couplings;
 
   template<class Solver>
-  void factorize(Solver& solver, const progress& told) const {
+  void factorize(Solver& solver, const progress& told, const char* who) const {
     if (verts.unknowns == 0) return;
     tell(told, 0.1, "factorising");
-    factorize_symmetric(solver, lower);
+    factorize_over_verts(solver, lower, who, [&](Eigen::Index row) { return verts.index[static_cast<std::size_t>(row)]; });
   }
 
   /// Puts the solution into `value`, which has the values of the held verts. load(k, index): what stands on the right of the

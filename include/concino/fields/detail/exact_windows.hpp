@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/fields/detail/flat_triangles.hpp>
+#include <concino/fields/detail/path_tree.hpp>
 
 #include <algorithm>
 #include <array>
@@ -35,6 +36,9 @@ class exact_windows {
   static constexpr auto later = [](const event& a, const event& b) { return a > b; };
 
   const flat_triangles& t_;
+  path_tree* const paths_;                    // where paths are recorded, if they are asked for
+  int from_ = path_tree::none;                // where in this tree the windows and arrivals of the moment come from
+  std::vector<int> node_;                     // of each window, in this tree
   std::vector<double> distance_, direction_;  // at verts; the angle in the fan that the shortest path known comes from, NaN: all go on from here
   std::vector<arrival> first_at_apex_;        // of the triangle of each side, through this side
   std::vector<window> windows_;
@@ -57,6 +61,7 @@ class exact_windows {
   void reach(int v, double length_of_path, int c, double from_side) {
     if (!(length_of_path < at(v))) return;
     at(v) = length_of_path;
+    if (paths_) paths_->arrive(v, from_);
     if (!t_.may_be_passed(v)) return;
     direction_[static_cast<std::size_t>(v)] = t_.fan_angle(c, from_side);
     push(length_of_path, -1 - v);
@@ -84,6 +89,10 @@ class exact_windows {
         place = unused_.back();
         unused_.pop_back();
         windows_[static_cast<std::size_t>(place)] = next;
+      }
+      if (paths_) {
+        node_.resize(windows_.size());
+        node_[static_cast<std::size_t>(place)] = paths_->add({next.x, next.y, other, from_});
       }
       push(next.before + norm(next.x - nearest, next.y), place);
     }
@@ -164,6 +173,7 @@ class exact_windows {
 
   void pass(int v) {
     const auto i = static_cast<std::size_t>(v);
+    from_ = path_tree::at_vert(v);
     const double from = direction_[i], whole = t_.whole_turn[i], half = std::numbers::pi - flat_triangles::turn_tolerance;
     for (int k = t_.first_corner[i]; k < t_.first_corner[i + 1]; ++k) {
       const int c = t_.corner[static_cast<std::size_t>(k)];
@@ -211,13 +221,15 @@ class exact_windows {
   }
 
  public:
-  explicit exact_windows(const flat_triangles& t)
-      : t_(t), distance_(t.around.size(), infinity), direction_(t.around.size()), first_at_apex_(t.vert.size()) {}
+  /// paths: an empty tree, which takes up how the shortest paths run.
+  explicit exact_windows(const flat_triangles& t, path_tree* paths = nullptr)
+      : t_(t), paths_(paths), distance_(t.around.size(), infinity), direction_(t.around.size()), first_at_apex_(t.vert.size()) {}
 
   /// A source at vert v, where paths have that length already.
   void add_vert(int v, double length_before) {
     if (!(length_before < at(v))) return;
     at(v) = length_before;
+    if (paths_) paths_->arrive(v, path_tree::none);
     direction_[static_cast<std::size_t>(v)] = std::numeric_limits<double>::quiet_NaN();
     push(length_before, -1 - v);
   }
@@ -230,17 +242,20 @@ class exact_windows {
       const flat_triangles::place p = all[0].from[k];
       if (norm(p.x, p.y) <= smallest_part * length(side)) return add_vert(t_.start(side), norm(p.x, p.y));
       if (is_off(side, p)) continue;
+      if (paths_) paths_->start_on(side, std::clamp(p.x / length(side), 0.0, 1.0));
       for (int other = t_.twin[static_cast<std::size_t>(side)]; other != side; other = t_.twin[static_cast<std::size_t>(other)])
         all.push_back(seen_from_sides(other, {t_.start(other) == t_.start(side) ? p.x : length(side) - p.x, 0}));
     }
     for (const in_triangle& t : all) barred_.push_back(t.side[0] / 3);
+    from_ = path_tree::at_place;
     for (const in_triangle& t : all) start_in(t);
   }
 
-  /// The distances at all verts, +inf where no path leads.
-  const std::vector<double>& run() {
+  /// The distances at all verts, +inf where no path leads; with a target only those up to its own are final.
+  const std::vector<double>& run(int target = -1) {
     while (!events_.empty()) {
       const auto [when, what] = events_.front();
+      if (target >= 0 && surely * when > at(target)) break;
       std::pop_heap(events_.begin(), events_.end(), later);
       events_.pop_back();
       if (what < 0) {
@@ -249,7 +264,9 @@ class exact_windows {
       }
       const window w = windows_[static_cast<std::size_t>(what)];
       unused_.push_back(what);
+      if (paths_) from_ = node_[static_cast<std::size_t>(what)];
       cross(w);
+      if (paths_) paths_->release(from_);
     }
     return distance_;
   }

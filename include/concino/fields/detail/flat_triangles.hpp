@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -24,6 +25,7 @@ struct flat_triangles {
   static constexpr double turn_tolerance = 1e-8;
 
   std::vector<int> vert;       // at each corner
+  std::vector<int> edge;       // of each side
   std::vector<int> twin;       // the next side of the same edge, in a circle: of a side of the boundary itself
   std::vector<double> length;  // of each side
   std::vector<place> apex;     // the third corner: along the side from its start, and off it
@@ -69,12 +71,13 @@ struct flat_triangles {
   }
 
   /// Once all triangles are there: edge_of[s] is the number of the edge that side s is one of.
-  void join(const std::vector<int>& edge_of, std::size_t num_edges, std::size_t num_verts) {
+  void join(std::vector<int> edge_of, std::size_t num_edges, std::size_t num_verts) {
+    edge = std::move(edge_of);
     const auto n = static_cast<int>(vert.size());
     std::vector<int> last(num_edges, -1);
     twin.resize(vert.size());
     for (int s = 0; s < n; ++s) {
-      int& of_edge = last[static_cast<std::size_t>(edge_of[static_cast<std::size_t>(s)])];
+      int& of_edge = last[static_cast<std::size_t>(edge[static_cast<std::size_t>(s)])];
       int& mine = twin[static_cast<std::size_t>(s)];
       if (of_edge < 0) {
         mine = s;

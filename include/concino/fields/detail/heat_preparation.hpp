@@ -2,8 +2,10 @@
 // there is no heat to follow.
 #pragma once
 
+#include <concino/fields/detail/distance_bounds.hpp>
 #include <concino/fields/detail/heat_system.hpp>
 #include <concino/geometry/edge_length.hpp>
+#include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/graph/detail/boundary_verts.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
@@ -101,6 +103,118 @@ double mean_edge_length(const M& m) {
     n += 1;
   }
   return n > 0 ? sum / n : 0;
+}
+
+/// How far verts of a poly are from each other, about: twice the way from their mean to the farthest. 0 for a poly without verts.
+template<AnyMesh M>
+double poly_width(const M& m, const poly_t<M>& p) {
+  vec3 mean;
+  double n = 0, farthest = 0;
+  for (const vert_t<M> v : adj_p2v(m, p)) {
+    mean += to_vec3(point(m, v));
+    n += 1;
+  }
+  if (n > 0) mean = mean / n;
+  for (const vert_t<M> v : adj_p2v(m, p)) farthest = std::max(farthest, distance(mean, to_vec3(point(m, v))));
+  return 2 * farthest;
+}
+
+/// The width of the poly in which a place of the surface or volume lies, squared and averaged over all places; its root is the length that
+/// a mesh can tell apart: many small polys in a corner, or many short edges around a poly, do not change what happens between distant places, and
+/// a long thin poly knows nothing finer than its length.
+template<AnyMesh M>
+double mean_square_width(const M& m) {
+  double sum = 0, total = 0;
+  for (const poly_t<M> p : polys(m)) {
+    const double size = std::abs(measure(m, p)), width = poly_width(m, p);
+    sum += size * width * width;
+    total += size;
+  }
+  return total > 0 ? sum / total : 0;
+}
+
+/// Adds the triangles or tets of poly p, whose corners are verts of it, as numbers of verts: of polygons those that they are cut into; of polyhedra
+/// the cones from one vert to triangles of the faces, if there is a vert that sees them all from inside.
+template<AnyMesh M>
+class simplex_collector {
+  polygon_triangulator triangulate_;
+  std::vector<vec3> x_;
+  std::vector<int> number_, cone_;
+
+  void read(const M& m, const auto& verts) {
+    x_.clear();
+    number_.clear();
+    for (const vert_t<M> v : verts) {
+      x_.push_back(to_vec3(point(m, v)));
+      number_.push_back(static_cast<int>(index_of(m, v)));
+    }
+  }
+
+  bool add_cone(const M& m, const poly_t<M>& p, const vert_t<M>& top, std::vector<int>& simplices) {
+    const int apex = static_cast<int>(index_of(m, top));
+    const vec3 from = to_vec3(point(m, top));
+    cone_.clear();
+    for (const face_t<M> f : adj_p2f(m, p)) {
+      read(m, adj_f2v(m, f));
+      if (std::find(number_.begin(), number_.end(), apex) != number_.end()) continue;
+      const double sign = face_is_outward(m, p, f) ? 1 : -1;
+      for (std::size_t k = 1; k + 1 < x_.size(); ++k) {
+        const vec3 a = x_[0] - from, b = x_[k] - from, c = x_[k + 1] - from;
+        const double six = sign * dot(a, cross(b, c)), box = norm(a) * norm(b) * norm(c);
+        if (six < -0.05 * box) return false;  // faces need not be quite planar
+        if (six > 1e-9 * box) cone_.insert(cone_.end(), {apex, number_[0], number_[k], number_[k + 1]});
+      }
+    }
+    simplices.insert(simplices.end(), cone_.begin(), cone_.end());
+    return true;
+  }
+
+ public:
+  void add(const M& m, const poly_t<M>& p, std::vector<int>& simplices) {
+    if constexpr (TriMesh<M> || TetMesh<M>) {
+      for (const vert_t<M> v : adj_p2v(m, p)) simplices.push_back(static_cast<int>(index_of(m, v)));
+    } else if constexpr (SurfaceMesh<M>) {
+      read(m, adj_p2v(m, p));
+      for (const polygon_triangle& t : triangulate_(x_))
+        for (const std::uint32_t k : t) simplices.push_back(number_[k]);
+    } else {
+      std::size_t tried = 0;
+      for (const vert_t<M> v : adj_p2v(m, p))
+        if (tried++ == 8 || add_cone(m, p, v, simplices)) break;
+    }
+  }
+};
+
+/// Adds the sides of simplices that are no edges yet, two verts each.
+inline void add_diagonals(const std::vector<int>& simplices, std::size_t corners, std::vector<int>& edges) {
+  using line = std::pair<int, int>;
+  std::vector<line> lines, known;
+  for (std::size_t i = 0; i < simplices.size(); i += corners)
+    for (std::size_t a = i; a < i + corners; ++a)
+      for (std::size_t b = a + 1; b < i + corners; ++b) lines.emplace_back(std::minmax(simplices[a], simplices[b]));
+  for (std::size_t i = 0; i < edges.size(); i += 2) known.emplace_back(std::minmax(edges[i], edges[i + 1]));
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  std::sort(known.begin(), known.end());
+  auto next = known.begin();
+  for (const line& l : lines) {
+    while (next != known.end() && *next < l) ++next;
+    if (next == known.end() || l < *next) edges.insert(edges.end(), {l.first, l.second});
+  }
+}
+
+template<AnyMesh M>
+distance_graph distance_graph_of(const M& m) {
+  std::vector<vec3> place(static_cast<std::size_t>(vert_index_bound(m)));
+  std::vector<int> edge, simplices;
+  for (const vert_t<M> v : verts(m)) place[static_cast<std::size_t>(index_of(m, v))] = to_vec3(point(m, v));
+  for (const edge_t<M> e : edges(m))
+    for (const vert_t<M> v : adj_e2v(m, e)) edge.push_back(static_cast<int>(index_of(m, v)));
+  simplex_collector<M> collector;
+  for (const poly_t<M> p : polys(m)) collector.add(m, p, simplices);
+  constexpr std::size_t corners = static_cast<std::size_t>(dimension_v<M>) + 1;
+  if constexpr (!(TriMesh<M> || TetMesh<M>)) add_diagonals(simplices, corners, edge);
+  return {std::move(place), edge, std::move(simplices), corners};
 }
 
 /// Gives a value to every vert at which log_u is -inf and that can be reached along edges from others: that of a shortest way along edges, as

@@ -46,8 +46,7 @@ class heat_system {
     std::unique_ptr<Solver> solver;
 
     void factorize() {
-      if constexpr (requires { requires bool(Solver::reads_both_triangles); }) solver->factorize(with_both_triangles(lower));
-      else solver->factorize(lower);
+      factorize_over_verts(*solver, lower, "heat_geodesics", [](Eigen::Index row) { return row; });
     }
   };
 

@@ -69,7 +69,7 @@ class implicit_system {
   const held_verts<M>& held() const { return system_.verts; }
 
   template<class Solver>
-  void factorize(Solver& solver, const progress& told) const { system_.factorize(solver, told); }
+  void factorize(Solver& solver, const progress& told) const { system_.factorize(solver, told, who_); }
 
   /// The values of a readable map at all verts.
   /// Errors: invalid_argument if one is not finite at a vert that has edges or is held.

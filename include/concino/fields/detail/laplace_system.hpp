@@ -56,9 +56,9 @@ Eigen::SparseMatrix<double> polyharmonic(const M& m, weights which, int exponent
   return k;
 }
 
-/// The system of the unknowns of that.
-template<class M>
-held_system<M> laplace_system(const M& m, held_verts<M>&& held, weights which, int exponent, const char* who) {
+/// The system of the unknowns of that. m: the mesh whose verts are held, or a view of it.
+template<class At, class M>
+held_system<M> laplace_system(const At& m, held_verts<M>&& held, weights which, int exponent, const char* who) {
   held_system<M> r{std::move(held), {}, {}};
   if (exponent > 1) {  // of powers the verts with given values are part too
     r.restrict_to_unknowns(polyharmonic(m, which, exponent, who));

@@ -32,7 +32,7 @@ M made_of(surface_arrays a) {
     return M(std::move(a));
   } else {
     const polygonmesh m(std::move(a));
-    return std::move(convert<M>(m).mesh);
+    return convert<M>(m);
   }
 }
 
@@ -84,13 +84,13 @@ M made_of_hexes(cell_arrays hexes) {
       return M(tets_of(std::move(hexes)));
     } else {
       const tetmesh m(tets_of(std::move(hexes)));
-      return std::move(convert<M>(m).mesh);
+      return convert<M>(m);
     }
   } else if constexpr (from_cells<M>) {
     return M(std::move(hexes));
   } else {
     const hexmesh m(std::move(hexes));
-    return std::move(convert<M>(m).mesh);
+    return convert<M>(m);
   }
 }
 

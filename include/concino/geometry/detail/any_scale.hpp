@@ -2,6 +2,7 @@
 // multiplied by a power of two, which changes no digit.
 #pragma once
 
+#include <concino/concepts/mesh.hpp>
 #include <concino/geometry/polygon.hpp>
 
 #include <algorithm>
@@ -45,6 +46,64 @@ inline vec3 unit_vector(const vec3& a) {
     const double squared = dot(b, b);
     return squared == 0 ? vec3{} : b / std::sqrt(squared);
   });
+}
+
+/// Points moved and multiplied by a power of two, so that one of them is the origin and the farthest from it about as far as 1.
+class local_frame {
+  vec3 base_;
+  double shrink_ = 1;  // differences of the largest doubles are none
+  int exponent_ = 0;
+  bool is_finite_ = true;
+
+ public:
+  /// for_each(visit) calls visit(x) for each point x.
+  template<class ForEach>
+  explicit local_frame(const ForEach& for_each) {
+    double farthest = 0, size = 0;
+    bool any = false;
+    for_each([&](const vec3& x) {
+      if (!any) base_ = x;
+      any = true;
+      is_finite_ &= concino::is_finite(x);
+      farthest = std::max(farthest, largest_component(x));
+    });
+    if (farthest > 0x1p1020) shrink_ = 0.0625;
+    for_each([&](const vec3& x) { size = std::max(size, largest_component(shrink_ * x - shrink_ * base_)); });
+    if (size > 0 && std::isfinite(size)) exponent_ = -std::ilogb(size);
+  }
+  /// Whether all points are.
+  bool is_finite() const { return is_finite_; }
+  vec3 operator()(const vec3& x) const { return times_power_of_two(shrink_ * x - shrink_ * base_, exponent_); }
+  vec3 from_local(const vec3& x) const { return (shrink_ * base_ + times_power_of_two(x, -exponent_)) / shrink_; }
+  /// Of a length, area or volume, by its dimension; infinite where it is too large.
+  double from_local(double size, int dimension) const { return std::ldexp(size, dimension * ((shrink_ < 1 ? 4 : 0) - exponent_)); }
+};
+
+/// The frame of a polygon of m, or of all faces of a poly.
+template<class M, class Loop>
+local_frame frame_of_loop(const M& m, const Loop& loop) {
+  return local_frame([&](auto&& visit) {
+    for (const vert_t<M> v : loop) visit(to_vec3(point(m, v)));
+  });
+}
+template<class M>
+void for_each_point_of(const M& m, const poly_t<M>& p, auto&& visit) {
+  if constexpr (SurfaceMesh<M>) {
+    for (const vert_t<M> v : adj_p2v(m, p)) visit(to_vec3(point(m, v)));
+  } else {
+    for (const face_t<M> f : adj_p2f(m, p))
+      for (const vert_t<M> v : adj_f2v(m, f)) visit(to_vec3(point(m, v)));
+  }
+}
+template<class M>
+local_frame frame_of_poly(const M& m, const poly_t<M>& p) {
+  return local_frame([&](auto&& visit) { for_each_point_of(m, p, visit); });
+}
+
+/// The points of m in a frame, as a function of verts.
+template<class M>
+auto points_by_vert_in(const M& m, const local_frame& frame) {
+  return [&](const vert_t<M>& v) { return frame(to_vec3(point(m, v))); };
 }
 
 /// The direction of a sum of vector areas, each with a sign, of polygons so small or large that these have no digits. for_each(visit) calls

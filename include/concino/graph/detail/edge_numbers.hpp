@@ -1,6 +1,7 @@
 // Edges of a graph as pairs of nodes, and numbers for them from 0 up.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 
 #include <cstddef>
@@ -33,8 +34,8 @@ class edge_numbers {
   std::size_t count_ = 0;
 
   [[noreturn]] static void throw_one_way(const std::string& word, std::size_t from, std::size_t to) {
-    throw invalid_mesh("edge numbers: " + word + " " + number_text(to) + " is a neighbour of " + word + " " + number_text(from) +
-                       ", but not the other way round; check_laws names the law that is broken, and where");
+    throw_joined<invalid_mesh>({"edge numbers: ", word, " ", to, " is a neighbour of ", word, " ", from,
+                                ", but not the other way round; check_laws names the law that is broken, and where"});
   }
 
   /// table_[arc] = the arc in the opposite direction. Arcs are sorted by where they lead; then the arcs of one node are marked at their

@@ -4,9 +4,10 @@
 #include <concino/concepts/dual_graph.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/primal_graph.hpp>
+#include <concino/detail/message.hpp>
+#include <concino/detail/number_text.hpp>
 #include <concino/error.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/detail/number_text.hpp>
 
 #include <initializer_list>
 #include <string>
@@ -83,13 +84,13 @@ auto make_node_map(const G& g, const T& init) {
 
 template<class G>
 std::string name_of(const G& g, const typename G::node& x) {
-  return std::string(G::word) + " " + number_text(g.index(x));
+  return joined({G::word, " ", number_text(g.index(x))});
 }
 
 template<class G>
 void expect_node(const G& g, const typename G::node& x, const char* who, const char* role) {
   if (contains(g.m, x)) return;
-  throw invalid_mesh(std::string(who) + ": the " + role + " is no " + G::word + " of the mesh; take one from " + G::word + "s(m)");
+  throw_joined<invalid_mesh>({who, ": the ", role, " is no ", G::word, " of the mesh; take one from ", G::word, "s(m)"});
 }
 
 /// The graph that is meant where no source says so: that of the verts, of what has none that of the polys. A mesh whose verts lack something
@@ -102,7 +103,12 @@ struct graph_by_default<M> { using type = dual_graph<M>; };
 template<class M> using default_graph_of = typename graph_by_default<std::remove_cvref_t<M>>::type;
 template<class M> using default_node_of = typename default_graph_of<M>::node;
 
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_none_given(const char* who, const char* role, const char* word) {
+  throw_joined<invalid_argument>({who, ": there is no ", role, "; give at least one ", word});
+}
+
 /// Calls visit(node) for the one source or each of several, after checking that the mesh has it.
+/// Errors: invalid_argument if there is none.
 template<class G, class S, class F>
 void for_each_source(const G& g, const S& source, const char* who, F&& visit, const char* role = "source") {
   const auto take = [&](const typename G::node& x) {
@@ -110,7 +116,12 @@ void for_each_source(const G& g, const S& source, const char* who, F&& visit, co
     visit(x);
   };
   if constexpr (any_range<S> && !std::same_as<S, typename G::node>) {
-    for (const auto& x : source) take(static_cast<typename G::node>(x));
+    bool any = false;
+    for (const auto& x : source) {
+      take(static_cast<typename G::node>(x));
+      any = true;
+    }
+    if (!any) throw_none_given(who, role, G::word);
   } else {
     take(static_cast<typename G::node>(source));
   }

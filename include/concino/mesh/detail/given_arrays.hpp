@@ -1,11 +1,11 @@
 // What view_tri and its siblings do with arrays: how an adapter says that it can read a type, checks of shapes and indices, tables.
 #pragma once
 
-#include <concino/detail/number_text.hpp>
 #include <concino/error.hpp>
 #include <concino/mesh/array_view.hpp>
 #include <concino/mesh/detail/given_lists.hpp>
 #include <concino/mesh/cell_tables.hpp>
+#include <concino/mesh/corner_orders.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 #include <concino/mesh/surface_tables.hpp>
 
@@ -48,9 +48,10 @@ concept holds_lists = requires(std::remove_reference_t<A>& a) { typename decltyp
 template<class A> concept holds_numbers = requires(std::remove_reference_t<A>& a) { source_of<A>::flat(a); };
 template<class A> concept holds_indices = holds_numbers<A> && index_number<number_in<A>>;
 
+/// An index as a number, of whatever integer type it is (char too).
 template<class I>
-std::string index_text(I x) {
-  return x < 0 ? "-" + number_text(-static_cast<std::uint64_t>(x)) : number_text(static_cast<std::uint64_t>(x));
+message_piece index_piece(I x) {
+  return x < 0 ? message_piece(static_cast<std::int64_t>(x)) : message_piece(static_cast<std::uint64_t>(x));
 }
 template<class I>
 bool is_below(I x, std::size_t bound) {
@@ -61,36 +62,46 @@ template<class A>
 auto points_of(A& a, const char* who) {
   const auto rows = detail::rows_of<3>(a);
   constexpr unsigned width = decltype(rows)::columns == 2 ? 2 : 3;
-  if (const std::string bad = rows.misfit(width); !bad.empty()) throw invalid_mesh(std::string(who) + ": the array of points " + bad);
+  if (const std::string bad = rows.misfit(width); !bad.empty()) throw_joined<invalid_mesh>({who, ": the array of points ", bad});
   return points_in_rows<std::remove_const_t<decltype(rows)>>(rows);
 }
 
 template<unsigned N, class A>
-auto lists_of(A& a, const char* who) {
+auto checked_rows_of(A& a, const char* who) {
   const auto rows = detail::rows_of<N>(a);
-  if (const std::string bad = rows.misfit(N); !bad.empty()) throw invalid_mesh(std::string(who) + ": the array of polys " + bad);
+  if (const std::string bad = rows.misfit(N); !bad.empty()) throw_joined<invalid_mesh>({who, ": the array of polys ", bad});
+  return rows;
+}
+template<unsigned N, class A>
+auto lists_of(A& a, const char* who) {
+  const auto rows = detail::checked_rows_of<N>(a, who);
   return lists_in_rows<std::remove_const_t<decltype(rows)>, N>(rows);
+}
+template<unsigned N, class A>
+auto lists_of(A& a, const char* who, const std::uint8_t* places) {
+  using rows = reordered_rows<decltype(detail::checked_rows_of<N>(a, who))>;
+  return lists_in_rows<rows, N>(rows(detail::checked_rows_of<N>(a, who), places));
 }
 
 template<class O, class I>
 auto lists_of(O& given_offsets, I& indices, const char* who, const char* what) {
   const auto first = detail::flat_of(given_offsets);
   const auto flat = detail::flat_of(indices);
-  const auto fail = [&](const std::string& why) { throw invalid_mesh(std::string(who) + ": the offsets of " + what + "s " + why); };
-  if (flat.size() >= ~0u) throw unsupported(std::string(who) + ": more than 2^32 indices");
+  const auto fail = [&](const std::string& why) { throw_joined<invalid_mesh>({who, ": the offsets of ", what, "s ", why}); };
+  if (flat.size() >= ~0u) throw_joined<unsupported>({who, ": more than 2^32 indices"});
   offsets where(first.size());
   for (std::size_t i = 0; i < where.size(); ++i) {
     const auto x = first.numbers()[i];
     if (!is_below(x, flat.size() + 1))
-      fail("have " + index_text(x) + " at place " + number_text(i) + ", but there are " + number_text(flat.size()) + " indices");
+      fail(joined({"have ", index_piece(x), " at place ", i, ", but there are ", flat.size(), " indices"}));
     where[i] = static_cast<std::uint32_t>(x);
-    if (i == 0 && x != 0) fail("begin with " + index_text(x) + "; they must begin with 0");
+    if (i == 0 && x != 0) fail(joined({"begin with ", index_piece(x), "; they must begin with 0"}));
     if (i > 0 && where[i] < where[i - 1])
-      fail("decrease at place " + number_text(i) + ", from " + number_text(where[i - 1]) + " to " + index_text(x));
+      fail(joined({"decrease at place ", i, ", from ", where[i - 1], " to ", index_piece(x)}));
   }
   if (where.empty()) where.push_back(0);
   if (where.back() != flat.size())
-    fail("end with " + number_text(where.back()) + ", but there are " + number_text(flat.size()) + " indices");
+    fail(joined({"end with ", where.back(), ", but there are ", flat.size(), " indices"}));
   return lists_between<std::remove_const_t<decltype(flat)>>(flat, std::move(where));
 }
 
@@ -101,8 +112,8 @@ void check_indices(const Lists& lists, std::size_t bound, const char* who, const
     const auto numbers = lists.numbers(i);
     for (std::uint32_t k = 0; k < lists.length(i); ++k)
       if (!is_below(numbers[k], bound)) [[unlikely]]
-        throw invalid_mesh(std::string(who) + ": " + what + " " + number_text(i) + " names point " + index_text(numbers[k]) +
-                           ", but there are " + number_text(bound) + " points, numbered from 0");
+        throw_joined<invalid_mesh>({who, ": ", what, " ", i, " names point ", index_piece(numbers[k]), ", but there are ",
+                                    bound, " points, numbered from 0"});
   }
 }
 
@@ -126,13 +137,24 @@ template<class Lists> using quad_tables_of = surface_tables<4, Lists>;
 template<class Lists> using tet_tables_of = cell_tables<tet_shape, Lists>;
 template<class Lists> using hex_tables_of = cell_tables<hex_shape, Lists>;
 
+template<int Dimension, int Arity, template<class> class Tables, class Points, class Lists>
+auto view_of_rows(const Points& points, const Lists& lists, const char* who) {
+  check_indices(lists, points.size(), who, "poly");
+  return made_view<Dimension, Arity>(points, Tables<Lists>(Tables<rows<vert_id, Arity>>(points.size(), copied<vert_id>(lists)), lists));
+}
+
 template<int Dimension, int Arity, template<class> class Tables, class P, class F>
 auto view_of_lists(P& given_points, F& poly_verts, const char* who) {
+  const auto points = detail::points_of(given_points, who);  // what is wrong with the points is told first
+  return view_of_rows<Dimension, Arity, Tables>(points, detail::lists_of<Arity>(poly_verts, who), who);
+}
+
+/// The same where the lists are in another order than the standard one.
+template<template<class> class Tables, class P, class F, class Order>
+auto view_of_cells(P& given_points, F& poly_verts, Order order, const char* who) {
+  constexpr unsigned n = corners_in(Order{});
   const auto points = detail::points_of(given_points, who);
-  const auto lists = detail::lists_of<Arity>(poly_verts, who);
-  check_indices(lists, points.size(), who, "poly");
-  using list_type = std::remove_const_t<decltype(lists)>;
-  return made_view<Dimension, Arity>(points, Tables<list_type>(Tables<rows<vert_id, Arity>>(points.size(), copied<vert_id>(lists)), lists));
+  return view_of_rows<3, n, Tables>(points, detail::lists_of<n>(poly_verts, who, places_in(order)), who);
 }
 
 template<class P, class O, class I>
@@ -175,14 +197,14 @@ auto view_of_polyhedra(P& given_points, FO& face_offsets, FV& face_verts, PO& po
         if (f < 0) f = static_cast<decltype(f)>(~f);
       }
       if (!is_below(f, faces.size())) [[unlikely]]
-        throw invalid_mesh(std::string(who) + ": poly " + number_text(p) + " names face " + index_text(f) + ", but there are " +
-                           number_text(faces.size()) + " faces, numbered from 0");
+        throw_joined<invalid_mesh>({who, ": poly ", p, " names face ", index_piece(f), ", but there are ", faces.size(),
+                                    " faces, numbered from 0"});
       poly_faces.push_back(face_id{f});
     }
   }
   if (flags.size() != poly_faces.size())
-    throw invalid_mesh(std::string(who) + ": " + number_text(flags.size()) + " outward flags were given for " +
-                       number_text(poly_faces.size()) + " faces of polys");
+    throw_joined<invalid_mesh>({who, ": ", flags.size(), " outward flags were given for ", poly_faces.size(),
+                                " faces of polys"});
   polyhedra_tables built(points.size(), *faces.shape(), copied<vert_id>(faces), *poly_lists.shape(), std::move(poly_faces),
                          std::move(flags));
   using tables = basic_polyhedra_tables<std::remove_const_t<decltype(faces)>>;

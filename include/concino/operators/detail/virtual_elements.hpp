@@ -24,12 +24,80 @@ struct symmetric3 {
     yz += a.y * b.z;
     zz += a.z * b.z;
   }
+  void add(double factor, const symmetric3& a) {
+    xx += factor * a.xx;
+    xy += factor * a.xy;
+    xz += factor * a.xz;
+    yy += factor * a.yy;
+    yz += factor * a.yz;
+    zz += factor * a.zz;
+  }
   vec3 operator*(const vec3& a) const {
     return {xx * a.x + xy * a.y + xz * a.z, xy * a.x + yy * a.y + yz * a.z, xz * a.x + yz * a.y + zz * a.z};
   }
+  double trace() const { return xx + yy + zz; }
   double trace_of_inverse() const {
     const double x = yy * zz - yz * yz, y = xx * zz - xz * xz, z = xx * yy - xy * xy;
     return (x + y + z) / (xx * x - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz));
+  }
+};
+
+/// The places of the verts of a thin poly in coordinates along which it is longest first, y = Q R with orthonormal columns Q that are orthogonal to
+/// constants too. What is tiny along one axis is not lost beside what is large along another.
+struct thin_places {
+  vec3 axis[3];
+  std::vector<vec3> q;      // a row for each vert; where polygons are measured, the last column is 0
+  double r[3][3] = {};      // upper triangle
+  bool is_regular = false;  // there is an extent along every axis
+
+  /// normal: of unit length, of a polygon; 0 of a polyhedron.
+  void find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension) {
+    const auto longest = [&](auto&& part) {
+      vec3 best;
+      for (const vec3& y : place)
+        if (const vec3 x = part(y); dot(x, x) > dot(best, best)) best = x;
+      return best / norm(best);
+    };
+    const auto without = [](const vec3& x, const vec3& a) { return x - dot(a, x) * a; };
+    axis[0] = longest([&](const vec3& y) { return without(y, normal); });
+    if (dimension == 2) {
+      axis[1] = cross(normal, axis[0]);
+    } else {
+      axis[1] = longest([&](const vec3& y) { return without(without(y, axis[0]), axis[0]); });
+      axis[2] = cross(axis[0], axis[1]);
+    }
+    q.assign(place.size(), vec3{});
+    is_regular = true;
+    const double n = static_cast<double>(place.size());
+    for (std::size_t k = 0; k < dimension; ++k) {
+      for (std::size_t i = 0; i < q.size(); ++i) q[i][k] = dot(axis[k], place[i]);
+      for (auto& row : r) row[k] = 0;
+      for (int round = 0; round < 2; ++round) {  // Gram and Schmidt's method, twice for the digits
+        double mean = 0;
+        for (const vec3& x : q) mean += x[k] / n;
+        for (vec3& x : q) x[k] -= mean;
+        for (std::size_t l = 0; l < k; ++l) {
+          double along = 0;
+          for (const vec3& x : q) along += x[l] * x[k];
+          for (vec3& x : q) x[k] -= along * x[l];
+          r[l][k] += along;
+        }
+      }
+      double squares = 0;
+      for (const vec3& x : q) squares += x[k] * x[k];
+      r[k][k] = std::sqrt(squares);
+      is_regular &= r[k][k] > 0 && std::isfinite(r[k][k]);
+      for (vec3& x : q) x[k] /= r[k][k];
+    }
+  }
+
+  /// R^-1 a, the gradient in these coordinates of what has the values Q a.
+  vec3 solve(vec3 a, std::size_t dimension) const {
+    for (std::size_t k = dimension; k-- > 0;) {
+      for (std::size_t l = k + 1; l < dimension; ++l) a[k] -= r[k][l] * a[l];
+      a[k] /= r[k][k];
+    }
+    return a;
   }
 };
 
@@ -98,16 +166,71 @@ class virtual_stiffness : virtual_element<M> {
       const auto n = static_cast<double>(poly.verts.size());
       double squares = 0;
       for (const vec3& g : poly.gradient) squares += dot(g, g);
+      symmetric3 spread;
+      for (const vec3& y : poly.place) spread.add(1, y);
+      if (squares * spread.trace() > thin && fill_thin(out, size)) [[unlikely]] return;
       if constexpr (base::dimension == 3) {
-        symmetric3 spread;
-        for (const vec3& y : poly.place) spread.add(1, y);
         const double least = spread.trace_of_inverse();
         if (least > 0 && least < squares) squares = least;  // rounding has the last word on polys next to flat
       }
-      factor = size * squares * (base::dimension == 2 ? n / 12 : std::sqrt(n / 162));
-      for (const vec3& y : poly.place) form.add(factor, y);
+      factor = size * squares * stiffening(n);
+      form.add(factor, spread);
     }
     this->fill(out, form, factor, 0);
+  }
+
+ private:
+  thin_places thin_;
+  std::vector<vec3> gradient_, unseen_;  // of fill_thin
+
+  /// The square of some hundred times as long as thick.
+  static constexpr double thin = 0x1p16;
+
+  static double stiffening(double n) { return base::dimension == 2 ? n / 12 : std::sqrt(n / 162); }
+
+  /// The same of thin polys, where y . g is a difference of numbers far larger than itself. With y = Q R and h_i = R (g_i - R^-1 q_i) without what
+  /// constants and linear functions have of it, which are rounding errors, the sum of squares of u - P u is that of u - Q Q^T u - mean and of the
+  /// sum of u_i h_i. A sum of squares term by term, it is not negative.
+  bool fill_thin(local_matrix<vert_t<M>>& out, double size) {
+    constexpr std::size_t d = base::dimension;
+    const corner_gradients<M>& poly = this->poly_;
+    const std::size_t n = poly.verts.size();
+    thin_.find(poly.place, d == 2 ? poly.normal / norm(poly.normal) : vec3{}, d);
+    if (!thin_.is_regular) return false;
+    gradient_.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < 3; ++k) gradient_[i][k] = k < d ? dot(thin_.axis[k], poly.gradient[i]) : 0.0;
+    for (int round = 0; round < 2; ++round) {
+      vec3 mean, seen[3];
+      for (std::size_t i = 0; i < n; ++i) {
+        mean += gradient_[i] / static_cast<double>(n);
+        for (std::size_t k = 0; k < d; ++k) seen[k] += thin_.q[i][k] * gradient_[i];
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        gradient_[i] -= mean;
+        for (std::size_t k = 0; k < d; ++k) gradient_[i] -= thin_.q[i][k] * seen[k];
+      }
+    }
+    unseen_.assign(n, vec3{});
+    double squares = 0, least = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < d; ++k)
+        for (std::size_t l = k; l < d; ++l) unseen_[i][k] += thin_.r[k][l] * gradient_[i][l];
+      const vec3 linear = thin_.solve(thin_.q[i], d);
+      gradient_[i] += linear;
+      squares += dot(gradient_[i], gradient_[i]);
+      least += dot(linear, linear);
+    }
+    const double factor = size * (d == 2 ? squares : least) * stiffening(static_cast<double>(n)), constant = factor / static_cast<double>(n);
+    out.verts.assign(poly.verts.begin(), poly.verts.end());
+    out.entries.resize(n * (n + 1) / 2);
+    for (std::size_t i = 0; i < n; ++i) {
+      double* const row = &out.at(i, 0);
+      for (std::size_t j = 0; j <= i; ++j)
+        row[j] = size * dot(gradient_[i], gradient_[j]) + factor * (dot(unseen_[i], unseen_[j]) - dot(thin_.q[i], thin_.q[j])) - constant;
+      row[i] += factor;
+    }
+    return true;
   }
 };
 

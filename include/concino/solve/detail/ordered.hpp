@@ -13,24 +13,29 @@ namespace concino::detail {
 
 /// Orders by approximate minimum degree (Amestoy, Davis, Duff 1996) and keeps the order for further matrices of that pattern.
 struct elimination_order {
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> place;  // of each row
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> row;    // at each place
+  using permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+  permutation place;  // of each row
+  permutation row;    // at each place
+
+  // Eigen frees a vector before it finds memory for one of another size, and frees it once more where there is none: hence new ones, swapped in.
 
   /// row_at: the row at each place.
   void keep(const std::vector<int>& row_at) {
-    row.resize(static_cast<Eigen::Index>(row_at.size()));
-    place.resize(static_cast<Eigen::Index>(row_at.size()));
+    permutation new_row(static_cast<Eigen::Index>(row_at.size())), new_place(new_row.size());
     for (std::size_t i = 0; i < row_at.size(); ++i) {
-      row.indices()[static_cast<Eigen::Index>(i)] = row_at[i];
-      place.indices()[row_at[i]] = static_cast<int>(i);
+      new_row.indices()[static_cast<Eigen::Index>(i)] = row_at[i];
+      new_place.indices()[row_at[i]] = static_cast<int>(i);
     }
+    take(new_row, new_place);
   }
 
   /// The order depends on where a has entries, in either triangle.
   void find(const Eigen::SparseMatrix<double>& a) {
     Eigen::AMDOrdering<int> order;
-    order(a, row);
-    place = row.inverse();
+    permutation new_row;
+    order(a, new_row);
+    permutation new_place(new_row.inverse());
+    take(new_row, new_place);
   }
 
   /// The upper triangle of the reordered matrix, from the lower one of a, which is compressed. Loops, because
@@ -54,6 +59,12 @@ struct elimination_order {
         }
     upper.resizeNonZeros(next[n]);
     return upper;
+  }
+
+ private:
+  void take(permutation& new_row, permutation& new_place) {
+    row.indices().swap(new_row.indices());
+    place.indices().swap(new_place.indices());
   }
 };
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace concino::detail {
@@ -54,10 +55,17 @@ inline void check_solution(const char* who, const Eigen::VectorXd& x) {
                                   " of the solution is not finite; the matrix is singular to working precision or the numbers are too large"});
 }
 
+/// A solver_error that says in which row elimination stopped, for those who know what stands there.
+struct singular_row : solver_error {
+  Eigen::Index row;
+  singular_row(const std::string& what, Eigen::Index in_row) : solver_error(what), row(in_row) {}
+};
+
 /// `given`: the diagonal entry, or what else the pivot would be compared with.
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_bad_pivot(const char* who, const char* what, Eigen::Index row, double given, double pivot) {
-  throw_joined<solver_error>({who, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
-                              number_text(given), " elimination leaves ", number_text(pivot)});
+  throw singular_row(joined({who, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
+                             number_text(given), " elimination leaves ", number_text(pivot)}),
+                     row);
 }
 
 /// The diagonal of a compressed matrix; 0 where it has no entry.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/convert.hpp>
+#include <concino/detail/message.hpp>
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/graph/bfs.hpp>
@@ -25,9 +26,11 @@ template<class M>
   requires AnyMesh<M> && Embedded<M>
 void check_against_native(const M& m, concino::detail::law_log& log) {
   using native = std::conditional_t<dimension_v<M> == 2, polygonmesh, polyhedralmesh>;
-  const auto c = convert<native>(m, {.properties = false});
+  const auto c = convert_with_correspondence<native>(m, {.properties = false});
   const auto differ = [&](const std::string& what, const std::string& witness = "") {
-    log.add("KIT5", what + " differs from the same mesh converted to " + (dimension_v<M> == 2 ? "polygonmesh" : "polyhedralmesh"), witness);
+    log.add("KIT5",
+            concino::detail::joined({what, " differs from the same mesh converted to ", dimension_v<M> == 2 ? "polygonmesh" : "polyhedralmesh"}),
+            witness);
   };
   const auto same = [&](const char* what, const auto& elements, char letter, const auto& ours, const auto& theirs, const auto& of) {
     for (const auto x : elements)

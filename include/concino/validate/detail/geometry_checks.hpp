@@ -1,8 +1,10 @@
 // What can be wrong with the shape of elements: points, lengths, areas, volumes, planarity, polygons that meet themselves.
 #pragma once
 
+#include <concino/detail/message.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/validate/detail/defect_log.hpp>
+#include <concino/validate/detail/hex_orders.hpp>
 #include <concino/validate/detail/local_points.hpp>
 #include <concino/validate/detail/rim_touch.hpp>
 
@@ -26,7 +28,7 @@ class polygon_checks {
       if (!is_finite(p)) return;  // told of the vert
     if (n < 3) return;            // told as degenerate
     const auto add_zero = [&](const char* why) {
-      if (defect<M>* d = log.add(defect_kind::zero_size, x)) d->what = log.name(x) + " has no area: " + why;
+      if (defect<M>* d = log.add(defect_kind::zero_size, x)) d->what = joined({log.name(x), " has no area: ", why});
     };
     if (!local_.fit()) return add_zero("its verts are all at one point");
 
@@ -49,7 +51,8 @@ class polygon_checks {
     const auto touch = find_touch(normal, bent);
     if (touch) {
       if (defect<M>* d = log.add(defect_kind::self_touching, x))
-        d->what = log.name(x) + (bent ? ", seen along its normal, touches or crosses itself: " : " touches or crosses itself: ") + side_name(m, ring, touch->first, n, log) + " meets " + side_name(m, ring, touch->second, n, log);
+        d->what = joined({log.name(x), bent ? ", seen along its normal, touches or crosses itself: " : " touches or crosses itself: ",
+                          side_name(m, ring, touch->first, n, log), " meets ", side_name(m, ring, touch->second, n, log)});
     } else if (no_area) {
       add_zero("its parts cancel out");
     } else if (length <= log.options().size_tolerance * size * size) {
@@ -57,7 +60,7 @@ class polygon_checks {
     }
     if (!no_area && off > log.options().planarity_tolerance * size)
       if (defect<M>* d = log.add(defect_kind::non_planar, x))
-        d->what = log.name(x) + " is not planar: a vert lies " + number_text(rounded(100 * off / size)) + " % of its size off its plane";
+        d->what = joined({log.name(x), " is not planar: a vert lies ", number_text(rounded(100 * off / size)), " % of its size off its plane"});
   }
 
  private:
@@ -101,7 +104,7 @@ class polygon_checks {
       if (i == (side + 1) % n) to = log.name(v);
       ++i;
     }
-    return "the side from " + from + " to " + to;
+    return joined({"the side from ", from, " to ", to});
   }
 };
 
@@ -128,11 +131,30 @@ void check_cell_size(const M& m, const poly_t<M>& p, local_points& local, std::v
   }
   const double size = local.size, none = local.zero_volume(local.points.size());
   if (std::abs(volume) <= std::max(none, log.options().size_tolerance * size * size * size)) {
-    if (defect<M>* d = log.add(defect_kind::zero_size, p)) d->what = log.name(p) + (std::abs(volume) <= none ? " has no volume: it is flat" : " has no volume: it is below the tolerance");
+    if (defect<M>* d = log.add(defect_kind::zero_size, p))
+      d->what = joined({log.name(p), std::abs(volume) <= none ? " has no volume: it is flat" : " has no volume: it is below the tolerance"});
   } else if (volume < 0) {
     if (defect<M>* d = log.add(defect_kind::inverted_cell, p))
-      d->what = log.name(p) + " is inside out: its volume is negative, " + number_text(std::round(-1e4 * volume / (local.box.x * local.box.y * local.box.z)) / 100) + " % of the box around it";
+      d->what = joined({log.name(p), " is inside out: its volume is negative, ",
+                        number_text(std::round(-1e4 * volume / (local.box.x * local.box.y * local.box.z)) / 100), " % of the box around it"});
   }
+}
+
+/// By index, the hexes whose corners look like a lexicographic order. Those that are only mirrored are told as inverted cells.
+template<VolumeMesh M>
+std::vector<std::uint8_t> check_hex_orders(const M& m, defect_log<M>& log) {
+  std::vector<std::uint8_t> other(arity_v<M> == 8 ? poly_index_bound(m) : 0);
+  if constexpr (arity_v<M> == 8) {
+    hex_order_checks order_of;
+    for (const poly_t<M> p : polys(m)) {
+      const hex_order order = order_of(m, p);
+      if (!is_lexicographic(order)) continue;
+      other[index_of(m, p)] = 1;
+      if (defect<M>* d = log.add(defect_kind::corner_order, p))
+        d->what = joined({"the corners of hex ", static_cast<std::size_t>(index_of(m, p)), " look like ", hex_order_remedy(order)});
+    }
+  }
+  return other;
 }
 
 /// `sound` by index: the polys of a volume that are closed and wound consistently; others enclose nothing.
@@ -145,7 +167,7 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
     const vec3 x = to_vec3(point(m, v));
     if (is_finite(x)) all.add(x);
     else if (defect<M>* d = log.add(defect_kind::non_finite_point, v))
-      d->what = log.name(v) + " is at (" + number_text(x.x) + ", " + number_text(x.y) + ", " + number_text(x.z) + "), which is no point";
+      d->what = joined({log.name(v), " is at (", number_text(x.x), ", ", number_text(x.y), ", ", number_text(x.z), "), which is no point"});
   }
   if (log.wants(defect_kind::zero_size)) {
     const double shortest = all.is_empty() ? 0 : log.options().length_tolerance * distance(0.25 * all.min, 0.25 * all.max);  // a quarter does not overflow
@@ -157,10 +179,10 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
         if (k < 2) end[k++] = to_vec3(point(m, v));
       if (!is_finite(end[0]) || !is_finite(end[1]) || (end[0] != end[1] && !(distance(0.25 * end[0], 0.25 * end[1]) <= shortest))) continue;
       if (defect<M>* d = log.add(defect_kind::zero_size, e))
-        d->what = log.edge_name(e) + (end[0] == end[1] ? " has no length: its ends are at one point" : " has no length: it is below the tolerance");
+        d->what = joined({log.edge_name(e), end[0] == end[1] ? " has no length: its ends are at one point" : " has no length: it is below the tolerance"});
     }
   }
-  if (!log.wants_any({defect_kind::zero_size, defect_kind::inverted_cell, defect_kind::self_touching, defect_kind::non_planar})) return;
+  if (!log.wants_any({defect_kind::zero_size, defect_kind::inverted_cell, defect_kind::self_touching, defect_kind::non_planar, defect_kind::corner_order})) return;
   polygon_checks<M> check_polygon;
   if constexpr (SurfaceMesh<M>) {
     for (const poly_t<M> p : polys(m)) {
@@ -168,12 +190,20 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
       check_polygon(m, p, adj_p2v(m, p), log);
     }
   } else {
-    for (const face_t<M> f : faces(m)) check_polygon(m, f, adj_f2v(m, f), log);
+    // Of a hex in another order no face and no volume means anything.
+    const std::vector<std::uint8_t> misread = check_hex_orders(m, log);
+    const auto is_misread = [&](const poly_t<M>& p) { return !misread.empty() && misread[index_of(m, p)]; };
+    for (const face_t<M> f : faces(m)) {
+      bool of_misread = false;
+      if (!misread.empty())
+        for (const poly_t<M> p : adj_f2p(m, f)) of_misread = of_misread || is_misread(p);
+      if (!of_misread) check_polygon(m, f, adj_f2v(m, f), log);
+    }
     local_points local;
     std::vector<std::pair<std::size_t, bool>> ends;
     for (const poly_t<M> p : polys(m)) {
       log.step();
-      if (sound[index_of(m, p)]) check_cell_size(m, p, local, ends, log);
+      if (sound[index_of(m, p)] && !is_misread(p)) check_cell_size(m, p, local, ends, log);
     }
   }
 }

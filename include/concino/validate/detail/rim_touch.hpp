@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <iterator>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,10 +21,15 @@ using plane_point = std::array<double, 2>;
 /// Keeps its working memory from polygon to polygon.
 class rim_touch {
  public:
+  rim_touch() = default;
+  /// patience: how many sides, on average, each is compared with before sides are kept in order.
+  explicit rim_touch(std::size_t patience) : patience_(patience) {}
+
   /// Two sides that meet elsewhere than sides that follow one another do, side i from corner i to the next; none if the polygon is simple.
   /// Sides without length are passed over; where a point is on a line up to rounding it is on it.
-  /// Cost: O(n log n) where few sides lie above one another in one of the two directions, at worst all pairs.
-  /// Source: sweep over the sides sorted along an axis; orientation with the error bound of Shewchuk 1997.
+  /// Cost: O(n log n).
+  /// Source: sweep over the sides sorted along an axis; where many lie above one another, Shamos and Hoey 1976; orientation with the error
+  ///         bound of Shewchuk 1997.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> operator()(std::span<const plane_point> corners) {
     sides_.clear();
     const std::size_t n = corners.size();
@@ -41,9 +48,12 @@ class rim_touch {
     std::uint32_t number, rank;  // in the polygon, and without the sides that have no length
     double low(std::size_t k) const { return std::min(a[k], b[k]); }
     double high(std::size_t k) const { return std::max(a[k], b[k]); }
+    const plane_point& first() const { return std::min(a, b); }
+    const plane_point& last() const { return std::max(a, b); }
   };
   using found = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
 
+  std::size_t patience_ = 64;
   std::vector<side> sides_;
   std::vector<std::uint32_t> active_;
 
@@ -71,7 +81,9 @@ class rim_touch {
       return s.low(along) != t.low(along) ? s.low(along) < t.low(along) : s.rank < t.rank;
     });
     active_.clear();
+    std::size_t steps = 0;
     for (std::uint32_t j = 0; j < count; ++j) {
+      if ((steps += active_.size()) > patience_ * count) return sweep_in_order();
       const side& t = sides_[j];
       std::size_t kept = 0;
       for (std::size_t k = 0; k < active_.size(); ++k) {
@@ -86,11 +98,65 @@ class rim_touch {
     return std::nullopt;
   }
 
+  /// The sides that cross the line of the sweep, from low to high. Points are swept in the order of their coordinates, so that no side
+  /// is parallel to the line.
+  struct is_below {
+    const std::vector<side>* sides;
+
+    bool operator()(std::uint32_t i, std::uint32_t j) const {
+      const side &s = (*sides)[i], &t = (*sides)[j];
+      if (i == j) return false;
+      if (s.first() == t.first()) return left_of(s.first(), s.last(), t.last()) > 0;
+      return s.first() < t.first() ? left_of(s.first(), s.last(), t.first()) > 0 : left_of(t.first(), t.last(), s.first()) < 0;
+    }
+  };
+
+  /// Sides that meet are neighbours in that order before the sweep comes to where they do; so only neighbours are compared.
+  found sweep_in_order() {
+    std::sort(sides_.begin(), sides_.end(), [](const side& s, const side& t) { return s.rank < t.rank; });
+    const std::uint32_t count = static_cast<std::uint32_t>(sides_.size());
+    std::vector<std::uint32_t> corners(count);  // corner i: where side i begins
+    for (std::uint32_t i = 0; i < count; ++i) corners[i] = i;
+    std::sort(corners.begin(), corners.end(), [this](std::uint32_t i, std::uint32_t j) { return sides_[i].a < sides_[j].a; });
+    for (std::uint32_t k = 1; k < count; ++k)
+      if (sides_[corners[k - 1]].a == sides_[corners[k]].a) return pair_of(sides_[corners[k - 1]], sides_[corners[k]]);
+
+    using order = std::set<std::uint32_t, is_below>;
+    order crossed(is_below{&sides_});
+    std::vector<order::iterator> place(count, crossed.end());
+    found touch;
+    const auto compare = [&](order::iterator lower, order::iterator upper) {
+      if (!touch && meet(sides_[*lower], sides_[*upper])) touch = pair_of(sides_[*lower], sides_[*upper]);
+    };
+    for (const std::uint32_t i : corners) {
+      const std::uint32_t two[] = {i == 0 ? count - 1 : i - 1, i};
+      for (const std::uint32_t s : two) {
+        if (sides_[s].last() != sides_[i].a) continue;
+        const auto after = crossed.erase(place[s]);
+        if (after != crossed.begin() && after != crossed.end()) compare(std::prev(after), after);
+      }
+      for (const std::uint32_t s : two) {
+        if (sides_[s].first() != sides_[i].a) continue;
+        const auto [at, fresh] = crossed.insert(s);
+        if (!fresh) return pair_of(sides_[s], sides_[*at]);  // on one line with another side
+        place[s] = at;
+        if (at != crossed.begin()) compare(std::prev(at), at);
+        if (std::next(at) != crossed.end()) compare(at, std::next(at));
+      }
+      if (touch) return touch;
+    }
+    return std::nullopt;
+  }
+
   // 1: c is to the left of ab, -1: to the right, 0: on its line, up to rounding
   static int turn(const plane_point& a, const plane_point& b, const plane_point& c) {
     const double left = (a[0] - c[0]) * (b[1] - c[1]), right = (a[1] - c[1]) * (b[0] - c[0]), t = left - right;
     const double bound = 4 * std::numeric_limits<double>::epsilon() * (std::abs(left) + std::abs(right));
     return t > bound ? 1 : t < -bound ? -1 : 0;
+  }
+
+  static double left_of(const plane_point& a, const plane_point& b, const plane_point& c) {
+    return (a[0] - c[0]) * (b[1] - c[1]) - (a[1] - c[1]) * (b[0] - c[0]);
   }
 
   bool meet(const side& s, const side& t) const {

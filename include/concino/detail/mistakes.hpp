@@ -1,0 +1,56 @@
+// More parameter types of deleted functions that say what to write instead of a call that cannot compile. See mesh_traits.hpp for how they work.
+//
+//   template<class... T> void f(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+//
+// The pack takes what is named in angle brackets, as in f<vec3>(m), and `...` takes any other arguments, braces too.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/concepts/mesh.hpp>
+
+#include <concepts>
+#include <initializer_list>
+#include <type_traits>
+
+namespace concino::mistake {
+
+/// Made of a mesh or graph whose verts have no coordinates.
+template<sentence Remedy>
+struct no_points {
+  template<class M>
+    requires(requirement::is_adapted<M> && requirement::is_no_temporary<const M&> && requirement::has_vert<M> && !requirement::has_point<M>)
+  no_points(const M&);
+};
+inline constexpr sentence give_points("needs an Embedded mesh: write mesh_traits<M>::point(m, v), or call with with_points(m, map)");
+
+/// Made of any mesh or graph.
+struct any_mesh {
+  template<class M>
+    requires requirement::is_adapted<M>
+  any_mesh(const M&);
+};
+
+/// Made of a number, or of a list of numbers or of pairs of them, where elements of a mesh are meant.
+template<sentence Remedy>
+struct number {
+  struct and_value {
+    int element;
+    double value;
+  };
+  template<class I>
+    requires(std::is_arithmetic_v<I>)
+  number(const I&);
+  template<class R>
+    requires requires(const R& r) { requires std::is_arithmetic_v<std::remove_cvref_t<decltype(*r.begin())>>; }
+  number(const R&);
+  number(std::initializer_list<int>);
+  number(std::initializer_list<and_value>);
+};
+inline constexpr sentence name_the_element("elements of a mesh have types of their own: vert_id{0}, edge_id{0}, face_id{0} or poly_id{0}, not 0");
+
+inline constexpr sentence give_numbers_at_verts("the map has to give a number at each vert: make_vert_map<double>(m)");
+inline constexpr sentence give_numbers_or_points_at_verts("the map has to give a number or a point at each vert: make_vert_map<double>(m)");
+inline constexpr sentence give_vectors_at_polys("the field has to give a vector at each poly: make_poly_map<vec3>(m)");
+inline constexpr sentence give_labels_at_polys("the map has to give an int at each poly: make_poly_map<int>(m)");
+
+}  // namespace concino::mistake

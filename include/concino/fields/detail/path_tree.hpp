@@ -1,0 +1,129 @@
+// The windows that shortest paths run through, each with the window or vert that it came from.
+#pragma once
+
+#include <concino/fields/detail/flat_triangles.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// A tree of windows. Only windows that an arrival or a window still to be crossed descends from are kept.
+///
+/// What a path comes from is one number: a node of the tree, at_vert(v), at_place (the source inside a triangle), or none (a source vert).
+class path_tree {
+ public:
+  static constexpr int at_place = std::numeric_limits<int>::min();
+  static constexpr int none = at_place + 1;
+  static constexpr int at_vert(int v) { return -1 - v; }
+
+  /// A window on a side; the (virtual) source lies at x along the side and y off it, away from the triangle of the side.
+  struct node {
+    double x, y;
+    int side, from;
+  };
+  /// A point of a path: at a vert, or, where vert is -1, along a side, or, where side is -1 too, at the place of the source.
+  struct stop {
+    int vert, side;
+    double along;
+  };
+
+ private:
+  struct counted {
+    node window;
+    int uses;
+  };
+  std::vector<counted> nodes_;
+  std::vector<int> unused_, arrival_;
+  stop place_{-1, -1, 0};
+
+  counted& at(int i) { return nodes_[static_cast<std::size_t>(i)]; }
+  void use(int i) {
+    if (i >= 0) ++at(i).uses;
+  }
+
+ public:
+  explicit path_tree(std::size_t num_verts) : arrival_(num_verts, none) {}
+
+  /// Adds a window that is still to be crossed; release(node) ends that.
+  int add(const node& window) {
+    int i = static_cast<int>(nodes_.size());
+    if (unused_.empty()) {
+      nodes_.push_back({window, 1});
+    } else {
+      i = unused_.back();
+      unused_.pop_back();
+      at(i) = {window, 1};
+    }
+    use(window.from);
+    return i;
+  }
+  void release(int i) {
+    while (i >= 0 && --at(i).uses == 0) {
+      unused_.push_back(i);
+      i = at(i).window.from;
+    }
+  }
+  /// The place of the source is on a side, at that part of it.
+  void start_on(int side, double along) { place_ = {-1, side, along}; }
+  /// The shortest path known to vert v comes from there.
+  void arrive(int v, int from) {
+    use(from);
+    release(std::exchange(arrival_[static_cast<std::size_t>(v)], from));
+  }
+
+  /// The path from its source to vert v, which some path reaches. Its pieces are straight; each lies in one triangle or along an edge.
+  std::vector<stop> path_to(const flat_triangles& t, int v) const {
+    std::vector<stop> r{{v, -1, 0}};
+    int from = arrival_[static_cast<std::size_t>(v)];
+    while (from != none) {
+      if (from == at_place) {
+        r.push_back(place_);
+        break;
+      }
+      if (from < 0) {
+        add_stop(r, {-1 - from, -1, 0});
+        from = arrival_[static_cast<std::size_t>(-1 - from)];
+      } else {
+        from = straight_from(t, from, r);
+      }
+    }
+    std::reverse(r.begin(), r.end());
+    return r;
+  }
+
+ private:
+  static void add_stop(std::vector<stop>& r, const stop& s) {
+    if (s.vert < 0 || r.back().vert != s.vert) r.push_back(s);
+  }
+
+  /// Follows a path from the apex of a window's triangle back through the windows before it, on the straight line to their source.
+  int straight_from(const flat_triangles& t, int i, std::vector<stop>& r) const {
+    constexpr double at_end = 1e-14;  // of a side: what is nearer to its end is at the vert
+    const node* w = &nodes_[static_cast<std::size_t>(i)].window;
+    flat_triangles::place p = t.apex[static_cast<std::size_t>(w->side)];
+    while (true) {
+      const double size = t.length[static_cast<std::size_t>(w->side)];
+      const double part = std::clamp((w->x + (p.x - w->x) * (w->y / (w->y + p.y))) / size, 0.0, 1.0);
+      if (part <= at_end) add_stop(r, {t.start(w->side), -1, 0});
+      else if (part >= 1 - at_end) add_stop(r, {t.end(w->side), -1, 0});
+      else r.push_back({-1, w->side, part});
+      if (w->from < 0) return w->from;
+      const node* before = &nodes_[static_cast<std::size_t>(w->from)].window;
+      const auto edge = [&](int s) { return t.edge[static_cast<std::size_t>(s)]; };
+      const int right = flat_triangles::next(before->side);
+      const bool is_right = edge(right) == edge(w->side);
+      const int side = is_right ? right : flat_triangles::previous(before->side);
+      const double along = t.start(side) == t.start(w->side) ? part : 1 - part;  // part of the same edge, from where that side starts
+      const flat_triangles::place top = t.apex[static_cast<std::size_t>(before->side)];
+      const double base = t.length[static_cast<std::size_t>(before->side)];
+      p = is_right ? flat_triangles::place{base + along * (top.x - base), along * top.y} : flat_triangles::place{(1 - along) * top.x, (1 - along) * top.y};
+      w = before;
+    }
+  }
+};
+
+}  // namespace concino::detail

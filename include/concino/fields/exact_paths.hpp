@@ -1,0 +1,113 @@
+// Shortest paths over surfaces of triangles, which go straight through triangles and across edges: their points and lengths.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/concepts/surface_mesh.hpp>
+#include <concino/error.hpp>
+#include <concino/fields/detail/flat_triangles.hpp>
+#include <concino/fields/detail/path_tree.hpp>
+#include <concino/geometry/vec3.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/mesh/mesh_point.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+namespace detail {
+
+struct exact_preparation {
+  flat_triangles triangles;
+  std::vector<int> triangle_of;  // each poly
+};
+
+}  // namespace detail
+
+/// A shortest path over a surface: straight between consecutive points, each piece in one triangle or along an edge.
+/// points: from the source to the target, both included; one where they are the same, none where no path leads.
+/// length: of these pieces, in units of length; +inf where no path leads.
+template<class M>
+struct geodesic_path {
+  std::vector<mesh_point<M>> points;
+  double length = std::numeric_limits<double>::infinity();
+};
+
+/// The shortest paths from one set of sources to all verts. Copies share what is stored.
+template<SurfaceMesh M>
+  requires Embedded<M>
+class exact_paths {
+  struct contents {
+    std::shared_ptr<const detail::exact_preparation> prepared;
+    detail::path_tree tree;
+    std::optional<mesh_point<M>> place;  // the source, where it is inside a triangle
+    std::vector<vert_t<M>> vert;         // by index
+    std::vector<edge_t<M>> edge;
+  };
+  vert_map<M, double> distances_;
+  std::shared_ptr<const contents> contents_;
+
+ public:
+  /// Made by prepared_exact_geodesics::paths_from.
+  exact_paths(vert_map<M, double> distances, std::shared_ptr<const detail::exact_preparation> prepared, detail::path_tree tree,
+              std::optional<mesh_point<M>> place)
+      : distances_(std::move(distances)) {
+    const M& m = distances_.mesh();
+    contents c{std::move(prepared), std::move(tree), std::move(place), {}, {}};
+    c.vert.resize(static_cast<std::size_t>(vert_index_bound(m)));
+    for (const vert_t<M> v : verts(m)) c.vert[static_cast<std::size_t>(index_of(m, v))] = v;
+    c.edge.resize(static_cast<std::size_t>(edge_index_bound(m)));
+    for (const edge_t<M> e : edges(m)) c.edge[static_cast<std::size_t>(index_of(m, e))] = e;
+    contents_ = std::make_shared<const contents>(std::move(c));
+  }
+
+  /// The distance of each vert from the sources, in units of length; +inf where no path leads.
+  const vert_map<M, double>& distances() const { return distances_; }
+
+  /// The shortest path from the nearest source to vert v.
+  /// Needs:  the mesh is as it was prepared.
+  /// Result: see geodesic_path; its length is the distance at v less the number given with its source, to 1e-12 of it. Of several shortest
+  ///         paths one is given, the same in every run.
+  /// Cost:   O(number of points).
+  /// Errors: invalid_mesh if v is no vert of the mesh.
+  geodesic_path<M> path_to(const vert_t<M>& v) const {
+    const M& m = distances_.mesh();
+    if (!contains(m, v)) throw invalid_mesh("exact_paths: the target is no vert of the mesh; take it from verts(m)");
+    geodesic_path<M> path;
+    if (distances_[v] == std::numeric_limits<double>::infinity()) return path;
+    const detail::flat_triangles& t = contents_->prepared->triangles;
+    for (const detail::path_tree::stop& s : contents_->tree.path_to(t, static_cast<int>(index_of(m, v)))) path.points.push_back(point_at(m, t, s));
+    const double unit = std::ldexp(1.0, -t.exponent);  // so that no square overflows
+    double length = 0;
+    for (std::size_t i = 1; i < path.points.size(); ++i) length += distance(unit * path.points[i - 1].position, unit * path.points[i].position);
+    path.length = std::ldexp(length, t.exponent);
+    return path;
+  }
+
+ private:
+  mesh_point<M> point_at(const M& m, const detail::flat_triangles& t, const detail::path_tree::stop& s) const {
+    if (s.vert >= 0) {
+      const vert_t<M> v = contents_->vert[static_cast<std::size_t>(s.vert)];
+      return {v, to_vec3(point(m, v))};
+    }
+    if (s.side < 0) return *contents_->place;
+    const edge_t<M> e = contents_->edge[static_cast<std::size_t>(t.edge[static_cast<std::size_t>(s.side)])];
+    std::array<vec3, 2> end;
+    bool is_along = true;
+    std::size_t k = 0;
+    for (const vert_t<M> v : adj_e2v(m, e)) {
+      if (k == 0) is_along = static_cast<int>(index_of(m, v)) == t.start(s.side);
+      if (k < 2) end[k++] = to_vec3(point(m, v));
+    }
+    const double parameter = is_along ? s.along : 1 - s.along;
+    return {edge_point<M>{e, parameter}, (1 - parameter) * end[0] + parameter * end[1]};
+  }
+};
+
+}  // namespace concino

@@ -1,0 +1,137 @@
+// The bytes of a file as one text: read into memory, or mapped (POSIX).
+#pragma once
+
+#include <concino/detail/message.hpp>
+#include <concino/error.hpp>
+#include <concino/mesh/large_pages.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace concino::detail {
+
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_io_error(const std::string& path, const char* what, int error_number) {
+  throw_joined<io_error>({path, ": ", what, ": ", std::strerror(error_number)});
+}
+
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_size_changed(const std::string& path, bool grew) {
+  throw_joined<io_error>({path, grew ? ": grew" : ": shrank", " while it was read; load it again once it is complete"});
+}
+
+struct file_access {
+  bool map = false;    // map files instead of reading them
+  bool pipes = false;  // take pipes, which are read to their end
+};
+
+/// Frees itself. An empty file has an empty text, and so has a pipe that nobody writes to: it is not waited for.
+/// Errors: io_error if the path cannot be opened or read, is not a file (a directory, a device), or has another size when it is read than
+///         when it was opened. A file that shrinks while it is mapped ends the program by SIGBUS where the text is read beyond its end.
+class file_text {
+  const char* data_ = nullptr;
+  std::size_t size_ = 0;
+  int mapped_ = -1;  // the descriptor, if the file is mapped
+
+ public:
+  file_text() = default;
+  [[gnu::noinline, gnu::cold]] explicit file_text(const std::string& path, file_access access = {}) : file_text() {
+    struct open_file {
+      int fd;
+      ~open_file() {
+        if (fd >= 0) ::close(fd);
+      }
+    };
+    // Without O_NONBLOCK opening a pipe that nobody writes to would wait for ever.
+    open_file file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    if (file.fd < 0) throw_io_error(path, "cannot be opened", errno);
+    struct ::stat info {};
+    if (::fstat(file.fd, &info) != 0) throw_io_error(path, "cannot be read", errno);
+    if (S_ISDIR(info.st_mode)) throw_io_error(path, "cannot be read", EISDIR);
+    if (S_ISFIFO(info.st_mode) && access.pipes) {
+      if (::fcntl(file.fd, F_SETFL, O_RDONLY) != 0) throw_io_error(path, "cannot be read", errno);
+      read(file.fd, path, 0);
+    } else if (!S_ISREG(info.st_mode)) {
+      throw_joined<io_error>({path, ": is not a file"});
+    } else if (!access.map || info.st_size == 0) {
+      read(file.fd, path, static_cast<std::uint64_t>(info.st_size));
+    } else {
+      void* const p = ::mmap(nullptr, static_cast<std::size_t>(info.st_size), PROT_READ, MAP_PRIVATE, file.fd, 0);
+      if (p == MAP_FAILED) throw_io_error(path, "cannot be mapped", errno);
+      data_ = static_cast<const char*>(p);
+      size_ = static_cast<std::size_t>(info.st_size);
+      mapped_ = std::exchange(file.fd, -1);
+      ::madvise(p, size_, MADV_SEQUENTIAL);
+    }
+  }
+  /// What an open file holds from where it stands; `size` is what it said to hold, 0 if it did not say.
+  [[gnu::noinline, gnu::cold]] file_text(int fd, const std::string& path, std::uint64_t size) : file_text() { read(fd, path, size); }
+
+  file_text(file_text&& o) noexcept
+      : data_(std::exchange(o.data_, nullptr)), size_(std::exchange(o.size_, 0)), mapped_(std::exchange(o.mapped_, -1)) {}
+  file_text& operator=(file_text&& o) noexcept {
+    std::swap(data_, o.data_);
+    std::swap(size_, o.size_);
+    std::swap(mapped_, o.mapped_);
+    return *this;
+  }
+  ~file_text() {
+    if (mapped_ < 0) {
+      std::free(const_cast<char*>(data_));
+    } else {
+      ::munmap(const_cast<char*>(data_), size_);
+      ::close(mapped_);
+    }
+  }
+
+  std::string_view text() const { return {data_, size_}; }
+
+  /// Lets the text go, which makes room for what was read from it.
+  /// Errors: io_error if a file that is mapped has changed its size since.
+  [[gnu::noinline, gnu::cold]] void close(const std::string& path) {
+    const file_text old = std::move(*this);
+    *this = file_text();
+    if (old.mapped_ < 0) return;
+    struct ::stat info {};
+    if (::fstat(old.mapped_, &info) != 0) throw_io_error(path, "cannot be read", errno);
+    const auto now = static_cast<std::size_t>(info.st_size);
+    if (now != old.size_) throw_size_changed(path, now > old.size_);
+  }
+
+ private:
+  void read(int fd, const std::string& path, std::uint64_t size) {
+    std::size_t room = 0;
+    const auto make_room = [&](std::size_t n) {
+      void* const p = std::realloc(const_cast<char*>(data_), n);
+      if (!p) throw std::bad_alloc();
+      prefer_large_pages(p, n);
+      data_ = static_cast<const char*>(p);
+      room = n;
+    };
+    if (size >= SIZE_MAX) throw std::bad_alloc();
+    make_room(size ? static_cast<std::size_t>(size) + 1 : 1 << 16);  // one more byte, to see a file grow
+    for (;;) {
+      if (size_ == room) {
+        if (size) throw_size_changed(path, true);
+        make_room(2 * room);
+      }
+      const ::ssize_t n = ::read(fd, const_cast<char*>(data_) + size_, std::min<std::size_t>(room - size_, 1 << 30));
+      if (n == 0) break;
+      if (n > 0) size_ += static_cast<std::size_t>(n);
+      else if (errno != EINTR) throw_io_error(path, "cannot be read", errno);
+    }
+    if (size_ < size) throw_size_changed(path, false);
+  }
+};
+
+}  // namespace concino::detail

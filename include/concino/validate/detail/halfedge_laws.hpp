@@ -1,0 +1,271 @@
+// The laws HE1 .. HE4 of <concino/concepts/halfedge_kernel.hpp>: how half-edges are linked, and what they can hold.
+#pragma once
+
+#include <concino/concepts/halfedge_kernel.hpp>
+#include <concino/detail/message.hpp>
+#include <concino/validate/law_tables.hpp>
+
+#include <new>
+
+namespace concino::detail {
+
+/// Surfaces whose mesh_traits come from halfedge_kernel.
+template<class M> concept halfedge_mesh = SurfaceMesh<M> && requires { typename traits<M>::halfedge_links; };
+
+/// Order of checking: a half-edge is asked about only after what gave it was found to be sound, since links of a mesh that half-edges cannot
+/// hold lead to half-edges that do not exist.
+template<halfedge_mesh M>
+class halfedge_laws {
+  using K = typename traits<M>::halfedge_links;
+  using halfedge = typename K::halfedge;
+  struct step {  // along a poly
+    halfedge h;
+    position poly, from, to;
+  };
+
+  const M& m_;
+  law_log& log_;
+  element_table<vert_t<M>> vs_;
+  element_table<edge_t<M>> es_;
+  element_table<poly_t<M>> ps_;
+  std::vector<step> steps_;
+  std::vector<halfedge> halves_;  // 2 e and 2 e + 1: those of the edge at position e
+
+  static constexpr const char* remedy = ": half-edges cannot hold that, use indexed_surface";
+  static std::string number(const char* kind, std::size_t i) { return joined({kind, " ", i}); }
+  std::string vert_name(position v) const { return number("vert", vs_.index[v]); }
+  std::string edge_name(position e) const { return number("edge", es_.index[e]); }
+  std::string poly_name(position p) const { return number("poly", ps_.index[p]); }
+  std::string way(const step& s) const { return joined({"from ", vert_name(s.from), " to ", vert_name(s.to)}); }
+  std::string witness(const step& s) const { return joined({vs_.name(s.from), " ", vs_.name(s.to)}); }
+
+ public:
+  halfedge_laws(const M& m, law_log& log) : m_(m), log_(log) {}
+
+  /// Reads the elements, for which other laws stand.
+  bool read_elements_of_mesh(law_log& log) {
+    vs_ = read_elements<vert_t<M>>(m_, 'v', verts, num_verts, vert_index_bound, "PG1", "PG2", log);
+    es_ = read_elements<edge_t<M>>(m_, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", log);
+    ps_ = read_elements<poly_t<M>>(m_, 'p', polys, num_polys, poly_index_bound, "DG1", "DG2", log);
+    return log.empty();
+  }
+
+  /// True where all laws hold. To be called where the elements could be read.
+  bool check() {
+    try {
+      return walk_polys() && check_polys_of_edges() && check_borders_exist() && check_pairs() && walk_around_verts();
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& e) {
+      log_.add("HE1", joined({"the half-edges throw: ", e.what()}), "");
+      return false;
+    }
+  }
+
+ private:
+  bool fault(const char* law, message what, std::string witness) {
+    log_.add(law, joined(what), std::move(witness));
+    return log_.full(law);
+  }
+  bool sound(const char* law) const { return log_.count(law) == 0; }
+
+  bool walk_polys() {
+    for (position p = 0; p < ps_.size() && !log_.full("HE1"); ++p) {
+      const halfedge start = K::halfedge_of(m_, ps_.items[p]);
+      const std::size_t first = steps_.size();
+      halfedge h = start, mark = start;
+      std::size_t limit = 1;  // a walk that goes round without its start meets the mark again, which moves on at 1, 3, 7, 15 ... steps
+      do {
+        const std::size_t k = steps_.size() - first;
+        if (K::is_border(m_, h)) {
+          fault("HE1", {"the half-edges of ", poly_name(p), k ? ": next leads to one at the border" : ": halfedge_of is at the border"}, ps_.name(p));
+          break;
+        }
+        if (!(K::poly_of(m_, h) == ps_.items[p])) {
+          fault("HE1", {"the half-edges of ", poly_name(p), k ? ": next leads to one whose poly_of is another poly" : ": poly_of(halfedge_of) is another poly"}, ps_.name(p));
+          break;
+        }
+        const position to = vs_.find(m_, K::target(m_, h));
+        if (to == no_position) {
+          fault("HE1", {"the half-edges of ", poly_name(p), ": the target of one of them is not a vert of the mesh"}, ps_.name(p));
+          break;
+        }
+        steps_.push_back({h, p, steps_.size() > first ? steps_.back().to : no_position, to});
+        h = K::next(m_, h);
+        if (h == start) break;
+        if (h == mark) {
+          fault("HE1", {"the half-edges of ", poly_name(p), ": next does not come back to halfedge_of"}, ps_.name(p));
+          break;
+        }
+        if (k + 1 == limit) mark = h, limit = 2 * limit + 1;
+      } while (true);
+      if (steps_.size() > first) steps_[first].from = steps_.back().to;
+    }
+    return sound("HE1");
+  }
+
+  /// steps_ with those between the same two verts beside one another: by the larger vert, then stably by the smaller.
+  void sort_steps() {
+    std::vector<step> sorted(steps_.size());
+    std::vector<std::size_t> place(vs_.size() + std::size_t{1});
+    for (const bool by_smaller : {false, true}) {
+      const auto key = [&](const step& s) { return by_smaller ? std::min(s.from, s.to) : std::max(s.from, s.to); };
+      std::fill(place.begin(), place.end(), 0);
+      for (const step& s : steps_) ++place[key(s) + std::size_t{1}];
+      for (position v = 0; v < vs_.size(); ++v) place[v + std::size_t{1}] += place[v];
+      for (const step& s : steps_) sorted[place[key(s)]++] = s;
+      steps_.swap(sorted);
+    }
+  }
+  static bool same_verts(const step& a, const step& b) {
+    return (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
+  }
+
+  bool check_polys_of_edges() {
+    sort_steps();
+    for (std::size_t i = 0, n = 0; i < steps_.size() && !log_.full("HE2"); i += n) {
+      for (n = 1; i + n < steps_.size() && same_verts(steps_[i], steps_[i + n]);) ++n;
+      const step &s = steps_[i], &t = steps_[i + n - 1];
+      if (s.from == s.to) {
+        fault("HE2", {poly_name(s.poly), " runs from ", vert_name(s.from), " to itself"}, witness(s));
+      } else if (n > 2) {
+        std::string polys;
+        for (std::size_t k = i; k < i + n && k < i + 4; ++k) polys += joined({k > i ? ", " : "", ps_.name(steps_[k].poly)});
+        fault("HE2", {"the edge ", way(s), " has ", n, " polys (", polys, n > 4 ? ", ...)" : ")", remedy}, witness(s));
+      } else if (n == 2 && s.poly == t.poly && s.from == t.from) {
+        fault("HE2", {poly_name(s.poly), " runs ", way(s), " twice", remedy}, witness(s));
+      } else if (n == 2 && s.from == t.from) {
+        fault("HE2", {poly_name(s.poly), " and ", poly_name(t.poly), " both run ", way(s), ", their orientations disagree: turn one of them, or use indexed_surface"},
+              witness(s));
+      }
+    }
+    return sound("HE2");
+  }
+
+  /// Libraries without border half-edges answer `opposite` there with one value for all, or with the half-edge itself.
+  bool check_borders_exist() {
+    const step* first = nullptr;  // of those at the border
+    for (std::size_t i = 0, n = 0; i < steps_.size(); i += n) {
+      n = i + 1 < steps_.size() && same_verts(steps_[i], steps_[i + 1]) ? 2 : 1;
+      if (n == 2) continue;
+      const step& s = steps_[i];
+      const halfedge o = K::opposite(m_, s.h);
+      if (o == s.h || (first && o == K::opposite(m_, first->h))) {
+        fault("HE3",
+              {"the edge ", way(s), " lies at the border, and opposite gives ", o == s.h ? "the half-edge itself" : "another border edge the same half-edge",
+               ": border half-edges must exist, or the links say static constexpr bool has_border_halfedges = false"},
+              witness(s));
+        return false;
+      }
+      if (!first) first = &s;
+    }
+    return true;
+  }
+
+  bool check_pairs() {
+    for (std::size_t i = 0, n = 0; i < steps_.size() && !log_.full("HE3"); i += n) {
+      n = i + 1 < steps_.size() && same_verts(steps_[i], steps_[i + 1]) ? 2 : 1;
+      const step& s = steps_[i];
+      const halfedge o = K::opposite(m_, s.h);
+      if (n == 2) {
+        const step& t = steps_[i + 1];
+        if (!(o == t.h) || !(K::opposite(m_, t.h) == s.h))
+          fault("HE3", {"the half-edges ", way(s), " of ", poly_name(s.poly), " and ", way(t), " of ", poly_name(t.poly), " are not opposite to each other"}, witness(s));
+      } else if (!K::is_border(m_, o)) {
+        fault("HE3", {"the half-edge ", way(s), " of ", poly_name(s.poly), ": its opposite belongs to a poly that does not run the other way"}, witness(s));
+      } else if (!(K::opposite(m_, o) == s.h)) {
+        fault("HE3", {"the half-edge ", way(s), " of ", poly_name(s.poly), ": opposite of its opposite is another half-edge"}, witness(s));
+      } else if (vs_.find(m_, K::target(m_, o)) != s.from) {
+        fault("HE3", {"the half-edge ", way(s), " of ", poly_name(s.poly), ": its opposite does not lead to ", vert_name(s.from)}, witness(s));
+      }
+    }
+    if (!sound("HE3")) return false;
+    halves_.reserve(2 * es_.items.size());
+    for (position e = 0; e < es_.size(); ++e) {
+      halves_.push_back(K::halfedge_of(m_, es_.items[e]));
+      halves_.push_back(K::opposite(m_, halves_.back()));
+      const halfedge &h = halves_[2 * std::size_t{e}], &o = halves_.back();
+      const bool good = !(o == h) && K::opposite(m_, o) == h && K::edge_of(m_, h) == es_.items[e] && K::edge_of(m_, o) == es_.items[e];
+      if (!good && fault("HE3", {edge_name(e), ": edge_of(halfedge_of(e)) and of its opposite must be e, and the two be opposite to each other"}, es_.name(e))) break;
+    }
+    if (!sound("HE3")) return false;
+    for (std::size_t i = 0; i < halves_.size(); ++i)
+      if (K::is_border(m_, halves_[i]) && !K::is_border(m_, K::next(m_, halves_[i])) &&
+          fault("HE1", {edge_name(static_cast<position>(i / 2)), ": next leads from its half-edge at the border into a poly"}, es_.name(static_cast<position>(i / 2))))
+        break;
+    if (!sound("HE1")) return false;
+    for (const step& s : steps_)
+      if (slot(s.h) == none && fault("HE3", {"the half-edge ", way(s), " of ", poly_name(s.poly), ": its edge_of has other half-edges"}, ps_.name(s.poly))) break;
+    return sound("HE3");
+  }
+
+  static constexpr std::size_t none = ~std::size_t{0};
+  std::size_t slot(const halfedge& h) const {
+    const position e = es_.find(m_, K::edge_of(m_, h));
+    if (e == no_position) return none;
+    const std::size_t i = 2 * std::size_t{e};
+    return halves_[i] == h ? i : halves_[i + 1] == h ? i + 1 : none;
+  }
+
+  /// Marks and counts the half-edges that are met by stepping around v from start, and those of them at the border.
+  /// Result: why that fails, or null.
+  struct counts { std::size_t all = 0, at_border = 0; };
+  const char* walk_around(position v, const halfedge& start, std::vector<std::uint8_t>& met, counts& count) const {
+    halfedge h = start;
+    do {
+      const halfedge o = K::opposite(m_, h);
+      if (vs_.find(m_, K::target(m_, o)) != v) return " leads to a half-edge that leaves another vert";
+      const std::size_t i = slot(h);
+      if (i == none) return " leads to a half-edge of no edge of the mesh";
+      if (met[i]) return " does not come back to the first half-edge";
+      met[i] = 1;
+      ++count.all;
+      count.at_border += K::is_border(m_, h);
+      h = K::next(m_, o);
+    } while (!(h == start));
+    return nullptr;
+  }
+
+  bool walk_around_verts() {
+    std::vector<std::size_t> leaving(vs_.items.size());
+    std::vector<position> from(halves_.size());
+    for (std::size_t i = 0; i < halves_.size(); ++i) {
+      from[i] = vs_.find(m_, K::target(m_, halves_[i ^ 1]));
+      if (from[i] != no_position) ++leaving[from[i]];
+      else if (fault("HE3", {edge_name(static_cast<position>(i / 2)), ": the target of one of its half-edges is not a vert of the mesh"}, es_.name(static_cast<position>(i / 2)))) return false;
+    }
+    if (!sound("HE3")) return false;
+
+    std::vector<std::uint8_t> met(halves_.size());
+    std::vector<position> torn;  // verts some of whose half-edges were not met
+    for (position v = 0; v < vs_.size() && !log_.full("HE4"); ++v) {
+      if (K::is_isolated(m_, vs_.items[v])) {
+        if (leaving[v]) fault("HE4", {vert_name(v), ": is_isolated is true, but half-edges leave it"}, vs_.name(v));
+        continue;
+      }
+      counts count;
+      if (!leaving[v]) fault("HE4", {vert_name(v), ": is_isolated is false, but no half-edge leaves it"}, vs_.name(v));
+      else if (const char* why = walk_around(v, K::halfedge_of(m_, vs_.items[v]), met, count))
+        fault("HE4", {vert_name(v), ": stepping from halfedge_of to next(opposite(h))", why}, vs_.name(v));
+      else if (count.all < leaving[v]) torn.push_back(v);
+    }
+    if (!sound("HE4")) return false;
+    if (torn.empty()) return true;
+    // An open fan has one border half-edge that leaves its vert; a closed one is met as a round without any.
+    std::vector<std::size_t> fans(vs_.items.size());
+    std::fill(met.begin(), met.end(), 0);
+    for (std::size_t i = 0; i < halves_.size(); ++i) {
+      fans[from[i]] += K::is_border(m_, halves_[i]);
+      counts count;
+      if (!met[i] && !walk_around(from[i], halves_[i], met, count) && count.at_border == 0) ++fans[from[i]];
+    }
+    for (const position v : torn) {
+      const char* const words[] = {"two", "three", "four"};
+      const std::string n = fans[v] >= 2 && fans[v] < 5 ? words[fans[v] - 2] : joined({fans[v]});
+      if (fault("HE4", {vert_name(v), " has ", n, " fans of polys: use indexed_surface, or link the border half-edges from one fan to the next"}, vs_.name(v))) break;
+    }
+    return false;
+  }
+};
+
+}  // namespace concino::detail

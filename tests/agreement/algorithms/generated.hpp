@@ -1,0 +1,116 @@
+// bounding_tree, dual_mesh and agglomerate.
+#pragma once
+
+#include <agreement/matched.hpp>
+
+#include <concino/generate/agglomerate.hpp>
+#include <concino/generate/dual_mesh.hpp>
+#include <concino/geometry/bounding_tree.hpp>
+#include <concino/geometry/bounding_box.hpp>
+#include <concino/geometry/centroid.hpp>
+#include <concino/geometry/measure.hpp>
+
+#include <optional>
+
+namespace concino::agreement {
+
+struct trees {
+  static constexpr const char* name = "bounding_tree";
+  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    const auto here = bounding_tree(both.native);
+    const auto there = bounding_tree(both.other);
+    const box whole = bounding_box(both.native);
+    const auto at = [&](double x, double y, double z) {
+      return vec3{whole.min.x + x * (whole.max.x - whole.min.x), whole.min.y + y * (whole.max.y - whole.min.y), whole.min.z + z * (whole.max.z - whole.min.z)};
+    };
+    if (both.polys.empty()) {
+      expect(!here.closest({}) && !there.closest({}), "nothing is near where there is nothing");
+      return true;
+    }
+    for (const vec3& x : {at(0.31, 0.42, 0.53), at(0.77, 0.61, 0.13), at(-0.4, 1.7, 0.5), at(0.13, 0.07, 2.1)}) {
+      const auto a = here.closest(x);
+      const auto b = there.closest(x);
+      expect(bool(a) == bool(b), "something is near");
+      expect_close(a.distance, b.distance, "the distance to the nearest point");
+      expect(here.locate(x).has_value() == there.locate(x).has_value(), "some poly holds the point");
+      const auto c = here.ray(x, {0.3, -0.2, -1});
+      const auto d = there.ray(x, {0.3, -0.2, -1});
+      expect(bool(c) == bool(d), "the ray meets something");
+      if (c) expect_close(c.parameter, d.parameter, "where the ray meets the first poly");
+    }
+    for (const auto p : both.polys.all)
+      if (const vec3 c = centroid(both.native, p); is_finite(c)) expect(there.closest(c).distance <= here.closest(c).distance + 1e-12, "near each poly");
+    const box part{at(0.2, 0.1, -1), at(0.6, 0.8, 0.7)};
+    expect(sorted(raw_numbers(here.in_box(part))) == sorted(native_numbers(both.polys, there.in_box(part))), "the polys in a box");
+    return true;
+  }
+};
+
+/// Both fail alike, or give meshes with the same polys in the same order.
+template<class A, class B>
+bool expect_same_polys(const A& make_native, const B& make_other) {
+  const auto try_to = [](const auto& make) {
+    try {
+      return std::optional(make());
+    } catch (const invalid_mesh&) {
+      return std::optional<decltype(make())>();
+    }
+  };
+  const auto a = try_to(make_native);
+  const auto b = try_to(make_other);
+  expect(a.has_value() == b.has_value(), "both meshes are refused or neither");
+  if (!a) return false;
+  expect(num_verts(*a) == num_verts(*b) && num_edges(*a) == num_edges(*b) && num_polys(*a) == num_polys(*b), "as many elements");
+  for (const auto p : polys(*a)) {
+    expect_close(measure(*a, p), measure(*b, p), "the measure of a poly");
+    const vec3 x = centroid(*a, p), y = centroid(*b, p);
+    for (std::size_t k = 0; k < 3; ++k) expect(std::abs(x[k] - y[k]) <= 1e-9, "the centroid of a poly");
+  }
+  return true;
+}
+
+struct duals {
+  static constexpr const char* name = "dual_mesh";
+  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    bool any = false;
+    for (const auto boundary : {dual_boundary::clipped, dual_boundary::discarded})
+      any = expect_same_polys([&] { return dual_mesh(both.native, {.boundary = boundary}); }, [&] { return dual_mesh(both.other, {.boundary = boundary}); }) || any;
+    return any;
+  }
+};
+
+/// Labels that put so many consecutive polys together, as the first mesh numbers them; asked for by polys of either mesh.
+template<class P>
+struct labels_of_pair {
+  const P* pairs;
+  unsigned size;
+  int operator[](const typename P::descriptor& p) const { return static_cast<int>(pairs->back(p).raw() / size); }
+};
+struct labels_of_numbers {
+  unsigned size;
+  int operator[](poly_id p) const { return static_cast<int>(p.raw() / size); }
+};
+
+struct unions {
+  static constexpr const char* name = "agglomerate";
+  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    bool any = false;
+    for (const unsigned size : {1u, 2u, 6u}) {
+      const labels_of_numbers ours{size};
+      const labels_of_pair<std::remove_cvref_t<decltype(both.polys)>> theirs{&both.polys, size};
+      any = expect_same_polys([&] { return agglomerate(both.native, ours); }, [&] { return agglomerate(both.other, theirs); }) || any;
+    }
+    return any;
+  }
+};
+
+}  // namespace concino::agreement

@@ -1,0 +1,12 @@
+// Harmonic maps by iteration on large grids graded by x^3, against linear functions, which all of these meshes have exactly.
+#include "support/graded_solvers.hpp"
+
+using namespace graded_solvers;
+
+TEST_CASE("harmonic_map: by iteration on large graded grids, all sides or two held") {
+  for (const bool all : {true, false}) {
+    CHECK(distance_from_linear(graded<trimesh>(all ? 300 : 120, 3), all) < 1e-9);
+    CHECK(distance_from_linear(graded<tetmesh>(40, 3), all) < 1e-9);
+    CHECK(distance_from_linear(graded<hexmesh>(30, 3), all) < 1e-9);
+  }
+}

@@ -1,0 +1,54 @@
+// Harmonic maps on grids graded by x^3, whose cells differ by orders of magnitude in size and shape: the same by iteration as by factorisation.
+#include <concino/fields/heat_geodesics.hpp>
+
+#include "support/graded_solvers.hpp"
+
+#include <string>
+#include <utility>
+
+using namespace graded_solvers;
+
+TEST_CASE("harmonic_map: by iteration as by factorisation on graded triangles, all sides or two held") {
+  for (const bool all : {true, false}) CHECK(difference(graded<trimesh>(40, 3), all) < 1e-9);
+}
+TEST_CASE("harmonic_map: by iteration as by factorisation on graded tets, all sides or two held") {
+  for (const bool all : {true, false}) CHECK(difference(graded<tetmesh>(9, 3), all) < 1e-9);
+}
+TEST_CASE("harmonic_map: by iteration as by factorisation on graded hexes, all sides or two held") {
+  for (const bool all : {true, false}) CHECK(difference(graded<hexmesh>(9, 3), all) < 1e-9);
+}
+TEST_CASE("harmonic_map: by iteration as by factorisation on a square whose upper half is 10^9 times as high") {
+  auto m = graded<trimesh>(30, 1);
+  for (const auto v : verts(m)) {
+    vec3 p = to_vec3(point(m, v));
+    if (p.y > 0.5) p.y = 0.5 + 1e9 * (p.y - 0.5);
+    set_point(m, v, p);
+  }
+  CHECK(difference(m, true) < 1e-9);
+  CHECK(difference(m, false) < 1e-9);
+}
+
+TEST_CASE("fields: on meshes squeezed until the system is singular the problem, a vert and a remedy are named") {
+  auto m = make_grid<hexmesh>({.cells = {4, 4, 4}});
+  for (const auto v : verts(m)) {
+    vec3 p = to_vec3(point(m, v));
+    p.z *= 1e-9;
+    set_point(m, v, p);
+  }
+  const vert_id corner{0};
+  const auto said = [](auto f) {
+    try {
+      f();
+    } catch (const solver_error& e) {
+      return std::string(e.what());
+    }
+    return std::string("solved");
+  };
+  const std::string harmonic = said([&] { harmonic_map(m, {{corner, 0.0}, {vert_id{4}, 1.0}}, {}, ldlt{}); });
+  const std::string heat = said([&] { heat_geodesics(m, corner, {}, ldlt{}); });
+  for (const auto& [text, who] : {std::pair{harmonic, "harmonic_map: "}, std::pair{heat, "heat_geodesics: "}}) {
+    CHECK(text.find(who) == 0);
+    CHECK(text.find(" at vert ") != std::string::npos);
+    CHECK(text.find("remesh") != std::string::npos);
+  }
+}

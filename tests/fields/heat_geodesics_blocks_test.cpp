@@ -1,0 +1,6 @@
+#include <support/geodesic_check.hpp>
+
+using namespace concino;
+using namespace concino::testing;
+
+TEST_CASE_TEMPLATE("heat_geodesics: errors as the table says, on the coarser meshes of quads and hexes", M, quadmesh, hexmesh) { check_geodesics_of<M>(); }

@@ -1,0 +1,23 @@
+# No header adds strings up; and of the cases in string_sums.txt the script finds those that are marked and no others.
+find_program(awk NAMES mawk gawk awk REQUIRED)
+
+execute_process(COMMAND ${awk} -f ${CMAKE_CURRENT_LIST_DIR}/string_sums.awk ${CMAKE_CURRENT_LIST_DIR}/string_sums.txt OUTPUT_VARIABLE found)
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/string_sums.txt marked REGEX "// sum$")
+list(LENGTH marked expected)
+string(REGEX MATCHALL "// sum\n" found_marked "${found}")
+string(REGEX MATCHALL "\n" found_all "${found}")
+list(LENGTH found_marked right)
+list(LENGTH found_all all)
+if(NOT right EQUAL expected OR NOT all EQUAL expected)
+  message(FATAL_ERROR "of ${expected} marked lines string_sums.awk finds ${right}, and ${all} lines in all:\n${found}")
+endif()
+
+set(headers "")
+foreach(root IN ITEMS concepts include adapters)
+  file(GLOB_RECURSE some ${source}/${root}/*.hpp)
+  list(APPEND headers ${some})
+endforeach()
+execute_process(COMMAND ${awk} -f ${CMAKE_CURRENT_LIST_DIR}/string_sums.awk ${headers} RESULT_VARIABLE code OUTPUT_VARIABLE found ERROR_VARIABLE wrong)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "sums of strings in headers; put messages together with detail::joined or detail::throw_joined:\n${found}${wrong}")
+endif()

@@ -1,0 +1,117 @@
+#include <concino/io/file_text.hpp>
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include <support/temporary.hpp>
+
+using namespace concino;
+using concino::detail::file_access;
+using concino::detail::file_text;
+
+TEST_CASE("file_text: text, empty text, moved; read and mapped") {
+  const testing::temporary_folder dir;
+  testing::write_file(dir / "a", "hello\n");
+  testing::write_file(dir / "empty", "");
+  const std::string large(3'000'000, 'x');
+  testing::write_file(dir / "large", large);
+  for (const bool map : {false, true}) {
+    file_text a(dir / "a", {.map = map});
+    CHECK(a.text() == "hello\n");
+    CHECK(file_text(dir / "empty", {.map = map}).text().empty());
+    CHECK(file_text(dir / "large", {.map = map}).text() == large);
+    file_text b = std::move(a);
+    CHECK(b.text() == "hello\n");
+    b.close("a");
+    CHECK(b.text().empty());
+  }
+  CHECK(file_text("/proc/self/stat").text().size() > 10);  // says that it holds 0 bytes
+}
+
+TEST_CASE("file_text: what cannot be read is an io_error that names the path and why") {
+  const testing::temporary_folder dir;
+  CHECK_THROWS_WITH_AS(file_text(dir / "none"), ((dir / "none") + ": cannot be opened: No such file or directory").c_str(), io_error);
+  for (const bool pipes : {false, true}) {
+    CHECK_THROWS_WITH_AS(file_text(dir.path(), {.pipes = pipes}), (dir.path() + ": cannot be read: Is a directory").c_str(), io_error);
+    CHECK_THROWS_WITH_AS(file_text("/dev/zero", {.pipes = pipes}), "/dev/zero: is not a file", io_error);
+    CHECK_THROWS_AS(file_text("", {.pipes = pipes}), io_error);
+  }
+  ::mkfifo((dir / "pipe").c_str(), 0600);
+  CHECK_THROWS_AS(file_text(dir / "pipe"), io_error);  // and does not wait for a writer
+  if (::geteuid() != 0) {
+    testing::write_file(dir / "secret", "x");
+    ::chmod((dir / "secret").c_str(), 0);
+    CHECK_THROWS_AS(file_text(dir / "secret"), io_error);
+  }
+}
+
+TEST_CASE("file_text: pipes are read to their end where they are asked for") {
+  const testing::temporary_folder dir;
+  ::mkfifo((dir / "pipe").c_str(), 0600);
+  CHECK(file_text(dir / "pipe", {.pipes = true}).text().empty());  // nobody writes to it
+
+  for (const bool map : {false, true}) {
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    const std::string sent(500'000, 'y');  // more than a pipe holds
+    std::thread writer([&] {
+      for (std::size_t done = 0; done < sent.size();) done += static_cast<std::size_t>(::write(ends[1], sent.data() + done, sent.size() - done));
+      ::close(ends[1]);
+    });
+    const file_text got("/dev/fd/" + std::to_string(ends[0]), {.map = map, .pipes = true});
+    writer.join();
+    ::close(ends[0]);
+    CHECK(got.text() == sent);
+  }
+}
+
+TEST_CASE("file_text: a file that has another size than it said is an io_error") {
+  const testing::temporary_folder dir;
+  testing::write_file(dir / "a", "0123456789");
+  const auto open = [&](std::uint64_t size) {
+    const int fd = ::open((dir / "a").c_str(), O_RDONLY | O_CLOEXEC);
+    try {
+      const std::string text(file_text(fd, "a", size).text());
+      ::close(fd);
+      return text;
+    } catch (...) {
+      ::close(fd);
+      throw;
+    }
+  };
+  CHECK(open(10) == "0123456789");
+  CHECK(open(0) == "0123456789");
+  CHECK_THROWS_WITH_AS(open(11), "a: shrank while it was read; load it again once it is complete", io_error);
+  CHECK_THROWS_WITH_AS(open(9), "a: grew while it was read; load it again once it is complete", io_error);
+  CHECK_THROWS_AS(open(~std::uint64_t{0}), std::bad_alloc);
+
+  file_text small(dir / "a", {.map = true}), large(dir / "a", {.map = true});
+  std::ofstream(dir / "a", std::ios::app) << "more";
+  CHECK_THROWS_WITH_AS(small.close("a"), "a: grew while it was read; load it again once it is complete", io_error);
+  CHECK(small.text().empty());
+  REQUIRE(::truncate((dir / "a").c_str(), 3) == 0);
+  CHECK_THROWS_WITH_AS(large.close("a"), "a: shrank while it was read; load it again once it is complete", io_error);
+}
+
+TEST_CASE("file_text: a file whose size changes all the time is read or refused") {
+  const testing::temporary_folder dir;
+  const std::string path = dir / "a";
+  testing::write_file(path, "x");
+  std::atomic<bool> stop = false;
+  std::thread other([&] {
+    for (bool large = true; !stop; large = !large) ::truncate(path.c_str(), large ? 4'000'000 : 1);
+  });
+  for (int i = 0; i < 300; ++i) {
+    try {
+      const std::size_t size = file_text(path).text().size();
+      CHECK((size == 1 || size == 4'000'000));
+    } catch (const io_error&) {
+    }
+  }
+  stop = true;
+  other.join();
+}

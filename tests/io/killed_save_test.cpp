@@ -1,0 +1,148 @@
+// Saves that end at each call that changes a folder, and the order in which files reach the disk.
+#include <concino/io/load.hpp>
+#include <concino/io/save.hpp>
+#include <concino/io/scalar_field.hpp>
+#include <concino/mesh/trimesh.hpp>
+
+#include <support/materials.hpp>
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <functional>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+int calls_left = -1;  // a process ends before the call that finds 0; negative: never
+std::vector<std::string>* synced = nullptr;
+std::string watched;  // a file
+
+void before_a_change() {
+  if (calls_left >= 0 && calls_left-- == 0) ::_exit(77);
+}
+
+}  // namespace
+
+// Calls of this program come here instead of the system's library.
+extern "C" {
+int linkat(int from, const char* old, int to, const char* name, int flags) noexcept {
+  before_a_change();
+  return static_cast<int>(::syscall(SYS_linkat, from, old, to, name, flags));
+}
+int renameat(int from, const char* old, int to, const char* name) noexcept {
+  before_a_change();
+  return static_cast<int>(::syscall(SYS_renameat2, from, old, to, name, 0));
+}
+int unlinkat(int folder, const char* name, int flags) noexcept {
+  before_a_change();
+  return static_cast<int>(::syscall(SYS_unlinkat, folder, name, flags));
+}
+int unlink(const char* name) noexcept {
+  before_a_change();
+  return static_cast<int>(::syscall(SYS_unlinkat, AT_FDCWD, name, 0));
+}
+int fsync(int file) {
+  if (synced) {
+    struct ::stat info {};
+    ::fstat(file, &info);
+    synced->push_back((S_ISDIR(info.st_mode) ? "folder, " : "file, ") + std::string(std::filesystem::exists(watched) ? read_file(watched) : "none").substr(0, 12));
+  }
+  return static_cast<int>(::syscall(SYS_fsync, file));
+}
+}
+
+namespace {
+
+const std::string scene = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl oak\nf 1 2 3\nusemtl color_1\nf 3 2 1\n";
+
+/// Saves m with a process that ends at each change of the folder, and looks at what is there. Returns the number of changes.
+int number_of_steps(const std::function<void(const temporary_folder&)>& prepare, const std::function<trimesh(const temporary_folder&)>& make) {
+  for (int steps = 0;; ++steps) {
+    const temporary_folder dir;
+    prepare(dir);
+    const std::string path = dir / "a.obj";
+    const trimesh m = make(dir);
+    const said_materials old = said_in(path), fresh = said_of(m);
+    const ::pid_t child = ::fork();
+    if (child == 0) {
+      calls_left = steps;
+      save(m, path);
+      ::_exit(0);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    REQUIRE(WIFEXITED(status));
+    const said_materials now = said_in(path);
+    if (WEXITSTATUS(status) == 0) {
+      CHECK(now == fresh);
+      return steps;
+    }
+    REQUIRE(WEXITSTATUS(status) == 77);
+    const bool is_one = now == old || now == fresh;
+    CHECK(is_one);
+    if (steps == 0) CHECK(now == old);
+    // the next saves find their way, and leave nothing of this one behind
+    const std::size_t others = std::filesystem::exists(dir / "oak.mtl") ? 1 : 0;
+    for (const float r : {0.125f, 0.0625f}) {
+      save(colored(r), path);
+      CHECK(said_in(path) == said_of(colored(r)));
+    }
+    std::string left;
+    for (const auto& entry : std::filesystem::directory_iterator(dir.path())) left += entry.path().filename().string() + " ";
+    INFO(left);
+    CHECK(dir.num_files() == 2 + others);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("killed_save: at every step the pair on the disk is the old one or the new one") {
+  const auto nothing = [](const temporary_folder&) {};
+  const auto earlier = [](const temporary_folder& dir) { save(colored(0.5f), dir / "a.obj"); };
+  const auto from_elsewhere = [](const temporary_folder& dir) {
+    write_file(dir / "oak.mtl", "newmtl oak\nKa 1 1 1\nKd 0.5 0 0\nillum 2\nnewmtl color_1\nKd 0 1 0\n");
+    write_file(dir / "a.obj", "mtllib oak.mtl\n" + scene);
+  };
+  const auto names_missing = [](const temporary_folder& dir) { write_file(dir / "a.obj", "mtllib a.mtl a_1.mtl\n" + scene); };
+  const auto other = [](const temporary_folder&) { return colored(0.25f); };
+  const auto loaded = [](const temporary_folder& dir) { return load<trimesh>(dir / "a.obj"); };
+  const auto changed = [](const temporary_folder& dir) {
+    trimesh m = load<trimesh>(dir / "a.obj");
+    poly_property<rgba>(m, "color")[poly_id{1}] = {0, 0, 1};
+    return m;
+  };
+  CHECK(number_of_steps(nothing, other) == 2);           // the library, the mesh
+  CHECK(number_of_steps(earlier, other) == 5);           // the library, three for the mesh, the outdated library
+  CHECK(number_of_steps(earlier, loaded) == 3);          // the mesh: a name that is taken, another, and renamed
+  CHECK(number_of_steps(from_elsewhere, other) == 4);    // the library, the mesh
+  CHECK(number_of_steps(from_elsewhere, loaded) == 3);   // the mesh
+  CHECK(number_of_steps(from_elsewhere, changed) == 4);  // the library, the mesh
+  CHECK(number_of_steps(names_missing, other) == 4);
+}
+
+TEST_CASE("killed_save: by option what is written reaches the disk before it replaces a file, then its folder") {
+  const temporary_folder dir;
+  const auto order = [&](const std::string& file, const auto& write) {
+    std::vector<std::string> all;
+    watched = dir / file;
+    synced = &all;
+    write();
+    synced = nullptr;
+    return all;
+  };
+  using list = std::vector<std::string>;
+  write_file(dir / "a.obj", "old");
+  CHECK(order("a.obj", [&] { save(colored(1), dir / "a.obj", {.sync = true}); }) ==
+        list{"file, old", "file, old", "folder, old", "folder, # 4 verts, 2"});
+  CHECK(order("b.obj", [&] { save(colored(1), dir / "b.off", {.sync = true}); }) == list{"file, none", "folder, none"});
+  CHECK(order("a.obj", [&] { save(colored(0.5f), dir / "a.obj"); }).empty());
+  const trimesh m = colored(1);
+  const auto u = make_vert_map<double>(m);
+  CHECK(order("u.txt", [&] { save_field(m, u, dir / "u.txt", {.sync = true}); }) == list{"file, none", "folder, SCALAR_FIELD"});
+  CHECK(order("u.txt", [&] { save_field(m, u, dir / "u.txt"); }).empty());
+}

@@ -1,0 +1,138 @@
+// Files beyond 4 GiB: sparse ones, which take no room on the disk, and text that a pipe brings.
+#include <concino/io/load_any.hpp>
+
+#include <support/corpus.hpp>
+#include <support/reading.hpp>
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <csignal>
+#include <thread>
+
+#include <unistd.h>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+constexpr std::uint64_t gib = std::uint64_t{1} << 30;
+
+/// A file of pieces at places; all else is zeros that take no room.
+struct sparse_file {
+  std::string path;
+  int fd;
+
+  sparse_file(const std::string& path_, std::uint64_t size) : path(path_), fd(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+    REQUIRE(fd >= 0);
+    resize(size);
+  }
+  sparse_file(const sparse_file&) = delete;
+  ~sparse_file() { ::close(fd); }
+  void resize(std::uint64_t size) { REQUIRE(::ftruncate(fd, static_cast<::off_t>(size)) == 0); }
+  void write(std::uint64_t place, const std::string& bytes) {
+    REQUIRE(::pwrite(fd, bytes.data(), bytes.size(), static_cast<::off_t>(place)) == static_cast<::ssize_t>(bytes.size()));
+  }
+};
+
+std::string words(std::initializer_list<std::uint32_t> all) {
+  std::string bytes;
+  for (const std::uint32_t x : all)
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(x >> shift & 255);
+  return bytes;
+}
+std::uint32_t real(float x) { return std::bit_cast<std::uint32_t>(x); }
+
+std::uint64_t free_memory() {
+  return static_cast<std::uint64_t>(::sysconf(_SC_AVPHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// The text of a pipe: `head`, then n times `line`, then `tail`.
+template<class F>
+void with_pipe(const std::string& head, const std::string& line, std::uint64_t n, const std::string& tail, const F& f) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that gives up is no reason to die
+  int ends[2];
+  REQUIRE(::pipe(ends) == 0);
+  std::string block;
+  while (block.size() < 1 << 20) block += line;
+  std::thread writer([&] {
+    const auto send = [&](std::string_view text) {
+      while (!text.empty()) {
+        const ::ssize_t sent = ::write(ends[1], text.data(), text.size());
+        if (sent <= 0) return;
+        text.remove_prefix(static_cast<std::size_t>(sent));
+      }
+    };
+    send(head);
+    for (std::uint64_t left = n * line.size(); left > 0;) {
+      const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(left, block.size()));
+      send(std::string_view(block).substr(0, now));
+      left -= now;
+    }
+    send(tail);
+    ::close(ends[1]);
+  });
+  const std::string path = "/dev/fd/" + std::to_string(ends[0]);
+  f(path);
+  ::close(ends[0]);
+  writer.join();
+}
+
+}  // namespace
+
+// Space of a million dimensions makes a large file of few verts.
+TEST_CASE("large files: binary OFF beyond 4 GiB, mapped and read") {
+  constexpr std::uint64_t dimension = 1'000'000, num_points = 1'100, points_at = 12 + 16, polys_at = points_at + 4 * dimension * num_points;
+  static_assert(polys_at > 4 * gib);
+  const temporary_folder dir;
+  sparse_file file(dir / "a.off", polys_at);
+  file.write(0, "nOFF BINARY\n" + words({dimension, num_points, 2, 0}));
+  for (const std::uint32_t v : {0u, 1u, 1098u, 1099u})
+    file.write(points_at + 4 * dimension * v, words({real(static_cast<float>(v)), real(2), real(static_cast<float>(v) / 2)}));
+  file.write(polys_at, words({3, 0, 1, 1099, 0, 3, 1, 1098, 1099, 1, real(7)}));
+  for (const bool map : {true, false}) {
+    if (!map && free_memory() < 6 * gib) return skip("less than 6 GiB of memory are free");
+    load_report report;
+    const auto m = load<surface_arrays>(file.path, {.report = &report, .map = map});
+    REQUIRE(m.points.size() == num_points);
+    CHECK(m.points[1099] == vec3{1099, 2, 549.5});
+    CHECK(m.points[1097] == vec3{0, 0, 0});
+    CHECK(raw(m.verts) == std::vector<unsigned>{0, 1, 1099, 1, 1098, 1099});
+  }
+  // The place of an error is told beyond 4 GiB too.
+  file.write(polys_at + 8, words({5000}));
+  CHECK_THROWS_WITH_AS(load<surface_arrays>(file.path, {.map = true}),
+                       (file.path + ":1: expected the index of a vert, of 1100, found something else at byte " + std::to_string(polys_at + 8)).c_str(), parse_error);
+  file.resize(polys_at + 6);
+  CHECK_THROWS_WITH_AS(load<surface_arrays>(file.path, {.map = true}),
+                       (file.path + ":1: expected the number of verts of a poly, no more than the rest of the file can hold, found something else at byte " +
+                        std::to_string(polys_at))
+                           .c_str(),
+                       parse_error);
+}
+
+TEST_CASE("large files: counts beyond 32 bits are refused where the file could hold them") {
+  const temporary_folder dir;
+  const auto refused = [&](const std::string& name, const std::string& head) {
+    sparse_file file(dir / name, 40 * gib);
+    file.write(0, head);
+    CHECK_THROWS_WITH_AS(load_any(file.path, {.map = true}), (file.path + ": more than 4294967294 elements of one kind").c_str(), unsupported);
+  };
+  refused("a.off", "OFF\n4294967295 1 0\n");
+  refused("b.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n4294967295\n");
+  refused("c.hedra", "4294967295 4 1\n");
+}
+
+TEST_CASE("large files: text beyond 4 GiB from a pipe, with more than 2^32 lines") {
+  if (free_memory() < 10 * gib) return skip("less than 10 GiB of memory are free");
+  constexpr std::uint64_t lines = (std::uint64_t{1} << 32) + 10;
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  // Verts and faces after the 2^32 lines are read, up to the last one.
+  with_pipe(triangle, "\n", lines, "v 0 0 9\nf -1 1 2\nf 1 2 5\nf 1 2 x\n", [&](const std::string& path) {
+    CHECK_THROWS_WITH_AS(load<surface_arrays>(path, {.format = file_format::obj}),
+                         (path + ":" + std::to_string(lines + 7) + ": expected the index of a vert, found 'x'").c_str(), parse_error);
+  });
+}

@@ -1,0 +1,227 @@
+// Each call below makes one mistake, and is refused by the deleted overload that says what to write; check.cmake looks at each line.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/convert.hpp>
+#include <concino/fields.hpp>
+#include <concino/generate.hpp>
+#include <concino/geometry.hpp>
+#include <concino/graph.hpp>
+#include <concino/io.hpp>
+#include <concino/mesh.hpp>
+#include <concino/operators.hpp>
+#include <concino/render.hpp>
+#include <concino/validate.hpp>
+
+namespace cn = concino;
+
+struct stranger {};
+cn::trimesh made();
+
+// The adapter is not included.
+void no_adapter(const stranger& other) {
+  cn::bfs(other);  // refused
+  cn::dijkstra(other);  // refused
+  cn::shortest_path(other);  // refused
+  cn::grow_regions(other);  // refused
+  cn::connected_components(other);  // refused
+  cn::spanning_tree(other);  // refused
+  cn::tree_cotree(other);  // refused
+  cn::homology_generators(other);  // refused
+  cn::boundary_loops(other);  // refused
+  cn::cut_along(other);  // refused
+  cn::submesh(other);  // refused
+  cn::boundary(other);  // refused
+  cn::prepare_harmonic_map(other);  // refused
+  cn::harmonic_map(other);  // refused
+  cn::prepare_poisson(other);  // refused
+  cn::poisson(other);  // refused
+  cn::prepare_heat_flow(other);  // refused
+  cn::heat_flow(other);  // refused
+  cn::prepare_smooth(other);  // refused
+  cn::smooth(other);  // refused
+  cn::agglomerate(other);  // refused
+  cn::dual_mesh(other);  // refused
+  cn::grade(other);  // refused
+  cn::jitter(other);  // refused
+  cn::random_labels(other);  // refused
+  cn::bounding_box(other);  // refused
+  cn::bounding_tree(other);  // refused
+  cn::centroid(other);  // refused
+  cn::centroids(other);  // refused
+  cn::corner_angle(other);  // refused
+  cn::angle_defects(other);  // refused
+  cn::dihedral_angle(other);  // refused
+  cn::dihedral_angles(other);  // refused
+  cn::edge_length(other);  // refused
+  cn::edge_lengths(other);  // refused
+  cn::area(other);  // refused
+  cn::volume(other);  // refused
+  cn::measure(other);  // refused
+  cn::measures(other);  // refused
+  cn::total_measure(other);  // refused
+  cn::normal(other);  // refused
+  cn::vert_normal(other);  // refused
+  cn::poly_normals(other);  // refused
+  cn::face_normals(other);  // refused
+  cn::vert_normals(other);  // refused
+  cn::surface_normals(other);  // refused
+  cn::self_intersections(other);  // refused
+  cn::divergence(other);  // refused
+  cn::divergence_matrix(other);  // refused
+  cn::gradient(other);  // refused
+  cn::vert_gradient(other);  // refused
+  cn::gradient_matrix(other);  // refused
+  cn::laplacian(other);  // refused
+  cn::vert_masses(other);  // refused
+  cn::mass_matrix(other);  // refused
+  cn::poly_masses(other);  // refused
+  cn::poly_mass_matrix(other);  // refused
+  cn::vert_gradient_matrix(other);  // refused
+  cn::save(other);  // refused
+  cn::save_text(other);  // refused
+  cn::save_field(other);  // refused
+  cn::load_field(other);  // refused
+  cn::ambient_occlusion(other);  // refused
+  cn::make_drawable(other);  // refused
+  cn::validate(other);  // refused
+  cn::check_laws(other);  // refused
+  cn::convert<cn::polygonmesh>(other);  // refused
+  cn::prepare_exact_geodesics(other);  // refused
+  cn::exact_geodesics(other);  // refused
+  cn::prepare_heat_geodesics(other);  // refused
+  cn::heat_geodesics(other);  // refused
+  cn::primal(other);  // refused
+  cn::dual(other);  // refused
+  cn::with_points(other);  // refused
+  cn::make_vert_map<int>(other);  // refused
+  cn::make_edge_map<int>(other);  // refused
+  cn::make_face_map<int>(other);  // refused
+  cn::make_poly_map<int>(other);  // refused
+  cn::convert_with_correspondence<cn::polygonmesh>(other);  // refused
+}
+
+// The mesh has no name.
+void temporary() {
+  cn::bfs(made());  // refused
+  cn::dijkstra(made());  // refused
+  cn::grow_regions(made());  // refused
+  cn::connected_components(made());  // refused
+  cn::prepare_harmonic_map(made());  // refused
+  cn::harmonic_map(made());  // refused
+  cn::prepare_poisson(made());  // refused
+  cn::poisson(made());  // refused
+  cn::prepare_heat_flow(made());  // refused
+  cn::heat_flow(made());  // refused
+  cn::prepare_smooth(made());  // refused
+  cn::smooth(made());  // refused
+  cn::random_labels(made());  // refused
+  cn::bounding_tree(made());  // refused
+  cn::centroids(made());  // refused
+  cn::angle_defects(made());  // refused
+  cn::dihedral_angles(made());  // refused
+  cn::edge_lengths(made());  // refused
+  cn::measures(made());  // refused
+  cn::poly_normals(made());  // refused
+  cn::face_normals(made());  // refused
+  cn::vert_normals(made());  // refused
+  cn::surface_normals(made());  // refused
+  cn::divergence(made());  // refused
+  cn::gradient(made());  // refused
+  cn::vert_gradient(made());  // refused
+  cn::vert_masses(made());  // refused
+  cn::poly_masses(made());  // refused
+  cn::load_field(made());  // refused
+  cn::ambient_occlusion(made());  // refused
+  cn::prepare_exact_geodesics(made());  // refused
+  cn::exact_geodesics(made());  // refused
+  cn::prepare_heat_geodesics(made());  // refused
+  cn::heat_geodesics(made());  // refused
+  cn::make_vert_map<int>(made());  // refused
+  cn::make_edge_map<int>(made());  // refused
+  cn::make_face_map<int>(made());  // refused
+  cn::make_poly_map<int>(made());  // refused
+  cn::convert_with_correspondence<cn::polygonmesh>(made());  // refused
+}
+
+// The verts have no points.
+void no_points(const cn::trimesh& m) {
+  const auto pure = cn::only_surface_mesh(m);
+  cn::dijkstra(pure, pure.vert(cn::vert_id{0}));  // refused
+  cn::shortest_path(pure, pure.vert(cn::vert_id{0}), pure.vert(cn::vert_id{1}));  // refused
+  cn::spanning_tree(pure);  // refused
+  cn::cut_along(pure);  // refused
+  cn::prepare_poisson(pure);  // refused
+  cn::poisson(pure);  // refused
+  cn::agglomerate(pure);  // refused
+  cn::dual_mesh(pure);  // refused
+  cn::grade(pure);  // refused
+  cn::jitter(pure);  // refused
+  cn::bounding_box(pure);  // refused
+  cn::bounding_tree(pure);  // refused
+  cn::centroid(pure);  // refused
+  cn::centroids(pure);  // refused
+  cn::corner_angle(pure);  // refused
+  cn::angle_defects(pure);  // refused
+  cn::dihedral_angle(pure);  // refused
+  cn::dihedral_angles(pure);  // refused
+  cn::edge_length(pure);  // refused
+  cn::edge_lengths(pure);  // refused
+  cn::area(pure);  // refused
+  cn::volume(pure);  // refused
+  cn::measure(pure);  // refused
+  cn::measures(pure);  // refused
+  cn::total_measure(pure);  // refused
+  cn::normal(pure);  // refused
+  cn::vert_normal(pure);  // refused
+  cn::poly_normals(pure);  // refused
+  cn::face_normals(pure);  // refused
+  cn::vert_normals(pure);  // refused
+  cn::surface_normals(pure);  // refused
+  cn::self_intersections(pure);  // refused
+  cn::divergence(pure);  // refused
+  cn::divergence_matrix(pure);  // refused
+  cn::gradient(pure);  // refused
+  cn::vert_gradient(pure);  // refused
+  cn::gradient_matrix(pure);  // refused
+  cn::vert_masses(pure);  // refused
+  cn::mass_matrix(pure);  // refused
+  cn::poly_masses(pure);  // refused
+  cn::poly_mass_matrix(pure);  // refused
+  cn::vert_gradient_matrix(pure);  // refused
+  cn::save(pure);  // refused
+  cn::save_text(pure);  // refused
+  cn::ambient_occlusion(pure);  // refused
+  cn::make_drawable(pure);  // refused
+  cn::convert<cn::polygonmesh>(pure);  // refused
+  cn::prepare_exact_geodesics(pure);  // refused
+  cn::exact_geodesics(pure);  // refused
+  cn::prepare_heat_geodesics(pure);  // refused
+  cn::heat_geodesics(pure);  // refused
+  cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
+}
+
+// Elements are named by numbers.
+void numbers(const cn::trimesh& m) {
+  cn::bfs(m, 0);  // refused
+  cn::dijkstra(m, 0);  // refused
+  cn::shortest_path(m, 0);  // refused
+  cn::grow_regions(m, 0);  // refused
+  cn::prepare_harmonic_map(m, 0);  // refused
+  cn::harmonic_map(m, 0);  // refused
+  cn::prepare_poisson(m, 0);  // refused
+  cn::centroid(m, 0);  // refused
+  cn::corner_angle(m, 0);  // refused
+  cn::dihedral_angle(m, 0);  // refused
+  cn::edge_length(m, 0);  // refused
+  cn::area(m, 0);  // refused
+  cn::volume(m, 0);  // refused
+  cn::measure(m, 0);  // refused
+  cn::normal(m, 0);  // refused
+  cn::vert_normal(m, 0);  // refused
+  cn::prepare_exact_geodesics(m, 0);  // refused
+  cn::exact_geodesics(m, 0);  // refused
+  cn::prepare_heat_geodesics(m, 0);  // refused
+  cn::heat_geodesics(m, 0);  // refused
+  cn::prepare_harmonic_map(m, {cn::vert_id{0}}).with_values({{0, 1.0}});  // refused
+  cn::prepare_heat_geodesics(m).distance_from(0);  // refused
+  cn::prepare_exact_geodesics(m).distance_from({0, 1});  // refused
+}

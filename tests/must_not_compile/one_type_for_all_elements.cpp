@@ -1,0 +1,14 @@
+// expect in 10 lines: needs vert, edge and poly of mesh_traits<M> to be different types
+// Told before anything that is missing, since it changes the signatures of the rest.
+#include <concino/concepts/mesh_requirements.hpp>
+
+struct numbered {};
+template<>
+struct concino::mesh_traits<numbered> {
+  static constexpr int dimension = 2;
+  using vert = int;
+  using edge = int;
+  using poly = int;
+};
+
+int main() { concino::explain_surface_mesh<numbered>(); }

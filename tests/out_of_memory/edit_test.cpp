@@ -1,0 +1,139 @@
+// An edit that meets std::bad_alloc at any of its allocations leaves the mesh, its adjacencies and its properties as they were.
+#include <concino/edit.hpp>
+#include <concino/mesh.hpp>
+#include <concino/validate/check_laws.hpp>
+
+#include <support/failing_allocations.hpp>
+#include <support/soups.hpp>
+#include <support/whole_mesh.hpp>
+
+#include <doctest/doctest.h>
+
+namespace cn = concino;
+using cn::testing::for_each_failing_allocation;
+using cn::testing::whole;
+
+namespace {
+
+template<class R>
+auto listed(const R& range) {
+  return std::vector<std::remove_cvref_t<decltype(*range.begin())>>(range.begin(), range.end());
+}
+
+/// edit(m) with every allocation failing: m stays as it was, and can be edited then.
+template<class M, class F>
+std::size_t all_or_nothing(const M& before, const F& edit) {
+  const std::vector<double> old = whole(before);
+  M edited = before;
+  edit(edited);
+  const std::vector<double> expected = whole(edited);
+  bool looked = false;
+  const auto result = for_each_failing_allocation([&](const auto& attempt) {
+    M m = before;
+    if (attempt([&] { edit(m); })) {
+      CHECK(whole(m) == old);
+      edit(m);
+      if (!looked) CHECK(cn::check_laws(m).empty());
+      looked = true;
+    }
+    CHECK(whole(m) == expected);
+  });
+  CHECK(result.leaks == 0);
+  return result.failed;
+}
+
+template<class M>
+void add_random_poly(M& m, std::mt19937 random) {
+  const auto all = listed(cn::verts(m));
+  std::vector<cn::vert_id> corners;
+  const unsigned n = std::same_as<M, cn::polyhedralmesh> ? 4 : cn::arity_v<M> ? cn::arity_v<M> : 3 + random() % 4;
+  for (const unsigned i : cn::testing::some_of(random, static_cast<unsigned>(all.size()), n)) corners.push_back(all[i]);
+  if constexpr (!std::same_as<M, cn::polyhedralmesh>) {
+    cn::add_poly(m, std::span<const cn::vert_id>(corners));
+  } else {
+    const auto faces = listed(cn::faces(m));
+    std::vector<std::pair<cn::face_id, bool>> some;
+    for (const unsigned i : cn::testing::some_of(random, static_cast<unsigned>(faces.size()), 3)) some.emplace_back(faces[i], i % 2 == 0);
+    cn::add_poly(m, {some[0], some[1], some[2]});
+  }
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("an edit that runs out of memory changes nothing", M, CONCINO_ALL_KINDS) {
+  std::mt19937 random(7);
+  for (const bool grid : {true, false}) {
+    M m = grid ? cn::testing::grid<M>(1) : cn::testing::random_soup<M>(random, 9, 9).mesh();
+    cn::testing::give_properties(m);
+    std::size_t failed = 0;
+    for (unsigned step = 0; step < 8; ++step) {
+      INFO("step ", step);
+      const std::mt19937 now = random;
+      const auto polys = listed(cn::polys(m));
+      const auto verts = listed(cn::verts(m));
+      const auto apply = [&](const auto& edit) {
+        failed += all_or_nothing(m, edit);
+        edit(m);
+      };
+      if (step == 5) {
+        const cn::vert_id v = verts[random() % verts.size()];
+        apply([v](M& x) { cn::remove_vert(x, v); });
+      } else if (step % 4 == 1) {
+        apply([](M& x) { cn::add_vert(x, cn::point(x, *cn::verts(x).begin())); });
+      } else if (step % 4 == 2 && !polys.empty()) {
+        const cn::poly_id p = polys[random() % polys.size()];
+        apply([p](M& x) { cn::remove_poly(x, p); });
+      } else if (!polys.empty()) {
+        if constexpr (std::same_as<M, cn::polyhedralmesh>) {
+          apply([&](M& x) { cn::add_face(x, {verts[0], verts[3], verts[1], verts[2]}); });
+        }
+        apply([now](M& x) { add_random_poly(x, now); });
+      }
+      random.discard(1);
+    }
+    CHECK(failed > 20);
+    CHECK(cn::check_laws(m).empty());
+  }
+}
+
+TEST_CASE("long polygons that share several edges, and run out of memory") {
+  // two polygons of 40 verts with every third edge in common, and a third on one of these edges
+  std::vector<cn::vec3> points(80);
+  std::vector<std::vector<unsigned>> lists(2);
+  for (unsigned i = 0; i < 40; ++i) lists[0].push_back(i), lists[1].push_back(i % 3 == 2 ? 40 + i : i);
+  cn::polygonmesh m(points, std::vector<std::vector<unsigned>>{lists[0]});
+  cn::testing::give_properties(m);
+  for (const auto& list : {lists[1], std::vector<unsigned>{0, 1, 79}, lists[1]}) {
+    const auto edit = [&list](cn::polygonmesh& x) {
+      std::vector<cn::vert_id> corners;
+      for (const unsigned i : list) corners.push_back(cn::vert_id{i});
+      cn::add_poly(x, std::span<const cn::vert_id>(corners));
+    };
+    all_or_nothing(m, edit);
+    edit(m);
+    CHECK(cn::check_laws(m).empty());
+  }
+  for (const unsigned p : {1u, 0u, 3u}) {
+    const auto edit = [p](cn::polygonmesh& x) { cn::remove_poly(x, cn::poly_id{p}); };
+    all_or_nothing(m, edit);
+    edit(m);
+    CHECK(cn::check_laws(m).empty());
+  }
+}
+
+TEST_CASE_TEMPLATE("a mesh made of nothing but edits, out of memory at any of them", M, cn::trimesh, cn::tetmesh) {
+  const M from = cn::testing::grid<M>(1);
+  const auto build = [&](M& m) {
+    for (const auto v : cn::verts(from)) cn::add_vert(m, cn::point(from, v));
+    for (const auto p : cn::polys(from)) {
+      const auto corners = listed(cn::adj_p2v(from, p));
+      cn::add_poly(m, std::span<const cn::vert_id>(corners));
+    }
+  };
+  const auto result = for_each_failing_allocation([&](const auto& attempt) {
+    M m;
+    if (attempt([&] { build(m); })) CHECK(cn::check_laws(m).empty());
+  });
+  CHECK(result.failed > 0);
+  CHECK(result.leaks == 0);
+}

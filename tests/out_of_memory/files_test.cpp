@@ -1,0 +1,91 @@
+// Saving over a file and loading into a mesh, with any allocation failing: done as a whole or not at all, and nothing leaks.
+#include <concino/io/load.hpp>
+#include <concino/io/load_any.hpp>
+#include <concino/io/save.hpp>
+
+#include <support/failing_allocations.hpp>
+#include <support/kinds.hpp>
+#include <support/temporary.hpp>
+#include <support/whole_mesh.hpp>
+
+#include <doctest/doctest.h>
+
+namespace cn = concino;
+using cn::testing::for_each_failing_allocation;
+using cn::testing::read_file;
+using cn::testing::whole;
+
+namespace {
+
+/// The file is the old one or the new one, and no other is left beside it.
+template<class M>
+void saved_or_not(const M& m, const std::string& name, bool binary = false) {
+  INFO(name);
+  const cn::testing::temporary_folder dir;
+  const std::string path = dir / name;
+  cn::save(m, path, {.binary = binary});
+  const std::string expected = read_file(path);
+  const auto result = for_each_failing_allocation([&](const auto& attempt) {
+    cn::testing::write_file(path, "old");
+    cn::save_report report;
+    const bool failed = attempt([&] { cn::save(m, path, {.report = &report, .binary = binary}); });
+    CHECK(read_file(path) == (failed ? "old" : expected));
+    CHECK(dir.num_files() == 1);
+  });
+  CHECK(result.failed > 0);
+  CHECK(result.leaks == 0);
+}
+
+/// A mesh that a file is loaded into is what it was, or what the file holds.
+template<class M>
+void loaded_or_not(const M& m, const std::string& name) {
+  INFO(name);
+  const cn::testing::temporary_folder dir;
+  const std::string path = dir / name;
+  cn::save(m, path);
+  const std::vector<double> old = whole(M()), expected = whole(cn::load<M>(path));
+  const auto result = for_each_failing_allocation([&](const auto& attempt) {
+    M x;
+    cn::load_report report;
+    const bool failed = attempt([&] { x = cn::load<M>(path, {.report = &report}); });
+    CHECK(whole(x) == (failed ? old : expected));
+  });
+  CHECK(result.failed > 0);
+  CHECK(result.leaks == 0);
+  const auto any = for_each_failing_allocation([&](const auto& attempt) { attempt([&] { cn::load_any(path); }); });
+  CHECK(any.leaks == 0);
+}
+
+/// One cell or few, with what the formats can hold and what they cannot.
+template<class M>
+M labelled() {
+  M m = cn::testing::grid<M>(1);
+  const auto label = cn::poly_property<int>(m, "label");
+  const auto height = cn::vert_property<double>(m, "height");
+  for (const auto p : cn::polys(m)) label[p] = static_cast<int>(p.raw());
+  for (const auto v : cn::verts(m)) height[v] = 0.25;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("a file is replaced as a whole or not at all") {
+  saved_or_not(labelled<cn::trimesh>(), "a.obj");
+  saved_or_not(labelled<cn::trimesh>(), "a.off");
+  saved_or_not(labelled<cn::polygonmesh>(), "a.off", true);
+  saved_or_not(labelled<cn::polygonmesh>(), "a.obj");
+  saved_or_not(labelled<cn::quadmesh>(), "a.mesh");
+  saved_or_not(labelled<cn::tetmesh>(), "a.mesh");
+  saved_or_not(labelled<cn::hexmesh>(), "a.mesh");
+  saved_or_not(labelled<cn::hexmesh>(), "a.hedra");
+  saved_or_not(labelled<cn::polyhedralmesh>(), "a.hedra");
+}
+
+TEST_CASE("a file is loaded as a whole or not at all") {
+  loaded_or_not(labelled<cn::trimesh>(), "a.obj");
+  loaded_or_not(labelled<cn::polygonmesh>(), "a.off");
+  loaded_or_not(labelled<cn::quadmesh>(), "a.mesh");
+  loaded_or_not(labelled<cn::tetmesh>(), "a.mesh");
+  loaded_or_not(labelled<cn::hexmesh>(), "a.hedra");
+  loaded_or_not(labelled<cn::polyhedralmesh>(), "a.hedra");
+}

@@ -1,0 +1,81 @@
+// Runs code with its n-th allocation failing, for every n. Only in programs that link support/allocations.cpp and
+// support/failing_allocations.cpp with the linker options named there.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <new>
+
+namespace concino::testing {
+
+namespace detail {
+
+/// From now on the n-th allocation fails (n = 1: the next one), and, with `all_later`, every one after it. Of all threads.
+void begin_failing(std::size_t n, bool all_later);
+/// No allocation fails any more. Returns how many were asked for since begin_failing().
+std::size_t end_failing() noexcept;
+/// Blocks of memory that were allocated and not freed.
+std::ptrdiff_t blocks_in_use() noexcept;
+
+struct failing_scope {
+  failing_scope(std::size_t n, bool all_later) { begin_failing(n, all_later); }
+  failing_scope(const failing_scope&) = delete;
+  failing_scope& operator=(const failing_scope&) = delete;
+  ~failing_scope() { end_failing(); }
+};
+
+}  // namespace detail
+
+/// One attempt: `attempt(g)` runs g() with one allocation failing and returns whether std::bad_alloc left it. All else that g throws passes.
+class failing_attempt {
+  std::size_t n_, asked_ = 0;
+  bool all_later_;
+
+ public:
+  failing_attempt(std::size_t n, bool all_later) : n_(n), all_later_(all_later) {}
+  std::size_t asked() const { return asked_; }
+
+  template<class G>
+  bool operator()(G&& g) {
+    bool failed = false;
+    {
+      const detail::failing_scope scope(n_, all_later_);
+      try {
+        g();
+      } catch (const std::bad_alloc&) {
+        failed = true;
+      }
+      asked_ = detail::end_failing();
+    }
+    return failed;
+  }
+};
+
+struct allocation_failures {
+  std::size_t allocations = 0;  ///< the code asks for so many when none fails
+  std::size_t failed = 0;       ///< attempts that std::bad_alloc left
+  std::size_t leaks = 0;        ///< attempts after which memory was still in use
+};
+
+/// Calls f(attempt) with the n-th allocation failing, n = 1, 2, ... until attempt(g) needs fewer than n; twice for each n: that allocation
+/// alone, and all later ones too. What f does outside of attempt(g) does not fail: it prepares g and looks at what g left behind.
+template<class F>
+allocation_failures for_each_failing_allocation(F&& f) {
+  allocation_failures result;
+  for (std::size_t n = 1;; ++n) {
+    for (const bool all_later : {false, true}) {
+      const std::ptrdiff_t before = detail::blocks_in_use();
+      failing_attempt attempt(n, all_later);
+      bool failed = false;
+      f([&](auto&& g) { return failed = attempt(g); });
+      if (detail::blocks_in_use() != before) ++result.leaks;
+      result.failed += failed;
+      if (attempt.asked() < n) {
+        result.allocations = n - 1;
+        return result;
+      }
+    }
+  }
+}
+
+}  // namespace concino::testing
