@@ -1,4 +1,10 @@
+// A program's own settings of stb, which are nothing to the adapter: it would not compile with this one.
+#define STBIW_FREE(p) own p
 #include <concino/adapters/stb.hpp>
+#if !defined(STBIW_FREE) || defined(STBIW_MALLOC)
+#error "the adapter changed a program's settings of stb"
+#endif
+#undef STBIW_FREE
 
 // A program's own copy of stb beside that of the adapter.
 #define STB_IMAGE_IMPLEMENTATION

@@ -10,13 +10,63 @@
 #include <cassert>
 #include <cmath>
 #include <cstdarg>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
+#include <new>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+namespace concino::detail {
+
+/// The memory that stb asks for while this lives, in its thread. stb loses memory or writes to null when none is left: here std::bad_alloc
+/// leaves it instead, and what it holds then is freed with this.
+class stb_memory {
+  struct alignas(std::max_align_t) block {
+    block *before, *after;
+    void join() { before->after = after->before = this; }
+  };
+  block ring_{&ring_, &ring_};
+  stb_memory* const outer_ = std::exchange(current(), this);
+
+  // stb's functions hand nothing on that could name it.
+  static stb_memory*& current() {
+    static thread_local stb_memory* memory = nullptr;
+    return memory;
+  }
+
+ public:
+  stb_memory() = default;
+  stb_memory(const stb_memory&) = delete;
+  stb_memory& operator=(const stb_memory&) = delete;
+  ~stb_memory() {
+    while (ring_.after != &ring_) free(ring_.after + 1);
+    current() = outer_;
+  }
+
+  /// More room or less for p, or new room if p is null.
+  static void* resized(void* p, std::size_t size) {
+    block* const old = p ? static_cast<block*>(p) - 1 : nullptr;
+    auto* const b = size > SIZE_MAX / 2 ? nullptr : static_cast<block*>(std::realloc(old, sizeof(block) + size));
+    if (!b) throw std::bad_alloc();
+    if (!old) *b = {current()->ring_.before, &current()->ring_};
+    b->join();
+    return b + 1;
+  }
+  static void free(void* p) {
+    if (!p) return;
+    block* const b = static_cast<block*>(p) - 1;
+    b->before->after = b->after;
+    b->after->before = b->before;
+    std::free(b);
+  }
+};
+
+}  // namespace concino::detail
 
 // stb's implementation is compiled into each translation unit, static and in a namespace of ours, so that any number of them can be
 // linked together and beside a program's own copy of stb. Its macros are put back as they were.
@@ -24,12 +74,33 @@
 #pragma push_macro("STB_IMAGE_WRITE_IMPLEMENTATION")
 #pragma push_macro("STB_IMAGE_WRITE_STATIC")
 #pragma push_macro("STBIWDEF")
+#pragma push_macro("STBIW_MALLOC")
+#pragma push_macro("STBIW_REALLOC")
+#pragma push_macro("STBIW_REALLOC_SIZED")
+#pragma push_macro("STBIW_FREE")
+#pragma push_macro("STBIW_MEMMOVE")
+#pragma push_macro("STBIW_ASSERT")
+#pragma push_macro("STBIW_UCHAR")
+#pragma push_macro("STBIW_ZLIB_COMPRESS")
+#pragma push_macro("STBIW_CRC32")
 #undef INCLUDE_STB_IMAGE_WRITE_H
 #undef STB_IMAGE_WRITE_IMPLEMENTATION
 #undef STB_IMAGE_WRITE_STATIC
 #undef STBIWDEF
+#undef STBIW_MALLOC
+#undef STBIW_REALLOC
+#undef STBIW_REALLOC_SIZED
+#undef STBIW_FREE
+#undef STBIW_MEMMOVE
+#undef STBIW_ASSERT
+#undef STBIW_UCHAR
+#undef STBIW_ZLIB_COMPRESS
+#undef STBIW_CRC32
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
+#define STBIW_MALLOC(size) ::concino::detail::stb_memory::resized(nullptr, size)
+#define STBIW_REALLOC(p, size) ::concino::detail::stb_memory::resized(p, size)
+#define STBIW_FREE(p) ::concino::detail::stb_memory::free(p)
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -50,6 +121,24 @@ namespace concino::detail::stb {
 #undef STB_IMAGE_WRITE_IMPLEMENTATION
 #undef STB_IMAGE_WRITE_STATIC
 #undef STBIWDEF
+#undef STBIW_MALLOC
+#undef STBIW_REALLOC
+#undef STBIW_REALLOC_SIZED
+#undef STBIW_FREE
+#undef STBIW_MEMMOVE
+#undef STBIW_ASSERT
+#undef STBIW_UCHAR
+#undef STBIW_ZLIB_COMPRESS
+#undef STBIW_CRC32
+#pragma pop_macro("STBIW_CRC32")
+#pragma pop_macro("STBIW_ZLIB_COMPRESS")
+#pragma pop_macro("STBIW_UCHAR")
+#pragma pop_macro("STBIW_ASSERT")
+#pragma pop_macro("STBIW_MEMMOVE")
+#pragma pop_macro("STBIW_FREE")
+#pragma pop_macro("STBIW_REALLOC_SIZED")
+#pragma pop_macro("STBIW_REALLOC")
+#pragma pop_macro("STBIW_MALLOC")
 #pragma pop_macro("STBIWDEF")
 #pragma pop_macro("STB_IMAGE_WRITE_STATIC")
 #pragma pop_macro("STB_IMAGE_WRITE_IMPLEMENTATION")
@@ -66,12 +155,11 @@ namespace concino {
   const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
   detail::replacing_file file(path, {.sync = options.sync});
   const std::vector<std::uint8_t> pixels = srgb_bytes(picture);
+  const detail::stb_memory memory;
   int length = 0;
-  unsigned char* const bytes = detail::stb::stbi_write_png_to_mem(pixels.data(), width * 3, width, height, 3, &length);
-  const std::unique_ptr<unsigned char, decltype(&std::free)> png(bytes, &std::free);
-  if (!png) detail::throw_joined<io_error>({"write_png: ", path, ": not enough memory to compress the picture"});
+  const unsigned char* const png = detail::stb::stbi_write_png_to_mem(pixels.data(), width * 3, width, height, 3, &length);
   detail::text_sink out(file.descriptor(), path);
-  out << std::string_view(reinterpret_cast<const char*>(png.get()), static_cast<std::size_t>(length));
+  out << std::string_view(reinterpret_cast<const char*>(png), static_cast<std::size_t>(length));
   out.flush();
   file.commit();
 }
