@@ -16,6 +16,16 @@ namespace {
 
 using values = std::vector<std::pair<int, double>>;
 
+/// Its solutions have one entry that is no number.
+struct broken_solver : ldlt {
+  int entry = 0;
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    Eigen::VectorXd x = ldlt::solve(b);
+    x[entry] = std::nan("");
+    return x;
+  }
+};
+
 /// Given values are exact, other rows hold.
 void check_conditions(const sparse& a, const Eigen::VectorXd& b, const values& given, const Eigen::VectorXd& x) {
   Eigen::VectorXd r = b - a * x;
@@ -100,4 +110,14 @@ TEST_CASE("solve_with_values: what is wrong is said, rows by their own numbers")
   CHECK_THROWS_WITH_AS(solve_with_values(gap, b, {{0, 1.0}}), doctest::Contains("singular to working precision in row 2"), solver_error);
   CHECK_THROWS_WITH_AS(solve_with_values(gap, b, {{0, 1.0}}, lu{}), doctest::Contains("column 2: it is 0"), solver_error);
   CHECK(solve_with_values(gap, b, {{2, 5.0}})[2] == 5);
+}
+
+TEST_CASE("solve_with_values: a solver that answers with what is no number is noticed, in whichever row") {
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(16);
+  for (int i = 0; i < 16; ++i) {
+    broken_solver solver;
+    solver.entry = i;
+    const int given = i < 8 ? 15 : 0;
+    CHECK_THROWS_WITH_AS(solve_with_values(grid(4), b, {{given, 1.0}}, solver), doctest::Contains("relative residual is nan"), solver_error);
+  }
 }

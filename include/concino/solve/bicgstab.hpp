@@ -144,7 +144,7 @@ class bicgstab {
       const auto row = static_cast<std::size_t>(i);
       const double allowed = std::abs(b[i]) + std::min(entry_[row] * largest, entry_in_units_[row] * largest_in_units);
       const double e = r[i] == 0 ? 0 : std::abs(r[i]) / allowed;
-      if (!(e <= worst)) worst = e;
+      if (e > worst || std::isnan(e)) worst = e;
     }
     return worst;
   }

@@ -169,7 +169,7 @@ class conjugate_gradients {
     for (Eigen::Index i = 0; i < size_; ++i) {
       const double d = a[starts[i]], allowed = std::abs(b[i]) + std::min(d * largest, std::sqrt(d * largest_scaled));
       const double e = r[i] == 0 ? 0 : std::abs(r[i]) / allowed;
-      if (!(e <= worst)) worst = e;
+      if (e > worst || std::isnan(e)) worst = e;
     }
     return worst;
   }

@@ -43,7 +43,7 @@ inline double residual(const Eigen::SparseMatrix<double>& a, const Eigen::Vector
   double worst = 0;
   for (int i = 0; i < n; ++i) {
     const double e = r[i] == 0 ? 0 : std::abs(r[i]) / s[i];
-    if (!(e <= worst)) worst = e;
+    if (e > worst || std::isnan(e)) worst = e;
   }
   return worst;
 }
@@ -65,7 +65,7 @@ inline double residual_beside_largest(const Eigen::SparseMatrix<double>& a, cons
   }
   for (Eigen::Index i = 0; i < b.size(); ++i) {
     const double e = r[i] == 0 ? 0 : std::abs(r[i]) / (std::abs(b[i]) + entry[static_cast<std::size_t>(i)] * of_x);
-    if (!(e <= worst)) worst = e;
+    if (e > worst || std::isnan(e)) worst = e;
   }
   return worst;
 }
