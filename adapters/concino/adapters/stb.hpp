@@ -148,10 +148,14 @@ namespace concino {
 
 /// Writes a picture as an 8-bit sRGB PNG.
 /// Result: the file at `path` is the old one or the whole new one, never a part.
-/// Errors: invalid_argument if the picture is empty; io_error if the file cannot be written.
+/// Errors: invalid_argument if the picture is empty; unsupported if its bytes are more than 1 GiB, some 350 million pixels; io_error if the file
+///         cannot be written.
 // Static because it calls stb's static functions: an inline function must not mean something else in each translation unit.
 [[maybe_unused]] static inline void write_png(const image& picture, const std::string& path, const file_options& options = {}) {
   if (picture.width() == 0) detail::throw_joined<invalid_argument>({"write_png: ", path, ": the picture has no pixels"});
+  // stb counts bytes by int, and makes room for twice as many.
+  if ((3 * picture.width() + 1) * picture.height() > std::size_t{1} << 30)
+    detail::throw_joined<unsupported>({"write_png: ", path, ": ", picture.width(), " x ", picture.height(), " pixels are more than 1 GiB"});
   const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
   detail::replacing_file file(path, {.sync = options.sync});
   const std::vector<std::uint8_t> pixels = srgb_bytes(picture);
