@@ -60,3 +60,12 @@ TEST_CASE("lu: unknowns and equations in different units") {
   const Eigen::VectorXd y = solver.solve(scaled);
   for (int i = 0; i < 16; ++i) CHECK(std::abs(std::ldexp(y[i], -30 * (i % 3)) - x[i]) < 1e-12);
 }
+
+TEST_CASE("lu: entries nearly as far apart as numbers can be") {
+  lu solver;
+  for (const int apart : {900, 1000, 1020, 1030}) {
+    const double large = std::ldexp(1.0, apart / 2 + 85), small = std::ldexp(large, -apart);
+    solver.factorize(from(2, 2, {{0, 0, small}, {1, 1, large}}));
+    CHECK(solver.solve(Eigen::Vector2d(3 * small, large)) == Eigen::Vector2d(3, 1));
+  }
+}

@@ -64,8 +64,10 @@ inline equilibration equilibrate(Eigen::SparseMatrix<double>& a) {
     update(column, scale.columns);
     if (done) break;
     for (std::size_t c = 0; c < columns; ++c)
-      for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k)
-        a.valuePtr()[k] *= row[static_cast<std::size_t>(a.innerIndexPtr()[k])] * column[c];
+      for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
+        a.valuePtr()[k] *= row[static_cast<std::size_t>(a.innerIndexPtr()[k])];  // one by one: their product may be too large
+        a.valuePtr()[k] *= column[c];
+      }
   }
   return scale;
 }
