@@ -28,6 +28,7 @@ io/read_mtl            io/read_mtl io/library_file io/write_mtl
 io/write_mtl           io/write_mtl io/library_file
 io/library_file        io/library_file io/killed_save io/write_mtl
 detail/hash_bytes      detail/hash_bytes
+io/file_text           io/file_text
 io/numbers             io/numbers io/read_obj
 io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
 fields/harmonic_map    fields/harmonic_map fields/harmonic_map_archetypes fields/prepared
@@ -59,6 +60,19 @@ operators/detail/simplex_gradients operators/detail/corner_gradients operators/g
 operators/detail/simplex_weights   operators/laplacian
 operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian
 operators/detail/virtual_refinement    operators/virtual_refinement
+solve/auto_solver      solve/auto_solver
+solve/constrained      solve/constrained
+solve/ldlt             solve/ldlt solve/auto_solver
+solve/llt              solve/llt
+solve/qp               solve/qp
+solve/qr               solve/qr solve/least_squares
+solve/solve_columns    solve/solve_columns
+solve/solve_with_values    solve/solve_with_values
+solve/detail/conditions    solve/solve_with_values solve/least_squares
+solve/detail/energy_gains  solve/detail/energy_gains
+solve/detail/equilibrate   solve/detail/equilibrate solve/qr
+solve/detail/residual  solve/detail/residual solve/solve_with_values fields/laplace_system fields/harmonic_map
+solve/detail/system_checks solve/detail/system_checks solve/ldlt solve/lu solve/qr solve/constrained
 validate/detail/hex_orders mesh/corner_orders validate/minimal
 validate/detail/halfedge_laws validate/halfedge_links concepts/halfedge_kernel
 mesh/corner_orders     mesh/corner_orders

@@ -7,6 +7,8 @@
 #include <string>
 #include <thread>
 
+#include <sys/socket.h>
+
 #include <support/temporary.hpp>
 
 using namespace concino;
@@ -17,19 +19,54 @@ TEST_CASE("file_text: text, empty text, moved; read and mapped") {
   const testing::temporary_folder dir;
   testing::write_file(dir / "a", "hello\n");
   testing::write_file(dir / "empty", "");
+  testing::write_file(dir / "one", "x");
   const std::string large(3'000'000, 'x');
   testing::write_file(dir / "large", large);
   for (const bool map : {false, true}) {
     file_text a(dir / "a", {.map = map});
     CHECK(a.text() == "hello\n");
     CHECK(file_text(dir / "empty", {.map = map}).text().empty());
+    CHECK(file_text(dir / "one", {.map = map}).text() == "x");
     CHECK(file_text(dir / "large", {.map = map}).text() == large);
     file_text b = std::move(a);
     CHECK(b.text() == "hello\n");
+    CHECK(a.text().empty());
     b.close("a");
     CHECK(b.text().empty());
   }
   CHECK(file_text("/proc/self/stat").text().size() > 10);  // says that it holds 0 bytes
+}
+
+TEST_CASE("file_text: what was read stays, whatever becomes of the file") {
+  const testing::temporary_folder dir;
+  testing::write_file(dir / "a", "hello\n");
+  const file_text a(dir / "a");
+  testing::write_file(dir / "a", "");
+  CHECK(a.text() == "hello\n");
+}
+
+// Nobody else has descriptor 0, so it is the file's. It is no error, is not handed on to other programs, and is closed.
+TEST_CASE("file_text: in a program without a standard input") {
+  const testing::temporary_folder dir;
+  testing::write_file(dir / "a", "hello\n");
+  const int input = ::dup(0);
+  ::close(0);
+  for (const bool map : {false, true}) {
+    {
+      file_text a(dir / "a", {.map = map});
+      CHECK(a.text() == "hello\n");
+      CHECK(::fcntl(0, F_GETFD) == (map ? FD_CLOEXEC : -1));
+    }
+    CHECK(::fcntl(0, F_GETFD) == -1);
+  }
+  file_text changed(dir / "a", {.map = true});
+  std::ofstream(dir / "a", std::ios::app) << "more";
+  CHECK_THROWS_AS(changed.close("a"), io_error);
+  CHECK(::fcntl(0, F_GETFD) == -1);
+  if (input >= 0) {
+    ::dup2(input, 0);
+    ::close(input);
+  }
 }
 
 TEST_CASE("file_text: what cannot be read is an io_error that names the path and why") {
@@ -67,6 +104,22 @@ TEST_CASE("file_text: pipes are read to their end where they are asked for") {
     ::close(ends[0]);
     CHECK(got.text() == sent);
   }
+}
+
+TEST_CASE("file_text: what cannot be read once it is open is an io_error, and no more is read than there is room for") {
+  const testing::temporary_folder dir;
+  const int fd = ::open((dir / "a").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  CHECK_THROWS_WITH_AS(file_text(fd, "a", 0), "a: cannot be read: Bad file descriptor", io_error);
+  ::close(fd);
+
+  // A read from such a socket takes one message, of which it drops what it has no room for: here 40,000 bytes and then 25,536.
+  int ends[2];
+  REQUIRE(::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends) == 0);
+  const std::string message(40'000, 'm');
+  for (int i = 0; i < 2; ++i) REQUIRE(::write(ends[1], message.data(), message.size()) == 40'000);
+  ::close(ends[1]);
+  CHECK(file_text(ends[0], "a", 0).text() == std::string(65'536, 'm'));
+  ::close(ends[0]);
 }
 
 TEST_CASE("file_text: a file that has another size than it said is an io_error") {

@@ -74,3 +74,26 @@ TEST_CASE("auto_solver: an order taken over from another counts only within its 
   CHECK(second.used() == solver_used::ldlt);
   CHECK(small.used() == solver_used::conjugate_gradients);
 }
+
+TEST_CASE("auto_solver: what it says of an iteration, and nothing of one before a factorisation") {
+  auto_solver solver({.most_factor_entries = 0, .iteration = {.max_iterations = 1, .accept_missed_tolerance = true}});
+  conjugate_gradients same(solver.options().iteration);
+  solver.factorize(grid(10));
+  same.factorize(grid(10));
+  CHECK(solver.solve(random_vector(100)) == same.solve(random_vector(100)));
+  CHECK(solver.iterations() == 1);
+  CHECK((solver.error() > 0 && solver.error() == same.error()));
+  CHECK((solver.residual() > 0 && solver.residual() == same.residual()));
+  CHECK_FALSE(solver.converged());
+  solver.factorize(from(2, 2, {{0, 0, 1.0}, {1, 1, 4.0}}));
+  CHECK(solver.used() == solver_used::ldlt);
+  CHECK(solver.iterations() == 0);
+  CHECK(solver.error() == 0);
+  CHECK(solver.residual() == 0);
+  CHECK(solver.converged());
+  auto_solver enough({.most_factor_entries = 0});
+  enough.factorize(grid(10));
+  enough.solve(random_vector(100));
+  CHECK(enough.iterates());
+  CHECK(enough.converged());
+}

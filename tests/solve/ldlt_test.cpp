@@ -45,12 +45,23 @@ TEST_CASE("ldlt: the row that made the matrix singular") {
                        "ldlt: the matrix is singular to working precision in row 1: of the diagonal entry 0 elimination leaves 0", solver_error);
 }
 
+TEST_CASE("ldlt: the first pivot counts as others do, and so does one that is too large") {
+  ldlt solver;
+  CHECK_THROWS_WITH_AS(solver.factorize(systems::from(1, 1, {{0, 0, 0.0}})), doctest::Contains("in row 0"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(systems::from(2, 2, {{0, 0, 1e-300}, {1, 0, 1e10}, {1, 1, 1.0}})), doctest::Contains("elimination leaves -inf"),
+                       solver_error);
+}
+
 TEST_CASE("ldlt: a limit to the entries of the factor") {
   ldlt solver;
   CHECK(!solver.factorize_within(path(9), 7));
   CHECK_THROWS_AS(solver.solve(Eigen::VectorXd::Ones(9)), solver_error);
   CHECK(solver.factorize_within(path(9), 8));
   CHECK(solver.solve(Eigen::VectorXd::Ones(9)).size() == 9);
+  const auto full = systems::from(3, 3, {{0, 0, 4.0}, {1, 0, 1.0}, {2, 0, 1.0}, {1, 1, 4.0}, {2, 1, 1.0}, {2, 2, 4.0}});
+  CHECK(!solver.factorize_within(full, 2));
+  CHECK(solver.factorize_within(full, 3));
+  CHECK(solver.factorize_within(Eigen::SparseMatrix<double>(0, 0), 0));
 }
 
 TEST_CASE("ldlt: factorises once, solves many, small and large") {
@@ -177,7 +188,7 @@ TEST_CASE("ldlt: an order taken over from another, for its pattern and for other
   first.factorize(a);
   second.factorize(other);
   second.use_order_of(first);
-  CHECK_THROWS_AS(second.solve(Eigen::VectorXd::Ones(2)), solver_error);
+  for (const int n : {0, 1, 2, 81}) CHECK_THROWS_WITH_AS(second.solve(Eigen::VectorXd::Ones(n)), doctest::Contains("without a factorised"), solver_error);
   for ([[maybe_unused]] const int twice : {0, 1}) {
     second.factorize(b);
     CHECK(distance(3 * second.solve(right), first.solve(right)) < 1e-12);
@@ -192,4 +203,13 @@ TEST_CASE("ldlt: an order taken over from another, for its pattern and for other
   CHECK_THROWS_AS(second.solve(right), solver_error);
   second.factorize(a);
   CHECK(second.solve(right) == first.solve(right));
+  ldlt third;
+  third.use_order_of(first);
+  CHECK(!third.factorize_within(a, 5));
+  CHECK(third.factorize_within(a, ldlt::any_number));
+  CHECK(third.solve(right) == first.solve(right));
+  first.use_order_of(first);
+  CHECK_THROWS_AS(first.solve(right), solver_error);
+  first.factorize(a);
+  CHECK(first.solve(right) == third.solve(right));
 }

@@ -189,3 +189,50 @@ TEST_CASE("solve_qp: wrong input is refused") {
   const sparse box = make(h);
   CHECK_THROWS_AS(solve_qp(box, VectorXd::Constant(2, 5.0), box, VectorXd::Constant(2, -1.0), VectorXd::Ones(2), {.progress = [](double, const char*) { return false; }}), cancelled);
 }
+
+TEST_CASE("solve_qp: which of the sizes, numbers and options is wrong is said") {
+  const auto refused = [](const MatrixXd& h, const VectorXd& g, const MatrixXd& a, const VectorXd& low, const VectorXd& high, const char* why,
+                          const qp_options& options = {}) {
+    CHECK_THROWS_WITH_AS(solve_qp(make(h), g, make(a), low, high, options), doctest::Contains(why), invalid_argument);
+  };
+  const MatrixXd h = MatrixXd::Identity(2, 2), a = MatrixXd::Ones(2, 2);
+  const VectorXd two = VectorXd::Ones(2), three = VectorXd::Ones(3);
+  refused(MatrixXd::Ones(2, 3), three, MatrixXd::Ones(2, 3), two, two, "H must have as many rows and columns");
+  refused(h, three, MatrixXd::Ones(2, 3), two, two, "H must have as many rows and columns");
+  refused(h, two, a, three, two, "A must have as many rows");
+  refused(h, two, a, two, three, "A must have as many rows");
+  for (const double bad : {static_cast<double>(NAN), inf})
+    for (Eigen::Index i = 0; i < 2; ++i)
+      for (Eigen::Index j = 0; j < 2; ++j) {
+        MatrixXd wrong = MatrixXd::Ones(2, 2);
+        wrong(i, j) = bad;
+        refused(wrong, two, a, two, two, "H, A and g must be finite");
+        refused(h, two, wrong, two, two, "H, A and g must be finite");
+      }
+  for (Eigen::Index i = 0; i < 2; ++i)
+    for (const double end : {-inf, inf}) {
+      VectorXd low = -two, high = two;
+      low[i] = high[i] = end;
+      refused(h, two, a, low, high, i == 0 ? "row 0 has the bounds" : "row 1 has the bounds");
+    }
+  refused(h, two, a, two, two, "tolerance", {.tolerance = 0.9e-12});
+  refused(h, two, a, two, two, "tolerance", {.tolerance = 1.5});
+  refused(h, two, a, two, two, "tolerance", {.tolerance = NAN});
+  refused(h, two, a, two, two, "max_iterations", {.max_iterations = 0});
+  refused(h, two, a, two, two, "the x to start from", {.x = three});
+  refused(h, two, a, two, two, "the x to start from", {.x = two * inf});
+  refused(h, two, a, two, two, "the multipliers to start from", {.multipliers = three});
+  refused(h, two, a, two, two, "the multipliers to start from", {.multipliers = two * NAN});
+  for (const qp_options& options : {qp_options{.tolerance = 1e-12}, qp_options{.tolerance = 1}, qp_options{.max_iterations = 1}})
+    CHECK_NOTHROW(solve_qp(make(h), two, make(a), -two, two, options));
+}
+
+TEST_CASE("solve_qp: H may be 0, and off from symmetric by rounding errors") {
+  const sparse box = make(MatrixXd::Identity(2, 2));
+  const auto linear = solve_qp(sparse(2, 2), Eigen::Vector2d(1, -1), box, VectorXd::Constant(2, -3.0), VectorXd::Constant(2, 4.0));
+  REQUIRE(linear.status == qp_status::solved);
+  CHECK((linear.x - Eigen::Vector2d(-3, 4)).norm() < 1e-6);
+  MatrixXd h(2, 2);
+  h << 2e20, 1e20, 1e20 * (1 + 1e-14), 2e20;
+  CHECK_NOTHROW(solve_qp(make(h), Eigen::Vector2d(1e20, 0), sparse(0, 2), VectorXd(0), VectorXd(0)));
+}

@@ -40,4 +40,9 @@ TEST_CASE("qr: columns that depend on others, or are too many") {
                        doctest::Contains("column 1 of the matrix"), solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(from(1, 2, {{0, 0, 1.0}})), doctest::Contains("at least as many rows as columns"), solver_error);
   CHECK_THROWS_AS(solver.factorize(grid(5, 0)), solver_error);
+  // more columns than rows that have entries
+  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 1, 1.0}, {1, 2, 1.0}})), doctest::Contains("column 0 of the matrix"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {1, 2, 1.0}})), doctest::Contains("column 1 of the matrix"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {1, 1, 1.0}})), doctest::Contains("column 2 of the matrix"), solver_error);
+  CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {2, 1, 1.0}, {2, 2, 1.0}})), doctest::Contains("column 2 of the matrix"), solver_error);
 }

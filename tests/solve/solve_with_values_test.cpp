@@ -121,3 +121,31 @@ TEST_CASE("solve_with_values: a solver that answers with what is no number is no
     CHECK_THROWS_WITH_AS(solve_with_values(grid(4), b, {{given, 1.0}}, solver), doctest::Contains("relative residual is nan"), solver_error);
   }
 }
+
+TEST_CASE("solve_with_values: given unknowns stand in a unit of the matrix, and their right-hand sides say nothing") {
+  for (int largest = 0; largest < 4; ++largest)
+    for (const double unit : {1.0, 0x1p-30, 0x1p30}) {
+      std::vector<Eigen::Triplet<double>> entries;
+      for (int i = 0; i < 4; ++i) entries.emplace_back(i, i, (i == largest ? -12.0 : 0.5 + i / 4.0) * unit);
+      const sparse a = from(4, 4, entries);
+      for (int given = 0; given < 4; ++given) {
+        const detail::conditions problem("x", 4, values{{given, 7.0}});
+        for (int i = 0; i < 4; ++i) CHECK(detail::without_given(problem, a).coeff(i, i) == (i == given ? 8 * unit : a.coeff(i, i)));
+      }
+    }
+  const sparse a = grid(2);
+  const Eigen::VectorXd b = Eigen::Vector4d(1, 2, 3, 4);
+  for (int first = 0; first < 4; ++first)
+    for (int second = 0; second < 4; ++second) {
+      const detail::conditions problem("x", 4, values{{first, 2.0}, {second, 2.0}});
+      Eigen::VectorXd expected = b - a * problem.x;
+      expected[first] = expected[second] = 0;
+      CHECK(detail::load_of_unknowns(problem, a, b) == expected);
+    }
+}
+
+TEST_CASE("solve_with_values: one unknown, and one that is left") {
+  CHECK(solve_with_values(from(1, 1, {{0, 0, 2.0}}), Eigen::VectorXd::Constant(1, 4.0), {})[0] == 2);
+  const sparse a = from(2, 2, {{0, 0, 2.0}, {1, 0, 1.0}, {0, 1, 1.0}, {1, 1, 4.0}});
+  CHECK(solve_with_values(a, Eigen::Vector2d(0, 9), {{0, 1.0}}) == Eigen::Vector2d(1, 2));
+}
