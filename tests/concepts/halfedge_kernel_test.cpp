@@ -180,6 +180,16 @@ std::multiset<std::size_t> numbers(const R& r) {
   return s;
 }
 
+/// A range's own loop calls for what its iterators show, in the same order.
+template<class R>
+void same_loop(const R& r) {
+  using element = std::remove_cvref_t<decltype(*r.begin())>;
+  std::vector<element> called, walked;
+  r.for_each([&](const element& x) { called.push_back(x); });
+  for (const element x : r) walked.push_back(x);
+  CHECK(called == walked);
+}
+
 template<class M>
 void same_rings_of(const M& m, const tiny::surface& s) {
   for (const auto& b : cn::check_laws(m)) MESSAGE(b.law << ": " << b.what);
@@ -190,6 +200,9 @@ void same_rings_of(const M& m, const tiny::surface& s) {
     CHECK(numbers(cn::adj_v2v(m, v)) == numbers(cn::adj_v2v(s, w)));
     CHECK(numbers(cn::adj_v2e(m, v)) == numbers(cn::adj_v2e(s, w)));
     CHECK(numbers(cn::adj_v2p(m, v)) == numbers(cn::adj_v2p(s, w)));
+    same_loop(cn::adj_v2v(m, v));
+    same_loop(cn::adj_v2e(m, v));
+    same_loop(cn::adj_v2p(m, v));
   }
   for (int i = 0; i < static_cast<int>(s.es.size()); ++i) {
     CHECK(numbers(cn::adj_e2v(m, cn::edge_id(i))) == numbers(cn::adj_e2v(s, tiny::segment{i})));
@@ -200,10 +213,13 @@ void same_rings_of(const M& m, const tiny::surface& s) {
     CHECK(numbers(cn::adj_p2v(m, p)) == numbers(cn::adj_p2v(s, tiny::cell{i})));
     CHECK(numbers(cn::adj_p2e(m, p)) == numbers(cn::adj_p2e(s, tiny::cell{i})));
     CHECK(numbers(cn::adj_p2p(m, p)) == numbers(cn::adj_p2p(s, tiny::cell{i})));
-    std::vector<cn::poly_id> called, walked;
-    cn::adj_p2p(m, p).for_each([&](cn::poly_id q) { called.push_back(q); });
-    for (const cn::poly_id q : cn::adj_p2p(m, p)) walked.push_back(q);
-    CHECK(called == walked);
+    same_loop(cn::adj_p2v(m, p));
+    same_loop(cn::adj_p2e(m, p));
+    same_loop(cn::adj_p2p(m, p));
+    std::set<std::size_t> others;
+    cn::adj_p2p(m, p).for_each_with_repeats([&](cn::poly_id q) { others.insert(q.raw()); });
+    others.erase(p.raw());
+    CHECK(std::multiset<std::size_t>(others.begin(), others.end()) == numbers(cn::adj_p2p(m, p)));
   }
 }
 
@@ -237,6 +253,10 @@ TEST_CASE("fans that touch in a vert") {
 TEST_CASE("polys that share several edges are each other's neighbours once") {
   // Two polygons over the same verts; and one that wraps around another, with more polys in between.
   same_rings({points(6), {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}}});
+  // Two triangles and two quads over the same verts, and a quad that shares two edges with its neighbour.
+  same_rings({points(3), {{0, 1, 2}, {2, 1, 0}}});
+  same_rings({points(4), {{0, 1, 2, 3}, {3, 2, 1, 0}}});
+  same_rings({points(5), {{0, 1, 2, 3}, {3, 2, 1, 4}, {4, 1, 0, 3}}});
   same_rings({points(14),
               {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},
                {1, 0, 12},

@@ -117,6 +117,21 @@ class halfedge_ring {
     r.empty_ = false;
     return r;
   }
+  /// Calls f(x) for all of them in the same order: the loop that one would write by hand, without the state of an iterator.
+  template<class F>
+  constexpr void for_each(F&& f) const {
+    if (empty_) return;
+    const M& m = *m_;
+    const halfedge first = first_;
+    halfedge h = first;
+    do {
+      if constexpr (Ring == around::v2v || Ring == around::p2v) f(K::target(m, h));
+      else if constexpr (Ring == around::v2e || Ring == around::p2e) f(K::edge_of(m, h));
+      else if (!K::is_border(m, h)) f(K::poly_of(m, h));
+      if constexpr (at_vert) h = K::next(m, K::opposite(m, h));
+      else h = K::next(m, h);
+    } while (!(h == first));
+  }
   iterator begin() const { return {m_, first_, empty_}; }
   iterator end() const { return {}; }
 };
@@ -130,10 +145,24 @@ class halfedge_neighbours {
   const M* m_;
   poly p_;
 
-  /// The poly across h, p itself where there is none.
-  poly across(const halfedge& h) const {
-    const halfedge o = K::opposite(*m_, h);
-    return K::is_border(*m_, o) ? p_ : poly(K::poly_of(*m_, o));
+  static bool faces(const M& m, const halfedge& h, const poly& q) {
+    const halfedge o = K::opposite(m, h);
+    return !K::is_border(m, o) && K::poly_of(m, o) == q;
+  }
+  /// Whether q, which lies across `at`, lies across an edge of p from `first` up to it too. Walks along p and around q at once: the shorter
+  /// way decides, except where q borders p more than once. Not inlined, and all by value, so that loops around it keep theirs in registers.
+  [[gnu::noinline]] static bool is_across_earlier(const M& m, poly p, poly q, halfedge first, halfedge at) {
+    const halfedge start = K::opposite(m, at);
+    halfedge g = start;
+    bool once = true;
+    for (halfedge h = first; !(h == at); h = K::next(m, h)) {
+      if (faces(m, h, q)) return true;
+      if (!once) continue;
+      g = K::next(m, g);
+      if (g == start) return false;
+      once = !faces(m, g, p);
+    }
+    return false;
   }
 
  public:
@@ -147,30 +176,11 @@ class halfedge_neighbours {
     // constructor may be explicit.
     poly recent_[4] = {poly(), poly(), poly(), poly()};
 
-    /// Whether an edge before at_ has shown q_. Walks back along p and around q at once: the shorter way decides, except where q borders p
-    /// more than once.
     bool shown_before() const {
       const unsigned known = shown_ < 4 ? shown_ : 4;
       for (unsigned i = 0; i < known; ++i)
         if (recent_[i] == q_) return true;
-      if (shown_ <= 4) return false;
-      const halfedge start = K::opposite(*m_, at_);
-      halfedge g = start;
-      bool around_q = true, once = true;
-      for (halfedge h = first_; !(h == at_); h = K::next(*m_, h)) {
-        if (faces_q(h)) return true;
-        if (!around_q || !once) continue;
-        g = K::next(*m_, g);
-        around_q = !(g == start);
-        if (!around_q) return false;
-        const halfedge o = K::opposite(*m_, g);
-        once = K::is_border(*m_, o) || !(K::poly_of(*m_, o) == p_);
-      }
-      return false;
-    }
-    bool faces_q(const halfedge& h) const {
-      const halfedge o = K::opposite(*m_, h);
-      return !K::is_border(*m_, o) && K::poly_of(*m_, o) == q_;
+      return shown_ > 4 && is_across_earlier(*m_, p_, q_, first_, at_);
     }
     void find() {
       for (; !done_; step()) {
@@ -209,19 +219,45 @@ class halfedge_neighbours {
   };
 
   halfedge_neighbours(const M& m, const poly& p) : m_(&m), p_(p) {}
-  /// Calls f(q) for all of them in the same order. The neighbours of a triangle are compared without an iterator, which would carry them along.
+  /// Calls f(q) for all of them in the same order. One place calls f, so that compilers put its body here; the last four polys that were
+  /// shown (p: none yet) are variables, not an array, so that they are registers, and of these a triangle looks at two.
   template<class F>
   constexpr void for_each(F&& f) const {
     const M& m = *m_;
-    const halfedge first = K::halfedge_of(m, p_), second = K::next(m, first), third = K::next(m, second);
-    if (K::next(m, third) == first) {
-      const poly a = across(first), b = across(second), c = across(third);
-      if (!(a == p_)) f(a);
-      if (!(b == p_) && !(b == a)) f(b);
-      if (!(c == p_) && !(c == a) && !(c == b)) f(c);
-    } else {
-      for (iterator it = begin(); !(it == end()); ++it) f(*it);
-    }
+    const poly p = p_;
+    const halfedge first = K::halfedge_of(m, p);
+    poly a = p, b = p, c = p, d = p;
+    halfedge h = first;
+    do {
+      const halfedge at = h, o = K::opposite(m, h);
+      h = K::next(m, h);
+      if (K::is_border(m, o)) continue;
+      const poly q = K::poly_of(m, o);
+      if (q == p) [[unlikely]] continue;
+      if (q == a) [[unlikely]] continue;
+      if (q == b) [[unlikely]] continue;
+      if (!(c == p)) [[unlikely]] {
+        if (q == c || q == d) continue;
+        if (!(d == p) && is_across_earlier(m, p, q, first, at)) continue;
+      }
+      d = c;
+      c = b;
+      b = a;
+      a = q;
+      f(q);
+    } while (!(h == first));
+  }
+  /// Calls f(q) for the poly across each edge: one that lies across several edges comes several times, and p itself comes where it lies on
+  /// both sides of an edge. For loops in which that changes nothing: they need not pay for telling polys apart.
+  template<class F>
+  constexpr void for_each_with_repeats(F&& f) const {
+    const M& m = *m_;
+    const halfedge first = K::halfedge_of(m, p_);
+    halfedge h = first;
+    do {
+      if (const halfedge o = K::opposite(m, h); !K::is_border(m, o)) f(K::poly_of(m, o));
+      h = K::next(m, h);
+    } while (!(h == first));
   }
   iterator begin() const { return {*m_, p_}; }
   iterator end() const { return {}; }

@@ -50,7 +50,7 @@ auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(
     if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
       if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
     }
-    for_each_in(g.neighbours(v), [&](const node& w) {
+    for_each_with_repeats_in(g.neighbours(v), [&](const node& w) {
       int& h = value[g.index(w)];
       if (h >= 0) return;
       if constexpr (Asks)

@@ -35,7 +35,20 @@ struct component_labels {
 namespace detail {
 
 /// Unites each node with its neighbours of less index: nodes of near index lie near in memory, so this reads the mesh and the labels
-/// almost in order, where a search would jump.
+/// almost in order, where a search would jump. A function of its own, so that its loop has all registers.
+template<class G>
+[[gnu::noinline]] void unite_neighbours(G g, disjoint_sets& sets) {
+  for (const auto v : g.nodes()) {
+    const std::size_t i = g.index(v);
+    std::size_t mine = sets.root(i);
+    for_each_with_repeats_in(g.neighbours(v), [&](const typename G::node& w) {
+      const std::size_t j = g.index(w);
+      if (j >= i) return;
+      if (const std::size_t theirs = sets.root(j); theirs != mine) mine = sets.unite_roots(mine, theirs);
+    });
+  }
+}
+
 template<class G>
 auto connected_components(const G& g, const component_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
@@ -45,22 +58,17 @@ auto connected_components(const G& g, const component_options<typename G::node, 
   disjoint_sets sets(g.bound());
 
   const bool barred = may_enter || options.may_cross;
-  for (const node v : g.nodes()) {
-    const std::size_t i = g.index(v);
-    if (barred) {
+  if (barred) {
+    for (const node v : g.nodes()) {
       if (may_enter && !may_enter(v)) continue;
+      const std::size_t i = g.index(v);
       label[i] = 0;  // to be entered
       for_each_step(g, v, nullptr, options.may_cross, [&](const node& w) {
         if (const std::size_t j = g.index(w); label[j] == 0) sets.unite(i, j);
       });
-      continue;
     }
-    std::size_t mine = sets.root(i);
-    for_each_in(g.neighbours(v), [&](const node& w) {
-      const std::size_t j = g.index(w);
-      if (j >= i) return;
-      if (const std::size_t theirs = sets.root(j); theirs != mine) mine = sets.unite_roots(mine, theirs);
-    });
+  } else {
+    unite_neighbours(g, sets);
   }
 
   auto of_root = std::vector<int>(barred ? g.bound() : 0, -1);

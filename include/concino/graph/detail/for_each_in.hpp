@@ -11,4 +11,12 @@ void for_each_in(const R& r, F&& f) {
     for (const auto x : r) f(x);
 }
 
+/// The same for the neighbours of a node, except that some may come more than once and the node itself may come too. For loops in which
+/// that changes nothing: where telling neighbours apart costs time, they are spared it.
+template<class R, class F>
+void for_each_with_repeats_in(const R& r, F&& f) {
+  if constexpr (requires { r.for_each_with_repeats(f); }) r.for_each_with_repeats(f);
+  else for_each_in(r, f);
+}
+
 }  // namespace concino::detail
