@@ -1,5 +1,5 @@
 // Heat geodesics by the library's own solver: preparing them beside the factorisations that they cannot do without, two or, where there is a
-// boundary, three, and one question beside as many back-substitutions.
+// boundary, three, and one question beside as many back-substitutions, with bounds by shortest ways (query) and without (unclamped).
 #include "support/kinds.hpp"
 
 #include <concino/fields.hpp>
@@ -63,15 +63,19 @@ void measure(const bench::program& p, const std::string& name, const M& m) {
   for (const sparse& a : matrices) all.push_back(std::make_unique<factors>(a));
   Eigen::VectorXd load = Eigen::VectorXd::Zero(matrices[0].cols());
   load[0] = 1;
-  p.print(bench::compare(query, p.rounds,
-                         {{"substitutions", [&] {
-                             return bench::seconds_of([&] {
-                               Eigen::VectorXd u = load;
-                               for (const auto& one : all) u = one->solve(u).eval();
-                               return u;
-                             });
-                           }},
-                          {"concino", [&] { return bench::seconds_of([&] { return heat.distance_from(source); }); }}}));
+  const auto compare_with_substitutions = [&](const std::string& work, const auto& asked) {
+    p.print(bench::compare(work, p.rounds,
+                           {{"substitutions", [&] {
+                               return bench::seconds_of([&] {
+                                 Eigen::VectorXd u = load;
+                                 for (const auto& one : all) u = one->solve(u).eval();
+                                 return u;
+                               });
+                             }},
+                            {"concino", [&] { return bench::seconds_of([&] { return asked.distance_from(source); }); }}}));
+  };
+  compare_with_substitutions(query, heat);
+  compare_with_substitutions("heat.unclamped." + name, concino::prepare_heat_geodesics(m, {.clamp = false}));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ class prepared_heat_geodesics {
     const scaled_mesh m = detail::scaled_to_unit(mesh_in);
     detail::corner_fluxes corners = detail::fluxes_of(m);
     const double edge = detail::mean_edge_length(m);
-    const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent()) : 2 * detail::mean_square_width(m) / 3;
+    const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent()) : 2 * detail::mean_square_width(m) / dimension_v<M>;
     const bool uniform = options.weights == weights::uniform;
     Eigen::SparseMatrix<double> stiffness = detail::lower_stiffness(m, uniform ? weights::standard : options.weights);
     const auto mass = vert_masses(m);
@@ -202,7 +202,11 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
 
   // The rise is known up to a constant in each component, and at a source it is too round. It is fitted to what is known of distances not far from
   // sources, and the more so the better it is known there.
-  const std::vector<double> longest = prepared_->graph.ways_from(q.starts);
+  constexpr double near = 2, most_doubt = 0.2;  // what is used: straight lines up to this times `decay`, if ways are not more than this part longer
+  double first = -infinity;  // the largest of the least distances given: without clamp ways from there on are needed near sources only
+  for (const double x : least)
+    if (x < infinity) first = std::max(first, x);
+  const std::vector<double> longest = prepared_->graph.ways_from(q.starts, prepared_->clamp ? infinity : first + (1 + most_doubt) * near * decay);
   const detail::straight_distance straight(q.sources);
   std::vector<double> shortest(size), sum(size), weight(size);
   for (std::size_t i = 0; i < size; ++i) {
@@ -210,7 +214,7 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
     shortest[i] = straight(prepared_->graph.place(i));
     const std::size_t c = component(i);
     const double off = shortest[i] - least[c], doubt = longest[i] - shortest[i];
-    if (!(off > 0 && off <= 2 * decay && doubt <= 0.2 * off)) continue;
+    if (!(off > 0 && off <= near * decay && doubt <= most_doubt * off)) continue;
     const double trust = off / (doubt + 0.01 * off), w = prepared_->mass[i] * trust * trust;
     sum[c] += w * (shortest[i] + doubt / 2 - rise[static_cast<Eigen::Index>(i)]);
     weight[c] += w;
@@ -222,7 +226,7 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
     }
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t c = component(i);
-    if (least[c] == infinity || !(longest[i] < infinity)) continue;
+    if (least[c] == infinity || (prepared_->clamp && !(longest[i] < infinity))) continue;
     double d = rise[static_cast<Eigen::Index>(i)] + sum[c] / std::abs(weight[c]);
     if (prepared_->clamp) d = std::max(std::min(d, longest[i]), shortest[i]);
     distance_at.values()[i] = std::ldexp(std::max(least[c], d), prepared_->exponent);
@@ -256,11 +260,12 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         Distances are approximate. On the meshes of docs/convergence.md the mean error is 0.3 edges at most, mostly below 0.1; largest errors are below
 ///         two edges, but where agglomerates stand round a corner or polygons are squeezed. They are no longer than ways along edges and straight across
 ///         triangles or tets inside the polys, nor shorter than straight lines through space; .clamp = false leaves that out, so that they
-///         are as smooth as heat is, and off by some edges where surfaces bend. They scale exactly with the mesh by powers of two.
-///         The default time is 2/3 of the squared width of polys, averaged by their measure: two squared edges in a grid of cubes. Heat shows
-///         directions where it has crossed about a poly, and rounds off what is finer; the polys that most places lie in say how
-///         far that is, not the many in a corner of a graded mesh, nor the short edges of an interlocking polygon. A longer time makes
-///         distances smoother, and rounder near the boundary.
+///         are as smooth as heat is, and off by some edges where surfaces bend; a question then takes down to a third of the time. Distances
+///         scale exactly with the mesh by powers of two.
+///         The default time is twice the squared width of polys, averaged by their measure, over their dimension: two squared edges in grids of
+///         squares and of cubes. Heat shows directions where it has crossed about a poly, and rounds off what is finer; the polys that most
+///         places lie in say how far that is, not the many in a corner of a graded mesh, nor the short edges of an interlocking polygon. A
+///         longer time makes distances smoother, and rounder near the boundary.
 ///         Heat is kept as its logarithm, whose gradient is as steep far away as near by, and is carried on where
 ///         it is too little for double precision, so that distances are right over any number of edges; each 1250 sqrt(time) of distance
 ///         cost another back-substitution. Laplacians with negative weights may make it negative, where polys are very long and thin: then

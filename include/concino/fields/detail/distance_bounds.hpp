@@ -142,7 +142,9 @@ class distance_graph {
       const double height = up + y, through = x + y / std::max(height, least) * (along - x);
       const double square = (along - x) * (along - x) + height * height;
       way = std::sqrt(square) + bend * through * (length - through) * (height * height / std::max(square, least)) / 2;
-      is_seen = (y2 >= -1e-9 * from * from) & (through >= -1e-9 * length) & (through <= (1 + 1e-9) * length);
+      // A front that comes together within about the length of the edge, as on the far side of a ball, is not known well enough.
+      const bool is_wide = bend * length < 0.5;
+      is_seen = is_wide & (y2 >= -1e-9 * from * from) & (through >= -1e-9 * length) & (through <= (1 + 1e-9) * length);
     }
   };
 
@@ -177,7 +179,7 @@ class distance_graph {
     /// known.
     void find_bend() {
       if (!(step > 0)) return;
-      const double rate = mean_curvature - 2 * bend / std::max(radius, step) + bend * bend, most = 0.3 / step;
+      const double rate = mean_curvature - 2 * bend / std::max(radius, step) + bend * bend, most = 1 / step;
       bend = std::clamp(bend + step * rate, -most, most);
       step = 0;
     }
@@ -205,14 +207,15 @@ class distance_graph {
 
   const vec3& place(std::size_t v) const { return place_[v]; }
 
-  /// The lengths of ways to each vert from the given verts, whose distances are given; +inf where none leads.
+  /// The lengths of ways to each vert from the given verts, whose distances are given; +inf where none leads. Ways longer than `longest` may be
+  /// left out.
   /// Verts with the same source share its number.
   struct start {
     int vert, source;
     double distance;  // from the source, 0 or more
     double before;    // at the source
   };
-  std::vector<double> ways_from(const std::vector<start>& starts) const;
+  std::vector<double> ways_from(const std::vector<start>& starts, double longest) const;
 
  private:
   class search;
@@ -223,6 +226,7 @@ class distance_graph::search {
   static constexpr std::uint8_t most_changes = 64;
 
   const distance_graph& graph_;
+  const double longest_;
   std::vector<node> node_;
   std::vector<double> waiting_;  // the ways to those in the queue
   indexed_heap<int> queue_;
@@ -252,7 +256,7 @@ class distance_graph::search {
   void queue_offered() {
     for (const int v : offered_) {
       const auto i = static_cast<std::size_t>(v);
-      if (node_[i].way < waiting_[i]) queue_.lower(v, i, node_[i].way);
+      if (node_[i].way < waiting_[i] && node_[i].way <= longest_) queue_.lower(v, i, node_[i].way);
     }
     offered_.clear();
   }
@@ -342,8 +346,9 @@ class distance_graph::search {
   }
 
  public:
-  explicit search(const distance_graph& graph)
-      : graph_(graph), node_(graph.place_.size()), waiting_(node_.size(), infinity), queue_(waiting_), known_(graph.tet_.size() / 4) {
+  search(const distance_graph& graph, double longest)
+      : graph_(graph), longest_(longest), node_(graph.place_.size()), waiting_(node_.size(), infinity), queue_(waiting_),
+        known_(graph.tet_.size() / 4) {
     for (std::size_t i = 0; i < graph.curvature_.size(); ++i) node_[i].curvature = graph.curvature_[i];
   }
 
@@ -371,6 +376,8 @@ class distance_graph::search {
   }
 };
 
-inline std::vector<double> distance_graph::ways_from(const std::vector<start>& starts) const { return search(*this).ways_from(starts); }
+inline std::vector<double> distance_graph::ways_from(const std::vector<start>& starts, double longest) const {
+  return search(*this, longest).ways_from(starts);
+}
 
 }  // namespace concino::detail
