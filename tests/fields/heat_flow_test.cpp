@@ -35,7 +35,7 @@ Eigen::VectorXd vector_of(const Map& u) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("heat_flow: heat is neither made nor lost, and the square falls", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("heat_flow: heat is neither made nor lost, and the square falls", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const auto u = random_values(m);
   for (const auto scheme : {heat_scheme::second_order, heat_scheme::backward_euler})
@@ -50,7 +50,7 @@ TEST_CASE_TEMPLATE("heat_flow: heat is neither made nor lost, and the square fal
   CHECK(vector_of(w).sum() == doctest::Approx(vector_of(u).sum()).epsilon(1e-12).scale(1));
 }
 
-TEST_CASE_TEMPLATE("heat_flow: cos(pi x) decays as exp(-pi^2 t), of the second order in the size of the polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("heat_flow: cos(pi x) decays as exp(-pi^2 t), of the second order in the size of the polys", M, CONCINO_KINDS) {
   const auto error = [](unsigned n) {
     const M m = grid<M>(n);
     const auto u = wave(m), w = heat_flow(m, u, 0.1, {.steps = 20});
@@ -89,7 +89,7 @@ TEST_CASE("heat_flow: backward Euler with lumped masses and no negative weights 
   }
 }
 
-TEST_CASE_TEMPLATE("heat_flow: long steps end at the mean of each component, or the harmonic map through what is held", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("heat_flow: long steps end at the mean of each component, or the harmonic map through what is held", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const auto u = random_values(m);
   const Eigen::SparseMatrix<double> mass = mass_matrix(m, {.lumped = false});

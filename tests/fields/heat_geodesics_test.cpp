@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("heat_geodesics: straight lines on the square and in the cube, nearer when refined", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: straight lines on the square and in the cube, nearer when refined", M, CONCINO_KINDS) {
   const unsigned n = VolumeMesh<M> ? 3 : 10;
   const M coarse = square_or_cube<M>(n), fine = square_or_cube<M>(2 * n);
   const heat_geodesics_options heat_alone{.clamp = false};

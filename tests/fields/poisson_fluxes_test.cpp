@@ -96,7 +96,7 @@ double mixed_error(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("poisson: linear functions with the flux that is theirs are reproduced, one value given", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("poisson: linear functions with the flux that is theirs are reproduced, one value given", M, CONCINO_KINDS) {
   const M m = moved_grid<M>(3, 0.2);
   const vec3 slope{2, -3, VolumeMesh<M> ? 5 : 0};
   fluxes<M> across;
@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("poisson: linear functions with the flux that is theirs are r
   for (const auto v : verts(m)) CHECK(u[v] == doctest::Approx(1 + dot(slope, to_vec3(point(m, v)) - to_vec3(point(m, a)))).epsilon(1e-12).scale(1));
 }
 
-TEST_CASE_TEMPLATE("poisson: what facets bring sums to their measure and first moment", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("poisson: what facets bring sums to their measure and first moment", M, CONCINO_KINDS) {
   const M m = moved_grid<M>(2, 0.2);
   double boundary = 0;
   for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) {
@@ -144,14 +144,14 @@ TEST_CASE_TEMPLATE("poisson: facets of size 1 and of no size", M, quadmesh, hexm
   check_sums(M(arrays), 0);
 }
 
-TEST_CASE_TEMPLATE("poisson: values on one side and derivatives on the others, of the second order", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("poisson: values on one side and derivatives on the others, of the second order", M, CONCINO_KINDS) {
   const unsigned n = VolumeMesh<M> ? 3 : 5;
   const double coarse = mixed_error(moved_grid<M>(n, 0.1)), fine = mixed_error(moved_grid<M>(2 * n, 0.1));
   CHECK(std::log2(coarse / fine) >= 1.8);
   CHECK(fine < 0.15);
 }
 
-TEST_CASE_TEMPLATE("poisson: the load and what flows out balance at the verts that are held", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("poisson: the load and what flows out balance at the verts that are held", M, CONCINO_KINDS) {
   const M m = moved_grid<M>(2, 0.1);
   fluxes<M> across;
   for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) { across.push_back({e, -(VolumeMesh<M> ? 1 / 6. : 1 / 4.)}); });
@@ -233,7 +233,7 @@ TEST_CASE_TEMPLATE("poisson: scaling the mesh by a power of two, and load and fl
   CHECK(solution(0x1p-20) == u);
 }
 
-TEST_CASE_TEMPLATE("poisson: fluxes given wrongly", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("poisson: fluxes given wrongly", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const vert_id a{0};
   const facet_t<M> none{1000000};

@@ -49,7 +49,7 @@ template<class M> concept preparable = requires { prepare_harmonic_map(std::decl
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("prepare_harmonic_map: the same bits as harmonic_map, one factorisation for all values", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("prepare_harmonic_map: the same bits as harmonic_map, one factorisation for all values", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
   int factorised = 0;
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("prepare_harmonic_map: the same bits as harmonic_map, one fac
   static_assert(preparable<const M&> && !preparable<M>);
 }
 
-TEST_CASE_TEMPLATE("prepare_poisson: what poisson solves, one factorisation for all loads, values and fluxes", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("prepare_poisson: what poisson solves, one factorisation for all loads, values and fluxes", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
   facet_t<M> outer{};

@@ -18,7 +18,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("smooth: what is taken away is the amount times the Laplacian or its power", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("smooth: what is taken away is the amount times the Laplacian or its power", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const auto f = random_values(m);
   const Eigen::SparseMatrix<double> l = laplacian(m);
@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("smooth: what is taken away is the amount times the Laplacian
   }
 }
 
-TEST_CASE_TEMPLATE("smooth: constants stay, totals stay, values come nearer to each other", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("smooth: constants stay, totals stay, values come nearer to each other", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const auto f = random_values(m), ones = make_vert_map<double>(m, 1.0);
   const auto mass = vert_masses(m);
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("smooth: constants stay, totals stay, values come nearer to e
   for (const auto v : verts(m)) CHECK((u[v] > *low && u[v] < *high));
 }
 
-TEST_CASE_TEMPLATE("smooth: x bends to slope 0 at the boundary as u - a u'' = x says", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("smooth: x bends to slope 0 at the boundary as u - a u'' = x says", M, CONCINO_KINDS) {
   const auto error = [](unsigned n) {
     const M m = grid<M>(n);
     auto f = make_vert_map<double>(m);
@@ -80,7 +80,7 @@ TEST_CASE_TEMPLATE("smooth: x bends to slope 0 at the boundary as u - a u'' = x 
   CHECK(coarse > 1.7 * fine);
 }
 
-TEST_CASE_TEMPLATE("smooth: linear functions stay where the boundary is held; what is held is exact", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("smooth: linear functions stay where the boundary is held; what is held is exact", M, CONCINO_KINDS) {
   const M m = grid<M>(3);
   auto f = make_vert_map<double>(m);
   std::vector<vert_id> held;

@@ -40,7 +40,7 @@ poly_map<M, short> all_but(const M& m, P... others) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("agglomerate: quarters of a jittered grid", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("agglomerate: quarters of a jittered grid", M, CONCINO_KINDS) {
   M m = make_grid<M>({.cells = {4, 4, 4}});
   jitter(m, 0.1);
   const auto labels = quarters(m);
@@ -61,7 +61,7 @@ TEST_CASE_TEMPLATE("agglomerate: quarters of a jittered grid", M, CONCINO_ALL_KI
   for (const vert_id v : verts(a)) CHECK(point(b, v) == point(a, v));
 }
 
-TEST_CASE_TEMPLATE("agglomerate: each poly alone gives the mesh as it is, all of one label its hull", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("agglomerate: each poly alone gives the mesh as it is, all of one label its hull", M, CONCINO_KINDS) {
   const M m = make_grid<M>({.cells = {3, 3, 3}});
   auto labels = make_poly_map<unsigned>(m, 7u);
   const auto one = agglomerate(m, labels);

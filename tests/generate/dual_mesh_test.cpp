@@ -85,7 +85,7 @@ std::vector<std::vector<std::size_t>> cells(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("dual_mesh: clipped, it covers what the mesh covers, a poly for each vert", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dual_mesh: clipped, it covers what the mesh covers, a poly for each vert", M, CONCINO_KINDS) {
   for (const auto& arrays : {grid_arrays<M>(1), grid_arrays<M>(3), two_grids_arrays<M>(2)}) {
     const M m(arrays);
     const auto d = dual_mesh(m);
@@ -107,7 +107,7 @@ TEST_CASE_TEMPLATE("dual_mesh: clipped, it covers what the mesh covers, a poly f
   }
 }
 
-TEST_CASE_TEMPLATE("dual_mesh: discarded, inner verts only have cells, and dual verts are those of cells", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dual_mesh: discarded, inner verts only have cells, and dual verts are those of cells", M, CONCINO_KINDS) {
   const M m = grid<M>(4);
   const auto d = dual_mesh(m, {.boundary = dual_boundary::discarded});
   check_sound(d);
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("dual_mesh: discarded, inner verts only have cells, and dual 
   if constexpr (arity_v<M> > 0) CHECK((num_verts(none) == 0 && num_polys(none) == 0));
 }
 
-TEST_CASE_TEMPLATE("dual_mesh: on the archetype the same", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dual_mesh: on the archetype the same", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto d = dual_mesh(m), e = dual_mesh(only_embedded_mesh(m));
   REQUIRE(num_verts(e) == num_verts(d));
@@ -133,7 +133,7 @@ TEST_CASE_TEMPLATE("dual_mesh: on the archetype the same", M, CONCINO_ALL_KINDS)
   for (const auto p : polys(d)) CHECK(measure(e, p) == doctest::Approx(measure(d, p)));
 }
 
-TEST_CASE_TEMPLATE("dual_mesh: scales exactly, and empty meshes have an empty dual", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dual_mesh: scales exactly, and empty meshes have an empty dual", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.02);
   const auto d = dual_mesh(M(arrays));
   for (const double scale : {0x1p-20, 0x1p20}) {

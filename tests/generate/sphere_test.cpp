@@ -17,7 +17,7 @@ constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("make_sphere: sound, outward, on the sphere, and of the right size in the limit", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("make_sphere: sound, outward, on the sphere, and of the right size in the limit", M, CONCINO_KINDS) {
   const double exact = SurfaceMesh<M> ? 4 * pi * 4 : 4 * pi * 8 / 3;
   double previous = 0;
   for (const std::size_t cells : {1u, 2u, 3u, 6u}) {
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("make_sphere: scales exactly, is as symmetric as a cube", M, 
   if (!std::is_same_v<M, polygonmesh>) CHECK(norm(sum) < 1e-13);
 }
 
-TEST_CASE_TEMPLATE("make_sphere: errors", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("make_sphere: errors", M, CONCINO_KINDS) {
   CHECK_THROWS_WITH_AS(make_sphere<M>({.cells = 0}), "make_sphere: cells is 0; it must be at least 1", invalid_argument);
   CHECK_THROWS_WITH_AS(make_sphere<M>({.cells = 100000}), doctest::Contains("make_sphere: cells asks for"), invalid_argument);
   CHECK_THROWS_AS(make_sphere<M>({.cells = ~std::size_t{0}}), invalid_argument);

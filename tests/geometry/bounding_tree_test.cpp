@@ -26,7 +26,7 @@ M crooked(unsigned n, double amount = 0.3) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("the nearest point is the nearest of all polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("the nearest point is the nearest of all polys", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(1, -0.7, 1.7);
@@ -49,7 +49,7 @@ TEST_CASE_TEMPLATE("the nearest point is the nearest of all polys", M, CONCINO_A
   }
 }
 
-TEST_CASE_TEMPLATE("a ray meets what it meets of all polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("a ray meets what it meets of all polys", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(2, -0.5, 1.5);
@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("a ray meets what it meets of all polys", M, CONCINO_ALL_KIND
   CHECK(met >= 10);
 }
 
-TEST_CASE_TEMPLATE("a box meets what it meets of all polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("a box meets what it meets of all polys", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(3, -0.2, 1.2);
@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE("a box meets what it meets of all polys", M, CONCINO_ALL_KIND
   CHECK(tree.in_box(all).empty());
 }
 
-TEST_CASE_TEMPLATE("sides of a box count: it touches what it shares a point with, and no more", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("sides of a box count: it touches what it shares a point with, and no more", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto tree = bounding_tree(m);
   for (const auto v : verts(m)) {
@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("sides of a box count: it touches what it shares a point with
   CHECK(!tree.in_box(beside).empty());
 }
 
-TEST_CASE_TEMPLATE("on the archetype the same", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("on the archetype the same", M, CONCINO_KINDS) {
   const M m = crooked<M>(2);
   const auto g = only_embedded_mesh(m);
   const auto tree = bounding_tree(m);
@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("on the archetype the same", M, CONCINO_ALL_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("scaled by powers of two, answers scale exactly, up to sizes that cannot be squared", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("scaled by powers of two, answers scale exactly, up to sizes that cannot be squared", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.1);
   const M m(arrays);
   const auto tree = bounding_tree(m);
@@ -179,7 +179,7 @@ TEST_CASE_TEMPLATE("scaled by powers of two, answers scale exactly, up to sizes 
   }
 }
 
-TEST_CASE_TEMPLATE("from very far away", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("from very far away", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto tree = bounding_tree(m);
   for (const double far : {1e20, 1e100, 1e300}) {
@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE("from very far away", M, CONCINO_ALL_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("no poly, and polys without area or volume", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("no poly, and polys without area or volume", M, CONCINO_KINDS) {
   const M none;
   const auto empty = bounding_tree(none);
   box b;
@@ -222,7 +222,7 @@ TEST_CASE_TEMPLATE("no poly, and polys without area or volume", M, CONCINO_ALL_K
   }
 }
 
-TEST_CASE_TEMPLATE("points that are not finite", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("points that are not finite", M, CONCINO_KINDS) {
   const M m = grid<M>(1);
   const auto tree = bounding_tree(m);
   for (const double bad : {no_number, infinity}) {

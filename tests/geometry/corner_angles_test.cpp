@@ -54,7 +54,7 @@ double total(const M& m, const vert_map<M, double>& x) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("corner_angle: those of a planar polygon sum to (n - 2) pi, concave or not, wherever it lies", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("corner_angle: those of a planar polygon sum to (n - 2) pi, concave or not, wherever it lies", M, CONCINO_KINDS) {
   const auto arrays = grid_arrays<M>(2);
   for (const M& m : {M(arrays), M(rotated(arrays)), M(scaled(rotated(arrays), 0x1p-600)), M(scaled(rotated(arrays), 0x1p600))}) {
     const auto check = [&](const auto& x, const auto& loop) {
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("corner_angle: those of a planar polygon sum to (n - 2) pi, c
   }
 }
 
-TEST_CASE_TEMPLATE("corner_angle: the same at any scale and on the archetype, planar or not", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("corner_angle: the same at any scale and on the archetype, planar or not", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(1), 0.05);
   const M m(arrays), twice(scaled(arrays, 2)), small(scaled(arrays, 0x1p-900)), large(scaled(arrays, 0x1p1020));
   const auto g = only_embedded_mesh(m);

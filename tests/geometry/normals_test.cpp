@@ -44,7 +44,7 @@ template<class M> concept takes_temporaries = requires(M&& m) { vert_normals(std
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("normals: on grids along the axes", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("normals: on grids along the axes", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   if constexpr (SurfaceMesh<M>) {
     for_each_normal(m, [](auto, const vec3& one, const vec3& of_all) {
@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("normals: on grids along the axes", M, CONCINO_ALL_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("normals: one by one, in maps, on the archetype, and on the mesh turned", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("normals: one by one, in maps, on the archetype, and on the mesh turned", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.08);
   const M m(arrays), turned(rotated(arrays));
   const auto g = only_embedded_mesh(m);
@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("normals: one by one, in maps, on the archetype, and on the m
   static_assert(!takes_temporaries<M>);
 }
 
-TEST_CASE_TEMPLATE("normals: the same bits when scaled, and the same directions where areas underflow or overflow", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("normals: the same bits when scaled, and the same directions where areas underflow or overflow", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.08);
   const M m(arrays);
   for (const double scale : {0x1p-480, 0x1p-560, 0x1p-900, 0x1p480, 0x1p560, 0x1p1022}) {
@@ -200,7 +200,7 @@ TEST_CASE("normals: of a stranger's meshes") {
   CHECK(around[tiny::vertex{9}] == vec3{});
 }
 
-TEST_CASE_TEMPLATE("normals: the same for any number of threads, and on an empty mesh", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("normals: the same for any number of threads, and on an empty mesh", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(SurfaceMesh<M> ? 40 : 8), 0.01)), none;
   CHECK(vert_normals(none).values().empty());
   const auto alone = vert_normals(m);

@@ -68,7 +68,7 @@ TEST_CASE("bfs: a mesh must outlive the result; what is no source or no mesh is 
   static_assert(!searchable<ring&, poly_id> && !searchable<ring&, int> && searchable<ring&, std::vector<vert_id>>);
 }
 
-TEST_CASE_TEMPLATE("bfs: equal to Boost's on verts and on polys, in pieces and with a lonely vert", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("bfs: equal to Boost's on verts and on polys, in pieces and with a lonely vert", M, CONCINO_KINDS) {
   const M m = two_grids<M>(2);
   const auto primal = make_boost_graph(vert_index_bound(m), primal_arcs(m, one));
   const auto dual = make_boost_graph(poly_index_bound(m), dual_arcs(m, one));
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("bfs: equal to Boost's on verts and on polys, in pieces and w
   }
 }
 
-TEST_CASE_TEMPLATE("bfs: uses nothing but a primal or a dual graph", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("bfs: uses nothing but a primal or a dual graph", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto g = only_primal_graph(m);
   const auto d = only_dual_graph(m);
@@ -112,7 +112,7 @@ TEST_CASE("bfs: dual arcs of a grid of n^3 hexes number 3 n^2 (n - 1), reached f
   CHECK(farthest == 3 * (int(n) - 1));
 }
 
-TEST_CASE_TEMPLATE("bfs: bounds, targets and predecessors, on verts and on polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("bfs: bounds, targets and predecessors, on verts and on polys", M, CONCINO_KINDS) {
   const M m = grid<M>(3);
   const auto check = [&](const auto s, const auto nodes, auto before) {
     using node = std::remove_const_t<decltype(s)>;

@@ -44,7 +44,7 @@ TEST_CASE("grow_regions: ring by ring, ties to the earlier seed, labels by place
   CHECK(grow_regions(m, {poly_id{0}, poly_id{15}}, dear, {.priority = growth::step})[poly_id{1}] == 1);
 }
 
-TEST_CASE_TEMPLATE("grow_regions: uses nothing but a primal or a dual graph", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("grow_regions: uses nothing but a primal or a dual graph", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto g = only_primal_graph(m);
   const auto d = only_dual_graph(m);

@@ -20,7 +20,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("shortest_path: as long as Boost says, and a path, on 1,000 random meshes with barriers", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("shortest_path: as long as Boost says, and a path, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("shortest_path: as long as Boost says, and a path, on 1,000 r
   });
 }
 
-TEST_CASE_TEMPLATE("shortest_path: straight lines where no length is given, from a vert or a poly", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("shortest_path: straight lines where no length is given, from a vert or a poly", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.05));
   const auto sum = [&](const auto& path, const auto& at) {
     double s = 0;
@@ -92,7 +92,7 @@ TEST_CASE("shortest_path: to itself, to none, around a wall, across a barred edg
   CHECK(shortest_path(dual(m), poly_id{0}, poly_id{2}) == std::vector<poly_id>{poly_id{0}, poly_id{1}, poly_id{2}});
 }
 
-TEST_CASE_TEMPLATE("shortest_path: uses nothing but its concept", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("shortest_path: uses nothing but its concept", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto one = [](const auto&, const auto&) { return 1.0; };
   const vert_id v{0}, w{static_cast<unsigned>(num_verts(m) - 1)};

@@ -15,7 +15,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("spanning_tree: nodes less components, of straight lines, by both methods", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("spanning_tree: nodes less components, of straight lines, by both methods", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(3), 0.05));
   for (const auto method : {tree_method::kruskal, tree_method::prim}) {
     const auto st = spanning_tree(m, {.method = method});
@@ -42,7 +42,7 @@ TEST_CASE("spanning_tree: of a grid whose edges are equally long, the first edge
   CHECK(spanning_tree(m, [](auto, auto) { return std::numeric_limits<double>::infinity(); }, {.method = tree_method::prim}).arcs.empty());
 }
 
-TEST_CASE_TEMPLATE("spanning_tree: uses nothing but its concept", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("spanning_tree: uses nothing but its concept", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const auto st = spanning_tree(m);
   const auto g = only_primal_graph(m);

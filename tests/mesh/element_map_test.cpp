@@ -29,7 +29,7 @@ struct concino::mesh_traits<window> {
   static std::size_t index_of(const window& w, vert_id v) { return concino::index_of(*w.mesh, v); }
 };
 
-TEST_CASE_TEMPLATE("element maps: a value per vert, edge, poly (and face), set and read", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("element maps: a value per vert, edge, poly (and face), set and read", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   auto v = make_vert_map<double>(m, -1);
   auto e = make_edge_map<std::string>(m, "none");

@@ -14,7 +14,7 @@ namespace cn = concino;
 static_assert(cn::HasProperties<cn::trimesh> && cn::HasProperties<const cn::hexmesh&>);
 static_assert(!cn::HasProperties<int>);
 
-TEST_CASE_TEMPLATE("made if absent, found again by name and type", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("made if absent, found again by name and type", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(2);
   CHECK_FALSE(cn::find_vert_property<double>(m, "heat"));
   auto heat = cn::vert_property<double>(m, "heat");
@@ -49,7 +49,7 @@ TEST_CASE("a handle outlives the removal of its property") {
   CHECK_FALSE(cn::find_vert_property<double>(m, "u"));
 }
 
-TEST_CASE_TEMPLATE("a property of the mesh as a whole is one value, copied with it and left alone by edits", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("a property of the mesh as a whole is one value, copied with it and left alone by edits", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(2);
   CHECK_FALSE(cn::find_mesh_property<std::string>(m, "title"));
   const auto title = cn::mesh_property<std::string>(m, "title");
@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("a property of the mesh as a whole is one value, copied with 
   CHECK(cn::find_vert_property<double>(m, "title"));
 }
 
-TEST_CASE_TEMPLATE("properties follow their elements through edits", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("properties follow their elements through edits", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(2);
   auto u = cn::vert_property<unsigned>(m, "u");
   auto w = cn::poly_property<unsigned>(m, "w");

@@ -43,7 +43,7 @@ template<class M, class F> concept has_divergence = requires(M&& m, const F& f) 
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("divergence: what the matrix gives, of any map, on archetypes too", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("divergence: what the matrix gives, of any map, on archetypes too", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.05));
   check_as_matrix(m);
   check_as_matrix(only_embedded_mesh(m));

@@ -42,13 +42,13 @@ concept can_take_gradient = requires(M&& m, const U& u) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("gradient, vert_gradient: what the matrices give, of any map, on archetypes too", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("gradient, vert_gradient: what the matrices give, of any map, on archetypes too", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.05));
   check_as_matrices(m);
   check_as_matrices(only_embedded_mesh(m));
 }
 
-TEST_CASE_TEMPLATE("gradient, vert_gradient: constants have none at all, however large", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("gradient, vert_gradient: constants have none at all, however large", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.05));
   const auto u = make_vert_map<double>(m, 1e30);
   const auto g = gradient(m, u);
@@ -57,7 +57,7 @@ TEST_CASE_TEMPLATE("gradient, vert_gradient: constants have none at all, however
   for (const auto v : verts(m)) REQUIRE(h[v] == vec3());
 }
 
-TEST_CASE_TEMPLATE("vert_gradient: exact on linear functions, at the boundary too; 0 at verts of no poly", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("vert_gradient: exact on linear functions, at the boundary too; 0 at verts of no poly", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(3), 0.04, VolumeMesh<M>));
   auto u = make_vert_map<double>(m);
   for (const auto v : verts(m)) u[v] = 2 * point(m, v)[0] - 3 * point(m, v)[1] + point(m, v)[2] + 1;

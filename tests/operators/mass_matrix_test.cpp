@@ -15,7 +15,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("masses sum to the measure, are positive on verts of polys and 0 on others", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("masses sum to the measure, are positive on verts of polys and 0 on others", M, CONCINO_KINDS) {
   auto arrays = two_grids_arrays<M>(3);
   for (vec3& x : arrays.points) x.x *= 1 + x.x / 8;
   const M m(arrays);
@@ -33,7 +33,7 @@ TEST_CASE_TEMPLATE("masses sum to the measure, are positive on verts of polys an
   for (const auto v : verts(m)) CHECK(matrix.coeff(static_cast<int>(index_of(m, v)), static_cast<int>(index_of(m, v))) == mass[v]);
 }
 
-TEST_CASE_TEMPLATE("masses: the same on the archetype; nothing on an empty mesh", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("masses: the same on the archetype; nothing on an empty mesh", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto g = only_embedded_mesh(m);
   const auto mass = vert_masses(m);
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("Galerkin mass: by edges where the type says simplices, by vi
   check(only_fixed_arity_mesh(m));
 }
 
-TEST_CASE_TEMPLATE("Galerkin mass: symmetric, positive definite, sums to the measure, integrates products of linear functions exactly", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("Galerkin mass: symmetric, positive definite, sums to the measure, integrates products of linear functions exactly", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.04, VolumeMesh<M>));
   const Eigen::SparseMatrix<double> mass = mass_matrix(m, {.lumped = false});
   const Eigen::MatrixXd dense = mass;
@@ -82,7 +82,7 @@ TEST_CASE_TEMPLATE("Galerkin mass: symmetric, positive definite, sums to the mea
   CHECK(one.dot(dense * x) == doctest::Approx(expected).epsilon(1e-12));
 }
 
-TEST_CASE_TEMPLATE("Galerkin mass: squares of linear functions over the unit square and cube", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("Galerkin mass: squares of linear functions over the unit square and cube", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(3);
   const auto moved = jittered(arrays, 0.03, VolumeMesh<M>);
   for (std::size_t i = 0; i < arrays.points.size(); ++i) {  // the boundary stays
@@ -114,7 +114,7 @@ TEST_CASE("Galerkin mass: that of linear elements on simplices, of bilinear ones
   CHECK((Eigen::Matrix4d(mass_matrix(q, {.lumped = false})) - 1.5 / 36 * bilinear).norm() < 1e-14);
 }
 
-TEST_CASE_TEMPLATE("masses: points that are not finite are refused; polys without a measure have no Galerkin mass", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("masses: points that are not finite are refused; polys without a measure have no Galerkin mass", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(1);
   auto flat = arrays;
   for (vec3& x : flat.points) x.y = x.z = 0;

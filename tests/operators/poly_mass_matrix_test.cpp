@@ -13,7 +13,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("poly_masses: sum to the measure; as a matrix three times each, nothing for deleted polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("poly_masses: sum to the measure; as a matrix three times each, nothing for deleted polys", M, CONCINO_KINDS) {
   M m(jittered(two_grids_arrays<M>(2), 0.05));
   remove_poly(m, poly_id{1});
   const auto mass = poly_masses(m);

@@ -17,7 +17,7 @@ polygonmesh well(double depth) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a plane that faces up, a convex body: nothing is in the way", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("a plane that faces up, a convex body: nothing is in the way", M, CONCINO_KINDS) {
   const M m = testing::grid<M>(2);
   const auto ao = ambient_occlusion(m, {.directions = 32}, brute_force{});
   for (const auto p : polys(m)) {

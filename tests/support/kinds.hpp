@@ -1,4 +1,5 @@
-// The six kinds of mesh, for TEST_CASE_TEMPLATE, and a grid of each by one name.
+// The six kinds of mesh, for TEST_CASE_TEMPLATE, and a grid of each by one name. Where CONCINO_TEST_FEW_KINDS is defined, CONCINO_KINDS are one
+// surface and one volume, which take half as long to compile; CONCINO_ALL_KINDS are always all.
 #pragma once
 
 #include <concino/mesh/hexmesh.hpp>
@@ -10,9 +11,18 @@
 
 #include <support/meshes.hpp>
 
-#define CONCINO_SURFACE_KINDS concino::trimesh, concino::quadmesh, concino::polygonmesh
-#define CONCINO_VOLUME_KINDS concino::tetmesh, concino::hexmesh, concino::polyhedralmesh
-#define CONCINO_ALL_KINDS CONCINO_SURFACE_KINDS, CONCINO_VOLUME_KINDS
+#define CONCINO_ALL_SURFACE_KINDS concino::trimesh, concino::quadmesh, concino::polygonmesh
+#define CONCINO_ALL_VOLUME_KINDS concino::tetmesh, concino::hexmesh, concino::polyhedralmesh
+#define CONCINO_ALL_KINDS CONCINO_ALL_SURFACE_KINDS, CONCINO_ALL_VOLUME_KINDS
+
+#ifdef CONCINO_TEST_FEW_KINDS
+#define CONCINO_SURFACE_KINDS concino::polygonmesh
+#define CONCINO_VOLUME_KINDS concino::tetmesh
+#else
+#define CONCINO_SURFACE_KINDS CONCINO_ALL_SURFACE_KINDS
+#define CONCINO_VOLUME_KINDS CONCINO_ALL_VOLUME_KINDS
+#endif
+#define CONCINO_KINDS CONCINO_SURFACE_KINDS, CONCINO_VOLUME_KINDS
 
 namespace concino::testing {
 

@@ -1,0 +1,30 @@
+// The tables of the six kinds of mesh, compiled once for all test files of a folder: nearly every file uses them. Only precompiled headers include
+// this, so that programs with other flags compile their own. clang++ 14 cannot: it takes members into an explicit instantiation whose requirements do
+// not hold. It gains little by it.
+#pragma once
+
+#include <support/kinds.hpp>
+
+#define CONCINO_TEST_TABLES(EXTERN, ...) \
+  EXTERN template class __VA_ARGS__;     \
+  EXTERN template class concino::detail::native_mesh<__VA_ARGS__>
+#define CONCINO_TEST_SIDES(EXTERN, facet, arity) EXTERN template class concino::detail::sides<facet, arity>
+
+#define CONCINO_TEST_NATIVE_TABLES(EXTERN)                                                                 \
+  CONCINO_TEST_SIDES(EXTERN, concino::edge_id, 0);                                                         \
+  CONCINO_TEST_SIDES(EXTERN, concino::edge_id, 3);                                                         \
+  CONCINO_TEST_SIDES(EXTERN, concino::edge_id, 4);                                                         \
+  CONCINO_TEST_SIDES(EXTERN, concino::face_id, 0);                                                         \
+  CONCINO_TEST_SIDES(EXTERN, concino::face_id, 4);                                                         \
+  CONCINO_TEST_SIDES(EXTERN, concino::face_id, 6);                                                         \
+  EXTERN template class concino::detail::rows<concino::vert_id, 0>;                                        \
+  CONCINO_TEST_TABLES(EXTERN, concino::surface_tables<0>);                                                 \
+  CONCINO_TEST_TABLES(EXTERN, concino::surface_tables<3>);                                                 \
+  CONCINO_TEST_TABLES(EXTERN, concino::surface_tables<4>);                                                 \
+  CONCINO_TEST_TABLES(EXTERN, concino::cell_tables<concino::detail::tet_shape>);                           \
+  CONCINO_TEST_TABLES(EXTERN, concino::cell_tables<concino::detail::hex_shape>);                           \
+  CONCINO_TEST_TABLES(EXTERN, concino::basic_polyhedra_tables<concino::detail::rows<concino::vert_id, 0>>)
+
+#ifndef __clang__
+CONCINO_TEST_NATIVE_TABLES(extern);
+#endif
