@@ -267,4 +267,15 @@ TEST_CASE("polys that share several edges are each other's neighbours once") {
                {9, 8, 7}}});
 }
 
+TEST_CASE("a poly on both sides of an edge is no neighbour of its own") {
+  // A triangle from one corner of which an edge leads inside: its half-edges are walked there and back.
+  const linked m{{2, 5, 4, 1, 6, 3, 7, 0}, {1, 0, 2, 1, 0, 2, 3, 0}, {0, -1, 0, -1, 0, -1, 0, 0}, {0, 2, 4, 7}, {0}};
+  const auto neighbours = cn::adj_p2p(m, cn::poly_id(0));
+  CHECK(neighbours.begin() == neighbours.end());
+  neighbours.for_each([](cn::poly_id) { FAIL("p itself"); });
+  int times = 0;
+  neighbours.for_each_with_repeats([&](cn::poly_id q) { times += q == cn::poly_id(0); });
+  CHECK(times == 2);
+}
+
 TEST_CASE("what is missing is said") { cn::explain_halfedge_links<links, linked>(); }
