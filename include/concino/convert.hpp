@@ -20,9 +20,9 @@ struct convert_report {
 };
 
 struct convert_options {
-  bool properties = true;            // whether named properties come along, where both meshes hold such
-  convert_report* report = nullptr;  // filled if given
-  concino::progress progress = nullptr;
+  bool properties = true;                // whether named properties come along, where both meshes hold such
+  convert_report* report = nullptr;      // filled if given; cleared first
+  concino::progress progress = nullptr;  // told "converting"
 };
 
 namespace requirement {
@@ -138,7 +138,8 @@ void carry_properties(conversion<To, From>& c, convert_report& report) {
 /// Needs:  as convert; m is no temporary and stays where it is as long as the result is asked about its elements.
 /// Result: c.mesh, and c.vert_of(v), c.edge_of(e), c.face_of(f), c.poly_of(p) name in it what stands for an element of m. Values of maps are taken
 ///         along by c.carry(map, map_of_the_new_mesh).
-/// Cost, errors: as convert.
+/// Cost:   as convert.
+/// Errors: as convert.
 template<class To, class M>
   requires requirement::is_no_temporary<M> && requirement::can_be_made_from<To, std::remove_cvref_t<M>>
 conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const convert_options& options = {}) {

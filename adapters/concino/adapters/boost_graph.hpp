@@ -8,6 +8,7 @@
 // arcs one way, as Boost's do. What takes edges as joining both ways (components, spanning trees, Laplacians) needs each arc's opposite in
 // the graph, law PG3; and parallel edges or loops break PG4. check_laws(g) tells. The other direction, Boost's algorithms on meshes, is
 // <concino/graph/boost.hpp>.
+// Needs: Boost.Graph (Debian: libboost-dev).
 #pragma once
 
 #include <concino/concepts/primal_graph.hpp>
@@ -168,6 +169,7 @@ struct mesh_traits<views::foreign_graph<G, Index>> {
 ///         outlive the view, so a temporary one is refused; where verts were added or removed, a new view is needed.
 /// Result: a view. It keeps law PG3 where g is undirected or has each arc's opposite, PG4 where it has no loops and no parallel edges.
 /// Cost:   O(V) to count the verts, of which a filtered_graph shows fewer than it numbers. Nothing is copied.
+/// Errors: none of its own.
 template<class G>
   requires requirement::has_vertex_index<G>
 auto graph_view(const G& g) {

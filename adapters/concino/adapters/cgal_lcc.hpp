@@ -10,6 +10,7 @@
 // Stored in the view: connectivity as a polyhedralmesh stores it, a dart an element, and two hash tables of darts; no points. Cost: as on a
 // polyhedralmesh; from darts a look into a table, to an edge the edges at its vert.
 // Whatever sews, adds or removes invalidates the view; points may move, as long as volumes do not turn inside out.
+// Needs: CGAL 5.5 (Debian: libcgal-dev).
 #pragma once
 
 #include <concino/adapters/detail/cgal_point.hpp>

@@ -13,7 +13,8 @@
 // Stored: nothing in the mesh, and no data of the mesh anywhere; see indexed(). Cost: rings in time proportional to their length.
 // point(m, v) gives doubles, as <concino/adapters/cgal_surface_mesh.hpp> says.
 // Property maps, as get(CGAL::vertex_point, m), become maps by as_map(pm) of <concino/graph/property_map.hpp>.
-// Needs: ids as CGAL::set_halfedgeds_items_id makes them, 0, 1, 2 ... in the order of the elements. Without them, or where elements were
+// Needs: CGAL 5.5 (Debian: libcgal-dev).
+//        Ids as CGAL::set_halfedgeds_items_id makes them, 0, 1, 2 ... in the order of the elements. Without them, or where elements were
 //        added or erased since, index bounds throw invalid_mesh, and with them whatever makes a map. No two edges join the same two verts.
 #pragma once
 
@@ -161,6 +162,7 @@ struct mesh_traits<views::indexed_polyhedron<P>> : halfedge_kernel<views::indexe
 /// Result: a SurfaceMesh with the descriptors of m. Indices are the order in which m lists its verts, edges and facets.
 /// Cost:   O(V + E + F) time, and hash tables of 36 to 72 bytes per vert, edge and facet, which copies share; none of m's data. Every index_of looks up
 ///         a table.
+/// Errors: none of its own.
 template<detail::is_cgal_polyhedron M>
 auto indexed(const M& m) { return views::indexed_polyhedron<typename decltype(detail::base_of_cgal_polyhedron(&m))::type>(m); }
 template<detail::is_cgal_polyhedron M>

@@ -11,7 +11,8 @@
 // CGAL::to_double (numbers that are doubles exactly, others of lazy kernels to the relative precision set there, 1e-5 unless told otherwise;
 // that may evaluate them, which is as safe from several threads as the kernel is). Points in the plane have z = 0. Other types
 // of points are given as they are, by reference, if they have p[0], p[1], p[2]; a mesh over anything else has no points.
-// Needs: connectivity that CGAL calls valid, in which no two edges join the same two verts. Euler operations can make such; check_laws finds it.
+// Needs: CGAL 5.5 (Debian: libcgal-dev).
+//        Connectivity that CGAL calls valid, in which no two edges join the same two verts. Euler operations can make such; check_laws finds it.
 //
 // Where all polys are known to be triangles, say so, and algorithms for a TriMesh take the mesh:
 //

@@ -11,6 +11,7 @@
 // Stored in the view: connectivity as a tetmesh stores it, handles, and hash tables of handles; no points. Cost: as on a tetmesh; from CGAL's
 // vertices and cells a look into a table, from its edges and facets a walk around the vert or over the cell.
 // Whatever changes the triangulation or the complex invalidates the view; points may move.
+// Needs: CGAL 5.5 (Debian: libcgal-dev).
 #pragma once
 
 #include <concino/adapters/detail/cgal_point.hpp>

@@ -1,4 +1,5 @@
 // Symmetric positive definite sparse systems by CHOLMOD's supernodal factorisation: dense blocks on BLAS, the fastest for large systems.
+// Needs: CHOLMOD of SuiteSparse (Debian: libsuitesparse-dev); to be fast, also a fast BLAS (Debian: libopenblas0-serial).
 #pragma once
 
 #include <concino/solve/detail/system_checks.hpp>

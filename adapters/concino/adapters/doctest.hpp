@@ -1,4 +1,5 @@
-// One line for tests written with doctest (Debian: doctest-dev): CHECK that a mesh type conforms.
+// One line for tests written with doctest: CHECK that a mesh type conforms.
+// Needs: doctest (Debian: doctest-dev).
 #pragma once
 
 #include <concino/testing/conformance.hpp>
@@ -7,7 +8,11 @@
 
 namespace concino {
 
-/// Fails the test case, with the report, unless conformance(make, options) finds nothing.
+/// Checks a mesh type by one of its meshes, in a test case of doctest.
+/// Needs:  as conformance.
+/// Result: none; the test case fails, with the report as its message, unless conformance(make, options) finds nothing.
+/// Cost:   as conformance.
+/// Errors: as conformance.
 template<class Make, class M = std::remove_cvref_t<std::invoke_result_t<const Make&>>>
 void check_conformance(const Make& make, const conformance_options<M>& options = {}) {
   const conformance_report report = conformance(make, options);

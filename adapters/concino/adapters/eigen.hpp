@@ -12,6 +12,7 @@
 //   auto points = V3xN.transpose();  auto tris = F3xN.transpose();  auto tri = cn::view_tri(points, tris);
 //
 // A Matrix is kept by its address, so its memory may change hands (V = smoothed(V)); of the others the place in memory is kept.
+// Needs: Eigen 3.4 (Debian: libeigen3-dev).
 #pragma once
 
 #include <concino/detail/message.hpp>

@@ -1,4 +1,5 @@
-// Ray casting by Intel Embree 3 (Debian: libembree-dev): hand in `embree{}` where a ray tracer is asked for.
+// Ray casting by Intel Embree 3: hand in `embree{}` where a ray tracer is asked for.
+// Needs: Embree 3 (Debian: libembree-dev), and a processor with SSE2.
 #pragma once
 
 #include <concino/error.hpp>

@@ -1,9 +1,10 @@
-// OpenMesh (Debian: libopenmesh-dev): every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from one,
+// OpenMesh: every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from one,
 // is a SurfaceMesh. OpenMesh's own handles go in and come out, and nothing is copied. A property becomes a map by as_map(mesh, handle).
 //
 // Elements that are deleted but not yet collected as garbage are left out; hidden ones are not, because hiding is about showing. num_verts and
 // its siblings count what is left, in time proportional to all. Polys that only touch in a vert are all met by the rings of that vert, since
 // OpenMesh links their borders; edges of more than two polys it cannot hold.
+// Needs: OpenMesh (Debian: libopenmesh-dev).
 #pragma once
 
 #include <concino/adapters/detail/openmesh_links.hpp>
@@ -110,7 +111,9 @@ template<class P> concept is_openmesh_property = std::same_as<P, OpenMesh::VProp
 
 /// A property of verts, edges or faces as a map, u = as_map(m, handle): u[v] is the mesh's own value, to be read, and written unless m is
 /// const. An OpenMesh::PropertyManager is such a map as it is.
-/// Needs:  the property stays in the mesh as long as the map is used.              Cost: none; nothing is copied.
+/// Needs:  the property stays in the mesh as long as the map is used.
+/// Result: a map by the handles of verts, edges or faces. Copies of it are the same map.
+/// Cost:   none; nothing is copied.
 /// Errors: invalid_argument if the handle is of no property.
 template<std::derived_from<OpenMesh::BaseKernel> M, requirement::is_openmesh_property P>
 auto as_map(M& m, const P& handle) {

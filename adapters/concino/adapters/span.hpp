@@ -9,6 +9,7 @@
 // Points are floats or doubles in threes, std::array of two (z is 0) or three, or any type with p[0], p[1], p[2]. Lists of verts are
 // integers of any type, in threes, fours or eights, or std::array of as many. A container is kept by its address, so that its memory may
 // change hands (xyz = smoothed(xyz)); a span as it is.
+// Needs: the standard library only.
 #pragma once
 
 #include <concino/detail/message.hpp>

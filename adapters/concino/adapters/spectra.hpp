@@ -1,4 +1,5 @@
-// Eigenpairs of large sparse matrices, and the eigenfunctions of surfaces and volumes of any polys, by Spectra (Debian: libspectra-dev).
+// Eigenpairs of large sparse matrices, and the eigenfunctions of surfaces and volumes of any polys, by Spectra.
+// Needs: Spectra (Debian: libspectra-dev).
 #pragma once
 
 #include <concino/adapters/detail/spectra_lanczos.hpp>
@@ -23,7 +24,9 @@ namespace concino {
 struct eigenpairs_options {
   double tolerance = 1e-10;  // of residuals, relative to the eigenvalue plus the shift, or rounding errors of K u if larger; above 0 and below 1
   int max_restarts = 1000;   // of the iteration, 1 or more
-  double shift = 0;          // K + shift M is factorised, in units of the eigenvalues, finite; 0: mean of the diagonal of K over that of M and rows
+  /// K + shift M is factorised; in units of the eigenvalues, finite, 0 or more. 0: the mean of the diagonal of K over that of M and the number
+  /// of rows.
+  double shift = 0;
 };
 
 struct eigenpairs_result {
@@ -138,7 +141,8 @@ struct eigenproblem {
 /// Cost:   one factorisation and, for each pair, some 3 to 11 solves; O(rows count) memory. All at once, O(rows^3), where rows < 2 count + 1
 ///         or there are no more than 32.
 /// Errors: invalid_argument if count or an option is out of its range, or the matrices are not of one size; solver_error if a matrix has entries
-///         that are not finite, a row has no mass, or not all have converged, how many and with which residual; those of the solver.
+///         that are not finite, a row has no mass, M is not positive definite, or not all have converged, how many and with which residual; those
+///         of the solver.
 /// Source: Lehoucq, Sorensen 1996, "Deflation techniques for an implicitly restarted Arnoldi iteration", in Spectra; paper section 2.2.
 template<class Solver = ldlt>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>

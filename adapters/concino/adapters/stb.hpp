@@ -1,4 +1,5 @@
-// PNG files through stb (Debian: libstb-dev).
+// PNG files through stb.
+// Needs: stb (Debian: libstb-dev).
 #pragma once
 
 #include <concino/error.hpp>
@@ -147,7 +148,9 @@ namespace concino::detail::stb {
 namespace concino {
 
 /// Writes a picture as an 8-bit sRGB PNG.
+/// Needs:  a picture of at least one pixel.
 /// Result: the file at `path` is the old one or the whole new one, never a part.
+/// Cost:   O(pixels) time and memory, in the calling thread.
 /// Errors: invalid_argument if the picture is empty; unsupported if its bytes are more than 1 GiB, some 350 million pixels; io_error if the file
 ///         cannot be written.
 // Static because it calls stb's static functions: an inline function must not mean something else in each translation unit.

@@ -4,6 +4,12 @@
 //   auto g = only_primal_graph(m);
 //   auto d = bfs(g, g.vert(v));                    // g.vert, g.edge, g.face, g.poly: a descriptor of m made opaque
 //   for (auto v : verts(g)) d[v] ... g.base(v)     // g.base: the descriptor of m again
+//
+// Needs:  a mesh or graph m that models the concept, and that outlives the result; a temporary one is refused.
+// Result: a view of m that models the concepts named above the function, and no others. Its descriptors, ranges, numbers and points can do what
+//         the concepts ask for, and nothing else.
+// Cost:   none; questions cost what they cost on m.
+// Errors: none.
 #pragma once
 
 #include <concino/concepts/archetypes/opaque.hpp>
@@ -13,7 +19,6 @@
 namespace concino {
 
 /// m stripped to PrimalGraph: verts and adj_v2v.
-/// Needs: the mesh or graph to outlive the result, as with every archetype here.
 template<PrimalGraph M> constexpr auto only_primal_graph(const M& m) { return archetypes::only<M, archetypes::primal>(m); }
 template<class M> void only_primal_graph(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 

@@ -131,7 +131,10 @@ class faces_of_face {
 }  // namespace detail
 
 /// The edges that share a vert with e, each once.
-/// Cost: proportional to the edges at the ends of e; nothing is allocated.
+/// Needs:  AnyMesh M; e is an edge of m.
+/// Result: a range of edges without e: those at the one end, then those at the other. What the traits return, where they have adj_e2e.
+/// Cost:   proportional to the edges at the ends of e; nothing is allocated.
+/// Errors: none.
 inline constexpr struct adj_e2e_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -143,7 +146,10 @@ inline constexpr struct adj_e2e_verb : detail::verb {
 } adj_e2e{};
 
 /// The faces of a volume that share an edge with f, each once.
-/// Cost: proportional to the edges of f, times the faces at an edge squared, times the edges of a face; nothing is allocated.
+/// Needs:  VolumeMesh M; f is a face of m.
+/// Result: a range of faces without f: those at one edge of f after the other. What the traits return, where they have adj_f2f.
+/// Cost:   proportional to the edges of f, times the faces at an edge squared, times the edges of a face; nothing is allocated.
+/// Errors: none.
 inline constexpr struct adj_f2f_verb : detail::verb {
   using verb::operator();
   template<class M>

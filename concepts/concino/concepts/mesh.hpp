@@ -87,7 +87,11 @@ consteval void explain_any_mesh() {
   // clang-format on
 }
 
-/// Whether x is an element of m now. Constant time where the traits offer `contains`, else one walk over the elements of its kind.
+/// Whether x is an element of m now.
+/// Needs:  mesh_traits<M>::index_of for elements of its kind.
+/// Result: true or false.
+/// Cost:   that of `contains` where the traits offer it, constant time on the meshes of this library; else a walk over the elements of its kind.
+/// Errors: none.
 inline constexpr struct contains_verb : detail::verb {
   using verb::operator();
   template<class M, class X>

@@ -1,5 +1,10 @@
 // The verbs: what algorithms say. Each is a function object that forwards to mesh_traits, so that no function of another library
 // can be picked instead, and each vanishes where the traits lack the member.
+//
+// Needs:  a member of mesh_traits<M> of the same name; elements of m, which is not checked: contains(m, x) tells.
+// Result: what that member returns: ranges of elements to be walked, numbers as std::size_t, points as the mesh has them.
+// Cost:   that of the member; nothing is added.
+// Errors: those of the member.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>

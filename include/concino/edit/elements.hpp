@@ -30,8 +30,11 @@ template<class M> concept has_remove_poly = requires(std::remove_cvref_t<M>& m, 
 
 }  // namespace requirement
 
-/// A new vert at x, without edges.                                          Cost: O(1), but O(verts) the first time.
-/// Needs:  a mesh whose traits offer add_vert. Properties grow by a default value; maps made before do not know the new vert.
+/// A new vert at x, without edges.
+/// Needs:  a mesh whose traits offer add_vert. Maps made before do not know the new vert.
+/// Result: its descriptor. Properties grow by a default value.
+/// Cost:   O(1), but O(verts) the first time.
+/// Errors: none of its own.
 template<requirement::has_add_vert M>
 vert_t<M> add_vert(M& m, const vec3& x) {
   return traits<M>::add_vert(m, x);
@@ -39,8 +42,11 @@ vert_t<M> add_vert(M& m, const vec3& x) {
 
 /// A new poly on verts of m: cyclic order in surfaces, the standard order for tets and hexes. Edges and faces that are there are shared,
 /// the others are made.
-/// Result: its descriptor.                                                  Cost: the elements at its verts, but O(mesh) the first time.
-/// Errors: invalid_mesh if there are too few or too many verts, one twice, or one that is not in m; m is unchanged then.
+/// Needs:  a mesh whose traits offer add_poly of verts.
+/// Result: its descriptor. Properties grow by default values.
+/// Cost:   the elements at its verts, but O(mesh) the first time.
+/// Errors: invalid_mesh if there are too few or too many verts, one twice, or one that is not in m, or if the library that m is of cannot link the
+///         poly; m is unchanged then. unsupported if m would have more than 2^32 adjacencies of one kind.
 template<requirement::has_add_poly M>
 poly_t<M> add_poly(M& m, std::span<const vert_t<M>> corners) {
   return traits<M>::add_poly(m, corners);
@@ -50,7 +56,12 @@ poly_t<M> add_poly(M& m, std::initializer_list<vert_t<M>> corners) {
   return traits<M>::add_poly(m, std::span<const vert_t<M>>(corners.begin(), corners.size()));
 }
 
-/// A new face on verts of a mesh of general polyhedra, to build a poly from. Errors as for polys.
+/// A new face on verts of a mesh of general polyhedra, to build a poly from. Edges that are there are shared; a second face on the same verts is
+/// another face.
+/// Needs:  a mesh whose traits offer add_face; verts in cyclic order.
+/// Result: its descriptor; it is of no poly yet. Properties grow by default values.
+/// Cost:   the elements at its verts, but O(mesh) the first time.
+/// Errors: invalid_mesh if there are less than three verts, one twice, or one that is not in m; m is unchanged then. unsupported as add_poly.
 template<requirement::has_add_face M>
 face_t<M> add_face(M& m, std::span<const vert_t<M>> corners) {
   return traits<M>::add_face(m, corners);
@@ -61,7 +72,10 @@ face_t<M> add_face(M& m, std::initializer_list<vert_t<M>> corners) {
 }
 
 /// A new polyhedron of faces of m, each with whether its verts run counter-clockwise seen from outside it.
-/// Errors: invalid_mesh if there is no face, one twice, or one that is not in m; m is unchanged then.
+/// Needs:  a mesh whose traits offer add_poly of faces. Whether the faces close the poly and the flags are right, validate(m) says.
+/// Result: its descriptor. Properties grow by default values.
+/// Cost:   at most the square of the corners of its faces, and the elements at these, but O(mesh) the first time.
+/// Errors: invalid_mesh if there is no face, one twice, or one that is not in m; m is unchanged then. unsupported as add_poly of verts.
 template<requirement::has_add_poly_of_faces M>
 poly_t<M> add_poly(M& m, std::initializer_list<std::pair<face_t<M>, bool>> face_list) {
   std::vector<face_t<M>> list;
@@ -71,7 +85,10 @@ poly_t<M> add_poly(M& m, std::initializer_list<std::pair<face_t<M>, bool>> face_
 }
 
 /// Takes p away, and with it the edges and faces that nothing else has; verts stay.
-/// Errors: invalid_mesh if p is not a poly of m.                            Cost: the elements at its verts, but O(mesh) the first time.
+/// Needs:  a mesh whose traits offer remove_poly.
+/// Result: none; no other element changes its name.
+/// Cost:   the elements at its verts, but O(mesh) the first time.
+/// Errors: invalid_mesh if p is not a poly of m.
 template<requirement::has_remove_poly M>
 void remove_poly(M& m, poly_t<M> p) {
   if (!contains(m, p)) detail::throw_joined<invalid_mesh>({"poly ", index_of(m, p), " cannot be removed: it is not a poly of the mesh"});
@@ -80,6 +97,9 @@ void remove_poly(M& m, poly_t<M> p) {
 
 /// Takes v away and the polys at it first. All or nothing: where the traits offer reserve_removal(m, polys), they find the memory for taking
 /// these polys and verts away before the first goes.
+/// Needs:  a mesh whose traits offer remove_vert and remove_poly.
+/// Result: none; no other element changes its name.
+/// Cost:   that of removing the polys at v one after another.
 /// Errors: invalid_mesh if v is not a vert of m.
 template<requirement::has_remove_vert M>
   requires requirement::has_remove_poly<M>

@@ -230,7 +230,9 @@ prepared_exact_geodesics<std::remove_cvref_t<M>> prepare_exact_geodesics(M&& m) 
 /// Exact distances over a surface of triangles from one vert, from the nearest of several, or from a point of a poly: for one question.
 /// Needs:  as prepare_exact_geodesics; sources as its distance_from takes them.
 /// Result: a map of double, in units of length; +inf at verts that no path over polys leads to.
-/// Cost, errors, source: as prepare_exact_geodesics and its distance_from.
+/// Cost:   as prepare_exact_geodesics and its distance_from.
+/// Errors: as prepare_exact_geodesics and its distance_from.
+/// Source: as prepare_exact_geodesics.
 template<class M, class S = std::initializer_list<vert_t<M>>>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M> &&
            (detail::gives_verts<std::remove_cvref_t<M>, S> || detail::gives_distances<std::remove_cvref_t<M>, S>)

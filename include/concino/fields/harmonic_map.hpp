@@ -20,10 +20,10 @@
 namespace concino {
 
 struct harmonic_map_options {
-  concino::weights weights = concino::weights::standard;
+  concino::weights weights = concino::weights::standard;  // of the Laplacian L; on a mere graph standard ones are uniform
   int exponent = 1;                       // n >= 1: L (M^-1 L)^(n-1) u = 0; 1: harmonic, 2: biharmonic, ...
   double isolated_value = 0;              // of verts without edges that have no value prescribed, in each part; any, NaN too
-  concino::progress progress = nullptr;
+  concino::progress progress = nullptr;   // told "harmonic map", "factorising", "solving"
 };
 
 namespace detail {
@@ -122,9 +122,10 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 ///         weights and exponent 1 every value lies between the extrema of those given in its component. On a mere graph standard
 ///         weights are uniform ones.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
-/// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert gets two, or
-///         exponent < 1; solver_error if a component that has edges has no value prescribed (one of its verts is named), or if the
-///         system cannot be solved in double precision; with other weights than uniform also those of `laplacian`; cancelled.
+/// Errors: invalid_mesh if a value is given at what is no vert of m, or if exponent > 1, weights are not uniform and a vert has edges and no
+///         mass; invalid_argument if a value is not finite, a vert gets two, or exponent < 1; solver_error if
+///         a component that has edges has no value prescribed (one of its verts is named), or if the system cannot be solved in double
+///         precision; with other weights than uniform also those of `laplacian`; cancelled.
 /// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
 template<class T = double, class M, class D = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::field_value<T> && detail::gives_values<D, vert_t<M>> &&

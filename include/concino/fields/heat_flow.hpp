@@ -26,11 +26,11 @@ namespace concino {
 enum class heat_scheme { second_order, backward_euler };
 
 struct heat_flow_options {
-  concino::weights weights = concino::weights::standard;
+  concino::weights weights = concino::weights::standard;  // of the Laplacian; on a mere graph standard ones are uniform
   int steps = 10;                         // 1 or more, each as long as the others
-  concino::heat_scheme scheme = concino::heat_scheme::second_order;
+  concino::heat_scheme scheme = concino::heat_scheme::second_order;  // how each step is computed
   bool lumped = false;                    // lumped masses: see backward_euler; else the Galerkin mass, of the second order in the size of the polys
-  concino::progress progress = nullptr;
+  concino::progress progress = nullptr;   // told "heat flow", "factorising"
 };
 
 namespace detail {
@@ -127,7 +127,8 @@ class prepared_heat_flow {
 /// Prepares heat flow over the same time, for many fields and for one that goes on: auto h = prepare_heat_flow(m, time); u = h.advance(u).
 /// Needs:  as heat_flow; the mesh stays as it is. solver: one like it is kept, made of its options() where it has them.
 /// Result: an object that answers advance(u), and tells by isolated() how many verts have no edges.
-/// Cost, errors: as heat_flow, but for the steps and for what is about u.
+/// Cost:   as heat_flow, but for the steps.
+/// Errors: as heat_flow, but for what is about values.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -146,10 +147,10 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 
 /// What has become of the values `initial` after `time` by the equation u_t = Laplacian of u. Held verts keep their value; where none are
 /// held on the boundary, no heat crosses it.
-/// Needs:  PrimalGraph M; for other weights than uniform an Embedded AnyMesh, for cotangent weights of triangles or tets. initial: any readable
-///         map over verts, of numbers, or of points for vectors, whose parts flow on their own. time: finite, 0 or more, in units of length^2;
-///         with uniform weights, where M is the identity, without unit. `held`: verts in braces ({a, b}) or any container; they
-///         stand before the options. solver as for harmonic_map.
+/// Needs:  PrimalGraph M; on a mere graph standard weights are uniform ones, other weights need an Embedded AnyMesh, cotangent ones of triangles
+///         or tets. initial: any readable map over verts, of numbers, or of points for vectors, whose parts flow on their own. time: finite, 0 or
+///         more, in units of length^2; with uniform weights, where M is the identity, without unit. `held`: verts in braces ({a, b}) or any
+///         container; they stand before the options. solver as for harmonic_map.
 /// Result: a map of double or vec3. Where nothing is held the heat, the sum of M u, stays what it is, the sum of u times M u never grows, and
 ///         in the end there is one mean value in each component; with held values the harmonic map through them. Verts without edges keep
 ///         what they have; prepare_heat_flow counts them.
@@ -169,7 +170,6 @@ vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const V& held, co
   detail::flow<T>(system, solver, options, u, options.progress);
   return u;
 }
-
 /// The same with nothing held.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&

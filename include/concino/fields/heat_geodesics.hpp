@@ -29,9 +29,9 @@ enum class heat_boundary { averaged, natural, cold };
 struct heat_geodesics_options {
   concino::weights weights = concino::weights::standard;  // of the Laplacian; uniform: heat flows along edges, lengths stay those of the mesh
   double time = 0;                                        // how long heat flows, in units of length^2, finite; 0: see heat_geodesics
-  concino::heat_boundary boundary = concino::heat_boundary::averaged;
+  concino::heat_boundary boundary = concino::heat_boundary::averaged;  // what happens to heat at the boundary
   bool clamp = true;                                      // to between straight lines and ways over the mesh, see heat_geodesics
-  concino::progress progress = nullptr;
+  concino::progress progress = nullptr;                   // told "heat geodesics" and "factorising"
 };
 
 /// What prepare_heat_geodesics prepares: it answers questions, from several threads too if the solver can. Copies share what was prepared.
@@ -242,7 +242,8 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
 /// auto d = heat.distance_from(v); d[w] is a length.
 /// Needs:  as heat_geodesics; the mesh stays as it is. solver: two or three of its type are kept, made of its options() where it has them.
 /// Result: an object that answers distance_from(...).
-/// Cost, errors: as heat_geodesics, but for the question and for what is about sources.
+/// Cost:   as heat_geodesics, but for the question.
+/// Errors: as heat_geodesics, but for what is about sources.
 template<class M, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const heat_geodesics_options& options = {},
@@ -298,6 +299,8 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
 
 /// The same from a point of poly p.
 /// Needs:  x lies on or in p, which is best convex: its verts are as far away as straight lines say.
+/// Result: as above.
+/// Cost:   as above.
 /// Errors: as above, and invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
 template<class M, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>

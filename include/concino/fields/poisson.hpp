@@ -23,9 +23,9 @@
 namespace concino {
 
 struct poisson_options {
-  concino::weights weights = concino::weights::standard;
+  concino::weights weights = concino::weights::standard;  // of the Laplacian L
   double isolated_value = 0;              // of verts without edges that have no value prescribed, in each part; any, NaN too
-  concino::progress progress = nullptr;
+  concino::progress progress = nullptr;   // told "Poisson's equation", "factorising", "solving"
 };
 
 namespace detail {
@@ -168,7 +168,6 @@ vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, cons
   detail::tell(options.progress, 1, "Poisson's equation");
   return value;
 }
-
 /// The same without fluxes.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
          class Solver = auto_solver>

@@ -21,9 +21,9 @@
 namespace concino {
 
 struct smooth_options {
-  concino::weights weights = concino::weights::standard;
+  concino::weights weights = concino::weights::standard;  // of the Laplacian L; on a mere graph standard ones are uniform
   int exponent = 1;                       // n >= 1: energy u . L (M^-1 L)^(n-1) u; 1: of the gradient (Dirichlet), 2: of the Laplacian
-  concino::progress progress = nullptr;
+  concino::progress progress = nullptr;   // told "smoothing", "factorising", "solving"
 };
 
 namespace detail {
@@ -89,7 +89,8 @@ class prepared_smooth {
 /// Prepares smoothing by the same amount, for many fields: auto s = prepare_smooth(m, amount); auto u = s.apply(f).
 /// Needs:  as smooth; the mesh stays as it is. solver: one like it is kept, made of its options() where it has them.
 /// Result: an object that answers apply(f), and tells by isolated() how many verts have no edges.
-/// Cost, errors: as smooth, but for the back-substitution and for what is about f.
+/// Cost:   as smooth, but for the back-substitution.
+/// Errors: as smooth, but for what is about f.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -107,10 +108,10 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 
 /// The u for which the sum of mass times |u - f|^2 plus amount times the energy of u is least: (M + amount L') u = M f, with L' minus the Laplacian
 /// or, for exponent n, its power L' (M^-1 L')^(n-1), and M the lumped mass, for uniform weights the identity. Held verts keep their value.
-/// Needs:  PrimalGraph M; for other weights than uniform an Embedded AnyMesh, for cotangent weights of triangles or tets. f: any readable map over
-///         verts, of numbers, or of points for vectors, which are smoothed part by part with one factorisation. amount: finite, 0 or more,
-///         in units of length^(2 exponent), without unit for uniform weights: features narrower than its (2 exponent)-th root go.
-///         `held`: verts in braces ({a, b}) or any container; they stand before the options. solver as for harmonic_map.
+/// Needs:  PrimalGraph M; on a mere graph standard weights are uniform ones, other weights need an Embedded AnyMesh, cotangent ones of triangles
+///         or tets. f: any readable map over verts, of numbers, or of points for vectors, which are smoothed part by part with one
+///         factorisation. amount: finite, 0 or more, in units of length^(2 exponent), without unit for uniform weights: features narrower than
+///         its (2 exponent)-th root go. `held`: verts in braces ({a, b}) or any container; they stand before the options. solver as for harmonic_map.
 /// Result: a map of double or vec3. Constants stay, and so does the sum of mass times value where nothing is held. Verts without edges keep what
 ///         they have; prepare_smooth counts them. Where nothing is held on the boundary, u meets it with slope 0, so linear functions bend
 ///         there. With uniform weights and exponent 1, values stay between the extrema of f; so they do with others as long as no weight
@@ -134,7 +135,6 @@ vert_map<M, T> smooth(M&& m, const F& f, double amount, const V& held, const smo
   detail::tell(options.progress, 1, "smoothing");
   return u;
 }
-
 /// The same with nothing held.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
   requires PrimalGraph<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&

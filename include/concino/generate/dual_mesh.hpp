@@ -15,7 +15,7 @@ enum class dual_boundary {
 };
 
 struct dual_mesh_options {
-  dual_boundary boundary = dual_boundary::clipped;
+  dual_boundary boundary = dual_boundary::clipped;  // what becomes of verts on the boundary
 };
 
 namespace detail {

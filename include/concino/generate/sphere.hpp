@@ -10,7 +10,7 @@ namespace concino {
 struct sphere_options {
   std::size_t cells = 8;  // 1 or more, along each side of the cube that is made round
   double radius = 1;      // finite, above 0
-  vec3 centre = {0, 0, 0};
+  vec3 centre = {0, 0, 0};  // finite
 };
 
 namespace detail {

@@ -10,7 +10,8 @@ struct rgba {
   friend bool operator==(const rgba&, const rgba&) = default;
 };
 
-/// The colour of four integers, each from 0 to 255.
+/// The colour of four integers.
+/// Needs:  each from 0 to 255, which is not checked.      Result: each part divided by 255.      Cost: O(1).      Errors: none.
 constexpr rgba rgba_of_bytes(unsigned r, unsigned g, unsigned b, unsigned a = 255) {
   const auto part = [](unsigned x) { return static_cast<float>(static_cast<double>(x) / 255); };
   return {part(r), part(g), part(b), part(a)};

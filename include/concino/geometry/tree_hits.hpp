@@ -42,7 +42,7 @@ enum class inside_rule {
 };
 
 struct inside_options {
-  inside_rule rule = inside_rule::winding;
+  inside_rule rule = inside_rule::winding;  // for closed surfaces; volumes do not ask
 };
 
 }  // namespace concino

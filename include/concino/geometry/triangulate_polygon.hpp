@@ -213,7 +213,12 @@ class polygon_triangulator {
   }
 };
 
-/// The triangles of one polygon; see polygon_triangulator.
+/// The triangles of one polygon; for many use a polygon_triangulator.
+/// Needs:  as polygon_triangulator.
+/// Result: as polygon_triangulator, to be kept.
+/// Cost:   as polygon_triangulator, and its working memory.
+/// Errors: none.
+/// Source: as polygon_triangulator.
 inline std::vector<polygon_triangle> triangulate_polygon(std::span<const vec3> corners) {
   polygon_triangulator cut;
   const auto triangles = cut(corners);

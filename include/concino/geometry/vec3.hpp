@@ -39,6 +39,9 @@ struct vec3 {
 
 static_assert(sizeof(vec3) == 24 && std::is_trivially_copyable_v<vec3>);
 
+/// Scalar product, vector product, length, distance, and whether all parts are finite.
+/// Needs:  any vectors.      Result: in the units of the vectors, products in their squares.      Cost: O(1).
+/// Errors: none; infinite parts and parts that are not numbers are calculated with.
 constexpr double dot(const vec3& a, const vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr vec3 cross(const vec3& a, const vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -52,7 +55,8 @@ inline double norm(const vec3& a) {
 inline double distance(const vec3& a, const vec3& b) { return norm(a - b); }
 inline bool is_finite(const vec3& a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-/// Any point with p[0], p[1], p[2] as a vec3.
+/// Any point as a vec3.
+/// Needs:  p[0], p[1], p[2] that convert to double.      Result: the same coordinates.      Cost: O(1).      Errors: none.
 template<class P>
 constexpr vec3 to_vec3(const P& p) {
   if constexpr (std::same_as<P, vec3>) return {p.x, p.y, p.z};  // part by part stays in registers, where g++ copies a whole through memory

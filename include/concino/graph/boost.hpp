@@ -53,8 +53,9 @@ template<detail::boost_view G, class F>
 auto boost_weights(const G&, F f) { return detail::map_of_ends<detail::edge_in<G>, F>(std::move(f)); }
 
 /// A value per edge of primal(m) or dual(m), per arc of directed(...): `init`, or what init(source, target) says.
+/// Needs:  g: primal(m), dual(m) or directed(...); init, or what it returns, converts to T.
 /// Result: an lvalue property map, whose copies share their values.      Cost: O(V + E) time and memory.
-/// Errors: invalid_mesh if some w is a neighbour of v, but not v of w.
+/// Errors: invalid_mesh if some w is a neighbour of v, but not v of w; those of init.
 template<class T, detail::boost_view G, class I = T>
 auto boost_edge_map(const G& g, const I& init = I()) {
   if constexpr (std::is_invocable_v<const I&, detail::node_in<G>, detail::node_in<G>>) {

@@ -98,7 +98,10 @@ M load(const std::string& path, const load_options& options = {}) {
 }
 
 /// The same from memory, without material libraries. `name` is what messages call the text.
-/// Errors: as load; invalid_argument if no format is given.
+/// Needs:  Loadable M; the format, which no extension says.
+/// Result: as load, but no colours and no "materials" of material libraries.
+/// Cost:   one pass over the text.
+/// Errors: as load, but io_error; invalid_argument if no format is given.
 template<Loadable M>
 M load_text(std::string_view text, file_format format, const load_options& options = {}, std::string_view name = "text") {
   if (format == file_format::by_extension) throw invalid_argument("load_text: say which format the text is in; it has no extension");

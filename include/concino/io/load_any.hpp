@@ -16,6 +16,7 @@ namespace concino {
 using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, polyhedralmesh>;
 
 /// Reads a file as what it is; std::visit goes on from there.
+/// Needs:  a file in one of the formats of load.
 /// Result: of the six kinds the most special that holds the file: triangles only, quads only, any polygons; tets only, hexes only, any
 ///         polyhedra. A .hedra file is always a polyhedralmesh, a file without polys a polygonmesh unless it says that it is a volume.
 /// Cost:   as load.

@@ -24,7 +24,7 @@ struct save_report {
 };
 
 struct load_options {
-  file_format format = file_format::by_extension;
+  file_format format = file_format::by_extension;  // or one of the formats, whatever the extension
   concino::load_report* report = nullptr;  // filled in if given; cleared first
   concino::progress progress = {};         // told the fraction of the file read
   /// Files are mapped into memory, not read: loading is about a tenth faster, but a file that shrinks meanwhile may end the program by
@@ -33,7 +33,7 @@ struct load_options {
 };
 
 struct save_options {
-  file_format format = file_format::by_extension;
+  file_format format = file_format::by_extension;  // or one of the formats, whatever the extension
   concino::save_report* report = nullptr;  // filled in if given; cleared first
   concino::progress progress = {};         // told the fraction of the elements written
   bool binary = false;                     // .off only: 32-bit numbers, so coordinates are rounded to floats; unsupported elsewhere

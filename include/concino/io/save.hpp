@@ -34,9 +34,9 @@ void write_to(text_sink& out, const M& m, std::string_view name, file_format for
 }  // namespace detail
 
 /// Writes a mesh to a file; which format follows from the extension: .obj and .off for surfaces; .mesh for triangles and quads, or for
-/// tets, hexes, prisms and pyramids, which are told by their faces; .hedra for volumes. Needs:  a surface or volume mesh with points, of
-/// any type. Result: the file, complete, in the place of what was there; coordinates read back as the same numbers. Verts (and faces) are
-/// numbered as
+/// tets, hexes, prisms and pyramids, which are told by their faces; .hedra for volumes.
+/// Needs:  a surface or volume mesh with points, of any type.
+/// Result: the file, complete, in the place of what was there; coordinates read back as the same numbers. Verts (and faces) are numbered as
 ///         they are walked. Properties "label" (int) of verts and polys go to .mesh; "color" (rgba) and "label" of polys, of which .off
 ///         holds one, and "color" of verts to .obj and .off; "normal" (vec3) and "texture" (std::array<double, 2>) of verts to .off;
 ///         "object", "group" and "material" (std::string) of polys to .obj, with all lines of the mesh property "materials". Colours and
@@ -64,6 +64,9 @@ void save(const M& m, const std::string& path, const save_options& options = {})
 }
 
 /// The text that save would write.
+/// Needs:  as save; the format, which no extension says.
+/// Result: the bytes of the file. Material libraries are not written.
+/// Cost:   as save, and the memory of the text.
 /// Errors: as save, but io_error; invalid_argument if no format is given.
 template<class M>
   requires(AnyMesh<M>&& Embedded<M>)

@@ -118,6 +118,7 @@ struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boun
 ///         seen from outside that poly, and whose verts and edges are those of these faces. Descriptors and indices are those of m, so a
 ///         poly of the surface is a face_t<M>. It does not follow later changes of m.
 /// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts of faces that m lists clockwise, which copies share.
+/// Errors: none of its own.
 template<VolumeMesh M>
 auto boundary(const M& m) {
   auto s = std::make_shared<detail::shown_elements>(detail::shown_elements{

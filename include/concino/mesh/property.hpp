@@ -84,7 +84,11 @@ property_value<T> mesh_property(M& m, std::string_view name) {
   return property_value<T>(traits<M>::properties(m).get(element_kind::mesh, name, detail::values_of<T>, 1));
 }
 
-/// The property `name`, to be read only; empty (tests false) if there is none. Errors as above.
+/// The property `name` of m's verts (edges, faces, polys) or of the mesh as a whole, to be read only.
+/// Needs:  a mesh of this library.
+/// Result: a handle as above, of const T; empty (tests false) if there is no property of that name.
+/// Cost:   O(number of properties).
+/// Errors: invalid_argument if the property exists with values of another type.
 template<class T, HasProperties M>
 property_map<vert_t<M>, const T> find_vert_property(const M& m, std::string_view name) {
   return property_map<vert_t<M>, const T>(traits<M>::properties(m).find(element_kind::vert, name, detail::values_of<T>));
@@ -107,6 +111,7 @@ property_value<const T> find_mesh_property(const M& m, std::string_view name) {
 }
 
 /// Kind, name and type of every property of m, in the order in which they were made.
+/// Needs:  a mesh of this library.      Result: an entry each.      Cost: O(number of properties).      Errors: none.
 template<HasProperties M>
 std::vector<property_info> property_list(const M& m) {
   const property_set& all = traits<M>::properties(m);
@@ -115,7 +120,9 @@ std::vector<property_info> property_list(const M& m) {
   return list;
 }
 
-/// Takes a property out of m; false if there was none of that name. Handles to it keep its values.
+/// Takes a property out of m. Handles to it keep its values.
+/// Needs:  a mesh of this library.      Result: false if there was none of that kind and name.      Cost: O(number of properties).
+/// Errors: none.
 template<HasProperties M>
 bool remove_property(M& m, element_kind kind, std::string_view name) {
   return traits<M>::properties(m).remove(kind, name);

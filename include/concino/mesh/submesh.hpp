@@ -98,6 +98,7 @@ struct mesh_traits<views::submesh_view<M>>
 /// Result: a mesh of the same kind with the kept polys, and the verts, edges and faces that these use. Its descriptors and indices are
 ///         those of m. It does not follow later changes of m.
 /// Cost:   O(elements of m) time; five bits per vert, edge, face and poly, which copies of the view share.
+/// Errors: those of keep.
 template<AnyMesh M, class Keep>
   requires requires(const Keep& keep, const poly_t<M>& p) { { keep(p) } -> std::convertible_to<bool>; }
 auto submesh(const M& m, const Keep& keep) {

@@ -9,7 +9,7 @@
 namespace concino {
 
 struct laplacian_options {
-  concino::weights weights = concino::weights::standard;
+  concino::weights weights = concino::weights::standard;  // which entries L has
 };
 
 /// The matrix L of the Laplacian, integrated: u . L u is minus the integral of the squared gradient of u (with uniform weights minus the sum of
@@ -23,9 +23,9 @@ struct laplacian_options {
 ///         scaling exactly with powers of two.
 /// Cost:   O(V + E + size of the polys) time and memory; with standard weights on other polys than triangles and tets by type the sum of the
 ///         squares of their numbers of verts. The polys are computed in parallel; the same bits for any number of threads.
-/// Errors: invalid_mesh if weights are standard or cotangent and a poly has no area or volume or points that are not finite; unsupported if
-///         they are cotangent and some poly is no triangle or tet (it is named), virtual_refinement and one is not star-shaped about its virtual
-///         point, de_goes and M is a volume, or if M has no polys or points and they need some.
+/// Errors: invalid_mesh if weights are not uniform and a poly has no area or volume or points that are not finite; unsupported if they are
+///         cotangent and some poly is no triangle or tet (it is named), virtual_refinement and one is not star-shaped about its virtual point,
+///         de_goes and M is a volume, or if M has no polys or points and they need some, or if the matrix would be too large for 32-bit indices.
 /// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods" (standard); Pinkall, Polthier 1993 (triangles);
 ///         Crane 2019, "The n-dimensional cotangent formula" (tets); Bunge, Herholz, Kazhdan, Botsch 2020, "Polygon Laplacian made simple"
 ///         (virtual_refinement); de Goes, Butts, Desbrun 2020, "Discrete differential operators on polygonal meshes"; paper section 2.2.

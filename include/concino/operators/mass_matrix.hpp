@@ -35,7 +35,8 @@ template<class M>
 /// Needs:  Embedded AnyMesh, no temporary.
 /// Result: a map of double; positive on verts of some poly with a measure, 0 on others; sums to the measure of the mesh. A poly turned
 ///         inside out counts by the absolute value of its volume, since a mass is positive.
-/// Cost:   O(size of the polys) time, O(V) memory.      Errors: invalid_mesh if points of a poly are not finite.
+/// Cost:   O(size of the polys) time, O(V) memory.
+/// Errors: invalid_mesh if points of a poly are not finite, or so far apart that the measures sum to infinity.
 /// Source: the barycentric lumped mass of the finite element method; paper section 2.2.
 template<class M>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
@@ -90,7 +91,8 @@ struct mass_matrix_options {
 ///         linear functions on each poly, and what the projection does not see is weighed by its squares at the verts, so that the matrix
 ///         is positive definite on the verts of polys that do not intersect themselves; on triangles and tets it is the mass of linear elements.
 /// Cost:   lumped as vert_masses, otherwise as laplacian with standard weights.
-/// Errors: invalid_mesh if a poly has points that are not finite, or, unless lumped, no area or volume.
+/// Errors: invalid_mesh as vert_masses, or, unless lumped, if a poly has points that are not finite, or no area or volume; unsupported then if the
+///         matrix would be too large for 32-bit indices.
 /// Source: Ahmad et al. 2013, "Equivalent projectors for virtual element methods".
 template<AnyMesh M>
   requires Embedded<M>

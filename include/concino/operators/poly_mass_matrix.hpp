@@ -26,7 +26,7 @@ double poly_mass(const char* who, const M& m, const poly_t<M>& p) {
 /// The area or volume of each poly. A poly turned inside out counts by the absolute value of its volume, since a mass is positive.
 /// Needs:  Embedded AnyMesh, no temporary.
 /// Result: a map of double, 0 or more; sums to the measure of the mesh.      Cost: O(size of the polys) time, O(P) memory.
-/// Errors: invalid_mesh that names a poly whose points are not finite.
+/// Errors: invalid_mesh that names a poly whose points, or whose area or volume, are not finite.
 /// Source: the mass matrix of piecewise constant functions; paper section 2.2.
 template<class M>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>

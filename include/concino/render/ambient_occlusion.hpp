@@ -15,7 +15,7 @@ namespace concino {
 
 struct ambient_occlusion_options {
   int directions = 128;  // per polygon, 1 or more
-  double distance = std::numeric_limits<double>::infinity();  // in units of the mesh: what is farther away shades nothing
+  double distance = std::numeric_limits<double>::infinity();  // above 0, in units of the mesh: what is farther away shades nothing
   concino::progress progress = {};                            // told "ambient occlusion"
 };
 

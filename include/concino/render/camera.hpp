@@ -69,7 +69,10 @@ inline double half_height_of_angle(double degrees) {
 }  // namespace detail
 
 /// A camera at `eye` that looks at `target`; `angle` is that of the picture's height, in degrees.
-/// Errors: invalid_argument if eye and target coincide, up is along the line of sight, or angle is not in (0, 180).
+/// Needs:  eye and target that are apart; up: a direction of any length, not along the line of sight; angle in (0, 180).
+/// Result: a camera in which `up` points up.      Cost: O(1).
+/// Errors: invalid_argument if eye or target is not finite or they coincide, up is 0, not finite or along the line of sight, or angle is not in
+///         (0, 180).
 inline camera perspective_camera(const vec3& eye, const vec3& target, const vec3& up = {0, 1, 0}, double angle = 30) {
   camera c = detail::looking(eye, eye - target, up);
   c.half_height = detail::half_height_of_angle(angle);
@@ -77,7 +80,9 @@ inline camera perspective_camera(const vec3& eye, const vec3& target, const vec3
 }
 
 /// The same with parallel lines of sight; `height` of the picture in units of the mesh.
-/// Errors: as perspective_camera; invalid_argument if height is not positive.
+/// Needs:  as perspective_camera; height above 0.
+/// Result: as perspective_camera.      Cost: O(1).
+/// Errors: as perspective_camera; invalid_argument if height is not positive and finite.
 inline camera orthographic_camera(const vec3& eye, const vec3& target, const vec3& up, double height) {
   if (!(height > 0) || !std::isfinite(height)) throw invalid_argument("camera: the height of the picture must be positive");
   camera c = detail::looking(eye, eye - target, up);

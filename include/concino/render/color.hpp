@@ -1,4 +1,9 @@
 // Colours as amounts of light, and the way to and from the numbers that screens and files use.
+//
+// Needs:  numbers in the ranges named; other ones are calculated with.
+// Result: what the comment above the function says.
+// Cost:   O(1).
+// Errors: none.
 #pragma once
 
 #include <array>
@@ -29,6 +34,7 @@ struct rgb {
   friend constexpr bool operator==(const rgb&, const rgb&) = default;
 };
 
+/// From a (t = 0) to b (t = 1), in linear light.
 constexpr rgb mix(const rgb& a, const rgb& b, float t) { return a * (1 - t) + b * t; }
 
 /// Between linear light and sRGB (IEC 61966-2-1), both in [0, 1].

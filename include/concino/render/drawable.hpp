@@ -131,7 +131,11 @@ drawable make_drawable(const M& m, const drawable_options& options = {}) {
   return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
 }
 
-/// The same coloured by a value per vert, interpolated over each polygon. `look.scale` is linear over the finite values shown.
+/// The same coloured by a value per vert, interpolated over each polygon.
+/// Needs:  AnyMesh and Embedded M; u: any readable map over verts, of numbers; they need not be finite.
+/// Result: as above; `look.scale` is linear over the finite values shown.
+/// Cost:   as above.
+/// Errors: as above.
 template<class M, class U>
   requires AnyMesh<M> && Embedded<M> && requirement::gives_numbers<U, vert_t<M>>
 drawable make_drawable(const M& m, const U& u, const drawable_options& options = {}) {

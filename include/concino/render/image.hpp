@@ -33,6 +33,7 @@ class image {
 };
 
 /// Three sRGB bytes a pixel, row by row from the top left: what image files hold.
+/// Needs:  any picture.      Result: as srgb_bytes of each colour; nothing for a picture without pixels.      Cost: O(pixels).      Errors: none.
 inline std::vector<std::uint8_t> srgb_bytes(const image& picture) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(picture.width() * picture.height() * 3);

@@ -14,7 +14,8 @@ namespace concino {
 /// The weights of the corners of a polygon at point x.
 /// Needs:  `normal`, the unit normal of the polygon; x and the corners are seen along it.
 /// Result: weights[i] of corner i, with sum 1, exact for linear functions on planar polygons; at a corner or on a side only its
-///         ends count. Equal weights if the polygon has no area.      Cost: O(corners).
+///         ends count. Equal weights if the polygon has no area.
+/// Cost:   O(corners).      Errors: none.
 /// Source: Hormann and Floater 2006, which also covers concave polygons.
 inline void polygon_weights(std::span<const vec3> corners, const vec3& normal, const vec3& x, std::vector<double>& weights) {
   const std::size_t n = corners.size();

@@ -15,19 +15,23 @@
 namespace concino {
 
 struct render_options {
-  std::size_t width = 1600, height = 1200;  // pixels
+  std::size_t width = 1600, height = 1200;  // pixels, 1 to 65535 each
   int samples = 3;                          // per pixel along each side, 1 to 32; 9 in all for 3
-  int sky_rays = 36;                        // per pixel, one or more for each sample, to see how much sky is free; 0: none
-  double sky_distance = 0.9;                // up to where things shade one another, in half diagonals of the bounding box
+  int sky_rays = 36;                        // per pixel, one or more for each sample, to see how much sky is free; 0: none; at most 2^20
+  double sky_distance = 0.9;                // above 0, up to where things shade one another, in half diagonals of the bounding box
   bool ground = true;                       // catches the shadow on a plane under the lowest point; shown from above only
-  vec3 up = {0, 1, 0};                      // away from the ground
-  vec3 light = {-0.55, 0.9, 0.75};          // towards the light, as seen by the camera: right, up, back
-  double light_size = 9;                    // degrees from its middle to its rim: how soft shadows are
-  rgb background = {1, 1, 1};
+  vec3 up = {0, 1, 0};                      // away from the ground; of any length but 0
+  vec3 light = {-0.55, 0.9, 0.75};          // towards the light, as seen by the camera: right, up, back; of any length but 0
+  double light_size = 9;                    // degrees from its middle to its rim, in [0, 90): how soft shadows are
+  rgb background = {1, 1, 1};               // also the colour of the ground
   concino::progress progress = {};  // told "rendering"
 };
 
-/// The nearest camera that sees all of the drawables.      Errors: as framing.
+/// The nearest camera that sees all of the drawables.
+/// Needs:  aspect: width / height of the picture, above 0.
+/// Result: as framing; points that are not finite are left out.
+/// Cost:   O(points).
+/// Errors: as framing.
 inline camera frame(std::span<const drawable> drawables, double aspect, const view_options& options = {}) {
   framing f(aspect, options);
   for (const drawable& d : drawables) f.show(d.points);

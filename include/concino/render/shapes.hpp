@@ -12,8 +12,9 @@
 namespace concino {
 
 /// Balls of one size and colour, round to the eye.
+/// Needs:  finite centres; radius above 0, in units of the mesh.
 /// Result: one drawable for all of them.      Cost: 1,280 triangles each.
-/// Errors: invalid_argument if the radius is not positive or a centre is not finite.
+/// Errors: invalid_argument if the radius is not positive and finite, or a centre is not finite.
 /// Source: the faces of an icosahedron, cut in four three times.
 inline drawable make_balls(std::span<const vec3> centers, double radius, const rgb& color) {
   if (!(radius > 0) || !std::isfinite(radius)) throw invalid_argument("make_balls: the radius must be positive");

@@ -52,9 +52,11 @@ inline std::vector<normal3> polygon_normals(const polygon_list& list) {
 }  // namespace detail
 
 /// For every corner the mean normal of the polygons around its point that face nearly the same way as the corner's own.
-/// Needs:  crease_angle in degrees: polygons whose normals differ by more do not share a normal.
+/// Needs:  crease_angle in degrees: polygons whose normals differ by more do not share a normal. Corners below the number of points, offsets that
+///         do not decrease and end with the number of corners.
 /// Result: one unit vector per corner; that of the polygon where it has no like neighbours, 0 where it has no area.
 /// Cost:   O(sum of squared valences), less where more than 64 corners meet; parallel.
+/// Errors: none.
 /// Source: weights are the corners' angles, Thuerrner and Wuethrich 1998, so that the cutting of flat parts does not matter.
 inline std::vector<std::array<float, 3>> smooth_normals(const polygon_list& list, double crease_angle) {
   using detail::normal3;

@@ -10,7 +10,7 @@ namespace concino {
 
 struct auto_solver_options {
   std::int64_t most_factor_entries = 100'000'000;  // below the diagonal; 12 bytes each; at least 0
-  conjugate_gradients_options iteration = {};
+  conjugate_gradients_options iteration = {};      // used where the factor would have more entries
 };
 
 enum class solver_used { none, ldlt, conjugate_gradients };

@@ -118,6 +118,8 @@ least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const E
 }
 
 /// The same, with a weight w_i per row: minimises sum w_i (A x - b)_i^2. A row of weight 0 says nothing.
+/// Needs:  as least_squares, of A with each row multiplied by the square root of its weight; w: one number per row, finite, 0 or more.
+/// Result: as least_squares; what is left is the square root of the sum.      Cost: as least_squares.
 /// Errors: as least_squares; invalid_argument if w has another size than A has rows, or a weight is negative or not finite.
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>

@@ -16,7 +16,7 @@ namespace concino {
 ///         factorisation (few more where its weights are changed), then, with `polish`, exactly for the bounds found active.
 /// Cost:   a factorisation of n + m unknowns, and one substitution per iteration; some ten to some thousand of them.
 /// Errors: invalid_argument if sizes do not fit, a number is not finite (bounds may be infinite), some low > high, H is not symmetric, or an
-///         option is out of range; solver_error if H is not positive semidefinite; cancelled.
+///         option is out of range; solver_error if H is not positive semidefinite, or numbers grow too large; cancelled.
 /// Source: Stellato, Banjac, Goulart, Bemporad, Boyd 2020, "OSQP: an operator splitting solver for quadratic programs"; paper section 4.
 inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::VectorXd& g, const Eigen::SparseMatrix<double>& a,
                           const Eigen::VectorXd& low, const Eigen::VectorXd& high, const qp_options& options = {}) {

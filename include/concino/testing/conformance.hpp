@@ -58,8 +58,8 @@ struct conformance_state {
 
 template<class M>
 struct conformance_options {
-  std::vector<conformance_state<M>> states = {};
-  bool algorithms = true;  // whether KIT5 is checked; it takes most of the time to compile and to run
+  std::vector<conformance_state<M>> states = {};  // looked at besides those that edits lead to
+  bool algorithms = true;                         // whether KIT5 is checked; it takes most of the time to compile and to run
 };
 
 namespace testing::detail {

@@ -105,6 +105,8 @@ class range {
 };
 
 /// The range that `make()` returns, with every element of it made an O.
+/// Needs:  make() returns a range of what O wraps.      Result: a range to be walked where it is, neither copied nor moved.
+/// Cost:   that of make().                              Errors: those of make().
 template<class O, class F>
 constexpr auto rewrap(const F& make) { return range<decltype(make()), O>(make, 0); }
 

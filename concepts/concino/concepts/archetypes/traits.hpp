@@ -14,6 +14,8 @@ enum parts : unsigned {
   arity = 16
 };
 constexpr parts operator|(parts a, parts b) { return static_cast<parts>(static_cast<unsigned>(a) | static_cast<unsigned>(b)); }
+/// Whether `all` includes `some`.
+/// Needs:  sets of the parts above.      Result: true if each part of `some` is one of `all`.      Cost: O(1).      Errors: none.
 constexpr bool has(parts all, parts some) { return (static_cast<unsigned>(all) & static_cast<unsigned>(some)) == static_cast<unsigned>(some); }
 
 /// A view of m that offers the parts P and hides the rest.

@@ -24,6 +24,7 @@ struct mesh_traits<views::dual_view<M>> : detail::forward_polys<views::dual_view
 /// Result: models DualGraph, but no PrimalGraph: its nodes are the polys of m, joined where they share an edge (surface) or a face
 ///         (volume).
 /// Cost:   none.
+/// Errors: none.
 template<DualGraph M> constexpr auto dual(const M& m) { return views::dual_view<M>(m); }
 template<DualGraph M, class R = mistake::remedy<mistake::name_the_mesh>>
   requires(!is_view_v<M>)

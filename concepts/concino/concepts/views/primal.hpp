@@ -24,6 +24,7 @@ struct mesh_traits<views::primal_view<M>> : detail::forward_verts<views::primal_
 /// Needs:  PrimalGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
 /// Result: models PrimalGraph, and Embedded where M does, but no DualGraph. Its descriptors are those of m.
 /// Cost:   none.
+/// Errors: none.
 template<PrimalGraph M> constexpr auto primal(const M& m) { return views::primal_view<M>(m); }
 template<PrimalGraph M, class R = mistake::remedy<mistake::name_the_mesh>>
   requires(!is_view_v<M>)

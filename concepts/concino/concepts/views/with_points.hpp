@@ -37,6 +37,7 @@ struct mesh_traits<views::with_points_view<M, P>> : detail::forward_all<views::w
 ///         view, so a temporary one is refused. A map with a name must outlive it too; a temporary map is kept in the view.
 /// Result: models what M models, and Embedded. Its descriptors are those of m.
 /// Cost:   none; copying the view copies a map that it keeps.
+/// Errors: none.
 template<PrimalGraph M, class P>
   requires requirement::gives_points<P, vert_t<M>>
 constexpr auto with_points(const M& m, P&& points) {

@@ -17,7 +17,7 @@ struct validate_options {
   double length_tolerance = 0;       // >= 0, times the diagonal of the box of the mesh: edges up to this length have none
   double size_tolerance = 0;         // >= 0, times the diagonal of an element's box, squared (areas) or cubed (volumes): sizes up to this are none
   double planarity_tolerance = 0.05; // >= 0, times the diagonal of a polygon's box: how far off its plane verts may lie
-  concino::progress progress = {};
+  concino::progress progress = {};   // told "validate"
 };
 
 namespace detail {
