@@ -1,0 +1,58 @@
+# Every public function has a contract, every option a comment; and check_contracts.awk finds what is wrong in made-up headers, and nothing else.
+find_program(awk NAMES mawk gawk awk REQUIRED)
+set(script ${source}/scripts/check_contracts.awk)
+
+# complaints(<variable> <header>...): what the script says, and that its exit code fits.
+function(complaints variable)
+  execute_process(COMMAND ${awk} -f ${script} ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE wrong)
+  if(wrong OR (said AND NOT code EQUAL 1) OR (NOT said AND NOT code EQUAL 0))
+    message(FATAL_ERROR "check_contracts.awk: exit code ${code}:\n${wrong}${said}")
+  endif()
+  set(${variable} "${said}" PARENT_SCOPE)
+endfunction()
+
+# expect(<file below scratch> <text> <regular expression of the complaints; empty: none>)
+function(expect name text wanted)
+  file(WRITE ${scratch}/${name} "${text}")
+  complaints(said ${scratch}/${name})
+  if(wanted STREQUAL "" AND said)
+    message(FATAL_ERROR "check_contracts.awk complains of a header that is right:\n${said}")
+  elseif(NOT said MATCHES "${wanted}")
+    message(FATAL_ERROR "check_contracts.awk should say \"${wanted}\", but says:\n${said}")
+  endif()
+endfunction()
+
+set(cases ${CMAKE_CURRENT_LIST_DIR}/contracts.txt)
+complaints(said ${cases})
+string(REGEX MATCHALL "contracts\\.txt:[0-9]+" found "${said}")
+execute_process(COMMAND ${awk} "/\\/\\* wrong \\*\\/$/ { print \"contracts.txt:\" FNR }" ${cases} OUTPUT_VARIABLE marked)
+string(REGEX MATCHALL "[^\n]+" marked "${marked}")
+if(NOT marked OR NOT found STREQUAL marked)
+  message(FATAL_ERROR "check_contracts.awk should complain of ${marked}, but says:\n${said}")
+endif()
+
+set(contract "// Needs:  nothing.\n// Result: a number.\n// Cost:   O(1).\n// Errors: none.\n")
+set(body "#pragma once\nnamespace concino {\n\nint f(int i)\n{ return i; }\n\n}\n")
+expect(top.hpp "// A header.\n${contract}${body}" "")
+expect(no_contract.hpp "// A header.\n${body}" "no_contract.hpp:5: f lacks Needs: Result: Cost: Errors:\n$")
+expect(no_comment.hpp "${body}" "no_comment.hpp:1: does not begin with a comment\n")
+expect(include/concino/mesh/detail/inside.hpp "// A header.\n${body}" "")
+expect(adapters/concino/adapters/good.hpp "// Adapts a library.\n// Needs: the library.\n#pragma once\n" "")
+expect(adapters/concino/adapters/bad.hpp "// Adapts a library.\n#pragma once\n" "bad.hpp:1: the comment at the top lacks Needs:\n$")
+
+# A real header that loses a line is found out.
+file(READ ${source}/include/concino/graph/dijkstra.hpp text)
+expect(real.hpp "${text}" "")
+string(REGEX REPLACE "\n/// Cost: [^\n]*" "" broken "${text}")
+expect(broken.hpp "${broken}" "broken.hpp:[0-9]+: dijkstra lacks Cost:\n")
+
+set(headers "")
+foreach(root IN ITEMS concepts include adapters)
+  file(GLOB_RECURSE some ${source}/${root}/*.hpp)
+  list(APPEND headers ${some})
+endforeach()
+complaints(said ${headers})
+if(said)
+  string(REPLACE "${source}/" "  " said "${said}")  # lines that begin with spaces are not wrapped
+  message(FATAL_ERROR "contracts that are not whole; scripts/check_contracts.awk says what one is:\n${said}")
+endif()
