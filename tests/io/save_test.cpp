@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <clocale>
 #include <csignal>
 #include <limits>
@@ -270,8 +271,9 @@ TEST_CASE("save: whatever fails, the target stays as it was and nothing else rem
                        io_error);
   std::filesystem::create_directory(dir / "d.obj");
   CHECK_THROWS_AS(save(m, dir / "d.obj"), io_error);
-  CHECK_THROWS_AS(save(m, "/dev/null", {.format = file_format::obj}), io_error);
-  CHECK(dir.num_files() == 2);
+  REQUIRE(::mkfifo((dir / "pipe").c_str(), 0600) == 0);  // no device: a fault would destroy those of the machine
+  CHECK_THROWS_AS(save(m, dir / "pipe", {.format = file_format::obj}), io_error);
+  CHECK(dir.num_files() == 3);
 }
 
 TEST_CASE("save: the new file has the rights of the old one, and a link stays a link") {
