@@ -23,7 +23,6 @@ io/off_binary          io/read_off
 io/read_medit          io/read_medit io/load
 io/read_hedra          io/read_hedra io/load
 io/orient              io/orient io/read_hedra io/load
-io/replacing_file      io/replacing_file io/killed_save io/save
 io/read_mtl            io/read_mtl io/library_file io/write_mtl
 io/write_mtl           io/write_mtl io/library_file
 io/library_file        io/library_file io/killed_save io/write_mtl
@@ -125,11 +124,11 @@ eigen=${eigen//-I/-isystem}
 
 tree=$build/tree
 rm -rf "$tree"
-mkdir -p "$tree" && cp -r concepts include tests "$tree" || exit 1
+mkdir -p "$tree" && cp -r adapters concepts include tests "$tree" || exit 1
 # Failed assertions of the standard library end the program: a mutant that reads out of bounds is found. Each program runs hundreds of times,
 # so it is worth optimising a little.
 flags=(-std=c++20 -O1 -w -Wno-narrowing -fmax-errors=0 -D_GLIBCXX_ASSERTIONS -DCONCINO_TEST_DEFAULT_CORPUS=\"none\" $eigen -I"$tree/tests")
-roots=(-I"$tree/concepts" -I"$tree/include")
+roots=(-I"$tree/concepts" -I"$tree/include" -I"$tree/adapters")
 
 # What every test includes and no mutant is in, compiled once.
 printf '#include "%s/scripts/mutants.hpp"\n#include <%s>\n' "$root" doctest/doctest.h >"$build/common.hpp"
