@@ -48,6 +48,13 @@ struct bytes {
   }
 };
 
+/// The same, little-endian.
+std::string little(const bytes& b) {
+  std::string text = b.text;
+  for (std::size_t i = 0; i + 4 <= text.size(); i += 4) std::reverse(text.begin() + static_cast<std::ptrdiff_t>(i), text.begin() + static_cast<std::ptrdiff_t>(i + 4));
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("read_off: points and polys, whatever the line ends") {
@@ -449,11 +456,6 @@ TEST_CASE("read_off: in binary, what follows the corners is a colour, an index o
 }
 
 TEST_CASE("read_off: binary numbers in little-endian order are recognised, and noted") {
-  const auto little = [](const bytes& b) {
-    std::string text = b.text;
-    for (std::size_t i = 0; i + 4 <= text.size(); i += 4) std::reverse(text.begin() + static_cast<std::ptrdiff_t>(i), text.begin() + static_cast<std::ptrdiff_t>(i + 4));
-    return text;
-  };
   bytes b;
   b.i(4).i(2).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
   b.i(3).i(0).i(2).i(1).i(0);
@@ -488,4 +490,70 @@ TEST_CASE("read_off: binary numbers in little-endian order are recognised, and n
   }
   mesh("OFF BINARY\n" + bytes().i(0).i(0).i(0).text, &r);
   CHECK(r.notes.empty());
+}
+
+TEST_CASE("read_off: binary numbers are little-endian only if the whole file makes sense so") {
+  const std::string head = "OFF BINARY\n", no_verts = "1: the number of verts, no more than the rest of the file can hold | something else at byte 11";
+  const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
+  const auto is_little = [](const std::string& text) {
+    load_report r;
+    off(text, &r);
+    return r.notes.size() == 1;
+  };
+  bytes colored;
+  colored.i(4).i(4).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+  colored.i(3).i(0).i(2).i(1).i(4).f({0.5f, 0.25f, 1, 0.75f});
+  colored.i(4).i(0).i(1).i(2).i(3).i(1).f({6});
+  colored.i(3).i(0).i(1).i(3).i(0);
+  colored.i(3).i(1).i(2).i(3).i(3).f({1, 0, 0.5f});
+  CHECK(!is_little(head + colored.text));
+  const std::string text = little(colored);
+  CHECK(is_little(head + text));
+  const auto m = mesh(head + text);
+  CHECK(find_poly_property<rgba>(m, "color")[poly_id{0}] == rgba{0.5f, 0.25f, 1, 0.75f});
+  CHECK(find_poly_property<rgba>(m, "color")[poly_id{3}] == rgba{1, 0, 0.5f});
+  CHECK(raw(adj_p2v(m, poly_id{3})) == std::vector<unsigned>{1, 2, 3});
+
+  // What is cut makes sense in neither order, and is read as big-endian.
+  for (std::size_t n = 0; n < text.size(); ++n) {
+    const std::string cut = head + text.substr(0, n);
+    CHECK(says(cut) == (n < 4 ? "1: the number of verts | the end of the file at byte " + std::to_string(11 + n) : no_verts));
+  }
+  const std::size_t both_counts = 8, begin_of_polys = 60, least_of_polys = 80;
+  for (std::size_t n = begin_of_polys; n < colored.text.size(); ++n) {
+    const std::string found = says(head + colored.text.substr(0, n));
+    if (n < both_counts + least_of_polys) CHECK(found == "1: the number of polys, no more than the rest of the file can hold | something else at byte 15");
+    else CHECK_MESSAGE((found.find(" of a ") != found.npos || found.starts_with("1: a number | the end of the file")), found);
+  }
+
+  // Points alone, up to the last byte of the file.
+  CHECK(is_little(head + little(bytes().i(2).i(0).i(0).f({0, 0, 0, 1, 2, 3}))));
+  CHECK(off(head + little(bytes().i(2).i(0).i(0).f({0, 0, 0, 1, 2, 3}))).points[1] == vec3{1, 2, 3});
+  // A poly that is none, whether it is the only one or the last.
+  const auto with = [&](std::initializer_list<bytes> all) {
+    bytes b;
+    b.i(3).i(static_cast<std::int64_t>(all.size())).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    for (const bytes& p : all) b.text += p.text;
+    return head + little(b) + std::string(40, '\0');
+  };
+  const bytes good = bytes().i(3).i(0).i(1).i(2).i(0);
+  CHECK(is_little(with({good})));
+  CHECK(is_little(with({good, good})));
+  CHECK(is_little(with({bytes().i(3).i(0).i(1).i(2).i(4).f({0, 0, 0, 0}), good})));
+  for (const bytes& bad : {bytes().i(2).i(0).i(1).i(0), bytes().i(0).i(0), bytes().i(1000), bytes().i(3).i(0).i(1).i(2).i(5).f({0, 0, 0, 0, 0}),
+                           bytes().i(3).i(0).i(1).i(2).i(1000)}) {
+    CHECK(says(with({bad})) == no_verts);
+    CHECK(says(with({good, bad})) == no_verts);
+    CHECK(says(with({bad, good})) == no_verts);
+  }
+
+  // With the dimension of the space before them.
+  const std::string dimension = "1: the dimension of the space, from 1 | the end of the file at byte ";
+  for (std::size_t n = 0; n < 4; ++n) CHECK(says("n" + head + std::string(4, '\0').substr(0, n)) == dimension + std::to_string(12 + n));
+  CHECK(says("n" + head + std::string(16, '\0')) == "1: the dimension of the space, from 1 | something else at byte 12");
+  const std::string plane = little(bytes().i(2).i(1).i(0).i(0).f({5, 6}));
+  CHECK(is_little("n" + head + plane));
+  for (std::size_t n = 4; n < plane.size(); ++n)
+    CHECK(says("n" + head + plane.substr(0, n)) == "1: the dimension of the space, from 1, no more than the rest of the file can hold | something else at byte 12");
+  CHECK(says("n" + head + bytes().i(1).i(0).i(0).text) == "1: the number of edges | the end of the file at byte 24");
 }

@@ -122,11 +122,9 @@ class off_binary_reader {
     little_ = little;
     const auto has = [&](std::uint64_t words) { return words <= in_.left() / 4; };
     const auto walk = [&] {
-      if (header_.any_dimension) {
-        if (!has(1)) return false;
-        header_.dimension = word("");
-      }
-      if (!has(3) || header_.dimension == 0) return false;
+      if (!has(header_.any_dimension ? 4 : 3)) return false;
+      if (header_.any_dimension) header_.dimension = word("");
+      if (header_.dimension == 0) return false;
       const std::uint64_t verts = word(""), polys = word("");
       word("");
       if (verts > in_.left() / 4 / header_.numbers()) return false;
@@ -145,7 +143,6 @@ class off_binary_reader {
     const bool is = walk();
     in_.at = begin;
     header_.dimension = dimension;
-    little_ = false;
     return is;
   }
   double real() {
