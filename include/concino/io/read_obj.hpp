@@ -232,7 +232,7 @@ class obj_reader : text_cursor {
       });
       if (numbers) extra_.groups.clear();
     }
-    if (!extra_.materials.empty() || !libraries_.empty()) assign_materials(context_, libraries_, n, extra_);
+    if (!libraries_.empty()) assign_materials(context_, libraries_, n, extra_);
     for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) {
       if (names->longest() <= max_name) continue;
       names->rename([](std::string_view name) { return std::string(name.substr(0, max_name)); });
