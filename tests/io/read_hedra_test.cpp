@@ -126,6 +126,22 @@ TEST_CASE("read_hedra: a large face of very many polyhedra") {
   CHECK_THROWS_AS(hedra<cell_arrays>(crowded(1104, 981)), unsupported);
 }
 
+TEST_CASE("read_hedra: many polyhedra of small faces are not too many") {
+  const int n = 300;
+  std::string all = std::to_string(4 * n) + " " + std::to_string(4 * n) + " " + std::to_string(n) + "\n", face_lists, poly_lists;
+  for (int i = 0; i < n; ++i) {
+    all += points;
+    const auto row = [&](int a, int b, int c) {
+      return "3 " + std::to_string(4 * i + a) + " " + std::to_string(4 * i + b) + " " + std::to_string(4 * i + c) + "\n";
+    };
+    face_lists += row(1, 3, 2) + row(1, 2, 4) + row(2, 3, 4) + row(1, 4, 3);
+    poly_lists += "4";
+    for (int f = 1; f <= 4; ++f) poly_lists += " " + std::to_string(4 * i + f);
+    poly_lists += "\n";
+  }
+  CHECK(hedra(all + face_lists + poly_lists).num_polys() == 300);
+}
+
 TEST_CASE("read_hedra: a volume asked for as a surface") {
   CHECK_THROWS_AS(hedra<surface_arrays>(tet), unsupported);
   CHECK_THROWS_AS(hedra<surface_arrays>("0 0 0"), unsupported);
