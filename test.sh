@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and runs all of them with both compilers. The last line says how many passed, failed and were skipped.
+# Installs what the tests need, builds and runs them with both compilers. The last line says how many passed, failed and were skipped.
 #   ./test.sh          everything that must hold
 #   ./test.sh --long   also mutations, benchmarks on tiny data, long fuzzing and runs of many steps
 #   ./test.sh --quick  g++ only, without sanitizers and consumers: while developing

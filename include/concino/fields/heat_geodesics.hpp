@@ -202,8 +202,10 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
 
   // The rise is known up to a constant in each component, and at a source it is too round. It is fitted to what is known of distances not far from
   // sources, and the more so the better it is known there.
-  constexpr double near = 2, most_doubt = 0.2;  // what is used: straight lines up to this times `decay`, if ways are not more than this part longer
-  double first = -infinity;  // the largest of the least distances given: without clamp ways from there on are needed near sources only
+  constexpr double near = 2;          // verts are used up to this times `decay` from a source,
+  constexpr double most_doubt = 0.2;  // where the way over the mesh is longer than the straight line by at most this part of it
+  // Without clamp, longer ways than those are not needed.
+  double first = -infinity;
   for (const double x : least)
     if (x < infinity) first = std::max(first, x);
   const std::vector<double> longest = prepared_->graph.ways_from(q.starts, prepared_->clamp ? infinity : first + (1 + most_doubt) * near * decay);
