@@ -16,20 +16,20 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
 # header below include/concino: tests that answer for it, below tests; those that find most come first.
 table='
-io/read_obj            io/read_obj io/read_mtl io/load io/name_runs
-io/read_off            io/read_off io/load
-io/off_cursor          io/read_off
-io/off_binary          io/read_off
-io/read_medit          io/read_medit io/load
-io/read_hedra          io/read_hedra io/load
-io/orient              io/orient io/read_hedra io/load
-io/read_mtl            io/read_mtl io/library_file io/write_mtl
-io/write_mtl           io/write_mtl io/library_file
-io/library_file        io/library_file io/killed_save io/write_mtl
-detail/hash_bytes      detail/hash_bytes
+io/detail/read_obj            io/detail/read_obj io/detail/read_mtl io/load io/detail/name_runs
+io/detail/read_off            io/detail/read_off io/load
+io/detail/off_cursor          io/detail/read_off
+io/detail/off_binary          io/detail/read_off
+io/detail/read_medit          io/detail/read_medit io/load
+io/detail/read_hedra          io/detail/read_hedra io/load
+io/detail/orient              io/detail/orient io/detail/read_hedra io/load
+io/detail/read_mtl            io/detail/read_mtl io/detail/library_file io/detail/write_mtl
+io/detail/write_mtl           io/detail/write_mtl io/detail/library_file
+io/detail/library_file        io/detail/library_file io/killed_save io/detail/write_mtl
+core/hash_bytes      core/hash_bytes
 io/file_text           io/file_text
-io/numbers             io/numbers io/read_obj
-io/text_cursor         io/text_cursor io/read_obj io/read_medit io/read_hedra
+io/detail/numbers             io/detail/numbers io/detail/read_obj
+io/detail/text_cursor         io/detail/text_cursor io/detail/read_obj io/detail/read_medit io/detail/read_hedra
 fields/harmonic_map    fields/harmonic_map fields/harmonic_map_archetypes fields/prepared
 fields/poisson         fields/poisson fields/poisson_fluxes fields/prepared
 fields/detail/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/laplace_system fields/smooth
@@ -79,13 +79,13 @@ mesh/corner_orders     mesh/corner_orders
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
 mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/crowds
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/crowds
-mesh/sides             mesh/sides mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/crowds
-mesh/side_ranges       mesh/sides validate/crowds
-mesh/row_places        mesh/row_places mesh/sides validate/crowds
-mesh/rows              mesh/rows mesh/native_mesh edit/elements
-mesh/stars             mesh/native_mesh edit/elements
-mesh/checks            mesh/native_mesh edit/elements
-mesh/face_soup         mesh/face_soup io/load io/read_medit validate/crowds
+mesh/detail/sides             mesh/detail/sides mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/crowds
+mesh/detail/side_ranges       mesh/detail/sides validate/crowds
+mesh/detail/row_places        mesh/detail/row_places mesh/detail/sides validate/crowds
+mesh/detail/rows              mesh/detail/rows mesh/native_mesh edit/elements
+mesh/detail/stars             mesh/native_mesh edit/elements
+mesh/detail/checks            mesh/native_mesh edit/elements
+mesh/face_soup         mesh/face_soup io/load io/detail/read_medit validate/crowds
 graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path
 graph/bfs              graph/bfs graph/predecessors
 graph/detail/indexed_heap  graph/dijkstra

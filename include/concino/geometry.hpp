@@ -1,6 +1,8 @@
 // Sizes, places and directions: points, lengths, areas, volumes, centroids, normals, angles, boxes.
 #pragma once
 
+#include <concino/core/rgba.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/geometry/centroid.hpp>
@@ -12,6 +14,4 @@
 #include <concino/geometry/normals.hpp>
 #include <concino/geometry/orientation.hpp>
 #include <concino/geometry/polygon.hpp>
-#include <concino/geometry/rgba.hpp>
 #include <concino/geometry/self_intersections.hpp>
-#include <concino/geometry/vec3.hpp>

@@ -1,5 +1,5 @@
 // Algorithms of Boost.Graph on views of random meshes, some with gaps in their numbers: they say what they say on copies of the graphs.
-#include <concino/function_ref.hpp>
+#include <concino/core/function_ref.hpp>
 #include <concino/graph/boost.hpp>
 
 #include <support/barred_graph.hpp>

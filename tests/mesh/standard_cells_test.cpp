@@ -1,6 +1,6 @@
 #include <concino/mesh/standard_cells.hpp>
 
-#include <concino/mesh/shapes.hpp>
+#include <concino/mesh/detail/shapes.hpp>
 
 #include <support/unit_cells.hpp>
 

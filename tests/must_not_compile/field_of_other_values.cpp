@@ -1,5 +1,5 @@
 // expect in 10 lines: make_vert_map<double>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 

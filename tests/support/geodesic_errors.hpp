@@ -1,7 +1,7 @@
 // How far heat geodesics are off distances that are known.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <support/geodesic_meshes.hpp>
 #include <support/kinds.hpp>

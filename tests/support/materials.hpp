@@ -1,7 +1,7 @@
 // What a mesh says of materials, without the names of files.
 #pragma once
 
-#include <concino/geometry/rgba.hpp>
+#include <concino/core/rgba.hpp>
 #include <concino/io/load.hpp>
 #include <concino/io/material_table.hpp>
 #include <concino/mesh/trimesh.hpp>

@@ -1,7 +1,7 @@
 // The same mesh elsewhere: arrays turned and shifted, and made larger or smaller.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <cmath>
 #include <type_traits>

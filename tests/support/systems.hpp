@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 
 #include <doctest/doctest.h>
 

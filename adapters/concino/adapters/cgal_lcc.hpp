@@ -15,7 +15,7 @@
 
 #include <concino/adapters/detail/cgal_point.hpp>
 #include <concino/concepts/mesh.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/indexed_base.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
@@ -67,7 +67,7 @@ class indexed_cell_complex {
         const face_id f = opposite.is_none() ? face_id(n->face_darts.size()) : opposite;
         dart d = side;
         do {
-          if (lcc.is_free(d, 1)) detail::throw_joined<invalid_mesh>({"poly ", p.raw(), " has a facet that is not closed: a dart of it has no next (beta 1)"});
+          if (lcc.is_free(d, 1)) core::throw_joined<invalid_mesh>({"poly ", p.raw(), " has a facet that is not closed: a dart of it has no next (beta 1)"});
           n->polys[d] = p;
           n->faces[d] = f;
           vert_id& v = n->verts[lcc.vertex_attribute(d)];

@@ -21,7 +21,7 @@
 #include <concino/adapters/detail/cgal_polyhedron_links.hpp>
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/mesh.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 
 #include <CGAL/Unique_hash_map.h>
 
@@ -66,7 +66,7 @@ struct cgal_polyhedron_ids : cgal_polyhedron_links<P> {
   template<class Iterator>
   static std::size_t bound(std::size_t size, Iterator end, const char* kind) {
     if (size > 0 && (--end)->id() != size - 1)
-      detail::throw_joined<invalid_mesh>({"CGAL::Polyhedron_3: the last ", kind,
+      core::throw_joined<invalid_mesh>({"CGAL::Polyhedron_3: the last ", kind,
                                           " has another id than the number of those before it; call "
                                           "CGAL::set_halfedgeds_items_id(m) after changes of connectivity"});
     return size;

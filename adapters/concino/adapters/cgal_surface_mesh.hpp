@@ -23,7 +23,7 @@
 #include <concino/adapters/detail/cgal_point.hpp>
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/mesh.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -126,12 +126,12 @@ struct cgal_surface_links {
     return v;
   }
   static poly add_poly(mesh& m, std::span<const vert> corners) {
-    const auto refuse = [&](const std::string& why) { detail::throw_joined<invalid_mesh>({"poly ", m.num_faces(), " ", why}); };
-    if (corners.size() < 3) refuse(detail::joined({"has ", corners.size(), " verts; it needs at least 3"}));
+    const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"poly ", m.num_faces(), " ", why}); };
+    if (corners.size() < 3) refuse(core::joined({"has ", corners.size(), " verts; it needs at least 3"}));
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      if (!contains(m, corners[i])) refuse(detail::joined({"names vert ", corners[i].idx(), ", which is not in the mesh"}));
+      if (!contains(m, corners[i])) refuse(core::joined({"names vert ", corners[i].idx(), ", which is not in the mesh"}));
       if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) != corners.begin() + static_cast<std::ptrdiff_t>(i))
-        refuse(detail::joined({"has vert ", corners[i].idx(), " twice; its verts must differ"}));
+        refuse(core::joined({"has vert ", corners[i].idx(), " twice; its verts must differ"}));
     }
     const poly p = m.add_face(corners);
     if (p == mesh::null_face())

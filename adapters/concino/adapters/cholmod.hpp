@@ -21,7 +21,7 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
   void check_status(const char* during) {
     const int status = cholmod().status;
     if (!m_cholmodFactor || status < 0)
-      throw_joined<solver_error>({"cholmod: ", during, status == CHOLMOD_OUT_OF_MEMORY ? " ran out of memory" :
+      core::throw_joined<solver_error>({"cholmod: ", during, status == CHOLMOD_OUT_OF_MEMORY ? " ran out of memory" :
                                   status == CHOLMOD_TOO_LARGE ? " needs more entries than 32-bit indices count" : " failed"});
   }
 
@@ -103,9 +103,9 @@ class cholmod {
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {
     const std::vector<double> given = detail::diagonal(a);
     if (const Eigen::Index row = factors_.failed_row(); row >= 0)
-      detail::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ", static_cast<std::size_t>(row),
+      core::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ", static_cast<std::size_t>(row),
                                           ": of the diagonal entry ",
-                                          detail::number_text(given[static_cast<std::size_t>(row)]), " elimination leaves nothing positive"});
+                                          core::number_text(given[static_cast<std::size_t>(row)]), " elimination leaves nothing positive"});
     factors_.for_each_pivot([&](Eigen::Index row, double pivot) {
       const double diagonal = given[static_cast<std::size_t>(row)];
       if (!(pivot > 1e-15 * diagonal && pivot < std::numeric_limits<double>::infinity()))

@@ -15,7 +15,7 @@
 // Needs: Eigen 3.4 (Debian: libeigen3-dev).
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/mesh/view_arrays.hpp>
 
 #include <Eigen/Core>
@@ -79,7 +79,7 @@ class eigen_place {
 
   std::string misfit(unsigned wanted) const {
     if (at().rows() == 0 || at().cols() == static_cast<Eigen::Index>(wanted)) return {};
-    return joined({"has ", at().cols(), " columns; it needs ", wanted,
+    return core::joined({"has ", at().cols(), " columns; it needs ", wanted,
                    wanted == 3 && at().cols() == 2 ? ", or a type with 2 columns such as Eigen::MatrixX2d" : ""});
   }
   std::size_t size() const { return static_cast<std::size_t>(Flat ? at().rows() * at().cols() : at().rows()); }

@@ -2,7 +2,7 @@
 // Needs: Embree 3 (Debian: libembree-dev), and a processor with SSE2.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/render/ray_caster.hpp>
 
 #include <embree3/rtcore.h>
@@ -35,11 +35,11 @@ class embree_caster {
       case RTC_ERROR_OUT_OF_MEMORY:
         throw std::bad_alloc();
       case RTC_ERROR_UNSUPPORTED_CPU:
-        detail::throw_joined<unsupported>({"embree: ", doing, ": this processor is not supported, it needs SSE2"});
+        core::throw_joined<unsupported>({"embree: ", doing, ": this processor is not supported, it needs SSE2"});
       case RTC_ERROR_INVALID_ARGUMENT:
-        detail::throw_joined<invalid_argument>({"embree: ", doing, ": invalid argument"});
+        core::throw_joined<invalid_argument>({"embree: ", doing, ": invalid argument"});
       default:
-        detail::throw_joined<unsupported>({"embree: ", doing, ": failed inside Embree"});
+        core::throw_joined<unsupported>({"embree: ", doing, ": failed inside Embree"});
     }
   }
 

@@ -9,8 +9,8 @@
 
 #include <concino/adapters/detail/openmesh_links.hpp>
 #include <concino/concepts/mesh.hpp>
-#include <concino/error.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -12,7 +12,7 @@
 // Needs: the standard library only.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/mesh/view_arrays.hpp>
 
 #include <array>
@@ -57,7 +57,7 @@ class rows_of_numbers : kept_span<A> {
   std::string misfit(unsigned) const {
     const std::size_t n = this->get().size();
     if (n % N == 0) return {};
-    return joined({"has ", n, " numbers; it needs ", N, " for each"});
+    return core::joined({"has ", n, " numbers; it needs ", N, " for each"});
   }
   auto numbers() const
     requires(N == 1)

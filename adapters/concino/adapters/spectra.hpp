@@ -4,7 +4,7 @@
 
 #include <concino/adapters/detail/spectra_lanczos.hpp>
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/solve/detail/residual.hpp>
@@ -46,12 +46,12 @@ struct eigenproblem {
   int stiffness_exponent = 0, mass_exponent = 0;
   double shift = 1;  // in units of the scaled eigenvalues
 
-  static void expect(bool good, message why) {
-    if (!good) throw_joined<invalid_argument>(why);
+  static void expect(bool good, core::message why) {
+    if (!good) core::throw_joined<invalid_argument>(why);
   }
 
   eigenproblem(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m, const eigenpairs_options& options) {
-    const std::string tolerance = number_text(options.tolerance), given_shift = number_text(options.shift);
+    const std::string tolerance = core::number_text(options.tolerance), given_shift = core::number_text(options.shift);
     expect(options.tolerance > 0 && options.tolerance < 1, {"eigenpairs: tolerance is ", tolerance, "; it must be above 0 and below 1"});
     expect(options.max_restarts > 0, {"eigenpairs: max_restarts must be 1 or more"});
     expect(options.shift >= 0 && std::isfinite(options.shift), {"eigenpairs: shift is ", given_shift, "; it must be finite and 0 or more"});
@@ -77,7 +77,7 @@ struct eigenproblem {
     const double n = static_cast<double>(row.size());
     for (const int c : row) {
       if (!(m_diagonal[static_cast<std::size_t>(c)] > 0))
-        throw_joined<solver_error>(
+        core::throw_joined<solver_error>(
             {"eigenpairs: row ", static_cast<std::size_t>(c), " has no positive mass, so it has no finite eigenvalue; leave it out"});
       k_mean += std::abs(k_diagonal[static_cast<std::size_t>(c)]) / n;
       m_mean += m_diagonal[static_cast<std::size_t>(c)] / n;
@@ -151,7 +151,7 @@ eigenpairs_result eigenpairs(const Eigen::SparseMatrix<double>& k, const Eigen::
   const detail::eigenproblem problem(k, m, options);
   const std::size_t rows = problem.row.size();
   if (count < 1 || count > rows)
-    detail::throw_joined<invalid_argument>({"eigenpairs: ", count, " asked for; a problem of ", rows, " rows with entries has 1 to that many"});
+    core::throw_joined<invalid_argument>({"eigenpairs: ", count, " asked for; a problem of ", rows, " rows with entries has 1 to that many"});
   const auto wanted = static_cast<Eigen::Index>(count);
   detail::eigenbasis found;
   if (rows <= 32 || rows < 2 * count + 1) {

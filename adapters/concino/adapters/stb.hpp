@@ -2,7 +2,7 @@
 // Needs: stb (Debian: libstb-dev).
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/replacing_file.hpp>
 #include <concino/io/text_sink.hpp>
@@ -155,10 +155,10 @@ namespace concino {
 ///         cannot be written.
 // Static because it calls stb's static functions: an inline function must not mean something else in each translation unit.
 [[maybe_unused]] static inline void write_png(const image& picture, const std::string& path, const file_options& options = {}) {
-  if (picture.width() == 0) detail::throw_joined<invalid_argument>({"write_png: ", path, ": the picture has no pixels"});
+  if (picture.width() == 0) core::throw_joined<invalid_argument>({"write_png: ", path, ": the picture has no pixels"});
   // stb counts bytes by int, and makes room for twice as many.
   if ((3 * picture.width() + 1) * picture.height() > std::size_t{1} << 30)
-    detail::throw_joined<unsupported>({"write_png: ", path, ": ", picture.width(), " x ", picture.height(), " pixels are more than 1 GiB"});
+    core::throw_joined<unsupported>({"write_png: ", path, ": ", picture.width(), " x ", picture.height(), " pixels are more than 1 GiB"});
   const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
   detail::replacing_file file(path, {.sync = options.sync});
   const std::vector<std::uint8_t> pixels = srgb_bytes(picture);

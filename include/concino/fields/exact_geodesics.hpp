@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/surface_mesh.hpp>
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/fields/detail/exact_windows.hpp>
 #include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/exact_paths.hpp>
@@ -58,10 +58,10 @@ exact_preparation prepare_exact(const M& m) {
     const auto number = static_cast<std::size_t>(index_of(m, p));
     prepared.triangle_of[number] = static_cast<int>(r.vert.size() / 3);
     if (n != 3)
-      throw_joined<unsupported>(
+      core::throw_joined<unsupported>(
           {"exact_geodesics: poly ", number, " has ", n, " verts; all polys must be triangles: triangulate it, or ask heat_geodesics"});
     if (!finite || !r.add(corner, x))
-      throw_joined<invalid_mesh>({"exact_geodesics: poly ", number, " has no area, or points that are not finite; remove it or move its verts"});
+      core::throw_joined<invalid_mesh>({"exact_geodesics: poly ", number, " has no area, or points that are not finite; remove it or move its verts"});
     std::array<int, 3> of_side{-1, -1, -1};
     for (const edge_t<M> e : adj_p2e(m, p)) {
       int ends[2] = {-1, -1};
@@ -98,7 +98,7 @@ class prepared_exact_geodesics {
     if (!contains(mesh_.get(), v)) throw invalid_mesh("exact_geodesics: a source is no vert of the mesh; take it from verts(m)");
     const int i = static_cast<int>(index_of(mesh_.get(), v));
     if (!std::isfinite(distance))
-      detail::throw_joined<invalid_argument>({"exact_geodesics: the initial distance at vert ", static_cast<std::size_t>(i), " is not finite"});
+      core::throw_joined<invalid_argument>({"exact_geodesics: the initial distance at vert ", static_cast<std::size_t>(i), " is not finite"});
     starts.push_back({i, distance});
   }
 

@@ -3,10 +3,10 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/surface_mesh.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/fields/detail/flat_triangles.hpp>
 #include <concino/fields/detail/path_tree.hpp>
-#include <concino/geometry/vec3.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/mesh_point.hpp>
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/core/progress.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
-#include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cstddef>
@@ -40,7 +40,7 @@ held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const harmonic_
 inline constexpr auto no_load = [](std::size_t, int) { return 0.0; };
 
 inline void check_exponent(const char* who, int exponent) {
-  if (exponent < 1) throw_joined<invalid_argument>({who, ": exponent is ", number_text(exponent), "; it must be 1 or more"});
+  if (exponent < 1) core::throw_joined<invalid_argument>({who, ": exponent is ", core::number_text(exponent), "; it must be 1 or more"});
 }
 
 }  // namespace detail

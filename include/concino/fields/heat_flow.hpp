@@ -3,12 +3,12 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/core/progress.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/implicit.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
-#include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cmath>
@@ -42,8 +42,8 @@ template<class M, class V>
 implicit_system<M> heat_flow_system(const M& m, double time, const V& held, const heat_flow_options& options) {
   const char* const who = "heat_flow";
   if (!(time >= 0 && std::isfinite(time)))
-    throw_joined<invalid_argument>({who, ": time is ", number_text(time), "; it must be finite and 0 or more"});
-  if (options.steps < 1) throw_joined<invalid_argument>({who, ": steps is ", number_text(options.steps), "; it must be 1 or more"});
+    core::throw_joined<invalid_argument>({who, ": time is ", core::number_text(time), "; it must be finite and 0 or more"});
+  if (options.steps < 1) core::throw_joined<invalid_argument>({who, ": steps is ", core::number_text(options.steps), "; it must be 1 or more"});
   tell(options.progress, 0, "heat flow");
   held_verts<M> fixed(m);
   fixed.hold(m, held, who);

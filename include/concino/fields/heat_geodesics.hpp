@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/core/progress.hpp>
 #include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/detail/heat_preparation.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
-#include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ class prepared_heat_geodesics {
 
   static preparation prepare(const M& mesh_in, const heat_geodesics_options& options, const Solver& solver) {
     if (!(options.time >= 0 && options.time <= std::numeric_limits<double>::max()))
-      detail::throw_joined<invalid_argument>({"heat_geodesics: time is ", detail::number_text(options.time), "; it must be finite and 0 or more"});
+      core::throw_joined<invalid_argument>({"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});
     detail::tell(options.progress, 0, "heat geodesics");
     const scaled_mesh m = detail::scaled_to_unit(mesh_in);
     detail::corner_fluxes corners = detail::fluxes_of(m);
@@ -120,7 +120,7 @@ class prepared_heat_geodesics {
     if (!contains(mesh_.get(), v))
       throw invalid_mesh("heat_geodesics: a source is no vert of the mesh; take it from verts(m)");
     if (!std::isfinite(distance))
-      detail::throw_joined<invalid_argument>(
+      core::throw_joined<invalid_argument>(
           {"heat_geodesics: the initial distance at vert ", static_cast<std::size_t>(index_of(mesh_.get(), v)), " is not finite"});
     const int i = number(v);
     q.starts.push_back({i, static_cast<int>(q.sources.size()), 0, down(distance)});

@@ -3,14 +3,14 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/progress.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
 #include <concino/fields/detail/masses.hpp>
 #include <concino/fields/detail/neumann.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
-#include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cmath>

@@ -3,12 +3,12 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/core/progress.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/implicit.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
-#include <concino/progress.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cmath>
@@ -32,8 +32,8 @@ template<class M, class V>
 implicit_system<M> smoothing_system(const M& m, double amount, const V& held, const smooth_options& options) {
   const char* const who = "smooth";
   if (!(amount >= 0 && std::isfinite(amount)))
-    throw_joined<invalid_argument>({who, ": amount is ", number_text(amount), "; it must be finite and 0 or more"});
-  if (options.exponent < 1) throw_joined<invalid_argument>({who, ": exponent is ", number_text(options.exponent), "; it must be 1 or more"});
+    core::throw_joined<invalid_argument>({who, ": amount is ", core::number_text(amount), "; it must be finite and 0 or more"});
+  if (options.exponent < 1) core::throw_joined<invalid_argument>({who, ": exponent is ", core::number_text(options.exponent), "; it must be 1 or more"});
   tell(options.progress, 0, "smoothing");
   held_verts<M> fixed(m);
   fixed.hold(m, held, who);

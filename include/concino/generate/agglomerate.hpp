@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/detail/number_text.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/generate/detail/union_border.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
@@ -59,8 +59,8 @@ std::vector<std::uint32_t> numbered_marked(const M& m, const R& elements, std::v
 
 template<AnyMesh M, class V>
 [[noreturn]] void throw_no_union(const M& m, V label, const poly_t<M>& p, const union_fault& fault) {
-  const std::string which = ~fault.index != 0 ? joined({" ", fault.index}) : std::string();
-  throw_joined<invalid_mesh>({"agglomerate: the polys with label ", number_text(static_cast<long long>(label)), ", poly ", index_of(m, p),
+  const std::string which = ~fault.index != 0 ? core::joined({" ", fault.index}) : std::string();
+  core::throw_joined<invalid_mesh>({"agglomerate: the polys with label ", core::number_text(static_cast<long long>(label)), ", poly ", index_of(m, p),
                               " among them, are no ", std::string(SurfaceMesh<M> ? "disk: " : "ball: "), fault.text, which,
                               "; random_labels() gives labels that can be merged"});
 }

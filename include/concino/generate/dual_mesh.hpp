@@ -1,7 +1,7 @@
 // The dual of a mesh: a vert for each poly, a poly for each vert.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/star_checker.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
@@ -54,7 +54,7 @@ polygonmesh dual_mesh(const M& m, const dual_mesh_options& options = {}) {
   const bool clipped = options.boundary == dual_boundary::clipped;
   detail::dual_parts<M> parts(m, clipped);
   surface_arrays a;
-  detail::reserve_large(a.verts, parts.num_corners());
+  core::reserve_large(a.verts, parts.num_corners());
   a.offsets.reserve(num_verts(m) + 1);
   a.offsets.push_back(0);
   for (const vert_t<M> v : verts(m)) {
@@ -88,7 +88,7 @@ polyhedralmesh dual_mesh(const M& m, const dual_mesh_options& options = {}) {
       for (const detail::face_side& s : sides.of(index_of(m, f))) on_border[s.from] = 1;
 
   polyhedra_arrays a;
-  detail::reserve_large(a.face_verts, parts.num_corners());
+  core::reserve_large(a.face_verts, parts.num_corners());
   a.face_offsets.push_back(0);
   a.poly_offsets.push_back(0);
   const auto close_face = [&] { a.face_offsets.push_back(static_cast<std::uint32_t>(a.face_verts.size())); };

@@ -1,8 +1,8 @@
 // Cells that grow from one end of the mesh to the other.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/generate/detail/finite.hpp>
 #include <concino/geometry/bounding_box.hpp>
 
@@ -25,8 +25,8 @@ template<MutablePoints M>
 void grade(M& m, const vec3& powers) {
   for (const std::size_t k : {0u, 1u, 2u})
     if (!(powers[k] > 0 && powers[k] <= std::numeric_limits<double>::max()))
-      detail::throw_joined<invalid_argument>({"grade: the power along ", std::string(k == 0 ? "x" : k == 1 ? "y" : "z"), " is ",
-                                              detail::number_text(powers[k]), "; it must be finite and above 0"});
+      core::throw_joined<invalid_argument>({"grade: the power along ", std::string(k == 0 ? "x" : k == 1 ? "y" : "z"), " is ",
+                                              core::number_text(powers[k]), "; it must be finite and above 0"});
   detail::check_points_finite("grade", m);
   const box b = bounding_box(m);
   if (!b.is_empty() && !is_finite(b.max - b.min)) throw invalid_mesh("grade: the mesh is wider than the largest number; nothing was moved");

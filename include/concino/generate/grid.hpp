@@ -1,7 +1,7 @@
 // Rectangles and boxes cut into cells of every kind: make_grid<M>().
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/generate/detail/made.hpp>
 
 #include <algorithm>
@@ -27,20 +27,20 @@ class spaced {
   spaced(const char* what, const char* axis, double min, double max, std::size_t n)
       : min_(min), max_(max), extent_(max - min), n_(static_cast<double>(n)), last_(n) {
     if (!std::isfinite(min) || !std::isfinite(max) || !(min < max) || !std::isfinite(extent_))
-      throw_joined<invalid_argument>({what, ": min.", axis, " is ", number_text(min), " and max.", axis, " is ", number_text(max),
+      core::throw_joined<invalid_argument>({what, ": min.", axis, " is ", core::number_text(min), " and max.", axis, " is ", core::number_text(max),
                                       "; both must be finite and max above min by a finite step"});
     const double far = std::max(std::abs(min), std::abs(max));
     const double spacing = std::max(far - std::nextafter(far, 0), std::numeric_limits<double>::min());
     if (!(extent_ / n_ > 8 * spacing))
-      throw_joined<invalid_argument>({what, ": between min.", axis, " and max.", axis, " no ", n,
+      core::throw_joined<invalid_argument>({what, ": between min.", axis, " and max.", axis, " no ", n,
                                       " steps can be told apart; take fewer cells or a larger box"});
   }
   double operator[](std::size_t i) const { return i == last_ ? max_ : min_ + extent_ * (static_cast<double>(i) / n_); }
 };
 
 inline void check_grid(const char* what, const grid_options& o, std::size_t axes) {
-  for (std::size_t k = 0; k < axes; ++k) check_at_least(what, detail::joined({"cells[", k, "]"}), o.cells[k], 1);
-  if (axes == 2 && !std::isfinite(o.min.z)) throw_joined<invalid_argument>({what, ": min.z is not finite"});
+  for (std::size_t k = 0; k < axes; ++k) check_at_least(what, core::joined({"cells[", k, "]"}), o.cells[k], 1);
+  if (axes == 2 && !std::isfinite(o.min.z)) core::throw_joined<invalid_argument>({what, ": min.z is not finite"});
 }
 
 inline surface_arrays quad_grid(const grid_options& o) {

@@ -66,7 +66,7 @@ inline surface_arrays quartered_on_sphere(const surface_arrays& triangles) {
 ///         centre is not finite.
 /// Source: Baumgardner, Frederickson 1985, "Icosahedral discretization of the two-sphere".
 inline trimesh icosphere(unsigned subdivisions, double radius = 1, const vec3& centre = {}) {
-  if (subdivisions > 12) detail::throw_joined<invalid_argument>({"icosphere: subdivisions is ", subdivisions, "; it must be at most 12"});
+  if (subdivisions > 12) core::throw_joined<invalid_argument>({"icosphere: subdivisions is ", subdivisions, "; it must be at most 12"});
   detail::check_positive("icosphere", "radius", radius);
   detail::check_finite("icosphere", "centre", centre);
   surface_arrays a = detail::icosahedron();

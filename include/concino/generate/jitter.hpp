@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/generate/detail/finite.hpp>
 #include <concino/generate/detail/random.hpp>
 #include <concino/geometry/polygon.hpp>
@@ -35,7 +35,7 @@ template<AnyMesh M>
   requires MutablePoints<M> && (!std::is_const_v<M>)
 void jitter(M& m, double amount, const jitter_options& options = {}) {
   if (!(amount >= 0 && amount <= std::numeric_limits<double>::max()))
-    detail::throw_joined<invalid_argument>({"jitter: amount is ", detail::number_text(amount), "; it must be finite and 0 or more"});
+    core::throw_joined<invalid_argument>({"jitter: amount is ", core::number_text(amount), "; it must be finite and 0 or more"});
   detail::check_points_finite("jitter", m);
   std::vector<unsigned char> stays(vert_index_bound(m));
   if (options.keep_boundary) stays = detail::boundary_verts(m);

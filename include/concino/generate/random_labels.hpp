@@ -1,8 +1,8 @@
 // Labels that part a mesh into random pieces, most of them concave, that agglomerate() can merge.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/random.hpp>
 #include <concino/generate/detail/union_border.hpp>
 #include <concino/mesh/element_map.hpp>

@@ -1,7 +1,7 @@
 // Points spread at random in a box: the sites of Voronoi meshes, the probes of tests.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/generate/detail/random.hpp>
 #include <concino/geometry/bounding_box.hpp>
 

@@ -1,7 +1,7 @@
 // Tori, hollow and solid: make_torus<M>().
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/generate/detail/box_skin.hpp>
 #include <concino/generate/detail/made.hpp>
 #include <concino/generate/detail/round.hpp>
@@ -94,12 +94,12 @@ inline cell_arrays hex_torus(const torus_options& o) {
 /// Source: tets by Dompierre et al. 1999.
 template<requirement::can_be_made M>
 M make_torus(const torus_options& options = {}) {
-  for (const std::size_t k : {0u, 1u}) detail::check_at_least("make_torus", detail::joined({"cells[", k, "]"}), options.cells[k], 3);
+  for (const std::size_t k : {0u, 1u}) detail::check_at_least("make_torus", core::joined({"cells[", k, "]"}), options.cells[k], 3);
   detail::check_positive("make_torus", "radius", options.radius);
   detail::check_positive("make_torus", "tube_radius", options.tube_radius);
   if (options.tube_radius >= options.radius)
-    detail::throw_joined<invalid_argument>({"make_torus: tube_radius is ", detail::number_text(options.tube_radius),
-                                            "; it must be below radius, which is ", detail::number_text(options.radius)});
+    core::throw_joined<invalid_argument>({"make_torus: tube_radius is ", core::number_text(options.tube_radius),
+                                            "; it must be below radius, which is ", core::number_text(options.radius)});
   detail::check_finite("make_torus", "centre", options.centre);
   const double n = static_cast<double>(options.cells[0]), k = static_cast<double>(options.cells[1]);
   if constexpr (dimension_v<M> == 3) {

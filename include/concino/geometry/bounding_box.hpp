@@ -3,8 +3,8 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/primal_graph.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <limits>
 

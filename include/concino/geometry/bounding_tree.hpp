@@ -1,7 +1,7 @@
 // A tree of boxes over the polys of any mesh: the nearest one, those that a ray or a box meets, the one that holds a point, inside or outside.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/detail/box_tree_build.hpp>
 #include <concino/geometry/detail/polygon_pieces.hpp>
 #include <concino/geometry/detail/solid_pieces.hpp>
@@ -116,14 +116,14 @@ class poly_tree {
     require_finite(x, "is_inside");
     if constexpr (pieces::are_solid) return locate(x).has_value();
     if (facts_.open_edge != detail::surface_facts::none)
-      detail::throw_joined<invalid_mesh>({"is_inside: the surface is open at edge ", facts_.open_edge, "; only closed surfaces have an inside"});
+      core::throw_joined<invalid_mesh>({"is_inside: the surface is open at edge ", facts_.open_edge, "; only closed surfaces have an inside"});
     const auto around = detail::surface_around(pieces_, boxes_, pieces_.to_tree(x));
     return around.touches || (options.rule == inside_rule::winding ? around.winding != 0 : around.crossings % 2 != 0);
   }
 
  private:
   static void require_finite(const vec3& x, const char* query) {
-    if (!is_finite(x)) detail::throw_joined<invalid_argument>({query, ": the point is not finite"});
+    if (!is_finite(x)) core::throw_joined<invalid_argument>({query, ": the point is not finite"});
   }
 };
 

@@ -1,7 +1,7 @@
 // Where polys lie: the mean of their verts, and their centre of mass.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/measure.hpp>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // The point of a segment or a triangle that is nearest to another point.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 namespace concino {
 

@@ -1,9 +1,9 @@
 // Angles between polygons that meet at an edge: of two polys of a surface, of two faces of a polyhedron.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/normals.hpp>
 
 #include <cmath>
@@ -115,7 +115,7 @@ double dihedral_angle(const M& m, const poly_t<M>& p, const edge_t<M>& e) {
     ++n;
   }
   if (n == 0)
-    detail::throw_joined<invalid_argument>(
+    core::throw_joined<invalid_argument>(
         {"dihedral_angle: edge ", index_of(m, e), " is no edge of poly ", index_of(m, p), "; ask for one of adj_p2e of the poly"});
   return n == 2 ? detail::interior_angle(two[0], two[1], edge.direction) : std::numbers::pi;
 }

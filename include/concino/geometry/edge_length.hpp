@@ -2,10 +2,10 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/parallel.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/parallel.hpp>
 
 namespace concino {
 

@@ -1,11 +1,11 @@
 // How large elements are: areas of polygons, volumes of polyhedra, and the measure of a poly that is one or the other.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/geometry/detail/any_scale.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/parallel.hpp>
 
 #include <cmath>
 #include <cstddef>

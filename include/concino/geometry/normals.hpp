@@ -5,10 +5,10 @@
 // obstacle. Only coordinates that are not finite give something that is not a number.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/geometry/detail/any_scale.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/parallel.hpp>
 
 #include <cstddef>
 #include <vector>

@@ -1,8 +1,8 @@
 // On which side? The sign of a determinant of points, exact whatever the rounding: orient2d and orient3d.
 #pragma once
 
+#include <concino/core/vec3.hpp>
 #include <concino/geometry/detail/expansion.hpp>
-#include <concino/geometry/vec3.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Where a surface meets itself: pairs of polys with more in common than the verts and edges they share, by exact tests.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/detail/box_pairs.hpp>
 #include <concino/geometry/detail/box_tree_build.hpp>
 #include <concino/geometry/detail/polygon_pieces.hpp>

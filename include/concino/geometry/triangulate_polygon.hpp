@@ -1,7 +1,7 @@
 // Cuts a polygon in space into triangles without new points: what pictures, areas and triangle-only formats need.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <algorithm>
 #include <array>

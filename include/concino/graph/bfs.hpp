@@ -1,9 +1,9 @@
 // Breadth-first search: how many steps away is everything.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/function_ref.hpp>
+#include <concino/core/function_ref.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/fetch.hpp>
 #include <concino/graph/detail/for_each_in.hpp>
@@ -94,7 +94,7 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
 
 template<class G, class S>
 auto bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
-  if (options.max_hops < 0) detail::throw_joined<invalid_argument>({"bfs: max_hops is ", number_text(options.max_hops), "; it must be 0 or more"});
+  if (options.max_hops < 0) core::throw_joined<invalid_argument>({"bfs: max_hops is ", core::number_text(options.max_hops), "; it must be 0 or more"});
   const bool plain = options.targets.empty() && !options.may_cross && !options.predecessors && options.max_hops == std::numeric_limits<int>::max();
   if (!plain) return full_bfs(g, sources, options);
   return options.may_enter ? plain_bfs<true>(g, sources, options.may_enter) : plain_bfs<false>(g, sources, nullptr);

@@ -1,9 +1,9 @@
 // The border of a surface, as loops of edges.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
-#include <concino/graph/detail/sides.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/detail/sides.hpp>
 #include <concino/graph/edge_walk.hpp>
 
 #include <limits>

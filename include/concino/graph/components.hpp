@@ -1,8 +1,8 @@
 // Connected components: which elements hang together, and how many pieces there are.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
-#include <concino/function_ref.hpp>
+#include <concino/core/function_ref.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/graph/detail/for_each_in.hpp>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/corners.hpp>
 #include <concino/mesh/arrays.hpp>
 

@@ -1,9 +1,9 @@
 // Shortest paths: how far away is everything, along edges or from poly to poly.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/function_ref.hpp>
+#include <concino/core/function_ref.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/fetch.hpp>
 #include <concino/graph/detail/for_each_in.hpp>
 #include <concino/graph/detail/graph_of.hpp>
@@ -34,8 +34,8 @@ namespace detail {
 template<class G>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_bad_length(const G& g, const typename G::node& from, const typename G::node& to, double length,
                                                              const char* who) {
-  detail::throw_joined<invalid_mesh>({who, ": the length from ", name_of(g, from), " to ", name_of(g, to), " is ",
-                                      length < 0 ? number_text(length) : std::string("not a number"), "; lengths must be 0 or more"});
+  core::throw_joined<invalid_mesh>({who, ": the length from ", name_of(g, from), " to ", name_of(g, to), " is ",
+                                      length < 0 ? core::number_text(length) : std::string("not a number"), "; lengths must be 0 or more"});
 }
 
 /// Full: with may_enter, may_cross and predecessors, which are not even asked for otherwise.
@@ -97,7 +97,7 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
 template<class G, class S, class L>
 auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options,
               const char* who = "dijkstra") {
-  if (!(options.max_distance >= 0)) detail::throw_joined<invalid_argument>({who, ": max_distance must be 0 or more"});
+  if (!(options.max_distance >= 0)) core::throw_joined<invalid_argument>({who, ": max_distance must be 0 or more"});
   return options.may_enter || options.may_cross || options.predecessors ? search_by_length<true>(g, sources, lengths, options, who)
                                                    : search_by_length<false>(g, sources, lengths, options, who);
 }

@@ -1,8 +1,8 @@
 // Regions that grow from seeds, conquering element after adjacent element.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/lengths.hpp>
 
 #include <cstddef>
@@ -62,8 +62,8 @@ auto grow_regions(const G& g, const S& seeds, const C& cost, const region_option
       if constexpr (std::is_same_v<std::remove_cvref_t<decltype(cost(v, w))>, bool>) step = cost(v, w) ? 1 : infinity;
       else step = static_cast<double>(cost(v, w));
       if (!(step >= 0)) [[unlikely]]
-        detail::throw_joined<invalid_mesh>({"grow_regions: the cost from ", name_of(g, v), " to ", name_of(g, w), " is ",
-                                            step < 0 ? number_text(step) : std::string("not a number"), "; costs must be 0 or more, +inf for never"});
+        core::throw_joined<invalid_mesh>({"grow_regions: the cost from ", name_of(g, v), " to ", name_of(g, w), " is ",
+                                            step < 0 ? core::number_text(step) : std::string("not a number"), "; costs must be 0 or more, +inf for never"});
       const double total = summed ? so_far + step : step;
       if (total == infinity || total > options.max_cost) return;
       if (summed) {

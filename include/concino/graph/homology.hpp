@@ -1,7 +1,7 @@
 // Loops that generate the first homology of a closed surface: around each handle and through it.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/edge_walk.hpp>
 #include <concino/graph/tree_cotree.hpp>
 

@@ -1,7 +1,7 @@
 // The shortest path from one element to another, or from the nearest of several to the nearest of several.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/dijkstra.hpp>
 
 #include <limits>

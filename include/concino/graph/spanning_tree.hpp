@@ -1,8 +1,8 @@
 // Spanning trees: the fewest and shortest arcs that hold together what hangs together.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/graph/detail/lengths.hpp>
 
@@ -93,7 +93,7 @@ class tree_builder {
       const auto& to = upward ? w : v;
       const double length = lengths.from(from)(to, std::numeric_limits<double>::infinity());
       if (!(length > -std::numeric_limits<double>::infinity())) [[unlikely]]
-        detail::throw_joined<invalid_mesh>({"spanning_tree: the length from ", name_of(g_, from), " to ", name_of(g_, to), " is ",
+        core::throw_joined<invalid_mesh>({"spanning_tree: the length from ", name_of(g_, from), " to ", name_of(g_, to), " is ",
                                             length < 0 ? "-inf" : "not a number", "; lengths must be numbers, +inf for no arc"});
       if (length < std::numeric_limits<double>::infinity()) visit(candidate{length, std::min(i, j), std::max(i, j), {from, to}, upward, via});
     };

@@ -1,9 +1,9 @@
 // A tree of verts and a tree of polys that share no edge, and the few edges of a closed surface that are in neither.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
-#include <concino/detail/number_text.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/graph/detail/corners.hpp>
 #include <concino/graph/detail/once_queue.hpp>
 
@@ -24,12 +24,12 @@ namespace detail {
 
 template<SurfaceMesh M>
 void expect_closed_manifold(const M& m, const char* who) {
-  const auto refuse = [&](const std::string& what) { detail::throw_joined<invalid_mesh>({who, ": ", what}); };
+  const auto refuse = [&](const std::string& what) { core::throw_joined<invalid_mesh>({who, ": ", what}); };
   for (const edge_t<M> e : edges(m)) {
     std::size_t n = 0;
     for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) ++n;
     if (n == 2) continue;
-    refuse(detail::joined({"edge ", index_of(m, e), " has ", n, n == 1 ? " poly" : " polys",
+    refuse(core::joined({"edge ", index_of(m, e), " has ", n, n == 1 ? " poly" : " polys",
                            n < 2 ? "; the surface must be closed, fill its borders (boundary_loops) first"
                                  : "; the surface must be manifold, with two polys at every edge"}));
   }
@@ -43,7 +43,7 @@ void expect_closed_manifold(const M& m, const char* who) {
       const std::size_t here = corners.classes.root(corner++);
       if (known == none) known = here;
       else if (known != here)
-        refuse(detail::joined({"the polys at vert ", index_of(m, v),
+        refuse(core::joined({"the polys at vert ", index_of(m, v),
                                " are several fans; the surface must be manifold, with one fan at every vert"}));
     }
   }

@@ -1,9 +1,9 @@
 // The bytes of a file as one text: read into memory, or mapped (POSIX).
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/error.hpp>
-#include <concino/mesh/large_pages.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/large_pages.hpp>
+#include <concino/core/message.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -23,11 +23,11 @@
 namespace concino::detail {
 
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_io_error(const std::string& path, const char* what, int error_number) {
-  throw_joined<io_error>({path, ": ", what, ": ", std::strerror(error_number)});
+  core::throw_joined<io_error>({path, ": ", what, ": ", std::strerror(error_number)});
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_size_changed(const std::string& path, bool grew) {
-  throw_joined<io_error>({path, grew ? ": grew" : ": shrank", " while it was read; load it again once it is complete"});
+  core::throw_joined<io_error>({path, grew ? ": grew" : ": shrank", " while it was read; load it again once it is complete"});
 }
 
 struct file_access {
@@ -62,7 +62,7 @@ class file_text {
       if (::fcntl(file.fd, F_SETFL, O_RDONLY) != 0) throw_io_error(path, "cannot be read", errno);
       read(file.fd, path, 0);
     } else if (!S_ISREG(info.st_mode)) {
-      throw_joined<io_error>({path, ": is not a file"});
+      core::throw_joined<io_error>({path, ": is not a file"});
     } else if (!access.map || info.st_size == 0) {
       read(file.fd, path, static_cast<std::uint64_t>(info.st_size));
     } else {
@@ -114,7 +114,7 @@ class file_text {
     const auto make_room = [&](std::size_t n) {
       void* const p = std::realloc(const_cast<char*>(data_), n);
       if (!p) throw std::bad_alloc();
-      prefer_large_pages(p, n);
+      core::prefer_large_pages(p, n);
       data_ = static_cast<const char*>(p);
       room = n;
     };

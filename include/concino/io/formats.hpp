@@ -1,8 +1,8 @@
 // The file formats, and which one a path asks for.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
 
 #include <string>
 #include <string_view>
@@ -38,7 +38,7 @@ inline std::string_view extension_of(file_format f) {
   if (path.find('\0') == path.npos) return;
   std::string shown;
   for (const char c : path) shown.append(c ? std::string_view(&c, 1) : std::string_view("\\0"));
-  throw_joined<io_error>({shown, ": no path holds a character of value 0"});
+  core::throw_joined<io_error>({shown, ": no path holds a character of value 0"});
 }
 
 /// Upper and lower case mean the same. Errors: as check_path; unsupported if the extension is not known, naming those that are.
@@ -54,9 +54,9 @@ inline std::string_view extension_of(file_format f) {
       while (same < tail.size() && lower(tail[same]) == row.extension[same]) ++same;
       if (same == tail.size()) return row.format;
     }
-    known = joined({known, known.empty() ? "" : ", ", row.extension});
+    known = core::joined({known, known.empty() ? "" : ", ", row.extension});
   }
-  throw_joined<unsupported>({path, ": the extension names no format known here; known are ", known});
+  core::throw_joined<unsupported>({path, ": the extension names no format known here; known are ", known});
 }
 
 }  // namespace detail

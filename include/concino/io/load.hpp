@@ -2,12 +2,12 @@
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
+#include <concino/io/detail/properties.hpp>
+#include <concino/io/detail/read_hedra.hpp>
+#include <concino/io/detail/read_medit.hpp>
+#include <concino/io/detail/read_obj.hpp>
+#include <concino/io/detail/read_off.hpp>
 #include <concino/io/file_text.hpp>
-#include <concino/io/properties.hpp>
-#include <concino/io/read_hedra.hpp>
-#include <concino/io/read_medit.hpp>
-#include <concino/io/read_obj.hpp>
-#include <concino/io/read_off.hpp>
 #include <concino/mesh/face_soup.hpp>
 
 #include <concepts>

@@ -1,8 +1,8 @@
 // What may be asked of load and save, and what they tell beside the mesh.
 #pragma once
 
+#include <concino/core/progress.hpp>
 #include <concino/io/formats.hpp>
-#include <concino/progress.hpp>
 
 #include <cstddef>
 #include <string>

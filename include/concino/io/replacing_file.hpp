@@ -1,9 +1,9 @@
 // A file appears under its name only when it is complete (POSIX; without a trace of unfinished ones on Linux).
 #pragma once
 
-#include <concino/detail/hash_bytes.hpp>
-#include <concino/io/formats.hpp>
+#include <concino/core/hash_bytes.hpp>
 #include <concino/io/file_text.hpp>
+#include <concino/io/formats.hpp>
 
 #include <cerrno>
 #include <climits>
@@ -30,7 +30,7 @@ namespace concino::detail {
     const ::ssize_t size = ::readlink(at.c_str(), buffer, PATH_MAX);
     if (size < 0) return at;  // no link, or nothing there
     const std::string_view to(buffer, static_cast<std::size_t>(size));
-    at = joined({std::string_view(at).substr(0, to.starts_with('/') ? 0 : at.rfind('/') + 1), to});
+    at = core::joined({std::string_view(at).substr(0, to.starts_with('/') ? 0 : at.rfind('/') + 1), to});
   }
   throw_io_error(path, "cannot be written", ELOOP);
 }
@@ -81,7 +81,7 @@ class replacing_file {
   /// A lock tells unfinished files from those of processes that were killed; these are removed.
   void open_named(const std::string& base) {
     for (std::uint64_t attempt = 0; attempt < 10000; ++attempt) {
-      std::string name = joined({base, "-", attempt});
+      std::string name = core::joined({base, "-", attempt});
       for (int tries = 0; tries < 2; ++tries) {
         const int made = ::openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (made < 0 && errno != EEXIST) fail();
@@ -117,7 +117,7 @@ class replacing_file {
 
  public:
   /// The beginning of the names that unfinished files for that target may have: short, and the same each time.
-  static std::string temporary_name(std::string_view target) { return joined({".concino-", hash_text(target)}); }
+  static std::string temporary_name(std::string_view target) { return core::joined({".concino-", core::hash_text(target)}); }
 
   /// Errors: io_error if no file can be made there, what is there is not a file, or the path holds a character of value 0.
   [[gnu::noinline, gnu::cold]] explicit replacing_file(const std::string& path, const replacing_options& options = {})
@@ -128,7 +128,7 @@ class replacing_file {
     name_ = target.substr(slash);
     const std::string folder = slash == 0 ? std::string(".") : target.substr(0, slash);
     const std::string base = temporary_name(name_);
-    link_name_ = joined({base, ".link"});
+    link_name_ = core::joined({base, ".link"});
     if (name_.empty()) throw_io_error(path_, "cannot be written", target.empty() ? ENOENT : EISDIR);
     folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 #ifdef O_PATH
@@ -140,7 +140,7 @@ class replacing_file {
       const bool exists = ::fstatat(folder_, name_.c_str(), &old, 0) == 0;
       if (!exists && errno != ENOENT) fail();
       if (exists && S_ISDIR(old.st_mode)) throw_io_error(path_, "cannot be written", EISDIR);
-      if (exists && !S_ISREG(old.st_mode)) throw_joined<io_error>({path_, ": is not a file"});
+      if (exists && !S_ISREG(old.st_mode)) core::throw_joined<io_error>({path_, ": is not a file"});
       if (exists && ::faccessat(folder_, name_.c_str(), W_OK, 0) != 0) fail();
       if (!open_unnamed()) open_named(base);
       if (exists) (void)!::fchmod(file_, old.st_mode & 07777);  // best effort: the new file is right without it

@@ -1,12 +1,12 @@
 // Writes a mesh of any type to a file.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/io/detail/write_hedra.hpp>
+#include <concino/io/detail/write_medit.hpp>
+#include <concino/io/detail/write_obj.hpp>
+#include <concino/io/detail/write_off.hpp>
 #include <concino/io/replacing_file.hpp>
-#include <concino/io/write_hedra.hpp>
-#include <concino/io/write_medit.hpp>
-#include <concino/io/write_obj.hpp>
-#include <concino/io/write_off.hpp>
 
 namespace concino {
 
@@ -18,7 +18,7 @@ void write_to(text_sink& out, const M& m, std::string_view name, file_format for
   save_report unheard, &report = options.report ? *options.report : unheard;
   report = {};
   if (options.binary && format != file_format::off)
-    throw_joined<unsupported>({name, ": ", extension_of(format), " has no binary form here"});
+    core::throw_joined<unsupported>({name, ": ", extension_of(format), " has no binary form here"});
   write_context<M> context(m, name, out, report, options.progress);
   context.library = library;
   if (format == file_format::obj) write_obj(context);
@@ -28,7 +28,7 @@ void write_to(text_sink& out, const M& m, std::string_view name, file_format for
   if constexpr (HasProperties<M>)
     tell_of_lost_properties(traits<M>::properties(m), context.kept, context.num_kept, extension_of(format), report.lost);
   if (context.num_not_finite)
-    report.lost.push_back(joined({context.num_not_finite, " numbers of colours and the like that are not finite: written as 0"}));
+    report.lost.push_back(core::joined({context.num_not_finite, " numbers of colours and the like that are not finite: written as 0"}));
 }
 
 }  // namespace detail

@@ -3,10 +3,10 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/primal_graph.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/io/detail/text_cursor.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/replacing_file.hpp>
-#include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/mesh/element_map.hpp>
 

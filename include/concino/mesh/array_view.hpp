@@ -4,7 +4,7 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/views/forward.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/mesh/indexed_base.hpp>
 
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/derived.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/mesh/detail/filtered.hpp>
 
 #include <cstdint>

@@ -3,11 +3,11 @@
 // faces around an edge (from poly to poly), faces at a vert.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/mesh/cell_ranges.hpp>
-#include <concino/mesh/checks.hpp>
+#include <concino/core/message.hpp>
 #include <concino/mesh/corner_orders.hpp>
-#include <concino/mesh/stars.hpp>
+#include <concino/mesh/detail/cell_ranges.hpp>
+#include <concino/mesh/detail/checks.hpp>
+#include <concino/mesh/detail/stars.hpp>
 
 namespace concino {
 
@@ -26,7 +26,7 @@ class cell_tables {
   detail::rows<edge_id, Shape::edges> p2e_;
   detail::sides<face_id, Shape::faces> sides_;
   detail::rows<vert_id, 2> e2v_;
-  detail::flat_array<std::uint32_t> e2p_;  // one poly at the edge, or `special` and the crowd
+  core::flat_array<std::uint32_t> e2p_;  // one poly at the edge, or `special` and the crowd
   ragged<poly_id> crowds_;
   ragged<vert_id> v2v_;
   ragged<edge_id> v2e_;
@@ -125,7 +125,7 @@ class cell_tables {
   poly_id add_poly(std::span<const vert_id> corners, const Grow& grow = {}) {
     const poly_id p{polys_.bound()};
     if (corners.size() != Shape::verts)
-      detail::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Shape::verts});
+      core::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Shape::verts});
     detail::check_new_verts(corners, verts_, "poly", p.raw());
     vert_id c[Shape::verts];
     std::copy_n(corners.begin(), Shape::verts, c);
@@ -388,7 +388,7 @@ class cell_tables {
       for (unsigned i = 0; i < nv; ++i) ++counts[p2v_.begin(p)[i].raw() + 1];
     }
     v2p_ = detail::make_rows<poly_id>(std::move(counts));
-    detail::flat_array<std::uint32_t> edge_to(vert_count);
+    core::flat_array<std::uint32_t> edge_to(vert_count);
     std::copy_n(v2p_.shape()->begin(), vert_count, edge_to.data());
     poly_id* const corners = v2p_.begin(0);
     for (std::size_t c = 0; c < p2v_.num_values(); ++c) corners[edge_to[corner_vert[c].raw()]++] = poly_id{c};
@@ -398,9 +398,9 @@ class cell_tables {
     p2e_ = detail::rows<edge_id, Shape::edges>(poly_count, edge_id{});
     sides_ = {detail::rows<face_id, Shape::faces>(poly_count, face_id{}), detail::rows<detail::across, Shape::faces>(poly_count)};
     std::fill_n(edge_to.data(), vert_count, ~0u);
-    detail::flat_array<vert_id> ends, v2v;
-    detail::flat_array<edge_id> v2e;
-    detail::flat_array<std::uint8_t> uses;     // of each edge, by polys; `many` or more
+    core::flat_array<vert_id> ends, v2v;
+    core::flat_array<edge_id> v2e;
+    core::flat_array<std::uint8_t> uses;     // of each edge, by polys; `many` or more
     std::vector<std::uint32_t> faces_to;       // per edge of a: the first of the faces met there whose smaller neighbour it leads to
     std::vector<met_face> met_faces;
     further_faces further;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
-#include <concino/mesh/flat_array.hpp>
-#include <concino/mesh/large_pages.hpp>
+#include <concino/core/flat_array.hpp>
+#include <concino/core/large_pages.hpp>
 
 #include <cassert>
 #include <cstddef>
@@ -40,13 +40,13 @@ struct unwritten {};
 template<class T>
 struct map_storage {
   using type = std::vector<T>;
-  static type filled(std::size_t n, const T& value) { return large_vector(n, value); }
-  static type unfilled(std::size_t n) { return large_vector(n, T()); }
+  static type filled(std::size_t n, const T& value) { return core::large_vector(n, value); }
+  static type unfilled(std::size_t n) { return core::large_vector(n, T()); }
 };
 template<class T>
   requires(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t))
 struct map_storage<T> {
-  using type = flat_array<T>;
+  using type = core::flat_array<T>;
   static type filled(std::size_t n, const T& value) { return type(n, value); }
   static type unfilled(std::size_t n) { return type(n); }
 };

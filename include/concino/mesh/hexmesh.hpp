@@ -1,7 +1,7 @@
 // hexmesh: a volume of hexahedra.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
@@ -20,7 +20,7 @@ class hexmesh : public detail::native_mesh<hex_tables> {
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
   explicit hexmesh(cell_arrays a, hex_order order = hex_order::standard) : base(std::move(a.points), {}) {
-    if (a.arity != 8) detail::throw_joined<invalid_mesh>({"the arrays hold polys of ", a.arity, " verts; a hexmesh needs 8"});
+    if (a.arity != 8) core::throw_joined<invalid_mesh>({"the arrays hold polys of ", a.arity, " verts; a hexmesh needs 8"});
     tables() = hex_tables(points().size(), std::move(a.verts), order);
   }
 

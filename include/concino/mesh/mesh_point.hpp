@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <variant>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/indexed_base.hpp>
 #include <concino/mesh/property_set.hpp>
@@ -61,7 +61,7 @@ surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_
     for (const auto& i : list) a.verts.push_back(vert_id{list_index(i).raw()});
     const std::size_t n = a.verts.size() - before;
     if (arity && n != arity)
-      detail::throw_joined<invalid_mesh>({"poly ", p, " has ", n, " verts; every poly of this mesh has ", arity});
+      core::throw_joined<invalid_mesh>({"poly ", p, " has ", n, " verts; every poly of this mesh has ", arity});
     if (!arity) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
     ++p;
   }
@@ -78,9 +78,9 @@ inline surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
     const std::size_t n = a.num_polys();
     for (std::size_t p = 0; p < n; ++p) {
       const std::uint32_t has = a.arity ? a.arity : a.offsets[p + 1] - a.offsets[p];
-      if (has != arity) detail::throw_joined<invalid_mesh>({"poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
+      if (has != arity) core::throw_joined<invalid_mesh>({"poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
     }
-    if (n * arity != a.verts.size()) detail::throw_joined<invalid_mesh>({"the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
+    if (n * arity != a.verts.size()) core::throw_joined<invalid_mesh>({"the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
     a.offsets.clear();
   }
   a.arity = arity;

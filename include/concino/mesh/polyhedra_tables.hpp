@@ -2,10 +2,10 @@
 // Derived by the way: edges of a face (from its verts), polys around an edge and faces at a vert (from the faces at edges).
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/mesh/checks.hpp>
-#include <concino/mesh/polyhedra_ranges.hpp>
-#include <concino/mesh/stars.hpp>
+#include <concino/core/message.hpp>
+#include <concino/mesh/detail/checks.hpp>
+#include <concino/mesh/detail/polyhedra_ranges.hpp>
+#include <concino/mesh/detail/stars.hpp>
 
 #include <numeric>
 
@@ -46,7 +46,7 @@ class basic_polyhedra_tables {
       : f2v_(detail::checked_rows(std::move(face_offsets), std::move(face_verts), "face")) {
     const ragged<face_id> given = detail::checked_rows(std::move(poly_offsets), std::move(poly_faces), "poly");
     if (outward.size() != given.num_values())
-      detail::throw_joined<invalid_mesh>({outward.size(), " outward flags were given for ", given.num_values(), " faces of polys; each needs one"});
+      core::throw_joined<invalid_mesh>({outward.size(), " outward flags were given for ", given.num_values(), " faces of polys; each needs one"});
     detail::drop_spare_room(outward);
     outward_ = {given.shape(), std::move(outward)};
     build(vert_count, given, check(vert_count, given));
@@ -141,12 +141,12 @@ class basic_polyhedra_tables {
   template<class Grow = detail::nothing_else_grows>
   poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, const Grow& grow = {}) {
     const poly_id p{polys_.bound()};
-    const std::string name = detail::joined({"poly ", p.raw()});
-    if (list.empty() || list.size() != outward.size()) detail::throw_joined<invalid_mesh>({name, " needs at least one face and an outward flag for each"});
+    const std::string name = core::joined({"poly ", p.raw()});
+    if (list.empty() || list.size() != outward.size()) core::throw_joined<invalid_mesh>({name, " needs at least one face and an outward flag for each"});
     for (std::size_t k = 0; k < list.size(); ++k) {
-      if (!faces_.contains(list[k])) detail::throw_joined<invalid_mesh>({name, " names face ", list[k].raw(), ", which is not a face of the mesh"});
+      if (!faces_.contains(list[k])) core::throw_joined<invalid_mesh>({name, " names face ", list[k].raw(), ", which is not a face of the mesh"});
       if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), list[k]) != list.begin() + static_cast<std::ptrdiff_t>(k))
-        detail::throw_joined<invalid_mesh>({name, " has face ", list[k].raw(), " twice; its faces must differ"});
+        core::throw_joined<invalid_mesh>({name, " has face ", list[k].raw(), " twice; its faces must differ"});
     }
     const auto n = static_cast<std::uint32_t>(list.size());
     const face_id* const faces = sides_.stage_poly(n, list.data());  // list may have lain in a row that moved
@@ -249,11 +249,11 @@ class basic_polyhedra_tables {
     met.assign(f2v_.size(), ~0u);
     std::size_t poly_corners = 0;
     for (std::size_t p = 0; p < polys.size(); ++p) {
-      if (polys.length(p) == 0) detail::throw_joined<invalid_mesh>({"poly ", p, " has no faces; it needs at least 1"});
+      if (polys.length(p) == 0) core::throw_joined<invalid_mesh>({"poly ", p, " has no faces; it needs at least 1"});
       for (const face_id f : polys[p]) {
         if (f.raw() >= f2v_.size())
-          detail::throw_joined<invalid_mesh>({"poly ", p, " names face ", f.raw(), ", but the mesh has ", f2v_.size(), " faces, numbered from 0"});
-        if (met[f.raw()] == p) detail::throw_joined<invalid_mesh>({"poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
+          core::throw_joined<invalid_mesh>({"poly ", p, " names face ", f.raw(), ", but the mesh has ", f2v_.size(), " faces, numbered from 0"});
+        if (met[f.raw()] == p) core::throw_joined<invalid_mesh>({"poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
         met[f.raw()] = static_cast<std::uint32_t>(p);
         poly_corners += f2v_.length(f.raw());
       }
@@ -271,15 +271,15 @@ class basic_polyhedra_tables {
 
   void build(std::size_t vert_count, const ragged<face_id>& polys, std::size_t poly_corners) {
     face_places_ = detail::row_places(f2v_);
-    detail::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
-    detail::flat_array<std::uint32_t> scratch = build_edges(vert_count, f2e);
+    core::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
+    core::flat_array<std::uint32_t> scratch = build_edges(vert_count, f2e);
     const std::size_t edge_count = e2v_.size();
 
     detail::offsets counts(edge_count + 1, 0);
     for (const edge_id e : f2e) ++counts[e.raw() + 1];
     e2f_ = detail::make_rows<face_id>(std::move(counts));
     {
-      detail::flat_array<std::uint32_t> next(edge_count);
+      core::flat_array<std::uint32_t> next(edge_count);
       std::copy_n(e2f_.shape()->begin(), edge_count, next.data());
       face_id* const faces = e2f_.begin(0);
       const edge_id* e = f2e.begin();
@@ -287,9 +287,9 @@ class basic_polyhedra_tables {
         for (std::uint32_t n = f2v_.length(f); n > 0; --n) faces[next[(e++)->raw()]++] = face_id{f};
     }
 
-    sides_ = {{polys.shape(), detail::flat_array<face_id>(polys.num_values(), face_id{})}, {polys.shape(), detail::flat_array<detail::across>(polys.num_values())}};
+    sides_ = {{polys.shape(), core::flat_array<face_id>(polys.num_values(), face_id{})}, {polys.shape(), core::flat_array<detail::across>(polys.num_values())}};
     sides_.set_facets(f2v_.size());
-    detail::flat_array<detail::sides<face_id, 0>::side> met_first(f2v_.size());
+    core::flat_array<detail::sides<face_id, 0>::side> met_first(f2v_.size());
     for (std::uint32_t p = 0; p < polys.size(); ++p)
       for (std::uint32_t k = 0; k < polys.length(p); ++k) {
         const face_id f = polys.begin(p)[k];
@@ -310,9 +310,9 @@ class basic_polyhedra_tables {
   }
 
   /// Edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner. Returns scratch of one number a vert.
-  detail::flat_array<std::uint32_t> build_edges(std::size_t vert_count, detail::flat_array<edge_id>& f2e) {
+  core::flat_array<std::uint32_t> build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e) {
     const std::size_t corner_count = f2v_.num_values();
-    detail::flat_array<std::uint32_t> first(vert_count + 1, 0), edge_to(vert_count);
+    core::flat_array<std::uint32_t> first(vert_count + 1, 0), edge_to(vert_count);
     // Corners by the smaller end of the edge that leaves them, with the other end beside.
     struct half { std::uint32_t corner, far; };
     const auto for_each_half = [&](auto&& use) {
@@ -327,12 +327,12 @@ class basic_polyhedra_tables {
     };
     for_each_half([&](std::uint32_t, std::uint32_t a, std::uint32_t) { ++first[a + 1]; });
     std::partial_sum(first.begin(), first.end(), first.data());
-    detail::flat_array<half> halves(corner_count);
+    core::flat_array<half> halves(corner_count);
     std::copy_n(first.begin(), vert_count, edge_to.data());
     for_each_half([&](std::uint32_t c, std::uint32_t a, std::uint32_t b) { halves[edge_to[a]++] = {c, b}; });
 
     std::fill_n(edge_to.data(), vert_count, ~0u);
-    detail::flat_array<vert_id> ends;
+    core::flat_array<vert_id> ends;
     ends.reserve(corner_count * 2 / 3);
     detail::offsets degrees(vert_count + 1, 0);
     std::uint32_t num = 0;
@@ -357,16 +357,16 @@ class basic_polyhedra_tables {
   }
 
   /// Verts and edges of every poly, in the order in which its faces meet them, and polys of every vert.
-  void build_corners(std::size_t vert_count, const detail::flat_array<edge_id>& f2e, detail::flat_array<std::uint32_t> vert_met, std::size_t poly_corners) {
+  void build_corners(std::size_t vert_count, const core::flat_array<edge_id>& f2e, core::flat_array<std::uint32_t> vert_met, std::size_t poly_corners) {
     const std::size_t poly_count = sides_.num_polys();
     const vert_id* const corner_vert = f2v_.begin(0);
-    detail::flat_array<std::uint32_t> edge_met(e2v_.size(), ~0u);
+    core::flat_array<std::uint32_t> edge_met(e2v_.size(), ~0u);
     std::fill_n(vert_met.data(), vert_count, ~0u);
 
     // In a closed poly every edge is met twice, and verts and faces are two more than edges: room that most meshes fill exactly.
     const std::size_t sides = outward_.num_values();
-    detail::flat_array<vert_id> verts;
-    detail::flat_array<edge_id> edges;
+    core::flat_array<vert_id> verts;
+    core::flat_array<edge_id> edges;
     edges.reserve(poly_corners / 2);
     if (poly_corners / 2 + 2 * poly_count > sides) verts.reserve(poly_corners / 2 + 2 * poly_count - sides);
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
-#include <concino/detail/message.hpp>
-#include <concino/error.hpp>
-#include <concino/mesh/live.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+#include <concino/mesh/detail/live.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -175,7 +175,7 @@ class property_set {
     for (const entry& e : entries_) {
       if (e.kind != kind || e.name != name) continue;
       if (e.values->type() != *type.type)
-        detail::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" holds values of type ", e.values->type().name(),
+        core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" holds values of type ", e.values->type().name(),
                                                 ", not of the type asked for (", type.type->name(), "); use another name or remove it first"});
       return e.values;
     }

@@ -1,7 +1,7 @@
 // submesh(m, keep): the polys of a mesh that `keep` accepts, with the verts, edges and faces they use, as a mesh.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/mesh/detail/filtered.hpp>
 
 namespace concino {

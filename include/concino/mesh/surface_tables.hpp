@@ -2,11 +2,11 @@
 // what any mesh that has only face-vertex lists can keep beside them (see indexed_base.hpp).
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/mesh/checks.hpp>
-#include <concino/mesh/live.hpp>
-#include <concino/mesh/sides.hpp>
-#include <concino/mesh/stars.hpp>
+#include <concino/core/message.hpp>
+#include <concino/mesh/detail/checks.hpp>
+#include <concino/mesh/detail/live.hpp>
+#include <concino/mesh/detail/sides.hpp>
+#include <concino/mesh/detail/stars.hpp>
 
 namespace concino {
 
@@ -93,7 +93,7 @@ class surface_tables {
   poly_id add_poly(std::span<const vert_id> corners, const Grow& grow = {}) {
     const poly_id p{polys_.bound()};
     if (Arity > 0 && corners.size() != Arity)
-      detail::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
+      core::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
     detail::check_new_verts(corners, verts_, "poly", p.raw());
     const auto n = static_cast<std::uint32_t>(corners.size());
     const vert_id* const c = p2v_.stage_row(corners.data(), n);  // corners may have lain in a row that moved
@@ -183,7 +183,7 @@ class surface_tables {
     detail::offsets counts(vert_count + 1, 0);
     for (std::size_t c = 0; c < corner_count; ++c) ++counts[corner_vert[c].raw() + 1];
     v2p_ = detail::make_rows<poly_id>(std::move(counts));
-    detail::flat_array<std::uint32_t> fill(vert_count);
+    core::flat_array<std::uint32_t> fill(vert_count);
     for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p_.begin(v) - v2p_.begin(0));
     poly_id* const corners = v2p_.begin(0);
     if (Arity > 0 || !poly_of.empty()) {
@@ -194,11 +194,11 @@ class surface_tables {
     }
 
     // Every edge is met at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
-    if constexpr (Arity == 0) sides_ = {{p2v_.shape(), detail::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shape(), detail::flat_array<detail::across>(corner_count)}};
+    if constexpr (Arity == 0) sides_ = {{p2v_.shape(), core::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shape(), core::flat_array<detail::across>(corner_count)}};
     else sides_ = {per_poly<edge_id>(poly_count, edge_id{}), per_poly<detail::across>(poly_count)};
-    detail::flat_array<std::uint32_t>& edge_to = fill;
+    core::flat_array<std::uint32_t>& edge_to = fill;
     std::fill_n(edge_to.data(), vert_count, ~0u);
-    detail::flat_array<vert_id> ends;
+    core::flat_array<vert_id> ends;
     const std::size_t guess = vert_count + poly_count + poly_count / 64 + 16;
     ends.reserve(2 * std::min(guess, corner_count));
     sides_.reserve_facets(std::min(guess, corner_count));

@@ -1,7 +1,7 @@
 // tetmesh: a volume of tetrahedra.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
@@ -20,7 +20,7 @@ class tetmesh : public detail::native_mesh<tet_tables> {
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
   explicit tetmesh(cell_arrays a, tet_order order = tet_order::standard) : base(std::move(a.points), {}) {
-    if (a.arity != 4) detail::throw_joined<invalid_mesh>({"the arrays hold polys of ", a.arity, " verts; a tetmesh needs 4"});
+    if (a.arity != 4) core::throw_joined<invalid_mesh>({"the arrays hold polys of ", a.arity, " verts; a tetmesh needs 4"});
     tables() = tet_tables(points().size(), std::move(a.verts), order);
   }
 

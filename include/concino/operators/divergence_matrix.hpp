@@ -1,7 +1,7 @@
 // The divergence of vector fields on polys, integrated about each vert, as a sparse matrix.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>

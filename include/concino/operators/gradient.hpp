@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
 #include <concino/operators/detail/simplex_gradients.hpp>

@@ -1,7 +1,7 @@
 // The gradient of functions on verts, one vector per poly, as a sparse matrix.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
@@ -28,7 +28,7 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   auto g = detail::empty_columns(who, 3 * static_cast<std::size_t>(poly_index_bound(m)), static_cast<std::size_t>(vert_index_bound(m)));
   int* const begin = g.outerIndexPtr();
   std::vector<int> place;  // of each corner: how many polys met its vert before
-  if constexpr (arity_v<M> > 0) detail::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * static_cast<std::size_t>(num_polys(m)));
+  if constexpr (arity_v<M> > 0) core::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * static_cast<std::size_t>(num_polys(m)));
   bool ascend = true;
   std::size_t next = 0;
   const detail::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {

@@ -1,7 +1,7 @@
 // The Laplacian of functions on verts, as a sparse matrix.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
 #include <concino/operators/weights.hpp>

@@ -1,9 +1,9 @@
 // How much of the domain each vert stands for.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
@@ -25,8 +25,8 @@ template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_infinite_mass(const M& m) {
   for (const poly_t<M> p : polys(m))
     if (!std::isfinite(measure(m, p)))
-      throw_joined<invalid_mesh>({"masses: poly ", static_cast<std::size_t>(index_of(m, p)), " has points that are not finite, so it has no mass; move its verts"});
-  throw_joined<invalid_mesh>({"masses: the polys are so large that their measures sum to infinity; scale the mesh"});
+      core::throw_joined<invalid_mesh>({"masses: poly ", static_cast<std::size_t>(index_of(m, p)), " has points that are not finite, so it has no mass; move its verts"});
+  core::throw_joined<invalid_mesh>({"masses: the polys are so large that their measures sum to infinity; scale the mesh"});
 }
 
 }  // namespace detail

@@ -1,7 +1,7 @@
 // How much of the domain each poly is: its area or volume, as a map and as the matrix by which vectors on polys are integrated.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
@@ -16,7 +16,7 @@ template<class M>
 double poly_mass(const char* who, const M& m, const poly_t<M>& p) {
   const double mass = std::abs(measure(m, p));
   if (!std::isfinite(mass))
-    throw_joined<invalid_mesh>({who, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ", static_cast<std::size_t>(index_of(m, p)),
+    core::throw_joined<invalid_mesh>({who, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ", static_cast<std::size_t>(index_of(m, p)),
                                 " is not a finite number; look at the points of its verts"});
   return mass;
 }

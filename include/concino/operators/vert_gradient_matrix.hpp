@@ -1,7 +1,7 @@
 // The gradient of functions on verts, one vector per vert, as a sparse matrix.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
 #include <concino/operators/detail/poly_chunks.hpp>
 #include <concino/operators/detail/simplex_gradients.hpp>

@@ -3,9 +3,9 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/primal_graph.hpp>
-#include <concino/detail/message.hpp>
-#include <concino/error.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/operators/detail/de_goes.hpp>
 #include <concino/operators/detail/simplex_weights.hpp>
 #include <concino/operators/detail/virtual_elements.hpp>
@@ -88,11 +88,11 @@ class cotangent_weights {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_no_simplex(const poly_t<M>& p, std::size_t n) const {
-    throw_joined<unsupported>({who_, ": poly ", static_cast<std::size_t>(index_of(m_, p)), " has ", n, " verts and is no ",
+    core::throw_joined<unsupported>({who_, ": poly ", static_cast<std::size_t>(index_of(m_, p)), " has ", n, " verts and is no ",
                                dimension == 2 ? "triangle" : "tet", "; use standard or uniform weights, or split the polys"});
   }
   [[noreturn, gnu::noinline, gnu::cold]] void throw_degenerate(const poly_t<M>& p) const {
-    throw_joined<invalid_mesh>({who_, ": poly ", static_cast<std::size_t>(index_of(m_, p)),
+    core::throw_joined<invalid_mesh>({who_, ": poly ", static_cast<std::size_t>(index_of(m_, p)),
                                 " is degenerate: it has no area or volume, or points that are not finite, so its angles have no cotangents; remove it, move "
                                 "its verts or use uniform weights"});
   }

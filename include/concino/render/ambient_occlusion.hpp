@@ -1,10 +1,10 @@
 // How much of the open sky the polys of a mesh see: cavities are dark, ridges bright.
 #pragma once
 
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/parallel.hpp>
+#include <concino/core/progress.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/parallel.hpp>
-#include <concino/progress.hpp>
 #include <concino/render/detail/sampling.hpp>
 #include <concino/render/detail/unit_scene.hpp>
 

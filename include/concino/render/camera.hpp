@@ -1,8 +1,8 @@
 // Where a picture is taken from: look-at cameras and one that frames what is to be seen.
 #pragma once
 
-#include <concino/error.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>

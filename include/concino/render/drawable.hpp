@@ -3,8 +3,8 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/mesh.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/render/colormap.hpp>
 #include <concino/render/smooth_normals.hpp>
@@ -104,7 +104,7 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
         at = static_cast<std::uint32_t>(d.points.size());
         d.points.push_back(to_vec3(point(m, v)));
         if (!is_finite(d.points.back()))
-          detail::throw_joined<invalid_mesh>({"make_drawable: vert ", static_cast<std::size_t>(index_of(m, v)),
+          core::throw_joined<invalid_mesh>({"make_drawable: vert ", static_cast<std::size_t>(index_of(m, v)),
                                               " has a coordinate that is not a finite number"});
         if (with_values) d.values.push_back(value(v));
       }

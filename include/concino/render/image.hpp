@@ -1,7 +1,7 @@
 // A picture in memory.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/render/color.hpp>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class image {
   /// Errors: invalid_argument if a side is 0 or above 65,535.
   image(std::size_t width, std::size_t height, const rgb& color = {}) : width_(width), height_(height) {
     if (width == 0 || height == 0 || width > 65535 || height > 65535)
-      detail::throw_joined<invalid_argument>({"image: ", width, " x ", height, " pixels; each side must be 1 to 65535"});
+      core::throw_joined<invalid_argument>({"image: ", width, " x ", height, " pixels; each side must be 1 to 65535"});
     pixels_.assign(width * height, color);
   }
 

@@ -2,7 +2,7 @@
 // independent of how the polygon is cut into triangles.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // What rendering asks of a ray caster, and the triangles handed to it. Adapters provide one (<concino/adapters/embree.hpp>).
 #pragma once
 
-#include <concino/error.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <array>
 #include <concepts>

@@ -1,9 +1,9 @@
 // Still pictures: a surface in soft daylight on a light ground, good enough to print. The rays are cast by whatever is handed in.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/parallel.hpp>
-#include <concino/progress.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/parallel.hpp>
+#include <concino/core/progress.hpp>
 #include <concino/render/camera.hpp>
 #include <concino/render/detail/sampling.hpp>
 #include <concino/render/detail/surface_color.hpp>
@@ -42,7 +42,7 @@ namespace detail {
 
 inline void check(const render_options& o) {
   const auto need = [](bool ok, const char* what) {
-    if (!ok) detail::throw_joined<invalid_argument>({"render: ", what});
+    if (!ok) core::throw_joined<invalid_argument>({"render: ", what});
   };
   need(o.samples >= 1 && o.samples <= 32, "samples must be 1 to 32");
   need(o.sky_rays >= 0 && o.sky_rays <= 1 << 20, "sky_rays must be 0 to 1048576");

@@ -1,7 +1,7 @@
 // Small bodies to mark places in a picture.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/render/drawable.hpp>
 
 #include <cstdint>

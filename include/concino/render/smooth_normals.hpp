@@ -1,8 +1,8 @@
 // Normals at the corners of polygons, smooth where the surface is and split at creases.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
-#include <concino/parallel.hpp>
+#include <concino/core/parallel.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 // How values are spread over a colour map.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 
 #include <algorithm>
 #include <cmath>

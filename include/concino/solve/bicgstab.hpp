@@ -54,9 +54,9 @@ class bicgstab {
   bicgstab() = default;
   explicit bicgstab(const bicgstab_options& options) : options_(options) {
     if (!(options.tolerance > 0 && options.tolerance < 1))
-      detail::throw_joined<invalid_argument>({"bicgstab: tolerance is ", detail::number_text(options.tolerance), "; it must be in (0, 1)"});
+      core::throw_joined<invalid_argument>({"bicgstab: tolerance is ", core::number_text(options.tolerance), "; it must be in (0, 1)"});
     if (!(options.drop >= 0 && options.drop < 1))
-      detail::throw_joined<invalid_argument>({"bicgstab: drop is ", detail::number_text(options.drop), "; it must be in [0, 1)"});
+      core::throw_joined<invalid_argument>({"bicgstab: drop is ", core::number_text(options.drop), "; it must be in [0, 1)"});
     if (options.max_iterations < 0) throw invalid_argument("bicgstab: max_iterations is negative");
     if (options.fill < 1) throw invalid_argument("bicgstab: fill is not positive");
   }
@@ -91,8 +91,8 @@ class bicgstab {
     b *= b_scale;
     Eigen::VectorXd x = iterate(b);
     if (!has_converged_ && !options_.accept_missed_tolerance)
-      detail::throw_joined<solver_error>({"bicgstab: not converged after ", static_cast<std::size_t>(iterations_), " iterations: the residual is ",
-                                          detail::number_text(residual_), ", the tolerance ", detail::number_text(options_.tolerance),
+      core::throw_joined<solver_error>({"bicgstab: not converged after ", static_cast<std::size_t>(iterations_), " iterations: the residual is ",
+                                          core::number_text(residual_), ", the tolerance ", core::number_text(options_.tolerance),
                                           "; the matrix is singular or badly conditioned: use lu, allow more iterations, more fill or a larger"
                                           " tolerance, or set accept_missed_tolerance"});
     x = detail::scaled(std::move(x), scale_.columns) / b_scale;
@@ -165,9 +165,9 @@ class bicgstab {
     std::vector<char> row_has(static_cast<std::size_t>(a_.rows()));
     for (Eigen::Index k = 0; k < a_.nonZeros(); ++k) row_has[static_cast<std::size_t>(a_.innerIndexPtr()[k])] = 1;
     for (std::size_t i = 0; i < row_has.size(); ++i) {
-      if (!row_has[i]) detail::throw_joined<solver_error>({"bicgstab: the matrix is singular: row ", i, " is 0"});
+      if (!row_has[i]) core::throw_joined<solver_error>({"bicgstab: the matrix is singular: row ", i, " is 0"});
       if (a_.outerIndexPtr()[i] == a_.outerIndexPtr()[i + 1])
-        detail::throw_joined<solver_error>({"bicgstab: the matrix is singular: column ", i, " is 0"});
+        core::throw_joined<solver_error>({"bicgstab: the matrix is singular: column ", i, " is 0"});
     }
   }
 };

@@ -55,7 +55,7 @@ class conjugate_gradients {
   conjugate_gradients() = default;
   explicit conjugate_gradients(const conjugate_gradients_options& options) : options_(options) {
     if (!(options.tolerance > 0 && options.tolerance < 1))
-      detail::throw_joined<invalid_argument>({"conjugate_gradients: tolerance is ", detail::number_text(options.tolerance),
+      core::throw_joined<invalid_argument>({"conjugate_gradients: tolerance is ", core::number_text(options.tolerance),
                                               "; it must be in (0, 1)"});
     if (options.max_iterations < 0) throw invalid_argument("conjugate_gradients: max_iterations is negative");
   }
@@ -70,8 +70,8 @@ class conjugate_gradients {
     const std::vector<double> diagonal = detail::diagonal(given);
     for (std::size_t i = 0; i < diagonal.size(); ++i) {
       if (!(diagonal[i] > 0))
-        throw detail::singular_row(detail::joined({"conjugate_gradients: the matrix is not positive definite: the diagonal entry of row ", i, " is ",
-                                                   detail::number_text(diagonal[i])}),
+        throw detail::singular_row(core::joined({"conjugate_gradients: the matrix is not positive definite: the diagonal entry of row ", i, " is ",
+                                                   core::number_text(diagonal[i])}),
                                    static_cast<Eigen::Index>(i));
       largest = std::max(largest, diagonal[i]);
     }
@@ -114,9 +114,9 @@ class conjugate_gradients {
 
  private:
   [[noreturn, gnu::noinline, gnu::cold]] void throw_missed() const {
-    detail::throw_joined<solver_error>({"conjugate_gradients: not converged after ", static_cast<std::size_t>(iterations_),
-                                        " iterations: the error is estimated as ", detail::number_text(error_), " of the solution, the residual is ",
-                                        detail::number_text(residual_), ", the tolerance ", detail::number_text(options_.tolerance),
+    core::throw_joined<solver_error>({"conjugate_gradients: not converged after ", static_cast<std::size_t>(iterations_),
+                                        " iterations: the error is estimated as ", core::number_text(error_), " of the solution, the residual is ",
+                                        core::number_text(residual_), ", the tolerance ", core::number_text(options_.tolerance),
                                         "; the matrix is not positive definite, or badly conditioned: use ldlt, allow more iterations or a larger"
                                         " tolerance, or set accept_missed_tolerance"});
   }

@@ -40,7 +40,7 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   detail::check_entries(who, k);
   detail::check_right_hand_side(who, b, k.rows());
   if (c.cols() != k.cols())
-    detail::throw_joined<solver_error>({who, ": the constraints are on ", static_cast<std::size_t>(c.cols()), " unknowns, but there are ",
+    core::throw_joined<solver_error>({who, ": the constraints are on ", static_cast<std::size_t>(c.cols()), " unknowns, but there are ",
                                         static_cast<std::size_t>(k.cols())});
   detail::check_entries(who, c);
   detail::check_right_hand_side(who, d, c.rows());
@@ -73,7 +73,7 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   try {
     solver.factorize(whole);
   } catch (const solver_error& e) {
-    detail::throw_joined<solver_error>({who, ": the unknowns, ", static_cast<std::size_t>(n), " of them, are not determined by K and ",
+    core::throw_joined<solver_error>({who, ": the unknowns, ", static_cast<std::size_t>(n), " of them, are not determined by K and ",
                                         static_cast<std::size_t>(m), " constraints, or the solver cannot tell: ", std::string(e.what())});
   }
   Eigen::VectorXd found = solver.solve(right);

@@ -88,7 +88,7 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
         used_qr = true;
       }
       if (used_qr && !may_use_qr)
-        throw_joined<solver_error>({who, ": the columns of the matrix are nearly dependent, so that normal equations lose too many digits, and ",
+        core::throw_joined<solver_error>({who, ": the columns of the matrix are nearly dependent, so that normal equations lose too many digits, and ",
                                     static_cast<std::size_t>(j.cols()), " unknowns are more than qr takes by itself; hand in qr, or give more conditions"});
       if (used_qr) {
         qr orthogonal;
@@ -127,11 +127,11 @@ least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A
                                             const D& given = {}, Solver&& solver = {}) {
   const char* const who = "weighted_least_squares";
   if (w.size() != A.rows())
-    detail::throw_joined<invalid_argument>({who, ": there are ", static_cast<std::size_t>(w.size()), " weights, but ",
+    core::throw_joined<invalid_argument>({who, ": there are ", static_cast<std::size_t>(w.size()), " weights, but ",
                                             static_cast<std::size_t>(A.rows()), " rows"});
   for (Eigen::Index i = 0; i < w.size(); ++i)
     if (!(w[i] >= 0 && std::isfinite(w[i])))
-      detail::throw_joined<invalid_argument>({who, ": the weight of row ", static_cast<std::size_t>(i), " is ", detail::number_text(w[i]),
+      core::throw_joined<invalid_argument>({who, ": the weight of row ", static_cast<std::size_t>(i), " is ", core::number_text(w[i]),
                                               "; weights must be finite and not negative"});
   detail::check_right_hand_side(who, b, A.rows());
   const Eigen::VectorXd root = w.cwiseSqrt();

@@ -72,7 +72,7 @@ class llt {
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> again(a);
     const Eigen::VectorXd pivots = again.vectorD();
     for (Eigen::Index k = 0; k < pivots.size(); ++k) check(again.permutationPinv().indices()[k], pivots[k]);
-    detail::throw_joined<solver_error>({"llt: the matrix is not positive definite"});
+    core::throw_joined<solver_error>({"llt: the matrix is not positive definite"});
   }
 };
 

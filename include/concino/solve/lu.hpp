@@ -59,7 +59,7 @@ class lu {
 
  private:
   [[noreturn]] static void throw_singular(Eigen::Index column, const char* because) {
-    detail::throw_joined<solver_error>({"lu: the matrix is singular in column ", static_cast<std::size_t>(column), ": it ", because,
+    core::throw_joined<solver_error>({"lu: the matrix is singular in column ", static_cast<std::size_t>(column), ": it ", because,
                                         ", so that this unknown is not determined"});
   }
 
@@ -76,7 +76,7 @@ class lu {
     if (factors_.info() != Eigen::Success) {
       const std::string said = factors_.lastErrorMessage();  // ends with the place of the column, from 1
       const auto digits = said.find_last_not_of("0123456789") + 1;
-      if (digits == said.size()) detail::throw_joined<solver_error>({"lu: the matrix cannot be factorised: ", said});
+      if (digits == said.size()) core::throw_joined<solver_error>({"lu: the matrix cannot be factorised: ", said});
       const long place = std::atol(said.c_str() + digits) - 1;
       const auto& places = factors_.colsPermutation().indices();
       throw_singular(std::find(places.data(), places.data() + places.size(), place) - places.data(), depends);

@@ -1,8 +1,8 @@
 // Quadratic programs: the least of a convex quadratic function where linear functions stay between bounds.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/solve/detail/qp_solver.hpp>
 
 #include <string>
@@ -20,7 +20,7 @@ namespace concino {
 /// Source: Stellato, Banjac, Goulart, Bemporad, Boyd 2020, "OSQP: an operator splitting solver for quadratic programs"; paper section 4.
 inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::VectorXd& g, const Eigen::SparseMatrix<double>& a,
                           const Eigen::VectorXd& low, const Eigen::VectorXd& high, const qp_options& options = {}) {
-  const auto refuse = [](const char* what) { detail::throw_joined<invalid_argument>({"quadratic program: ", what}); };
+  const auto refuse = [](const char* what) { core::throw_joined<invalid_argument>({"quadratic program: ", what}); };
   const auto finite = [](const Eigen::SparseMatrix<double>& m) {
     for (int c = 0; c < m.outerSize(); ++c)
       for (Eigen::SparseMatrix<double>::InnerIterator it(m, c); it; ++it)
@@ -35,8 +35,8 @@ inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::Vec
   if (h.cols() > 0 && (h - transposed).norm() > 1e-12 * h.norm()) refuse("H must be symmetric");
   for (Eigen::Index i = 0; i < low.size(); ++i)
     if (!(low[i] <= high[i]) || low[i] == std::numeric_limits<double>::infinity() || high[i] == -std::numeric_limits<double>::infinity())
-      detail::throw_joined<invalid_argument>({"quadratic program: row ", static_cast<std::size_t>(i), " has the bounds ", detail::number_text(low[i]),
-                                              " and ", detail::number_text(high[i]), ", between which there is nothing"});
+      core::throw_joined<invalid_argument>({"quadratic program: row ", static_cast<std::size_t>(i), " has the bounds ", core::number_text(low[i]),
+                                              " and ", core::number_text(high[i]), ", between which there is nothing"});
   if (!(options.tolerance >= 1e-12 && options.tolerance <= 1)) refuse("tolerance must be from 1e-12 to 1");
   if (options.max_iterations < 1) refuse("max_iterations must be 1 or more");
   if (options.x.size() && (options.x.size() != g.size() || !options.x.allFinite())) refuse("the x to start from must be finite and of the size of g");

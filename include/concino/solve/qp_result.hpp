@@ -1,7 +1,7 @@
 // What a quadratic program is asked with, and what it answers.
 #pragma once
 
-#include <concino/progress.hpp>
+#include <concino/core/progress.hpp>
 
 #include <Eigen/Core>
 

@@ -34,7 +34,7 @@ class qr {
     Eigen::SparseMatrix<double> storage;
     const Eigen::SparseMatrix<double>& given = detail::compressed(matrix, storage);
     if (given.rows() < given.cols())
-      detail::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(given.rows()), " rows and ",
+      core::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(given.rows()), " rows and ",
                                           static_cast<std::size_t>(given.cols()), " columns; it must have at least as many rows as columns"});
     detail::check_entries("qr", given);
     Eigen::SparseMatrix<double> a = without_empty_rows(given);
@@ -44,7 +44,7 @@ class qr {
       pattern_.update(a, [&](const auto& m) { factors_.analyzePattern(m); });
       factors_.factorize(a);
       if (factors_.info() != Eigen::Success)
-        detail::throw_joined<solver_error>({"qr: the matrix cannot be factorised: ", factors_.lastErrorMessage()});
+        core::throw_joined<solver_error>({"qr: the matrix cannot be factorised: ", factors_.lastErrorMessage()});
       if (factors_.rank() < a.cols()) throw_dependent(factors_.colsPermutation().indices()[factors_.rank()]);
     }
     rows_ = given.rows();
@@ -63,7 +63,7 @@ class qr {
 
  private:
   [[noreturn]] static void throw_dependent(Eigen::Index column) {
-    detail::throw_joined<solver_error>({"qr: column ", static_cast<std::size_t>(column),
+    core::throw_joined<solver_error>({"qr: column ", static_cast<std::size_t>(column),
                                         " of the matrix is a combination of others to working precision, so that this unknown is not determined"});
   }
 

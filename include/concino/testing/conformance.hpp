@@ -9,7 +9,7 @@
 //   KIT6  what was removed is gone, what was added is there, and no other element is renamed; editing throws nothing on sound arguments
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/testing/detail/edit_checks.hpp>
 #include <concino/testing/detail/oracle.hpp>
 #include <concino/testing/detail/range_checks.hpp>
@@ -38,12 +38,12 @@ struct conformance_report {
   /// A page for people.
   std::string text() const {
     std::string s = "models:";
-    for (const std::string& c : models) s += concino::detail::joined({" ", c});
+    for (const std::string& c : models) s += concino::core::joined({" ", c});
     s += "\nlooked at:";
-    for (std::size_t i = 0; i < states.size(); ++i) s += concino::detail::joined({i ? ", " : " ", states[i]});
+    for (std::size_t i = 0; i < states.size(); ++i) s += concino::core::joined({i ? ", " : " ", states[i]});
     s += "\n";
     if (ok()) s += "all laws hold\n";
-    for (const finding& f : findings) s += concino::detail::joined({f.law, ", ", f.state, ": ", f.what, f.witness.empty() ? "" : " [", f.witness,
+    for (const finding& f : findings) s += concino::core::joined({f.law, ", ", f.state, ": ", f.what, f.witness.empty() ? "" : " [", f.witness,
                                                         f.witness.empty() ? "" : "]", "\n"});
     return s;
   }
@@ -96,7 +96,7 @@ void check_state(const M& m, const std::string& state, bool algorithms, conforma
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& e) {
-      log.add(law, concino::detail::joined({"throws: ", e.what()}), "");
+      log.add(law, concino::core::joined({"throws: ", e.what()}), "");
     }
     return keep(log.take());
   };
@@ -122,7 +122,7 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
   for (const kit::named_concept& c : kit::forms<M>()) {
     if (c.in_any_form) report.models.push_back(c.name);
     if (c.in_any_form != c.in_all_forms)
-      report.findings.push_back({"KIT1", "as made", concino::detail::joined({c.name, " holds for some of M, const M, M& and const M&, not for all"}), ""});
+      report.findings.push_back({"KIT1", "as made", concino::core::joined({c.name, " holds for some of M, const M, M& and const M&, not for all"}), ""});
   }
   {
     const M m = make();
@@ -138,7 +138,7 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& e) {
-      log.add("KIT6", concino::detail::joined({"editing throws: ", e.what()}), "");
+      log.add("KIT6", concino::core::joined({"editing throws: ", e.what()}), "");
     }
     for (const broken_law& b : log.take()) report.findings.push_back({b.law, state, b.what, b.witness});
     kit::check_state(m, state, options.algorithms, report);

@@ -1,12 +1,12 @@
 // check_laws: does a mesh keep what its concepts promise beyond what the compiler sees? For the tests of anybody's mesh or adapter.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/validate/detail/halfedge_laws.hpp>
 #include <concino/validate/detail/hex_orders.hpp>
-#include <concino/detail/mistakes.hpp>
-#include <concino/validate/surface_laws.hpp>
-#include <concino/validate/volume_laws.hpp>
+#include <concino/validate/detail/surface_laws.hpp>
+#include <concino/validate/detail/volume_laws.hpp>
 
 #include <cmath>
 #include <new>
@@ -22,11 +22,11 @@ void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) 
       const auto& x = point(m, vs.items[v]);
       if (!std::isfinite(static_cast<double>(x[0])) || !std::isfinite(static_cast<double>(x[1])) ||
           !std::isfinite(static_cast<double>(x[2])))
-        log.add("EM1", detail::joined({"point(", vs.name(v), ") is not three finite numbers"}), vs.name(v));
+        log.add("EM1", core::joined({"point(", vs.name(v), ") is not three finite numbers"}), vs.name(v));
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& e) {
-      log.add("EM1", detail::joined({"point(", vs.name(v), ") throws: ", e.what()}), vs.name(v));
+      log.add("EM1", core::joined({"point(", vs.name(v), ") throws: ", e.what()}), vs.name(v));
     }
   }
 }
@@ -40,7 +40,7 @@ void check_corner_order(const M& m, law_log& log) {
     order = order_of(m, p);
     if (!is_lexicographic(order)) return;
   }
-  if (is_lexicographic(order)) log.add("EM2", joined({"the corners of all hexes look like ", hex_order_remedy(order)}), "");
+  if (is_lexicographic(order)) log.add("EM2", core::joined({"the corners of all hexes look like ", hex_order_remedy(order)}), "");
 }
 
 }  // namespace detail

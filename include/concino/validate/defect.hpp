@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 
 #include <array>
 #include <cstddef>
@@ -124,16 +124,16 @@ class validation_report {
   /// A page for people: a line for each defect that has a record, and for each kind the number of those that have none.
   std::string text() const {
     if (clean()) return "no defects\n";
-    std::string s = detail::joined({count(), count() == 1 ? " defect\n" : " defects\n"});
+    std::string s = core::joined({count(), count() == 1 ? " defect\n" : " defects\n"});
     for (std::size_t k = 0; k < num_defect_kinds; ++k) {
       const char* const name = defect_name(static_cast<defect_kind>(k));
       std::size_t rest = counts_[k];
       for (const defect<M>& d : defects) {
         if (static_cast<std::size_t>(d.kind) != k) continue;
-        s.append(detail::joined({name, ": ", d.what, '\n'}));
+        s.append(core::joined({name, ": ", d.what, '\n'}));
         --rest;
       }
-      if (rest > 0) s.append(detail::joined({name, ": ", rest, " more\n"}));
+      if (rest > 0) s.append(core::joined({name, ": ", rest, " more\n"}));
     }
     return s;
   }

@@ -2,7 +2,7 @@
 // HE4 of <concino/concepts/halfedge_kernel.hpp>.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/validate/detail/halfedge_laws.hpp>
 
 namespace concino {
@@ -19,7 +19,7 @@ void assert_halfedge_links(const M& m) {
   detail::law_log log;
   detail::halfedge_laws<M> laws(m, log);
   if (!laws.read_elements_of_mesh(log) || !laws.check())
-    detail::throw_joined<invalid_mesh>({"half-edges: ", log.take().front().what});
+    core::throw_joined<invalid_mesh>({"half-edges: ", log.take().front().what});
 }
 
 }  // namespace concino

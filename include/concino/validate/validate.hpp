@@ -1,8 +1,8 @@
 // validate: what is wrong with a mesh, said in typed records and in sentences. Never an exception for a bad mesh.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/mistakes.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/validate/detail/duplicates.hpp>
 #include <concino/validate/detail/geometry_checks.hpp>
 #include <concino/validate/detail/volume_checks.hpp>
@@ -13,7 +13,7 @@ namespace detail {
 
 inline void check_options(const validate_options& options) {
   const auto at_least_zero = [](double x, const char* name) {
-    if (!(x >= 0)) detail::throw_joined<invalid_argument>({"validate: ", name, " is ", number_text(x), "; it must be 0 or more"});
+    if (!(x >= 0)) core::throw_joined<invalid_argument>({"validate: ", name, " is ", core::number_text(x), "; it must be 0 or more"});
   };
   at_least_zero(options.length_tolerance, "length_tolerance");
   at_least_zero(options.size_tolerance, "size_tolerance");
@@ -24,7 +24,7 @@ template<class X, class M, class R, class Ring>
 void check_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, defect_log<M>& log) {
   find_duplicates<X>(m, all, count, ring, [&](const X& x, const X& earlier) {
     if (defect<M>* d = log.add(defect_kind::duplicated_element, x)) {
-      d->what = detail::joined({log.name(x), " has the same verts as ", log.name(earlier)});
+      d->what = core::joined({log.name(x), " has the same verts as ", log.name(earlier)});
       d->others.push_back(earlier);
     }
   });

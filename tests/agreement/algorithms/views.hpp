@@ -4,7 +4,7 @@
 #include <agreement/algorithms/walk.hpp>
 
 #include <concino/concepts/views.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/mesh/boundary.hpp>
 #include <concino/mesh/submesh.hpp>
 

@@ -1,7 +1,7 @@
 // Points of meshes of CGAL as three doubles, and back: what the adapters of these meshes share.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/halfedge_kernel.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <OpenMesh/Core/Utils/vector_traits.hh>
@@ -113,25 +113,25 @@ inline constexpr std::size_t openmesh_coordinates<M> = OpenMesh::vector_traits<t
 /// too, but its words go to the standard error stream.
 inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<const OpenMesh::VertexHandle> corners, int arity) {
   using OpenMesh::HalfedgeHandle, OpenMesh::VertexHandle;
-  const auto refuse = [&](const std::string& why) { throw_joined<invalid_mesh>({"poly ", m.n_faces(), " ", why}); };
-  const auto name = [](VertexHandle v) { return joined({"vert ", v.idx()}); };
+  const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"poly ", m.n_faces(), " ", why}); };
+  const auto name = [](VertexHandle v) { return core::joined({"vert ", v.idx()}); };
   const std::size_t n = corners.size();
   if (n < 3 || (arity != 0 && n != static_cast<std::size_t>(arity)))
-    refuse(joined({"has ", n, " verts; it needs ", arity != 0 ? std::to_string(arity) : "at least 3"}));
+    refuse(core::joined({"has ", n, " verts; it needs ", arity != 0 ? std::to_string(arity) : "at least 3"}));
   for (const VertexHandle v : corners)
-    if (!openmesh_links::contains(m, v)) refuse(joined({"names ", name(v), ", which is not in the mesh"}));
+    if (!openmesh_links::contains(m, v)) refuse(core::joined({"names ", name(v), ", which is not in the mesh"}));
   std::vector<VertexHandle> sorted(corners.begin(), corners.end());
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    refuse(joined({"has ", name(*twice), " twice; its verts must differ"}));
+    refuse(core::joined({"has ", name(*twice), " twice; its verts must differ"}));
 
   std::vector<HalfedgeHandle> sides;  // those that are there already
   for (std::size_t i = 0; i < n; ++i) {
     const VertexHandle a = corners[i], b = corners[(i + 1) % n];
-    if (!m.is_boundary(a)) refuse(joined({"names ", name(a), ", which has polys all around it; OpenMesh can hold no other there"}));
+    if (!m.is_boundary(a)) refuse(core::joined({"names ", name(a), ", which has polys all around it; OpenMesh can hold no other there"}));
     sides.push_back(m.find_halfedge(a, b));
     if (sides.back().is_valid() && !m.is_boundary(sides.back()))
-      refuse(joined({"goes from ", name(a), " to ", name(b),
+      refuse(core::joined({"goes from ", name(a), " to ", name(b),
                      " as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions"}));
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -141,7 +141,7 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
     do gap = m.opposite_halfedge_handle(m.next_halfedge_handle(gap));
     while (!m.is_boundary(gap));
     if (gap == in)
-      refuse(joined({"closes the ring of polys around ", name(corners[(i + 1) % n]),
+      refuse(core::joined({"closes the ring of polys around ", name(corners[(i + 1) % n]),
                      ", at which others stand in the gap; OpenMesh can hold no others there"}));
   }
 }

@@ -1,10 +1,10 @@
 // The smallest eigenpairs of K u = lambda M u by Spectra, on matrices that were made ready for it.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/number_text.hpp>
-#include <concino/error.hpp>
-#include <concino/function_ref.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/function_ref.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -157,11 +157,11 @@ inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tole
     lanczos.init(start.data());
     const Eigen::Index converged = lanczos.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance, Spectra::SortRule::LargestAlge);
     if (converged < count)
-      throw_joined<solver_error>({"eigenpairs: ", static_cast<std::size_t>(converged), " of ", static_cast<std::size_t>(count),
+      core::throw_joined<solver_error>({"eigenpairs: ", static_cast<std::size_t>(converged), " of ", static_cast<std::size_t>(count),
                                   " have converged after ",
                                   static_cast<std::size_t>(max_restarts), " restarts and ", static_cast<std::size_t>(lanczos.num_operations()),
-                                  " solves; the largest relative residual is ", number_text(lanczos.residual()), ", asked for were ",
-                                  number_text(tolerance), ": allow more restarts or more than that"});
+                                  " solves; the largest relative residual is ", core::number_text(lanczos.residual()), ", asked for were ",
+                                  core::number_text(tolerance), ": allow more restarts or more than that"});
     r.values = lanczos.eigenvalues();
     r.vectors = lanczos.eigenvectors();
     r.solves = static_cast<std::size_t>(lanczos.num_operations());
@@ -170,7 +170,7 @@ inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tole
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {  // of Spectra, where numbers are not finite
-    throw_joined<solver_error>({"eigenpairs: the iteration broke down; is the mass matrix positive definite? (", e.what(), ")"});
+    core::throw_joined<solver_error>({"eigenpairs: the iteration broke down; is the mass matrix positive definite? (", e.what(), ")"});
   }
   return r;
 }
@@ -195,8 +195,8 @@ inline eigenbasis refine(const Eigen::SparseMatrix<double>& stiffness, const Eig
     }
     if (above.empty()) return r;
     if (!(worst < before / 2))
-      throw_joined<solver_error>({"eigenpairs: not converged: ", above.size(), " of ", static_cast<std::size_t>(count), " residuals are up to ",
-                                  number_text(worst), " of the eigenvalue plus the shift, asked for were ", number_text(tolerance),
+      core::throw_joined<solver_error>({"eigenpairs: not converged: ", above.size(), " of ", static_cast<std::size_t>(count), " residuals are up to ",
+                                  core::number_text(worst), " of the eigenvalue plus the shift, asked for were ", core::number_text(tolerance),
                                   ": allow more than that, or take another solver"});
     before = worst;
     found = std::move(r.vectors);

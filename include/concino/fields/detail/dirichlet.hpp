@@ -2,12 +2,12 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/detail/message.hpp>
-#include <concino/detail/number_text.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/core/progress.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/assembly.hpp>
-#include <concino/progress.hpp>
 #include <concino/solve/detail/residual.hpp>
 
 #include <Eigen/SparseCore>
@@ -72,23 +72,23 @@ right_hand_sides<T> zeros(std::size_t size) {
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_no_vert(const char* who, const char* what) {
-  throw_joined<invalid_mesh>({who, ": ", what, " something that is no vert of the mesh; take verts from verts(m)"});
+  core::throw_joined<invalid_mesh>({who, ": ", what, " something that is no vert of the mesh; take verts from verts(m)"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_finite(const char* who, std::size_t vert) {
-  throw_joined<invalid_argument>({who, ": the value given at vert ", vert, " is not finite"});
+  core::throw_joined<invalid_argument>({who, ": the value given at vert ", vert, " is not finite"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_two_values(const char* who, std::size_t vert, double x, double y) {
-  throw_joined<invalid_argument>({who, ": two values are given at vert ", vert, ", ", number_text(x), " and ", number_text(y), "; keep one"});
+  core::throw_joined<invalid_argument>({who, ": two values are given at vert ", vert, ", ", core::number_text(x), " and ", core::number_text(y), "; keep one"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_held(const char* who, std::size_t vert) {
-  throw_joined<invalid_argument>({who, ": a value is given at vert ", vert, ", which is none of those that were named when this was prepared"});
+  core::throw_joined<invalid_argument>({who, ": a value is given at vert ", vert, ", which is none of those that were named when this was prepared"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_no_value(const char* who, std::size_t vert) {
-  throw_joined<invalid_argument>({who, ": no value is given at vert ", vert,
+  core::throw_joined<invalid_argument>({who, ": no value is given at vert ", vert,
                                   ", which was named when this was prepared; give one at each of those verts"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_nothing_given(const char* who, std::size_t vert, std::size_t component) {
-  throw_joined<solver_error>({who, ": singular, because the component of vert ", vert, " (", component,
+  core::throw_joined<solver_error>({who, ": singular, because the component of vert ", vert, " (", component,
                               " verts) has no value prescribed; give one at any of its verts"});
 }
 

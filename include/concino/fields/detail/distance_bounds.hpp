@@ -2,8 +2,8 @@
 // arrays, independent of the type of the mesh.
 #pragma once
 
+#include <concino/core/vec3.hpp>
 #include <concino/fields/detail/straight_distance.hpp>
-#include <concino/geometry/vec3.hpp>
 #include <concino/graph/detail/indexed_heap.hpp>
 
 #include <algorithm>

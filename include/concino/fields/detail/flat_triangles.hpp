@@ -1,7 +1,7 @@
 // A surface of triangles as flat arrays, each triangle laid into the plane along each of its sides: what paths over it are unfolded with.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // however far away; the directions in which it flows; and the function that rises in these directions.
 #pragma once
 
+#include <concino/core/vec3.hpp>
 #include <concino/fields/detail/another_solver.hpp>
-#include <concino/geometry/vec3.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/operators/detail/product.hpp>
 #include <concino/solve/detail/residual.hpp>

@@ -61,7 +61,7 @@ class implicit_system {
     for (const vert_t<M> v : verts(m)) {
       const auto i = static_cast<std::size_t>(index_of(m, v));
       if (system_.verts.unknown[v] >= 0 && !has_mass(mass_, i))
-        throw_joined<invalid_mesh>({who_, ": vert ", i, " has edges but no polys, so no mass; use uniform weights"});
+        core::throw_joined<invalid_mesh>({who_, ": vert ", i, " has edges but no polys, so no mass; use uniform weights"});
     }
     system_.restrict_to_unknowns(sum_of(mass_, amount, k));
   }
@@ -81,7 +81,7 @@ class implicit_system {
       if (system_.verts.unknown[v] == held_verts<M>::isolated) continue;
       for (std::size_t k = 0; k < parts_of<T>; ++k)
         if (!std::isfinite(part(x, k)))
-          throw_joined<invalid_argument>({who_, ": the value at vert ", static_cast<std::size_t>(index_of(m, v)), " is not finite"});
+          core::throw_joined<invalid_argument>({who_, ": the value at vert ", static_cast<std::size_t>(index_of(m, v)), " is not finite"});
     }
     return u;
   }

@@ -27,7 +27,7 @@ std::vector<double> lumped_masses(const M& m, weights which, const char* who) {
       if (mass[v] > 0) continue;
       const auto& around = adj_v2v(m, v);
       if (around.begin() != around.end())
-        throw_joined<invalid_mesh>({who, ": vert ", static_cast<std::size_t>(index_of(m, v)),
+        core::throw_joined<invalid_mesh>({who, ": vert ", static_cast<std::size_t>(index_of(m, v)),
                                     " has edges but no polys with a measure, so no mass; use uniform weights"});
     }
   }

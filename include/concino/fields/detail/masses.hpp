@@ -36,7 +36,7 @@ right_hand_sides<T> mass_times(const M& m, const Eigen::SparseMatrix<double>& ma
     if (!has_mass(mass, i)) continue;
     const T value = as_field_value<T>(f[v]);
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      if (!std::isfinite(part(value, k))) throw_joined<invalid_argument>({what, " at vert ", i, " is not finite"});
+      if (!std::isfinite(part(value, k))) core::throw_joined<invalid_argument>({what, " at vert ", i, " is not finite"});
       x[k][static_cast<Eigen::Index>(i)] = part(value, k);
     }
   }

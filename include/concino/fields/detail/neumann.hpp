@@ -50,7 +50,7 @@ void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
 template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_bad_flux(const char* who, const M& m, const facet_t<M>& x, const char* what) {
   const char* const word = dimension_v<M> == 2 ? "edge " : "face ";
-  throw_joined<invalid_argument>({who, ": the flux given at ", word, static_cast<std::size_t>(index_of(m, x)), what});
+  core::throw_joined<invalid_argument>({who, ": the flux given at ", word, static_cast<std::size_t>(index_of(m, x)), what});
 }
 
 /// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or none on the boundary; invalid_argument if one is not finite, or two
@@ -68,7 +68,7 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
     const facet_t<M> x = facet;
     const T flux = as_field_value<T>(number);
     if (!contains(m, x))
-      throw_joined<invalid_mesh>({who, is_surface ? ": a flux is given at something that is no edge of the mesh; take edges from edges(m)"
+      core::throw_joined<invalid_mesh>({who, is_surface ? ": a flux is given at something that is no edge of the mesh; take edges from edges(m)"
                                                   : ": a flux is given at something that is no face of the mesh; take faces from faces(m)"});
     std::size_t polys = 0;
     const auto count = [&](const auto& around) {
@@ -77,7 +77,7 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
     if constexpr (is_surface) count(adj_e2p(m, x));
     else count(adj_f2p(m, x));
     if (polys != 1)
-      throw_joined<invalid_mesh>({who, ": a flux is given at ", is_surface ? "edge " : "face ", static_cast<std::size_t>(index_of(m, x)),
+      core::throw_joined<invalid_mesh>({who, ": a flux is given at ", is_surface ? "edge " : "face ", static_cast<std::size_t>(index_of(m, x)),
                                   ", which has ", polys, " polys and so is not on the boundary; it can be given where there is one"});
     T& before = known[x];
     const bool again = !std::isnan(part(before, 0));

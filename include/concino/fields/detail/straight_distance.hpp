@@ -1,7 +1,7 @@
 // The length of straight lines through space from the nearest of several sources.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -67,7 +67,7 @@ class dual_parts {
  private:
   const M& m_;
   std::vector<std::uint32_t> poly_number_;                   // by index
-  flat_array<std::array<std::uint32_t, 2>> polys_at_;        // by facet
+  core::flat_array<std::array<std::uint32_t, 2>> polys_at_;        // by facet
   std::vector<std::uint32_t> facet_vert_;
   wedge_fans fans_;
 
@@ -86,7 +86,7 @@ class dual_parts {
 
   void read_polys() {
     poly_number_.assign(poly_index_bound(m_), none);
-    reserve_large(points, num_polys(m_));
+    core::reserve_large(points, num_polys(m_));
     for (const poly_t<M> p : polys(m_)) {
       const vec3 x = TriMesh<M> || TetMesh<M> ? vert_mean(m_, p) : centroid(m_, p);
       if (!is_finite(x)) refuse_dual("poly ", index_of(m_, p), " has a vert that is not at a finite point");

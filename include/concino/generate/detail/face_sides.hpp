@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/volume_mesh.hpp>
-#include <concino/mesh/flat_array.hpp>
+#include <concino/core/flat_array.hpp>
 
 #include <span>
 
@@ -20,7 +20,7 @@ template<VolumeMesh M>
 class face_sides {
   std::vector<std::uint32_t> first_;      // by face
   std::vector<std::uint32_t> second_end_;  // by edge
-  flat_array<face_side> sides_;
+  core::flat_array<face_side> sides_;
 
  public:
   explicit face_sides(const M& m) : first_(face_index_bound(m) + 1), second_end_(edge_index_bound(m)) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/error.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/vec3.hpp>
 
 namespace concino::detail {
 
@@ -11,7 +11,7 @@ template<Embedded M>
 void check_points_finite(const char* what, const M& m) {
   for (const vert_t<M> v : verts(m))
     if (!is_finite(to_vec3(point(m, v))))
-      throw_joined<invalid_mesh>({what, ": vert ", index_of(m, v), " is not at a finite point; nothing was moved"});
+      core::throw_joined<invalid_mesh>({what, ": vert ", index_of(m, v), " is not at a finite point; nothing was moved"});
 }
 
 }  // namespace concino::detail

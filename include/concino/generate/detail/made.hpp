@@ -1,8 +1,8 @@
 // What generated meshes have in common: their arrays as a mesh of any kind, native or not, and the checks of what was asked for.
 #pragma once
 
-#include <concino/convert.hpp>
-#include <concino/detail/number_text.hpp>
+#include <concino/convert/convert.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
@@ -106,20 +106,20 @@ void check_room(const char* what, const char* option, double vert_count, double 
     corners = polys * 6;
   }
   if (polys < 1073741823.0 && vert_count < 4294967295.0 && corners < 4294967295.0) return;
-  throw_joined<invalid_argument>({what, ": ", option, " asks for ", number_text(polys), " polys and ", number_text(vert_count),
+  core::throw_joined<invalid_argument>({what, ": ", option, " asks for ", core::number_text(polys), " polys and ", core::number_text(vert_count),
                                   " verts; at most 2^30 polys and 2^32 verts and corners fit"});
 }
 
 inline void check_positive(const char* what, const char* option, double x) {
   if (!(x > 0 && x <= std::numeric_limits<double>::max()))
-    throw_joined<invalid_argument>({what, ": ", option, " is ", number_text(x), "; it must be finite and above 0"});
+    core::throw_joined<invalid_argument>({what, ": ", option, " is ", core::number_text(x), "; it must be finite and above 0"});
 }
 inline void check_finite(const char* what, const char* option, const vec3& x) {
   for (const std::size_t k : {0u, 1u, 2u})
-    if (!std::isfinite(x[k])) throw_joined<invalid_argument>({what, ": ", option, k == 0 ? ".x" : k == 1 ? ".y" : ".z", " is not finite"});
+    if (!std::isfinite(x[k])) core::throw_joined<invalid_argument>({what, ": ", option, k == 0 ? ".x" : k == 1 ? ".y" : ".z", " is not finite"});
 }
 inline void check_at_least(const char* what, const std::string& option, std::size_t given, std::size_t least) {
-  if (given < least) throw_joined<invalid_argument>({what, ": ", option, " is ", given, "; it must be at least ", least});
+  if (given < least) core::throw_joined<invalid_argument>({what, ": ", option, " is ", given, "; it must be at least ", least});
 }
 
 }  // namespace detail

@@ -1,7 +1,7 @@
 // Fills the fans around verts of a surface or edges of a volume from its polys.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/generate/detail/face_sides.hpp>
 #include <concino/generate/detail/wedge_fans.hpp>
 #include <concino/graph/detail/sides.hpp>
@@ -10,7 +10,7 @@ namespace concino::detail {
 
 template<class... Pieces>
 [[noreturn]] void refuse_dual(const Pieces&... pieces) {
-  throw_joined<invalid_mesh>({"dual_mesh: ", pieces..., "; validate() lists what is wrong with the mesh"});
+  core::throw_joined<invalid_mesh>({"dual_mesh: ", pieces..., "; validate() lists what is wrong with the mesh"});
 }
 
 /// Polys are named in the fans by number_of(p), facets and hubs by index.

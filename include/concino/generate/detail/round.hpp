@@ -1,7 +1,7 @@
 // Squares and cubes of cells made round.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/mesh/arrays.hpp>
 
 #include <algorithm>

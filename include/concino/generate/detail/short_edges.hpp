@@ -21,7 +21,7 @@ struct cell_loops {
 };
 
 [[noreturn]] inline void refuse_thin_cell(std::size_t cell) {
-  throw_joined<invalid_argument>({"the Voronoi cell of site ", cell,
+  core::throw_joined<invalid_argument>({"the Voronoi cell of site ", cell,
                                   " is thinner than rounding of the size of the box; remove the site or one of those next to it"});
 }
 

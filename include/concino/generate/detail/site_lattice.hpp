@@ -1,7 +1,7 @@
 // The sites of a Voronoi diagram on a lattice as fine as rounding, so that which site is nearer is decided in integers, and in a grid of bins.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/geometry/bounding_box.hpp>
 
 #include <algorithm>
@@ -26,28 +26,28 @@ class site_lattice {
     for (std::size_t k = 0; k < D; ++k) {
       const double side = domain.max[k] - domain.min[k];
       if (!(side > 0) || !std::isfinite(side))
-        throw_joined<invalid_argument>({"the box of a Voronoi diagram needs finite corners, max above min, and a finite size"});
+        core::throw_joined<invalid_argument>({"the box of a Voronoi diagram needs finite corners, max above min, and a finite size"});
       longest = std::max(longest, side);
     }
     std::frexp(longest, &exponent_);
     exponent_ -= bits;
     for (std::size_t k = 0; k < D; ++k) {
       size_[k] = to_lattice(domain.max[k], k);
-      if (size_[k] < 1 << 16) throw_joined<invalid_argument>({"the box of a Voronoi diagram is more than 2^32 times as long as it is wide"});
+      if (size_[k] < 1 << 16) core::throw_joined<invalid_argument>({"the box of a Voronoi diagram is more than 2^32 times as long as it is wide"});
     }
     std::size_t i = 0;
     for (const auto& given : sites) {
       const vec3 x = to_vec3(given);
       place p{};
       for (std::size_t k = 0; k < D; ++k) {
-        if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k])) throw_joined<invalid_argument>({"site ", i, " is not finite or lies outside the box"});
+        if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k])) core::throw_joined<invalid_argument>({"site ", i, " is not finite or lies outside the box"});
         p[k] = to_lattice(x[k], k);
       }
       places_.push_back(p);
       ++i;
     }
-    if (places_.empty()) throw_joined<invalid_argument>({"a Voronoi diagram needs at least one site"});
-    if (places_.size() >= 0xffffff00u) throw_joined<invalid_argument>({"a Voronoi diagram of ", places_.size(), " sites is too large"});
+    if (places_.empty()) core::throw_joined<invalid_argument>({"a Voronoi diagram needs at least one site"});
+    if (places_.size() >= 0xffffff00u) core::throw_joined<invalid_argument>({"a Voronoi diagram of ", places_.size(), " sites is too large"});
     sort_into_bins();
   }
 
@@ -161,7 +161,7 @@ class site_lattice {
         squared += d * d;
       }
       if (squared == 0)
-        throw_joined<invalid_argument>({"sites ", std::min(i, j), " and ", std::max(i, j), " are the same point, within rounding of the size of the box"});
+        core::throw_joined<invalid_argument>({"sites ", std::min(i, j), " and ", std::max(i, j), " are the same point, within rounding of the size of the box"});
       if (squared <= reach * reach) out.push_back({squared, j});
     }
   }

@@ -1,9 +1,9 @@
 // All cells of a Voronoi diagram glued together: verts and faces that neighbours share become one.
 #pragma once
 
+#include <concino/core/parallel.hpp>
 #include <concino/generate/detail/short_edges.hpp>
 #include <concino/generate/detail/voronoi_cell.hpp>
-#include <concino/parallel.hpp>
 
 #include <span>
 

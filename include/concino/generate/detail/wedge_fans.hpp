@@ -1,7 +1,7 @@
 // The polys around verts of a surface or around edges of a volume, in cyclic order.
 #pragma once
 
-#include <concino/mesh/flat_array.hpp>
+#include <concino/core/flat_array.hpp>
 
 #include <cassert>
 #include <span>
@@ -20,7 +20,7 @@ enum class fan_kind { closed, open, broken };
 /// The wedges of all hubs, in two steps: count them, then add them poly after poly.
 class wedge_fans {
   std::vector<std::uint32_t> first_, end_;  // by hub
-  flat_array<wedge> wedges_;
+  core::flat_array<wedge> wedges_;
 
  public:
   explicit wedge_fans(std::size_t hubs) : first_(hubs + 1) {}

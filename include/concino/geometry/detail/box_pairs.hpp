@@ -1,8 +1,8 @@
 // Pairs of items of a tree whose leaves have boxes that meet: the tree is walked against itself.
 #pragma once
 
+#include <concino/core/parallel.hpp>
 #include <concino/geometry/detail/box_tree.hpp>
-#include <concino/parallel.hpp>
 
 #include <array>
 #include <vector>

@@ -3,9 +3,9 @@
 // hierarchies", for the cuts at a few places only.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/geometry/detail/box_tree.hpp>
-#include <concino/mesh/large_pages.hpp>
-#include <concino/parallel.hpp>
 
 namespace concino::detail {
 
@@ -135,7 +135,7 @@ class box_tree_builder {
     const auto n = static_cast<std::uint32_t>(items_.size());
     std::vector<box_node> nodes;
     if (n == 0) return nodes;
-    reserve_large(nodes, n);
+    core::reserve_large(nodes, n);
     nodes.resize(1);
     std::vector<range> parts;
     const std::uint32_t part_size = std::max<std::uint32_t>(n / 64, 2048);
@@ -165,7 +165,7 @@ class box_tree_builder {
 template<class BoxOf>
 box_tree build_box_tree(std::size_t n, std::uint32_t leaf_size, BoxOf&& box_of, std::vector<std::uint32_t>& order) {
   std::vector<box_item> items;
-  reserve_large(items, n);
+  core::reserve_large(items, n);
   items.resize(n);
   parallel_for(n, [&](std::size_t i) {
     const box b = box_of(i);

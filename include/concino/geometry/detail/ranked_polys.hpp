@@ -3,10 +3,10 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/large_pages.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/geometry/bounding_box.hpp>
-#include <concino/geometry/vec3.hpp>
-#include <concino/mesh/large_pages.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ using corner_index = std::uint32_t;
 /// Values in the order of the leaves of a tree.
 template<class T>
 void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  auto arranged = large_vector(order.size(), T{});
+  auto arranged = core::large_vector(order.size(), T{});
   for (std::size_t i = 0; i < order.size(); ++i) arranged[i] = values[order[i]];
   values = std::move(arranged);
 }
@@ -33,7 +33,7 @@ class first_come_numbers {
   std::uint32_t given_ = 0;
 
  public:
-  explicit first_come_numbers(std::size_t n) : number_(large_vector(n, none)) {}
+  explicit first_come_numbers(std::size_t n) : number_(core::large_vector(n, none)) {}
   bool has(std::size_t i) const { return number_[i] != none; }
   std::uint32_t operator()(std::size_t i) {
     if (number_[i] == none) number_[i] = given_++;
@@ -41,7 +41,7 @@ class first_come_numbers {
   }
   template<class T>
   void arrange(std::vector<T>& values) const {
-    auto arranged = large_vector(given_, T{});
+    auto arranged = core::large_vector(given_, T{});
     for (std::size_t i = 0; i < number_.size(); ++i)
       if (has(i)) arranged[number_[i]] = values[i];
     values = std::move(arranged);
@@ -61,9 +61,9 @@ class ranked_polys {
   static double magnitude(const vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
 
   explicit ranked_polys(const M& m) {
-    reserve_large(polys_, num_polys(m));
+    core::reserve_large(polys_, num_polys(m));
     for (const poly_t<M> p : polys(m)) polys_.push_back(p);
-    points_ = large_vector(vert_index_bound(m), vec3{});
+    points_ = core::large_vector(vert_index_bound(m), vec3{});
     for (const vert_t<M> v : verts(m)) points_[index_of(m, v)] = to_vec3(point(m, v));
   }
 
@@ -71,7 +71,7 @@ class ranked_polys {
   void see(const M& m, const poly_t<M>& p, corner_index v) {
     const vec3& x = points_[v];
     if (!is_finite(x))
-      throw_joined<invalid_mesh>({"bounding_tree: poly ", index_of(m, p), " has a vert whose point is not finite; validate(m) lists all of them"});
+      core::throw_joined<invalid_mesh>({"bounding_tree: poly ", index_of(m, p), " has a vert whose point is not finite; validate(m) lists all of them"});
     largest_ = std::max(largest_, magnitude(x));
   }
   /// To be called when all corners were seen.

@@ -24,8 +24,8 @@ class tet_pieces : public ranked_polys<M> {
 
   explicit tet_pieces(const M& m)
       : base(m),
-        corners_(large_vector(this->num_ranks(), std::array<corner_index, 4>{})),
-        owners_(large_vector(this->num_ranks(), std::uint32_t{0})) {
+        corners_(core::large_vector(this->num_ranks(), std::array<corner_index, 4>{})),
+        owners_(core::large_vector(this->num_ranks(), std::uint32_t{0})) {
     for (std::size_t r = 0; r < corners_.size(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       std::size_t k = 0;
@@ -95,9 +95,9 @@ class polyhedron_pieces : public ranked_polys<M> {
   static constexpr bool are_solid = true;
 
   explicit polyhedron_pieces(const M& m) : base(m), rings_(face_index_bound(m)), first_side_{0}, owners_(this->num_ranks()) {
-    reserve_large(sides_, 2 * rings_.size());  // a guess, right where all faces are shared
-    reserve_large(corners_, 4 * rings_.size());
-    reserve_large(first_side_, this->num_ranks() + 1);
+    core::reserve_large(sides_, 2 * rings_.size());  // a guess, right where all faces are shared
+    core::reserve_large(corners_, 4 * rings_.size());
+    core::reserve_large(first_side_, this->num_ranks() + 1);
     for (std::size_t r = 0; r < this->num_ranks(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       const poly_t<M> p = this->poly(r);
@@ -115,7 +115,7 @@ class polyhedron_pieces : public ranked_polys<M> {
       first_side_.push_back(sides_.size());
     }
     this->scale();
-    reserve_large(points_, points_.size() + rings_.size());
+    core::reserve_large(points_, points_.size() + rings_.size());
     for (ring& r : rings_)
       if (r.size > 3) add_mean(r);
   }
@@ -155,9 +155,9 @@ class polyhedron_pieces : public ranked_polys<M> {
     std::vector<std::size_t> first{0};
     std::vector<std::uint32_t> sides;
     std::vector<corner_index> corners;
-    reserve_large(sides, sides_.size());
-    reserve_large(corners, corners_.size());
-    reserve_large(first, first_side_.size());
+    core::reserve_large(sides, sides_.size());
+    core::reserve_large(corners, corners_.size());
+    core::reserve_large(first, first_side_.size());
     for (const std::uint32_t item : order) {
       for (std::size_t s = first_side_[item]; s < first_side_[item + 1]; ++s) {
         const std::uint32_t side = sides_[s];

@@ -1,7 +1,7 @@
 // A ray on its way through a tree.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/geometry/detail/box_tree.hpp>
 #include <concino/geometry/detail/ray_test.hpp>
 #include <concino/geometry/tree_hits.hpp>
@@ -31,9 +31,9 @@ class tree_ray {
     return exponent;
   }
   static const vec3& checked(const vec3& origin, const vec3& direction, const ray_options& options) {
-    if (!is_finite(origin)) throw_joined<invalid_argument>({"ray: the origin is not finite"});
-    if (!is_finite(direction) || direction == vec3{}) throw_joined<invalid_argument>({"ray: the direction is 0 or not finite"});
-    if (!(options.max_parameter >= 0)) throw_joined<invalid_argument>({"ray: max_parameter is negative or not a number"});
+    if (!is_finite(origin)) core::throw_joined<invalid_argument>({"ray: the origin is not finite"});
+    if (!is_finite(direction) || direction == vec3{}) core::throw_joined<invalid_argument>({"ray: the direction is 0 or not finite"});
+    if (!(options.max_parameter >= 0)) core::throw_joined<invalid_argument>({"ray: max_parameter is negative or not a number"});
     return direction;
   }
   static vec3 near_one(const vec3& direction) {

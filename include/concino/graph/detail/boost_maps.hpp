@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/geometry/centroid.hpp>
-#include <concino/geometry/vec3.hpp>
 #include <concino/graph/detail/boost_iterators.hpp>
 
 #include <boost/property_map/property_map.hpp>

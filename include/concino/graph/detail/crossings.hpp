@@ -4,7 +4,7 @@
 
 #include <concino/concepts/views/dual.hpp>
 #include <concino/concepts/views/primal.hpp>
-#include <concino/function_ref.hpp>
+#include <concino/core/function_ref.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 
 #include <cstddef>

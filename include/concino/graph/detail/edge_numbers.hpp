@@ -1,7 +1,7 @@
 // Edges of a graph as pairs of nodes, and numbers for them from 0 up.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 
 #include <cstddef>
@@ -34,7 +34,7 @@ class edge_numbers {
   std::size_t count_ = 0;
 
   [[noreturn]] static void throw_one_way(const std::string& word, std::size_t from, std::size_t to) {
-    throw_joined<invalid_mesh>({"edge numbers: ", word, " ", to, " is a neighbour of ", word, " ", from,
+    core::throw_joined<invalid_mesh>({"edge numbers: ", word, " ", to, " is a neighbour of ", word, " ", from,
                                 ", but not the other way round; check_laws names the law that is broken, and where"});
   }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <concino/concepts/ranges.hpp>
-#include <concino/mesh/side_ranges.hpp>
+#include <concino/mesh/detail/side_ranges.hpp>
 
 #include <type_traits>
 

@@ -4,9 +4,9 @@
 #include <concino/concepts/dual_graph.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/primal_graph.hpp>
-#include <concino/detail/message.hpp>
-#include <concino/detail/number_text.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <initializer_list>
@@ -84,13 +84,13 @@ auto make_node_map(const G& g, const T& init) {
 
 template<class G>
 std::string name_of(const G& g, const typename G::node& x) {
-  return joined({G::word, " ", number_text(g.index(x))});
+  return core::joined({G::word, " ", core::number_text(g.index(x))});
 }
 
 template<class G>
 void expect_node(const G& g, const typename G::node& x, const char* who, const char* role) {
   if (contains(g.m, x)) return;
-  throw_joined<invalid_mesh>({who, ": the ", role, " is no ", G::word, " of the mesh; take one from ", G::word, "s(m)"});
+  core::throw_joined<invalid_mesh>({who, ": the ", role, " is no ", G::word, " of the mesh; take one from ", G::word, "s(m)"});
 }
 
 /// The graph that is meant where no source says so: that of the verts, of what has none that of the polys. A mesh whose verts lack something
@@ -104,7 +104,7 @@ template<class M> using default_graph_of = typename graph_by_default<std::remove
 template<class M> using default_node_of = typename default_graph_of<M>::node;
 
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_none_given(const char* who, const char* role, const char* word) {
-  throw_joined<invalid_argument>({who, ": there is no ", role, "; give at least one ", word});
+  core::throw_joined<invalid_argument>({who, ": there is no ", role, "; give at least one ", word});
 }
 
 /// Calls visit(node) for the one source or each of several, after checking that the mesh has it.

@@ -1,8 +1,8 @@
 // The priority queue of shortest paths: nodes by distance, each at most once, the distance of a waiting node may fall.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/graph/detail/fetch.hpp>
-#include <concino/mesh/large_pages.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -45,7 +45,7 @@ class indexed_heap {
 
  public:
   explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), places_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {
-    prefer_large_pages(places_.get(), keys.size() * sizeof(std::uint32_t));
+    core::prefer_large_pages(places_.get(), keys.size() * sizeof(std::uint32_t));
   }
 
   bool empty() const { return heap_.empty(); }

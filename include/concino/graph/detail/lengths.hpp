@@ -1,11 +1,11 @@
 // Lengths of arcs as shortest paths see them: the caller's callable, or Euclidean distance between verts or between polys' centres.
 #pragma once
 
+#include <concino/core/flat_array.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/geometry/centroid.hpp>
-#include <concino/geometry/vec3.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/fetch.hpp>
-#include <concino/mesh/flat_array.hpp>
 
 #include <limits>
 #include <vector>
@@ -58,7 +58,7 @@ template<class M>
   requires AnyMesh<M> && Embedded<M>
 class euclidean_poly_lengths {
   const M& m_;
-  flat_array<vec3> centres_;
+  core::flat_array<vec3> centres_;
 
  public:
   explicit euclidean_poly_lengths(const M& m) : m_(m), centres_(static_cast<std::size_t>(poly_index_bound(m))) {

@@ -1,7 +1,7 @@
 // The queue of breadth-first search: every node enters at most once, so the room is known beforehand.
 #pragma once
 
-#include <concino/mesh/large_pages.hpp>
+#include <concino/core/large_pages.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -17,7 +17,7 @@ class once_queue {
   std::size_t head_ = 0, tail_ = 0;
 
  public:
-  explicit once_queue(std::size_t room) : room_(room), nodes_(memory_.allocate(room)) { prefer_large_pages(nodes_, room * sizeof(Node)); }
+  explicit once_queue(std::size_t room) : room_(room), nodes_(memory_.allocate(room)) { core::prefer_large_pages(nodes_, room * sizeof(Node)); }
   once_queue(const once_queue&) = delete;
   once_queue& operator=(const once_queue&) = delete;
   ~once_queue() {

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/ranges.hpp>
-#include <concino/mesh/side_ranges.hpp>
+#include <concino/mesh/detail/side_ranges.hpp>
 
 #include <cstddef>
 #include <iterator>

@@ -1,11 +1,11 @@
 // What view_tri and its siblings do with arrays: how an adapter says that it can read a type, checks of shapes and indices, tables.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 #include <concino/mesh/array_view.hpp>
-#include <concino/mesh/detail/given_lists.hpp>
 #include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/corner_orders.hpp>
+#include <concino/mesh/detail/given_lists.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 #include <concino/mesh/surface_tables.hpp>
 
@@ -50,8 +50,8 @@ template<class A> concept holds_indices = holds_numbers<A> && index_number<numbe
 
 /// An index as a number, of whatever integer type it is (char too).
 template<class I>
-message_piece index_piece(I x) {
-  return x < 0 ? message_piece(static_cast<std::int64_t>(x)) : message_piece(static_cast<std::uint64_t>(x));
+core::message_piece index_piece(I x) {
+  return x < 0 ? core::message_piece(static_cast<std::int64_t>(x)) : core::message_piece(static_cast<std::uint64_t>(x));
 }
 template<class I>
 bool is_below(I x, std::size_t bound) {
@@ -62,14 +62,14 @@ template<class A>
 auto points_of(A& a, const char* who) {
   const auto rows = detail::rows_of<3>(a);
   constexpr unsigned width = decltype(rows)::columns == 2 ? 2 : 3;
-  if (const std::string bad = rows.misfit(width); !bad.empty()) throw_joined<invalid_mesh>({who, ": the array of points ", bad});
+  if (const std::string bad = rows.misfit(width); !bad.empty()) core::throw_joined<invalid_mesh>({who, ": the array of points ", bad});
   return points_in_rows<std::remove_const_t<decltype(rows)>>(rows);
 }
 
 template<unsigned N, class A>
 auto checked_rows_of(A& a, const char* who) {
   const auto rows = detail::rows_of<N>(a);
-  if (const std::string bad = rows.misfit(N); !bad.empty()) throw_joined<invalid_mesh>({who, ": the array of polys ", bad});
+  if (const std::string bad = rows.misfit(N); !bad.empty()) core::throw_joined<invalid_mesh>({who, ": the array of polys ", bad});
   return rows;
 }
 template<unsigned N, class A>
@@ -87,21 +87,21 @@ template<class O, class I>
 auto lists_of(O& given_offsets, I& indices, const char* who, const char* what) {
   const auto first = detail::flat_of(given_offsets);
   const auto flat = detail::flat_of(indices);
-  const auto fail = [&](const std::string& why) { throw_joined<invalid_mesh>({who, ": the offsets of ", what, "s ", why}); };
-  if (flat.size() >= ~0u) throw_joined<unsupported>({who, ": more than 2^32 indices"});
+  const auto fail = [&](const std::string& why) { core::throw_joined<invalid_mesh>({who, ": the offsets of ", what, "s ", why}); };
+  if (flat.size() >= ~0u) core::throw_joined<unsupported>({who, ": more than 2^32 indices"});
   offsets where(first.size());
   for (std::size_t i = 0; i < where.size(); ++i) {
     const auto x = first.numbers()[i];
     if (!is_below(x, flat.size() + 1))
-      fail(joined({"have ", index_piece(x), " at place ", i, ", but there are ", flat.size(), " indices"}));
+      fail(core::joined({"have ", index_piece(x), " at place ", i, ", but there are ", flat.size(), " indices"}));
     where[i] = static_cast<std::uint32_t>(x);
-    if (i == 0 && x != 0) fail(joined({"begin with ", index_piece(x), "; they must begin with 0"}));
+    if (i == 0 && x != 0) fail(core::joined({"begin with ", index_piece(x), "; they must begin with 0"}));
     if (i > 0 && where[i] < where[i - 1])
-      fail(joined({"decrease at place ", i, ", from ", where[i - 1], " to ", index_piece(x)}));
+      fail(core::joined({"decrease at place ", i, ", from ", where[i - 1], " to ", index_piece(x)}));
   }
   if (where.empty()) where.push_back(0);
   if (where.back() != flat.size())
-    fail(joined({"end with ", where.back(), ", but there are ", flat.size(), " indices"}));
+    fail(core::joined({"end with ", where.back(), ", but there are ", flat.size(), " indices"}));
   return lists_between<std::remove_const_t<decltype(flat)>>(flat, std::move(where));
 }
 
@@ -112,7 +112,7 @@ void check_indices(const Lists& lists, std::size_t bound, const char* who, const
     const auto numbers = lists.numbers(i);
     for (std::uint32_t k = 0; k < lists.length(i); ++k)
       if (!is_below(numbers[k], bound)) [[unlikely]]
-        throw_joined<invalid_mesh>({who, ": ", what, " ", i, " names point ", index_piece(numbers[k]), ", but there are ",
+        core::throw_joined<invalid_mesh>({who, ": ", what, " ", i, " names point ", index_piece(numbers[k]), ", but there are ",
                                     bound, " points, numbered from 0"});
   }
 }
@@ -197,13 +197,13 @@ auto view_of_polyhedra(P& given_points, FO& face_offsets, FV& face_verts, PO& po
         if (f < 0) f = static_cast<decltype(f)>(~f);
       }
       if (!is_below(f, faces.size())) [[unlikely]]
-        throw_joined<invalid_mesh>({who, ": poly ", p, " names face ", index_piece(f), ", but there are ", faces.size(),
+        core::throw_joined<invalid_mesh>({who, ": poly ", p, " names face ", index_piece(f), ", but there are ", faces.size(),
                                     " faces, numbered from 0"});
       poly_faces.push_back(face_id{f});
     }
   }
   if (flags.size() != poly_faces.size())
-    throw_joined<invalid_mesh>({who, ": ", flags.size(), " outward flags were given for ", poly_faces.size(),
+    core::throw_joined<invalid_mesh>({who, ": ", flags.size(), " outward flags were given for ", poly_faces.size(),
                                 " faces of polys"});
   polyhedra_tables built(points.size(), *faces.shape(), copied<vert_id>(faces), *poly_lists.shape(), std::move(poly_faces),
                          std::move(flags));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
-#include <concino/mesh/rows.hpp>
+#include <concino/mesh/detail/rows.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/primal_graph.hpp>
-#include <concino/error.hpp>
-#include <concino/parallel.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/parallel.hpp>
 
 #include <Eigen/SparseCore>
 

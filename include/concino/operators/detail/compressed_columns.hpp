@@ -2,9 +2,9 @@
 // place.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/error.hpp>
-#include <concino/mesh/large_pages.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/large_pages.hpp>
+#include <concino/core/message.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -17,7 +17,7 @@ namespace concino::detail {
 inline constexpr std::size_t largest_sparse_index = static_cast<std::size_t>(std::numeric_limits<int>::max());
 
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_too_large(const char* who, const char* what) {
-  throw_joined<unsupported>({who, ": the matrix would have more ", what, " than its 32-bit indices can count; split the mesh"});
+  core::throw_joined<unsupported>({who, ": the matrix would have more ", what, " than its 32-bit indices can count; split the mesh"});
 }
 
 /// A matrix whose columns are still empty. At outerIndexPtr()[c + 1] the entries of column c are to be counted.
@@ -39,8 +39,8 @@ inline void make_room(const char* who, Eigen::SparseMatrix<double>& a, int each 
     begin[c + 1] = static_cast<int>(sum);
   }
   a.resizeNonZeros(sum);
-  prefer_large_pages(a.innerIndexPtr(), static_cast<std::size_t>(sum) * sizeof(int));
-  prefer_large_pages(a.valuePtr(), static_cast<std::size_t>(sum) * sizeof(double));
+  core::prefer_large_pages(a.innerIndexPtr(), static_cast<std::size_t>(sum) * sizeof(int));
+  core::prefer_large_pages(a.valuePtr(), static_cast<std::size_t>(sum) * sizeof(double));
 }
 
 }  // namespace concino::detail

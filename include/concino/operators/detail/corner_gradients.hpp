@@ -2,8 +2,8 @@
 // masses are made of it.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
 #include <concino/geometry/measure.hpp>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace concino::detail {
 
 template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* who, const M& m, const poly_t<M>& p) {
-  throw_joined<invalid_mesh>({who, ": poly ", static_cast<std::size_t>(index_of(m, p)), dimension_v<M> == 2 ? " has no area" : " has no volume",
+  core::throw_joined<invalid_mesh>({who, ": poly ", static_cast<std::size_t>(index_of(m, p)), dimension_v<M> == 2 ? " has no area" : " has no volume",
                               ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/operators/detail/local_matrix.hpp>
 #include <concino/operators/detail/product.hpp>
-#include <concino/parallel.hpp>
 
 #include <Eigen/SparseCore>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/parallel.hpp>
+#include <concino/core/parallel.hpp>
 
 #include <cstddef>
 #include <utility>

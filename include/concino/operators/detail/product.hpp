@@ -2,7 +2,7 @@
 // of every program that includes it.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 
 #include <Eigen/SparseCore>
 

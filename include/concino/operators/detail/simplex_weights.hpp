@@ -1,7 +1,7 @@
 // The cotangent weights of one triangle or tet.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Well-spread points and directions, the same on every machine and for any number of threads.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -24,11 +24,11 @@ struct conditions {
       const auto i = static_cast<Eigen::Index>(index);
       const auto v = static_cast<double>(value);
       if (i < 0 || i >= size)
-        throw_joined<invalid_argument>({who, ": a value is given for unknown ", number_text(i), ", but there are ", static_cast<std::size_t>(size)});
-      if (!std::isfinite(v)) throw_joined<invalid_argument>({who, ": the value given for unknown ", number_text(i), " is not finite"});
+        core::throw_joined<invalid_argument>({who, ": a value is given for unknown ", core::number_text(i), ", but there are ", static_cast<std::size_t>(size)});
+      if (!std::isfinite(v)) core::throw_joined<invalid_argument>({who, ": the value given for unknown ", core::number_text(i), " is not finite"});
       int& u = unknown[static_cast<std::size_t>(i)];
       if (u < 0 && x[i] != v)
-        throw_joined<invalid_argument>({who, ": unknown ", number_text(i), " is given two values, ", number_text(x[i]), " and ", number_text(v)});
+        core::throw_joined<invalid_argument>({who, ": unknown ", core::number_text(i), " is given two values, ", core::number_text(x[i]), " and ", core::number_text(v)});
       x[i] = v;
       u = -1;
     }

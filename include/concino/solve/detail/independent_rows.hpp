@@ -104,8 +104,8 @@ inline row_space independent_rows(const char* who, const Eigen::SparseMatrix<dou
       pivots.push_back(std::move(next));
       space.independent.push_back(i);
     } else if (!(std::abs(value) <= 1e-9 * terms)) {
-      throw_joined<solver_error>({who, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from"
-                                  " theirs, but its right side is off by ", number_text(std::abs(value))});
+      core::throw_joined<solver_error>({who, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from"
+                                  " theirs, but its right side is off by ", core::number_text(std::abs(value))});
     }
     for (const int j : touched) {
       row[static_cast<std::size_t>(j)] = 0;

@@ -1,7 +1,7 @@
 // The parts of the operator splitting for quadratic programs: scaling, the system that is solved in every step, and the certificates.
 #pragma once
 
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
 
 #include <Eigen/SparseCholesky>
 

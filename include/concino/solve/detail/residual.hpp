@@ -1,9 +1,9 @@
 // Whether a computed solution solves: the residual of a symmetric system, measured against what rounding errors allow, and improved.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/number_text.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/solve/detail/system_checks.hpp>
 
 #include <Eigen/SparseCore>
@@ -71,8 +71,8 @@ inline double residual_beside_largest(const Eigen::SparseMatrix<double>& a, cons
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_solved(const char* who, double error) {
-  throw_joined<solver_error>({who, ": the system is too badly conditioned for double precision, or not what the solver is for: the relative"
-                              " residual is ", number_text(error)});
+  core::throw_joined<solver_error>({who, ": the system is too badly conditioned for double precision, or not what the solver is for: the relative"
+                              " residual is ", core::number_text(error)});
 }
 
 /// Factorises a symmetric matrix given by its lower triangle, with the other triangle for solvers that say they read it.
@@ -94,7 +94,7 @@ void factorize_over_verts(Solver& solver, const Eigen::SparseMatrix<double>& low
   try {
     factorize_symmetric(solver, lower);
   } catch (const singular_row& e) {
-    throw_joined<solver_error>({who, ": the system is singular to working precision at vert ", static_cast<std::size_t>(vert_of(e.row)),
+    core::throw_joined<solver_error>({who, ": the system is singular to working precision at vert ", static_cast<std::size_t>(vert_of(e.row)),
                                 ": polys near it are too flat or too thin for double precision; remesh them, scale the mesh to more even lengths, or"
                                 " remove them (", e.what(), ")"});
   }

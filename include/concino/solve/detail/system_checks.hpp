@@ -1,9 +1,9 @@
 // What every solver asks of matrices, right-hand sides and solutions, and whether a matrix has the pattern of the one before.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/number_text.hpp>
-#include <concino/error.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -25,7 +25,7 @@ inline const Eigen::SparseMatrix<double>& compressed(const Eigen::SparseMatrix<d
 
 inline void check_square(const char* who, const Eigen::SparseMatrix<double>& a) {
   if (a.rows() != a.cols())
-    throw_joined<solver_error>({who, ": the matrix has ", static_cast<std::size_t>(a.rows()), " rows and ", static_cast<std::size_t>(a.cols()),
+    core::throw_joined<solver_error>({who, ": the matrix has ", static_cast<std::size_t>(a.rows()), " rows and ", static_cast<std::size_t>(a.cols()),
                                 " columns; it must be square"});
 }
 
@@ -34,24 +34,24 @@ inline void check_entries(const char* who, const Eigen::SparseMatrix<double>& a)
   for (int c = 0; c < a.cols(); ++c)
     for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k)
       if (!std::isfinite(a.valuePtr()[k]))
-        throw_joined<solver_error>({who, ": the matrix has an entry that is not finite, in row ", static_cast<std::size_t>(a.innerIndexPtr()[k]),
+        core::throw_joined<solver_error>({who, ": the matrix has an entry that is not finite, in row ", static_cast<std::size_t>(a.innerIndexPtr()[k]),
                                     ", column ", static_cast<std::size_t>(c)});
 }
 
 /// rows: of the matrix factorised last; -1: none.
 inline void check_right_hand_side(const char* who, const Eigen::VectorXd& b, Eigen::Index rows) {
-  if (rows < 0) throw_joined<solver_error>({who, ": solve without a factorised matrix; call factorize first"});
+  if (rows < 0) core::throw_joined<solver_error>({who, ": solve without a factorised matrix; call factorize first"});
   if (b.size() != rows)
-    throw_joined<solver_error>({who, ": the right-hand side has ", static_cast<std::size_t>(b.size()), " entries, the matrix ",
+    core::throw_joined<solver_error>({who, ": the right-hand side has ", static_cast<std::size_t>(b.size()), " entries, the matrix ",
                                 static_cast<std::size_t>(rows), " rows"});
   for (Eigen::Index i = 0; i < b.size(); ++i)
-    if (!std::isfinite(b[i])) throw_joined<solver_error>({who, ": entry ", static_cast<std::size_t>(i), " of the right-hand side is not finite"});
+    if (!std::isfinite(b[i])) core::throw_joined<solver_error>({who, ": entry ", static_cast<std::size_t>(i), " of the right-hand side is not finite"});
 }
 
 inline void check_solution(const char* who, const Eigen::VectorXd& x) {
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (!std::isfinite(x[i]))
-      throw_joined<solver_error>({who, ": entry ", static_cast<std::size_t>(i),
+      core::throw_joined<solver_error>({who, ": entry ", static_cast<std::size_t>(i),
                                   " of the solution is not finite; the matrix is singular to working precision or the numbers are too large"});
 }
 
@@ -63,8 +63,8 @@ struct singular_row : solver_error {
 
 /// `given`: the diagonal entry, or what else the pivot would be compared with.
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_bad_pivot(const char* who, const char* what, Eigen::Index row, double given, double pivot) {
-  throw singular_row(joined({who, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
-                             number_text(given), " elimination leaves ", number_text(pivot)}),
+  throw singular_row(core::joined({who, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
+                             core::number_text(given), " elimination leaves ", core::number_text(pivot)}),
                      row);
 }
 

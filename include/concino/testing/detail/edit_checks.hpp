@@ -1,7 +1,7 @@
 // The states that editing brings a mesh into, and what editing promises itself.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/testing/detail/rings.hpp>
 #include <concino/validate/broken_law.hpp>
@@ -20,7 +20,7 @@ void check_points(M& m, concino::detail::law_log& log) {
   for (const vert_t<M> v : verts(m)) {
     const std::size_t i = index_of(m, v);
     if (to_vec3(point(m, v)) != place(i))
-      log.add("KIT4", concino::detail::joined({"set_point was told one place for each vert, and point(", name('v', i), ") is another"}), name('v', i));
+      log.add("KIT4", concino::core::joined({"set_point was told one place for each vert, and point(", name('v', i), ") is another"}), name('v', i));
   }
 }
 
@@ -32,9 +32,9 @@ void remove_polys(M& m, concino::detail::law_log& log) {
   for (std::size_t i = 0; i < all.size(); ++i) (i % 3 == 0 ? gone : left).push_back(all[i]);
   for (const poly_t<M>& p : gone) traits<M>::remove_poly(m, p);
   if (num_polys(m) != left.size())
-    log.add("KIT6", concino::detail::joined({"of ", all.size(), " polys ", gone.size(), " were removed, and num_polys says ", num_polys(m)}), "");
+    log.add("KIT6", concino::core::joined({"of ", all.size(), " polys ", gone.size(), " were removed, and num_polys says ", num_polys(m)}), "");
   for (const poly_t<M>& p : left)
-    if (!contains(m, p)) log.add("KIT6", concino::detail::joined({"removing others took ", name('p', index_of(m, p)), " away"}), name('p', index_of(m, p)));
+    if (!contains(m, p)) log.add("KIT6", concino::core::joined({"removing others took ", name('p', index_of(m, p)), " away"}), name('p', index_of(m, p)));
   for (const poly_t<M>& p : gone)
     if (contains(m, p)) log.add("KIT6", "a poly that was removed is still there", name('p', index_of(m, p)));
 }
@@ -54,7 +54,7 @@ void add_one(M& m, concino::detail::law_log& log) {
   for (const vert_t<M>& v : corners) {
     bool found = false;
     for (const vert_t<M> w : adj_p2v(m, p)) found = found || w == v;
-    if (!found) log.add("KIT6", concino::detail::joined({"the poly that add_poly made lacks ", name('v', index_of(m, v))}), name('p', index_of(m, p)));
+    if (!found) log.add("KIT6", concino::core::joined({"the poly that add_poly made lacks ", name('v', index_of(m, v))}), name('p', index_of(m, p)));
   }
 }
 

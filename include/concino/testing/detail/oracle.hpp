@@ -1,8 +1,8 @@
 // The same algorithms on a mesh and on what it is when converted to this library's own, side by side.
 #pragma once
 
-#include <concino/convert.hpp>
-#include <concino/detail/message.hpp>
+#include <concino/convert/convert.hpp>
+#include <concino/core/message.hpp>
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/graph/bfs.hpp>
@@ -29,7 +29,7 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
   const auto c = convert_with_correspondence<native>(m, {.properties = false});
   const auto differ = [&](const std::string& what, const std::string& witness = "") {
     log.add("KIT5",
-            concino::detail::joined({what, " differs from the same mesh converted to ", dimension_v<M> == 2 ? "polygonmesh" : "polyhedralmesh"}),
+            concino::core::joined({what, " differs from the same mesh converted to ", dimension_v<M> == 2 ? "polygonmesh" : "polyhedralmesh"}),
             witness);
   };
   const auto same = [&](const char* what, const auto& elements, char letter, const auto& ours, const auto& theirs, const auto& of) {

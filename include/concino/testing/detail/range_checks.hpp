@@ -1,7 +1,7 @@
 // Ranges of elements stay what they are while others are asked for, and may be walked as often as one likes, by several threads too.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/testing/detail/rings.hpp>
 #include <concino/validate/broken_law.hpp>
 
@@ -19,7 +19,7 @@ void check_ranges(const M& m, concino::detail::law_log& log) {
   for_each_ring(m, [&](const char* verb, char letter, const auto& all, const auto& adjacent) {
     std::size_t asked = 0;
     const auto elements = indices(m, all(m));
-    if (indices(m, all(m)) != elements) log.add("KIT2", concino::detail::joined({"two walks over the elements that ", verb, " is asked of differ"}), "");
+    if (indices(m, all(m)) != elements) log.add("KIT2", concino::core::joined({"two walks over the elements that ", verb, " is asked of differ"}), "");
     bool first = true;
     decltype(auto) walk = all(m);
     const auto end = walk.end();
@@ -27,23 +27,23 @@ void check_ranges(const M& m, concino::detail::law_log& log) {
     for (auto it = walk.begin(); it != end && asked < enough; ++it, ++asked) {
       if (!first) {
         const auto a = *before, b = *it;
-        const std::string what = concino::detail::joined({verb, "(", name(letter, index_of(m, a)), ")"});
+        const std::string what = concino::core::joined({verb, "(", name(letter, index_of(m, a)), ")"});
         decltype(auto) ring = adjacent(m, a);
         const auto once = indices(m, ring);
         decltype(auto) other = adjacent(m, b);
         const auto there = indices(m, other);
         if (indices(m, ring) != once)
-          log.add("KIT2", concino::detail::joined({what, " holds something else once ", verb, "(", name(letter, index_of(m, b)),
+          log.add("KIT2", concino::core::joined({what, " holds something else once ", verb, "(", name(letter, index_of(m, b)),
                                           ") was asked; each range needs values of its own, or the mesh's"}),
-                  concino::detail::joined({name(letter, index_of(m, a)), " ", name(letter, index_of(m, b))}));
+                  concino::core::joined({name(letter, index_of(m, a)), " ", name(letter, index_of(m, b))}));
         else if (indices(m, adjacent(m, a)) != once)
-          log.add("KIT2", concino::detail::joined({what, " differs when asked again"}), name(letter, index_of(m, a)));
+          log.add("KIT2", concino::core::joined({what, " differs when asked again"}), name(letter, index_of(m, a)));
         if (!once.empty()) {
           const auto stays = ring.begin();
           auto goes = ring.begin();
           ++goes;
           if (index_of(m, *stays) != once[0])
-            log.add("KIT2", concino::detail::joined({"of two iterators of ", what, " one moves the other"}), name(letter, index_of(m, a)));
+            log.add("KIT2", concino::core::joined({"of two iterators of ", what, " one moves the other"}), name(letter, index_of(m, a)));
         }
         ++before;
       }

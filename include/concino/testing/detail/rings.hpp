@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/detail/message.hpp>
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <bit>
 #include <cstddef>
@@ -44,7 +44,7 @@ std::vector<std::size_t> indices(const M& m, const R& ring) {
   return all;
 }
 
-inline std::string name(char letter, std::size_t index) { return concino::detail::joined({letter, index}); }
+inline std::string name(char letter, std::size_t index) { return concino::core::joined({letter, index}); }
 
 /// A number that stands for everything m answers.
 template<class M>

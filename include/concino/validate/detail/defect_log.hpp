@@ -1,9 +1,9 @@
 // Where checks put what they find: names of elements, the limit of records, and progress.
 #pragma once
 
-#include <concino/detail/message.hpp>
-#include <concino/detail/number_text.hpp>
-#include <concino/progress.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/core/progress.hpp>
 #include <concino/validate/defect.hpp>
 
 #include <utility>
@@ -47,13 +47,13 @@ class defect_log {
     if constexpr (std::same_as<X, vert_t<M>>) kind = "vert ";
     else if constexpr (std::same_as<X, edge_t<M>>) kind = "edge ";
     else if constexpr (std::same_as<X, poly_t<M>>) kind = "poly ";
-    return detail::joined({kind, index_of(*m_, x)});
+    return core::joined({kind, index_of(*m_, x)});
   }
   /// "edge 7 from vert 1 to vert 2"
   std::string edge_name(const edge_t<M>& e) const {
     std::string text = name(e);
     const char* join = " from ";
-    for (const vert_t<M> v : adj_e2v(*m_, e)) text += detail::joined({std::exchange(join, " to "), name(v)});
+    for (const vert_t<M> v : adj_e2v(*m_, e)) text += core::joined({std::exchange(join, " to "), name(v)});
     return text;
   }
   /// Adds some of the elements of a range to the others of a record.   Result: "poly 3, poly 4 and poly 5", "poly 3, ... and 9 more"
@@ -67,9 +67,9 @@ class defect_log {
         names.push_back(name(x));
         d.others.push_back(x);
       }
-    if (n > most) names.push_back(detail::joined({number_text(n - most), " more"}));
+    if (n > most) names.push_back(core::joined({core::number_text(n - most), " more"}));
     std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) text += detail::joined({i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]});
+    for (std::size_t i = 0; i < names.size(); ++i) text += core::joined({i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]});
     return text;
   }
 

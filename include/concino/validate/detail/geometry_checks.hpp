@@ -1,7 +1,7 @@
 // What can be wrong with the shape of elements: points, lengths, areas, volumes, planarity, polygons that meet themselves.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/validate/detail/defect_log.hpp>
 #include <concino/validate/detail/hex_orders.hpp>
@@ -28,7 +28,7 @@ class polygon_checks {
       if (!is_finite(p)) return;  // told of the vert
     if (n < 3) return;            // told as degenerate
     const auto add_zero = [&](const char* why) {
-      if (defect<M>* d = log.add(defect_kind::zero_size, x)) d->what = joined({log.name(x), " has no area: ", why});
+      if (defect<M>* d = log.add(defect_kind::zero_size, x)) d->what = core::joined({log.name(x), " has no area: ", why});
     };
     if (!local_.fit()) return add_zero("its verts are all at one point");
 
@@ -51,7 +51,7 @@ class polygon_checks {
     const auto touch = find_touch(normal, bent);
     if (touch) {
       if (defect<M>* d = log.add(defect_kind::self_touching, x))
-        d->what = joined({log.name(x), bent ? ", seen along its normal, touches or crosses itself: " : " touches or crosses itself: ",
+        d->what = core::joined({log.name(x), bent ? ", seen along its normal, touches or crosses itself: " : " touches or crosses itself: ",
                           side_name(m, ring, touch->first, n, log), " meets ", side_name(m, ring, touch->second, n, log)});
     } else if (no_area) {
       add_zero("its parts cancel out");
@@ -60,7 +60,7 @@ class polygon_checks {
     }
     if (!no_area && off > log.options().planarity_tolerance * size)
       if (defect<M>* d = log.add(defect_kind::non_planar, x))
-        d->what = joined({log.name(x), " is not planar: a vert lies ", number_text(rounded(100 * off / size)), " % of its size off its plane"});
+        d->what = core::joined({log.name(x), " is not planar: a vert lies ", core::number_text(rounded(100 * off / size)), " % of its size off its plane"});
   }
 
  private:
@@ -104,7 +104,7 @@ class polygon_checks {
       if (i == (side + 1) % n) to = log.name(v);
       ++i;
     }
-    return joined({"the side from ", from, " to ", to});
+    return core::joined({"the side from ", from, " to ", to});
   }
 };
 
@@ -132,11 +132,11 @@ void check_cell_size(const M& m, const poly_t<M>& p, local_points& local, std::v
   const double size = local.size, none = local.zero_volume(local.points.size());
   if (std::abs(volume) <= std::max(none, log.options().size_tolerance * size * size * size)) {
     if (defect<M>* d = log.add(defect_kind::zero_size, p))
-      d->what = joined({log.name(p), std::abs(volume) <= none ? " has no volume: it is flat" : " has no volume: it is below the tolerance"});
+      d->what = core::joined({log.name(p), std::abs(volume) <= none ? " has no volume: it is flat" : " has no volume: it is below the tolerance"});
   } else if (volume < 0) {
     if (defect<M>* d = log.add(defect_kind::inverted_cell, p))
-      d->what = joined({log.name(p), " is inside out: its volume is negative, ",
-                        number_text(std::round(-1e4 * volume / (local.box.x * local.box.y * local.box.z)) / 100), " % of the box around it"});
+      d->what = core::joined({log.name(p), " is inside out: its volume is negative, ",
+                        core::number_text(std::round(-1e4 * volume / (local.box.x * local.box.y * local.box.z)) / 100), " % of the box around it"});
   }
 }
 
@@ -151,7 +151,7 @@ std::vector<std::uint8_t> check_hex_orders(const M& m, defect_log<M>& log) {
       if (!is_lexicographic(order)) continue;
       other[index_of(m, p)] = 1;
       if (defect<M>* d = log.add(defect_kind::corner_order, p))
-        d->what = joined({"the corners of hex ", static_cast<std::size_t>(index_of(m, p)), " look like ", hex_order_remedy(order)});
+        d->what = core::joined({"the corners of hex ", static_cast<std::size_t>(index_of(m, p)), " look like ", hex_order_remedy(order)});
     }
   }
   return other;
@@ -167,7 +167,7 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
     const vec3 x = to_vec3(point(m, v));
     if (is_finite(x)) all.add(x);
     else if (defect<M>* d = log.add(defect_kind::non_finite_point, v))
-      d->what = joined({log.name(v), " is at (", number_text(x.x), ", ", number_text(x.y), ", ", number_text(x.z), "), which is no point"});
+      d->what = core::joined({log.name(v), " is at (", core::number_text(x.x), ", ", core::number_text(x.y), ", ", core::number_text(x.z), "), which is no point"});
   }
   if (log.wants(defect_kind::zero_size)) {
     const double shortest = all.is_empty() ? 0 : log.options().length_tolerance * distance(0.25 * all.min, 0.25 * all.max);  // a quarter does not overflow
@@ -179,7 +179,7 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
         if (k < 2) end[k++] = to_vec3(point(m, v));
       if (!is_finite(end[0]) || !is_finite(end[1]) || (end[0] != end[1] && !(distance(0.25 * end[0], 0.25 * end[1]) <= shortest))) continue;
       if (defect<M>* d = log.add(defect_kind::zero_size, e))
-        d->what = joined({log.edge_name(e), end[0] == end[1] ? " has no length: its ends are at one point" : " has no length: it is below the tolerance"});
+        d->what = core::joined({log.edge_name(e), end[0] == end[1] ? " has no length: its ends are at one point" : " has no length: it is below the tolerance"});
     }
   }
   if (!log.wants_any({defect_kind::zero_size, defect_kind::inverted_cell, defect_kind::self_touching, defect_kind::non_planar, defect_kind::corner_order})) return;

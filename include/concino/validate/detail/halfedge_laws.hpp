@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/halfedge_kernel.hpp>
-#include <concino/detail/message.hpp>
-#include <concino/validate/law_tables.hpp>
+#include <concino/core/message.hpp>
+#include <concino/validate/detail/law_tables.hpp>
 
 #include <new>
 
@@ -32,12 +32,12 @@ class halfedge_laws {
   std::vector<halfedge> halves_;  // 2 e and 2 e + 1: those of the edge at position e
 
   static constexpr const char* remedy = ": half-edges cannot hold that, use indexed_surface";
-  static std::string number(const char* kind, std::size_t i) { return joined({kind, " ", i}); }
+  static std::string number(const char* kind, std::size_t i) { return core::joined({kind, " ", i}); }
   std::string vert_name(position v) const { return number("vert", vs_.index[v]); }
   std::string edge_name(position e) const { return number("edge", es_.index[e]); }
   std::string poly_name(position p) const { return number("poly", ps_.index[p]); }
-  std::string way(const step& s) const { return joined({"from ", vert_name(s.from), " to ", vert_name(s.to)}); }
-  std::string witness(const step& s) const { return joined({vs_.name(s.from), " ", vs_.name(s.to)}); }
+  std::string way(const step& s) const { return core::joined({"from ", vert_name(s.from), " to ", vert_name(s.to)}); }
+  std::string witness(const step& s) const { return core::joined({vs_.name(s.from), " ", vs_.name(s.to)}); }
 
  public:
   halfedge_laws(const M& m, law_log& log) : m_(m), log_(log) {}
@@ -57,14 +57,14 @@ class halfedge_laws {
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& e) {
-      log_.add("HE1", joined({"the half-edges throw: ", e.what()}), "");
+      log_.add("HE1", core::joined({"the half-edges throw: ", e.what()}), "");
       return false;
     }
   }
 
  private:
-  bool fault(const char* law, message what, std::string witness) {
-    log_.add(law, joined(what), std::move(witness));
+  bool fault(const char* law, core::message what, std::string witness) {
+    log_.add(law, core::joined(what), std::move(witness));
     return log_.full(law);
   }
   bool sound(const char* law) const { return log_.count(law) == 0; }
@@ -130,7 +130,7 @@ class halfedge_laws {
         fault("HE2", {poly_name(s.poly), " runs from ", vert_name(s.from), " to itself"}, witness(s));
       } else if (n > 2) {
         std::string polys;
-        for (std::size_t k = i; k < i + n && k < i + 4; ++k) polys += joined({k > i ? ", " : "", ps_.name(steps_[k].poly)});
+        for (std::size_t k = i; k < i + n && k < i + 4; ++k) polys += core::joined({k > i ? ", " : "", ps_.name(steps_[k].poly)});
         fault("HE2", {"the edge ", way(s), " has ", n, " polys (", polys, n > 4 ? ", ...)" : ")", remedy}, witness(s));
       } else if (n == 2 && s.poly == t.poly && s.from == t.from) {
         fault("HE2", {poly_name(s.poly), " runs ", way(s), " twice", remedy}, witness(s));
@@ -261,7 +261,7 @@ class halfedge_laws {
     }
     for (const position v : torn) {
       const char* const words[] = {"two", "three", "four"};
-      const std::string n = fans[v] >= 2 && fans[v] < 5 ? words[fans[v] - 2] : joined({fans[v]});
+      const std::string n = fans[v] >= 2 && fans[v] < 5 ? words[fans[v] - 2] : core::joined({fans[v]});
       if (fault("HE4", {vert_name(v), " has ", n, " fans of polys: use indexed_surface, or link the border half-edges from one fan to the next"}, vs_.name(v))) break;
     }
     return false;

@@ -1,7 +1,7 @@
 // The points of one element, moved and scaled so that nothing over- or underflows, and how exactly they are known.
 #pragma once
 
-#include <concino/geometry/vec3.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>

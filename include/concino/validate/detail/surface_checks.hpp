@@ -1,7 +1,7 @@
 // What can be wrong with the connectivity of a surface, and of the boundary of a volume, which is a surface too.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/graph/detail/disjoint_sets.hpp>
 #include <concino/validate/detail/rim.hpp>
 #include <concino/validate/detail/windings.hpp>
@@ -25,7 +25,7 @@ void check_edge_ends(const M& m, const edge_t<M>& e, defect_log<M>& log) {
   for (const vert_t<M> v : adj_e2v(m, e))
     if (k < 2) end[k++] = index_of(m, v);
   if (end[0] != end[1]) return;
-  if (defect<M>* d = log.add(defect_kind::degenerate_element, e)) d->what = joined({log.edge_name(e), " is a loop; the ends of an edge differ"});
+  if (defect<M>* d = log.add(defect_kind::degenerate_element, e)) d->what = core::joined({log.edge_name(e), " is a loop; the ends of an edge differ"});
 }
 
 /// One fan per vert: corners of polygons are joined across edges; the sets left at a vert are its fans.
@@ -68,7 +68,7 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
         });
     if (!is_boundary && rim.is_degenerate())
       if (defect<M>* d = log.add(defect_kind::degenerate_element, p))
-        d->what = rim.repeats ? joined({log.name(p), " has a vert twice"}) : joined({log.name(p), " has ", rim.verts, " verts; a polygon has at least 3"});
+        d->what = rim.repeats ? core::joined({log.name(p), " has a vert twice"}) : core::joined({log.name(p), " has ", rim.verts, " verts; a polygon has at least 3"});
     first += rim.verts;
   }
 
@@ -93,7 +93,7 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
       if (scope.is_told(i)) continue;
       if (defect<M>* d = log.add(defect_kind::non_manifold_edge, e)) {
         const std::string list = log.list(*d, adj_e2p(s, e));
-        d->what = joined({log.edge_name(e), scope.where(), " has ", use.polys, is_boundary ? " faces there (" : " polys (", list,
+        d->what = core::joined({log.edge_name(e), scope.where(), " has ", use.polys, is_boundary ? " faces there (" : " polys (", list,
                           "); a manifold has at most 2"});
       }
     }
@@ -113,7 +113,7 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
     const std::size_t i = index_of(s, v);
     if (fans_at[i] == 0) {
       if constexpr (!is_boundary)
-        if (defect<M>* d = log.add(defect_kind::isolated_vert, v)) d->what = joined({log.name(v), " belongs to no poly"});
+        if (defect<M>* d = log.add(defect_kind::isolated_vert, v)) d->what = core::joined({log.name(v), " belongs to no poly"});
       continue;
     }
     ++used_verts;
@@ -123,7 +123,7 @@ mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_lo
     facts.manifold = false;
     if (defect<M>* d = log.add(defect_kind::non_manifold_vert, v)) {
       const std::string list = log.list(*d, adj_v2p(s, v));
-      d->what = joined({log.name(v), scope.where(), " joins ", number_text(fans_at[i]), " fans of ", is_boundary ? "faces (" : "polys (", list,
+      d->what = core::joined({log.name(v), scope.where(), " joins ", core::number_text(fans_at[i]), " fans of ", is_boundary ? "faces (" : "polys (", list,
                         ") that share no edge there; a manifold has one"});
     }
   }

@@ -1,7 +1,7 @@
 // What can be wrong with the connectivity of a volume.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/mesh/boundary.hpp>
 #include <concino/validate/detail/surface_checks.hpp>
 
@@ -60,7 +60,7 @@ mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log
         pinched = true;
         told_edges[index_of(m, e)] = 1;
         if (defect<M>* d = log.add(defect_kind::non_manifold_edge, e)) {
-          d->what = joined({log.edge_name(e), " lies in ", here.faces, " faces of ", log.name(p),
+          d->what = core::joined({log.edge_name(e), " lies in ", here.faces, " faces of ", log.name(p),
                             "; in the surface of a poly it lies in 2"});
           d->others.push_back(p);
         }
@@ -69,16 +69,16 @@ mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log
     if (!open.empty())
       if (defect<M>* d = log.add(defect_kind::open_cell, p)) {
         const std::string list = log.list(*d, open);
-        d->what = joined({log.name(p), " is open: only one of its faces lies at ", list});
+        d->what = core::joined({log.name(p), " is open: only one of its faces lies at ", list});
       }
     if (clash)
       if (defect<M>* d = log.add(defect_kind::inconsistent_winding, p)) {
-        d->what = joined({log.name(p), " has two faces that, turned outward, run in the same sense along ", log.edge_name(*clash)});
+        d->what = core::joined({log.name(p), " has two faces that, turned outward, run in the same sense along ", log.edge_name(*clash)});
         d->others.push_back(*clash);
       }
     if (face_count < 4)
       if (defect<M>* d = log.add(defect_kind::degenerate_element, p))
-        d->what = joined({log.name(p), " has ", face_count, " faces; a polyhedron has at least 4"});
+        d->what = core::joined({log.name(p), " has ", face_count, " faces; a polyhedron has at least 4"});
     sound[poly_index] = open.empty() && !clash && !pinched && face_count >= 4;
     facts.closed = facts.closed && open.empty();
     facts.manifold = facts.manifold && sound[poly_index];
@@ -91,17 +91,17 @@ mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log
     const auto rim = rims.walk(m, adj_f2v(m, f), adj_f2e(m, f), [](const vert_t<M>&, std::size_t) {}, [](const edge_t<M>&, std::uint32_t, std::uint32_t, bool) {});
     if (rim.is_degenerate())
       if (defect<M>* d = log.add(defect_kind::degenerate_element, f))
-        d->what = rim.repeats ? joined({log.name(f), " has a vert twice"}) : joined({log.name(f), " has ", rim.verts, " verts; a face has at least 3"});
+        d->what = rim.repeats ? core::joined({log.name(f), " has a vert twice"}) : core::joined({log.name(f), " has ", rim.verts, " verts; a face has at least 3"});
     const shared_by& use = face_use[index_of(m, f)];
     used_faces += use.polys > 0;
     if (use.polys == 0) {
-      if (defect<M>* d = log.add(defect_kind::unreferenced_face, f)) d->what = joined({log.name(f), " belongs to no poly"});
+      if (defect<M>* d = log.add(defect_kind::unreferenced_face, f)) d->what = core::joined({log.name(f), " belongs to no poly"});
     } else if (use.polys > 2) {
       facts.manifold = false;
       for (const edge_t<M> e : adj_f2e(m, f)) told_edges[index_of(m, e)] = 1;  // more than two boundary faces there follow from this
       if (defect<M>* d = log.add(defect_kind::non_manifold_face, f)) {
         const std::string list = log.list(*d, adj_f2p(m, f));
-        d->what = joined({log.name(f), " has ", use.polys, " polys (", list, "); at most 2 fit"});
+        d->what = core::joined({log.name(f), " has ", use.polys, " polys (", list, "); at most 2 fit"});
       }
     }
   }
@@ -112,7 +112,7 @@ mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log
   for (const vert_t<M> v : verts(m)) {
     used_verts += vert_used[index_of(m, v)];
     if (!vert_used[index_of(m, v)])
-      if (defect<M>* d = log.add(defect_kind::isolated_vert, v)) d->what = joined({log.name(v), " belongs to no poly"});
+      if (defect<M>* d = log.add(defect_kind::isolated_vert, v)) d->what = core::joined({log.name(v), " belongs to no poly"});
   }
   for (const poly_t<M> p : polys(m)) facts.components += pieces.root(index_of(m, p)) == index_of(m, p);
   facts.euler_characteristic = static_cast<std::ptrdiff_t>(used_verts + used_faces) - static_cast<std::ptrdiff_t>(used_edges + number);

@@ -1,7 +1,7 @@
 // Which polys agree on their windings, across what they share: the edges of a surface, the faces of a volume.
 #pragma once
 
-#include <concino/detail/message.hpp>
+#include <concino/core/message.hpp>
 #include <concino/validate/detail/defect_log.hpp>
 #include <concino/validate/detail/parity_sets.hpp>
 
@@ -51,11 +51,11 @@ bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std
     if (piece == one_sided) {
       piece = told;
       if (defect<M>* d = log.add(defect_kind::not_orientable, x))
-        d->what = joined({"the polys connected to ", log.list(*d, polys_of(x)),
+        d->what = core::joined({"the polys connected to ", log.list(*d, polys_of(x)),
                           " cannot be wound consistently: they form a one-sided piece; one place where windings clash is ", full_name(x)});
     } else if (defect<M>* d = log.add(defect_kind::inconsistent_winding, x)) {
       const std::string polys_text = log.list(*d, polys_of(x));
-      d->what = joined({polys_text, clash_text, full_name(x)});
+      d->what = core::joined({polys_text, clash_text, full_name(x)});
     }
   }
   return contradictions.empty();

@@ -1,0 +1,180 @@
+// From any mesh to any other of the same dimension: auto to = convert<To>(from). Properties come along; convert_with_correspondence<To>(from) also
+// says which element of the one stands for which of the other.
+#pragma once
+
+#include <concino/convert/conversion.hpp>
+#include <concino/convert/detail/arrays_of.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/progress.hpp>
+#include <concino/edit/elements.hpp>
+#include <concino/mesh/property.hpp>
+
+#include <span>
+
+namespace concino {
+
+/// What convert() could not bring along.
+struct convert_report {
+  std::vector<std::string> lost;  // one sentence a property
+};
+
+struct convert_options {
+  bool properties = true;                // whether named properties come along, where both meshes hold such
+  convert_report* report = nullptr;      // filled if given; cleared first
+  concino::progress progress = nullptr;  // told "converting"
+};
+
+namespace requirement {
+
+/// A mesh that can be made: from flat arrays, or by adding vert after vert and poly after poly.
+template<class To> concept is_made_of_arrays = concino::detail::from_surface<To> || concino::detail::from_cells<To> || concino::detail::from_polyhedra<To>;
+template<class To> concept is_made_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To> &&
+    (dimension_v<To> == 2 || arity_v<To> == 4 || arity_v<To> == 8);
+template<class To, class From>
+concept can_be_made_from = AnyMesh<To> && AnyMesh<From> && Embedded<From> && dimension_v<To> == dimension_v<From> && (is_made_of_arrays<To> || is_made_by_adding<To>);
+
+}  // namespace requirement
+
+namespace detail {
+
+/// Elements of a native mesh, numbered from 0 as those of m are walked.
+template<class Map, class R>
+Map numbered_as_walked(Map names, const R& elements) {
+  std::uint32_t n = 0;
+  for (const auto x : elements) names[x] = typename Map::value_type(n++);
+  return names;
+}
+
+template<class To, class From>
+conversion<To, From> make_of_arrays(const From& m) {
+  const std::vector<std::uint32_t> vert_number = numbered(m, verts(m), vert_index_bound(m));
+  std::vector<std::uint32_t> face_number;
+  const auto made = [&]() -> To {
+    if constexpr (from_surface<To>) {
+      return To(arrays_of(m, vert_number, static_cast<std::uint32_t>(arity_v<To>)));
+    } else if constexpr (from_polyhedra<To>) {
+      face_number = numbered(m, faces(m), face_index_bound(m));
+      return To(polyhedra_of(m, vert_number, face_number));
+    } else {
+      cell_arrays a;
+      a.arity = static_cast<std::uint32_t>(arity_v<To>);
+      a.points = points_of(m);
+      for_each_cell(m, vert_number, a.arity, [&](const poly_t<From>&, const vert_id* corners) { a.verts.insert(a.verts.end(), corners, corners + a.arity); });
+      return To(std::move(a));
+    }
+  };
+  To mesh = made();
+  return {std::move(mesh), numbered_as_walked(make_vert_map<vert_t<To>>(m), verts(m)), numbered_as_walked(make_poly_map<poly_t<To>>(m), polys(m)),
+          std::move(face_number)};
+}
+
+template<class To, class From>
+conversion<To, From> make_by_adding(const From& m) {
+  To mesh;
+  auto vert_names = make_vert_map<vert_t<To>>(m);
+  auto poly_names = make_poly_map<poly_t<To>>(m);
+  std::vector<vert_t<To>> by_number, corners;
+  for (const vert_t<From> v : verts(m)) by_number.push_back(vert_names[v] = add_vert(mesh, to_vec3(point(m, v))));
+  const auto add = [&](const poly_t<From>& p) {
+    try {
+      poly_names[p] = add_poly(mesh, std::span<const vert_t<To>>(corners));
+    } catch (const invalid_mesh& refused) {
+      core::throw_joined<unsupported>({"convert: the wanted mesh cannot hold poly ", index_of(m, p), ": ", refused.what()});
+    }
+  };
+  constexpr auto arity = static_cast<std::uint32_t>(arity_v<To>);
+  if constexpr (dimension_v<From> == 2) {
+    for (const poly_t<From> p : polys(m)) {
+      corners.clear();
+      for (const vert_t<From> v : adj_p2v(m, p)) corners.push_back(vert_names[v]);
+      if (arity != 0 && corners.size() != arity) throw_wrong_arity(false, index_of(m, p), core::joined({"has ", corners.size(), " verts"}), arity);
+      add(p);
+    }
+  } else {
+    for_each_cell(m, numbered(m, verts(m), vert_index_bound(m)), arity, [&](const poly_t<From>& p, const vert_id* known) {
+      corners.clear();
+      for (std::uint32_t i = 0; i < arity; ++i) corners.push_back(by_number[known[i].raw()]);
+      add(p);
+    });
+  }
+  return {std::move(mesh), std::move(vert_names), std::move(poly_names)};
+}
+
+/// Of elements of the new mesh by index: the index of what they stand for, ~0 if nothing.
+template<class To, class From, class R, class Of>
+std::vector<std::uint32_t> sources(const conversion<To, From>& c, const R& elements, std::size_t bound, const Of& of) {
+  std::vector<std::uint32_t> source(bound, ~0u);
+  for (const auto x : elements) source[index_of(c.mesh, of(x))] = static_cast<std::uint32_t>(index_of(c.from(), x));
+  return source;
+}
+
+template<class To, class From>
+void carry_properties(conversion<To, From>& c, convert_report& report) {
+  if constexpr (HasProperties<From>) {
+    const From& m = c.from();
+    const property_set& given = traits<From>::properties(m);
+    if constexpr (HasProperties<To>) {
+      property_set& taken = traits<To>::properties(c.mesh);
+      const auto take = [&](element_kind kind, const auto& elements, std::size_t bound, const auto& of) {
+        if (given.has(kind)) taken.gather(given, kind, sources(c, elements, bound, of));
+      };
+      take(element_kind::vert, verts(m), vert_index_bound(c.mesh), [&](const auto& x) { return c.vert_of(x); });
+      take(element_kind::edge, edges(m), edge_index_bound(c.mesh), [&](const auto& x) { return c.edge_of(x); });
+      if constexpr (dimension_v<From> == 3) take(element_kind::face, faces(m), face_index_bound(c.mesh), [&](const auto& x) { return c.face_of(x); });
+      take(element_kind::poly, polys(m), poly_index_bound(c.mesh), [&](const auto& x) { return c.poly_of(x); });
+      if (given.has(element_kind::mesh)) taken.gather(given, element_kind::mesh, {0u});
+    } else {
+      for (const property_info& p : property_list(m))
+        report.lost.push_back(core::joined({to_string(p.kind), " property \"", p.name,
+                                              "\": the wanted mesh holds no named properties; carry() takes values to a map"}));
+    }
+  }
+}
+
+}  // namespace detail
+
+/// The same mesh as a To, and which of its elements stand for those of m.
+/// Needs:  as convert; m is no temporary and stays where it is as long as the result is asked about its elements.
+/// Result: c.mesh, and c.vert_of(v), c.edge_of(e), c.face_of(f), c.poly_of(p) name in it what stands for an element of m. Values of maps are taken
+///         along by c.carry(map, map_of_the_new_mesh).
+/// Cost:   as convert.
+/// Errors: as convert.
+template<class To, class M>
+  requires requirement::is_no_temporary<M> && requirement::can_be_made_from<To, std::remove_cvref_t<M>>
+conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const convert_options& options = {}) {
+  detail::tell(options.progress, 0, "converting");
+  convert_report unheard, &report = options.report ? *options.report : unheard;
+  report = {};
+  auto c = [&] {
+    if constexpr (requirement::is_made_of_arrays<To>) return detail::make_of_arrays<To>(std::as_const(m));
+    else return detail::make_by_adding<To>(std::as_const(m));
+  }();
+  detail::tell(options.progress, 0.8, "converting");
+  if (options.properties) detail::carry_properties(c, report);
+  detail::tell(options.progress, 1, "converting");
+  return c;
+}
+
+/// The same mesh as a To: auto polygons = convert<polygonmesh>(m).
+/// Needs:  Embedded AnyMesh M and a To of the same dimension that is made from flat arrays (all six meshes of this library) or that can add verts
+///         and polys, in volumes tets or hexes (OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly).
+/// Result: a To. Verts, polys and, in a polyhedralmesh, faces are numbered as m walks them; gaps of deleted elements are closed. Named properties of
+///         this library's meshes come along under their names.
+/// Cost:   O(elements) time and memory; for properties of edges or faces, times the edges or faces at a vert.
+/// Errors: unsupported that names the poly which a To cannot hold: of another size, no tet or hex, or refused by the library that To is of; m stays
+///         as it is. cancelled.
+template<class To, class M>
+  requires requirement::can_be_made_from<To, M>
+To convert(const M& m, const convert_options& options = {}) {
+  return std::move(convert_with_correspondence<To>(m, options).mesh);
+}
+
+// What to write instead of calls that cannot compile.
+template<class... T> void convert(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void convert(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void convert_with_correspondence(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void convert_with_correspondence(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void convert_with_correspondence(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+
+}  // namespace concino

@@ -1,0 +1,120 @@
+// The memory of all connectivity: like std::vector, but room can be taken without filling it first, and spare room goes back where the
+// system can take pages, without a copy. A vector of the caller's is taken over as it is.
+#pragma once
+
+#include <concino/core/large_pages.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace concino::core {
+
+template<class T>
+class flat_array {
+  static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));
+
+  T* data_ = nullptr;
+  std::size_t size_ = 0, capacity_ = 0;
+  std::vector<T> given_;  // not empty: data_ is its memory
+
+  void reallocate(std::size_t n) {
+    if (n > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_alloc();
+    const bool was_given = !given_.empty();
+    void* const p = std::realloc(was_given ? nullptr : static_cast<void*>(data_), n * sizeof(T));
+    if (!p) throw std::bad_alloc();
+    if (was_given) {
+      std::memcpy(p, static_cast<const void*>(data_), size_ * sizeof(T));
+      std::vector<T>().swap(given_);
+    }
+    if (n > capacity_) prefer_large_pages(p, n * sizeof(T));
+    data_ = static_cast<T*>(p);
+    capacity_ = n;
+  }
+
+ public:
+  flat_array() = default;
+  /// n entries that the caller is about to write.
+  explicit flat_array(std::size_t n) { resize(n); }
+  flat_array(std::size_t n, const T& value) : flat_array(n) { std::fill_n(data_, n, value); }
+  explicit flat_array(std::vector<T> given) : given_(std::move(given)) {
+    data_ = given_.data();
+    size_ = capacity_ = given_.size();
+  }
+  flat_array(const flat_array& o) : flat_array(o.size_) { std::copy_n(o.data_, o.size_, data_); }
+  flat_array(flat_array&& o) noexcept { swap(o); }
+  flat_array& operator=(flat_array o) noexcept {
+    swap(o);
+    return *this;
+  }
+  ~flat_array() {
+    if (given_.empty()) std::free(data_);
+  }
+  void swap(flat_array& o) noexcept {
+    std::swap(data_, o.data_);
+    std::swap(size_, o.size_);
+    std::swap(capacity_, o.capacity_);
+    given_.swap(o.given_);
+  }
+
+  T* data() { return data_; }
+  const T* data() const { return data_; }
+  std::size_t size() const { return size_; }
+  T& operator[](std::size_t i) { return data_[i]; }
+  const T& operator[](std::size_t i) const { return data_[i]; }
+  const T* begin() const { return data_; }
+  const T* end() const { return data_ + size_; }
+
+  void reserve(std::size_t n) {
+    if (n > capacity_) reallocate(n);
+  }
+  /// Entries that come into being are for the caller to write.
+  void resize(std::size_t n) {
+    reserve(n);
+    size_ = n;
+  }
+  void push_back(const T& value) {
+    if (size_ == capacity_) {
+      const T kept = value;
+      reallocate(std::max<std::size_t>(16, size_ + size_ / 2));
+      data_[size_++] = kept;
+    } else {
+      data_[size_++] = value;
+    }
+  }
+  /// Room for n more; what is written there counts after resize().
+  T* room_for(std::size_t n) {
+    if (size_ + n > capacity_) reallocate(std::max(size_ + n, size_ + size_ / 2));
+    return data_ + size_;
+  }
+  /// Writes n values, which may be some of this array's own, or none if `first` is null, where there is room for `room` >= n more. What is
+  /// written counts after resize().
+  T* stage(const T* first, std::size_t n, std::size_t room) {
+    if (size_ + room > capacity_) {
+      const std::size_t at = reinterpret_cast<std::uintptr_t>(first) - reinterpret_cast<std::uintptr_t>(data_);
+      const bool own = at < size_ * sizeof(T);
+      reallocate(std::max(size_ + room, size_ + size_ / 2));
+      if (own) first = data_ + at / sizeof(T);
+    }
+    if (first) std::copy_n(first, n, data_ + size_);
+    return data_ + size_;
+  }
+  /// n values, which may be some of this array's own.
+  void append(const T* first, std::size_t n) {
+    stage(first, n, n);
+    size_ += n;
+  }
+  void give_back_spare_room() {
+    if (size_ == capacity_) return;
+    if (size_ == 0) *this = {};
+    else reallocate(size_);
+  }
+};
+
+}  // namespace concino::core

@@ -1,0 +1,63 @@
+// Messages put together out of line: readers have many, and string sums at each would triple the time it takes to compile them.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace concino::core {
+
+/// A text, a character or an integer on its way into a message.
+class message_piece {
+  enum class kind : unsigned char { text, terminated_text, character, number, negative };
+  const char* text_ = nullptr;
+  std::uint64_t number_ = 0;  // or the length of the text, or the character
+  kind kind_;
+
+ public:
+  message_piece(const char* text) : text_(text), kind_(kind::terminated_text) {}
+  message_piece(std::string_view text) : text_(text.data()), number_(text.size()), kind_(kind::text) {}
+  message_piece(const std::string& text) : text_(text.data()), number_(text.size()), kind_(kind::text) {}
+  message_piece(char c) : number_(static_cast<unsigned char>(c)), kind_(kind::character) {}
+  message_piece(bool) = delete;
+  template<std::integral I>
+  message_piece(I number)
+      : number_(number < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number)),
+        kind_(number < 0 ? kind::negative : kind::number) {}
+
+  void add_to(std::string& s) const {
+    if (kind_ == kind::text) {
+      if (number_ > 0) s.append(text_, number_);
+    } else if (kind_ == kind::terminated_text) {
+      s.append(text_, std::strlen(text_));
+    } else if (kind_ == kind::character) {
+      s.push_back(static_cast<char>(number_));
+    } else {
+      char digits[21];
+      char* digit = digits + 21;
+      std::uint64_t rest = number_;
+      do *--digit = static_cast<char>('0' + rest % 10);
+      while (rest /= 10);
+      if (kind_ == kind::negative) *--digit = '-';
+      s.append(digit, static_cast<std::size_t>(digits + 21 - digit));
+    }
+  }
+};
+
+using message = std::initializer_list<message_piece>;
+
+[[gnu::noinline, gnu::cold]] inline std::string joined(message pieces) {
+  std::string s;
+  for (const message_piece& p : pieces) p.add_to(s);
+  return s;
+}
+
+template<class Error>
+[[noreturn, gnu::noinline, gnu::cold]] void throw_joined(message pieces) {
+  throw Error(joined(pieces));
+}
+
+}  // namespace concino::core

@@ -1,0 +1,219 @@
+// What the first word of an OFF file says, and the binary form: 32-bit integers and floats, big-endian as Geomview has it, or little-endian.
+#pragma once
+
+#include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/text_cursor.hpp>
+
+#include <bit>
+
+namespace concino::detail {
+
+/// [ST][C][N][4][n]OFF
+struct off_header {
+  bool texture = false, color = false, normal = false, homogeneous = false, any_dimension = false, binary = false;
+  std::uint64_t dimension = 3;
+
+  bool parse(std::string_view word) {
+    const auto take = [&](std::string_view prefix) {
+      const bool is = word.starts_with(prefix);
+      if (is) word.remove_prefix(prefix.size());
+      return is;
+    };
+    texture = take("ST");
+    color = take("C");
+    normal = take("N");
+    homogeneous = take("4");
+    any_dimension = take("n");
+    return word == "OFF";
+  }
+
+  /// Of each vert.
+  std::uint64_t numbers(std::uint64_t color_size = 4) const {
+    return dimension + homogeneous + (normal ? 3 : 0) + (color ? color_size : 0) + (texture ? 2 : 0);
+  }
+};
+
+/// Adds the poly whose corners begin at `first`, found at `place`. Errors: parse_error if a vert is twice in it or it does not fit the
+/// wanted mesh.
+inline void check_poly(const text_cursor& in, const char* place, std::size_t first, std::vector<vert_id>& scratch,
+                       const wanted_mesh& wanted, surface_arrays& out, std::uint32_t& arity) {
+  const std::size_t size = out.verts.size() - first;
+  const vert_id* const corners = out.verts.data() + first;
+  if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
+    in.fail(place, {"different verts at the corners of a poly"}, {"vert ", corners[i].raw(), " twice"});
+  if (wanted.surface && wanted.arity && size != wanted.arity)
+    in.fail(place, {name_of_poly(false, wanted.arity), " (polygonmesh and load_any take any polygon)"},
+            {"a polygon of ", size, " corners"});
+  if (out.verts.size() > max_ids) in.fail_to_count("corners");
+  end_poly(out, arity, first);
+}
+
+class off_binary_reader {
+  text_cursor& in_;
+  off_header& header_;
+  const wanted_mesh& wanted_;
+  load_report& report_;
+  bool little_ = false;
+  const char* line_;  // errors name the line of the word BINARY: after it there are no lines
+
+ public:
+  off_binary_reader(text_cursor& in, off_header& header, const wanted_mesh& wanted, load_report& report)
+      : in_(in), header_(header), wanted_(wanted), report_(report), line_(in.at - 2) {}
+
+  void read(surface_arrays& out, file_contents& extra, std::uint32_t& arity) {
+    little_ = is_little();
+    if (little_) report_.notes.push_back("the numbers of the binary file are little-endian; those of OFF are big-endian");
+    if (header_.any_dimension) {
+      header_.dimension = count("the dimension of the space, from 1", 1);
+      if (header_.dimension == 0) fail(in_.at - 4, "the dimension of the space, from 1");
+    }
+    const std::uint64_t verts = count("the number of verts", 4 * header_.numbers());
+    const std::uint64_t polys = count("the number of polys", 20);
+    word("the number of edges");
+    out.points.reserve(verts);
+    for (std::uint64_t i = 0; i < verts; ++i) {
+      const vec3 p = point();
+      out.points.push_back(p);
+      if (header_.normal) {
+        const double x = real(), y = real();
+        extra.vert_normals.push_back(vec3{x, y, real()});
+      }
+      if (header_.color) extra.vert_colors.push_back(color(4));
+      if (header_.texture) {
+        const double s = real();
+        extra.vert_textures.push_back(std::array<double, 2>{s, real()});
+      }
+      in_.tell();
+    }
+    std::vector<vert_id> scratch;
+    for (std::uint64_t f = 0; f < polys; ++f) {
+      poly(out, arity, scratch);
+      attributes(extra, f);
+      in_.tell();
+    }
+    if (!in_.at_end()) report_.skipped.push_back(core::joined({in_.left(), " bytes after the last poly"}));
+    if (num_odd_) report_.skipped.push_back(core::joined({num_odd_, " polys with numbers after the corners that are no colour"}));
+    in_.at = in_.end();
+  }
+
+ private:
+  std::uint64_t num_odd_ = 0;
+
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message_piece expected) const {
+    in_.fail(
+        line_, {expected},
+        {place == in_.end() ? "the end of the file at byte " : "something else at byte ", static_cast<std::uint64_t>(place - in_.begin())});
+  }
+
+  std::uint32_t word(const char* expected) {
+    if (in_.left() < 4) fail(in_.end(), expected);
+    std::uint32_t x = 0;
+    for (int i = 0; i < 4; ++i) x = (x << 8) | static_cast<unsigned char>(*in_.at++);
+    return little_ ? x << 24 | (x & 0xFF00u) << 8 | (x >> 8 & 0xFF00u) | x >> 24 : x;
+  }
+
+  /// Whether the file makes sense in little-endian numbers, and in big-endian ones it does not.
+  [[gnu::noinline, gnu::cold]] bool is_little() { return fits(true) && !fits(false); }
+
+  /// Whether the counts of verts and polys, and of corners and colours of each poly, lead to no place beyond the end of the file.
+  [[gnu::noinline, gnu::cold]] bool fits(bool little) {
+    const char* const begin = in_.at;
+    const std::uint64_t dimension = header_.dimension;
+    little_ = little;
+    const auto has = [&](std::uint64_t words) { return words <= in_.left() / 4; };
+    const auto walk = [&] {
+      if (!has(header_.any_dimension ? 4 : 3)) return false;
+      if (header_.any_dimension) header_.dimension = word("");
+      if (header_.dimension == 0) return false;
+      const std::uint64_t verts = word(""), polys = word("");
+      word("");
+      if (verts > in_.left() / 4 / header_.numbers()) return false;
+      in_.at += 4 * verts * header_.numbers();
+      for (std::uint64_t f = 0; f < polys; ++f) {
+        if (!has(1)) return false;
+        const std::uint64_t size = word("");
+        if (size < 3 || !has(size + 1)) return false;
+        in_.at += 4 * size;
+        const std::uint64_t colors = word("");
+        if (colors > 4 || !has(colors)) return false;
+        in_.at += 4 * colors;
+      }
+      return true;
+    };
+    const bool is = walk();
+    in_.at = begin;
+    header_.dimension = dimension;
+    return is;
+  }
+  double real() {
+    const double x = std::bit_cast<float>(word("a number"));
+    if (!std::isfinite(x)) fail(in_.at - 4, "a finite number");
+    return x;
+  }
+  rgba color(std::uint32_t n) {
+    rgba c;
+    float* const parts[] = {&c.r, &c.g, &c.b, &c.a};
+    for (std::uint32_t i = 0; i < n; ++i) *parts[i] = static_cast<float>(real());
+    return c;
+  }
+
+  /// Of elements that take at least `bytes` each.
+  std::uint64_t count(const char* what, std::uint64_t bytes) {
+    const std::uint32_t n = word(what);
+    if (n > 0x7FFFFFFFu) fail(in_.at - 4, core::joined({what, ", not negative"}));
+    if (n > in_.left() / bytes) fail(in_.at - 4, core::joined({what, ", no more than the rest of the file can hold"}));
+    return n;
+  }
+
+  vec3 point() {
+    double x[3] = {};
+    for (std::uint64_t i = 0; i < header_.dimension; ++i) {
+      const double c = real();
+      if (i < 3) x[i] = c;
+    }
+    vec3 p{x[0], x[1], x[2]};
+    if (header_.homogeneous) {
+      const double w = real();
+      p = {p.x / w, p.y / w, p.z / w};
+      if (!is_finite(p)) fail(in_.at - 4, "a weight w by which x y z can be divided");
+    }
+    return p;
+  }
+
+  void poly(surface_arrays& out, std::uint32_t& arity, std::vector<vert_id>& scratch) {
+    const std::uint64_t size = count("the number of verts of a poly", 4);
+    if (size < 3) fail(in_.at - 4, "a poly of at least three verts");
+    const std::size_t first = out.verts.size();
+    for (std::uint64_t k = 0; k < size; ++k) {
+      const std::uint32_t i = word("the index of a vert");
+      if (i >= out.points.size()) fail(in_.at - 4, core::joined({"the index of a vert, of ", out.points.size()}));
+      const vert_id v{i};
+      out.verts.push_back(v);
+    }
+    check_poly(in_, line_, first, scratch, wanted_, out, arity);
+  }
+
+  void attributes(file_contents& extra, std::uint64_t f) {
+    const std::uint32_t n = word("the number of numbers of a colour");
+    if (n > 4) fail(in_.at - 4, "a colour of at most 4 numbers");
+    if (n == 3 || n == 4) {
+      extra.poly_colors.resize(f);
+      extra.poly_colors.push_back(color(n));
+    } else if (n == 1) {
+      const double x = real();
+      const bool is_index = x == std::floor(x) && std::abs(x) < 2147483648.0;
+      if (is_index) {
+        extra.poly_labels.resize(f);
+        const int label = static_cast<int>(x);
+        extra.poly_labels.push_back(label);
+      } else {
+        ++num_odd_;
+      }
+    } else {
+      for (std::uint32_t i = 0; i < n; ++i) real();
+      num_odd_ += n != 0;
+    }
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,122 @@
+// How an OFF file says what it holds: its first word, its counts, and whether lines matter.
+#pragma once
+
+#include <concino/io/detail/off_binary.hpp>
+#include <concino/io/detail/text_cursor.hpp>
+
+namespace concino::detail {
+
+class off_cursor : protected text_cursor {
+ protected:
+  off_header header_;
+  bool per_line_ = true;          // a vert a line, which may have more numbers than it needs; else numbers wherever they stand
+  std::uint32_t color_size_ = 4;  // of verts
+
+  using text_cursor::text_cursor;
+
+  bool line_is_over() const { return at == end() || is_line_end(*at) || *at == '#'; }
+  void blanks() {
+    while (at != end() && is_blank(*at)) ++at;
+  }
+  /// To the next number of a vert.
+  void gap() {
+    if (per_line_) blanks();
+    else skip_space('#');
+  }
+  double number(const char* expected) {
+    gap();
+    return real(expected);
+  }
+
+  /// The word may be missing: then the file begins with its counts.
+  [[gnu::noinline, gnu::cold]] void header_word() {
+    const char* const from = at;
+    while (at != end() && !is_space(*at) && *at != '#') ++at;
+    std::string_view word{from, static_cast<std::size_t>(at - from)};
+    if (std::all_of(word.begin(), word.end(), is_digit)) {
+      at = from;
+      return;
+    }
+    if (!header_.parse(word)) fail(from, "OFF, with nothing but ST, C, N, 4, n before it, in this order");
+    blanks();
+    const std::string_view rest{at, static_cast<std::size_t>(end() - at)};
+    if (rest.starts_with("BINARY")) {
+      at += 6;
+      blanks();
+      if (at == end() || !is_line_end(*at)) fail(at, "the end of the line after BINARY");
+      at += *at == '\r' && left() > 1 && at[1] == '\n' ? 2 : 1;
+      header_.binary = true;
+    } else if (header_.any_dimension) {
+      skip_space('#');
+      const char* const place = at;
+      const std::int64_t n = integer("the dimension of the space, from 1");
+      if (n < 1 || static_cast<std::uint64_t>(n) > left()) fail(place, "the dimension of the space, from 1");
+      header_.dimension = static_cast<std::uint64_t>(n);
+    }
+  }
+
+  /// At least `bytes` each.
+  [[gnu::noinline, gnu::cold]] std::uint64_t count(const char* what, std::uint64_t bytes) {
+    const char* const from = at;
+    const std::int64_t n = integer(what);
+    if (n < 0) fail(from, {what, ", not negative"});
+    if (static_cast<std::uint64_t>(n) > (left() + 1) / bytes) fail(from, {what, ", no more than the rest of the file can hold"});
+    if (static_cast<std::uint64_t>(n) > max_ids) fail_to_count("elements of one kind");
+    return static_cast<std::uint64_t>(n);
+  }
+
+  /// The number of edges is not used, and may be missing: then the line ends, and the next one does not hold a number alone.
+  [[gnu::noinline, gnu::cold]] std::pair<std::uint64_t, std::uint64_t> counts() {
+    skip_space('#');
+    const std::uint64_t verts = count("the number of verts", 2 * header_.numbers(3));
+    skip_space('#');
+    const std::uint64_t polys = count("the number of polys", 8);
+    blanks();
+    if (!line_is_over()) {
+      integer("the number of edges or the end of the line");
+      return {verts, polys};
+    }
+    const char* const back = at;
+    skip_space('#');
+    std::int64_t ignored = 0;
+    const char* const past = at_end() ? nullptr : parse_integer(at, end(), ignored);
+    if (past && ends_token(past, '#') && header_.numbers() > 1) {
+      at = past;
+      blanks();
+      if (line_is_over()) return {verts, polys};
+    }
+    at = back;
+    return {verts, polys};
+  }
+
+  /// Lines from here that say something.
+  [[gnu::noinline]] std::uint64_t lines_left() const {
+    std::uint64_t n = 0;
+    bool says = false, comment = false;
+    for (const char* p = at; p != end(); ++p) {
+      if (is_line_end(*p)) {
+        n += says;
+        says = comment = false;
+      } else if (*p == '#') {
+        comment = true;
+      } else if (!comment && !is_blank(*p)) {
+        says = true;
+      }
+    }
+    return n + says;
+  }
+
+  /// Files of a vert a line may say more than they need; a file may also hold its numbers wherever it likes. The first line
+  /// and the number of lines tell.
+  [[gnu::noinline, gnu::cold]] void choose_layout(std::uint64_t verts, std::uint64_t polys) {
+    const char* const back = at;
+    std::uint64_t numbers = 0;
+    for (blanks(); !line_is_over() && numbers <= header_.numbers() + 1; blanks(), ++numbers) word();
+    at = back;
+    if (numbers == header_.numbers()) return;
+    if (header_.color && numbers == header_.numbers(3)) color_size_ = 3;
+    else per_line_ = numbers > header_.numbers() ? lines_left() >= verts + polys : lines_left() == verts + polys;
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,112 @@
+// Properties on their way into files and out of them.
+#pragma once
+
+#include <concino/io/detail/contents.hpp>
+#include <concino/mesh/property.hpp>
+
+namespace concino::detail {
+
+/// The property `name`, of values that are copied as bytes: the i-th goes to the element with index where[i].
+[[gnu::noinline]] inline void give_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
+                        const std::vector<std::uint32_t>& where, std::size_t bound) {
+  unsigned char* const to = static_cast<unsigned char*>(all.get(kind, name, type, bound)->data());
+  const unsigned char* from = static_cast<const unsigned char*>(values);
+  for (const std::uint32_t i : where) {
+    std::memcpy(to + i * type.size, from, type.size);
+    from += type.size;
+  }
+}
+
+[[gnu::noinline, gnu::cold]] inline void give_to_verts(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+  const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
+    if (n) give_values(all, element_kind::vert, name, type, values, where, bound);
+  };
+  give("label", values_of<int>, contents.vert_labels.size(), contents.vert_labels.data());
+  give("color", values_of<rgba>, contents.vert_colors.size(), contents.vert_colors.values().data());
+  give("normal", values_of<vec3>, contents.vert_normals.size(), contents.vert_normals.values().data());
+  give("texture", values_of<std::array<double, 2>>, contents.vert_textures.size(), contents.vert_textures.values().data());
+}
+
+[[gnu::noinline, gnu::cold]] inline void give_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound) {
+  if (names.empty()) return;
+  std::string* const to = static_cast<std::string*>(all.get(element_kind::poly, name, values_of<std::string>, bound)->data());
+  names.for_each(where.size(), [&](std::size_t i, std::size_t end, std::string_view text) {
+    for (; i != end; ++i) to[where[i]].assign(text.data(), text.size());
+  });
+}
+
+[[gnu::noinline, gnu::cold]] inline void give_to_polys(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+  const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
+    if (n) give_values(all, element_kind::poly, name, type, values, where, bound);
+  };
+  give("label", values_of<int>, contents.poly_labels.size(), contents.poly_labels.data());
+  give("color", values_of<rgba>, contents.poly_colors.size(), contents.poly_colors.values().data());
+  give_names(all, "object", contents.objects, where, bound);
+  give_names(all, "group", contents.groups, where, bound);
+  give_names(all, "material", contents.materials, where, bound);
+}
+
+[[gnu::noinline, gnu::cold]] inline void tell_of_skipped(const file_contents& contents, load_report& report) {
+  const auto skipped = [&](bool is_empty, const char* what) {
+    if (!is_empty) report.skipped.push_back(what);
+  };
+  skipped(contents.vert_labels.empty(), "labels of verts");
+  skipped(contents.vert_colors.empty(), "colours of verts");
+  skipped(contents.vert_normals.empty(), "normals of verts");
+  skipped(contents.vert_textures.empty(), "texture coordinates of verts");
+  skipped(contents.poly_labels.empty(), "labels of polys");
+  skipped(contents.poly_colors.empty(), "colours of polys");
+  skipped(contents.objects.empty(), "names of objects");
+  skipped(contents.groups.empty(), "names of groups");
+  skipped(contents.materials.empty(), "names of materials");
+  skipped(contents.table.materials.empty(), "what libraries say of materials");
+}
+
+/// What the file says about elements as properties, where the mesh can have them: "label", "color", "normal", "texture", "object", "group",
+/// "material"; "materials" of the mesh itself. Elements are walked in the order of the file.
+template<class M>
+void give_properties(M& m, file_contents& contents, load_report* report) {
+  if constexpr (HasProperties<M>) {
+    if (!contents.table.empty()) *mesh_property<material_table>(m, "materials") = std::move(contents.table);
+    std::vector<std::uint32_t> where;
+    if (!contents.vert_labels.empty() || !contents.vert_colors.empty() || !contents.vert_normals.empty() || !contents.vert_textures.empty()) {
+      for (const vert_t<M> v : verts(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, v)));
+      give_to_verts(traits<M>::properties(m), contents, where, vert_index_bound(m));
+      where.clear();
+    }
+    if (!contents.poly_labels.empty() || !contents.poly_colors.empty() || !contents.objects.empty() || !contents.groups.empty() ||
+        !contents.materials.empty()) {
+      for (const poly_t<M> p : polys(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, p)));
+      give_to_polys(traits<M>::properties(m), contents, where, poly_index_bound(m));
+    }
+  } else if (report) {
+    tell_of_skipped(contents, *report);
+  }
+}
+
+/// The values of the property of that name and type by the indices of elements; null if m has none such.
+template<class T, class M>
+const T* values_if_any(const M& m, element_kind kind, std::string_view name) {
+  if constexpr (HasProperties<M>) return static_cast<const T*>(traits<M>::properties(m).values_if_any(kind, name, typeid(T)));
+  else return nullptr;
+}
+
+/// What a format keeps of the properties of m.
+struct kept_property {
+  element_kind kind;
+  std::string_view name;
+  const std::type_info* type;
+};
+
+/// Says which properties a format drops: all but those in `kept`.
+[[gnu::noinline, gnu::cold]] inline void tell_of_lost_properties(const property_set& all, const kept_property* kept, std::size_t num_kept, std::string_view format,
+                                    std::vector<std::string>& lost) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const property_info p = all.info(i);
+    bool is_kept = false;
+    for (std::size_t k = 0; k < num_kept; ++k) is_kept = is_kept || (p.kind == kept[k].kind && kept[k].name == p.name && *p.type == *kept[k].type);
+    if (!is_kept) lost.push_back(core::joined({to_string(p.kind), " property \"", p.name, "\": ", format, " has no place for it"}));
+  }
+}
+
+}  // namespace concino::detail

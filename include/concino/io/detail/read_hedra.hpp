@@ -1,0 +1,158 @@
+// .hedra, the format of Cinolib for volumes of any polyhedra.
+#pragma once
+
+#include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/orient.hpp>
+#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/detail/text_sample.hpp>
+#include <concino/mesh/detail/checks.hpp>
+
+namespace concino::detail {
+
+/// Contents: volume_contents. A template only so that programs that read no volumes need not compile it.
+template<class Contents>
+class hedra_reader : token_cursor {
+  const wanted_mesh& wanted_;
+  load_report& report_;
+  polyhedra_arrays out_;
+  const char* first_cell_ = nullptr;
+
+ public:
+  hedra_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {}
+
+  void read(Contents& out) {
+    skip();
+    if (at_end()) fail(end(), "the numbers of verts, faces and polyhedra");
+    const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8),
+                        np = next_count("the number of polyhedra", 4);
+    verts(nv);
+    faces(nf);
+    skip();
+    first_cell_ = at;
+    polys(np);
+    skip();
+    if (!at_end()) fail(at, "the end of the file after the last polyhedron");
+    report_.reoriented_polys = orient_polyhedra(out_);
+    if (report_.reoriented_polys)
+      report_.notes.push_back(core::joined({report_.reoriented_polys, " of ", np,
+                                      " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
+    out.held = wanted_.polyhedra ? held_mesh::polyhedra : held_mesh::cells;
+    if (wanted_.polyhedra) out.polyhedra = std::move(out_);
+    else out.cells = cells();
+  }
+
+ private:
+  /// Room for all of n lists, told from the first few; no more than the text can hold.
+  std::size_t expected(std::size_t entries, std::uint64_t lists, std::uint64_t n) const {
+    const double all = static_cast<double>(entries) / static_cast<double>(lists) * static_cast<double>(n);
+    return entries + std::min(room_for(all), static_cast<std::size_t>(end() - at) / 2 + 1);
+  }
+
+  void verts(std::uint64_t n) {
+    core::reserve_large(out_.points, room(n, 6));
+    for (std::uint64_t i = 0; i < n; ++i) {
+      vec3 p;
+      p.x = next_real("the x of a vert");
+      p.y = next_real("the y of a vert");
+      p.z = next_real("the z of a vert");
+      out_.points.push_back(p);
+      tell();
+    }
+  }
+
+  void faces(std::uint64_t n) {
+    std::vector<vert_id> scratch;
+    core::reserve_large(out_.face_offsets, room(n, 8) + 1);
+    out_.face_offsets.push_back(0);
+    for (std::uint64_t f = 0; f < n; ++f) {
+      skip();
+      const char* const from = at;
+      const std::uint64_t size = next_count("the number of verts of a face", 2);
+      if (size < 3) fail(from, {"a face of at least three verts"}, {"one of ", size});
+      for (std::uint64_t i = 0; i < size; ++i) out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index")});
+      const vert_id* const corners = out_.face_verts.data() + (out_.face_verts.size() - size);
+      if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
+        fail(from, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
+      if (out_.face_verts.size() > max_ids) fail_to_count("corners");
+      if (f == 4095) core::reserve_large(out_.face_verts, expected(out_.face_verts.size(), f + 1, n));
+      out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
+      tell();
+    }
+  }
+
+  void polys(std::uint64_t n) {
+    std::vector<std::uint32_t> last_poly(out_.num_faces(), ~0u);  // that had the face
+    std::uint64_t poly_corners = 0;
+    core::reserve_large(out_.poly_offsets, room(n, 4) + 1);
+    out_.poly_offsets.push_back(0);
+    for (std::uint64_t p = 0; p < n; ++p) {
+      skip();
+      const char* const from = at;
+      const std::uint64_t size = next_count("the number of faces of a polyhedron", 2);
+      if (size == 0) fail(from, {"a polyhedron of at least one face"}, {"one of none"});
+      for (std::uint64_t i = 0; i < size; ++i) {
+        skip();
+        const char* const here = at;
+        const std::int64_t f = next_integer("a face index");
+        const auto k = static_cast<std::uint64_t>(f < 0 ? -f : f);
+        if (k < 1 || k > out_.num_faces()) fail(here, {"a face index from 1 to ", out_.num_faces(), ", or its negative"});
+        if (last_poly[k - 1] == p) fail(here, {"different faces in a polyhedron"}, {"face ", k, " twice"});
+        last_poly[k - 1] = static_cast<std::uint32_t>(p);
+        poly_corners += out_.face_offsets[k] - out_.face_offsets[k - 1];
+        out_.poly_faces.push_back(face_id{k - 1});
+        out_.outward.push_back(f > 0);
+      }
+      if (out_.poly_faces.size() > max_ids) fail_to_count("faces of polyhedra");
+      if (p == 4095) {
+        core::reserve_large(out_.poly_faces, expected(out_.poly_faces.size(), p + 1, n));
+        core::reserve_large(out_.outward, out_.poly_faces.capacity());
+      }
+      out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
+      tell();
+    }
+    check_poly_corners(poly_corners, out_.face_verts.size(), out_.poly_faces.size(), core::joined({name(), ": "}));
+  }
+
+  /// For meshes of tets or hexes only.
+  cell_arrays cells() {
+    cell_recogniser known;
+    cell_arrays cells;
+    cells.arity = wanted_.arity;
+    for (std::size_t p = 0; p < out_.num_polys(); ++p) {
+      const cell_shape s = recognise(out_, p, known);
+      const std::uint32_t n = s == cell_shape::tet ? 4 : s == cell_shape::hex ? 8 : 0;
+      if (cells.arity == 0) cells.arity = n;
+      if (n == 0 || n != cells.arity) {
+        at = first_cell_;
+        for (std::size_t q = 0; q <= p; ++q) {
+          skip();
+          first_cell_ = at;
+          for (std::int64_t i = next_integer("a number"); i > 0; --i) next_integer("a number");
+        }
+        fail(first_cell_,
+             {name_of_poly(true, cells.arity ? cells.arity : 4), " (polyhedralmesh and load_any take any polyhedron)"},
+             {"a ", s == cell_shape::general ? "polyhedron" : table_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
+              " faces"});
+      }
+      cells.verts.insert(cells.verts.end(), known.cell, known.cell + n);
+    }
+    if (cells.arity == 0) cells.arity = 4;
+    report_.skipped.push_back("the numbering of the faces");
+    cells.points = std::move(out_.points);
+    return cells;
+  }
+};
+
+/// Needs:  text of a .hedra file: numbers in any layout.
+/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces do not agree on the outside, or are inside out, are put right
+///         and counted.
+/// Cost:   O(size of the text), and sorting the edges of each polyhedron.
+/// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
+///         polyhedron that the wanted mesh cannot hold, text after the last; unsupported if faces of more than 16 verts belong to very many
+///         polyhedra.
+template<class Contents>
+void read_hedra(const read_context& context, Contents& out) {
+  hedra_reader<Contents>(context).read(out);
+}
+
+}  // namespace concino::detail

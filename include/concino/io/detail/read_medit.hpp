@@ -1,0 +1,280 @@
+// MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids, with labels ("references").
+#pragma once
+
+#include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/medit_sections.hpp>
+#include <concino/io/detail/text_cursor.hpp>
+#include <concino/mesh/face_soup.hpp>
+
+namespace concino::detail {
+
+/// What the mesh to be made cannot be is not compiled: surfaces, volumes.
+template<bool Surfaces, bool Volumes>
+class medit_reader : token_cursor {
+  const wanted_mesh& wanted_;
+  load_report& report_;
+  int dimension_ = 0;
+  bool has_verts_ = false, ended_ = false;
+  std::vector<vec3> points_;
+  std::vector<int> vert_labels_, poly_labels_;
+  std::vector<vert_id> verts_;             // of the polys, one after another
+  std::vector<std::uint32_t> poly_begin_;  // of each poly in verts_, once they differ in size
+  std::vector<std::uint8_t> shapes_;       // cell_shape of each poly, once they differ
+  std::size_t polys_ = 0;
+  const medit_section* only_ = nullptr;    // the section of all polys so far
+  std::uint64_t num_rounded_ = 0;          // references that are no integers
+  const char* first_rounded_ = nullptr;
+
+  struct part {
+    const medit_section* section;
+    const char* at;  // before the count
+    std::uint64_t count;
+  };
+  std::vector<part> put_off_;  // surfaces, until it is known that there are no cells; cells that come before the verts
+
+ public:
+  medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report) {}
+
+  void read(contents_of<Volumes>& out) {
+    skip();
+    if (at_end()) fail(end(), "MeshVersionFormatted");
+    const char* const from = at;
+    if (word() != "MeshVersionFormatted") fail(from, "MeshVersionFormatted (MEDIT in ASCII)");
+    next_integer("the version of the format, an integer");
+    while (!ended_) {
+      skip();
+      if (at_end()) break;
+      section();
+    }
+    if (!ended_) report_.notes.push_back("the file has no End: it may be cut off");
+    if (!has_verts_) fail(end(), "a section Vertices");
+    finish(out);
+  }
+
+ private:
+  [[gnu::noinline, gnu::cold]] void section() {
+    const char* const from = at;
+    const std::string_view keyword = is_letter(*at) ? word() : std::string_view{};
+    if (keyword == "End") {
+      ended_ = true;
+    } else if (keyword == "Dimension") {
+      skip();
+      const char* const number = at;
+      dimension_ = static_cast<int>(std::clamp<std::int64_t>(next_integer("the dimension, 2 or 3"), 0, 4));
+      if (dimension_ != 2 && dimension_ != 3) fail(number, "the dimension, 2 or 3");
+    } else if (keyword == "Vertices") {
+      if (dimension_ == 0) fail(from, "Dimension before Vertices");
+      if (has_verts_) fail(from, {"one section Vertices"}, {"another"});
+      vertices();
+    } else if (keyword.empty()) {
+      fail(from, "a keyword, such as Tetrahedra or End");
+    } else {
+      for (const medit_section& s : medit_sections)
+        if (keyword == s.keyword) {
+          const part here{&s, at, next_count("a number of elements", 2 * s.arity + 2)};
+          if (Volumes && s.volume && has_verts_) {
+            elements(here);
+          } else {
+            put_off_.push_back(here);
+            skip_section();
+          }
+          return;
+        }
+      skip();
+      std::int64_t n = 0;
+      parse_integer(at, end(), n);  // most sections begin with how many rows they have
+      tell_of_skipped(keyword.substr(0, 40), n > 0 ? static_cast<std::uint64_t>(n) : 0);
+      skip_section();
+    }
+  }
+
+  /// To the next word that begins with a letter.
+  [[gnu::noinline]] void skip_section() {
+    for (bool after_space = true; !at_end(); ++at) {
+      if (*at == comment) {
+        skip_line();
+        if (at_end()) return;
+        after_space = true;
+      } else if (is_space(*at)) {
+        after_space = true;
+        tell();
+      } else {
+        if (after_space && is_letter(*at)) return;
+        after_space = false;
+      }
+    }
+  }
+
+  [[gnu::noinline, gnu::cold]] void tell_of_skipped(std::string_view keyword, std::uint64_t rows) {
+    report_.skipped.push_back(rows ? core::joined({"section ", keyword, ", ", rows, " rows"}) : core::joined({"section ", keyword}));
+  }
+
+  int next_label(const char* what) {
+    skip();
+    const char* const from = at;
+    std::int64_t label = 0;
+    const char* const p = parse_integer(at, end(), label);
+    if (p && ends_token(p, comment)) [[likely]] at = p;
+    else label = real_label(what);
+    if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) fail(from, {what, " of 32 bits"});
+    return static_cast<int>(label);
+  }
+
+  /// Some programs write references as reals. Beyond 32 bits: any integer that is too large.
+  [[gnu::noinline, gnu::cold]] std::int64_t real_label(const char* what) {
+    const char* const from = at;
+    const double x = std::clamp(real(what, comment), -0x1p40, 0x1p40), rounded = std::round(x);
+    if (x != rounded && num_rounded_++ == 0) first_rounded_ = from;
+    return static_cast<std::int64_t>(rounded);
+  }
+
+  /// Labels are kept from the first on that is not zero; `n` elements came before.
+  static void add_label(std::vector<int>& labels, std::size_t n, int label) {
+    if (label == 0 && labels.empty()) return;
+    labels.resize(n);
+    labels.push_back(label);
+  }
+
+  std::uint64_t least_bytes() const { return static_cast<std::uint64_t>(2 * dimension_ + 2); }  // of a vertex: digits and blanks
+
+  void vertices() {
+    const std::uint64_t n = next_count("the number of vertices", least_bytes());
+    core::reserve_large(points_, room(n, least_bytes()));
+    for (std::uint64_t i = 0; i < n; ++i) {
+      vec3 p;
+      p.x = next_real("the x of a vertex");
+      p.y = next_real("the y of a vertex");
+      if (dimension_ == 3) p.z = next_real("the z of a vertex");
+      points_.push_back(p);
+      add_label(vert_labels_, i, next_label("the reference of a vertex, an integer"));
+      tell();
+    }
+    has_verts_ = true;
+  }
+
+  void elements(const part& all) {
+    const medit_section& s = *all.section;
+    if (all.count == 0) return;
+    skip();
+    if (s.volume && wanted_.cells && !wanted_.polyhedra) {
+      const std::uint32_t arity = wanted_.arity ? wanted_.arity : only_ ? only_->arity : s.arity;
+      if (s.arity != arity || (arity != 4 && arity != 8)) refuse(s, arity);
+    }
+    if (!s.volume && wanted_.surface && wanted_.arity && s.arity != wanted_.arity) refuse(s, wanted_.arity);
+    if (only_ && only_ != &s && shapes_.empty()) {  // from here on every poly says what it is
+      shapes_.resize(polys_);
+      for (std::uint8_t& shape : shapes_) shape = static_cast<std::uint8_t>(only_->shape);
+      for (std::size_t p = 0; p <= polys_; ++p) poly_begin_.push_back(static_cast<std::uint32_t>(p * only_->arity));
+    }
+    core::reserve_large(verts_, verts_.size() + room(all.count, 2 * s.arity + 2) * s.arity);
+    std::vector<vert_id> scratch;
+    for (std::uint64_t i = 0; i < all.count; ++i) {
+      skip();
+      const char* const from = at;
+      for (std::uint32_t k = 0; k < s.arity; ++k) {
+        const vert_id v{next_index(points_.size(), "a vertex index")};
+        verts_.push_back(v);
+      }
+      vert_id* const corners = verts_.data() + (verts_.size() - s.arity);
+      if (const std::size_t k = first_repeated(corners, s.arity, scratch); k != s.arity)
+        fail(from, {"different vertices in an element"}, {"vertex ", corners[k].raw() + 1, " twice"});
+      add_label(poly_labels_, polys_ + i, next_label("the reference of an element, an integer"));
+      if constexpr (Volumes)
+        if (s.volume) report_.reoriented_polys += make_positive(s.shape, corners, points_);
+      if (!shapes_.empty()) {
+        shapes_.push_back(static_cast<std::uint8_t>(s.shape));
+        poly_begin_.push_back(static_cast<std::uint32_t>(verts_.size()));
+      }
+      tell();
+    }
+    if (verts_.size() > max_ids) fail_to_count("corners");
+    polys_ += all.count;
+    if (!only_) only_ = &s;
+  }
+
+  [[noreturn, gnu::noinline, gnu::cold]] void refuse(const medit_section& s, std::uint32_t arity) const {
+    fail(at,
+         {name_of_poly(s.volume, arity),
+          s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"},
+         {"an element of section ", s.keyword});
+  }
+
+  [[gnu::noinline, gnu::cold]] void finish(contents_of<Volumes>& out) {
+    bool has_cells = polys_ > 0;
+    for (const part& p : put_off_) has_cells = has_cells || (p.section->volume && p.count > 0);
+    for (const part& p : put_off_) {
+      if (p.section->volume != has_cells) {
+        if (p.count > 0) tell_of_skipped(p.section->keyword, p.count);
+        continue;
+      }
+      // Where the kind is wrong anyway, load() says so better than the line of some element would.
+      if (has_cells ? !Volumes : !Surfaces) {
+        polys_ += p.count;
+        continue;
+      }
+      at = p.at;
+      next_count("a number of elements", 2 * p.section->arity + 2);
+      elements(p);
+    }
+    if (num_rounded_)
+      report_.notes.push_back(
+          core::joined({num_rounded_, " references are no integers and were rounded, the first on line ", line_of(first_rounded_)}));
+    if (report_.reoriented_polys)
+      report_.notes.push_back(core::joined({report_.reoriented_polys, " of ", polys_,
+                                      " cells had a negative volume: their verts were put into the standard order"}));
+    if (has_cells && !Volumes) throw_wrong_dimension(name(), true, polys_);
+    if (!has_cells && !Surfaces && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
+
+    if (!vert_labels_.empty()) vert_labels_.resize(points_.size());
+    if (!poly_labels_.empty()) poly_labels_.resize(polys_);
+    out.vert_labels = std::move(vert_labels_);
+    out.poly_labels = std::move(poly_labels_);
+    const bool volume = has_cells || !Surfaces;
+    if constexpr (Surfaces)
+      if (!volume) out.surface = surface();
+    if constexpr (Volumes)
+      if (volume) {
+        const bool fits = wanted_.cells && shapes_.empty() && (!only_ || only_->arity == 4 || only_->arity == 8);
+        out.held = fits ? held_mesh::cells : held_mesh::polyhedra;
+        if (fits) out.cells = cell_arrays{std::move(points_), std::move(verts_), only_ ? only_->arity : wanted_.arity ? wanted_.arity : 4};
+        else out.polyhedra = polyhedra();
+      }
+  }
+
+  surface_arrays surface() {
+    surface_arrays s;
+    s.points = std::move(points_);
+    s.verts = std::move(verts_);
+    s.offsets = std::move(poly_begin_);
+    if (s.offsets.empty()) s.arity = only_ ? only_->arity : wanted_.arity;
+    if (s.offsets.empty() && s.arity == 0) s.offsets.push_back(0);
+    return s;
+  }
+
+  polyhedra_arrays polyhedra() {
+    face_soup soup;
+    const vert_id* v = verts_.data();
+    for (std::size_t p = 0; p < polys_; ++p) {
+      const cell_shape shape = shapes_.empty() ? only_->shape : static_cast<cell_shape>(shapes_[p]);
+      soup.add_cell(shape, v);
+      v += table_of(shape).num_verts;
+    }
+    std::vector<vert_id>().swap(verts_);
+    return std::move(soup).unite(std::move(points_));
+  }
+};
+
+/// Needs:  text of a MEDIT file: keywords, counts and rows in any layout, sections in any order, `#` comments, Dimension 2 (z is 0) or 3.
+/// Result: a volume if there is any cell, else a surface. Elements keep their order. Cells of negative volume are turned into the standard
+///         order and counted. References become labels unless all are zero; those that are no integers are rounded and counted. Surface elements of a volume, and sections that a mesh has no
+///         place for, are reported as skipped.
+/// Cost:   O(size of the text)
+/// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the
+///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
+///         or the reverse.
+template<bool Surfaces, bool Volumes>
+void read_medit(const read_context& context, contents_of<Volumes>& out) {
+  medit_reader<Surfaces, Volumes>(context).read(out);
+}
+
+}  // namespace concino::detail

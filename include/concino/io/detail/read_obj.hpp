@@ -1,0 +1,290 @@
+// Wavefront OBJ: verts and polygons of any size, with colours, groups and materials. What a mesh has no place for is counted and reported.
+#pragma once
+
+#include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/read_mtl.hpp>
+#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/detail/text_sample.hpp>
+
+namespace concino::detail {
+
+class obj_reader : text_cursor {
+  const read_context& context_;
+  const wanted_mesh& wanted_;
+  file_contents& extra_;
+  surface_arrays& out_;
+  std::vector<std::string> libraries_;                                       // of materials
+  std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // how many there are in the end, once that is known
+  std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // largest index met
+  std::uint64_t num_textures_ = 0, num_normals_ = 0, num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
+  std::size_t first_other_ = 0;
+  std::string other_;
+  std::uint32_t arity_ = 0;
+  std::vector<vert_id> scratch_;
+  static constexpr std::size_t max_name = 1000;  // bytes of the names that polys get
+
+ public:
+  obj_reader(const read_context& c, file_contents& out)
+      : text_cursor(c.text, c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out), out_(out.surface) {}
+
+  void read(load_report& report) {
+    const std::string_view all{at, static_cast<std::size_t>(end() - at)};
+    if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), {"verts and faces"}, {"an empty file"});
+    make_room(all);
+    lines();
+    // Indices may name what comes later in the file, so the bounds are known only now. A file that breaks them is read once more, with
+    // them, to find the line.
+    if (max_point_ > out_.points.size() || max_texture_ > num_textures_ || max_normal_ > num_normals_) {
+      points_ = out_.points.size(), textures_ = num_textures_, normals_ = num_normals_;
+      restart(all.data());
+    }
+    if (out_.points.empty() && num_other_ > 0)
+      fail(end(), {"verts (v x y z)"}, {"none, and ", num_other_, " lines that are not of an OBJ file, the first '", other_, "'"});
+    if (out_.offsets.empty()) out_.arity = arity_;
+    if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
+    tell_of_skipped(report);
+    if (!extra_.vert_colors.empty()) extra_.vert_colors.resize(out_.points.size());
+    end_names();
+  }
+
+ private:
+  void make_room(std::string_view all) {
+    std::size_t points = 0, corners = 0;
+    const double scale = sample_lines(all, [&](const char* line, const char* last) {
+      if (last - line < 2 || !is_blank(line[1])) return;
+      if (*line == 'v') ++points;
+      else if (*line == 'f') corners += words_of_line(line, last) - 1;
+    });
+    core::reserve_large(out_.points, room_for(scale * static_cast<double>(points)));
+    core::reserve_large(out_.verts, room_for(scale * static_cast<double>(corners)));
+  }
+
+  /// Ends with an error: what does not lead to it stays as it is.
+  [[gnu::noinline, gnu::cold]] void restart(const char* from) {
+    out_.points.clear();
+    out_.offsets.clear();
+    out_.verts.clear();
+    at = from;
+    num_textures_ = num_normals_ = 0;
+    lines();
+  }
+
+  void lines() {
+    for (;;) {
+      skip_space();
+      if (at_end()) return;
+      tell();
+      const char c = *at, d = at + 1 != end() ? at[1] : '\n';
+      if (c == 'v' && (is_space(d) || d == '\\')) vert();
+      else if (c == 'f' && (is_space(d) || d == '\\')) face();
+      else if (c == '#') text_cursor::skip_line();  // a backslash at the end of a comment joins nothing
+      else other();
+    }
+  }
+
+  /// Blanks, and line ends after a backslash.
+  void blanks() {
+    while (at != end()) {
+      if (is_blank(*at)) ++at;
+      else if (*at != '\\' || !joins_lines()) return;
+    }
+  }
+  bool joins_lines() {
+    const char* p = at + 1;
+    if (p == end() || !is_line_end(*p)) return false;
+    at = p + (*p == '\r' && p + 1 != end() && p[1] == '\n' ? 2 : 1);
+    return true;
+  }
+  bool line_is_over() const { return at == end() || is_line_end(*at) || *at == '#'; }
+  void skip_joined_line() {
+    while (at != end() && !is_line_end(*at))
+      if (*at != '\\' || !joins_lines()) ++at;
+  }
+
+  double coordinate(const char* expected) {
+    blanks();
+    return real(expected);
+  }
+
+  void vert() {
+    ++at;
+    vec3 p;
+    p.x = coordinate("the x of a vert");
+    p.y = coordinate("the y of a vert");
+    p.z = coordinate("the z of a vert");
+    out_.points.push_back(p);
+    blanks();
+    if (line_is_over()) {
+      text_cursor::skip_line();
+      return;
+    }
+    after_point();
+  }
+
+  /// A weight or a colour.
+  [[gnu::noinline]] void after_point() {
+    double x[3] = {};
+    std::size_t n = 0;
+    for (; !line_is_over(); ++n, blanks()) {
+      const double value = coordinate("a number (a weight or a colour) or the end of the line");
+      if (n < 3) x[n] = value;
+    }
+    text_cursor::skip_line();
+    if (n != 3) {
+      ++num_extra_;
+      return;
+    }
+    extra_.vert_colors.resize(out_.points.size() - 1);
+    extra_.vert_colors.push_back(rgba{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
+  }
+
+  /// An index of the file, from 1 or from the end of what has been read so far, to one from 1.
+  std::uint64_t absolute(const char* place, std::int64_t i, std::uint64_t so_far, std::uint64_t bound, const char* what) const {
+    if (i < 0) i += static_cast<std::int64_t>(so_far) + 1;
+    if (i < 1 || static_cast<std::uint64_t>(i) > bound)
+      fail(place, {"the index of ", what, " from 1 to ", bound < max_ids ? bound : so_far, ", or from -1 back to the first read so far"});
+    return static_cast<std::uint64_t>(i);
+  }
+
+  void face() {
+    const char* const line = at++;
+    const std::size_t first = out_.verts.size();
+    for (blanks(); !line_is_over(); blanks()) {
+      const char* const corner = at;
+      std::int64_t i = 0;
+      const char* p = parse_integer(at, end(), i);
+      if (!p) fail(at, "the index of a vert");
+      const std::uint64_t v = absolute(corner, i, out_.points.size(), points_, "a vert");
+      if (v > max_point_) max_point_ = v;
+      if (p != end() && *p == '/') p = attributes(corner, p);
+      if (!ends_token(p, '#')) fail(corner, "a corner v, v/vt, v//vn or v/vt/vn");
+      at = p;
+      const vert_id id{static_cast<std::uint32_t>(v - 1)};
+      out_.verts.push_back(id);
+    }
+    text_cursor::skip_line();
+    end_face(line, first);
+  }
+
+  /// The indices of a texture coordinate and a normal, each of which may be missing; checked, not kept.
+  const char* attributes(const char* corner, const char* p) {
+    std::int64_t i = 0;
+    if (const char* q = parse_integer(++p, end(), i)) {
+      const std::uint64_t t = absolute(corner, i, num_textures_, textures_, "a texture coordinate");
+      if (t > max_texture_) max_texture_ = t;
+      p = q;
+    }
+    if (p == end() || *p != '/') return p;
+    if (const char* q = parse_integer(++p, end(), i)) {
+      const std::uint64_t n = absolute(corner, i, num_normals_, normals_, "a normal");
+      if (n > max_normal_) max_normal_ = n;
+      p = q;
+    }
+    return p;
+  }
+
+  void end_face(const char* line, std::size_t first) {
+    const std::size_t size = out_.verts.size() - first;
+    if (size < 3) fail(line, {"a face of at least three corners"}, {"one of ", size});
+    const vert_id* corners = out_.verts.data() + first;
+    if (const std::size_t i = first_repeated(corners, size, scratch_); i != size)
+      fail(line, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
+    if (wanted_.surface && wanted_.arity && size != wanted_.arity)
+      fail(line, {name_of_poly(false, wanted_.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", size, " corners"});
+    if (out_.verts.size() > max_ids) fail_to_count("corners");
+    end_poly(out_, arity_, first);
+  }
+
+  std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
+
+  /// What is left of the line, without blanks around it and without a comment, which needs a blank before it.
+  [[gnu::noinline]] std::string name_to_end_of_line() {
+    std::string name;
+    while (at != end() && !is_line_end(*at)) {
+      if (*at == '\\' && joins_lines()) {
+        name += ' ';
+        continue;
+      }
+      if (*at == '#' && (name.empty() || is_blank(name.back()))) break;
+      if (!name.empty() || !is_blank(*at)) name += *at;
+      ++at;
+    }
+    text_cursor::skip_line();
+    while (!name.empty() && is_blank(name.back())) name.pop_back();
+    return name;
+  }
+
+  /// Labels from the names of groups or objects, materials and colours from the libraries.
+  [[gnu::noinline, gnu::cold]] void end_names() {
+    const std::size_t n = out_.num_polys();
+    for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) names->end(n);
+    const name_runs& named = extra_.groups.empty() ? extra_.objects : extra_.groups;
+    if (!named.empty()) {
+      int label = 0;
+      const bool numbers = &named == &extra_.groups && named.all([&](std::string_view name) { return says_number(name, "label_", label); });
+      name_numbers number;
+      extra_.poly_labels.reserve(n);
+      named.for_each(n, [&](std::size_t, std::size_t end, std::string_view name) {
+        label = 0;
+        if (numbers) says_number(name, "label_", label);
+        else label = number(name);
+        while (extra_.poly_labels.size() < end) extra_.poly_labels.push_back(label);
+      });
+      if (numbers) extra_.groups.clear();
+    }
+    if (!libraries_.empty()) assign_materials(context_, libraries_, n, extra_);
+    for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) {
+      if (names->longest() <= max_name) continue;
+      names->rename([](std::string_view name) { return std::string(name.substr(0, max_name)); });
+      context_.report->notes.push_back(core::joined({"names longer than ", max_name, " bytes were cut: every poly has a copy of its name"}));
+    }
+  }
+
+  [[gnu::noinline]] void other() {
+    const char* const from = at;
+    while (at != end() && (is_letter(*at) || is_digit(*at) || *at == '_')) ++at;
+    const std::string_view word{from, static_cast<std::size_t>(at - from)};
+    if (!is_letter(*from) || !(ends_token(at, '#'))) fail(from, "a keyword of OBJ such as v or f");
+    if (word == "vt") ++num_textures_;
+    else if (word == "vn") ++num_normals_;
+    else if (word == "l" || word == "p") ++num_lines_;
+    else if (word == "g") return extra_.groups.change(num_polys(), name_to_end_of_line());
+    else if (word == "o") return extra_.objects.change(num_polys(), name_to_end_of_line());
+    else if (word == "usemtl") return extra_.materials.change(num_polys(), name_to_end_of_line());
+    else if (word == "mtllib") return libraries_.push_back(name_to_end_of_line());
+    else if (word == "s") ++num_smooth_;
+    else if (num_other_++ == 0) {
+      other_ = std::string(word.substr(0, 40));
+      first_other_ = static_cast<std::size_t>(from - begin());
+    }
+    skip_joined_line();
+  }
+
+  [[gnu::noinline, gnu::cold]] void tell_of_skipped(load_report& report) const {
+    const auto skipped = [&](std::uint64_t n, const char* what) {
+      if (n) report.skipped.push_back(core::joined({n, " ", what}));
+    };
+    skipped(num_textures_, "texture coordinates (vt)");
+    skipped(num_normals_, "normals (vn)");
+    skipped(num_extra_, "weights of verts, or other numbers after x y z that are no r g b");
+    skipped(num_lines_, "points and lines (p, l)");
+    skipped(num_smooth_, "smoothing groups (s)");
+    if (num_other_)
+      report.skipped.push_back(
+          core::joined({num_other_, " lines with other keywords, the first '", other_, "' on line ", line_of(begin() + first_other_)}));
+  }
+};
+
+/// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
+/// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are. `v x y z r g b` gives
+/// colours
+///         of verts, white where there is none. `o`, `g` and `usemtl` give names of polys, of 1000 bytes at most. Labels number the groups, or the objects where
+///         there are no groups, from 1 as they come; groups that are all called label_<number> are labels and nothing else. The libraries'
+///         Kd and d give colours of polys; materials called color_<number> that say nothing else are colours and no materials. All that
+///         the libraries say is kept in `table`.
+/// Cost:   O(size of the text)
+/// Errors: parse_error naming the line of a number that is none or not finite, of an index out of range, of a poly of fewer than three
+///         verts or with a vert twice, of a poly that the wanted mesh cannot hold; of an empty file.
+inline void read_obj(const read_context& context, file_contents& out) { obj_reader(context, out).read(*context.report); }
+
+}  // namespace concino::detail

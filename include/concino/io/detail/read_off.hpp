@@ -1,0 +1,258 @@
+// Geomview OFF: verts and polygons of any size, with colours, normals and texture coordinates; as text or binary.
+#pragma once
+
+#include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/off_cursor.hpp>
+
+namespace concino::detail {
+
+class off_reader : off_cursor {
+  const wanted_mesh& wanted_;
+  load_report& report_;
+  file_contents& extra_;
+  surface_arrays& out_;
+  std::uint32_t arity_ = 0;
+  std::vector<vert_id> scratch_;
+  bool colors_of_polys_ = true;              // what follows the corners on a line is a colour
+  bool wraps_ = false;                       // polys go on in the next line
+  std::vector<std::uint32_t> whole_colors_;  // verts with colours of integers, all 0 or 1
+  std::uint64_t largest_part_ = 0;           // of such colours
+  std::uint64_t num_extra_ = 0, num_odd_ = 0;
+
+ public:
+  off_reader(const read_context& c, file_contents& out)
+      : off_cursor(c.text, c.name, c.progress), wanted_(c.wanted), report_(*c.report), extra_(out), out_(out.surface) {}
+
+  void read() {
+    skip_space('#');
+    if (at_end()) fail(end(), "OFF");
+    header_word();
+    if (header_.binary) {
+      off_binary_reader(*this, header_, wanted_, report_).read(out_, extra_, arity_);
+    } else {
+      const auto [verts, polys] = counts();
+      read_verts(verts, polys);
+      read_polys(polys);
+      skip_space('#');
+      if (!at_end()) report_.skipped.push_back(core::joined({"what follows the last poly, from line ", line_of(at), " on"}));
+    }
+    if (out_.offsets.empty()) out_.arity = arity_;
+    if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
+    finish_attributes();
+  }
+
+ private:
+  void read_verts(std::uint64_t n, std::uint64_t polys) {
+    skip_space('#');
+    if (n == 0) return;
+    choose_layout(n, polys);
+    core::reserve_large(out_.points, n);
+    const bool plain = header_.numbers() == 3 && header_.dimension == 3;
+    for (std::uint64_t i = 0; i < n; ++i) {
+      skip_space('#');
+      vec3 p;
+      if (plain) {
+        p.x = number("the x of a vert");
+        p.y = number("the y of a vert");
+        p.z = number("the z of a vert");
+      } else {
+        p = point();
+      }
+      out_.points.push_back(p);
+      if (!plain) attributes();
+      if (per_line_) {
+        blanks();
+        if (!line_is_over()) extra_numbers();
+      }
+      tell();
+    }
+  }
+
+  [[gnu::noinline]] vec3 point() {
+    double x[3] = {};
+    for (std::uint64_t i = 0; i < header_.dimension; ++i) {
+      const double c = number("a coordinate of a vert");
+      if (i < 3) x[i] = c;
+    }
+    vec3 p{x[0], x[1], x[2]};
+    if (header_.homogeneous) {
+      gap();
+      const char* const place = at;
+      const double w = real("the weight w of a vert");
+      p = {p.x / w, p.y / w, p.z / w};
+      if (!is_finite(p)) fail(place, "a weight w by which x y z can be divided");
+    }
+    return p;
+  }
+
+  [[gnu::noinline]] void attributes() {
+    if (header_.normal) {
+      vec3 n;
+      n.x = number("the x of a normal");
+      n.y = number("the y of a normal");
+      n.z = number("the z of a normal");
+      extra_.vert_normals.push_back(n);
+    }
+    if (header_.color) vert_color();
+    if (header_.texture) {
+      const double s = number("the first texture coordinate of a vert");
+      extra_.vert_textures.push_back(std::array<double, 2>{s, number("the second texture coordinate of a vert")});
+    }
+  }
+
+  /// Some numbers of a colour: integers from 0 to 255, or reals from 0 to 1.
+  struct color_parts {
+    double x[4] = {0, 0, 0, 0};
+    std::uint32_t size = 0;
+    bool whole = true;
+
+    double largest() const { return std::max({x[0], x[1], x[2], x[3]}); }
+    rgba color() const {
+      rgba c;
+      float* const parts[] = {&c.r, &c.g, &c.b, &c.a};
+      for (std::uint32_t i = 0; i < size; ++i) *parts[i] = static_cast<float>(whole ? x[i] / 255 : x[i]);
+      return c;
+    }
+  };
+  [[gnu::noinline]] void add_part(color_parts& c) {
+    const char* const from = at;
+    const double x = real("a number of a colour");
+    if (c.size < 4) c.x[c.size] = x;
+    ++c.size;
+    for (const char* p = from; p != at; ++p) c.whole = c.whole && (is_digit(*p) || *p == '-' || *p == '+');
+  }
+  void check_bytes(const char* place, const color_parts& c) const {
+    if (c.whole && (c.largest() > 255 || std::min({c.x[0], c.x[1], c.x[2], c.x[3]}) < 0))
+      fail(place, "a colour of integers from 0 to 255, or of reals from 0 to 1");
+  }
+
+  void vert_color() {
+    gap();
+    const char* const place = at;
+    color_parts c;
+    while (c.size < color_size_) {
+      gap();
+      add_part(c);
+    }
+    check_bytes(place, c);
+    if (c.whole) {
+      largest_part_ = std::max(largest_part_, static_cast<std::uint64_t>(c.largest()));
+      if (largest_part_ < 2) whole_colors_.push_back(static_cast<std::uint32_t>(extra_.vert_colors.size()));
+    }
+    extra_.vert_colors.push_back(c.color());
+  }
+
+  [[gnu::noinline]] void extra_numbers() {
+    ++num_extra_;
+    for (; !line_is_over(); blanks()) real("a number or the end of the line");
+  }
+
+  void read_polys(std::uint64_t n) {
+    if (n == 0) return;
+    skip_space('#');
+    if (!per_line_) {
+      colors_of_polys_ = lines_left() >= n;
+      wraps_ = true;
+    }
+    for (std::uint64_t f = 0; f < n; ++f) {
+      skip_space('#');
+      poly(f, n);
+      if (colors_of_polys_) {
+        blanks();
+        if (!line_is_over()) poly_attributes(f);
+      }
+      if (f == 4095) core::reserve_large(out_.verts, expected_corners(n));
+      tell();
+    }
+  }
+
+  /// Corners of n polys, if the others are like those so far, within what the file can hold.
+  std::size_t expected_corners(std::uint64_t n) const {
+    const double by_mean = static_cast<double>(out_.verts.size()) / 4096 * static_cast<double>(n) * 1.01;
+    return out_.verts.size() + static_cast<std::size_t>(std::min(by_mean, static_cast<double>(left()) / 2));
+  }
+
+  void poly(std::uint64_t f, std::uint64_t n) {
+    const char* const line = at;
+    const std::int64_t size = integer("the number of verts of a poly");
+    if (size < 3) fail(line, "a poly of at least three verts");
+    const std::size_t first = out_.verts.size();
+    const auto bound = out_.points.size();
+    for (std::int64_t k = 0; k < size; ++k) {
+      blanks();
+      if (line_is_over()) [[unlikely]]
+        go_on(n - f - 1);
+      std::int64_t i = 0;
+      const char* const p = parse_integer(at, end(), i);
+      if (!p || !ends_token(p, '#') || i < 0 || static_cast<std::uint64_t>(i) >= bound) fail_index();
+      at = p;
+      const vert_id v{static_cast<std::uint32_t>(i)};
+      out_.verts.push_back(v);
+    }
+    check_poly(*this, line, first, scratch_, wanted_, out_, arity_);
+  }
+
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_index() const {
+    if (out_.points.empty()) fail(at, "no polys, as there are no verts");
+    fail(at, {"the index of a vert from 0 to ", out_.points.size() - 1});
+  }
+
+  /// A poly goes on in the next line only where the file has lines enough for the others: else its line is too short.
+  [[gnu::noinline]] void go_on(std::uint64_t others) {
+    if (!wraps_) wraps_ = lines_left() > others;
+    if (!wraps_) fail(at, "the index of a vert");
+    skip_space('#');
+  }
+
+  [[gnu::noinline]] void poly_attributes(std::uint64_t f) {
+    const char* const place = at;
+    color_parts c;
+    for (; !line_is_over(); blanks()) add_part(c);
+    if (c.size == 1 && c.whole) {
+      if (c.x[0] < std::numeric_limits<int>::min() || c.x[0] > std::numeric_limits<int>::max())
+        fail(place, "the index of a colour of 32 bits");
+      extra_.poly_labels.resize(f);
+      const int label = static_cast<int>(c.x[0]);
+      extra_.poly_labels.push_back(label);
+    } else if (c.size == 3 || c.size == 4) {
+      check_bytes(place, c);
+      extra_.poly_colors.resize(f);
+      extra_.poly_colors.push_back(c.color());
+    } else {
+      ++num_odd_;
+    }
+  }
+
+  /// Those that came last may have had none.
+  [[gnu::noinline, gnu::cold]] void finish_attributes() {
+    if (!extra_.poly_labels.empty()) extra_.poly_labels.resize(out_.num_polys());
+    if (!extra_.poly_colors.empty()) extra_.poly_colors.resize(out_.num_polys());
+    if (largest_part_ < 2 && !whole_colors_.empty()) {
+      for (const std::uint32_t v : whole_colors_) {
+        rgba& c = extra_.vert_colors[v];
+        for (float* const part : {&c.r, &c.g, &c.b, &c.a}) *part = *part > 0 ? 1.0f : 0.0f;
+      }
+      report_.notes.push_back("colours of verts: no integer is larger than 1, so they were taken as parts from 0 to 1");
+    }
+    const auto skipped = [&](std::uint64_t n, const char* what) {
+      if (n) report_.skipped.push_back(core::joined({n, " ", what}));
+    };
+    skipped(num_extra_, "verts with more numbers than the header says");
+    skipped(num_odd_, "polys with numbers after the corners that are no colour");
+    if (header_.dimension > 3) report_.skipped.push_back(core::joined({"coordinates beyond the third, of ", header_.dimension}));
+  }
+};
+
+/// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, then BINARY and numbers of 32 bits, or text with comments.
+/// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: coordinates that are missing are 0, those
+///         beyond the third are reported as skipped. Colours, normals and texture coordinates of verts; colours of polys, white where there
+///         is none, and indices of colours as labels. Integers from 0 to 255 and reals from 0 to 1 are told apart colour by colour; only
+///         where no integer of the verts exceeds 1 they are parts too, as Geomview has it.
+///         Binary numbers are big-endian; where only little-endian ones give a file that makes sense, these are read, and a note says so.
+/// Cost:   O(size of the text)
+/// Errors: parse_error naming the line (in binary files, the byte) of what is no number or not finite, of counts that are negative or
+///         larger than the file, of an index out of range, of a poly of fewer than three verts or with a vert twice, of a poly that the
+///         wanted mesh cannot hold, of w = 0, of the end of a file that is cut off.
+inline void read_off(const read_context& context, file_contents& out) { off_reader(context, out).read(); }
+
+}  // namespace concino::detail

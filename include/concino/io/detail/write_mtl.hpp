@@ -1,0 +1,238 @@
+// The materials of the polys of an OBJ file, and what its material library has to define.
+#pragma once
+
+#include <concino/io/detail/write_common.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// The colour that the lines of a material say; `is_taken`: whether a reader gives it to polys.
+[[gnu::noinline, gnu::cold]] inline rgba color_of(const std::vector<std::string>& lines, bool& is_taken) {
+  rgba color;
+  is_taken = false;
+  for (const std::string& line : lines) {
+    text_cursor in(line, {});
+    const std::string_view word = in.word();
+    while (!in.at_end() && is_blank(*in.at)) ++in.at;
+    try {
+      is_taken = read_color(in, word, color) || is_taken;
+    } catch (const parse_error&) {  // as for the reader: the line says nothing
+    }
+  }
+  return color;
+}
+
+/// The material of each poly: its property "material" where that says one, with the colour of the poly; else one made up for its colour.
+/// Polys of one material in different colours need materials of their own, which differ in the colour alone.
+class mtl_names {
+  static constexpr std::uint32_t none = ~0u;
+
+  struct name_info {
+    std::uint32_t in_table = none;  // place in needed_
+    rgba color = {};                // that the table says; else the default
+    bool is_colored = false;        // some poly has another colour than this
+    bool is_used = false;           // some poly has this colour
+    bool is_defined = false;        // the name means one colour already
+  };
+
+  write_state& c_;
+  const std::string* material_;               // of polys, by their indices; null: none
+  const rgba* color_;                         // the same
+  const material_table* table_;               // null: none
+  std::vector<material> table_materials_;     // as lines can hold them
+  std::vector<material> needed_;              // what the library has to hold, those of the table first
+  name_table names_;                          // of materials; 0: no material
+  std::vector<name_info> info_;               // of each name
+  bool table_colors_ = false;                 // some poly has a material of the table that says a colour
+  name_table colored_names_;                  // names with colours, as bytes
+  std::vector<std::uint32_t> key_material_;   // a name for each of these
+  std::vector<std::uint32_t> poly_material_;  // the same for polys as they are walked
+  std::vector<std::string> undefined_;        // names that no library shall define
+  std::uint32_t recent_[256] = {};            // numbers in colored_names_, by a short hash
+  std::size_t num_polys_ = 0, last_number_ = 0, num_renamed_ = 0, num_duplicates_ = 0, num_bad_lines_ = 0;
+  std::size_t last_poly_ = ~std::size_t{0};
+  std::uint32_t last_name_ = 0;
+
+ public:
+  bool changed = false;  // names that no line can hold
+
+  [[gnu::noinline, gnu::cold]] mtl_names(write_state& c, const std::string* material, const rgba* color, const material_table* table)
+      : c_(c), material_(material), color_(color), table_(table) {
+    c.keep(element_kind::poly, "color", typeid(rgba));
+    c.keep(element_kind::mesh, "materials", typeid(material_table));
+    if (!c.library) {
+      constexpr const char* where = "it goes to a .mtl file beside the .obj file, and text has none beside it";
+      if (color_) c.report.lost.push_back(core::joined({"poly property \"color\": ", where}));
+      if (table_ && !table_->materials.empty()) c.report.lost.push_back(core::joined({"mesh property \"materials\": ", where}));
+      color_ = nullptr;
+    }
+    add_name("");
+    if (!table_ || !c.library) return;
+    for (const concino::material& m : table_->materials) {
+      const std::uint32_t name = add_name(line_name(m.name, changed));
+      if (m.name.empty() || info_[name].in_table != none) {
+        ++num_duplicates_;
+        continue;
+      }
+      info_[name].in_table = static_cast<std::uint32_t>(needed_.size());
+      needed_.push_back({names_[name], {}});
+      for (const std::string& line : m.lines) {
+        std::string fit = library_line(line);
+        if (fit.empty()) ++num_bad_lines_;
+        else needed_.back().lines.push_back(std::move(fit));
+      }
+    }
+    for (name_info& a : info_) {
+      if (a.in_table == none) continue;
+      const rgba said = color_of(needed_[a.in_table].lines, a.is_defined);
+      if (a.is_defined) a.color = said;
+    }
+    table_materials_ = needed_;
+  }
+
+  bool any() const { return material_ || color_; }
+
+  /// For every poly, before assign_material(): what names there are, and in which colours.
+  void register_poly(std::size_t poly) {
+    name_info& a = info_[name_of(poly)];
+    ++num_polys_;
+    if (!color_) return;
+    table_colors_ = table_colors_ || (a.in_table != none && a.is_defined);
+    (color_[poly] == a.color ? a.is_used : a.is_colored) = true;
+  }
+
+  /// For every poly, in the order of polys(m): chooses the name of its material.
+  [[gnu::noinline]] void assign_material(std::size_t poly) {
+    const std::uint32_t name = name_of(poly);
+    if (!color_) {
+      poly_material_.push_back(name);
+      return;
+    }
+    if (poly_material_.empty()) poly_material_.reserve(num_polys_);
+    char key[sizeof name + sizeof(rgba)];
+    std::memcpy(key, &name, sizeof name);
+    std::memcpy(key + sizeof name, color_ + poly, sizeof(rgba));
+    std::uint64_t words[2];
+    std::memcpy(words, key + sizeof name, sizeof words);
+    std::uint32_t& recent = recent_[(words[0] * 0x9e3779b97f4a7c15u ^ (words[1] + name) * 0xc2b2ae3d27d4eb4fu) >> 56];
+    if (recent >= colored_names_.size() || std::string_view(colored_names_[recent]) != std::string_view(key, sizeof key)) {
+      recent = static_cast<std::uint32_t>(colored_names_.add(std::string_view(key, sizeof key)));
+      if (recent == key_material_.size()) key_material_.push_back(material_for(name, color_[poly]));
+    }
+    poly_material_.push_back(key_material_[recent]);
+  }
+
+  /// Once all polys have their materials: writes the lines that name the libraries.
+  [[gnu::noinline, gnu::cold]] void end() {
+    const auto lost = [&](std::size_t n, const char* what, const char* why) {
+      if (n) c_.report.lost.push_back(core::joined({what, n, why}));
+    };
+    lost(num_renamed_, "materials of several colours: ", " were given names of their own, as a material of .mtl has one colour");
+    lost(num_duplicates_, "materials without a name, or of a name that another has: ", " were left out");
+    lost(num_bad_lines_, "lines of materials that are empty or begin another material: ", " were left out");
+    std::vector<std::string> libraries;
+    if (c_.library) libraries = c_.library->choose_or_write(needed_, undefined_, table_, c_.report);
+    else if (table_) libraries = table_->libraries;
+    bool ignored = false;
+    for (const std::string& name : libraries) c_.out << "mtllib " << line_name(name, ignored) << '\n';
+  }
+
+  /// The material of the k-th poly of polys(m).
+  const std::string& operator[](std::size_t k) const { return names_[poly_material_[k]]; }
+
+ private:
+  std::uint32_t add_name(std::string_view name) {
+    const std::size_t i = names_.add(name);
+    if (i == info_.size()) info_.push_back({});
+    return static_cast<std::uint32_t>(i);
+  }
+
+  /// The property "material" of a poly, as a line can hold it.
+  std::uint32_t name_of(std::size_t poly) {
+    if (!material_) return 0;
+    if (last_poly_ == ~std::size_t{0} || std::string_view(material_[last_poly_]) != material_[poly])
+      last_name_ = add_name(line_name(material_[poly], changed));
+    last_poly_ = poly;
+    return last_name_;
+  }
+
+  /// The material of polys with this name and colour, which is defined if it has to be.
+  [[gnu::noinline, gnu::cold]] std::uint32_t material_for(std::uint32_t name, const rgba& color) {
+    const name_info a = info_[name];
+    if (a.in_table != none && color == a.color) return name;
+    if (a.in_table == none && table_colors_ && color == rgba{} && (name == 0 || !a.is_colored)) {
+      if (name != 0) undefined_.push_back(names_[name]);  // white because no library defines it
+      return name;
+    }
+    if (a.in_table != none && !a.is_used) {  // no poly has the colour of the table: it is replaced
+      info_[name].is_used = true;
+      set_color(needed_[a.in_table].lines, color);
+      return name;
+    }
+    if (a.in_table == none && name != 0 && !a.is_defined) {
+      info_[name].is_defined = true;
+      needed_.push_back({names_[name], {}});
+      set_color(needed_.back().lines, color);
+      return name;
+    }
+    num_renamed_ += name != 0;
+    const std::uint32_t made = make_up(name);
+    needed_.push_back({names_[made], a.in_table != none ? table_materials_[a.in_table].lines : std::vector<std::string>()});
+    set_color(needed_.back().lines, color);
+    return made;
+  }
+
+  /// A new name: color_1, or name_1.
+  std::uint32_t make_up(std::uint32_t name) {
+    const std::string base = core::joined({name == 0 ? std::string_view("color") : std::string_view(names_[name]), "_"});
+    std::string made;
+    do made = core::joined({base, ++last_number_});
+    while (names_.find(made) != name_table::none);
+    const std::uint32_t i = add_name(made);
+    info_[i].is_defined = true;
+    return i;
+  }
+
+  std::string line_of(std::string_view keyword, std::initializer_list<float> numbers) {
+    text_sink line;
+    line << keyword;
+    for (const float x : numbers) {
+      line << ' ';
+      write_part(line, c_.finite(x), false);
+    }
+    return std::move(line).take();
+  }
+
+  /// Replaces what the lines say of the colour and of the opacity, where that is another.
+  [[gnu::noinline, gnu::cold]] void set_color(std::vector<std::string>& lines, const rgba& color) {
+    bool is_taken = false;
+    const rgba said = color_of(lines, is_taken);
+    const bool opacity = !(color.a == said.a), parts = !is_taken || !(said == rgba{color.r, color.g, color.b, said.a});
+    bool kd = !parts, d = !opacity;  // whether they are there
+    std::vector<std::string> other;
+    for (std::string& line : lines) {
+      const std::string_view word = std::string_view(line).substr(0, line.find_first_of(" \t"));
+      if (word == "Kd" && parts) {
+        if (!std::exchange(kd, true)) other.push_back(line_of("Kd", {color.r, color.g, color.b}));
+      } else if (word == "d" && opacity) {
+        if (!std::exchange(d, true)) other.push_back(line_of("d", {color.a}));
+      } else if (word == "Tr" && opacity) {
+        other.push_back(line_of("Tr", {1 - color.a}));
+      } else {
+        other.push_back(std::move(line));
+      }
+    }
+    if (!kd) other.insert(other.begin(), line_of("Kd", {color.r, color.g, color.b}));
+    if (!d) other.push_back(line_of("d", {color.a}));
+    lines.swap(other);
+  }
+};
+
+}  // namespace concino::detail

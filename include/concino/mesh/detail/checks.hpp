@@ -1,0 +1,83 @@
+// What lists of verts a mesh refuses.
+#pragma once
+
+#include <concino/core/message.hpp>
+#include <concino/mesh/detail/live.hpp>
+#include <concino/mesh/detail/sides.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace concino::detail {
+
+/// Lists of N, or of any lengths; refuses arrays that are no such lists.
+template<unsigned N, class T>
+rows<T, N> checked_rows(std::vector<T> values, const char* what) {
+  if (values.size() % N)
+    core::throw_joined<invalid_mesh>({what, " ", values.size() / N, " has ", values.size() % N, " verts; it needs ", N});
+  drop_spare_room(values);
+  return rows<T, N>(std::move(values));
+}
+template<class T>
+rows<T, 0> checked_rows(offsets first, std::vector<T> values, const char* what) {
+  if (first.empty()) first.push_back(0);
+  if (first.front() != 0) core::throw_joined<invalid_mesh>({"the offsets of ", what, "s begin with ", first.front(), "; they must begin with 0"});
+  for (std::size_t i = 1; i < first.size(); ++i)
+    if (first[i] < first[i - 1]) core::throw_joined<invalid_mesh>({what, " ", i - 1, " ends before it begins; offsets must not decrease"});
+  if (first.back() != values.size())
+    core::throw_joined<invalid_mesh>({"the offsets of ", what, "s end with ", first.back(), ", but the lists have ", values.size(), " entries"});
+  drop_spare_room(first);
+  drop_spare_room(values);
+  return {std::make_shared<const offsets>(std::move(first)), std::move(values)};
+}
+
+/// Refuses a list of verts that no polygon can have.
+inline void check_verts(std::span<const vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met) {
+  const auto name = [&] { return core::joined({what, " ", which}); };
+  if (verts.size() < 3) core::throw_joined<invalid_mesh>({name(), " has ", verts.size(), " verts; it needs at least 3"});
+  for (const vert_id v : verts)
+    if (v.raw() >= vert_count)
+      core::throw_joined<invalid_mesh>({name(), " names vert ", v.is_none() ? "-1 or beyond 2^32" : std::to_string(v.raw()), ", but the mesh has ",
+                                  vert_count, " verts, numbered from 0"});
+  std::size_t twice = verts.size();
+  if (verts.size() <= 16) {
+    for (std::size_t i = 1; i < verts.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (verts[i] == verts[j]) twice = i;
+  } else {
+    if (met.size() < vert_count) met.resize(vert_count, ~0u);
+    for (std::size_t i = 0; i < verts.size(); ++i) {
+      if (met[verts[i].raw()] == which) twice = i;
+      met[verts[i].raw()] = static_cast<std::uint32_t>(which);
+    }
+  }
+  if (twice != verts.size()) core::throw_joined<invalid_mesh>({name(), " has vert ", verts[twice].raw(), " twice; its verts must differ"});
+}
+
+/// The same for a new poly or face of a mesh some of whose verts may be deleted.
+inline void check_new_verts(std::span<const vert_id> list, const live<vert_id>& all, const char* what, std::size_t which) {
+  std::vector<std::uint32_t> met;
+  check_verts(list, all.bound(), what, which, met);
+  for (const vert_id v : list)
+    if (!all.contains(v)) core::throw_joined<invalid_mesh>({what, " ", which, " names vert ", v.raw(), ", which was deleted"});
+}
+
+inline void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
+  if (poly_count >= across::mask) core::throw_joined<unsupported>({"the mesh has ", poly_count, " polys; at most 2^30 fit"});
+  if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has more than 2^32 verts or corners");
+}
+
+/// Refuses polyhedra whose adjacencies would be far longer than the lists that they are given by. No volume comes near: where a face has one
+/// or two polys, these are at most twice as long. Only meshes with a face of more than 16 verts that more than 16 polys have are refused.
+/// poly_corners: the verts of all faces, a face counted for every poly that has it; face_corners: each counted once; poly_faces: the faces of
+/// all polys; before: what the message begins with.
+inline void check_poly_corners(std::uint64_t poly_corners, std::uint64_t face_corners, std::uint64_t poly_faces, std::string_view before = {}) {
+  constexpr std::uint64_t always = 1 << 20, times = 16;
+  if (poly_corners > always + times * (face_corners + poly_faces))
+    core::throw_joined<unsupported>({before, "faces of many verts belong to so many polys that the adjacencies would have ", poly_corners,
+                               " entries, for lists of ", face_corners + poly_faces, "; a face of more than ", times,
+                               " verts should belong to at most ", times, " polys"});
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,250 @@
+// Rows of values in one flat array: `rows<T, N>` with N values a row, `rows<T, 0>` with as many as each row needs. All connectivity of
+// the library's own meshes lives in these.
+#pragma once
+
+#include <concino/concepts/descriptors.hpp>
+#include <concino/concepts/ranges.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/flat_array.hpp>
+#include <concino/mesh/detail/live.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+using offsets = std::vector<std::uint32_t>;
+
+/// Gives back the room that a growing vector has left over, unless that is little.
+template<class T>
+void drop_spare_room(std::vector<T>& v) {
+  if (v.capacity() > v.size() + v.size() / 64) v.shrink_to_fit();
+}
+
+/// Turns counts[i + 1] = size of row i into where each row begins.
+inline void sum_up(offsets& counts) {
+  std::uint64_t sum = 0;
+  for (std::uint32_t& c : counts) {
+    sum += c;
+    if (sum > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+    c = static_cast<std::uint32_t>(sum);
+  }
+}
+
+template<class T, unsigned N>
+class rows {
+  core::flat_array<T> data_;
+
+ public:
+  rows() = default;
+  explicit rows(std::vector<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
+  explicit rows(core::flat_array<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
+  /// n rows that the caller is about to write.
+  explicit rows(std::size_t n) : data_(n * N) {}
+  rows(std::size_t n, const T& value) : data_(n * N, value) {}
+
+  std::size_t size() const { return data_.size() / N; }
+  const T* begin(std::size_t i) const { return data_.data() + i * N; }
+  const T* end(std::size_t i) const { return data_.data() + i * N + N; }
+  T* begin(std::size_t i) { return data_.data() + i * N; }
+  id_span<T> operator[](std::size_t i) const {
+    const T* const first = begin(i);  // read once, so that compilers see N values and unroll loops over them
+    return {first, first + N};
+  }
+  static constexpr std::uint32_t length(std::size_t) { return N; }
+  std::size_t num_values() const { return data_.size(); }
+
+  // Edits find their memory first, which changes no row, and then cannot fail.
+
+  /// After this n times add_row() cannot fail.
+  void reserve_rows(std::size_t n) { data_.room_for(n * N); }
+  /// Writes a row behind the last, where it counts after commit_row(), which cannot fail. The values may lie in these rows; if `first` is null
+  /// the caller writes them.
+  T* stage_row(const T* first, [[maybe_unused]] std::size_t n) {
+    assert(n == N);
+    return data_.stage(first, N, N);
+  }
+  void commit_row([[maybe_unused]] std::size_t n) {
+    assert(n == N);
+    data_.resize(data_.size() + N);
+  }
+  template<class It>
+  void add_row(It first, [[maybe_unused]] It last) {
+    assert(last - first == N);
+    data_.append(std::to_address(first), N);
+  }
+};
+
+/// Rows of any lengths. While nothing was edited the rows lie one after another and row i ends where row i+1 begins, so one array of
+/// offsets says all, and tables whose rows have equal lengths share it. The first edit that changes a row's length gives every row an
+/// end of its own ("loose"); a row that outgrows its room moves to the end. Reading is the same in both states: a row is what lies between first_[i]
+/// and last_[i], and packed rows just have last_ = first_ + 1.
+template<class T>
+class rows<T, 0> {
+  std::shared_ptr<const offsets> packed_;
+  offsets loose_first_, loose_last_, room_;
+  const std::uint32_t* first_ = nullptr;
+  const std::uint32_t* last_ = nullptr;
+  std::size_t size_ = 0;
+  core::flat_array<T> data_;
+
+  void aim() {
+    first_ = packed_ ? packed_->data() : loose_first_.data();
+    last_ = packed_ ? packed_->data() + 1 : loose_last_.data();
+  }
+
+  void check_room(std::size_t more) const {
+    if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+  }
+
+  void reserve_offsets(std::size_t n) {
+    loosen();
+    if (std::min({loose_first_.capacity(), loose_last_.capacity(), room_.capacity()}) - size_ >= n) return;
+    reserve_more(loose_first_, n), aim();
+    reserve_more(loose_last_, n), aim();
+    reserve_more(room_, n);
+  }
+
+  void move_row(std::size_t i, std::uint32_t room) {
+    check_room(room);
+    const std::size_t n = loose_last_[i] - loose_first_[i];
+    const std::size_t from = loose_first_[i], to = data_.size();
+    data_.room_for(room);
+    data_.resize(to + room);
+    std::copy_n(data_.data() + from, n, data_.data() + to);
+    loose_first_[i] = static_cast<std::uint32_t>(to);
+    loose_last_[i] = static_cast<std::uint32_t>(to + n);
+    room_[i] = room;
+  }
+
+ public:
+  rows() = default;
+  rows(std::shared_ptr<const offsets> where, std::vector<T> data) : rows(std::move(where), core::flat_array<T>(std::move(data))) {}
+  rows(std::shared_ptr<const offsets> where, core::flat_array<T> data) : packed_(std::move(where)), data_(std::move(data)) {
+    assert(packed_ && !packed_->empty() && packed_->back() == data_.size());
+    size_ = packed_->size() - 1;
+    aim();
+  }
+  rows(const rows& o)
+      : packed_(o.packed_), loose_first_(o.loose_first_), loose_last_(o.loose_last_), room_(o.room_), size_(o.size_), data_(o.data_) {
+    if (o.first_) aim();
+  }
+  rows(rows&& o) noexcept { swap(o); }
+  rows& operator=(rows o) noexcept {
+    swap(o);
+    return *this;
+  }
+  void swap(rows& o) noexcept {
+    using std::swap;
+    swap(packed_, o.packed_), swap(loose_first_, o.loose_first_), swap(loose_last_, o.loose_last_), swap(room_, o.room_);
+    swap(first_, o.first_), swap(last_, o.last_), swap(size_, o.size_), swap(data_, o.data_);
+  }
+
+  std::size_t size() const { return size_; }
+  const T* begin(std::size_t i) const { return data_.data() + first_[i]; }
+  const T* end(std::size_t i) const { return data_.data() + last_[i]; }
+  T* begin(std::size_t i) { return data_.data() + first_[i]; }
+  id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
+  std::uint32_t length(std::size_t i) const { return last_[i] - first_[i]; }
+  /// Of rows that were not edited.
+  std::size_t num_values() const { return data_.size(); }
+
+  /// The offsets that other rows of the same lengths may share; null once a row was edited.
+  const std::shared_ptr<const offsets>& shape() const { return packed_; }
+  /// Takes over equal offsets, so that the two tables hold them once.
+  template<class U>
+  void share_shape(const rows<U, 0>& o) {
+    assert(packed_ && o.shape() && *packed_ == *o.shape());
+    packed_ = o.shape();
+    aim();
+  }
+
+  // Edits find their memory first, which changes no row, and then cannot fail.
+
+  /// After this remove() and clear_row() cannot fail.
+  void loosen() {
+    if (!packed_) return;
+    offsets first(size_), last(size_), room(size_);
+    for (std::size_t i = 0; i < size_; ++i) {
+      first[i] = first_[i];
+      last[i] = last_[i];
+      room[i] = last[i] - first[i];
+    }
+    loose_first_ = std::move(first);
+    loose_last_ = std::move(last);
+    room_ = std::move(room);
+    packed_.reset();
+    aim();
+  }
+  /// After this n times add_row() cannot fail, with room for so many values in all.
+  void reserve_rows(std::size_t n, std::size_t values) {
+    reserve_offsets(n);
+    check_room(values);
+    data_.room_for(values);
+  }
+  /// After this n times push(i) cannot fail. Takes room that reserve_rows() found, so it comes before that.
+  void reserve_in_row(std::size_t i, std::uint32_t n) {
+    loosen();
+    if (room_[i] - length(i) < n) move_row(i, std::max({std::uint32_t{4}, 2 * room_[i], length(i) + n}));
+  }
+  /// Writes a row behind the last, where it counts after commit_row(), which cannot fail. The values may lie in these rows; if `first` is null
+  /// the caller writes them.
+  T* stage_row(const T* first, std::size_t n, std::size_t room = 0) {
+    reserve_offsets(1);
+    check_room(std::max(n, room));
+    return data_.stage(first, n, std::max(n, room));
+  }
+  /// The row that was staged with the same numbers.
+  void commit_row(std::size_t n, std::size_t room = 0) {
+    room = std::max(n, room);
+    const std::size_t at = data_.size();
+    loose_first_.push_back(static_cast<std::uint32_t>(at));
+    loose_last_.push_back(static_cast<std::uint32_t>(at + n));
+    room_.push_back(static_cast<std::uint32_t>(room));
+    data_.resize(at + room);
+    ++size_;
+    aim();
+  }
+
+  /// A row with room for at least so many values.
+  template<class It>
+  void add_row(It from, It to, std::size_t room = 0) {
+    const auto n = static_cast<std::size_t>(to - from);
+    stage_row(std::to_address(from), n, room);
+    commit_row(n, room);
+  }
+  void push(std::size_t i, const T& value) {
+    const T kept = value;  // it may lie in these rows
+    reserve_in_row(i, 1);
+    data_[loose_last_[i]++] = kept;
+  }
+  /// Takes the value out of row i; the others keep their order.
+  void remove(std::size_t i, const T& value) {
+    loosen();
+    T* const e = data_.data() + loose_last_[i];
+    T* const at = std::find(begin(i), e, value);
+    if (at == e) return;
+    std::move(at + 1, e, at);
+    --loose_last_[i];
+  }
+  void clear_row(std::size_t i) {
+    loosen();
+    loose_last_[i] = loose_first_[i];
+  }
+};
+
+/// Rows that the caller is about to write; lengths[i + 1] says how long row i is, lengths[0] is 0.
+template<class T>
+rows<T, 0> make_rows(offsets lengths) {
+  sum_up(lengths);
+  auto where = std::make_shared<const offsets>(std::move(lengths));
+  core::flat_array<T> data(where->back());
+  return {std::move(where), std::move(data)};
+}
+
+}  // namespace concino::detail

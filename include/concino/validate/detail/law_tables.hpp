@@ -1,0 +1,236 @@
+// How the laws are checked: elements and adjacencies are read once into arrays over positions (the order of the walk), guarding against
+// everything a broken mesh may answer; the laws are then statements about those arrays.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/core/message.hpp>
+#include <concino/validate/broken_law.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <new>
+#include <span>
+#include <vector>
+
+namespace concino::detail {
+
+using position = std::uint32_t;
+inline constexpr position no_position = ~position{0};
+
+/// The elements of one kind in the order of their walk. An element that breaks the laws of indices is left out.
+template<class D>
+struct element_table {
+  char letter;
+  std::vector<D> items;
+  std::vector<std::size_t> index;  // by position
+  std::vector<position> slot;      // by index
+  bool sound = true;               // nothing was left out
+
+  position size() const { return static_cast<position>(items.size()); }
+  std::string name(position i) const { return core::joined({letter, index[i]}); }
+  std::string kind() const { return letter == 'v' ? "vert" : letter == 'e' ? "edge" : letter == 'f' ? "face" : "poly"; }
+  std::string index_bound() const { return core::joined({kind(), "_index_bound"}); }
+
+  template<class M>
+  position find(const M& m, const D& x) const {
+    const std::size_t i = index_of(m, x);
+    if (i >= slot.size() || slot[i] == no_position || !(items[slot[i]] == x)) return no_position;
+    return slot[i];
+  }
+};
+
+/// Reads all elements of a kind; breaks `indices` where index_of is at fault and `counting` where the walk is.
+template<class D, class M, class Walk, class Num, class Bound>
+element_table<D> read_elements(const M& m, char letter, const Walk& walk, const Num& num_of, const Bound& bound_of, const char* indices,
+                               const char* counting, law_log& log) {
+  element_table<D> t{letter, {}, {}, {}, true};
+  const std::string kind = t.kind();
+  std::size_t num = 0, bound = 0, walked = 0, faults = 0;
+  try {
+    num = num_of(m);
+    bound = bound_of(m);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    log.add(indices, core::joined({"num_", kind, "s or ", t.index_bound(), " throws: ", e.what()}), "");
+    t.sound = false;
+    return t;
+  }
+  const auto fault = [&](const char* law, std::string what, std::size_t i) {
+    log.add(law, std::move(what), core::joined({letter, i}));
+    t.sound = false;
+    ++faults;
+  };
+  try {
+    auto&& range = walk(m);
+    // A walk that does not end meets an index for the second time, or leaves the count far behind.
+    auto it = range.begin();
+    for (; faults < 16 && (walked <= 1024 || walked / 2 <= num) && it != range.end(); ++it, ++walked) {
+      const D x = *it;
+      const std::size_t i = index_of(m, x);
+      if (i >= bound) {
+        fault(indices, core::joined({"index_of gives ", i, ", which is not below ", t.index_bound(), ", ", bound}), i);
+      } else if (i / 1024 > walked + 65536) {
+        fault(indices,
+              core::joined({"index_of gives ", i, " for one of the first ", walked + 1, " ", kind, "s: too sparse for arrays"}),
+              i);
+      } else if (i < t.slot.size() && t.slot[i] != no_position) {
+        const bool again = t.items[t.slot[i]] == x;
+        fault(again ? counting : indices,
+              again ? core::joined({"walking the ", kind, "s meets this one twice"})
+                    : core::joined({"index_of gives ", i, " for two different ", kind, "s"}),
+              i);
+      } else {
+        if (i >= t.slot.size()) t.slot.resize(std::max(i + 1, std::min(bound, 2 * t.slot.size())), no_position);
+        t.items.push_back(x);
+        t.index.push_back(i);
+        t.slot[i] = t.size() - 1;  // last: a slot names an item that is there, even where copying x throws
+        if constexpr (requires { traits<M>::contains(m, x); })
+          if (!traits<M>::contains(m, x)) fault(counting, core::joined({"contains denies a ", kind, " that the walk meets"}), i);
+      }
+    }
+    const bool ended = !(it != range.end());
+    if (walked != num && faults == 0)
+      log.add(counting,
+              core::joined({"walking the ", kind, "s meets ", walked, ended ? "" : " or more", ", but num_", kind, "s is ", num}),
+              "");
+    if (!ended) t.sound = false;
+    // Ranges are multi-pass, and keep their order while the mesh does not change.
+    position i = 0;
+    bool same = true;
+    if (t.sound)
+      for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
+        same = i < t.size() && t.items[i] == static_cast<D>(*again);
+    if (t.sound && (!same || i != t.size()))
+      log.add(counting, core::joined({"walking the ", kind, "s a second time meets others than the first time"}), "");
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    log.add(counting, core::joined({"walking the ", kind, "s throws: ", e.what()}), "");
+    t.sound = false;
+  }
+  return t;
+}
+
+/// For each a of a table its b's, all by position, in the order in which the mesh gave them.
+struct rings {
+  std::vector<std::size_t> offsets{0};
+  std::vector<position> items;
+
+  position size() const { return static_cast<position>(offsets.size() - 1); }
+  std::span<const position> operator[](position a) const { return {items.data() + offsets[a], items.data() + offsets[a + 1]}; }
+  void close() { offsets.push_back(items.size()); }
+};
+
+/// Reads one adjacency. Every one holds elements of the mesh only, none twice, and gives the same each time: else `law` is broken.
+template<class M, class A, class B, class Ring>
+rings read_rings(const M& m, const element_table<A>& from, const element_table<B>& to, const Ring& ring_of, const char* law,
+                 const char* verb, law_log& log) {
+  rings r;
+  r.offsets.reserve(from.items.size() + 1);
+  std::vector<position> seen(to.items.size(), no_position);
+  for (position a = 0; a < from.size(); ++a) {
+    const auto call = [&] { return core::joined({verb, "(", from.name(a), ")"}); };
+    try {
+      auto&& ring = ring_of(m, from.items[a]);
+      std::size_t faults = 0;  // an endless ring has many
+      for (auto it = ring.begin(); faults < 16 && it != ring.end(); ++it) {
+        const B x = *it;
+        const position b = to.find(m, x);
+        if (b != no_position && seen[b] != a) {
+          seen[b] = a;
+          r.items.push_back(b);
+          continue;
+        }
+        if (faults++ > 0) continue;  // one witness per ring
+        if (b != no_position) log.add(law, core::joined({call(), " holds ", to.name(b), " twice"}), core::joined({from.name(a), " ", to.name(b)}));
+        else if (to.sound)  // else it may be one that was left out of the table and has been reported
+          log.add(law, core::joined({call(), " holds something that is not a ", to.kind(), " of the mesh"}),
+                  core::joined({from.name(a), " ", to.letter, index_of(m, x)}));
+      }
+      if (faults == 0) {
+        std::size_t i = r.offsets.back();
+        bool same = true;
+        for (auto it = ring.begin(); same && it != ring.end(); ++it, ++i)
+          same = i < r.items.size() && to.items[r.items[i]] == static_cast<B>(*it);
+        if (!same || i != r.items.size())
+          log.add(law, core::joined({"walking ", call(), " a second time meets others than the first time"}), from.name(a));
+      }
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& e) {
+      log.add(law, core::joined({call(), " throws: ", e.what()}), from.name(a));
+    }
+    r.close();
+  }
+  return r;
+}
+
+/// For each b the a's whose ring holds it.
+inline rings transposed(const rings& ab, position num_b) {
+  rings t;
+  t.offsets.assign(num_b + std::size_t{1}, 0);
+  for (const position b : ab.items) ++t.offsets[b + std::size_t{1}];
+  for (std::size_t b = 0; b < num_b; ++b) t.offsets[b + 1] += t.offsets[b];
+  t.items.resize(ab.items.size());
+  std::vector<std::size_t> next(t.offsets.begin(), t.offsets.end() - 1);
+  for (position a = 0; a < ab.size(); ++a)
+    for (const position b : ab[a]) t.items[next[b]++] = a;
+  return t;
+}
+
+/// For each a the b's of its m's: adj_a2b that follows from adj_a2m and adj_m2b. May name a b several times.
+inline rings composed(const rings& am, const rings& mb) {
+  rings r;
+  for (position a = 0; a < am.size(); ++a) {
+    for (const position m : am[a]) r.items.insert(r.items.end(), mb[m].begin(), mb[m].end());
+    r.close();
+  }
+  return r;
+}
+
+/// Calls only_in_x(a, b) and only_in_y(a, b) for what one ring of a holds and the other lacks; either returns false to stop.
+template<class InX, class InY>
+void compare_sets(const rings& x, const rings& y, position num_b, const InX& only_in_x, const InY& only_in_y) {
+  std::vector<position> in_x(num_b, no_position), in_y(num_b, no_position);
+  for (position a = 0; a < x.size(); ++a) {
+    for (const position b : x[a]) in_x[b] = a;
+    for (const position b : y[a]) in_y[b] = a;
+    for (const position b : x[a])
+      if (in_y[b] != a && !only_in_x(a, b)) return;
+    for (const position b : y[a])
+      if (in_x[b] != a && !only_in_y(a, b)) return;
+  }
+}
+
+/// adj_b2a is adj_a2b seen from the other side.
+template<class A, class B>
+void check_mirror(const element_table<A>& as, const element_table<B>& bs, const rings& ab, const rings& ba, const char* law,
+                  const char* a2b, const char* b2a, law_log& log) {
+  const auto one_sided = [&](const std::string& x, const std::string& y, const char* x2y, const char* y2x) {
+    log.add(law, core::joined({x2y, "(", x, ") holds ", y, ", but ", y2x, "(", y, ") does not hold ", x}), core::joined({x, " ", y}));
+    return !log.full(law);
+  };
+  compare_sets(
+      ab, transposed(ba, as.size()), bs.size(), [&](position a, position b) { return one_sided(as.name(a), bs.name(b), a2b, b2a); },
+      [&](position a, position b) { return one_sided(bs.name(b), as.name(a), b2a, a2b); });
+}
+
+/// A ring of `verb` is, as a set, what follows from other adjacencies, called `rule`.
+template<class A, class B>
+void check_same(const element_table<A>& as, const element_table<B>& bs, const rings& given, const rings& expected, const char* law,
+                const char* verb, const char* rule, law_log& log) {
+  compare_sets(
+      given, expected, bs.size(),
+      [&](position a, position b) {
+        log.add(law, core::joined({verb, "(", as.name(a), ") holds ", bs.name(b), ", which is not ", rule}), core::joined({as.name(a), " ", bs.name(b)}));
+        return !log.full(law);
+      },
+      [&](position a, position b) {
+        log.add(law, core::joined({verb, "(", as.name(a), ") lacks ", bs.name(b), ", which is ", rule}), core::joined({as.name(a), " ", bs.name(b)}));
+        return !log.full(law);
+      });
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,145 @@
+// The laws that surfaces and volumes share: edges (SM1, SM2), closed walks around polygons, and neighbours across a side.
+#pragma once
+
+#include <concino/core/message.hpp>
+#include <concino/validate/detail/graph_laws.hpp>
+
+#include <cstdint>
+
+namespace concino::detail {
+
+template<class M>
+struct edge_tables {
+  element_table<edge_t<M>> edges;
+  rings e2v, v2e;
+};
+
+template<AnyMesh M>
+edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, law_log& log) {
+  const auto& vs = primal.nodes;
+  edge_tables<M> t{read_elements<edge_t<M>>(m, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", log), {}, {}};
+  t.e2v = read_rings(m, t.edges, vs, adj_e2v, "SM2", "adj_e2v", log);
+  t.v2e = read_rings(m, vs, t.edges, adj_v2e, "SM2", "adj_v2e", log);
+  for (position e = 0; e < t.edges.size() && !log.full("SM2"); ++e)
+    if (t.e2v[e].size() != 2 && vs.sound) log.add("SM2", core::joined({"adj_e2v(", t.edges.name(e), ") is not two different verts"}), t.edges.name(e));
+  check_mirror(t.edges, vs, t.e2v, t.v2e, "SM2", "adj_e2v", "adj_v2e", log);
+  rings far;
+  for (position v = 0; v < vs.size(); ++v) {
+    for (const position e : t.v2e[v]) {
+      const auto ends = t.e2v[e];
+      if (ends.size() == 2 && (ends[0] == v || ends[1] == v)) far.items.push_back(ends[0] == v ? ends[1] : ends[0]);
+    }
+    far.close();
+  }
+  check_same(vs, vs, primal.next, far, "SM2", "adj_v2v", "the far end of an edge of adj_v2e", log);
+  return t;
+}
+
+/// Which way a polygon walks along one of its edges: with adj_e2v, against it, or not at all.
+enum class sense : std::uint8_t { along, against, astray };
+
+/// Checks that each polygon's verts, in their order, walk along its edges and meet each once. Gives the sense of each entry of `edges_of`.
+template<class A, class V, class E>
+std::vector<sense> check_cycles(const element_table<A>& polygons, const element_table<V>& vs, const element_table<E>& es,
+                                const rings& verts_of, const rings& edges_of, const rings& e2v, const char* law, const char* a2v,
+                                const char* a2e, law_log& log) {
+  std::vector<sense> senses(edges_of.items.size(), sense::astray);
+  std::vector<position> at(vs.items.size()), owner(vs.items.size(), no_position), walked(vs.items.size(), no_position);
+  for (position a = 0; a < polygons.size(); ++a) {
+    const auto ring = verts_of[a];
+    const auto n = static_cast<position>(ring.size());
+    for (position i = 0; i < n; ++i) {
+      at[ring[i]] = i;
+      owner[ring[i]] = a;
+    }
+    const std::string args = core::joined({"(", polygons.name(a), ")"});
+    if (edges_of[a].size() != n && vs.sound && es.sound)
+      log.add(
+          law,
+          core::joined({a2e, args, " has ", edges_of[a].size(), " edges, but ", a2v, args, " has ", n, " verts"}),
+          polygons.name(a));
+    for (std::size_t k = edges_of.offsets[a]; k < edges_of.offsets[a + std::size_t{1}]; ++k) {
+      const position e = edges_of.items[k];
+      const auto ends = e2v[e];
+      if (ends.size() != 2) continue;  // reported with the edge
+      bool on_rim = false;
+      if (owner[ends[0]] == a && owner[ends[1]] == a) {
+        const position i = at[ends[0]], j = at[ends[1]];
+        const bool along = (i + 1) % n == j, against = (j + 1) % n == i;
+        // Each place of the walk takes one edge; a polygon of two verts has two places with the same ends.
+        if (along && walked[ends[0]] != a) {
+          walked[ends[0]] = a;
+          senses[k] = sense::along;
+          on_rim = true;
+        } else if (against && walked[ends[1]] != a) {
+          walked[ends[1]] = a;
+          senses[k] = sense::against;
+          on_rim = true;
+        }
+      }
+      if (!on_rim && vs.sound)
+        log.add(law, core::joined({a2e, args, " holds ", es.name(e), ", whose ends do not follow one another in ", a2v, args}),
+                core::joined({polygons.name(a), " ", es.name(e)}));
+    }
+    for (position i = 0; i < n && es.sound; ++i)
+      if (walked[ring[i]] != a) {
+        const std::string here = vs.name(ring[i]), next = vs.name(ring[(i + 1) % n]);
+        log.add(law, core::joined({a2v, args, " goes from ", here, " to ", next, ", which are not the ends of one of ", a2e, args}),
+                core::joined({polygons.name(a), " ", here, " ", next}));
+      }
+  }
+  return senses;
+}
+
+/// adj_p2p(p) is the polys that share a side (an edge or a face) with p. Stops at the first difference of each p, so that a side which
+/// claims every poly costs no more than the answers that were given.
+template<class P, class S>
+void check_neighbours(const element_table<P>& ps, const element_table<S>& sides, const rings& p2p, const rings& p2s, const rings& s2p,
+                      const char* law, law_log& log) {
+  std::vector<position> given(ps.items.size(), no_position), expected(ps.items.size(), no_position);
+  const std::string side = sides.kind() == "edge" ? "an edge" : "a face";
+  for (position p = 0; p < ps.size() && !log.full(law); ++p) {
+    for (const position q : p2p[p]) given[q] = p;
+    bool good = true;
+    for (const position s : p2s[p])
+      for (const position q : s2p[s]) {
+        if (!good) break;
+        if (q == p) continue;
+        expected[q] = p;
+        good = given[q] == p;
+        if (!good)
+          log.add(law, core::joined({"adj_p2p(", ps.name(p), ") lacks ", ps.name(q), ", across ", sides.name(s)}),
+                  core::joined({ps.name(p), " ", ps.name(q), " ", sides.name(s)}));
+      }
+    for (const position q : p2p[p]) {
+      if (good && q != p && expected[q] != p) {
+        good = false;
+        log.add(law, core::joined({"adj_p2p(", ps.name(p), ") holds ", ps.name(q), ", but they share not even ", side}),
+                core::joined({ps.name(p), " ", ps.name(q)}));
+      }
+    }
+  }
+}
+
+/// The k-th edge of a poly of n verts joins those numbered ends_of(k, n), where the type promises so.
+template<class P, class V, class E, class Ends>
+void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs, const element_table<E>& es, const rings& p2v, const rings& p2e,
+                          const rings& e2v, const Ends& ends_of, const char* law, law_log& log) {
+  for (position p = 0; p < ps.size() && !log.full(law); ++p) {
+    const auto corners = p2v[p], sides = p2e[p];
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      const auto [i, j] = ends_of(k, corners.size());
+      const auto ends = e2v[sides[k]];
+      if (i >= corners.size() || j >= corners.size() || ends.size() != 2) continue;  // reported elsewhere
+      const position a = corners[i], b = corners[j];
+      if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) continue;
+      const std::string arg = core::joined({"(", ps.name(p), ")"});
+      log.add(law,
+              core::joined({"adj_p2e", arg, " has ", es.name(sides[k]), " where the type promises, by edges_in_order, the edge from ", vs.name(a), " to ",
+                      vs.name(b), " of adj_p2v", arg}),
+              core::joined({ps.name(p), " ", es.name(sides[k])}));
+    }
+  }
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,240 @@
+#include <concino/io/detail/read_medit.hpp>
+#include <concino/mesh/hexmesh.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/trimesh.hpp>
+
+#include <support/reading.hpp>
+
+#include <doctest/doctest.h>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+const std::string head = "MeshVersionFormatted 2\nDimension 3\n";
+const std::string points = "Vertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n";
+const std::string one_tet = head + points + "Tetrahedra\n1\n1 2 3 4 0\nEnd\n";
+const std::string cube = head + "Vertices 9\n0 0 0 0  1 0 0 0  1 1 0 0  0 1 0 0\n0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0  0.5 0.5 2 0\n";
+
+template<class M>
+M medit(const std::string& text, const load_options& options = {}) {
+  return load_alone<M>(text, file_format::medit, options, "t.mesh");
+}
+template<class M = cell_arrays>
+std::size_t line(const std::string& text) {
+  return bad_line<M>(text, file_format::medit);
+}
+
+}  // namespace
+
+TEST_CASE("read_medit: tets, hexes, triangles, quads") {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const auto tets = medit<cell_arrays>(with_line_ends(one_tet, end));
+    CHECK(tets.arity == 4);
+    CHECK(tets.points.size() == 4);
+    CHECK(raw(tets.verts) == std::vector<unsigned>{0, 1, 2, 3});
+  }
+  const auto hexes = medit<cell_arrays>(cube + "Hexahedra 1 1 2 3 4 5 6 7 8 0 End");
+  CHECK(hexes.arity == 8);
+  CHECK(raw(hexes.verts) == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
+  const auto triangles = medit<surface_arrays>(head + points + "Triangles 2\n1 2 3 0\n1 2 4 0\nEnd");
+  CHECK(triangles.arity == 3);
+  CHECK(triangles.num_polys() == 2);
+  const auto mixed =
+      medit<surface_arrays>(head + points + "Triangles 2\n1 2 3 0\n1 2 4 0\nQuadrilaterals 1\n1 2 3 4 0\nTriangles 1 2 3 4 0 End");
+  CHECK(mixed.arity == 0);
+  CHECK(mixed.offsets == std::vector<std::uint32_t>{0, 3, 6, 10, 13});
+}
+
+TEST_CASE("read_medit: free layout, comments, sections in any order, dimension 2") {
+  const auto t = medit<cell_arrays>(
+      "# c\nMeshVersionFormatted # d\n1 Tetrahedra 1 1 2 3 4 7 # e\nCorners 1 1 Dimension\n3 Vertices 4 0 0 0 1 1 0 0 1 0 1 0 1 0 0 1 1 "
+      "End rest is not read");
+  CHECK(raw(t.verts) == std::vector<unsigned>{0, 1, 2, 3});
+  const auto flat = medit<surface_arrays>("MeshVersionFormatted 1 Dimension 2 Triangles 1 1 2 3 0 Vertices 3 0 0 0 1 0 0 0 1 0 End");
+  CHECK(flat.points[2] == vec3{0, 1, 0});
+  CHECK(flat.num_polys() == 1);
+}
+
+TEST_CASE("read_medit: surface elements of a volume and other sections are skipped, and the report says so") {
+  load_report r;
+  const auto t = medit<cell_arrays>(
+      head + "NormalAtVertices 1\n1 2\n" + points +
+          "Edges 1\n1 2 0\nTriangles 2\n1 2 3 0\n1 2 9 0\nRidges\n1\n1\nNormals 1\n0 1e-3 2.5E+1\nTetrahedra 1\n1 2 3 4 0\nEnd\n",
+      {.report = &r});
+  CHECK(t.num_polys() == 1);
+  CHECK(r.skipped == std::vector<std::string>{"section NormalAtVertices, 1 rows", "section Edges, 1 rows", "section Ridges, 1 rows",
+                                              "section Normals, 1 rows", "section Triangles, 2 rows"});
+  CHECK(r.notes.empty());
+  medit<cell_arrays>(one_tet.substr(0, one_tet.size() - 4), {.report = &r});
+  CHECK(r.notes == std::vector<std::string>{"the file has no End: it may be cut off"});
+}
+
+TEST_CASE("read_medit: mixed cells share their faces") {
+  const auto m = medit<polyhedra_arrays>(cube + "Pyramids 1\n5 6 7 8 9 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd");
+  CHECK(m.num_polys() == 2);
+  CHECK(m.num_faces() == 10);
+  CHECK(m.poly_offsets == std::vector<std::uint32_t>{0, 5, 11});
+  double volume = 0;
+  for (std::size_t p = 0; p < 2; ++p) volume += detail::six_volumes(m, p) / 6;
+  CHECK(volume == doctest::Approx(1 + 1.0 / 3));
+  const auto two_prisms = medit<polyhedra_arrays>(cube + "Prisms 2\n1 2 3 5 6 7 0\n1 3 4 5 7 8 0\nEnd");
+  CHECK(two_prisms.num_faces() == 9);
+  CHECK(detail::six_volumes(two_prisms, 0) + detail::six_volumes(two_prisms, 1) == doctest::Approx(6));
+}
+
+TEST_CASE("read_medit: cells of negative volume are turned into the standard order and counted") {
+  for (const std::string cells : {"Tetrahedra 2\n1 3 2 5 0\n1 2 3 5 0\n", "Hexahedra 2\n1 4 3 2 5 8 7 6 0\n1 2 3 4 5 6 7 8 0\n",
+                                  "Prisms 2\n1 3 2 5 7 6 0\n1 2 3 5 6 7 0\n", "Pyramids 2\n5 8 7 6 9 0\n5 6 7 8 9 0\n"}) {
+    load_report r;
+    const auto m = medit<polyhedra_arrays>(cube + cells + "End", {.report = &r});
+    CHECK_MESSAGE(r.reoriented_polys == 1, cells);
+    CHECK(r.notes.size() == 1);
+    for (std::size_t p = 0; p < 2; ++p) CHECK(detail::six_volumes(m, p) > 0);
+  }
+  load_report r;
+  const auto flat = medit<cell_arrays>(cube + "Tetrahedra 1\n1 2 3 4 0\nEnd", {.report = &r});
+  CHECK(r.reoriented_polys == 0);
+  CHECK(raw(flat.verts) == std::vector<unsigned>{0, 1, 2, 3});
+}
+
+TEST_CASE("read_medit: errors name their line") {
+  CHECK(line("") == 1);
+  CHECK(line("# only\n") == 1);
+  CHECK(line("OFF\n1 2 3\n") == 1);
+  CHECK(line("MeshVersionFormatted x\n") == 1);
+  CHECK(line(head) == 2);
+  CHECK(line("MeshVersionFormatted 1\nDimension\n4\n") == 3);
+  CHECK(line("MeshVersionFormatted 1\nVertices 0\n") == 2);
+  CHECK(line(head + "Vertices 1 0 0 0 0\n\nVertices 1 0 0 0 0\n") == 5);
+  CHECK(line(head + "Vertices\n-1\n") == 4);
+  CHECK(line(head + "Vertices\n2\n0 0 0 0\n0 0 nan 0\n") == 6);
+  CHECK(line(head + "Vertices\n2\n0 0 0 0\n0 0 0\nEnd") == 7);
+  CHECK(line(head + "Vertices\n1\n0 0 0 9999999999\n") == 5);
+  CHECK(line(head + points + "3\n") == 9);
+  CHECK(line(head + points + "Tetrahedra\n1\n1 2 3 5 0\nEnd\n") == 11);
+  CHECK(line(head + points + "Tetrahedra\n1\n0 2 3 4 0\nEnd\n") == 11);
+  CHECK(line(head + points + "Tetrahedra\n1\n1 2 3 3 0\nEnd\n") == 11);
+  CHECK(line(head + points + "Tetrahedra\n1\n1 2") == 11);
+  CHECK(line(head + points + "Tetrahedra\n1000000000000000\n1 2 3 4 0\n") == 11);
+  CHECK(line(head + "Vertices\n1000000000\n0 0 0 0\n") == 5);
+  CHECK(line<surface_arrays>(head + points + "Triangles\n1\n1 2 5 0\nEnd\n") == 11);
+}
+
+TEST_CASE("read_medit: cells of two kinds do not fit into cell_arrays, and the first of the second is named") {
+  CHECK(line(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd") == 9);
+  CHECK(line(cube + "Prisms 1\n\n1 2 3 5 6 7 0\nEnd") == 8);
+}
+
+TEST_CASE("read_medit: messages say what is wrong") {
+  const auto says = [](const std::string& text) { return complaint<cell_arrays>(text, file_format::medit); };
+  CHECK(says("MeshVersionFormatted 1\nDimension\n4\n") == "3: the dimension, 2 or 3 | '4'");
+  CHECK(says(head + points + "Tetrahedra\n1\n1 3 3 2 0\nEnd\n") == "11: different vertices in an element | vertex 3 twice");
+  CHECK(says(head + points + "Tetrahedra\n1\n1 2 3 5 0\nEnd\n").starts_with("11: "));
+  CHECK(complaint<trimesh>(head + points + "Quadrilaterals\n1\n1 2 3 4 0\nEnd\n", file_format::medit) ==
+        "11: a triangle (polygonmesh and load_any take any polygon) | an element of section Quadrilaterals");
+  CHECK(complaint<hexmesh>(one_tet, file_format::medit) == "11: a hex (polyhedralmesh and load_any take any cell) | an element of section Tetrahedra");
+  CHECK_THROWS_WITH_AS(medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd"),
+                       "t.mesh: holds a surface of 1 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
+  // cells are not even looked at where a surface is wanted
+  CHECK_THROWS_AS(medit<surface_arrays>(head + points + "Tetrahedra\n1\n1 2 3 9 0\nEnd\n"), unsupported);
+}
+
+TEST_CASE("read_medit: references at the ends of their range, from the first that is not zero on") {
+  const auto label = [](const std::string& number) {
+    const auto m = load_text<trimesh>(head + points + "Triangles 1\n1 2 3 " + number + "\nEnd", file_format::medit);
+    return find_poly_property<int>(m, "label")[poly_id{0}];
+  };
+  CHECK(label("-2147483648") == std::numeric_limits<int>::min());
+  CHECK(label("2147483647") == std::numeric_limits<int>::max());
+  CHECK(line<surface_arrays>(head + points + "Triangles\n1\n1 2 3 -2147483649\nEnd") == 11);
+  CHECK(line<surface_arrays>(head + points + "Triangles\n1\n1 2 3 2147483648\nEnd") == 11);
+  const auto m = load_text<polygonmesh>(head + points + "Triangles 2\n1 2 3 0\n1 2 4 0\nQuadrilaterals 3\n1 2 3 4 0\n4 3 2 1 5\n1 3 2 4 0\nEnd",
+                                        file_format::medit);
+  const auto labels = find_poly_property<int>(m, "label");
+  const int expected[] = {0, 0, 0, 5, 0};
+  for (unsigned p = 0; p < 5; ++p) CHECK(labels[poly_id{p}] == expected[p]);
+}
+
+TEST_CASE("read_medit: references that are written as reals") {
+  const std::string vertices = "Vertices\n4\n0 0 0 0.0\n1 0 0 7.\n0 1 0 -3e0\n0 0 1 +2.000\n";
+  load_report r;
+  const auto m = load_text<trimesh>(head + vertices + "Triangles 2\n1 2 3 5.0#c\n1 2 4 0.\nEnd", file_format::medit, {.report = &r});
+  const int expected[] = {0, 7, -3, 2};
+  for (unsigned v = 0; v < 4; ++v) CHECK(find_vert_property<int>(m, "label")[vert_id{v}] == expected[v]);
+  CHECK(find_poly_property<int>(m, "label")[poly_id{0}] == 5);
+  CHECK(find_poly_property<int>(m, "label")[poly_id{1}] == 0);
+  CHECK(r.notes.empty());
+
+  const auto n = load_text<trimesh>(head + points + "Triangles 3\n1 2 3 1.4\n1 2 4 -1.6\n1 3 4 2.0\nEnd", file_format::medit, {.report = &r});
+  const int rounded[] = {1, -2, 2};
+  for (unsigned p = 0; p < 3; ++p) CHECK(find_poly_property<int>(n, "label")[poly_id{p}] == rounded[p]);
+  CHECK(r.notes == std::vector<std::string>{"2 references are no integers and were rounded, the first on line 10"});
+
+  const auto says = [](const std::string& number) {
+    return complaint<surface_arrays>(head + points + "Triangles\n1\n1 2 3 " + number + "\nEnd", file_format::medit);
+  };
+  CHECK(says("2147483648.0") == "11: the reference of an element, an integer of 32 bits | '2147483648.0'");
+  CHECK(says("-1e300") == "11: the reference of an element, an integer of 32 bits | '-1e300'");
+  CHECK(says("nan").starts_with("11: the reference of an element, an integer"));
+  CHECK(says("1e999").starts_with("11: the reference of an element, an integer"));
+  CHECK(says("1.0x") == "11: the reference of an element, an integer | '1.0x'");
+  CHECK(says("2147483647.0").empty());
+}
+
+TEST_CASE("read_medit: several sections of a kind, empty ones, and what is skipped") {
+  load_report r;
+  CHECK(medit<cell_arrays>(head + points + "Tetrahedra 1\n1 2 3 4 0\nTetrahedra 2\n1 2 3 4 0\n1 2 3 4 0\nEnd").arity == 4);
+  const auto three = medit<polyhedra_arrays>(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nPrisms 1\n1 2 3 5 6 7 0\nEnd");
+  CHECK(three.poly_offsets == std::vector<std::uint32_t>{0, 4, 10, 15});
+  CHECK(medit<surface_arrays>(head + points + "Tetrahedra 0\nTriangles 1\n1 2 3 0\nEnd", {.report = &r}).num_polys() == 1);
+  CHECK(r.skipped.empty());
+  medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nQuadrilaterals 0\nTetrahedra 1\n1 2 3 4 0\nEnd", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"section Triangles, 1 rows"});
+  const std::string long_word(50, 'W');
+  medit<cell_arrays>(head + points + long_word + " 2\n1 2\n# Corners\n3 4\nOther -3\nRidges\nEnd\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"section " + long_word.substr(0, 40) + ", 2 rows", "section Other", "section Ridges"});
+  CHECK(r.notes.empty());
+  medit<cell_arrays>(head + points + "Ridges 1\n1\n# the end", {.report = &r});
+  CHECK(r.notes.size() == 1);
+}
+
+TEST_CASE("read_medit: a mesh without polys is of the wanted kind, and what can be either is what the file holds") {
+  CHECK(medit<cell_arrays>(head + points + "End").arity == 4);
+  CHECK(num_verts(medit<hexmesh>(head + points + "End")) == 4);
+  CHECK(medit<surface_arrays>(head + points + "End").offsets == std::vector<std::uint32_t>{0});
+  CHECK(medit<surface_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd").offsets.empty());
+  struct either {
+    int dimension;
+    std::size_t polys;
+    explicit either(surface_arrays&& s) : dimension(2), polys(s.num_polys()) {}
+    explicit either(cell_arrays&& c) : dimension(3), polys(c.num_polys()) {}
+  };
+  const auto tets = load_text<either>(one_tet, file_format::medit), triangles = load_text<either>(head + points + "Triangles 1\n1 2 3 0\nEnd", file_format::medit);
+  CHECK(tets.dimension == 3);
+  CHECK(tets.polys == 1);
+  CHECK(triangles.dimension == 2);
+  struct volume {
+    bool cells;
+    explicit volume(cell_arrays&&) : cells(true) {}
+    explicit volume(polyhedra_arrays&&) : cells(false) {}
+  };
+  const auto is_of_cells = [](const std::string& text) { return load_text<volume>(text, file_format::medit).cells; };
+  CHECK(is_of_cells(one_tet));
+  CHECK(is_of_cells(cube + "Hexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd"));
+  CHECK(!is_of_cells(cube + "Pyramids 1\n5 6 7 8 9 0\nEnd"));
+  CHECK(!is_of_cells(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd"));
+  CHECK(triangles.polys == 1);
+}
+
+TEST_CASE("read_medit: surfaces asked for as volumes and the reverse") {
+  CHECK_THROWS_WITH_AS(medit<surface_arrays>(one_tet),
+                       "t.mesh: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any",
+                       unsupported);
+  CHECK_THROWS_AS(medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd"), unsupported);
+  CHECK_THROWS_AS(medit<surface_arrays>("MeshVersionFormatted 1 Tetrahedra 1 1 2 3 4 0 Dimension 3 " + points + " End"), unsupported);
+  CHECK(medit<cell_arrays>(head + points + "End").points.size() == 4);
+  CHECK(medit<surface_arrays>(head + points + "End").points.size() == 4);
+  CHECK(medit<polyhedra_arrays>(head + points + "End").points.size() == 4);
+}
