@@ -97,7 +97,7 @@ graph/detail/steps     graph/boost
 graph/detail/edge_numbers  graph/boost
 graph/detail/sides     graph/cut_along graph/boundary_loops graph/tree_cotree
 graph/detail/corners   graph/cut_along graph/boundary_loops
-graph/detail/disjoint_sets graph/spanning_tree graph/components
+graph/disjoint_sets   graph/disjoint_sets graph/spanning_tree
 '
 
 root=$PWD

@@ -46,7 +46,7 @@ std::vector<int> bfs(const L& l, Node source, std::size_t n) {
 
 template<class Node, class L, class NodeAt>
 std::vector<int> components(const L& l, std::size_t n, NodeAt node_at) {
-  concino::detail::disjoint_sets sets(n);
+  concino::disjoint_sets sets(n);
   for (std::size_t i = 0; i < n; ++i) {
     std::size_t mine = sets.root(i);
     l.around(node_at(i), [&](Node w) {

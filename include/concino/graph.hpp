@@ -7,6 +7,7 @@
 #include <concino/graph/components.hpp>
 #include <concino/graph/cut_along.hpp>
 #include <concino/graph/dijkstra.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/graph/edge_walk.hpp>
 #include <concino/graph/grow_regions.hpp>
 #include <concino/graph/homology.hpp>

@@ -18,18 +18,6 @@ template<class G> concept has_components = requires { connected_components(std::
 
 }  // namespace
 
-TEST_CASE("sets that are united: the root is the least index, whatever the order") {
-  detail::disjoint_sets sets(6);
-  CHECK(sets.unite(4, 2));
-  CHECK(sets.unite(5, 3));
-  CHECK(sets.unite(3, 4));
-  CHECK_FALSE(sets.unite(2, 5));
-  for (const std::size_t i : {2u, 3u, 4u, 5u}) CHECK(sets.root(i) == 2);
-  CHECK(sets.unite_roots(0, 2) == 0);
-  CHECK(sets.unite_roots(1, 0) == 0);
-  for (std::size_t i = 0; i < 6; ++i) CHECK(sets.root(i) == 0);
-}
-
 TEST_CASE_TEMPLATE("connected_components: those of Boost on 1,000 random meshes with barriers, numbered by their first elements", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     using side = typename std::remove_cvref_t<decltype(g)>::side;

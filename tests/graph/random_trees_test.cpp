@@ -2,7 +2,7 @@
 #include <concino/graph/spanning_tree.hpp>
 
 #include <concino/graph/components.hpp>
-#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 
 #include <support/barred_graph.hpp>
 
@@ -40,7 +40,7 @@ TEST_CASE_TEMPLATE("spanning_tree: spans, is a tree, and weighs what Boost's doe
 
     const auto tree = spanning_tree(graph, length, {.may_enter = g.enter(), .may_cross = g.cross()});
     REQUIRE(tree.arcs.size() == nodes - static_cast<std::size_t>(cc.count));
-    detail::disjoint_sets sets(g.bound());
+    disjoint_sets sets(g.bound());
     double weight = 0;
     for (const auto& [a, b] : tree.arcs) {
       REQUIRE(sets.unite(index_of(g.m, a), index_of(g.m, b)));

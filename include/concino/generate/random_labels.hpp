@@ -5,6 +5,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/random.hpp>
 #include <concino/generate/detail/union_border.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <cstdint>
@@ -23,17 +24,8 @@ class joining {
   const int* label_;  // by index of a poly
   stamped<std::uint32_t> side_of_;
   stamped<unsigned char> shared_vert_;
-  std::vector<std::uint32_t> sets_;  // of shared faces that hang together across edges
+  disjoint_sets sets_;  // of shared faces that hang together across edges
 
-  std::uint32_t root(std::uint32_t k) const {
-    while (sets_[k] != k) k = sets_[k];
-    return k;
-  }
-  bool unite(std::uint32_t a, std::uint32_t b) {
-    a = root(a), b = root(b);
-    sets_[a] = b;
-    return a != b;
-  }
   template<class R>
   bool holds(const R& polys, int label) const {
     for (const poly_t<M> p : polys)
@@ -62,12 +54,11 @@ class joining {
       for (const face_t<M> f : adj_p2f(m_, p)) {
         if (!holds(adj_f2p(m_, f), label)) continue;
         ++chi, ++pieces;
-        const auto k = static_cast<std::uint32_t>(sets_.size());
-        sets_.push_back(k);
+        const auto k = static_cast<std::uint32_t>(sets_.add());
         for (const edge_t<M> e : adj_f2e(m_, f)) {
           const std::size_t i = index_of(m_, e);
           if (side_of_.add(i, k)) --chi;
-          else pieces -= unite(side_of_[i], k);
+          else pieces -= sets_.unite(side_of_[i], k);
         }
         for (const vert_t<M> v : adj_f2v(m_, f)) chi += shared_vert_.add(index_of(m_, v), 1);
       }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/graph/detail/sides.hpp>
 #include <concino/graph/edge_walk.hpp>
 

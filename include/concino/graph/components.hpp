@@ -4,7 +4,7 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/crossings.hpp>
-#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/graph/detail/for_each_in.hpp>
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/graph/detail/lengths.hpp>
 
 #include <algorithm>

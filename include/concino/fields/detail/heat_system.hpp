@@ -4,7 +4,7 @@
 
 #include <concino/core/vec3.hpp>
 #include <concino/fields/detail/another_solver.hpp>
-#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/operators/detail/product.hpp>
 #include <concino/solve/detail/residual.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/generate/detail/dual_parts.hpp>
-#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 
 namespace concino::detail {
 

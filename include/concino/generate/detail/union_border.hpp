@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/graph/detail/sides.hpp>
 
 #include <cstddef>

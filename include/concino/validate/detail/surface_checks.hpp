@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/message.hpp>
-#include <concino/graph/detail/disjoint_sets.hpp>
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/validate/detail/rim.hpp>
 #include <concino/validate/detail/windings.hpp>
 
