@@ -5,7 +5,8 @@
 #   - It holds for the functions below it up to the next blank line, and for overloads of the same name that follow without a comment.
 #     A function among them may say in a comment without labels how it differs.
 #   - At the top of a header it holds for all functions of the header whose comments have no labels.
-#   - Public is what stands in namespace concino or one within it whose name is not `detail`, in a header outside of the folders detail/.
+#   - Public is what stands in namespace concino or one within it, but for `detail` and `core` (what the modules share), in a header outside of the
+#     folders detail/.
 #   - Function objects (inline constexpr struct x_verb {...} x{}) count as functions.
 # It is not asked of
 #   - deleted functions: they say what to write instead;
@@ -188,7 +189,7 @@ FNR == 1 {
     else if (c == ")") --parens
     if (parens == 0 && c == "{") {
       if (statement ~ /^[ \t]*(inline[ \t]+)?namespace([ \t]|$)/) {
-        is_detail[++n_namespaces] = statement ~ /(^|[ \t:])detail([ \t:]|$)/
+        is_detail[++n_namespaces] = statement ~ /(^|[ \t:])(detail|core)([ \t:]|$)/
         n_detail += is_detail[n_namespaces]
         statement = comment = group = last_name = ""
         continue

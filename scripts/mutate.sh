@@ -48,15 +48,15 @@ operators/gradient_matrix  operators/gradient_matrix operators/gradient
 operators/vert_gradient_matrix operators/vert_gradient_matrix
 operators/divergence   operators/divergence
 operators/divergence_matrix    operators/divergence_matrix
-operators/detail/assembly  operators/laplacian operators/gradient_matrix fields/harmonic_map
+core/assembly  operators/laplacian operators/gradient_matrix fields/harmonic_map
 operators/detail/element_assembly  operators/mass_matrix operators/laplacian
-operators/detail/compressed_columns    operators/detail/poly_chunks operators/poly_mass_matrix operators/gradient_matrix operators/divergence_matrix
-operators/detail/corner_gradients  operators/detail/corner_gradients operators/gradient_matrix
+operators/detail/compressed_columns    core/poly_chunks operators/poly_mass_matrix operators/gradient_matrix operators/divergence_matrix
+operators/corner_gradients  operators/corner_gradients operators/gradient_matrix
 operators/detail/de_goes   operators/de_goes
 operators/detail/local_matrix  operators/mass_matrix operators/laplacian
-operators/detail/poly_chunks   operators/detail/poly_chunks operators/gradient
+core/poly_chunks   core/poly_chunks operators/gradient
 operators/detail/product   fields/smooth fields/harmonic_map
-operators/detail/simplex_gradients operators/detail/corner_gradients operators/gradient_matrix operators/divergence_matrix
+operators/simplex_gradients operators/corner_gradients operators/gradient_matrix operators/divergence_matrix
 operators/detail/simplex_weights   operators/laplacian
 operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian
 operators/detail/virtual_refinement    operators/virtual_refinement
@@ -71,8 +71,8 @@ solve/solve_with_values    solve/solve_with_values
 solve/detail/conditions    solve/solve_with_values solve/least_squares
 solve/detail/energy_gains  solve/detail/energy_gains
 solve/detail/equilibrate   solve/detail/equilibrate solve/qr
-solve/detail/residual  solve/detail/residual solve/solve_with_values fields/laplace_system fields/harmonic_map
-solve/detail/system_checks solve/detail/system_checks solve/ldlt solve/lu solve/qr solve/constrained
+core/residual  core/residual solve/solve_with_values fields/laplace_system fields/harmonic_map
+core/system_checks core/system_checks solve/ldlt solve/lu solve/qr solve/constrained
 validate/detail/hex_orders mesh/corner_orders validate/minimal
 validate/detail/halfedge_laws validate/halfedge_links concepts/halfedge_kernel
 mesh/corner_orders     mesh/corner_orders

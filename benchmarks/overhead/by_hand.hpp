@@ -147,7 +147,7 @@ Eigen::SparseMatrix<double> assemble(const L& l, const std::vector<double>& weig
     });
     a.innerIndexPtr()[first] = c;
     a.valuePtr()[first] = sign * sum;
-    concino::detail::sort_column(a.innerIndexPtr() + first, a.valuePtr() + first, static_cast<std::size_t>(at - first));
+    concino::core::sort_column(a.innerIndexPtr() + first, a.valuePtr() + first, static_cast<std::size_t>(at - first));
   }
   return a;
 }

@@ -26,7 +26,7 @@ vec3 vector_area(const std::vector<vec3>& p) {
   return 0.5 * sum;
 }
 double volume_under(const std::vector<vec3>& p) {
-  return detail::six_volumes_under(
+  return six_times_volume_under(
              p.size(), [&](std::size_t i) { return p[i]; }, vec3{}) /
          6;
 }

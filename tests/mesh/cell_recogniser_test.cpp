@@ -16,7 +16,7 @@ TEST_CASE("cell_recogniser: every shape from its faces, in any order and from an
   cell_recogniser known;
   for (const cell_shape s : shapes)
     for (int round = 0; round < 50; ++round) {
-      const standard_cell& t = table_of(s);
+      const standard_cell& t = standard_cell_of(s);
       std::vector<unsigned> order(t.num_faces), name(t.num_verts);
       std::iota(order.begin(), order.end(), 0u);
       std::iota(name.begin(), name.end(), 100u);
@@ -37,7 +37,7 @@ TEST_CASE("cell_recogniser: every shape from its faces, in any order and from an
       // positive as listed: the same shape in the points of the original
       std::vector<vec3> points(200);
       for (unsigned i = 0; i < t.num_verts; ++i) points[name[i]] = unit_cell(s)[i];
-      CHECK(six_volumes(s, known.cell, points) == doctest::Approx(six_volumes_of(s)));
+      CHECK(six_times_volume(s, known.cell, points) == doctest::Approx(six_volumes_of(s)));
     }
 }
 

@@ -29,7 +29,7 @@ std::vector<vert_id> first_ids(unsigned n) {
 
 TEST_CASE("standard cells: tables are closed, wound outward, and agree with those of the meshes") {
   for (const cell_shape s : shapes) {
-    const standard_cell& t = table_of(s);
+    const standard_cell& t = standard_cell_of(s);
     int runs[8][8] = {};
     for (unsigned f = 0; f < t.num_faces; ++f)
       for (unsigned i = 0; i < t.face_size[f]; ++i) ++runs[t.face_vert[f][i]][t.face_vert[f][(i + 1) % t.face_size[f]]];
@@ -38,28 +38,28 @@ TEST_CASE("standard cells: tables are closed, wound outward, and agree with thos
         CHECK(runs[a][b] <= 1);
         CHECK(runs[a][b] == runs[b][a]);
       }
-    CHECK(six_volumes(s, first_ids(t.num_verts).data(), unit_cell(s)) == doctest::Approx(six_volumes_of(s)));
+    CHECK(six_times_volume(s, first_ids(t.num_verts).data(), unit_cell(s)) == doctest::Approx(six_volumes_of(s)));
   }
   for (unsigned f = 0; f < 4; ++f)
-    for (unsigned i = 0; i < 3; ++i) CHECK(table_of(cell_shape::tet).face_vert[f][i] == tet_shape::face_vert[f][i]);
+    for (unsigned i = 0; i < 3; ++i) CHECK(standard_cell_of(cell_shape::tet).face_vert[f][i] == tet_shape::face_vert[f][i]);
   for (unsigned f = 0; f < 6; ++f)
-    for (unsigned i = 0; i < 4; ++i) CHECK(table_of(cell_shape::hex).face_vert[f][i] == hex_shape::face_vert[f][i]);
+    for (unsigned i = 0; i < 4; ++i) CHECK(standard_cell_of(cell_shape::hex).face_vert[f][i] == hex_shape::face_vert[f][i]);
 }
 
 TEST_CASE("standard cells: a mirrored cell is put right once, a flat one left alone") {
   for (const cell_shape s : shapes) {
-    const standard_cell& t = table_of(s);
+    const standard_cell& t = standard_cell_of(s);
     auto points = unit_cell(s);
     auto v = first_ids(t.num_verts);
-    CHECK_FALSE(make_positive(s, v.data(), points));
+    CHECK_FALSE(make_volume_positive(s, v.data(), points));
     CHECK(v == first_ids(t.num_verts));
     for (vec3& p : points) p.x = -p.x;
-    CHECK(make_positive(s, v.data(), points));
-    CHECK(six_volumes(s, v.data(), points) == doctest::Approx(six_volumes_of(s)));
-    CHECK_FALSE(make_positive(s, v.data(), points));
+    CHECK(make_volume_positive(s, v.data(), points));
+    CHECK(six_times_volume(s, v.data(), points) == doctest::Approx(six_volumes_of(s)));
+    CHECK_FALSE(make_volume_positive(s, v.data(), points));
     v = first_ids(t.num_verts);
     for (vec3& p : points) p.z = 0;
-    CHECK_FALSE(make_positive(s, v.data(), points));
+    CHECK_FALSE(make_volume_positive(s, v.data(), points));
     CHECK(v == first_ids(t.num_verts));
   }
 }

@@ -107,7 +107,7 @@ TEST_CASE("divergence_matrix: polygons that are triangles and polyhedra that are
   auto tets = jittered(tet_grid(2), 0.04);
   for (std::size_t i = 0; i < tets.verts.size(); i += 8) std::swap(tets.verts[i], tets.verts[i + 1]);
   const sparse l = laplacian(tetmesh(tets), {.weights = weights::cotangent});
-  const polyhedralmesh polyhedra(detail::to_polyhedra(cell_arrays(tets)));
+  const polyhedralmesh polyhedra(to_polyhedra(cell_arrays(tets)));
   CHECK(difference(divergence_matrix(tetmesh(tets)) * gradient_matrix(tetmesh(tets)), l) < 1e-13);
   CHECK(difference(divergence_matrix(polyhedra) * gradient_matrix(polyhedra), l) < 1e-13);
 }

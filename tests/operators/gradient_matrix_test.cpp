@@ -134,11 +134,11 @@ TEST_CASE_TEMPLATE("gradient_matrix: on archetypes, on an empty mesh", M, CONCIN
 TEST_CASE("gradient_matrix: polyhedra turned inside out have the same gradients") {
   auto tets = jittered(tet_grid(1), 0.05);
   const auto g = gradient_matrix(tetmesh(tets));
-  const auto h = gradient_matrix(polyhedralmesh(detail::to_polyhedra(cell_arrays(tets))));
+  const auto h = gradient_matrix(polyhedralmesh(to_polyhedra(cell_arrays(tets))));
   for (std::size_t i = 0; i < tets.verts.size(); i += 4) std::swap(tets.verts[i], tets.verts[i + 1]);
   CHECK(difference(gradient_matrix(tetmesh(tets)), g) < 1e-13);
   CHECK(difference(h, g) < 1e-13);
-  CHECK(difference(gradient_matrix(polyhedralmesh(detail::to_polyhedra(cell_arrays(tets)))), g) < 1e-13);
+  CHECK(difference(gradient_matrix(polyhedralmesh(to_polyhedra(cell_arrays(tets)))), g) < 1e-13);
 }
 
 TEST_CASE("gradient_matrix: columns are sorted whatever the order of the walk") {

@@ -122,7 +122,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: the cotangents where all polys are tria
   if constexpr (SurfaceMesh<M>)
     CHECK((Eigen::MatrixXd(laplacian(polygonmesh(with_offsets(arrays)))) - expected).cwiseAbs().maxCoeff() < 1e-13);
   else
-    CHECK((Eigen::MatrixXd(laplacian(polyhedralmesh(detail::to_polyhedra(cell_arrays(arrays))))) - expected).cwiseAbs().maxCoeff() < 1e-13);
+    CHECK((Eigen::MatrixXd(laplacian(polyhedralmesh(to_polyhedra(cell_arrays(arrays))))) - expected).cwiseAbs().maxCoeff() < 1e-13);
 }
 
 TEST_CASE_TEMPLATE("laplacian, standard: scales as lengths to the dimension minus two, to the last bit", M, CONCINO_ALL_KINDS) {
@@ -262,7 +262,7 @@ TEST_CASE("laplacian, cotangent: the order of the edges of a poly does not matte
     CHECK((a - b).cwiseAbs().maxCoeff() < 1e-12);
   };
   const auto tets = jittered(tet_grid(2), 0.05);
-  same(tetmesh(tets), polyhedralmesh(detail::to_polyhedra(cell_arrays(tets))));
+  same(tetmesh(tets), polyhedralmesh(to_polyhedra(cell_arrays(tets))));
   for (unsigned turn = 0; turn < 6; ++turn) {  // edges stand where the first poly that has them was walked
     auto turned = tets;
     const unsigned orders[][4] = {{1, 2, 0, 3}, {3, 1, 0, 2}, {1, 0, 3, 2}, {2, 3, 0, 1}, {0, 3, 1, 2}, {3, 2, 1, 0}};
@@ -270,7 +270,7 @@ TEST_CASE("laplacian, cotangent: the order of the edges of a poly does not matte
       if (p % 2 == turn % 2)
         for (unsigned k = 0; k < 4; ++k) turned.verts[4 * p + k] = tets.verts[4 * p + orders[turn][k]];
     same(tetmesh(tets), tetmesh(turned));
-    same(tetmesh(tets), polyhedralmesh(detail::to_polyhedra(cell_arrays(turned))));
+    same(tetmesh(tets), polyhedralmesh(to_polyhedra(cell_arrays(turned))));
   }
 }
 

@@ -138,7 +138,7 @@ inline polyhedralmesh as_polyhedra(const crowd& c) {
   std::vector<vert_id> verts;
   for (const auto& p : c.polys)
     for (const unsigned v : p) verts.push_back(vert_id{v});
-  return polyhedralmesh(detail::to_polyhedra<cell_arrays>(cell_arrays{c.points, std::move(verts), static_cast<std::uint32_t>(c.polys[0].size())}));
+  return polyhedralmesh(to_polyhedra<cell_arrays>(cell_arrays{c.points, std::move(verts), static_cast<std::uint32_t>(c.polys[0].size())}));
 }
 /// Polyhedra that have all of the given faces, outward in each.
 inline polyhedralmesh polyhedra_of(const crowd& c, unsigned copies) {

@@ -36,7 +36,7 @@ class any_solver {
     explicit of(const auto&... options) : solver(options...) {}
     void factorize(const systems::sparse& a) override { solver.factorize(a); }
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const override { return solver.solve(b); }
-    bool iterates() const override { return detail::iterates(solver); }
+    bool iterates() const override { return core::iterates(solver); }
   };
   using maker = std::function<std::unique_ptr<base>()>;
   maker make_;

@@ -76,7 +76,7 @@ TEST_CASE("crowds: volumes keep their laws, built and edited") {
 
 TEST_CASE("crowds: faces on the same verts are one however many have the same three smallest verts") {
   // All quads over the verts 0, 1, 2 and another, in each of their three cycles, from any vert on and either way round.
-  detail::face_soup soup;
+  face_soup soup;
   std::map<std::vector<unsigned>, unsigned> cycles;
   std::vector<std::vector<unsigned>> listed;
   for (unsigned round = 0; round < 4; ++round)
@@ -98,6 +98,6 @@ TEST_CASE("crowds: faces on the same verts are one however many have the same th
     const vert_id* const kept = united.face_verts.data() + united.face_offsets[united.poly_faces[f].raw()];
     std::vector<vert_id> given;
     for (const unsigned v : listed[f]) given.push_back(vert_id{v});
-    CHECK(detail::compare_cycles(kept, given.data(), 4) == (united.outward[f] ? 1 : -1));
+    CHECK(compare_cycles(kept, given.data(), 4) == (united.outward[f] ? 1 : -1));
   }
 }

@@ -122,7 +122,7 @@ class indexed_cell_complex {
       double volume = 0;
       for (std::uint32_t i = a.poly_offsets[p]; i < a.poly_offsets[p + 1]; ++i) {
         const std::uint32_t f = a.poly_faces[i].raw(), first = a.face_offsets[f];
-        const double one = detail::six_volumes_under(a.face_offsets[f + 1] - first, [&](std::size_t k) { return point(a.face_verts[first + k]); }, apex);
+        const double one = six_times_volume_under(a.face_offsets[f + 1] - first, [&](std::size_t k) { return point(a.face_verts[first + k]); }, apex);
         volume += a.outward[i] ? one : -one;
       }
       if (volume < 0)

@@ -2,7 +2,7 @@
 // Needs: CHOLMOD of SuiteSparse (Debian: libsuitesparse-dev); to be fast, also a fast BLAS (Debian: libopenblas0-serial).
 #pragma once
 
-#include <concino/solve/detail/system_checks.hpp>
+#include <concino/core/system_checks.hpp>
 
 #include <Eigen/CholmodSupport>
 
@@ -72,16 +72,16 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
 ///         supernodal module is under the GPL.
 class cholmod {
   detail::supernodal_factors factors_;
-  detail::sparsity_pattern pattern_;
+  core::sparsity_pattern pattern_;
   Eigen::Index size_ = -1;
 
  public:
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
     size_ = -1;
     Eigen::SparseMatrix<double> storage;
-    const Eigen::SparseMatrix<double>& a = detail::compressed(matrix, storage);
-    detail::check_square("cholmod", a);
-    detail::check_entries("cholmod", a);
+    const Eigen::SparseMatrix<double>& a = core::compressed(matrix, storage);
+    core::check_square("cholmod", a);
+    core::check_entries("cholmod", a);
     if (a.cols() > 0) {
       pattern_.update(a, [&](const auto& m) { factors_.analyse(m); });
       factors_.factorize(a);
@@ -92,16 +92,16 @@ class cholmod {
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    detail::check_right_hand_side("cholmod", b, size_);
+    core::check_right_hand_side("cholmod", b, size_);
     if (size_ == 0) return Eigen::VectorXd(0);
     Eigen::VectorXd x = factors_.solve(b);
-    detail::check_solution("cholmod", x);
+    core::check_solution("cholmod", x);
     return x;
   }
 
  private:
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {
-    const std::vector<double> given = detail::diagonal(a);
+    const std::vector<double> given = core::diagonal(a);
     if (const Eigen::Index row = factors_.failed_row(); row >= 0)
       core::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ", static_cast<std::size_t>(row),
                                           ": of the diagonal entry ",
@@ -109,7 +109,7 @@ class cholmod {
     factors_.for_each_pivot([&](Eigen::Index row, double pivot) {
       const double diagonal = given[static_cast<std::size_t>(row)];
       if (!(pivot > 1e-15 * diagonal && pivot < std::numeric_limits<double>::infinity()))
-        detail::throw_bad_pivot("cholmod", "not positive definite to working precision", row, diagonal, pivot);
+        core::throw_bad_pivot("cholmod", "not positive definite to working precision", row, diagonal, pivot);
     });
   }
 };

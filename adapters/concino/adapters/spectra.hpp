@@ -5,10 +5,10 @@
 #include <concino/adapters/detail/spectra_lanczos.hpp>
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/residual.hpp>
+#include <concino/core/system_checks.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
-#include <concino/solve/detail/residual.hpp>
-#include <concino/solve/detail/system_checks.hpp>
 #include <concino/solve/ldlt.hpp>
 
 #include <cmath>
@@ -57,11 +57,11 @@ struct eigenproblem {
     expect(options.shift >= 0 && std::isfinite(options.shift), {"eigenpairs: shift is ", given_shift, "; it must be finite and 0 or more"});
     expect(k.rows() == m.rows() && k.cols() == m.cols(), {"eigenpairs: the mass has ", static_cast<std::size_t>(m.rows()), " rows, the other matrix ",
                                                           static_cast<std::size_t>(k.rows()), "; they must be of the same size"});
-    check_square("eigenpairs", k);
+    core::check_square("eigenpairs", k);
     Eigen::SparseMatrix<double> k_storage, m_storage;
-    const auto &whole_k = compressed(k, k_storage), &whole_m = compressed(m, m_storage);
-    check_entries("eigenpairs", whole_k);
-    check_entries("eigenpairs, mass", whole_m);
+    const auto &whole_k = core::compressed(k, k_storage), &whole_m = core::compressed(m, m_storage);
+    core::check_entries("eigenpairs", whole_k);
+    core::check_entries("eigenpairs, mass", whole_m);
     std::vector<int> place(static_cast<std::size_t>(k.cols()), -1);
     for (const auto* a : {&whole_k, &whole_m})
       for (int c = 0; c < a->cols(); ++c)
@@ -72,7 +72,7 @@ struct eigenproblem {
         place[static_cast<std::size_t>(c)] = static_cast<int>(row.size());
         row.push_back(c);
       }
-    const std::vector<double> k_diagonal = diagonal(whole_k), m_diagonal = diagonal(whole_m);
+    const std::vector<double> k_diagonal = core::diagonal(whole_k), m_diagonal = core::diagonal(whole_m);
     double k_mean = 0, m_mean = 0;
     const double n = static_cast<double>(row.size());
     for (const int c : row) {
@@ -161,7 +161,7 @@ eigenpairs_result eigenpairs(const Eigen::SparseMatrix<double>& k, const Eigen::
     found.vectors.conservativeResize(Eigen::NoChange, wanted);
   } else {
     const Eigen::SparseMatrix<double> shifted = problem.stiffness + problem.shift * problem.mass;
-    detail::factorize_symmetric(solver, shifted);
+    core::factorize_symmetric(solver, shifted);
     const auto solve = [&](const Eigen::VectorXd& b) -> Eigen::VectorXd { return std::as_const(solver).solve(b); };
     found = detail::smallest_eigenpairs(problem.stiffness, problem.mass, solve, problem.shift, wanted, options.tolerance, options.max_restarts);
   }

@@ -130,7 +130,7 @@ consteval void explain_halfedge_links() {
 
 }  // namespace concino
 
-#include <concino/concepts/halfedge_rings.hpp>
+#include <concino/concepts/detail/halfedge_rings.hpp>
 
 namespace concino {
 

@@ -3,7 +3,7 @@
 
 #include <concino/mesh/standard_cells.hpp>
 
-namespace concino::detail {
+namespace concino {
 
 /// Tells a standard cell by its faces alone and lists its verts in the standard order, so that the faces as given run as they do in
 /// the table. face(k) is the verts of the k-th of n faces, turned outward. General if it is none.
@@ -45,7 +45,7 @@ class cell_recogniser {
 
     // The base is the face of its table's first size that comes first; it is listed outward there, so reading it backwards gives
     // the verts from 0 on. The others stand over them.
-    const standard_cell& t = table_of(s);
+    const standard_cell& t = standard_cell_of(s);
     const auto base = *std::find_if(faces_.begin(), faces_.end(), [&](const span_of_face& f) { return f.size == t.face_size[0]; });
     const unsigned b = base.size;
     for (unsigned i = 0; i < b; ++i) cell[t.face_vert[0][i]] = verts_[base.begin + i];
@@ -93,4 +93,4 @@ class cell_recogniser {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino

@@ -7,7 +7,7 @@
 #include <concepts>
 #include <numeric>
 
-namespace concino::detail {
+namespace concino {
 
 /// Makes polyhedra of lists of verts face by face: equal faces become one, seen from its two sides.
 /// Faces are numbered as they are first met, and are outward for the poly that has them first. Linear time but for the sorting of the few
@@ -43,7 +43,7 @@ struct face_soup {
   std::vector<std::uint32_t> poly_offsets{0};
 
   void add_cell(cell_shape s, const vert_id* v) {
-    const standard_cell& t = table_of(s);
+    const standard_cell& t = standard_cell_of(s);
     for (unsigned f = 0; f < t.num_faces; ++f) {
       for (unsigned i = 0; i < t.face_size[f]; ++i) face_verts.push_back(v[t.face_vert[f][i]]);
       face_offsets.push_back(static_cast<std::uint32_t>(face_verts.size()));
@@ -139,10 +139,13 @@ struct face_soup {
 };
 
 /// The same volume as general polyhedra; polys keep their order.
+/// Needs:  cells in the standard order; their verts are given up.
+/// Result: faces numbered as they are first met.                                   Cost: O(n), but for sorting faces of equal smallest vert.
+/// Errors: none but std::bad_alloc.
 template<std::same_as<cell_arrays> Cells>
 polyhedra_arrays to_polyhedra(Cells&& cells) {
   const cell_shape s = cells.arity == 4 ? cell_shape::tet : cell_shape::hex;
-  const standard_cell& t = table_of(s);
+  const standard_cell& t = standard_cell_of(s);
   const std::size_t n = cells.num_polys();
   face_soup soup;
   soup.face_offsets.reserve(n * t.num_faces + 1);
@@ -153,4 +156,4 @@ polyhedra_arrays to_polyhedra(Cells&& cells) {
   return std::move(soup).unite(std::move(cells.points));
 }
 
-}  // namespace concino::detail
+}  // namespace concino

@@ -258,7 +258,7 @@ class basic_polyhedra_tables {
         poly_corners += f2v_.length(f.raw());
       }
     }
-    detail::check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values());
+    check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values());
     return poly_corners;
   }
 

@@ -8,8 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace concino::detail {
+namespace concino {
 
+/// The shapes that have a name, and all others.
 enum class cell_shape : std::uint8_t { tet, hex, prism, pyramid, general };
 
 /// One standard cell. Verts are in the order of VTK and MEDIT; faces run counter-clockwise seen from outside where the cell's volume is
@@ -33,13 +34,20 @@ inline constexpr standard_cell standard_cells[] = {
     {"prism", 6, 5, {3, 3, 4, 4, 4}, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}, {0, 2, 1, 3, 5, 4}},
     {"pyramid", 5, 5, {4, 3, 3, 3, 3}, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, {0, 3, 2, 1, 4}},
 };
-inline constexpr const standard_cell& table_of(cell_shape s) { return standard_cells[static_cast<unsigned>(s)]; }
+/// The table of a shape.
+/// Needs:  a shape that is not general.
+/// Result: a reference that is good for ever.                                      Cost: O(1).
+/// Errors: none.
+inline constexpr const standard_cell& standard_cell_of(cell_shape s) { return standard_cells[static_cast<unsigned>(s)]; }
 
-/// The volume under one face seen from `apex`, six times: the triangles from the face's mean point to its edges, positive if they turn
-/// away from the apex. They are the mean point times the face's vector area. point(i) is the i-th of the n verts.
+/// Six times the volume between a face and `apex`: the triangles from the face's mean point to its edges, positive if they turn away from the apex.
+/// Needs:  point(i), the i-th of the n > 0 verts of the face.
+/// Result: volume units, six times.                                                Cost: O(n).
+/// Errors: none.
 template<class Point>
-double six_volumes_under(std::size_t n, const Point& point, const vec3& apex) {
+double six_times_volume_under(std::size_t n, const Point& point, const vec3& apex) {
   vec3 middle, doubled_area, a = point(n - 1) - apex;
+  // The mean point times the vector area of the face is the sum over its triangles.
   for (std::size_t i = 0; i < n; ++i) {
     const vec3 b = point(i) - apex;
     middle += b;
@@ -50,10 +58,13 @@ double six_volumes_under(std::size_t n, const Point& point, const vec3& apex) {
 }
 
 /// Six times the signed volume of a standard cell, each face a fan about its mean point.
-inline double six_volumes(cell_shape s, const vert_id* v, const std::vector<vec3>& points) {
+/// Needs:  the verts of the cell in the standard order of its shape, which is not general; a point for each.
+/// Result: volume units, six times; negative if the cell is inverted.              Cost: O(1).
+/// Errors: none.
+inline double six_times_volume(cell_shape s, const vert_id* v, const std::vector<vec3>& points) {
   const auto at = [&](unsigned i) -> const vec3& { return points[v[i].raw()]; };
   if (s == cell_shape::tet) return dot(at(1) - at(0), cross(at(2) - at(0), at(3) - at(0)));
-  const standard_cell& t = table_of(s);
+  const standard_cell& t = standard_cell_of(s);
   vec3 q[8];
   for (unsigned i = 0; i < t.num_verts; ++i) q[i] = at(i) - at(0);
   double of_triangles = 0, of_quads = 0;
@@ -65,17 +76,23 @@ inline double six_volumes(cell_shape s, const vert_id* v, const std::vector<vec3
   return of_triangles + of_quads / 4;
 }
 
-/// Puts the verts of a cell of negative volume into the standard order. Returns whether it did.
-inline bool make_positive(cell_shape s, vert_id* v, const std::vector<vec3>& points) {
-  if (!(six_volumes(s, v, points) < 0)) return false;
+/// Puts the verts of a cell of negative volume into the standard order.
+/// Needs:  as six_times_volume.
+/// Result: whether the verts were changed.                                         Cost: O(1).
+/// Errors: none.
+inline bool make_volume_positive(cell_shape s, vert_id* v, const std::vector<vec3>& points) {
+  if (!(six_times_volume(s, v, points) < 0)) return false;
   vert_id was[8];
-  const standard_cell& t = table_of(s);
+  const standard_cell& t = standard_cell_of(s);
   std::copy_n(v, t.num_verts, was);
   for (unsigned i = 0; i < t.num_verts; ++i) v[i] = was[t.mirrored[i]];
   return true;
 }
 
-/// Whether a and b are one cycle, walked the same way (1) or opposite ways (-1), or are not (0). Verts are not repeated.
+/// Whether a and b are one cycle of n verts.
+/// Needs:  no vert twice in a, nor in b.
+/// Result: 1 if they are walked the same way, -1 opposite ways, 0 if they are not one cycle.      Cost: O(n).
+/// Errors: none.
 inline int compare_cycles(const vert_id* a, const vert_id* b, std::size_t n) {
   const auto k = static_cast<std::size_t>(std::find(b, b + n, a[0]) - b);
   if (k == n) return 0;
@@ -87,4 +104,4 @@ inline int compare_cycles(const vert_id* a, const vert_id* b, std::size_t n) {
   return same ? 1 : opposite ? -1 : 0;
 }
 
-}  // namespace concino::detail
+}  // namespace concino

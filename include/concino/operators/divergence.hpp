@@ -3,9 +3,9 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/poly_chunks.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/operators/detail/poly_chunks.hpp>
-#include <concino/operators/detail/simplex_gradients.hpp>
+#include <concino/operators/simplex_gradients.hpp>
 
 namespace concino {
 
@@ -21,13 +21,13 @@ template<class M, class Field>
 vert_map<M, double> divergence(M&& m, const Field& field) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_vert_map<double>(m, 0.0);
-  const detail::poly_chunks<mesh> chunks(m, [&](const poly_t<mesh>& p) {
+  const core::poly_chunks<mesh> chunks(m, [&](const poly_t<mesh>& p) {
     std::size_t n = 0;
     for ([[maybe_unused]] const vert_t<mesh> v : adj_p2v(m, p)) ++n;
     return n;
   });
   std::vector<double> part(chunks.num_corners());
-  chunks.template for_each<detail::poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t corner) {
+  chunks.template for_each<poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t corner) {
     local.visit(m, p);
     if (!local.has_gradients()) detail::throw_no_measure("divergence", m, p);
     const vec3 flow = std::abs(local.measure) * to_vec3(field[p]);

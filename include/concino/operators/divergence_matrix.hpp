@@ -1,11 +1,11 @@
 // The divergence of vector fields on polys, integrated about each vert, as a sparse matrix.
 #pragma once
 
+#include <concino/core/assembly.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/operators/detail/assembly.hpp>
+#include <concino/core/poly_chunks.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
-#include <concino/operators/detail/poly_chunks.hpp>
-#include <concino/operators/detail/simplex_gradients.hpp>
+#include <concino/operators/simplex_gradients.hpp>
 
 namespace concino {
 
@@ -27,7 +27,7 @@ Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
   constexpr const char* who = "divergence_matrix";
   auto d = detail::empty_columns(who, static_cast<std::size_t>(vert_index_bound(m)), 3 * static_cast<std::size_t>(poly_index_bound(m)));
   int* const begin = d.outerIndexPtr();
-  const detail::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
+  const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
     int n = 0;
     for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) ++n;
     const std::size_t c = 3 * static_cast<std::size_t>(index_of(m, p));
@@ -35,7 +35,7 @@ Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
     return n;
   });
   detail::make_room(who, d);
-  chunks.template for_each<detail::poly_gradients<M>>([&](auto& local, const poly_t<M>& p, std::size_t) {
+  chunks.template for_each<poly_gradients<M>>([&](auto& local, const poly_t<M>& p, std::size_t) {
     local.visit(m, p);
     if (!local.has_gradients()) detail::throw_no_measure(who, m, p);
     const double size = -std::abs(local.measure);
@@ -47,7 +47,7 @@ Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
         rows[i] = static_cast<int>(index_of(m, local.verts[i]));
         values[i] = size * local.gradient[i][k];
       }
-      detail::sort_column(rows, values, n);
+      core::sort_column(rows, values, n);
     }
     return n;
   });

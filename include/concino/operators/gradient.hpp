@@ -3,9 +3,9 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/poly_chunks.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/operators/detail/poly_chunks.hpp>
-#include <concino/operators/detail/simplex_gradients.hpp>
+#include <concino/operators/simplex_gradients.hpp>
 
 namespace concino {
 
@@ -34,7 +34,7 @@ template<class M, class U>
 poly_map<M, vec3> gradient(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_poly_map<vec3>(m);
-  detail::poly_chunks<mesh>(m).template for_each<detail::poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
+  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
     local.visit(m, p);
     if (!local.has_gradients()) detail::throw_no_measure("gradient", m, p);
     result[p] = detail::gradient_of(local, u);
@@ -58,7 +58,7 @@ vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
     double size = 0;
   };
   std::vector<weighted> of_poly(static_cast<std::size_t>(poly_index_bound(m))), of_vert(static_cast<std::size_t>(vert_index_bound(m)));
-  detail::poly_chunks<mesh>(m).template for_each<detail::poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
+  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
     local.visit(m, p);
     if (!local.has_gradients()) detail::throw_no_measure("vert_gradient", m, p);
     const double size = std::abs(local.measure);

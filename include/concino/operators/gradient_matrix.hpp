@@ -1,11 +1,11 @@
 // The gradient of functions on verts, one vector per poly, as a sparse matrix.
 #pragma once
 
+#include <concino/core/assembly.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/operators/detail/assembly.hpp>
+#include <concino/core/poly_chunks.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
-#include <concino/operators/detail/poly_chunks.hpp>
-#include <concino/operators/detail/simplex_gradients.hpp>
+#include <concino/operators/simplex_gradients.hpp>
 
 namespace concino {
 
@@ -31,7 +31,7 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   if constexpr (arity_v<M> > 0) core::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * static_cast<std::size_t>(num_polys(m)));
   bool ascend = true;
   std::size_t next = 0;
-  const detail::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
+  const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
     const std::size_t index = static_cast<std::size_t>(index_of(m, p)), before = place.size();
     ascend = ascend && index >= next;
     next = index + 1;
@@ -41,7 +41,7 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   detail::make_room(who, g, 3);
   int* const rows = g.innerIndexPtr();
   double* const values = g.valuePtr();
-  chunks.template for_each<detail::poly_gradients<M>>([&](auto& local, const poly_t<M>& p, std::size_t corner) {
+  chunks.template for_each<poly_gradients<M>>([&](auto& local, const poly_t<M>& p, std::size_t corner) {
     local.visit(m, p);
     if (!local.has_gradients()) detail::throw_no_measure(who, m, p);
     const int row = 3 * static_cast<int>(index_of(m, p));
@@ -60,7 +60,7 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   });
   if (!ascend)
     for (Eigen::Index c = 0; c < g.cols(); ++c)
-      detail::sort_column(rows + begin[c], values + begin[c], static_cast<std::size_t>(begin[c + 1] - begin[c]));
+      core::sort_column(rows + begin[c], values + begin[c], static_cast<std::size_t>(begin[c + 1] - begin[c]));
   return g;
 }
 

@@ -1,8 +1,8 @@
 // The Laplacian of functions on verts, as a sparse matrix.
 #pragma once
 
+#include <concino/core/assembly.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/operators/detail/assembly.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
 #include <concino/operators/weights.hpp>
 
@@ -34,7 +34,7 @@ Eigen::SparseMatrix<double> laplacian(const M& m, const laplacian_options& optio
   return detail::with_weights(
       m, options.weights,
       [&](const auto& weights) {
-        return detail::assemble<detail::whole_matrix>(
+        return core::assemble<core::whole_matrix>(
             m, weights, static_cast<std::size_t>(vert_index_bound(m)), -1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
             [](int, const vert_t<M>&, double) {});
       },

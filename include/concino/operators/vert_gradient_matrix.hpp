@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
+#include <concino/core/poly_chunks.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
-#include <concino/operators/detail/poly_chunks.hpp>
-#include <concino/operators/detail/simplex_gradients.hpp>
+#include <concino/operators/simplex_gradients.hpp>
 
 #include <algorithm>
 
@@ -26,7 +26,7 @@ struct corner_lists {
   template<class M>
   corner_lists(const char* who, const M& m, std::vector<double>& size_around)
       : first{0}, first_at(static_cast<std::size_t>(vert_index_bound(m)) + 1) {
-    const poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
+    const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
       for (const vert_t<M> v : adj_p2v(m, p)) {
         vert.push_back(static_cast<std::size_t>(index_of(m, v)));
         ++first_at[vert.back() + 1];

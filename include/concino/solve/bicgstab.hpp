@@ -1,8 +1,8 @@
 // Square sparse systems of any kind by iteration: what is too large for a factorisation.
 #pragma once
 
+#include <concino/core/system_checks.hpp>
 #include <concino/solve/detail/equilibrate.hpp>
-#include <concino/solve/detail/system_checks.hpp>
 
 #include <Eigen/IterativeLinearSolvers>
 
@@ -65,8 +65,8 @@ class bicgstab {
     size_ = -1;
     a_ = given;
     a_.makeCompressed();
-    detail::check_square("bicgstab", a_);
-    detail::check_entries("bicgstab", a_);
+    core::check_square("bicgstab", a_);
+    core::check_entries("bicgstab", a_);
     a_.prune([](Eigen::Index, Eigen::Index, double x) { return x != 0; });
     scale_ = detail::equilibrate(a_);
     check_rows_and_columns();
@@ -81,13 +81,13 @@ class bicgstab {
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& given) const {
-    detail::check_right_hand_side("bicgstab", given, size_);
+    core::check_right_hand_side("bicgstab", given, size_);
     iterations_ = 0;
     residual_ = 0;
     has_converged_ = true;
     if (given.isZero(0)) return Eigen::VectorXd::Zero(size_);
     Eigen::VectorXd b = detail::scaled(given, scale_.rows);
-    const double b_scale = detail::power_of_two_to_scale(b.cwiseAbs().maxCoeff());
+    const double b_scale = core::power_of_two_to_scale(b.cwiseAbs().maxCoeff());
     b *= b_scale;
     Eigen::VectorXd x = iterate(b);
     if (!has_converged_ && !options_.accept_missed_tolerance)
@@ -96,7 +96,7 @@ class bicgstab {
                                           "; the matrix is singular or badly conditioned: use lu, allow more iterations, more fill or a larger"
                                           " tolerance, or set accept_missed_tolerance"});
     x = detail::scaled(std::move(x), scale_.columns) / b_scale;
-    detail::check_solution("bicgstab", x);
+    core::check_solution("bicgstab", x);
     return x;
   }
 

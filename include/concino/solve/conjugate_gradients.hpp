@@ -1,9 +1,9 @@
 // Symmetric positive definite sparse systems by iteration: what is too large for a factorisation.
 #pragma once
 
+#include <concino/core/system_checks.hpp>
 #include <concino/solve/detail/energy_gains.hpp>
 #include <concino/solve/detail/incomplete_cholesky.hpp>
-#include <concino/solve/detail/system_checks.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -42,7 +42,7 @@ struct conjugate_gradients_options {
 class conjugate_gradients {
   conjugate_gradients_options options_;
   detail::elimination_order order_;
-  detail::sparsity_pattern pattern_;
+  core::sparsity_pattern pattern_;
   Eigen::SparseMatrix<double> a_;  // lower triangle, reordered and scaled
   double scale_ = 1;
   detail::incomplete_cholesky near_a_;
@@ -63,19 +63,19 @@ class conjugate_gradients {
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
     size_ = -1;
     Eigen::SparseMatrix<double> storage;
-    const Eigen::SparseMatrix<double>& given = detail::compressed(matrix, storage);
-    detail::check_square("conjugate_gradients", given);
-    detail::check_entries("conjugate_gradients", given);
+    const Eigen::SparseMatrix<double>& given = core::compressed(matrix, storage);
+    core::check_square("conjugate_gradients", given);
+    core::check_entries("conjugate_gradients", given);
     double largest = 0;
-    const std::vector<double> diagonal = detail::diagonal(given);
+    const std::vector<double> diagonal = core::diagonal(given);
     for (std::size_t i = 0; i < diagonal.size(); ++i) {
       if (!(diagonal[i] > 0))
-        throw detail::singular_row(core::joined({"conjugate_gradients: the matrix is not positive definite: the diagonal entry of row ", i, " is ",
+        throw core::singular_row(core::joined({"conjugate_gradients: the matrix is not positive definite: the diagonal entry of row ", i, " is ",
                                                    core::number_text(diagonal[i])}),
                                    static_cast<Eigen::Index>(i));
       largest = std::max(largest, diagonal[i]);
     }
-    scale_ = detail::power_of_two_to_scale(largest);
+    scale_ = core::power_of_two_to_scale(largest);
     pattern_.update(given, [&](const auto& m) { order_.keep(detail::breadth_first_order(m)); });
     a_ = detail::sorted_transpose(order_(given));
     for (Eigen::Index k = 0; k < a_.nonZeros(); ++k) a_.valuePtr()[k] *= scale_;
@@ -87,21 +87,21 @@ class conjugate_gradients {
   bool has_pattern_of(const Eigen::SparseMatrix<double>& a) const { return a.isCompressed() && pattern_.is_of(a); }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& given) const {
-    detail::check_right_hand_side("conjugate_gradients", given, size_);
+    core::check_right_hand_side("conjugate_gradients", given, size_);
     iterations_ = 0;
     residual_ = error_ = 0;
     has_converged_ = true;
     double largest = 0;
     for (Eigen::Index i = 0; i < given.size(); ++i) largest = std::max(largest, std::abs(given[i]));
     if (!(largest > 0)) return Eigen::VectorXd::Zero(size_);
-    const double b_scale = detail::power_of_two_to_scale(largest);
+    const double b_scale = core::power_of_two_to_scale(largest);
     Eigen::VectorXd b(size_), x(size_);
     const int* const row = order_.row.indices().data();
     for (Eigen::Index i = 0; i < size_; ++i) b[i] = given[row[i]] * b_scale;
     iterate(b, x);
     if (!has_converged_ && !options_.accept_missed_tolerance) throw_missed();
     for (Eigen::Index i = 0; i < size_; ++i) b[row[i]] = x[i] * scale_ / b_scale;
-    detail::check_solution("conjugate_gradients", b);
+    core::check_solution("conjugate_gradients", b);
     return b;
   }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/core/system_checks.hpp>
 #include <concino/solve/detail/independent_rows.hpp>
-#include <concino/solve/detail/system_checks.hpp>
 #include <concino/solve/lu.hpp>
 
 #include <cstddef>
@@ -35,15 +35,15 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
                                           const Eigen::VectorXd& d, Solver&& solver = {}) {
   const char* const who = "solve_with_constraints";
   Eigen::SparseMatrix<double> k_storage, c_storage;
-  const Eigen::SparseMatrix<double>&k = detail::compressed(K, k_storage), &c = detail::compressed(C, c_storage);
-  detail::check_square(who, k);
-  detail::check_entries(who, k);
-  detail::check_right_hand_side(who, b, k.rows());
+  const Eigen::SparseMatrix<double>&k = core::compressed(K, k_storage), &c = core::compressed(C, c_storage);
+  core::check_square(who, k);
+  core::check_entries(who, k);
+  core::check_right_hand_side(who, b, k.rows());
   if (c.cols() != k.cols())
     core::throw_joined<solver_error>({who, ": the constraints are on ", static_cast<std::size_t>(c.cols()), " unknowns, but there are ",
                                         static_cast<std::size_t>(k.cols())});
-  detail::check_entries(who, c);
-  detail::check_right_hand_side(who, d, c.rows());
+  core::check_entries(who, c);
+  core::check_right_hand_side(who, d, c.rows());
   const detail::row_space space = detail::independent_rows(who, c, d);
   const std::vector<int>& kept = space.independent;
   const auto n = static_cast<int>(k.cols()), m = static_cast<int>(kept.size());

@@ -1,9 +1,9 @@
 // Symmetric sparse systems by factorisation.
 #pragma once
 
+#include <concino/core/system_checks.hpp>
 #include <concino/solve/detail/ordered.hpp>
 #include <concino/solve/detail/supernodes.hpp>
-#include <concino/solve/detail/system_checks.hpp>
 
 #include <Eigen/SparseCholesky>
 
@@ -26,7 +26,7 @@ class ldlt {
   detail::elimination_order order_;
   detail::supernodes supernodes_;
   Eigen::VectorXd pivots_;
-  detail::sparsity_pattern pattern_;  // that the order was found for
+  core::sparsity_pattern pattern_;  // that the order was found for
   bool is_analysed_ = false;          // factors_ knows the pattern too
   Eigen::Index size_ = -1;
 
@@ -40,9 +40,9 @@ class ldlt {
   bool factorize_within(const Eigen::SparseMatrix<double>& matrix, std::int64_t most) {
     size_ = -1;
     Eigen::SparseMatrix<double> storage;
-    const Eigen::SparseMatrix<double>& a = detail::compressed(matrix, storage);
-    detail::check_square("ldlt", a);
-    detail::check_entries("ldlt", a);
+    const Eigen::SparseMatrix<double>& a = core::compressed(matrix, storage);
+    core::check_square("ldlt", a);
+    core::check_entries("ldlt", a);
     if (a.cols() == 0) {
       size_ = 0;
       return true;
@@ -80,7 +80,7 @@ class ldlt {
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    detail::check_right_hand_side("ldlt", b, size_);
+    core::check_right_hand_side("ldlt", b, size_);
     if (size_ == 0) return Eigen::VectorXd(0);
     Eigen::VectorXd x = order_.place * b;
     const Eigen::SparseMatrix<double>& l = factors_.matrixL().nestedExpression();
@@ -88,20 +88,20 @@ class ldlt {
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] /= pivots_[i];
     supernodes_.solve_upper(l, x);
     x = order_.row * x;
-    detail::check_solution("ldlt", x);
+    core::check_solution("ldlt", x);
     return x;
   }
 
  private:
   /// A pivot is a diagonal entry minus what elimination takes away: where nothing but rounding errors is left, it says nothing.
   void check_pivots(const Eigen::SparseMatrix<double>& a) {
-    const std::vector<double> given = detail::diagonal(a);
+    const std::vector<double> given = core::diagonal(a);
     pivots_ = factors_.vectorD();
     const auto& row = order_.row.indices();
     for (Eigen::Index k = 0; k < pivots_.size(); ++k) {  // elimination stops at the first 0
       const double diagonal = given[static_cast<std::size_t>(row[k])];
       if (!(std::abs(pivots_[k]) > 1e-15 * std::abs(diagonal) && std::abs(pivots_[k]) < std::numeric_limits<double>::infinity()))
-        detail::throw_bad_pivot("ldlt", "singular to working precision", row[k], diagonal, pivots_[k]);
+        core::throw_bad_pivot("ldlt", "singular to working precision", row[k], diagonal, pivots_[k]);
     }
   }
 };

@@ -66,8 +66,8 @@ bool solve_normal_equations(const Eigen::SparseMatrix<double>& j, const Eigen::V
 template<class D, class Solver>
 least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> a, Eigen::VectorXd b, const D& given, Solver& solver) {
   a.makeCompressed();
-  check_entries(who, a);
-  check_right_hand_side(who, b, a.rows());
+  core::check_entries(who, a);
+  core::check_right_hand_side(who, b, a.rows());
   const conditions problem(who, a.cols(), given);
   Eigen::SparseMatrix<double> j = problem.columns_of_unknowns(a);
   b -= a * problem.x;
@@ -133,7 +133,7 @@ least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A
     if (!(w[i] >= 0 && std::isfinite(w[i])))
       core::throw_joined<invalid_argument>({who, ": the weight of row ", static_cast<std::size_t>(i), " is ", core::number_text(w[i]),
                                               "; weights must be finite and not negative"});
-  detail::check_right_hand_side(who, b, A.rows());
+  core::check_right_hand_side(who, b, A.rows());
   const Eigen::VectorXd root = w.cwiseSqrt();
   return detail::least_squares(who, root.asDiagonal() * A, root.cwiseProduct(b), given, solver);
 }

@@ -1,7 +1,7 @@
 // Symmetric positive definite sparse systems by factorisation.
 #pragma once
 
-#include <concino/solve/detail/system_checks.hpp>
+#include <concino/core/system_checks.hpp>
 
 #include <Eigen/SparseCholesky>
 
@@ -20,16 +20,16 @@ namespace concino {
 /// Source: Eigen's SimplicialLLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996).
 class llt {
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors_;
-  detail::sparsity_pattern pattern_;
+  core::sparsity_pattern pattern_;
   Eigen::Index size_ = -1;
 
  public:
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
     size_ = -1;
     Eigen::SparseMatrix<double> storage;
-    const Eigen::SparseMatrix<double>& a = detail::compressed(matrix, storage);
-    detail::check_square("llt", a);
-    detail::check_entries("llt", a);
+    const Eigen::SparseMatrix<double>& a = core::compressed(matrix, storage);
+    core::check_square("llt", a);
+    core::check_entries("llt", a);
     if (a.cols() > 0) {
       if (pattern_.is_of(a)) {
         factors_.factorize(a);
@@ -44,20 +44,20 @@ class llt {
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    detail::check_right_hand_side("llt", b, size_);
+    core::check_right_hand_side("llt", b, size_);
     if (size_ == 0) return Eigen::VectorXd(0);
     Eigen::VectorXd x = factors_.solve(b);
-    detail::check_solution("llt", x);
+    core::check_solution("llt", x);
     return x;
   }
 
  private:
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {
-    const std::vector<double> given = detail::diagonal(a);
+    const std::vector<double> given = core::diagonal(a);
     const auto check = [&](Eigen::Index row, double pivot) {
       const double diagonal = given[static_cast<std::size_t>(row)];
       if (!(pivot > 1e-15 * diagonal && pivot > 0 && pivot < std::numeric_limits<double>::infinity()))
-        detail::throw_bad_pivot("llt", pivot < 0 ? "not positive definite" : "not positive definite to working precision", row, diagonal, pivot);
+        core::throw_bad_pivot("llt", pivot < 0 ? "not positive definite" : "not positive definite to working precision", row, diagonal, pivot);
     };
     const auto& row = factors_.permutationPinv().indices();
     if (factors_.info() == Eigen::Success) {

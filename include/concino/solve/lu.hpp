@@ -1,8 +1,8 @@
 // Square sparse systems of any kind by factorisation.
 #pragma once
 
+#include <concino/core/system_checks.hpp>
 #include <concino/solve/detail/equilibrate.hpp>
-#include <concino/solve/detail/system_checks.hpp>
 
 #include <Eigen/SparseLU>
 
@@ -24,7 +24,7 @@ namespace concino {
 class lu {
   using factors = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>;
   factors factors_;
-  detail::sparsity_pattern pattern_;
+  core::sparsity_pattern pattern_;
   detail::equilibration scale_;
   Eigen::Index size_ = -1;
 
@@ -36,8 +36,8 @@ class lu {
     Eigen::SparseMatrix<double> a;
     a = matrix;  // Eigen's copy constructor leaks where memory runs out
     a.makeCompressed();
-    detail::check_square("lu", a);
-    detail::check_entries("lu", a);
+    core::check_square("lu", a);
+    core::check_entries("lu", a);
     scale_ = detail::equilibrate(a);
     if (a.cols() > 0) {
       check_columns(a);
@@ -49,11 +49,11 @@ class lu {
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    detail::check_right_hand_side("lu", b, size_);
+    core::check_right_hand_side("lu", b, size_);
     if (size_ == 0) return Eigen::VectorXd(0);
     Eigen::VectorXd x = factors_.solve(detail::scaled(b, scale_.rows));
     x = detail::scaled(std::move(x), scale_.columns);
-    detail::check_solution("lu", x);
+    core::check_solution("lu", x);
     return x;
   }
 

@@ -1,8 +1,8 @@
 // Least squares, and square systems, by orthogonal factorisation.
 #pragma once
 
+#include <concino/core/system_checks.hpp>
 #include <concino/solve/detail/equilibrate.hpp>
-#include <concino/solve/detail/system_checks.hpp>
 
 #include <Eigen/SparseQR>
 
@@ -20,7 +20,7 @@ namespace concino {
 /// Source: Eigen's SparseQR, with column approximate minimum degree ordering (Davis et al. 2004).
 class qr {
   Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors_;
-  detail::sparsity_pattern pattern_;
+  core::sparsity_pattern pattern_;
   std::vector<double> column_scale_;
   std::vector<int> kept_;  // rows with entries; Eigen takes no others
   Eigen::Index rows_ = -1;
@@ -32,11 +32,11 @@ class qr {
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
     rows_ = -1;
     Eigen::SparseMatrix<double> storage;
-    const Eigen::SparseMatrix<double>& given = detail::compressed(matrix, storage);
+    const Eigen::SparseMatrix<double>& given = core::compressed(matrix, storage);
     if (given.rows() < given.cols())
       core::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(given.rows()), " rows and ",
                                           static_cast<std::size_t>(given.cols()), " columns; it must have at least as many rows as columns"});
-    detail::check_entries("qr", given);
+    core::check_entries("qr", given);
     Eigen::SparseMatrix<double> a = without_empty_rows(given);
     column_scale_ = detail::scale_columns(a);
     if (a.cols() > 0) {
@@ -51,13 +51,13 @@ class qr {
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    detail::check_right_hand_side("qr", b, rows_);
+    core::check_right_hand_side("qr", b, rows_);
     if (column_scale_.empty()) return Eigen::VectorXd(0);
     Eigen::VectorXd kept(static_cast<Eigen::Index>(kept_.size()));
     for (Eigen::Index i = 0; i < kept.size(); ++i) kept[i] = b[kept_[static_cast<std::size_t>(i)]];
     Eigen::VectorXd x = factors_.solve(kept);
     x = detail::scaled(std::move(x), column_scale_);
-    detail::check_solution("qr", x);
+    core::check_solution("qr", x);
     return x;
   }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/core/residual.hpp>
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/detail/conditions.hpp>
-#include <concino/solve/detail/residual.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ inline Eigen::SparseMatrix<double> without_given(const conditions& problem, cons
   };
   for (int c = 0; c < a.cols(); ++c) {
     if (problem.unknown[static_cast<std::size_t>(c)] < 0) {
-      put(c, 1 / power_of_two_to_scale(largest));
+      put(c, 1 / core::power_of_two_to_scale(largest));
     } else {
       for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k)
         if (const int row = a.innerIndexPtr()[k]; problem.unknown[static_cast<std::size_t>(row)] >= 0) put(row, a.valuePtr()[k]);
@@ -66,16 +66,16 @@ template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class
 Eigen::VectorXd solve_with_values(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& given, Solver&& solver = {}) {
   const char* const who = "solve_with_values";
   Eigen::SparseMatrix<double> storage;
-  const Eigen::SparseMatrix<double>& a = detail::compressed(A, storage);
-  detail::check_square(who, a);
-  detail::check_entries(who, a);
-  detail::check_right_hand_side(who, b, a.rows());
+  const Eigen::SparseMatrix<double>& a = core::compressed(A, storage);
+  core::check_square(who, a);
+  core::check_entries(who, a);
+  core::check_right_hand_side(who, b, a.rows());
   const detail::conditions problem(who, a.cols(), given);
   if (problem.unknowns == 0) return problem.x;
   const Eigen::SparseMatrix<double> left = detail::without_given(problem, a);
   const Eigen::VectorXd load = detail::load_of_unknowns(problem, a, b);
   solver.factorize(left);
-  Eigen::VectorXd x = detail::solve_and_check(solver, left, load, who, false);
+  Eigen::VectorXd x = core::solve_and_check(solver, left, load, who, false);
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (problem.unknown[static_cast<std::size_t>(i)] < 0) x[i] = problem.x[i];
   return x;

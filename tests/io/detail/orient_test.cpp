@@ -51,12 +51,12 @@ TEST_CASE("orient_polyhedra: the wall of a cavity looks into it") {
   m.poly_offsets = {0, 12};
   for (unsigned shift : {0u, 8u})
     for (unsigned f = 0; f < 6; ++f) {
-      for (const unsigned v : table_of(cell_shape::hex).face_vert[f]) m.face_verts.push_back(vert_id{v + shift});
+      for (const unsigned v : standard_cell_of(cell_shape::hex).face_vert[f]) m.face_verts.push_back(vert_id{v + shift});
       m.face_offsets.push_back(static_cast<std::uint32_t>(m.face_verts.size()));
       m.poly_faces.push_back(face_id{f + (shift ? 6 : 0)});
       m.outward.push_back(shift == 0);
     }
-  CHECK(six_volumes(m, 0) == doctest::Approx(6 * 26));
+  CHECK(six_times_volume(m, 0) == doctest::Approx(6 * 26));
   polyhedra_arrays copy = m;
   CHECK(orient_polyhedra(copy) == 0);
   for (auto& o : copy.outward) o = !o;

@@ -82,7 +82,7 @@ TEST_CASE("read_hedra: a mesh of tets takes tets only, whatever their faces' ord
   const auto c = hedra<cell_arrays>("4 4 2\n" + points + face_rows + "4 4 2 1 3\n4 1 2 3 4", {.report = &r});
   CHECK(c.arity == 4);
   CHECK(c.num_polys() == 2);
-  for (std::size_t p = 0; p < 2; ++p) CHECK(detail::six_volumes(detail::cell_shape::tet, c.verts.data() + 4 * p, c.points) == 1);
+  for (std::size_t p = 0; p < 2; ++p) CHECK(six_times_volume(cell_shape::tet, c.verts.data() + 4 * p, c.points) == 1);
   CHECK(r.skipped == std::vector<std::string>{"the numbering of the faces"});
   CHECK(line<cell_arrays>("5 8 2\n" + points + "1 1 1\n" + face_rows + "4 2 3 4 5\n3 2 3 5\n3 3 4 5\n3 2 5 4\n4 1 2 3 4\n\n3 6 7 \n8\n") ==
         17);
@@ -94,7 +94,7 @@ TEST_CASE("read_hedra: a mesh of hexes takes hexes only") {
   const auto c = hedra<cell_arrays>("8 6 1\n" + corners + cube + "6 1 2 3 4 5 6\n");
   CHECK(c.arity == 8);
   CHECK(c.num_polys() == 1);
-  CHECK(detail::six_volumes(detail::cell_shape::hex, c.verts.data(), c.points) == doctest::Approx(6));
+  CHECK(six_times_volume(cell_shape::hex, c.verts.data(), c.points) == doctest::Approx(6));
   CHECK(num_polys(hedra<hexmesh>("8 6 1\n" + corners + cube + "6 1 2 3 4 5 6\n")) == 1);
   CHECK(complaint<tetmesh>("8 6 1\n" + corners + cube + "6 1 2 3 4 5 6\n", file_format::hedra) ==
         "16: a tet (polyhedralmesh and load_any take any polyhedron) | a hex of 6 faces");

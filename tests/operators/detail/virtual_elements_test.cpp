@@ -76,7 +76,7 @@ TEST_CASE("stiffness of a cube: products of two coordinates have the energy they
 
 TEST_CASE_TEMPLATE("stiffness of a polyhedron: what linear functions do not see counts by the least gradients that are exact", M, hexmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.1));
-  detail::corner_gradients<M> poly;
+  corner_gradients<M> poly;
   double most = 0;
   for (const auto p : polys(m)) {
     poly.visit(m, p);

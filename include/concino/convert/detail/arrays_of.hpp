@@ -102,7 +102,7 @@ void for_each_cell(const M& m, const std::vector<std::uint32_t>& vert_number, st
     const cell_shape s = known.recognise();
     if (s != (arity == 4 ? cell_shape::tet : cell_shape::hex))
       throw_wrong_arity(true, index_of(m, p),
-                        core::joined({"is a ", s == cell_shape::general ? "polyhedron" : table_of(s).name, " of ", count, " faces"}), arity);
+                        core::joined({"is a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ", count, " faces"}), arity);
     take(p, known.cell);
   }
 }

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/assembly.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/progress.hpp>
+#include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/operators/detail/assembly.hpp>
-#include <concino/solve/detail/residual.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -220,7 +220,7 @@ struct held_system {
   void factorize(Solver& solver, const progress& told, const char* who) const {
     if (verts.unknowns == 0) return;
     tell(told, 0.1, "factorising");
-    factorize_over_verts(solver, lower, who, [&](Eigen::Index row) { return verts.index[static_cast<std::size_t>(row)]; });
+    core::factorize_over_verts(solver, lower, who, [&](Eigen::Index row) { return verts.index[static_cast<std::size_t>(row)]; });
   }
 
   /// Puts the solution into `value`, which has the values of the held verts. load(k, index): what stands on the right of the
@@ -235,7 +235,7 @@ struct held_system {
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
       for (std::size_t i = 0; i < n; ++i) b[static_cast<Eigen::Index>(i)] = load(k, verts.index[i]);
       for (const coupling& c : couplings) b[c.row] += c.weight * part(at[c.vert], k);
-      const Eigen::VectorXd u = solve_and_check(solver, lower, b, who);
+      const Eigen::VectorXd u = core::solve_and_check(solver, lower, b, who);
       for (std::size_t i = 0; i < n; ++i) part(at[verts.index[i]], k) = u[static_cast<Eigen::Index>(i)];
     }
   }
@@ -259,7 +259,7 @@ struct held_system {
         rows[at] = row;
         entries[at++] = x;
       }
-      sort_column(rows + first, entries + first, static_cast<std::size_t>(at - first));
+      core::sort_column(rows + first, entries + first, static_cast<std::size_t>(at - first));
       lower.outerIndexPtr()[c + 1] = at;
     }
     lower.resizeNonZeros(at);

@@ -2,15 +2,15 @@
 // there is no heat to follow.
 #pragma once
 
+#include <concino/core/assembly.hpp>
+#include <concino/core/poly_chunks.hpp>
 #include <concino/fields/detail/distance_bounds.hpp>
 #include <concino/fields/detail/heat_system.hpp>
 #include <concino/geometry/edge_length.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/graph/detail/boundary_verts.hpp>
-#include <concino/operators/detail/assembly.hpp>
-#include <concino/operators/detail/poly_chunks.hpp>
-#include <concino/operators/detail/simplex_gradients.hpp>
 #include <concino/operators/mass_matrix.hpp>
+#include <concino/operators/simplex_gradients.hpp>
 #include <concino/operators/weights.hpp>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace concino::detail {
 template<AnyMesh M>
 corner_fluxes fluxes_of(const M& m) {
   corner_fluxes r;
-  const poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
+  const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
     std::size_t n = 0;
     for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) ++n;
     r.begin.push_back(r.begin.back() + n);
@@ -54,7 +54,7 @@ Eigen::SparseMatrix<double> lower_stiffness(const M& m, weights which) {
   return with_weights(
       m, which,
       [&](const auto& weights) {
-        return assemble<lower_triangle>(
+        return assemble<core::lower_triangle>(
             m, weights, static_cast<std::size_t>(vert_index_bound(m)), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
             [](int, const vert_t<M>&, double) {});
       },
@@ -90,7 +90,7 @@ struct positive_weights {
 template<AnyMesh M>
 Eigen::SparseMatrix<double> lower_positive_stiffness(const M& m) {
   const auto column = [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); };
-  return assemble<lower_triangle>(m, positive_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), 1.0, column,
+  return assemble<core::lower_triangle>(m, positive_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), 1.0, column,
                                   [](int, const vert_t<M>&, double) {});
 }
 

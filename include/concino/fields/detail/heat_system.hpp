@@ -2,11 +2,11 @@
 // however far away; the directions in which it flows; and the function that rises in these directions.
 #pragma once
 
+#include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 #include <concino/operators/detail/product.hpp>
-#include <concino/solve/detail/residual.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -46,7 +46,7 @@ class heat_system {
     std::unique_ptr<Solver> solver;
 
     void factorize() {
-      factorize_over_verts(*solver, lower, "heat_geodesics", [](Eigen::Index row) { return row; });
+      core::factorize_over_verts(*solver, lower, "heat_geodesics", [](Eigen::Index row) { return row; });
     }
   };
 
@@ -158,7 +158,7 @@ class heat_system {
       const vec3 direction = (1 / std::sqrt(dot(g, g))) * g;
       for (std::size_t k = first; k < end; ++k) b[corners_.vert[k]] += dot(corners_.flux[k], direction);
     }
-    return solve_and_check(*poisson_.solver, poisson_.lower, b, "heat_geodesics");
+    return core::solve_and_check(*poisson_.solver, poisson_.lower, b, "heat_geodesics");
   }
 
  private:
@@ -182,7 +182,7 @@ class heat_system {
     std::vector<int> unit(size, unit_);  // of each component; where little is trusted, its heat starts from near 2^lift whatever its verts' masses
     for (const heat_source& s : sources) {
       const auto c = static_cast<std::size_t>(component(s.vert));
-      if (iterates(*heat.solver) && (!has_source[c] || s.strength == 1)) unit[c] = std::ilogb(heat.lower.coeff(s.vert, s.vert));
+      if (core::iterates(*heat.solver) && (!has_source[c] || s.strength == 1)) unit[c] = std::ilogb(heat.lower.coeff(s.vert, s.vert));
       has_source[c] = 1;
     }
     settled found{std::vector<double>(size), std::vector<int>(size, -1), 2 * up * std::log(2.0)};

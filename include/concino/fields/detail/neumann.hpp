@@ -3,7 +3,7 @@
 
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/geometry/edge_length.hpp>
-#include <concino/operators/detail/corner_gradients.hpp>
+#include <concino/operators/corner_gradients.hpp>
 
 #include <cmath>
 #include <cstddef>

@@ -3,9 +3,8 @@
 #pragma once
 
 #include <concino/concepts/ranges.hpp>
-#include <concino/mesh/detail/side_ranges.hpp>
 
-#include <type_traits>
+#include <concepts>
 
 namespace concino::detail {
 
@@ -14,7 +13,9 @@ inline void fetch(const void* p) { __builtin_prefetch(p); }
 /// Where the entries of a row of neighbours lie, for the ranges that lie in memory: walking those twice costs next to nothing.
 template<class T>
 const void* row_of(const id_span<T>& r) { return r.begin(); }
-inline const void* row_of(const polys_across& r) { return r.row(); }
+template<class R>
+  requires requires(const R& r) { { r.row() } -> std::same_as<const void*>; }
+const void* row_of(const R& r) { return r.row(); }
 
 template<class R> concept lies_in_memory = requires(const R& r) { row_of(r); };
 

@@ -3,7 +3,6 @@
 
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/ranges.hpp>
-#include <concino/mesh/detail/side_ranges.hpp>
 
 #include <cstddef>
 #include <iterator>
@@ -20,8 +19,6 @@ template<class R>
 inline constexpr bool iterators_outlive = std::is_lvalue_reference_v<R> || std::ranges::enable_borrowed_range<std::remove_cvref_t<R>>;
 template<class T> inline constexpr bool iterators_outlive<id_span<T>> = true;
 template<class Id> inline constexpr bool iterators_outlive<id_range<Id>> = true;
-template<> inline constexpr bool iterators_outlive<polys_of_facet> = true;
-template<> inline constexpr bool iterators_outlive<polys_across> = true;
 template<class M, class K, around Ring> inline constexpr bool iterators_outlive<halfedge_ring<M, K, Ring>> = true;
 template<class M, class K> inline constexpr bool iterators_outlive<halfedge_neighbours<M, K>> = true;
 

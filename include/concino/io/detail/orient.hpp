@@ -26,13 +26,13 @@ inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recog
 }
 
 /// Six times the volume of poly p by the fans about the mean points of its faces, as its outward flags say.
-inline double six_volumes(const polyhedra_arrays& m, std::size_t p) {
+inline double six_times_volume(const polyhedra_arrays& m, std::size_t p) {
   double sum = 0;
   if (m.poly_offsets[p] == m.poly_offsets[p + 1]) return sum;
   const vec3 apex = m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()];
   for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i) {
     const std::uint32_t f = m.poly_faces[i].raw(), first = m.face_offsets[f];
-    const double one = six_volumes_under(
+    const double one = six_times_volume_under(
         m.face_offsets[f + 1] - first, [&](std::size_t k) -> const vec3& { return m.points[m.face_verts[first + k].raw()]; }, apex);
     sum += m.outward[i] ? one : -one;
   }
@@ -172,7 +172,7 @@ std::size_t orient_polyhedra(Arrays& m) {
           touched = true;
         }
     }
-    if (six_volumes(m, p) < 0) {
+    if (six_times_volume(m, p) < 0) {
       for (std::uint32_t i = begin; i < end; ++i) m.outward[i] = !m.outward[i];
       touched = true;
     }

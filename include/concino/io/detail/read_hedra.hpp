@@ -5,7 +5,7 @@
 #include <concino/io/detail/orient.hpp>
 #include <concino/io/detail/text_cursor.hpp>
 #include <concino/io/detail/text_sample.hpp>
-#include <concino/mesh/detail/checks.hpp>
+#include <concino/mesh/limits.hpp>
 
 namespace concino::detail {
 
@@ -131,7 +131,7 @@ class hedra_reader : token_cursor {
         }
         fail(first_cell_,
              {name_of_poly(true, cells.arity ? cells.arity : 4), " (polyhedralmesh and load_any take any polyhedron)"},
-             {"a ", s == cell_shape::general ? "polyhedron" : table_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
+             {"a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
               " faces"});
       }
       cells.verts.insert(cells.verts.end(), known.cell, known.cell + n);

@@ -180,7 +180,7 @@ class medit_reader : token_cursor {
         fail(from, {"different vertices in an element"}, {"vertex ", corners[k].raw() + 1, " twice"});
       add_label(poly_labels_, polys_ + i, next_label("the reference of an element, an integer"));
       if constexpr (Volumes)
-        if (s.volume) report_.reoriented_polys += make_positive(s.shape, corners, points_);
+        if (s.volume) report_.reoriented_polys += make_volume_positive(s.shape, corners, points_);
       if (!shapes_.empty()) {
         shapes_.push_back(static_cast<std::uint8_t>(s.shape));
         poly_begin_.push_back(static_cast<std::uint32_t>(verts_.size()));
@@ -257,7 +257,7 @@ class medit_reader : token_cursor {
     for (std::size_t p = 0; p < polys_; ++p) {
       const cell_shape shape = shapes_.empty() ? only_->shape : static_cast<cell_shape>(shapes_[p]);
       soup.add_cell(shape, v);
-      v += table_of(shape).num_verts;
+      v += standard_cell_of(shape).num_verts;
     }
     std::vector<vert_id>().swap(verts_);
     return std::move(soup).unite(std::move(points_));

@@ -45,7 +45,7 @@ void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, [[maybe_
     const cell_shape shape = known.recognise();
     if (shape == cell_shape::general)
       c.cannot_hold(".mesh", {"poly ", index_of(m, p), ", a polyhedron of ", n, " faces that is no tet, hex, prism or pyramid"}, ".hedra");
-    for (unsigned i = 0; i < table_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
+    for (unsigned i = 0; i < standard_cell_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
     s = 2 + static_cast<std::size_t>(shape);
   }
   rows.end_row(s);

@@ -4,10 +4,10 @@
 #include <concino/core/message.hpp>
 #include <concino/mesh/detail/live.hpp>
 #include <concino/mesh/detail/sides.hpp>
+#include <concino/mesh/limits.hpp>
 
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace concino::detail {
 
@@ -66,18 +66,6 @@ inline void check_new_verts(std::span<const vert_id> list, const live<vert_id>& 
 inline void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
   if (poly_count >= across::mask) core::throw_joined<unsupported>({"the mesh has ", poly_count, " polys; at most 2^30 fit"});
   if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has more than 2^32 verts or corners");
-}
-
-/// Refuses polyhedra whose adjacencies would be far longer than the lists that they are given by. No volume comes near: where a face has one
-/// or two polys, these are at most twice as long. Only meshes with a face of more than 16 verts that more than 16 polys have are refused.
-/// poly_corners: the verts of all faces, a face counted for every poly that has it; face_corners: each counted once; poly_faces: the faces of
-/// all polys; before: what the message begins with.
-inline void check_poly_corners(std::uint64_t poly_corners, std::uint64_t face_corners, std::uint64_t poly_faces, std::string_view before = {}) {
-  constexpr std::uint64_t always = 1 << 20, times = 16;
-  if (poly_corners > always + times * (face_corners + poly_faces))
-    core::throw_joined<unsupported>({before, "faces of many verts belong to so many polys that the adjacencies would have ", poly_corners,
-                               " entries, for lists of ", face_corners + poly_faces, "; a face of more than ", times,
-                               " verts should belong to at most ", times, " polys"});
 }
 
 }  // namespace concino::detail

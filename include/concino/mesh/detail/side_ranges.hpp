@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace concino::detail {
@@ -268,3 +269,9 @@ class polys_across {
 };
 
 }  // namespace concino::detail
+
+// Their iterators hold all that they need.
+template<>
+inline constexpr bool std::ranges::enable_borrowed_range<concino::detail::polys_of_facet> = true;
+template<>
+inline constexpr bool std::ranges::enable_borrowed_range<concino::detail::polys_across> = true;

@@ -1,7 +1,7 @@
 // The stiffness of one polygon after de Goes, Butts and Desbrun: its mean gradient, and how far the differences along its edges are from it.
 #pragma once
 
-#include <concino/operators/detail/corner_gradients.hpp>
+#include <concino/operators/corner_gradients.hpp>
 #include <concino/operators/detail/local_matrix.hpp>
 
 #include <cstddef>

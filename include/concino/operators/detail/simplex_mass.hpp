@@ -1,9 +1,9 @@
 // The Galerkin mass of meshes of triangles or tets by type, by edges: the same matrix as virtual elements make, several times faster.
 #pragma once
 
+#include <concino/core/assembly.hpp>
 #include <concino/geometry/measure.hpp>
-#include <concino/operators/detail/assembly.hpp>
-#include <concino/operators/detail/corner_gradients.hpp>
+#include <concino/operators/corner_gradients.hpp>
 
 #include <array>
 #include <cmath>
@@ -61,7 +61,7 @@ class simplex_mass_weights {
 /// Both triangles.
 template<AnyMesh M>
 Eigen::SparseMatrix<double> simplex_mass(const M& m) {
-  Eigen::SparseMatrix<double> a = assemble<whole_matrix>(
+  Eigen::SparseMatrix<double> a = assemble<core::whole_matrix>(
       m, simplex_mass_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), -1.0,
       [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); }, [](int, const vert_t<M>&, double) {});
   // A simplex has `dimension` edges at a vert, and the square of the vert's function twice the integral of one.

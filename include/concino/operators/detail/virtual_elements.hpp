@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/geometry/centroid.hpp>
-#include <concino/operators/detail/corner_gradients.hpp>
+#include <concino/operators/corner_gradients.hpp>
 #include <concino/operators/detail/local_matrix.hpp>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // The stiffness of one poly as that of the triangles or tets around a virtual vert within, whose value is a mean of those of the poly's verts.
 #pragma once
 
-#include <concino/operators/detail/corner_gradients.hpp>
+#include <concino/operators/corner_gradients.hpp>
 #include <concino/operators/detail/local_matrix.hpp>
 #include <concino/operators/detail/simplex_weights.hpp>
 

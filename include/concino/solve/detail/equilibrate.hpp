@@ -1,7 +1,7 @@
 // Rows and columns scaled by powers of two, so that what is small beside the rest is seen, whatever units rows and columns are in.
 #pragma once
 
-#include <concino/solve/detail/system_checks.hpp>
+#include <concino/core/system_checks.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -20,7 +20,7 @@ inline std::vector<double> scale_columns(Eigen::SparseMatrix<double>& a) {
     double* const last = a.valuePtr() + a.outerIndexPtr()[c + 1];
     double largest = 0;
     for (const double* x = first; x != last; ++x) largest = std::max(largest, std::abs(*x));
-    const double factor = scale[static_cast<std::size_t>(c)] = power_of_two_to_scale(largest);
+    const double factor = scale[static_cast<std::size_t>(c)] = core::power_of_two_to_scale(largest);
     for (double* x = first; x != last; ++x) *x *= factor;
   }
   return scale;
@@ -37,7 +37,7 @@ inline equilibration equilibrate(Eigen::SparseMatrix<double>& a) {
   const auto rows = static_cast<std::size_t>(a.rows()), columns = static_cast<std::size_t>(a.cols());
   double all = 0;
   for (Eigen::Index k = 0; k < a.nonZeros(); ++k) all = std::max(all, std::abs(a.valuePtr()[k]));
-  all = power_of_two_to_scale(all);  // first, so that multiples of a come out the same
+  all = core::power_of_two_to_scale(all);  // first, so that multiples of a come out the same
   for (Eigen::Index k = 0; k < a.nonZeros(); ++k) a.valuePtr()[k] *= all;
   equilibration scale{std::vector<double>(rows, all), std::vector<double>(columns, 1.0)};
   std::vector<double> row(rows), column(columns);

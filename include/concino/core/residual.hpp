@@ -4,7 +4,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/solve/detail/system_checks.hpp>
+#include <concino/core/system_checks.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -13,7 +13,7 @@
 #include <concepts>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// r = b - a x, of a compressed matrix, or of a symmetric one given by its lower triangle. Loops, because Eigen's expressions take long to compile.
 /// Result: the largest |r_i| / (|a| |x| + |b|)_i: the relative change of matrix and right-hand side that would make x exact. It does not
@@ -135,4 +135,4 @@ Eigen::VectorXd solve_and_check(const Solver& solver, const Eigen::SparseMatrix<
   return x;
 }
 
-}  // namespace concino::detail
+}  // namespace concino::core

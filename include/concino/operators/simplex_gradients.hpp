@@ -2,11 +2,11 @@
 // without lists.
 #pragma once
 
-#include <concino/operators/detail/corner_gradients.hpp>
+#include <concino/operators/corner_gradients.hpp>
 
 #include <array>
 
-namespace concino::detail {
+namespace concino {
 
 /// As corner_gradients, for one triangle or tet after another.
 ///
@@ -65,4 +65,4 @@ struct poly_gradients_of<M> { using type = simplex_gradients<M>; };
 /// The quicker of the two.
 template<class M> using poly_gradients = typename poly_gradients_of<M>::type;
 
-}  // namespace concino::detail
+}  // namespace concino

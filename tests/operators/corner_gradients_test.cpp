@@ -1,6 +1,6 @@
-#include <concino/operators/detail/corner_gradients.hpp>
+#include <concino/operators/corner_gradients.hpp>
 
-#include <concino/operators/detail/simplex_gradients.hpp>
+#include <concino/operators/simplex_gradients.hpp>
 
 #include <support/kinds.hpp>
 #include <support/tiny.hpp>
@@ -12,8 +12,8 @@
 
 using namespace concino;
 using namespace concino::testing;
-using detail::corner_gradients;
-using detail::simplex_gradients;
+
+
 
 TEST_CASE_TEMPLATE("corner_gradients: verts as walked, their mean and measure, gradients of linear functions", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
@@ -45,8 +45,8 @@ TEST_CASE_TEMPLATE("corner_gradients: verts as walked, their mean and measure, g
 }
 
 TEST_CASE_TEMPLATE("simplex_gradients: the same numbers", M, trimesh, tetmesh) {
-  static_assert(std::is_same_v<detail::poly_gradients<M>, simplex_gradients<M>>);
-  static_assert(std::is_same_v<detail::poly_gradients<hexmesh>, corner_gradients<hexmesh>>);
+  static_assert(std::is_same_v<poly_gradients<M>, simplex_gradients<M>>);
+  static_assert(std::is_same_v<poly_gradients<hexmesh>, corner_gradients<hexmesh>>);
   auto arrays = jittered(grid_arrays<M>(2), 0.05);
   std::swap(arrays.verts[0], arrays.verts[1]);  // a tet turned inside out
   for (vec3& x : arrays.points) x += vec3{1000, 0, -2000};

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// The polys of a mesh in chunks of neighbours in the walk. The mesh stays as it is as long as this is used.
 template<AnyMesh M>
@@ -60,4 +60,4 @@ class poly_chunks {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino::core

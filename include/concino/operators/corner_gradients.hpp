@@ -13,7 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace concino::detail {
+namespace concino {
+
+namespace detail {
 
 template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* who, const M& m, const poly_t<M>& p) {
@@ -37,6 +39,8 @@ vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
   }
   return area;
 }
+
+}  // namespace detail
 
 /// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i g_i. Used again
 /// for poly after poly, so that nothing is allocated for each.
@@ -147,8 +151,8 @@ struct corner_gradients {
     if (n == 0) return;
     const vec3 c = sum / static_cast<double>(n);
     for (vec3& x : around_) x -= c;
-    measure += dot(c, integrate_fan(around_, sign, [&](std::size_t i, const vec3& share) { gradient[corner_[i]] += share; }));
+    measure += dot(c, detail::integrate_fan(around_, sign, [&](std::size_t i, const vec3& share) { gradient[corner_[i]] += share; }));
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino

@@ -1,4 +1,4 @@
-#include <concino/solve/detail/residual.hpp>
+#include <concino/core/residual.hpp>
 
 #include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>
@@ -45,10 +45,10 @@ TEST_CASE("residual: beside the terms of each row, of a whole matrix and of a lo
       b[row] += off;
       const double terms = std::abs(exact[row]), expected = std::abs(off) / (std::abs(b[row]) + terms);
       for (const bool is_lower : {false, true}) {
-        CHECK(detail::residual(is_lower ? lower : a, x, b, r, is_lower) == doctest::Approx(expected).epsilon(1e-14));
+        CHECK(core::residual(is_lower ? lower : a, x, b, r, is_lower) == doctest::Approx(expected).epsilon(1e-14));
         CHECK(r == b - exact);
         const double largest[] = {4, 3, 5};
-        CHECK(detail::residual_beside_largest(is_lower ? lower : a, x, b, r, is_lower) ==
+        CHECK(core::residual_beside_largest(is_lower ? lower : a, x, b, r, is_lower) ==
               doctest::Approx(std::abs(off) / (std::abs(b[row]) + largest[row] * 3)).epsilon(1e-14));
       }
     }
@@ -63,49 +63,49 @@ TEST_CASE("residual: the largest entry of a row may be in either triangle, and t
       r[row] = 0.5;
       const Eigen::VectorXd b = Eigen::Vector3d(1, 2, 3);
       const double expected = 0.5 / (b[row] + (row < 2 ? 9 : 3) * 8);
-      CHECK(detail::residual_beside_largest(a, x, b, r, false) == doctest::Approx(expected).epsilon(1e-14));
-      CHECK(detail::residual_beside_largest(lower, x, b, r, true) == doctest::Approx(expected).epsilon(1e-14));
+      CHECK(core::residual_beside_largest(a, x, b, r, false) == doctest::Approx(expected).epsilon(1e-14));
+      CHECK(core::residual_beside_largest(lower, x, b, r, true) == doctest::Approx(expected).epsilon(1e-14));
     }
   // Row 1 has its largest entry above the diagonal: of the lower triangle alone it is not seen.
   Eigen::VectorXd r = Eigen::Vector3d(0.5, 0, 0), zero = Eigen::Vector3d::Zero(), small = Eigen::Vector3d::Constant(0.25);
-  CHECK(detail::residual_beside_largest(lower, small, zero, r, false) == 0.5 / 0.25);
-  CHECK(detail::residual_beside_largest(lower, small, zero, r, true) == 0.5 / (9 * 0.25));
+  CHECK(core::residual_beside_largest(lower, small, zero, r, false) == 0.5 / 0.25);
+  CHECK(core::residual_beside_largest(lower, small, zero, r, true) == 0.5 / (9 * 0.25));
 }
 
 TEST_CASE("residual: rows of zeros are solved by anything, and what is not a number by nothing") {
   const sparse a = from(3, 3, {{0, 0, 1.0}});
   Eigen::VectorXd x = Eigen::Vector3d(2, 5, 7), b = Eigen::Vector3d(2, 0, 0), r;
-  CHECK(detail::residual(a, x, b, r, false) == 0);
-  CHECK(detail::residual_beside_largest(a, x, b, r, false) == 0);
+  CHECK(core::residual(a, x, b, r, false) == 0);
+  CHECK(core::residual_beside_largest(a, x, b, r, false) == 0);
   x[0] = std::nan("");
-  CHECK(std::isnan(detail::residual(a, x, b, r, false)));
-  CHECK(std::isnan(detail::residual_beside_largest(a, x, b, r, false)));
+  CHECK(std::isnan(core::residual(a, x, b, r, false)));
+  CHECK(std::isnan(core::residual_beside_largest(a, x, b, r, false)));
 }
 
-TEST_CASE("solve_and_check: which solvers iterate") {
-  CHECK(!detail::iterates(ldlt()));
-  CHECK(detail::iterates(conjugate_gradients()));
-  CHECK(!detail::iterates(wrong_solver()));
-  CHECK(detail::iterates(wrong_iteration()));
+TEST_CASE("core::solve_and_check: which solvers iterate") {
+  CHECK(!core::iterates(ldlt()));
+  CHECK(core::iterates(conjugate_gradients()));
+  CHECK(!core::iterates(wrong_solver()));
+  CHECK(core::iterates(wrong_iteration()));
 }
 
-TEST_CASE("solve_and_check: corrects until nothing is left, three times at most") {
+TEST_CASE("core::solve_and_check: corrects until nothing is left, three times at most") {
   const wrong_solver exact;
-  CHECK(detail::solve_and_check(exact, diagonal(), right(), "x") == Eigen::Vector3d(1, -1, 2));
+  CHECK(core::solve_and_check(exact, diagonal(), right(), "x") == Eigen::Vector3d(1, -1, 2));
   CHECK(exact.solves == 1);
   const wrong_solver near{.factor = 0.99};  // off by 1e-2, 1e-4, 1e-6, 1e-8
-  CHECK(distance(detail::solve_and_check(near, diagonal(), right(), "x"), Eigen::Vector3d(1, -1, 2)) < 3e-8);
+  CHECK(distance(core::solve_and_check(near, diagonal(), right(), "x"), Eigen::Vector3d(1, -1, 2)) < 3e-8);
   CHECK(near.solves == 4);
   const wrong_solver nearer{.factor = 1 + 1e-7};
-  CHECK(distance(detail::solve_and_check(nearer, diagonal(), right(), "x", false), Eigen::Vector3d(1, -1, 2)) < 1e-13);
+  CHECK(distance(core::solve_and_check(nearer, diagonal(), right(), "x", false), Eigen::Vector3d(1, -1, 2)) < 1e-13);
   CHECK(nearer.solves == 2);
-  CHECK_THROWS_WITH_AS(detail::solve_and_check(wrong_solver{.factor = 0.9}, diagonal(), right(), "x"), doctest::Contains("the relative residual is"), solver_error);
+  CHECK_THROWS_WITH_AS(core::solve_and_check(wrong_solver{.factor = 0.9}, diagonal(), right(), "x"), doctest::Contains("the relative residual is"), solver_error);
   const wrong_solver away{.factor = 3};  // corrections take it further away
-  CHECK_THROWS_AS(detail::solve_and_check(away, diagonal(), right(), "x"), solver_error);
+  CHECK_THROWS_AS(core::solve_and_check(away, diagonal(), right(), "x"), solver_error);
   CHECK(away.solves == 2);
 }
 
-TEST_CASE("solve_and_check: of solvers that iterate, what they tell counts, and nothing is solved again") {
+TEST_CASE("core::solve_and_check: of solvers that iterate, what they tell counts, and nothing is solved again") {
   const auto check = [](double factor, std::optional<double> told) {
     const sparse one = from(1, 1, {{0, 0, 1.0}});
     const Eigen::VectorXd d = Eigen::VectorXd::Ones(1);
@@ -113,7 +113,7 @@ TEST_CASE("solve_and_check: of solvers that iterate, what they tell counts, and 
       solver.factor = factor;
       solver.d = d;
       try {
-        detail::solve_and_check(solver, one, d, "x");
+        core::solve_and_check(solver, one, d, "x");
       } catch (const solver_error&) {
         CHECK(solver.solves == 1);
         return false;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// The matrix itself if it is compressed, or a compressed copy in `storage`.
 inline const Eigen::SparseMatrix<double>& compressed(const Eigen::SparseMatrix<double>& a, Eigen::SparseMatrix<double>& storage) {
@@ -113,4 +113,4 @@ inline double power_of_two_to_scale(double x) {
   return std::ldexp(1.0, -std::ilogb(x));
 }
 
-}  // namespace concino::detail
+}  // namespace concino::core

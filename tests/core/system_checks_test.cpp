@@ -1,4 +1,4 @@
-#include <concino/solve/detail/system_checks.hpp>
+#include <concino/core/system_checks.hpp>
 
 #include "support/systems.hpp"
 
@@ -12,25 +12,25 @@ TEST_CASE("system_checks: whichever entry is not finite is named") {
   for (int i = 0; i < 4; ++i)
     for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
       Eigen::VectorXd b = Eigen::VectorXd::Ones(4);
-      CHECK_NOTHROW(detail::check_right_hand_side("x", b, 4));
-      CHECK_NOTHROW(detail::check_solution("x", b));
+      CHECK_NOTHROW(core::check_right_hand_side("x", b, 4));
+      CHECK_NOTHROW(core::check_solution("x", b));
       b[i] = bad;
       const std::string name = "x: entry " + std::to_string(i) + " of the ";
-      CHECK_THROWS_WITH_AS(detail::check_right_hand_side("x", b, 4), (name + "right-hand side is not finite").c_str(), solver_error);
-      CHECK_THROWS_WITH_AS(detail::check_solution("x", b), doctest::Contains((name + "solution is not finite").c_str()), solver_error);
+      CHECK_THROWS_WITH_AS(core::check_right_hand_side("x", b, 4), (name + "right-hand side is not finite").c_str(), solver_error);
+      CHECK_THROWS_WITH_AS(core::check_solution("x", b), doctest::Contains((name + "solution is not finite").c_str()), solver_error);
     }
 }
 
 TEST_CASE("system_checks: the diagonal of a matrix, also where it has no entry") {
   const sparse a = from(4, 4, {{0, 0, 2.0}, {1, 0, 7.0}, {0, 1, 7.0}, {1, 1, -3.0}, {2, 1, 5.0}, {1, 2, 5.0}, {3, 2, 11.0}, {3, 3, 4.0}});
-  CHECK(detail::diagonal(a) == std::vector<double>{2, -3, 0, 4});
+  CHECK(core::diagonal(a) == std::vector<double>{2, -3, 0, 4});
 }
 
 TEST_CASE("system_checks: a pattern is rows, columns and the places of entries") {
   const sparse a = from(3, 2, {{0, 0, 1.0}, {1, 0, 2.0}}), other_values = from(3, 2, {{0, 0, 5.0}, {1, 0, 0.0}});
   const sparse higher = from(4, 2, {{0, 0, 1.0}, {1, 0, 2.0}}), wider = from(3, 3, {{0, 0, 1.0}, {1, 0, 2.0}});
   const sparse other_column = from(3, 2, {{0, 0, 1.0}, {1, 1, 2.0}}), other_row = from(3, 2, {{0, 0, 1.0}, {2, 0, 2.0}});
-  detail::sparsity_pattern pattern;
+  core::sparsity_pattern pattern;
   for (const sparse& m : {sparse(0, 0), sparse(1, 1), a}) CHECK(!pattern.is_of(m));
   pattern.remember(a);
   CHECK(pattern.is_of(a));
@@ -48,8 +48,8 @@ TEST_CASE("system_checks: a pattern is rows, columns and the places of entries")
 }
 
 TEST_CASE("system_checks: powers of two that scale to [1, 2), and 1 where there is none") {
-  CHECK(detail::power_of_two_to_scale(1) == 1);
-  CHECK(detail::power_of_two_to_scale(3) == 0.5);
-  CHECK(detail::power_of_two_to_scale(0.1) == 16);
-  for (const double none : {0.0, -3.0, 0x1p-1000, 0x1p1000, HUGE_VAL, std::nan("")}) CHECK(detail::power_of_two_to_scale(none) == 1);
+  CHECK(core::power_of_two_to_scale(1) == 1);
+  CHECK(core::power_of_two_to_scale(3) == 0.5);
+  CHECK(core::power_of_two_to_scale(0.1) == 16);
+  for (const double none : {0.0, -3.0, 0x1p-1000, 0x1p1000, HUGE_VAL, std::nan("")}) CHECK(core::power_of_two_to_scale(none) == 1);
 }

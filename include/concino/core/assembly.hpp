@@ -11,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// Sorts a column by row. Columns are short but for the hubs of fans, so both are served.
 inline void sort_column(int* rows, double* values, std::size_t n) {
@@ -111,4 +111,4 @@ Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t s
   return a;
 }
 
-}  // namespace concino::detail
+}  // namespace concino::core

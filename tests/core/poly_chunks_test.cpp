@@ -1,4 +1,4 @@
-#include <concino/operators/detail/poly_chunks.hpp>
+#include <concino/core/poly_chunks.hpp>
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -22,7 +22,7 @@ template<class M>
 void check_chunks(const M& m) {
   std::vector<std::size_t> expected;
   std::size_t corners = 0;
-  const detail::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
+  const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
     expected.push_back(corners);
     std::size_t n = 0;
     for ([[maybe_unused]] const auto v : adj_p2v(m, p)) ++n;
