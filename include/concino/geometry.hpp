@@ -13,5 +13,6 @@
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/normals.hpp>
 #include <concino/geometry/orientation.hpp>
+#include <concino/geometry/outward_vector.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/geometry/self_intersections.hpp>

@@ -4,6 +4,7 @@
 #include <concino/concepts/views.hpp>
 #include <concino/mesh/boundary.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/mesh/facet_map.hpp>
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/mesh_point.hpp>
 #include <concino/mesh/polygonmesh.hpp>

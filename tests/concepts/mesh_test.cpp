@@ -21,6 +21,8 @@ TEST_CASE("explain says nothing about models") {
   cn::explain_any_mesh<const tiny::volume&>();
   cn::explain_any_mesh<tiny::surface>();
   cn::explain_mutable_points<movable>();
+  cn::explain_embedded_mesh<tiny::volume>();
+  cn::explain_embedded_graph<const tiny::surface&>();
 }
 
 TEST_CASE("set_point moves a vert") {

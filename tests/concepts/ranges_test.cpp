@@ -53,3 +53,17 @@ TEST_CASE("ids_where walks what a function of the user's takes") {
   const auto empty = cn::ids_where<cn::vert_id>(0, [](unsigned) { return true; });
   CHECK_FALSE(empty.begin() != empty.end());
 }
+
+template<class R> concept is_counted = requires(const R& r) { cn::num_elements(r); };
+static_assert(is_counted<std::vector<int>> && !is_counted<int>);
+
+TEST_CASE("num_elements counts what a walk meets, of arrays too") {
+  const unsigned char dead[] = {1, 0, 1, 1, 0, 1};
+  CHECK(cn::num_elements(cn::id_range<cn::poly_id>(6, dead)) == 2);
+  const std::vector<cn::vert_id> ids{cn::vert_id{4}, cn::vert_id{2}, cn::vert_id{2}};
+  CHECK(cn::num_elements(ids) == 3);
+  CHECK(cn::num_elements(cn::id_span<cn::vert_id>(ids.data(), ids.data() + 2)) == 2);
+  CHECK(cn::num_elements(std::array<cn::vert_id, 2>{}) == 2);
+  CHECK(cn::num_elements(cn::id_span<cn::vert_id>()) == 0);
+  CHECK(cn::num_elements(cn::ids_where<cn::vert_id>(5, [](unsigned i) { return i % 2 == 0; })) == 3);
+}

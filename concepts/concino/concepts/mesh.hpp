@@ -1,4 +1,4 @@
-// AnyMesh: a surface or a volume; Embedded: its verts have coordinates. What most algorithms on meshes name.
+// AnyMesh: a surface or a volume; Embedded: its verts have coordinates; EmbeddedMesh: both, what most algorithms on meshes name.
 //
 // Laws:
 //   EM1  point(m, v) is three finite numbers
@@ -40,6 +40,10 @@ concept sets_point_of_a_copy =
 
 template<class M>
 concept Embedded = requirement::is_adapted<M> && requirement::has_vert<M> && requirement::has_point<M> && requirement::has_point_of_the_mesh<M>;
+
+/// A mesh with coordinates, a graph of verts with coordinates: all that most algorithms need.
+template<class M> concept EmbeddedMesh = AnyMesh<M> && Embedded<M>;
+template<class M> concept EmbeddedGraph = PrimalGraph<M> && Embedded<M>;
 
 /// set_point takes anything with x[0], x[1], x[2].
 template<class M> concept MutablePoints = Embedded<M> && requirement::has_set_point<M> && !requirement::sets_point_of_a_copy<M>;
@@ -85,6 +89,18 @@ consteval void explain_any_mesh() {
   else
     static_assert(missing<M>, "concino: AnyMesh needs mesh_traits<M>::dimension: static constexpr int dimension = 2 for a surface, 3 for a volume");
   // clang-format on
+}
+
+/// Fails to compile with one sentence that names the first thing M lacks to be an EmbeddedMesh or an EmbeddedGraph and what to write.
+template<class M>
+consteval void explain_embedded_mesh() {
+  if constexpr (!AnyMesh<M>) explain_any_mesh<M>();
+  else explain_embedded<M>();
+}
+template<class M>
+consteval void explain_embedded_graph() {
+  if constexpr (!PrimalGraph<M>) explain_primal_graph<M>();
+  else explain_embedded<M>();
 }
 
 /// Whether x is an element of m now.

@@ -17,6 +17,24 @@ concept ElementRange = requires(const R& r, decltype(r.begin()) it) {
   ++it;
 };
 
+/// How many elements a range has, of those that verbs return.
+/// Needs:  begin() and end().
+/// Result: as many as a walk meets.      Cost: O(1) where the elements lie in an array, else a walk.      Errors: none.
+inline constexpr struct num_elements_verb {
+  template<class R>
+    requires requires(const R& range, decltype(range.begin()) it) { it != range.end(); ++it; }
+  constexpr std::size_t operator()(const R& range) const {
+    if constexpr (requires { requires std::is_pointer_v<decltype(range.begin())> && std::same_as<decltype(range.begin()), decltype(range.end())>; }) {
+      return static_cast<std::size_t>(range.end() - range.begin());
+    } else {
+      std::size_t n = 0;
+      const auto end = range.end();
+      for (auto it = range.begin(); it != end; ++it) ++n;
+      return n;
+    }
+  }
+} num_elements{};
+
 /// Elements that lie one after another in memory owned by the mesh.
 template<class T>
 class id_span {

@@ -1,9 +1,11 @@
-// How large elements are: areas of polygons, volumes of polyhedra, and the measure of a poly that is one or the other.
+// How large elements are: areas of polygons, volumes of polyhedra, and the measure of a poly or facet of either dimension.
 #pragma once
 
+#include <concino/concepts/facets.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/detail/any_scale.hpp>
+#include <concino/geometry/edge_length.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -139,6 +141,15 @@ double measure(const M& m, const poly_t<M>& p) {
   if constexpr (SurfaceMesh<M>) return area(m, p);
   else return volume(m, p);
 }
+
+/// The length of an edge of a surface or the area of a face of a volume: the size of a facet.
+/// Needs:  Embedded AnyMesh.      Result: as edge_length and area.      Cost: as those.      Errors: none.
+template<SurfaceMesh M>
+  requires Embedded<M>
+double measure(const M& m, const edge_t<M>& e) { return edge_length(m, e); }
+template<VolumeMesh M>
+  requires Embedded<M>
+double measure(const M& m, const face_t<M>& f) { return area(m, f); }
 
 /// The measures of all polys.
 /// Needs:  Embedded AnyMesh, no temporary.      Result: a map of double.      Cost: that of measure for every poly; parallel.      Errors: none.

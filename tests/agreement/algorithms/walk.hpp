@@ -4,6 +4,8 @@
 #include <agreement/matched.hpp>
 
 #include <concino/concepts/derived.hpp>
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/facets.hpp>
 #include <concino/mesh/element_map.hpp>
 
 namespace concino::agreement {
@@ -41,6 +43,8 @@ struct walk {
         for (const auto& e : adj_p2e(m, both.polys.to(p)))
           expect(native_numbers(both.verts, adj_e2v(m, e)) == native_numbers(both.verts, adj_e2v(m, both.edges.to(both.edges.back(e)))), "adj_e2v");
     }
+    if constexpr (SurfaceMesh<M>) check_facets(both, both.edges);
+    if constexpr (VolumeMesh<M>) check_facets(both, both.faces);
     if constexpr (SurfaceMesh<M>)
       for (const auto p : both.polys.all)
         expect(rotated(raw_numbers(adj_p2v(n, p))) == rotated(native_numbers(both.verts, adj_p2v(m, both.polys.to(p)))), "adj_p2v in cyclic order");
@@ -75,6 +79,32 @@ struct walk {
   static void same_sets(const B& both, const From& from, const To& to, const Verb& verb, const char* what) {
     for (const auto x : from.all)
       expect(sorted(raw_numbers(verb(both.native, x))) == sorted(native_numbers(to, verb(both.other, from.to(x)))), what);
+  }
+  /// pairs: of the facets.
+  template<class B, class P>
+  static void check_facets(const B& both, const P& pairs) {
+    const auto& n = both.native;
+    const auto& m = both.other;
+    expect(num_facets(m) == pairs.all.size() && num_elements(facets(m)) == pairs.all.size() && facet_index_bound(m) >= pairs.all.size(), "num_facets");
+    same_sets(both, both.polys, pairs, adj_p2facet, "adj_p2facet");
+    same_sets(both, pairs, both.polys, adj_facet2p, "adj_facet2p");
+    same_sets(both, pairs, both.verts, adj_facet2v, "adj_facet2v");
+    for (const auto x : pairs.all)
+      for (const auto p : adj_facet2p(n, x))
+        expect(sorted(raw_numbers(other_polys(n, p, x))) == sorted(native_numbers(both.polys, other_polys(m, both.polys.to(p), pairs.to(x)))), "other_polys");
+    const auto same_boundary = [&](const auto& elements) {
+      for (const auto x : elements.all) expect(is_boundary(n, x) == is_boundary(m, elements.to(x)), "is_boundary");
+    };
+    same_boundary(pairs);
+    same_boundary(both.verts);
+    same_boundary(both.edges);
+    same_boundary(both.polys);
+    for (const auto e : both.edges.all) {
+      const auto [a, b] = end_verts(n, e);
+      const auto [c, d] = end_verts(m, both.edges.to(e));
+      const auto i = both.verts.back(c), j = both.verts.back(d);
+      expect((a == i && b == j) || (a == j && b == i), "end_verts");
+    }
   }
   template<class Map, class P>
   static void check_map(Map&& map, const P& pairs) {

@@ -56,6 +56,7 @@ void no_adapter(const stranger& other) {
   cn::area(other);  // refused
   cn::volume(other);  // refused
   cn::measure(other);  // refused
+  cn::outward_vector(other);  // refused
   cn::measures(other);  // refused
   cn::total_measure(other);  // refused
   cn::normal(other);  // refused
@@ -95,6 +96,7 @@ void no_adapter(const stranger& other) {
   cn::make_vert_map<int>(other);  // refused
   cn::make_edge_map<int>(other);  // refused
   cn::make_face_map<int>(other);  // refused
+  cn::make_facet_map<int>(other);  // refused
   cn::make_poly_map<int>(other);  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(other);  // refused
 }
@@ -138,6 +140,7 @@ void temporary() {
   cn::make_vert_map<int>(made());  // refused
   cn::make_edge_map<int>(made());  // refused
   cn::make_face_map<int>(made());  // refused
+  cn::make_facet_map<int>(made());  // refused
   cn::make_poly_map<int>(made());  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(made());  // refused
 }
@@ -168,6 +171,7 @@ void no_points(const cn::trimesh& m) {
   cn::area(pure);  // refused
   cn::volume(pure);  // refused
   cn::measure(pure);  // refused
+  cn::outward_vector(pure);  // refused
   cn::measures(pure);  // refused
   cn::total_measure(pure);  // refused
   cn::normal(pure);  // refused
@@ -215,6 +219,7 @@ void numbers(const cn::trimesh& m) {
   cn::area(m, 0);  // refused
   cn::volume(m, 0);  // refused
   cn::measure(m, 0);  // refused
+  cn::outward_vector(m, 0);  // refused
   cn::normal(m, 0);  // refused
   cn::vert_normal(m, 0);  // refused
   cn::prepare_exact_geodesics(m, 0);  // refused

@@ -3,6 +3,7 @@
 
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/geometry/edge_length.hpp>
+#include <concino/mesh/facet_map.hpp>
 #include <concino/operators/corner_gradients.hpp>
 
 #include <cmath>
@@ -14,22 +15,11 @@ namespace concino {
 
 namespace detail {
 
-template<class M> struct facet_of {};
-template<SurfaceMesh M> struct facet_of<M> { using type = edge_t<M>; };
-template<VolumeMesh M> struct facet_of<M> { using type = face_t<M>; };
-
-}  // namespace detail
-
-/// What bounds polys and, where it has one poly only, the mesh: edges of surfaces, faces of volumes.
-template<class M> using facet_t = typename detail::facet_of<std::remove_cvref_t<M>>::type;
-
-namespace detail {
-
 /// Calls share(vert, the integral of the vert's function over the facet): half the length of an edge each; over faces by the fan of triangles by
 /// which polyhedra have gradients, seen along the vector area. So the sum is the length or area, and linear functions are integrated exactly.
 template<AnyMesh M, class F>
 void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
-  if constexpr (SurfaceMesh<M>) {
+  if constexpr (SurfaceMesh<M>) {  // an edge needs no fan of triangles
     const double half = edge_length(m, x) / 2;
     for (const vert_t<M> v : adj_e2v(m, x)) share(v, half);
   } else {
@@ -60,22 +50,14 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
   constexpr bool is_surface = dimension_v<M> == 2;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (!(fluxes.begin() != fluxes.end())) return;
-  auto known = [&] {
-    if constexpr (is_surface) return make_edge_map<T>(m, same_in_all_parts<T>(none));
-    else return make_face_map<T>(m, same_in_all_parts<T>(none));
-  }();
+  auto known = make_facet_map<T>(m, same_in_all_parts<T>(none));
   for (const auto& [facet, number] : fluxes) {
     const facet_t<M> x = facet;
     const T flux = as_field_value<T>(number);
     if (!contains(m, x))
       core::throw_joined<invalid_mesh>({who, is_surface ? ": a flux is given at something that is no edge of the mesh; take edges from edges(m)"
                                                   : ": a flux is given at something that is no face of the mesh; take faces from faces(m)"});
-    std::size_t polys = 0;
-    const auto count = [&](const auto& around) {
-      for ([[maybe_unused]] const poly_t<M> p : around) ++polys;
-    };
-    if constexpr (is_surface) count(adj_e2p(m, x));
-    else count(adj_f2p(m, x));
+    const std::size_t polys = num_elements(adj_facet2p(m, x));
     if (polys != 1)
       core::throw_joined<invalid_mesh>({who, ": a flux is given at ", is_surface ? "edge " : "face ", static_cast<std::size_t>(index_of(m, x)),
                                   ", which has ", polys, " polys and so is not on the boundary; it can be given where there is one"});

@@ -1,0 +1,60 @@
+// Which way a facet faces, seen from one of its polys, and how large it is: the vectors of the divergence theorem in either dimension.
+#pragma once
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/facets.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/geometry/normals.hpp>
+
+namespace concino {
+
+namespace detail {
+
+/// Whether poly p of a surface walks edge e from its second end to its first.
+template<SurfaceMesh M>
+bool walks_backward(const M& m, const poly_t<M>& p, const edge_ends<vert_t<M>>& ends) {
+  vert_t<M> first{}, previous{};
+  bool any = false;
+  for (const vert_t<M> v : adj_p2v(m, p)) {
+    if (!any) first = v;
+    else if (previous == ends.first && v == ends.second) return false;
+    else if (previous == ends.second && v == ends.first) return true;
+    previous = v;
+    any = true;
+  }
+  return previous == ends.second && first == ends.first;
+}
+
+}  // namespace detail
+
+/// The vector normal to facet x that points out of its poly p and is as long as x is large.
+/// Needs:  Embedded AnyMesh; x is a facet of p.
+/// Result: of a face of a volume its area_vector, turned by face_is_outward; of an edge of a surface the edge, turned by a right angle in the plane of
+///         p, or the plane normal to the area_vector of p where it is not flat. The vectors over all facets of p sum to 0 where p is closed. Units
+///         of measure(m, x), scales exactly; 0 for a degenerate edge or face and at edges of a poly without area; components too large for a double
+///         are infinite.
+/// Cost:   O(verts of p) of a surface, O(verts of x) in a volume.      Errors: none.
+template<SurfaceMesh M>
+  requires Embedded<M>
+vec3 outward_vector(const M& m, const poly_t<M>& p, const edge_t<M>& x) {
+  auto ends = end_verts(m, x);
+  if (detail::walks_backward(m, p, ends)) ends = {ends.second, ends.first};
+  const vec3 a = to_vec3(point(m, ends.first)), b = to_vec3(point(m, ends.second)), n = normal(m, p);
+  const vec3 step = b - a;
+  if (is_finite(step)) [[likely]] return cross(step, n);
+  return 2 * cross(0.5 * b - 0.5 * a, n);
+}
+template<VolumeMesh M>
+  requires Embedded<M>
+vec3 outward_vector(const M& m, const poly_t<M>& p, const face_t<M>& x) {
+  const vec3 a = area_vector(m, x);
+  return face_is_outward(m, p, x) ? a : -a;
+}
+
+// What to write instead of calls that cannot compile.
+template<class... T> void outward_vector(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void outward_vector(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void outward_vector(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+
+}  // namespace concino

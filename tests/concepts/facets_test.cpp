@@ -1,0 +1,146 @@
+// Facets of surfaces and volumes: the laws that their verbs follow, on foreign meshes, on the weakest models, at boundaries and where polys meet
+// that make no manifold.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/concepts/facets.hpp>
+
+#include "../support/tiny.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace cn = concino;
+
+namespace {
+
+template<class M> concept has_facets = requires(const M& m, cn::facet_t<M> x, cn::poly_t<M> p) {
+  cn::facets(m), cn::num_facets(m), cn::facet_index_bound(m);
+  cn::adj_p2facet(m, p), cn::adj_facet2p(m, x), cn::adj_facet2v(m, x), cn::other_polys(m, p, x);
+};
+template<class M, class X> concept knows_boundary = requires(const M& m, X x) { cn::is_boundary(m, x); };
+
+static_assert(has_facets<tiny::surface> && has_facets<tiny::volume>);
+static_assert(!has_facets<int> && !knows_boundary<int, int>);
+static_assert(std::same_as<cn::facet_t<tiny::surface>, tiny::segment> && std::same_as<cn::facet_t<const tiny::volume&>, tiny::facet>);
+static_assert(knows_boundary<tiny::surface, tiny::vertex> && knows_boundary<tiny::surface, tiny::segment> && knows_boundary<tiny::surface, tiny::cell>);
+static_assert(knows_boundary<tiny::volume, tiny::segment> && knows_boundary<tiny::volume, tiny::facet>);
+static_assert(!knows_boundary<tiny::surface, tiny::facet> && !knows_boundary<tiny::surface, int>);
+
+using graph = decltype(cn::only_primal_graph(std::declval<const tiny::surface&>()));
+template<class M> concept lists_facets = requires(const M& m) { cn::facets(m); };
+static_assert(!has_facets<graph> && !lists_facets<graph> && lists_facets<const tiny::volume>);
+
+static_assert(cn::ElementRange<decltype(cn::other_polys(std::declval<const tiny::volume&>(), tiny::cell(), tiny::facet())), tiny::cell>);
+
+template<class R, class X>
+bool holds(const R& range, const X& x) {
+  for (const X y : range)
+    if (y == x) return true;
+  return false;
+}
+template<class X, class R>
+std::vector<X> listed(const R& range) {
+  std::vector<X> r;
+  for (const X x : range) r.push_back(x);
+  return r;
+}
+template<class X>
+bool is_permutation(const std::vector<X>& a, const std::vector<X>& b) {
+  return std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
+}
+
+/// FC1 to FC4, by brute force.
+template<class M>
+void keeps_the_laws(const M& m) {
+  using facet = cn::facet_t<M>;
+  using poly = cn::poly_t<M>;
+  std::size_t met = 0;
+  std::vector<char> seen(cn::facet_index_bound(m));
+  for (const facet x : cn::facets(m)) {
+    ++met;
+    CHECK(seen[cn::index_of(m, x)]++ == 0);  // FC1
+    const auto around = listed<poly>(cn::adj_facet2p(m, x));
+    for (const poly p : cn::polys(m)) {
+      CHECK(holds(around, p) == holds(cn::adj_p2facet(m, p), x));  // FC2
+      if (!holds(around, p)) continue;
+      for (const cn::vert_t<M> v : cn::adj_facet2v(m, x)) CHECK(holds(cn::adj_p2v(m, p), v));
+      std::vector<poly> others;
+      for (const poly& q : around)
+        if (!(q == p)) others.push_back(q);
+      CHECK(listed<poly>(cn::other_polys(m, p, x)) == others);  // FC3
+    }
+    CHECK(cn::is_boundary(m, x) == (around.size() == 1));  // FC4
+  }
+  CHECK(met == cn::num_facets(m));  // FC1
+  const auto has_boundary_facet = [&](const auto& is_at) {
+    for (const facet x : cn::facets(m))
+      if (is_at(x) && cn::is_boundary(m, x)) return true;
+    return false;
+  };
+  for (const poly p : cn::polys(m)) {
+    std::vector<poly> across;
+    for (const facet x : cn::adj_p2facet(m, p))
+      for (const poly q : cn::other_polys(m, p, x))
+        if (!holds(across, q)) across.push_back(q);
+    CHECK(is_permutation(across, listed<poly>(cn::adj_p2p(m, p))));  // FC3
+    CHECK(cn::is_boundary(m, p) == has_boundary_facet([&](const facet& x) { return holds(cn::adj_facet2p(m, x), p); }));  // FC4
+  }
+  for (const cn::vert_t<M> v : cn::verts(m))
+    CHECK(cn::is_boundary(m, v) == has_boundary_facet([&](const facet& x) { return holds(cn::adj_facet2v(m, x), v); }));
+  for (const cn::edge_t<M> e : cn::edges(m))
+    CHECK(cn::is_boundary(m, e) == has_boundary_facet([&](const facet& x) {
+      if constexpr (cn::SurfaceMesh<M>) return x == e;  // the dimension itself is tested
+      else return holds(cn::adj_f2e(m, x), e);
+    }));
+}
+
+template<class M>
+void keeps_the_laws_stripped(const M& m) {
+  keeps_the_laws(m);
+  keeps_the_laws(cn::only_mesh(m));
+  keeps_the_laws(cn::archetypes::owner<decltype(cn::only_mesh(m))>(m));
+}
+
+}  // namespace
+
+TEST_CASE("facets: of a surface with a border and a vert of no poly") {
+  const auto m = tiny::surface_example();
+  keeps_the_laws_stripped(m);
+  CHECK(cn::num_facets(m) == cn::num_edges(m));
+  CHECK(cn::is_boundary(m, tiny::vertex{0}));
+  CHECK_FALSE(cn::is_boundary(m, tiny::vertex{7}));
+  CHECK(cn::is_boundary(m, tiny::cell{3}));
+}
+
+TEST_CASE("facets: of a volume with two polys") {
+  const auto m = tiny::volume_example();
+  keeps_the_laws_stripped(m);
+  CHECK(cn::num_facets(m) == 10);
+  CHECK_FALSE(cn::is_boundary(m, tiny::facet{1}));
+  CHECK(cn::is_boundary(m, tiny::facet{0}));
+  const auto across = cn::other_polys(m, tiny::cell{0}, tiny::facet{1});
+  REQUIRE(across.begin() != across.end());
+  CHECK(*across.begin() == tiny::cell{1});
+  const auto outside = cn::other_polys(m, tiny::cell{0}, tiny::facet{0});
+  CHECK_FALSE(outside.begin() != outside.end());
+}
+
+TEST_CASE("facets: three polys at an edge are no boundary there, an edge of no poly is none either") {
+  tiny::surface book({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+  book.es.push_back({2, 3});
+  const tiny::segment spine{0}, alone{static_cast<int>(book.es.size()) - 1};
+  CHECK_FALSE(cn::is_boundary(book, spine));
+  CHECK_FALSE(cn::is_boundary(book, alone));
+  CHECK(listed<tiny::cell>(cn::other_polys(book, tiny::cell{1}, spine)) == std::vector{tiny::cell{0}, tiny::cell{2}});
+  keeps_the_laws_stripped(book);
+}
+
+TEST_CASE("facets: a closed surface and a closed pair of volumes have no boundary but that of space") {
+  const tiny::surface tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  keeps_the_laws_stripped(tet);
+  for (const auto v : cn::verts(tet)) CHECK_FALSE(cn::is_boundary(tet, v));
+  for (const auto p : cn::polys(tet)) CHECK_FALSE(cn::is_boundary(tet, p));
+  keeps_the_laws_stripped(tiny::surface());
+  keeps_the_laws_stripped(tiny::volume());
+}
