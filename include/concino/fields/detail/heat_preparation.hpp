@@ -54,7 +54,7 @@ Eigen::SparseMatrix<double> lower_stiffness(const M& m, weights which) {
   return with_weights(
       m, which,
       [&](const auto& weights) {
-        return assemble<core::lower_triangle>(
+        return core::assemble<core::lower_triangle>(
             m, weights, static_cast<std::size_t>(vert_index_bound(m)), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
             [](int, const vert_t<M>&, double) {});
       },
@@ -90,7 +90,7 @@ struct positive_weights {
 template<AnyMesh M>
 Eigen::SparseMatrix<double> lower_positive_stiffness(const M& m) {
   const auto column = [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); };
-  return assemble<core::lower_triangle>(m, positive_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), 1.0, column,
+  return core::assemble<core::lower_triangle>(m, positive_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), 1.0, column,
                                   [](int, const vert_t<M>&, double) {});
 }
 

@@ -69,7 +69,7 @@ held_system<M> laplace_system(const At& m, held_verts<M>&& held, weights which, 
   Eigen::SparseMatrix<double> a = with_weights(
       m, which,
       [&](const auto& weights) {  // straight into the matrix of the unknowns
-        auto lower = assemble<core::lower_triangle>(
+        auto lower = core::assemble<core::lower_triangle>(
             m, weights, static_cast<std::size_t>(r.verts.unknowns), 1.0, [&](const vert_t<M>& v) { return unknown[v]; },
             [](int, const vert_t<M>&, double) {});
         for (const vert_t<M>& v : r.verts.given)

@@ -61,7 +61,7 @@ class simplex_mass_weights {
 /// Both triangles.
 template<AnyMesh M>
 Eigen::SparseMatrix<double> simplex_mass(const M& m) {
-  Eigen::SparseMatrix<double> a = assemble<core::whole_matrix>(
+  Eigen::SparseMatrix<double> a = core::assemble<core::whole_matrix>(
       m, simplex_mass_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), -1.0,
       [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); }, [](int, const vert_t<M>&, double) {});
   // A simplex has `dimension` edges at a vert, and the square of the vert's function twice the integral of one.
