@@ -28,8 +28,11 @@ io/detail/write_mtl           io/detail/write_mtl io/detail/library_file
 io/detail/library_file        io/detail/library_file io/killed_save io/detail/write_mtl
 core/hash_bytes      core/hash_bytes
 io/file_text           io/file_text
-io/detail/numbers             io/detail/numbers io/detail/read_obj
-io/detail/text_cursor         io/detail/text_cursor io/detail/read_obj io/detail/read_medit io/detail/read_hedra
+io/numbers             io/numbers io/detail/read_obj
+io/detail/decimals     io/numbers io/detail/read_obj
+io/text_cursor         io/text_cursor io/detail/read_obj io/detail/read_medit io/detail/read_hedra
+io/detail/characters   io/text_cursor io/detail/read_obj
+io/detail/corners      io/detail/corners io/detail/read_obj io/detail/read_medit io/detail/read_hedra
 fields/harmonic_map    fields/harmonic_map fields/harmonic_map_archetypes fields/prepared
 fields/poisson         fields/poisson fields/poisson_fluxes fields/prepared
 fields/detail/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/laplace_system fields/smooth

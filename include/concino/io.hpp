@@ -1,8 +1,13 @@
 // Reading and writing files: OBJ, OFF, MEDIT .mesh, .hedra; functions on verts as text.
 #pragma once
 
+#include <concino/io/file_text.hpp>
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/material_table.hpp>
+#include <concino/io/numbers.hpp>
+#include <concino/io/replacing_file.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/scalar_field.hpp>
+#include <concino/io/text_cursor.hpp>
+#include <concino/io/text_sink.hpp>

@@ -12,8 +12,8 @@
 #include <support/temporary.hpp>
 
 using namespace concino;
-using concino::detail::file_access;
-using concino::detail::file_text;
+using concino::file_access;
+using concino::file_text;
 
 TEST_CASE("file_text: text, empty text, moved; read and mapped") {
   const testing::temporary_folder dir;

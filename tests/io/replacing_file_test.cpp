@@ -17,8 +17,8 @@
 
 using namespace concino;
 using namespace concino::testing;
-using concino::detail::replacing_file;
-using concino::detail::replacing_options;
+using concino::replacing_file;
+using concino::replacing_options;
 namespace fs = std::filesystem;
 
 namespace {

@@ -11,8 +11,8 @@
 
 using namespace concino;
 using namespace concino::testing;
-using concino::detail::replacing_file;
-using concino::detail::text_sink;
+using concino::replacing_file;
+using concino::text_sink;
 
 TEST_CASE("text_sink: characters, texts and numbers, kept") {
   text_sink out;

@@ -160,12 +160,12 @@ namespace concino {
   if ((3 * picture.width() + 1) * picture.height() > std::size_t{1} << 30)
     core::throw_joined<unsupported>({"write_png: ", path, ": ", picture.width(), " x ", picture.height(), " pixels are more than 1 GiB"});
   const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
-  detail::replacing_file file(path, {.sync = options.sync});
+  replacing_file file(path, {.sync = options.sync});
   const std::vector<std::uint8_t> pixels = srgb_bytes(picture);
   const detail::stb_memory memory;
   int length = 0;
   const unsigned char* const png = detail::stb::stbi_write_png_to_mem(pixels.data(), width * 3, width, height, 3, &length);
-  detail::text_sink out(file.descriptor(), path);
+  text_sink out(file.descriptor(), path);
   out << std::string_view(reinterpret_cast<const char*>(png), static_cast<std::size_t>(length));
   out.flush();
   file.commit();

@@ -4,6 +4,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
+#include <concino/io/detail/io_errors.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -20,22 +21,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace concino::detail {
+namespace concino {
 
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_io_error(const std::string& path, const char* what, int error_number) {
-  core::throw_joined<io_error>({path, ": ", what, ": ", std::strerror(error_number)});
-}
-
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_size_changed(const std::string& path, bool grew) {
-  core::throw_joined<io_error>({path, grew ? ": grew" : ": shrank", " while it was read; load it again once it is complete"});
-}
-
+/// How file_text reads.
 struct file_access {
   bool map = false;    // map files instead of reading them
   bool pipes = false;  // take pipes, which are read to their end
 };
 
-/// Frees itself. An empty file has an empty text, and so has a pipe that nobody writes to: it is not waited for.
+/// All bytes of a file: file_text(path).text(). Frees itself. An empty file has an empty text, and so has a pipe that nobody writes to: it is not waited for.
 /// Errors: io_error if the path cannot be opened or read, is not a file (a directory, a device), or has another size when it is read than
 ///         when it was opened. A file that shrinks while it is mapped ends the program by SIGBUS where the text is read beyond its end.
 class file_text {
@@ -54,12 +48,12 @@ class file_text {
     };
     // Without O_NONBLOCK opening a pipe that nobody writes to would wait for ever.
     open_file file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-    if (file.fd < 0) throw_io_error(path, "cannot be opened", errno);
+    if (file.fd < 0) detail::throw_io_error(path, "cannot be opened", errno);
     struct ::stat info {};
-    if (::fstat(file.fd, &info) != 0) throw_io_error(path, "cannot be read", errno);
-    if (S_ISDIR(info.st_mode)) throw_io_error(path, "cannot be read", EISDIR);
+    if (::fstat(file.fd, &info) != 0) detail::throw_io_error(path, "cannot be read", errno);
+    if (S_ISDIR(info.st_mode)) detail::throw_io_error(path, "cannot be read", EISDIR);
     if (S_ISFIFO(info.st_mode) && access.pipes) {
-      if (::fcntl(file.fd, F_SETFL, O_RDONLY) != 0) throw_io_error(path, "cannot be read", errno);
+      if (::fcntl(file.fd, F_SETFL, O_RDONLY) != 0) detail::throw_io_error(path, "cannot be read", errno);
       read(file.fd, path, 0);
     } else if (!S_ISREG(info.st_mode)) {
       core::throw_joined<io_error>({path, ": is not a file"});
@@ -67,7 +61,7 @@ class file_text {
       read(file.fd, path, static_cast<std::uint64_t>(info.st_size));
     } else {
       void* const p = ::mmap(nullptr, static_cast<std::size_t>(info.st_size), PROT_READ, MAP_PRIVATE, file.fd, 0);
-      if (p == MAP_FAILED) throw_io_error(path, "cannot be mapped", errno);
+      if (p == MAP_FAILED) detail::throw_io_error(path, "cannot be mapped", errno);
       data_ = static_cast<const char*>(p);
       size_ = static_cast<std::size_t>(info.st_size);
       mapped_ = std::exchange(file.fd, -1);
@@ -103,9 +97,9 @@ class file_text {
     *this = file_text();
     if (old.mapped_ < 0) return;
     struct ::stat info {};
-    if (::fstat(old.mapped_, &info) != 0) throw_io_error(path, "cannot be read", errno);
+    if (::fstat(old.mapped_, &info) != 0) detail::throw_io_error(path, "cannot be read", errno);
     const auto now = static_cast<std::size_t>(info.st_size);
-    if (now != old.size_) throw_size_changed(path, now > old.size_);
+    if (now != old.size_) detail::throw_size_changed(path, now > old.size_);
   }
 
  private:
@@ -122,16 +116,16 @@ class file_text {
     make_room(size ? static_cast<std::size_t>(size) + 1 : 1 << 16);  // one more byte, to see a file grow
     for (;;) {
       if (size_ == room) {
-        if (size) throw_size_changed(path, true);
+        if (size) detail::throw_size_changed(path, true);
         make_room(2 * room);
       }
       const ::ssize_t n = ::read(fd, const_cast<char*>(data_) + size_, std::min<std::size_t>(room - size_, 1 << 30));
       if (n == 0) break;
       if (n > 0) size_ += static_cast<std::size_t>(n);
-      else if (errno != EINTR) throw_io_error(path, "cannot be read", errno);
+      else if (errno != EINTR) detail::throw_io_error(path, "cannot be read", errno);
     }
-    if (size_ < size) throw_size_changed(path, false);
+    if (size_ < size) detail::throw_size_changed(path, false);
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino

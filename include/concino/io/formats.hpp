@@ -3,6 +3,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
+#include <concino/io/detail/paths.hpp>
 
 #include <string>
 #include <string_view>
@@ -30,15 +31,6 @@ inline std::string_view extension_of(file_format f) {
   for (const format_row& row : known_formats)
     if (row.format == f) return row.extension;
   return "";
-}
-
-/// A character of value 0 would end the path for the system, which then opened another file.
-/// Errors: io_error that shows where it stands.
-[[gnu::noinline, gnu::cold]] inline void check_path(std::string_view path) {
-  if (path.find('\0') == path.npos) return;
-  std::string shown;
-  for (const char c : path) shown.append(c ? std::string_view(&c, 1) : std::string_view("\\0"));
-  core::throw_joined<io_error>({shown, ": no path holds a character of value 0"});
 }
 
 /// Upper and lower case mean the same. Errors: as check_path; unsupported if the extension is not known, naming those that are.

@@ -93,7 +93,7 @@ template<class M> concept Loadable = detail::from_surface<M> || detail::from_cel
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
-  detail::file_text file(path, {.map = options.map, .pipes = true});
+  file_text file(path, {.map = options.map, .pipes = true});
   return detail::load_from<M>(file.text(), path, format, options, &file);
 }
 

@@ -24,7 +24,7 @@ using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, 
 template<class Variant = any_mesh>  // a template only so that programs that do not call it need not compile six meshes
 Variant load_any(const std::string& path, const load_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
-  detail::file_text file(path, {.map = options.map, .pipes = true});
+  file_text file(path, {.map = options.map, .pipes = true});
   load_report unheard;
   detail::volume_contents contents;
   detail::read_contents<true, true>({file.text(), path, {}, options.report ? options.report : &unheard, &options.progress, true}, format, contents);

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>
-#include <concino/io/file_text.hpp>
-#include <concino/io/formats.hpp>
+#include <concino/io/detail/paths.hpp>
 
 #include <cerrno>
-#include <climits>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -19,22 +17,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace concino::detail {
+namespace concino {
 
-/// The path with all links followed, whether or not there is a file in the end.
-[[gnu::noinline, gnu::cold]] inline std::string resolve_links(const std::string& path) {
-  std::string at = path;
-  for (int links = 0; links < 40; ++links) {
-    char buffer[PATH_MAX + 1];
-    if (::realpath(at.c_str(), buffer)) return buffer;
-    const ::ssize_t size = ::readlink(at.c_str(), buffer, PATH_MAX);
-    if (size < 0) return at;  // no link, or nothing there
-    const std::string_view to(buffer, static_cast<std::size_t>(size));
-    at = core::joined({std::string_view(at).substr(0, to.starts_with('/') ? 0 : at.rfind('/') + 1), to});
-  }
-  throw_io_error(path, "cannot be written", ELOOP);
-}
-
+/// How replacing_file writes.
 struct replacing_options {
   bool sync = false;         // the file reaches the disk before it gets its name, and the name before commit() returns
   bool must_be_new = false;  // a file that is there stays, and commit() fails
@@ -54,7 +39,7 @@ class replacing_file {
   int folder_ = -1, file_ = -1;
   bool finished_ = false, committed_ = false;
 
-  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* what = "cannot be written") const { throw_io_error(path_, what, errno); }
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* what = "cannot be written") const { detail::throw_io_error(path_, what, errno); }
 
   static constexpr std::size_t proc_size = 32;
   static void name_in_proc(int file, char (&name)[proc_size]) { std::snprintf(name, proc_size, "/proc/self/fd/%d", file); }
@@ -122,14 +107,14 @@ class replacing_file {
   /// Errors: io_error if no file can be made there, what is there is not a file, or the path holds a character of value 0.
   [[gnu::noinline, gnu::cold]] explicit replacing_file(const std::string& path, const replacing_options& options = {})
       : path_(path), options_(options) {
-    check_path(path);
-    const std::string target = resolve_links(path);
+    detail::check_path(path);
+    const std::string target = detail::resolve_links(path);
     const std::size_t slash = target.rfind('/') + 1;
     name_ = target.substr(slash);
     const std::string folder = slash == 0 ? std::string(".") : target.substr(0, slash);
     const std::string base = temporary_name(name_);
     link_name_ = core::joined({base, ".link"});
-    if (name_.empty()) throw_io_error(path_, "cannot be written", target.empty() ? ENOENT : EISDIR);
+    if (name_.empty()) detail::throw_io_error(path_, "cannot be written", target.empty() ? ENOENT : EISDIR);
     folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 #ifdef O_PATH
     if (folder_ < 0 && errno == EACCES && !options_.sync) folder_ = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
@@ -139,7 +124,7 @@ class replacing_file {
       struct ::stat old {};
       const bool exists = ::fstatat(folder_, name_.c_str(), &old, 0) == 0;
       if (!exists && errno != ENOENT) fail();
-      if (exists && S_ISDIR(old.st_mode)) throw_io_error(path_, "cannot be written", EISDIR);
+      if (exists && S_ISDIR(old.st_mode)) detail::throw_io_error(path_, "cannot be written", EISDIR);
       if (exists && !S_ISREG(old.st_mode)) core::throw_joined<io_error>({path_, ": is not a file"});
       if (exists && ::faccessat(folder_, name_.c_str(), W_OK, 0) != 0) fail();
       if (!open_unnamed()) open_named(base);
@@ -153,6 +138,7 @@ class replacing_file {
   replacing_file& operator=(const replacing_file&) = delete;
   [[gnu::noinline, gnu::cold]] ~replacing_file() { close_all(); }
 
+  /// Of the new file, to write to.
   int descriptor() const { return file_; }
 
   /// All that is left to do before the file gets its name, so that little can fail afterwards. Nothing is written any more.
@@ -204,4 +190,4 @@ class replacing_file {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino

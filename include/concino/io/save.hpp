@@ -53,8 +53,8 @@ template<class M>
   requires(AnyMesh<M>&& Embedded<M>)
 void save(const M& m, const std::string& path, const save_options& options = {}) {
   const file_format format = detail::format_of(path, options.format);
-  detail::replacing_file file(path, {.sync = options.sync});
-  detail::text_sink out(file.descriptor(), path);
+  replacing_file file(path, {.sync = options.sync});
+  text_sink out(file.descriptor(), path);
   detail::library_file library(path, options.sync);
   detail::write_to(out, m, path, format, options, &library);
   out.flush();
@@ -72,7 +72,7 @@ template<class M>
   requires(AnyMesh<M>&& Embedded<M>)
 std::string save_text(const M& m, file_format format, const save_options& options = {}) {
   if (format == file_format::by_extension) throw invalid_argument("save_text: say which format to write; text has no extension");
-  detail::text_sink out;
+  text_sink out;
   detail::write_to(out, m, "text", format, options);
   return std::move(out).take();
 }

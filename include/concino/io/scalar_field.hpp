@@ -4,7 +4,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/primal_graph.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/text_cursor.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/replacing_file.hpp>
 #include <concino/io/text_sink.hpp>
@@ -20,8 +20,8 @@ namespace concino {
 template<class M, class U>
   requires requirement::has_verts<M> && requirement::has_num_verts<M> && requirement::gives_numbers<U, vert_t<M>>
 void save_field(const M& m, const U& u, const std::string& path, const file_options& options = {}) {
-  detail::replacing_file file(path, {.sync = options.sync});
-  detail::text_sink out(file.descriptor(), path);
+  replacing_file file(path, {.sync = options.sync});
+  text_sink out(file.descriptor(), path);
   out << "SCALAR_FIELD " << static_cast<std::uint64_t>(num_verts(m)) << '\n';
   for (const vert_t<M> v : verts(m)) out << static_cast<double>(u[v]) << '\n';
   out.flush();
@@ -36,8 +36,8 @@ template<class M>
   requires requirement::is_no_temporary<M> && requirement::has_verts<M> && requirement::has_num_verts<M>
 vert_map<M, double> load_field(M&& m, const std::string& path) {
   detail::check_path(path);
-  const detail::file_text file(path);
-  detail::token_cursor in(file.text(), path, nullptr, 0);
+  const file_text file(path);
+  token_cursor in(file.text(), path, nullptr, 0);
   in.skip();
   const char* const head = in.at;
   if (in.word() != "SCALAR_FIELD") in.fail(head, "SCALAR_FIELD");
@@ -50,7 +50,7 @@ vert_map<M, double> load_field(M&& m, const std::string& path) {
   for (const vert_t<M> v : verts(m)) {
     in.skip();
     double x = 0;
-    const char* const end = detail::parse_real(in.at, in.end(), x);
+    const char* const end = parse_real(in.at, in.end(), x);
     if (!end || !in.ends_token(end, 0)) in.fail(in.at, "a number");
     in.at = end;
     u[v] = x;

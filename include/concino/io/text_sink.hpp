@@ -10,9 +10,17 @@
 #include <string>
 #include <string_view>
 
-namespace concino::detail {
+namespace concino {
 
 /// Text goes to a file descriptor in large pieces, or with none is kept.
+///
+///   replacing_file file(path);
+///   text_sink out(file.descriptor(), path);
+///   out << "verts " << 3 << '\n' << 0.5;
+///   out.flush();
+///   file.commit();
+///
+/// Errors: io_error where the file cannot be written; `path` is what messages call it.
 class text_sink {
   static constexpr std::size_t piece = 1 << 18;
   std::string text_;
@@ -60,20 +68,22 @@ class text_sink {
     return i < 0 ? (*this << '-').put(0 - static_cast<std::uint64_t>(i)) : put(static_cast<std::uint64_t>(i));
   }
 
+  /// Brings what is left to the file. Needs: a descriptor.
   void flush() {
     for (std::size_t done = 0; done < used_;) {
       const ::ssize_t n = ::write(file_, text_.data() + done, used_ - done);
       if (n < 0 && errno == EINTR) continue;
-      if (n < 0) throw_io_error(path_, "cannot be written", errno);
+      if (n < 0) detail::throw_io_error(path_, "cannot be written", errno);
       done += static_cast<std::size_t>(n);
     }
     used_ = 0;
   }
 
+  /// All that was written. Needs: no descriptor.
   std::string take() && {
     text_.resize(used_);
     return std::move(text_);
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino

@@ -4,6 +4,7 @@
 #include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/rgba.hpp>
+#include <concino/io/detail/corners.hpp>
 #include <concino/io/detail/name_runs.hpp>
 #include <concino/io/material_table.hpp>
 #include <concino/io/options.hpp>

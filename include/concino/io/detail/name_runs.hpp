@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>
-#include <concino/io/detail/numbers.hpp>
+#include <concino/io/numbers.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
-#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/text_cursor.hpp>
 
 #include <bit>
 

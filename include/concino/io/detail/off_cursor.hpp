@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/off_binary.hpp>
-#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/text_cursor.hpp>
 
 namespace concino::detail {
 

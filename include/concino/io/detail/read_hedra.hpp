@@ -3,7 +3,7 @@
 
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/orient.hpp>
-#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/text_cursor.hpp>
 #include <concino/io/detail/text_sample.hpp>
 #include <concino/mesh/limits.hpp>
 

@@ -3,7 +3,7 @@
 
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/medit_sections.hpp>
-#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/text_cursor.hpp>
 #include <concino/mesh/face_soup.hpp>
 
 namespace concino::detail {

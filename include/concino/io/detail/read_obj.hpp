@@ -3,7 +3,7 @@
 
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/read_mtl.hpp>
-#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/text_cursor.hpp>
 #include <concino/io/detail/text_sample.hpp>
 
 namespace concino::detail {

@@ -4,7 +4,7 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/io/detail/library_file.hpp>
-#include <concino/io/detail/numbers.hpp>
+#include <concino/io/numbers.hpp>
 #include <concino/io/detail/properties.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/text_sink.hpp>

@@ -1,4 +1,4 @@
-#include <concino/io/detail/numbers.hpp>
+#include <concino/io/numbers.hpp>
 
 #include <doctest/doctest.h>
 
@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+using namespace concino;
 using namespace concino::detail;
 
 namespace {

@@ -1,4 +1,4 @@
-#include <concino/io/detail/text_cursor.hpp>
+#include <concino/io/text_cursor.hpp>
 
 #include <doctest/doctest.h>
 
@@ -90,17 +90,6 @@ TEST_CASE("text_cursor: progress rises to the end of the text and can stop") {
   CHECK(told.back() < 0.6);
 }
 
-TEST_CASE("first_repeated: few and many") {
-  std::vector<vert_id> v, scratch;
-  for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});
-  for (const std::size_t n : {5u, 32u, 33u, 100u}) CHECK(first_repeated(v.data(), n, scratch) == n);
-  v[20] = vert_id{3};
-  v[70] = vert_id{60};
-  CHECK(first_repeated(v.data(), 25, scratch) == 20);
-  CHECK(first_repeated(v.data(), 100, scratch) == 20);
-  CHECK(first_repeated(v.data() + 21, 79, scratch) == 49);
-}
-
 TEST_CASE("text_cursor: what is a blank, the end of a line, a letter") {
   for (int i = 0; i < 256; ++i) {
     const char c = static_cast<char>(i);
@@ -171,32 +160,13 @@ TEST_CASE("text_cursor: progress is told about a hundred times, and not without 
   alone.tell();
 }
 
-TEST_CASE("first_repeated: any number of verts, whatever their numbers") {
-  for (const std::uint32_t n : {33u, 64u, 65u, 128u, 200u, 1000u})
-    for (const std::uint32_t step : {1u, 2u, 64u, 65536u, 0x9e3779b1u}) {
-      std::vector<vert_id> v, scratch;
-      for (std::uint32_t i = 0; i < n; ++i) v.push_back(vert_id{i * step});
-      CHECK(first_repeated(v.data(), n, scratch) == n);
-      v.push_back(v[n / 2]);
-      CHECK(first_repeated(v.data(), n + 1, scratch) == n);
-    }
-}
-
-TEST_CASE("first_repeated: neighbours, among few and many") {
-  std::vector<vert_id> v, scratch;
-  for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});
-  v[1] = v[0];
-  CHECK(first_repeated(v.data(), 5, scratch) == 1);
-  CHECK(first_repeated(v.data(), 100, scratch) == 1);
-}
-
 TEST_CASE("text_cursor: lines of places in any order") {
   const std::string text = "a\nb\r\nc\rd\n\ne";
-  const concino::detail::text_cursor in(text, "t");
+  const concino::text_cursor in(text, "t");
   const std::size_t lines[] = {1, 1, 2, 2, 3, 3, 3, 4, 4, 5, 6};
   for (std::size_t i = 0; i < text.size(); ++i)
     for (std::size_t j = 0; j < text.size(); ++j) {
-      CHECK(in.line_of(text.data() + i) == concino::detail::text_cursor(text, "t").line_of(text.data() + i));
+      CHECK(in.line_of(text.data() + i) == concino::text_cursor(text, "t").line_of(text.data() + i));
       CHECK(in.line_of(text.data() + j) == lines[j]);
     }
 }

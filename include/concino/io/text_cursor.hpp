@@ -1,28 +1,27 @@
-// Where a reader stands in a text, and how it complains. Lines are counted only when there is something to complain about.
+// Reading text: where a reader stands, and how it complains. Lines are counted only when there is something to complain about.
 #pragma once
 
-#include <concino/concepts/descriptors.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/io/detail/numbers.hpp>
+#include <concino/io/detail/characters.hpp>
+#include <concino/io/numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
-namespace concino::detail {
+namespace concino {
 
-inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-inline bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-inline bool is_space(char c) { return is_blank(c) || is_line_end(c); }
-inline bool is_letter(char c) { return static_cast<unsigned char>((c | 0x20) - 'a') < 26; }
-
-inline constexpr std::uint64_t max_ids = 0xFFFFFFFEu;  // 32-bit ids, one of which means "none"
-
+/// A place in a text, with complaints that name the line and say what stands there.
+///
+///   token_cursor in(text, "a.txt", nullptr, '#');       // words with blanks or line ends between them; # begins a comment
+///   const auto n = in.next_count("the number of verts", 6);
+///   for (std::uint64_t i = 0; i < n; ++i) points.push_back({in.next_real("x"), in.next_real("y"), in.next_real("z")});
+///
+/// The text has to stay where it is. Errors: parse_error by fail() and by all that read numbers; cancelled by tell().
 class text_cursor {
  public:
   const char* at;
@@ -38,8 +37,8 @@ class text_cursor {
 
  public:
   /// `name` appears in errors. A byte order mark is skipped.
-  text_cursor(std::string_view text, std::string_view name, const concino::progress* progress = nullptr)
-      : at(text.data()), begin_(at), end_(at + text.size()), next_tell_(end_), name_(name), progress_(progress), counted_(begin_) {
+  text_cursor(std::string_view text, std::string_view name, const concino::progress* on_progress = nullptr)
+      : at(text.data()), begin_(at), end_(at + text.size()), next_tell_(end_), name_(name), progress_(on_progress), counted_(begin_) {
     if (text.substr(0, 3) == "\xEF\xBB\xBF") at += 3;
     if (progress_ && *progress_) next_tell_ = at;
   }
@@ -62,10 +61,9 @@ class text_cursor {
   }
 
  public:
-
   /// Line of a place, from 1; LF, CRLF and CR each end one. The end of the text counts as the end of its last line that says something.
   [[gnu::noinline, gnu::cold]] std::size_t line_of(const char* place) const {
-    if (place == end_) while (place != begin_ && is_space(place[-1])) --place;
+    if (place == end_) while (place != begin_ && detail::is_space(place[-1])) --place;
     if (place < counted_) {
       counted_ = begin_;
       lines_ = 1;
@@ -75,22 +73,24 @@ class text_cursor {
     return lines_;
   }
 
+  /// Errors: parse_error with the line of a place; by default it says what stands there.
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message expected, core::message found) const {
     throw parse_error(std::string(name_), line_of(place), core::joined(expected), core::joined(found));
   }
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, const char* expected) const { fail(place, {expected}, {found_at(place)}); }
-  /// Says what stands at `place` itself.
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message expected) const { fail(place, expected, {found_at(place)}); }
+  /// Errors: unsupported, for more elements than descriptors can name.
   [[noreturn, gnu::noinline, gnu::cold]] void fail_to_count(const char* what) const {
     core::throw_joined<unsupported>({name_, ": more than 4294967294 ", what});
   }
 
+  /// What stands at a place, as errors call it: its first word, of at most 40 characters, or that a line or the file ends there.
   [[gnu::noinline, gnu::cold]] std::string found_at(const char* place) const {
     if (begin_ == end_) return "an empty file";
     if (place == end_) return "the end of the file";
-    if (is_line_end(*place)) return "the end of the line";
+    if (detail::is_line_end(*place)) return "the end of the line";
     std::string found = "'";
-    for (const char* p = place; p != end_ && !is_space(*p); ++p) {
+    for (const char* p = place; p != end_ && !detail::is_space(*p); ++p) {
       if (p - place == 40) {
         found += "...";
         break;
@@ -101,8 +101,9 @@ class text_cursor {
     return core::joined({found, "'"});
   }
 
+  /// To the end of the line.
   void skip_line() {
-    while (at != end_ && !is_line_end(*at)) ++at;
+    while (at != end_ && !detail::is_line_end(*at)) ++at;
   }
 
   /// Blanks and line ends; from `comment` to the end of its line too, if that is not 0.
@@ -111,15 +112,16 @@ class text_cursor {
       if (comment && *at == comment) {
         skip_line();
         if (at == end_) return;
-      } else if (!is_space(*at)) {
+      } else if (!detail::is_space(*at)) {
         return;
       }
     }
   }
 
+  /// What stands here up to the next blank or line end.
   std::string_view word() {
     const char* from = at;
-    while (at != end_ && !is_space(*at)) ++at;
+    while (at != end_ && !detail::is_space(*at)) ++at;
     return {from, static_cast<std::size_t>(at - from)};
   }
 
@@ -133,6 +135,7 @@ class text_cursor {
     return x;
   }
 
+  /// An integer of at most 18 digits that ends there.
   std::int64_t integer(const char* expected, char comment = '#') {
     std::int64_t i = 0;
     const char* p = parse_integer(at, end_, i);
@@ -141,20 +144,24 @@ class text_cursor {
     return i;
   }
 
-  bool ends_token(const char* p, char comment) const { return p == end_ || is_space(*p) || *p == comment || *p == '\\'; }
+  /// Whether a number that ends at p ends there as a word: nothing else follows but a blank, a line end, a comment or a backslash.
+  bool ends_token(const char* p, char comment) const { return p == end_ || detail::is_space(*p) || *p == comment || *p == '\\'; }
 };
 
 /// The same for formats where a line end is like any blank: numbers follow one another wherever they stand.
 struct token_cursor : text_cursor {
+  static constexpr std::uint64_t max_count = 0xFFFFFFFEu;  // elements of a kind: ids have 32 bits, and one of them means "none"
   char comment = 0;
 
-  token_cursor(std::string_view text, std::string_view name, const concino::progress* progress, char comment_)
-      : text_cursor(text, name, progress), comment(comment_) {}
+  token_cursor(std::string_view text, std::string_view name, const concino::progress* on_progress, char comment_)
+      : text_cursor(text, name, on_progress), comment(comment_) {}
 
+  /// To the next word.
   void skip() {
-    if (!at_end() && is_space(*at)) ++at;  // mostly one blank, then the next word
-    if (at_end() || is_space(*at) || *at == comment) skip_space(comment);
+    if (!at_end() && detail::is_space(*at)) ++at;  // mostly one blank, then the next word
+    if (at_end() || detail::is_space(*at) || *at == comment) skip_space(comment);
   }
+  /// The next word as a number; `expected` says what it means.
   double next_real(const char* expected) {
     skip();
     return real(expected, comment);
@@ -170,7 +177,7 @@ struct token_cursor : text_cursor {
     const char* const from = at;
     const std::int64_t n = integer(what, comment);
     if (n < 0) fail(from, what);
-    if (static_cast<std::uint64_t>(n) > max_ids && room(max_ids + 1, bytes) > max_ids) fail_to_count("elements of one kind");
+    if (static_cast<std::uint64_t>(n) > max_count && room(max_count + 1, bytes) > max_count) fail_to_count("elements of one kind");
     return static_cast<std::uint64_t>(n);
   }
   /// How many of n announced elements the rest of the file can hold; the last needs no line end.
@@ -186,27 +193,4 @@ struct token_cursor : text_cursor {
   }
 };
 
-/// The first corner that a list of verts repeats, or its length: by sorting, for lists of many.
-[[gnu::noinline, gnu::cold]] inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, std::vector<vert_id>& scratch) {
-  scratch.assign(verts, verts + n);
-  std::sort(scratch.begin(), scratch.end());
-  if (std::adjacent_find(scratch.begin(), scratch.end()) == scratch.end()) return n;
-  std::vector<std::size_t> place(n);
-  for (std::size_t i = 0; i < n; ++i) place[i] = i;
-  std::sort(place.begin(), place.end(), [&](std::size_t a, std::size_t b) { return verts[a] != verts[b] ? verts[a] < verts[b] : a < b; });
-  std::size_t first = n;
-  for (std::size_t i = 1; i < n; ++i)
-    if (verts[place[i]] == verts[place[i - 1]]) first = std::min(first, place[i]);
-  return first;
-}
-
-/// The same, quadratic for the few corners that polys have.
-inline std::size_t first_repeated(const vert_id* verts, std::size_t n, std::vector<vert_id>& scratch) {
-  if (n > 32) return first_repeated_of_many(verts, n, scratch);
-  for (std::size_t i = 1; i < n; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (verts[i] == verts[j]) return i;
-  return n;
-}
-
-}  // namespace concino::detail
+}  // namespace concino
