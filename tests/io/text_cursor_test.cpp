@@ -1,5 +1,7 @@
 #include <concino/io/text_cursor.hpp>
 
+#include <concino/io/detail/characters.hpp>
+
 #include <doctest/doctest.h>
 
 #include <string>
