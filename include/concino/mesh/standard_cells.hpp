@@ -41,15 +41,15 @@ inline constexpr standard_cell standard_cells[] = {
 inline constexpr const standard_cell& standard_cell_of(cell_shape s) { return standard_cells[static_cast<unsigned>(s)]; }
 
 /// Six times the volume between a face and `apex`: the triangles from the face's mean point to its edges, positive if they turn away from the apex.
-/// Needs:  point(i), the i-th of the n > 0 verts of the face.
+/// Needs:  point_of(i), the i-th of the n > 0 verts of the face.
 /// Result: volume units, six times.                                                Cost: O(n).
 /// Errors: none.
 template<class Point>
-double six_times_volume_under(std::size_t n, const Point& point, const vec3& apex) {
-  vec3 middle, doubled_area, a = point(n - 1) - apex;
+double six_times_volume_under(std::size_t n, const Point& point_of, const vec3& apex) {
+  vec3 middle, doubled_area, a = point_of(n - 1) - apex;
   // The mean point times the vector area of the face is the sum over its triangles.
   for (std::size_t i = 0; i < n; ++i) {
-    const vec3 b = point(i) - apex;
+    const vec3 b = point_of(i) - apex;
     middle += b;
     doubled_area += cross(a, b);
     a = b;
