@@ -25,9 +25,19 @@ foreach(name IN LISTS adapters)
   string(APPEND CONCINO_COMPONENT_TABLE "set(_concino_debian_${name} \"${packages}\")\n")
 endforeach()
 
+# The compiled library depends on the architecture, so it is a package of its own beside the others, which concinoConfig.cmake finds.
+if(CONCINO_BUILD_COMPILED)
+  set(concino_compiled_dir ${CMAKE_INSTALL_LIBDIR}/cmake/concino-compiled)
+  install(TARGETS concino_compiled EXPORT concino-compiled ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT concino-compiled NAMESPACE concino:: DESTINATION ${concino_compiled_dir} FILE concino-compiled-config.cmake)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/concino-compiled-config-version.cmake COMPATIBILITY ExactVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/concino-compiled-config-version.cmake DESTINATION ${concino_compiled_dir})
+endif()
+
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/concinoConfig.cmake.in ${PROJECT_BINARY_DIR}/concinoConfig.cmake
   INSTALL_DESTINATION ${concino_config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/concinoConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES ${PROJECT_BINARY_DIR}/concinoConfig.cmake ${PROJECT_BINARY_DIR}/concinoConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/ConcinoCheckLinks.cmake DESTINATION ${concino_config_dir})
+install(FILES ${PROJECT_BINARY_DIR}/concinoConfig.cmake ${PROJECT_BINARY_DIR}/concinoConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/ConcinoCheckLinks.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/ConcinoPrecompile.cmake DESTINATION ${concino_config_dir})
 install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/modules DESTINATION ${concino_config_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

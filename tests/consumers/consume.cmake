@@ -26,16 +26,33 @@ if(way STREQUAL "plain_dash_I")
   return()
 endif()
 
-set(arguments -G ${generator} -DCMAKE_CXX_COMPILER=${compiler} -DCONCINO_SOURCE=${source})
+if(NOT DEFINED link)
+  set(link concino)
+endif()
+set(arguments -DCONCINO_LINK=${link} -G ${generator} -DCMAKE_CXX_COMPILER=${compiler} -DCONCINO_SOURCE=${source})
 if(way STREQUAL "find_package")
   set(prefix ${scratch}/prefix)
   run(${CMAKE_COMMAND} --install ${library_build} --prefix ${prefix})
-  foreach(header IN ITEMS concepts/mesh_traits.hpp error.hpp)
+  foreach(header IN ITEMS concepts/mesh_traits.hpp core/error.hpp core/detail/error.ipp)
     if(NOT EXISTS ${prefix}/include/concino/${header})
       message(FATAL_ERROR "installing did not put concino/${header} into one include folder")
     endif()
   endforeach()
   list(APPEND arguments -DCMAKE_PREFIX_PATH=${prefix})
+
+  # What a compiled library that was not installed lacks is said.
+  if(link STREQUAL "compiled")
+    file(REMOVE_RECURSE ${scratch}/header_only)
+    file(COPY ${prefix}/ DESTINATION ${scratch}/header_only)
+    file(GLOB_RECURSE of_library ${scratch}/header_only/*concino-compiled-config*.cmake)
+    file(REMOVE ${of_library})
+    execute_process(COMMAND ${CMAKE_COMMAND} -S ${here}/${way} -B ${scratch}/without_library ${arguments} -DCMAKE_PREFIX_PATH=${scratch}/header_only
+      RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    string(REGEX REPLACE "[ \n]+" " " words "${said}")
+    if(code EQUAL 0 OR NOT words MATCHES "component 'compiled' was not built into this installation: configure concino with -DCONCINO_BUILD_COMPILED=ON")
+      message(FATAL_ERROR "an installation without the compiled library does not say so:\n${said}")
+    endif()
+  endif()
 
   # The vocabulary asks for no other library.
   run(${CMAKE_COMMAND} -S ${here}/concepts_only -B ${scratch}/concepts_only ${arguments}

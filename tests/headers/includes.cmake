@@ -1,7 +1,7 @@
 # What each root may include, read from the sources: include paths alone cannot enforce it for libraries that stand in /usr/include.
 set(wrong "")
 function(check root allowed)
-  file(GLOB_RECURSE headers RELATIVE ${source} ${source}/${root}/*.hpp)
+  file(GLOB_RECURSE headers RELATIVE ${source} ${source}/${root}/*.hpp ${source}/${root}/*.ipp)
   foreach(header IN LISTS headers)
     file(STRINGS ${source}/${header} lines REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS lines)
@@ -18,7 +18,7 @@ check(concepts "^<(compare|concepts|cstddef|type_traits|concino/concepts/.*)$")
 check(include "^<([a-z_0-9]+|([a-z]+/)?[a-z]+\\.h|Eigen/.*|unsupported/Eigen/.*|boost/.*|fmt/.*|concino/.*)$")
 # Of what the core may use, its users should not pay for the heavy parts; fmt is for concino/format.hpp; arrows go one way.
 set(kept_out "iostream|istream|ostream|fstream|sstream|iomanip|regex|ranges|functional|filesystem|locale|fmt/.*|concino/adapters/.*")
-file(GLOB_RECURSE core RELATIVE ${source} ${source}/include/*.hpp)
+file(GLOB_RECURSE core RELATIVE ${source} ${source}/include/*.hpp ${source}/include/*.ipp)
 list(REMOVE_ITEM core include/concino/format.hpp)
 foreach(header IN LISTS core)
   file(STRINGS ${source}/${header} lines REGEX "^[ \t]*#[ \t]*include[ \t]*<(${kept_out})>")
@@ -56,7 +56,7 @@ foreach(header IN LISTS leaves)
 endforeach()
 # Words that house rules keep out of headers.
 foreach(root IN ITEMS concepts include adapters)
-  file(GLOB_RECURSE headers RELATIVE ${source} ${source}/${root}/*.hpp)
+  file(GLOB_RECURSE headers RELATIVE ${source} ${source}/${root}/*.hpp ${source}/${root}/*.ipp)
   foreach(header IN LISTS headers)
     file(STRINGS ${source}/${header} lines
       REGEX "std::(exit|abort|quick_exit|cout|cerr|clog|views|setlocale)|std::ranges::subrange|view_interface|^[ \t]*using namespace [a-z]")

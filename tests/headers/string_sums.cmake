@@ -14,7 +14,7 @@ endif()
 
 set(headers "")
 foreach(root IN ITEMS concepts include adapters)
-  file(GLOB_RECURSE some ${source}/${root}/*.hpp)
+  file(GLOB_RECURSE some ${source}/${root}/*.hpp ${source}/${root}/*.ipp)
   list(APPEND headers ${some})
 endforeach()
 execute_process(COMMAND ${awk} -f ${CMAKE_CURRENT_LIST_DIR}/string_sums.awk ${headers} RESULT_VARIABLE code OUTPUT_VARIABLE found ERROR_VARIABLE wrong)

@@ -46,9 +46,7 @@ struct cancelled : error {
 
 /// A file does not follow its format. Lines count from 1.
 struct parse_error : error {
-  parse_error(std::string file_, std::size_t line_, std::string expected_, std::string found_)
-      : error(core::joined({file_, ":", line_, ": expected ", expected_, ", found ", found_})),
-        file(std::move(file_)), line(line_), expected(std::move(expected_)), found(std::move(found_)) {}
+  parse_error(std::string file_, std::size_t line_, std::string expected_, std::string found_);
 
   std::string file;
   std::size_t line;
@@ -56,4 +54,19 @@ struct parse_error : error {
   std::string found;
 };
 
+#ifdef CONCINO_COMPILED
+namespace core {
+extern template void throw_joined<invalid_mesh>(message);
+extern template void throw_joined<invalid_argument>(message);
+extern template void throw_joined<solver_error>(message);
+extern template void throw_joined<unsupported>(message);
+extern template void throw_joined<io_error>(message);
+extern template void throw_joined<cancelled>(message);
+}  // namespace core
+#endif
+
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/core/detail/error.ipp>
+#endif

@@ -1,9 +1,10 @@
 // Messages put together out of line: readers have many, and string sums at each would triple the time it takes to compile them.
 #pragma once
 
+#include <concino/core/compiled.hpp>
+
 #include <concepts>
 #include <cstdint>
-#include <cstring>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -28,32 +29,12 @@ class message_piece {
       : number_(number < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number)),
         kind_(number < 0 ? kind::negative : kind::number) {}
 
-  void add_to(std::string& s) const {
-    if (kind_ == kind::text) {
-      if (number_ > 0) s.append(text_, number_);
-    } else if (kind_ == kind::terminated_text) {
-      s.append(text_, std::strlen(text_));
-    } else if (kind_ == kind::character) {
-      s.push_back(static_cast<char>(number_));
-    } else {
-      char digits[21];
-      char* digit = digits + 21;
-      std::uint64_t rest = number_;
-      do *--digit = static_cast<char>('0' + rest % 10);
-      while (rest /= 10);
-      if (kind_ == kind::negative) *--digit = '-';
-      s.append(digit, static_cast<std::size_t>(digits + 21 - digit));
-    }
-  }
+  void add_to(std::string& s) const;
 };
 
 using message = std::initializer_list<message_piece>;
 
-[[gnu::noinline, gnu::cold]] inline std::string joined(message pieces) {
-  std::string s;
-  for (const message_piece& p : pieces) p.add_to(s);
-  return s;
-}
+[[gnu::cold]] std::string joined(message pieces);
 
 template<class Error>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_joined(message pieces) {
@@ -61,3 +42,7 @@ template<class Error>
 }
 
 }  // namespace concino::core
+
+#ifndef CONCINO_COMPILED
+#include <concino/core/detail/message.ipp>
+#endif

@@ -1,0 +1,13 @@
+# A file that is compiled with other flags than the library does not link, and the linker names the flag; one with the same flags does.
+separate_arguments(flags UNIX_COMMAND "${flags}")
+set(common ${flags} -std=c++20 -DCONCINO_COMPILED ${includes} ${source} ${library})
+execute_process(COMMAND ${compiler} ${common} -o ${scratch}/same_flags RESULT_VARIABLE code ERROR_VARIABLE said)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "a file with the flags of the library does not link:\n${said}")
+endif()
+foreach(other IN ITEMS "-mavx2;-mno-avx512f" -DEIGEN_MAX_ALIGN_BYTES=0 -DEIGEN_DEFAULT_DENSE_INDEX_TYPE=int)
+  execute_process(COMMAND ${compiler} ${common} ${other} -o ${scratch}/other_flags RESULT_VARIABLE code ERROR_VARIABLE said)
+  if(code EQUAL 0 OR NOT said MATCHES "undefined reference to .*compile_this_file_and_concino_compiled_with_the_same_flags_such_as_mavx2")
+    message(FATAL_ERROR "with ${other} the linker does not say that flags differ:\n${said}")
+  endif()
+endforeach()

@@ -1,0 +1,3 @@
+#include <concino/core/compiled.hpp>
+
+int main() {}

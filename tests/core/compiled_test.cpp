@@ -1,0 +1,20 @@
+#include <concino/core/compiled.hpp>
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+namespace {
+
+CONCINO_INLINE std::string mode() {
+#ifdef CONCINO_COMPILED
+  return "compiled";
+#else
+  return "header-only";
+#endif
+}
+
+}  // namespace
+
+// That both ways link with each other, give the same results and refuse other flags is in tests/compiled/.
+TEST_CASE("compiled: the macro of definitions suits both ways") { CHECK_FALSE(mode().empty()); }
