@@ -39,11 +39,20 @@ function(concino_make_target name)
   set_property(GLOBAL PROPERTY concino_files_${name} "${arg_FILES}")
 endfunction()
 
-# concino_library(<name> ROOT <folder> [LINK <target>...] [FIND "<find_package arguments>"...] [DEBIAN <package>...])
-# A root of the tree: every header below it belongs to the target; what it needs is required.
+# concino_library(<name> ROOT <folder> [ONLY <module>...] [WITHOUT <module>...] [LINK <target>...] [FIND "<find_package arguments>"...]
+#   [DEBIAN <package>...])
+# A root of the tree: every header below it belongs to the target, or those of some modules only; what it needs is required.
 function(concino_library name)
-  cmake_parse_arguments(arg "" "ROOT" "LINK;FIND;DEBIAN" ${ARGN})
+  cmake_parse_arguments(arg "" "ROOT" "ONLY;WITHOUT;LINK;FIND;DEBIAN" ${ARGN})
   file(GLOB_RECURSE files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${arg_ROOT}/concino/*.hpp ${PROJECT_SOURCE_DIR}/${arg_ROOT}/concino/*.ipp)
+  if(arg_ONLY)
+    list(JOIN arg_ONLY "|" modules)
+    list(FILTER files INCLUDE REGEX "/concino/(${modules})(/|\\.[hi]pp$)")
+  endif()
+  if(arg_WITHOUT)
+    list(JOIN arg_WITHOUT "|" modules)
+    list(FILTER files EXCLUDE REGEX "/concino/(${modules})(/|\\.[hi]pp$)")
+  endif()
   set(needed FALSE)
   foreach(target IN LISTS arg_LINK)
     if(NOT TARGET ${target})

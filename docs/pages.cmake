@@ -1,7 +1,7 @@
 # Keeps the pages of docs/ true: what stands between `<!-- snippet FILE NAME -->` and `<!-- end -->` is the part of FILE between its two lines
 # `//! [NAME]`, or all of it where NAME is `whole`; between `<!-- generated WHAT -->` and `<!-- end -->` stands what docs/generate prints for WHAT.
 #   cmake -D source=<repository> -D generate=<program> [-D update=ON] -P docs/pages.cmake
-# Without `update` it fails where a page differs; concepts.svg is drawn anew from concepts.dot if Graphviz' dot is there.
+# Without `update` it fails where a page differs; the pictures are drawn anew from the .dot files if Graphviz' dot is there.
 file(GLOB pages ${source}/docs/*.md)
 
 function(printed what out)
@@ -71,11 +71,20 @@ endforeach()
 
 printed(lattice text)
 keep(${source}/docs/concepts.dot "${text}")
+set(graph ${CMAKE_CURRENT_BINARY_DIR}/modules.dot)
+execute_process(COMMAND ${CMAKE_COMMAND} -D source=${source} -D dot=${graph} -P ${source}/cmake/CheckModules.cmake RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "cmake/modules.txt does not hold")
+endif()
+file(READ ${graph} text)
+keep(${source}/docs/modules.dot "${text}")
 if(update)
   find_program(dot dot)
   if(dot)
-    execute_process(COMMAND ${dot} -Tsvg ${source}/docs/concepts.dot -o ${source}/docs/concepts.svg)
+    foreach(picture IN ITEMS concepts modules)
+      execute_process(COMMAND ${dot} -Tsvg ${source}/docs/${picture}.dot -o ${source}/docs/${picture}.svg)
+    endforeach()
   else()
-    message(STATUS "concepts.svg was not drawn: there is no dot (Debian: graphviz)")
+    message(STATUS "the pictures were not drawn: there is no dot (Debian: graphviz)")
   endif()
 endif()

@@ -64,18 +64,18 @@ operators/detail/simplex_weights   operators/laplacian
 operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian
 operators/detail/virtual_refinement    operators/virtual_refinement
 solve/auto_solver      solve/auto_solver
-solve/constrained      solve/constrained
+optimize/constrained      optimize/constrained
 solve/ldlt             solve/ldlt solve/auto_solver
 solve/llt              solve/llt
-solve/qp               solve/qp
-solve/qr               solve/qr solve/least_squares
+optimize/qp               optimize/qp
+solve/qr               solve/qr optimize/least_squares
 solve/solve_columns    solve/solve_columns
-solve/solve_with_values    solve/solve_with_values
-solve/detail/conditions    solve/solve_with_values solve/least_squares
+optimize/solve_with_values    optimize/solve_with_values
+optimize/detail/conditions    optimize/solve_with_values optimize/least_squares
 solve/detail/energy_gains  solve/detail/energy_gains
-solve/detail/equilibrate   solve/detail/equilibrate solve/qr
-core/residual  core/residual solve/solve_with_values fields/laplace_system fields/harmonic_map
-core/system_checks core/system_checks solve/ldlt solve/lu solve/qr solve/constrained
+core/equilibrate   core/equilibrate solve/qr
+core/residual  core/residual optimize/solve_with_values fields/laplace_system fields/harmonic_map
+core/system_checks core/system_checks solve/ldlt solve/lu solve/qr optimize/constrained
 validate/detail/hex_orders mesh/corner_orders validate/minimal
 validate/detail/halfedge_laws validate/halfedge_links concepts/halfedge_kernel
 mesh/corner_orders     mesh/corner_orders

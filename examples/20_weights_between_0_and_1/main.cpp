@@ -3,7 +3,7 @@
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/operators.hpp>
-#include <concino/solve.hpp>
+#include <concino/optimize.hpp>
 
 #include <fmt/core.h>
 

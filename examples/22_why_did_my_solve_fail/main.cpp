@@ -2,6 +2,7 @@
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
+#include <concino/optimize.hpp>
 #include <concino/solve.hpp>
 
 #include <fmt/core.h>

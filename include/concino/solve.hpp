@@ -5,12 +5,8 @@
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/bicgstab.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
-#include <concino/solve/constrained.hpp>
 #include <concino/solve/ldlt.hpp>
-#include <concino/solve/least_squares.hpp>
 #include <concino/solve/llt.hpp>
 #include <concino/solve/lu.hpp>
-#include <concino/solve/qp.hpp>
 #include <concino/solve/qr.hpp>
 #include <concino/solve/solve_columns.hpp>
-#include <concino/solve/solve_with_values.hpp>

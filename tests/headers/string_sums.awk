@@ -1,5 +1,5 @@
 # Finds sums of strings in C++ sources. A sum is code at the place of each message, and g++ 12 at -O3 takes some for overlapping copies;
-# detail::joined and detail::throw_joined put messages together out of line.
+# core::joined and core::throw_joined put messages together out of line.
 # usage: awk -f string_sums.awk files...     Prints file:line: source for each sum; the exit code is 1 where there is one.
 
 BEGIN {

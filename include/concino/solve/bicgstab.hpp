@@ -1,8 +1,8 @@
 // Square sparse systems of any kind by iteration: what is too large for a factorisation.
 #pragma once
 
+#include <concino/core/equilibrate.hpp>
 #include <concino/core/system_checks.hpp>
-#include <concino/solve/detail/equilibrate.hpp>
 
 #include <Eigen/IterativeLinearSolvers>
 
@@ -40,7 +40,7 @@ struct bicgstab_options {
 class bicgstab {
   bicgstab_options options_;
   Eigen::SparseMatrix<double> a_;  // the iteration refers to it
-  detail::equilibration scale_;
+  core::equilibration scale_;
   std::vector<double> entry_, entry_in_units_;  // the largest of each row; and divided by the scale of its column
   mutable Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, Eigen::IncompleteLUT<double>> iteration_;
   mutable std::int64_t iterations_ = 0;
@@ -68,7 +68,7 @@ class bicgstab {
     core::check_square("bicgstab", a_);
     core::check_entries("bicgstab", a_);
     a_.prune([](Eigen::Index, Eigen::Index, double x) { return x != 0; });
-    scale_ = detail::equilibrate(a_);
+    scale_ = core::equilibrate(a_);
     check_rows_and_columns();
     find_largest_entries();
     if (a_.cols() > 0) {
@@ -86,7 +86,7 @@ class bicgstab {
     residual_ = 0;
     has_converged_ = true;
     if (given.isZero(0)) return Eigen::VectorXd::Zero(size_);
-    Eigen::VectorXd b = detail::scaled(given, scale_.rows);
+    Eigen::VectorXd b = core::scaled(given, scale_.rows);
     const double b_scale = core::power_of_two_to_scale(b.cwiseAbs().maxCoeff());
     b *= b_scale;
     Eigen::VectorXd x = iterate(b);
@@ -95,7 +95,7 @@ class bicgstab {
                                           core::number_text(residual_), ", the tolerance ", core::number_text(options_.tolerance),
                                           "; the matrix is singular or badly conditioned: use lu, allow more iterations, more fill or a larger"
                                           " tolerance, or set accept_missed_tolerance"});
-    x = detail::scaled(std::move(x), scale_.columns) / b_scale;
+    x = core::scaled(std::move(x), scale_.columns) / b_scale;
     core::check_solution("bicgstab", x);
     return x;
   }

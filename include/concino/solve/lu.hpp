@@ -1,8 +1,8 @@
 // Square sparse systems of any kind by factorisation.
 #pragma once
 
+#include <concino/core/equilibrate.hpp>
 #include <concino/core/system_checks.hpp>
-#include <concino/solve/detail/equilibrate.hpp>
 
 #include <Eigen/SparseLU>
 
@@ -25,7 +25,7 @@ class lu {
   using factors = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>;
   factors factors_;
   core::sparsity_pattern pattern_;
-  detail::equilibration scale_;
+  core::equilibration scale_;
   Eigen::Index size_ = -1;
 
  public:
@@ -38,7 +38,7 @@ class lu {
     a.makeCompressed();
     core::check_square("lu", a);
     core::check_entries("lu", a);
-    scale_ = detail::equilibrate(a);
+    scale_ = core::equilibrate(a);
     if (a.cols() > 0) {
       check_columns(a);
       pattern_.update(a, [&](const auto& m) { factors_.analyzePattern(m); });
@@ -51,8 +51,8 @@ class lu {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
     core::check_right_hand_side("lu", b, size_);
     if (size_ == 0) return Eigen::VectorXd(0);
-    Eigen::VectorXd x = factors_.solve(detail::scaled(b, scale_.rows));
-    x = detail::scaled(std::move(x), scale_.columns);
+    Eigen::VectorXd x = factors_.solve(core::scaled(b, scale_.rows));
+    x = core::scaled(std::move(x), scale_.columns);
     core::check_solution("lu", x);
     return x;
   }

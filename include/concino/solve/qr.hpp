@@ -1,8 +1,8 @@
 // Least squares, and square systems, by orthogonal factorisation.
 #pragma once
 
+#include <concino/core/equilibrate.hpp>
 #include <concino/core/system_checks.hpp>
-#include <concino/solve/detail/equilibrate.hpp>
 
 #include <Eigen/SparseQR>
 
@@ -38,7 +38,7 @@ class qr {
                                           static_cast<std::size_t>(given.cols()), " columns; it must have at least as many rows as columns"});
     core::check_entries("qr", given);
     Eigen::SparseMatrix<double> a = without_empty_rows(given);
-    column_scale_ = detail::scale_columns(a);
+    column_scale_ = core::scale_columns(a);
     if (a.cols() > 0) {
       if (a.rows() < a.cols()) throw_dependent(first_empty_or_last_column(a));
       pattern_.update(a, [&](const auto& m) { factors_.analyzePattern(m); });
@@ -56,7 +56,7 @@ class qr {
     Eigen::VectorXd kept(static_cast<Eigen::Index>(kept_.size()));
     for (Eigen::Index i = 0; i < kept.size(); ++i) kept[i] = b[kept_[static_cast<std::size_t>(i)]];
     Eigen::VectorXd x = factors_.solve(kept);
-    x = detail::scaled(std::move(x), column_scale_);
+    x = core::scaled(std::move(x), column_scale_);
     core::check_solution("qr", x);
     return x;
   }

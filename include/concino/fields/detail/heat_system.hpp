@@ -38,7 +38,7 @@ class heat_system {
   static constexpr double none = -std::numeric_limits<double>::infinity();
   /// Heat starts from 2^lift and is trusted down to 2^-lift, about 1.4 lift times the square root of the time: as far as double precision goes, or,
   /// of solvers that iterate, as far as what is little beside the rest has correct digits.
-  static int lift(const Solver& solver) { return iterates(solver) ? 13 : 900; }
+  static int lift(const Solver& solver) { return core::iterates(solver) ? 13 : 900; }
   static constexpr int most_rounds = 100;  // of carrying on; 70 times more where they are short
 
   struct factorised {

@@ -1,4 +1,4 @@
-#include <concino/solve/least_squares.hpp>
+#include <concino/optimize/least_squares.hpp>
 
 #include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/qr.hpp>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/core/equilibrate.hpp>
+#include <concino/optimize/detail/conditions.hpp>
 #include <concino/solve/auto_solver.hpp>
-#include <concino/solve/detail/conditions.hpp>
-#include <concino/solve/detail/equilibrate.hpp>
 #include <concino/solve/qr.hpp>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
   const conditions problem(who, a.cols(), given);
   Eigen::SparseMatrix<double> j = problem.columns_of_unknowns(a);
   b -= a * problem.x;
-  const std::vector<double> scale = scale_columns(j);
+  const std::vector<double> scale = core::scale_columns(j);
   Eigen::VectorXd y = Eigen::VectorXd::Zero(j.cols());
   bool used_qr = false;
   if (j.cols() > 0) {
@@ -98,7 +98,7 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
     }
   }
   const double residual = (b - j * y).norm();
-  return {problem.with(scaled(std::move(y), scale)), residual, used_qr};
+  return {problem.with(core::scaled(std::move(y), scale)), residual, used_qr};
 }
 
 }  // namespace detail

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// Divides each column of a compressed matrix by the power of two below its largest entry. Result: the factors, per column.
 inline std::vector<double> scale_columns(Eigen::SparseMatrix<double>& a) {
@@ -77,4 +77,4 @@ inline Eigen::VectorXd scaled(Eigen::VectorXd x, const std::vector<double>& scal
   return x;
 }
 
-}  // namespace concino::detail
+}  // namespace concino::core

@@ -3,7 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/solve/detail/qp_solver.hpp>
+#include <concino/optimize/detail/qp_solver.hpp>
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include <concino/solve/detail/equilibrate.hpp>
+#include <concino/core/equilibrate.hpp>
 
 #include "support/systems.hpp"
 
@@ -21,7 +21,7 @@ sparse in_units(int n, int row_unit, int column_unit) {
 /// The largest entries of rows and columns are within a factor of 4 of each other, and the scaled matrix is the given one, scaled.
 void check_equilibrated(const sparse& given) {
   sparse a = given;
-  const auto scale = detail::equilibrate(a);
+  const auto scale = core::equilibrate(a);
   std::vector<double> row(static_cast<std::size_t>(a.rows())), column(static_cast<std::size_t>(a.cols()));
   for (int c = 0; c < a.cols(); ++c)
     for (sparse::InnerIterator it(a, c), old(given, c); it; ++it, ++old) {
@@ -38,7 +38,7 @@ void check_equilibrated(const sparse& given) {
 
 TEST_CASE("scale_columns: the largest entry of each column comes to [1, 2)") {
   sparse a = from(3, 4, {{0, 0, -0.1}, {1, 0, 0.01}, {2, 1, 5.0}, {0, 1, -7.0}, {1, 2, 0.0}});
-  CHECK(detail::scale_columns(a) == std::vector<double>{16, 0.25, 1, 1});
+  CHECK(core::scale_columns(a) == std::vector<double>{16, 0.25, 1, 1});
   CHECK(a.coeff(0, 0) == -1.6);
   CHECK(a.coeff(1, 0) == 0.16);
   CHECK(a.coeff(2, 1) == 1.25);
@@ -63,7 +63,7 @@ TEST_CASE("equilibrate: multiples of a matrix come out the same, wherever its la
         for (int i = 0; i < size; ++i) entries.emplace_back(i, i, i == at ? -1000.0 : 1.0 + i);
         sparse a = from(size, size, entries);
         sparse b = a * factor;
-        const auto scale_a = detail::equilibrate(a), scale_b = detail::equilibrate(b);
+        const auto scale_a = core::equilibrate(a), scale_b = core::equilibrate(b);
         CHECK((a - b).norm() == 0);
         CHECK(scale_a.columns == scale_b.columns);
         for (std::size_t i = 0; i < scale_a.rows.size(); ++i) CHECK(scale_a.rows[i] == scale_b.rows[i] * factor);
@@ -72,7 +72,7 @@ TEST_CASE("equilibrate: multiples of a matrix come out the same, wherever its la
 
 TEST_CASE("equilibrate: rows and columns without entries keep their scale, and symmetric matrices stay symmetric") {
   sparse a = from(3, 3, {{0, 0, 64.0}, {0, 2, 1.0}, {2, 0, 1.0}, {2, 2, 64.0}});
-  const auto scale = detail::equilibrate(a);
+  const auto scale = core::equilibrate(a);
   CHECK(scale.rows[1] == 1.0 / 64);
   CHECK(scale.columns[1] == 1);
   CHECK(a.coeff(0, 2) == a.coeff(2, 0));

@@ -1,8 +1,8 @@
 // How a quadratic program is solved, step by step, and polished.
 #pragma once
 
-#include <concino/solve/detail/qp_splitting.hpp>
-#include <concino/solve/qp_result.hpp>
+#include <concino/optimize/detail/qp_splitting.hpp>
+#include <concino/optimize/qp_result.hpp>
 
 namespace concino::detail {
 

@@ -3,8 +3,8 @@
 
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/residual.hpp>
+#include <concino/optimize/detail/conditions.hpp>
 #include <concino/solve/auto_solver.hpp>
-#include <concino/solve/detail/conditions.hpp>
 
 #include <algorithm>
 #include <cmath>

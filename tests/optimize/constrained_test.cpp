@@ -1,4 +1,4 @@
-#include <concino/solve/constrained.hpp>
+#include <concino/optimize/constrained.hpp>
 
 #include <concino/solve/ldlt.hpp>
 

@@ -1,4 +1,4 @@
-#include <concino/solve/solve_with_values.hpp>
+#include <concino/optimize/solve_with_values.hpp>
 
 #include <concino/solve/bicgstab.hpp>
 #include <concino/solve/llt.hpp>

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/system_checks.hpp>
-#include <concino/solve/detail/independent_rows.hpp>
+#include <concino/optimize/detail/independent_rows.hpp>
 #include <concino/solve/lu.hpp>
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include <concino/solve/qp.hpp>
+#include <concino/optimize/qp.hpp>
 
 #include <doctest/doctest.h>
 
