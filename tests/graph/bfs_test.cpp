@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 using namespace concino;
 using namespace concino::testing;
@@ -20,6 +22,7 @@ namespace {
 struct ring { std::size_t n; };
 
 template<class M, class S = vert_id> concept searchable = requires(const S& s) { bfs(std::declval<M>(), s); };
+template<class M> concept has_forest = requires { bfs_forest(std::declval<M>()); };
 constexpr auto one = [](auto, auto) { return 1.0; };
 
 }  // namespace
@@ -150,4 +153,114 @@ TEST_CASE_TEMPLATE("bfs: bounds, targets and predecessors, on verts and on polys
   };
   check(vert_id{0}, verts(m), make_vert_map<vert_id>(m));
   check(poly_id{0}, polys(m), make_poly_map<poly_id>(m));
+}
+
+TEST_CASE_TEMPLATE("bfs: what is crossed joins each node with its predecessor, and visit sees nodes as they are reached", M, CONCINO_KINDS) {
+  const M m = two_grids<M>(3);
+  const auto check = [&](const auto s, const auto nodes, auto before, auto across, const auto& is_between) {
+    using node = std::remove_const_t<decltype(s)>;
+    const auto hops = bfs(m, s);
+    std::vector<node> order;
+    bool known = true;  // what visit may rely on
+    const auto again = bfs(m, s, {.predecessors = &before, .crossed = &across, .visit = [&](const node& x, int h) {
+                                    known = known && h == hops[x] && (h == 0 ? before[x] == x : is_between(across[x], x) && is_between(across[x], before[x]));
+                                    order.push_back(x);
+                                    return true;
+                                  }});
+    CHECK(known);
+    CHECK(order.front() == s);
+    std::size_t reached = 0;
+    for (const auto x : nodes) {
+      reached += hops[x] >= 0;
+      REQUIRE(again[x] == hops[x]);
+    }
+    CHECK(order.size() == reached);
+    for (std::size_t i = 1; i < order.size(); ++i) REQUIRE(hops[order[i - 1]] <= hops[order[i]]);
+
+    // The visitor stops at the third node, or at the source.
+    for (std::size_t most : {std::size_t{1}, std::size_t{3}}) {
+      std::vector<node> seen;
+      const auto part = bfs(m, s, {.visit = [&](const node& x, int) {
+                              seen.push_back(x);
+                              return seen.size() < most;
+                            }});
+      REQUIRE(seen.size() == most);
+      for (const auto x : nodes) {
+        const bool is_seen = std::find(seen.begin(), seen.end(), x) != seen.end();
+        REQUIRE(part[x] == (is_seen ? hops[x] : -1));
+      }
+    }
+    const auto none = bfs(m, std::vector{s, node{1}}, {.visit = [](const node&, int) { return false; }});
+    for (const auto x : nodes) REQUIRE(none[x] == (x == s ? 0 : -1));
+  };
+  check(vert_id{0}, verts(m), make_vert_map<vert_id>(m), make_vert_map<edge_id>(m), [&](edge_id e, vert_id v) {
+    bool any = false;
+    for (const auto w : adj_e2v(m, e)) any = any || w == v;
+    return any;
+  });
+  if constexpr (dimension_v<M> == 2)
+    check(poly_id{0}, polys(m), make_poly_map<poly_id>(m), make_poly_map<edge_id>(m), [&](edge_id e, poly_id p) {
+      bool any = false;
+      for (const auto q : adj_e2p(m, e)) any = any || q == p;
+      return any;
+    });
+  else
+    check(poly_id{0}, polys(m), make_poly_map<poly_id>(m), make_poly_map<face_id>(m), [&](face_id f, poly_id p) {
+      bool any = false;
+      for (const auto q : adj_f2p(m, f)) any = any || q == p;
+      return any;
+    });
+}
+
+TEST_CASE_TEMPLATE("bfs_forest: a tree for each component, as bfs from its first node, one after another", M, CONCINO_KINDS) {
+  const M m = two_grids<M>(2);
+  const auto check = [&](const auto& graph, const auto nodes, auto before) {
+    using node = std::remove_cvref_t<decltype(*nodes.begin())>;
+    std::vector<node> order, roots;
+    const auto hops = bfs_forest(graph, {.predecessors = &before, .visit = [&](const node& x, int h) {
+                                           if (h == 0) roots.push_back(x);
+                                           order.push_back(x);
+                                           return true;
+                                         }});
+    const auto plain = bfs_forest(graph);
+    std::vector<node> expected;
+    for (const node& root : roots)
+      bfs(graph, root, {.visit = [&](const node& x, int h) {
+            expected.push_back(x);
+            return h == hops[x] && (h > 0 || before[x] == x);
+          }});
+    CHECK(order == expected);
+    std::size_t count = 0;
+    for (const auto x : nodes) {
+      ++count;
+      REQUIRE(hops[x] >= 0);
+      REQUIRE(plain[x] == hops[x]);
+    }
+    CHECK(order.size() == count);
+    CHECK(roots.size() >= 2);
+
+    // Nodes that are barred are in no tree; of no height, all others are roots.
+    const node barred = order[1];
+    const auto around = bfs_forest(graph, {.may_enter = [&](const node& x) { return x != barred; }, .max_hops = 0});
+    for (const auto x : nodes) REQUIRE(around[x] == (x == barred ? -1 : 0));
+    // Over with the tree in which the target is, or where the visitor says so.
+    const auto first = bfs_forest(graph, {.targets = {roots[0]}});
+    const auto all = bfs_forest(graph, {.targets = {roots[1]}});
+    int met = 0;
+    const auto some = bfs_forest(graph, {.visit = [&](const node&, int) { return ++met < 2; }});
+    std::size_t n = 0;
+    for (const auto x : nodes) {
+      REQUIRE(first[x] == (x == roots[0] ? 0 : -1));
+      if (hops[x] >= 0 && x == roots[1]) REQUIRE(all[x] == 0);
+      n += some[x] >= 0;
+    }
+    CHECK(n == 2);
+    CHECK_THROWS_WITH_AS(bfs_forest(graph, {.max_hops = -1}), "bfs_forest: max_hops is -1; it must be 0 or more", invalid_argument);
+  };
+  check(m, verts(m), make_vert_map<vert_id>(m));
+  check(dual(m), polys(m), make_poly_map<poly_id>(m));
+  const auto g = only_primal_graph(m);
+  const auto hops = bfs_forest(m), stripped = bfs_forest(g);
+  for (const auto w : verts(g)) CHECK(stripped[w] == hops[g.base(w)]);
+  static_assert(has_forest<M&> && !has_forest<M> && !has_forest<int&>);
 }

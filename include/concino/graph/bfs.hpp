@@ -1,4 +1,4 @@
-// Breadth-first search: how many steps away is everything.
+// Breadth-first search: how many steps away is everything, in what order it is reached, and from where.
 #pragma once
 
 #include <concino/core/function_ref.hpp>
@@ -12,6 +12,8 @@
 #include <concino/graph/predecessors.hpp>
 
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace concino {
@@ -25,6 +27,8 @@ struct bfs_options {
   function_ref<bool(Node)> may_enter = nullptr;  // false: the search does not step on this node (empty: it may on all). Sources are exempt.
   detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the search does not step across this edge or face (empty: it may across all)
   predecessors_ref<Node> predecessors = nullptr;     // pointer to a map of nodes by nodes, filled with where each was reached from
+  crossed_ref<Node, Crossed> crossed = nullptr;      // pointer to a map of nodes by edges or faces, filled with what each was reached across
+  function_ref<bool(Node, int)> visit = nullptr;     // called with each node and its hops as it is reached; false: the search is over (empty: never)
   int max_hops = std::numeric_limits<int>::max();    // >= 0; no step beyond this many
 };
 
@@ -62,6 +66,9 @@ auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(
   return hops;
 }
 
+/// Stands for the sources of a forest: the first node that is not reached yet, again and again.
+struct all_nodes {};
+
 /// The same search with everything.
 template<class G, class S>
 auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
@@ -70,62 +77,125 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
   int* const value = hops.values().data();
   once_queue<node> queue(g.bound());
   target_set targets(g, options.targets, options.nearest_target, "bfs");
-  int limit = options.max_hops;
+  int limit = options.max_hops;  // no step beyond this; -1 when visit has ended the search
+  bool is_over = false;
 
-  const auto reach = [&](const node& x, const node& before, int h) {
+  const auto reach = [&](const node& x, const node& before, int h, const auto& put_crossed) {
     const auto slot = g.index(x);
-    if (value[slot] >= 0) return;
+    if (value[slot] >= 0 || h > limit) return;
     value[slot] = h;
     queue.push(x);
     if (options.predecessors) options.predecessors.put(x, before);
-    if (targets.meet(slot)) limit = h;
+    put_crossed();
+    if (targets.meet(slot)) {
+      limit = h;
+      is_over = true;
+    }
+    if (options.visit && !options.visit(x, h)) {
+      limit = -1;
+      is_over = true;
+    }
   };
+  const auto search = [&] {
+    while (!queue.empty()) {
+      const node v = queue.pop();
+      const int h = value[g.index(v)];
+      if (h >= limit) continue;
+      if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
+        if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
+      }
+      if constexpr (!std::is_void_v<crossed_t<G>>) {
+        if (options.crossed) {
+          for_each_step_across(g, v, options.may_enter, options.may_cross, [&](const node& w, const crossed_t<G>& x) {
+            reach(w, v, h + 1, [&] { options.crossed.put(w, x); });
+          });
+          continue;
+        }
+      }
+      for_each_step(g, v, options.may_enter, options.may_cross, [&](const node& w) { reach(w, v, h + 1, [] {}); });
+    }
+  };
+
   if (options.predecessors)
     for (const node x : g.nodes()) options.predecessors.put(x, x);
-  for_each_source(g, sources, "bfs", [&](const node& s) { reach(s, s, 0); });
-  while (!queue.empty()) {
-    const node v = queue.pop();
-    const int h = value[g.index(v)];
-    if (h >= limit) break;
-    for_each_step(g, v, options.may_enter, options.may_cross, [&](const node& w) { reach(w, v, h + 1); });
+  if constexpr (std::same_as<S, all_nodes>) {
+    for (const node x : g.nodes()) {
+      if (is_over) break;
+      if (value[g.index(x)] >= 0 || (options.may_enter && !options.may_enter(x))) continue;
+      reach(x, x, 0, [] {});
+      search();
+    }
+  } else {
+    for_each_source(g, sources, "bfs", [&](const node& s) { reach(s, s, 0, [] {}); });
+    search();
   }
   return hops;
 }
 
+template<class Node, class Crossed>
+void check_bfs(const bfs_options<Node, Crossed>& options, const char* who) {
+  if (options.max_hops < 0) core::throw_joined<invalid_argument>({who, ": max_hops is ", core::number_text(options.max_hops), "; it must be 0 or more"});
+}
+
 template<class G, class S>
 auto bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
-  if (options.max_hops < 0) core::throw_joined<invalid_argument>({"bfs: max_hops is ", core::number_text(options.max_hops), "; it must be 0 or more"});
-  const bool plain = options.targets.empty() && !options.may_cross && !options.predecessors && options.max_hops == std::numeric_limits<int>::max();
-  if (!plain) return full_bfs(g, sources, options);
-  return options.may_enter ? plain_bfs<true>(g, sources, options.may_enter) : plain_bfs<false>(g, sources, nullptr);
+  check_bfs(options, "bfs");
+  const bool plain = options.targets.empty() && !options.may_cross && !options.predecessors && !options.crossed && !options.visit &&
+                     options.max_hops == std::numeric_limits<int>::max();
+  if (plain) return options.may_enter ? plain_bfs<true>(g, sources, options.may_enter) : plain_bfs<false>(g, sources, nullptr);
+  return full_bfs(g, sources, options);
+}
+
+template<class G>
+auto bfs_forest(const G& g, const bfs_options<typename G::node, crossed_t<G>>& options) {
+  check_bfs(options, "bfs_forest");
+  return full_bfs(g, all_nodes{}, options);
 }
 
 }  // namespace detail
 
 /// Fewest steps from `source` along edges (source a vert) or from poly to poly (source a poly); from the nearest of several sources
 /// where a container or braces of them are given.
-/// Needs:  PrimalGraph M for verts, DualGraph M for polys; may_cross needs the edges or faces of an AnyMesh.
+/// Needs:  PrimalGraph M for verts, DualGraph M for polys; may_cross and crossed need the edges or faces of an AnyMesh.
 /// Result: a map of int: hops[x], 0 at the sources, -1 where unreached. With targets, it is complete up to the farthest target, or with
 ///         nearest_target up to the nearest, and -1 beyond. The predecessor of a node is the first among those one step nearer that was
-///         reached; sources are reached in their order, the neighbours of a node in that of the mesh.
+///         reached; sources are reached in their order, the neighbours of a node in that of the mesh (where `crossed` or may_cross is given,
+///         in that of the edges or faces around it). When visit(x, hops) returns false, the nodes that it was called with are all that is reached.
 /// Cost:   O(V + E) time, O(V) memory.
 /// Errors: invalid_mesh if a source or target is not an element of m; invalid_argument if there is no source or max_hops < 0.
 /// Source: Moore 1959; paper section 2.1, "Architecture".
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
-auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, source, options);
 }
 
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
-auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, sources, options);
+}
+
+/// Breadth-first trees of everything: a search from the first node, then from the first that is not reached yet, until none is left. Nodes are
+/// the verts of a mesh or, of dual(m) and other graphs of polys alone, its polys.
+/// Needs:  PrimalGraph M, or DualGraph M; may_cross and crossed need the edges or faces of an AnyMesh.
+/// Result: a map of int: hops[x] from the root of the tree of x, 0 at the roots, -1 where may_enter bars. The nodes of a tree are reached one
+///         after another, as bfs reaches them, so visit(x, 0) tells where the next tree begins. With max_hops no tree is higher than that: nodes
+///         farther away begin trees of their own. When targets are reached or visit returns false, no further tree begins.
+/// Cost:   O(V + E) time, O(V) memory.
+/// Errors: invalid_mesh if a target is not an element of m; invalid_argument if max_hops < 0.
+/// Source: Moore 1959.
+template<class M>
+  requires requirement::is_no_temporary<M> && requirement::is_graph<M>
+auto bfs_forest(M&& m, const bfs_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+  return detail::bfs_forest(detail::default_graph_of<M>{m}, options);
 }
 
 // What to write instead of calls that cannot compile.
 template<class... T> void bfs(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void bfs(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void bfs_forest(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void bfs_forest(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void bfs(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/concepts/mesh_traits.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -9,27 +10,57 @@
 
 namespace concino {
 
+namespace detail {
+
+/// A pointer to any map of Keys by Values that can be written, or to none.
+template<class Key, class Value>
+class written_map {
+  void* map_ = nullptr;
+  void (*put_)(void*, const Key&, const Value&) = nullptr;
+
+ public:
+  constexpr written_map() = default;
+  constexpr written_map(std::nullptr_t) {}
+
+  template<class P>
+    requires WritableMap<P, Key, Value>
+  written_map(P* map) : map_(map) {
+    if (map) put_ = [](void* p, const Key& key, const Value& value) { (*static_cast<P*>(p))[key] = value; };
+  }
+
+  explicit operator bool() const { return put_ != nullptr; }
+  void put(const Key& key, const Value& value) const { put_(map_, key, value); }
+};
+
+}  // namespace detail
+
 /// Refers to a map that a search writes: p[x] becomes the node before x on the way to it, x itself for sources and for what the search did
 /// not reach. Any map of nodes by nodes will do, that of make_vert_map<vert_t<M>>(m) or of make_poly_map<poly_t<M>>(m) for one:
 ///   auto from = make_vert_map<vert_id>(m);
 ///   bfs(m, a, {.predecessors = &from});
 template<class Node>
-class predecessors_ref {
-  void* map_ = nullptr;
-  void (*put_)(void*, const Node&, const Node&) = nullptr;
+class predecessors_ref : public detail::written_map<Node, Node> {
+  using detail::written_map<Node, Node>::written_map;
+};
 
+/// Refers to a map that a search writes: c[x] becomes the edge or face across which x was reached from its predecessor. Of sources and of what
+/// the search did not reach it says nothing.
+///   auto along = make_vert_map<edge_id>(m);
+///   bfs(m, a, {.crossed = &along});
+template<class Node, class Crossed>
+class crossed_ref : public detail::written_map<Node, Crossed> {
+  using detail::written_map<Node, Crossed>::written_map;
+};
+
+/// Of graphs that do not say what lies between their nodes: takes no map, and tells whoever gives one why.
+template<class Node>
+class crossed_ref<Node, void> {
  public:
-  constexpr predecessors_ref() = default;
-  constexpr predecessors_ref(std::nullptr_t) {}
-
-  template<class P>
-    requires WritableMap<P, Node, Node>
-  predecessors_ref(P* map) : map_(map) {
-    if (map) put_ = [](void* p, const Node& x, const Node& before) { (*static_cast<P*>(p))[x] = before; };
-  }
-
-  explicit operator bool() const { return put_ != nullptr; }
-  void put(const Node& x, const Node& before) const { put_(map_, x, before); }
+  constexpr crossed_ref() = default;
+  constexpr crossed_ref(std::nullptr_t) {}
+  template<class P, class R = mistake::remedy<"crossed needs a mesh that says what lies between its nodes: adj_v2e and adj_e2v between verts; adj_p2e and adj_e2p between polys of a surface, adj_p2f and adj_f2p of a volume. This one is a graph and no more; ask for predecessors">>
+  crossed_ref(P*) = delete;  // crossed needs a mesh that says what lies between its nodes: adj_v2e and adj_e2v ...; ask for predecessors
+  constexpr explicit operator bool() const { return false; }
 };
 
 /// The nodes on the way to `end` in the tree that a search wrote to `predecessors`, from the source on; `end` alone if the search did not

@@ -19,6 +19,7 @@ cn::trimesh made();
 // The adapter is not included.
 void no_adapter(const stranger& other) {
   cn::bfs(other);  // refused
+  cn::bfs_forest(other);  // refused
   cn::dijkstra(other);  // refused
   cn::shortest_path(other);  // refused
   cn::grow_regions(other);  // refused
@@ -104,6 +105,7 @@ void no_adapter(const stranger& other) {
 // The mesh has no name.
 void temporary() {
   cn::bfs(made());  // refused
+  cn::bfs_forest(made());  // refused
   cn::dijkstra(made());  // refused
   cn::grow_regions(made());  // refused
   cn::connected_components(made());  // refused

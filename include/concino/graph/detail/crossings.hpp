@@ -74,15 +74,22 @@ void for_each_crossing(const dual_graph<M>& g, const poly_t<M>& p, const F& visi
   }
 }
 
+/// Calls visit(w, x) for each of these that may_cross and may_enter (either may be empty) let pass.
+template<class G, class F>
+void for_each_step_across(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
+                          const function_ref<bool(crossed_t<G>)>& may_cross, const F& visit) {
+  for_each_crossing(g, v, [&](const typename G::node& w, const crossed_t<G>& x) {
+    if ((!may_cross || may_cross(x)) && (!may_enter || may_enter(w))) visit(w, x);
+  });
+}
+
 /// Calls visit(w) for the neighbours of v that may_cross and may_enter (either may be empty) let pass; with may_cross perhaps more than once.
 template<class G, class F>
 void for_each_step(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
                    [[maybe_unused]] const may_cross_t<crossed_t<G>>& may_cross, const F& visit) {
   if constexpr (!std::is_void_v<crossed_t<G>>) {
     if (may_cross) {
-      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {
-        if (may_cross(x) && (!may_enter || may_enter(w))) visit(w);
-      });
+      for_each_step_across(g, v, may_enter, may_cross, [&](const typename G::node& w, const auto&) { visit(w); });
       return;
     }
   }
