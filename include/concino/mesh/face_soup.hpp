@@ -25,8 +25,8 @@ struct face_soup {
     }
 
    public:
-    cycle(const vert_id* verts, std::uint32_t size, std::uint32_t face)
-        : verts_(verts), size_(size), start_(static_cast<std::uint32_t>(std::min_element(verts, verts + size) - verts)), face_(face), back_(false) {
+    cycle(const vert_id* first, std::uint32_t size, std::uint32_t face)
+        : verts_(first), size_(size), start_(static_cast<std::uint32_t>(std::min_element(first, first + size) - first)), face_(face), back_(false) {
       back_ = vert(size - 1) < vert(1);
     }
     std::uint32_t face() const { return face_; }
@@ -119,14 +119,14 @@ struct face_soup {
     out.poly_faces.resize(n);
     out.outward = std::move(outward);
     out.face_offsets.push_back(0);
-    std::uint32_t corners = 0, faces = 0;
+    std::uint32_t corners = 0, face_count = 0;
     // In place: a kept face moves to the front, over what has been read; twin becomes the new number.
     for (std::size_t f = 0; f < n; ++f) {
       if (twin[f] == f) {
         const std::uint32_t k = size(f);
         std::copy_n(first(f), k, face_verts.data() + corners);
         out.face_offsets.push_back(corners += k);
-        out.poly_faces[f] = face_id{faces++};
+        out.poly_faces[f] = face_id{face_count++};
       } else {
         out.poly_faces[f] = out.poly_faces[twin[f]];
       }

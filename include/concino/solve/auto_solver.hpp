@@ -1,10 +1,13 @@
 // The solver for whoever does not want to choose one: a factorisation where its memory allows, and else an iteration.
 #pragma once
 
-#include <concino/solve/conjugate_gradients.hpp>
-#include <concino/solve/ldlt.hpp>
+#include <concino/core/compiled.hpp>
+#include <concino/solve/conjugate_gradients_options.hpp>
+
+#include <Eigen/SparseCore>
 
 #include <cstdint>
+#include <memory>
 
 namespace concino {
 
@@ -24,46 +27,37 @@ enum class solver_used { none, ldlt, conjugate_gradients };
 /// with the pattern of the one factorised before is factorised in the order found then.
 /// Errors: as ldlt and as conjugate_gradients; their messages begin with their names. invalid_argument if an option is out of its range.
 class auto_solver {
+  struct solvers;  // ldlt and conjugate_gradients, which are long to compile
   auto_solver_options options_;
-  ldlt direct_;
-  conjugate_gradients iteration_;
+  std::unique_ptr<solvers> solvers_;
   solver_used used_ = solver_used::none;
 
  public:
-  auto_solver() = default;
-  explicit auto_solver(const auto_solver_options& options) : options_(options), iteration_(options.iteration) {
-    if (options.most_factor_entries < 0) throw invalid_argument("auto_solver: most_factor_entries is negative");
-  }
+  auto_solver();
+  explicit auto_solver(const auto_solver_options& options);
+  auto_solver(const auto_solver&) = delete;
+  auto_solver& operator=(const auto_solver&) = delete;
+  ~auto_solver();
 
-  void factorize(const Eigen::SparseMatrix<double>& a) {
-    used_ = solver_used::none;
-    if (!iteration_.has_pattern_of(a) && direct_.factorize_within(a, options_.most_factor_entries)) {
-      used_ = solver_used::ldlt;
-    } else {
-      iteration_.factorize(a);
-      used_ = solver_used::conjugate_gradients;
-    }
-  }
+  void factorize(const Eigen::SparseMatrix<double>& a);
 
   /// Takes over the order that another has found for a factorisation, see ldlt.
-  void use_order_of(const auto_solver& other) {
-    used_ = solver_used::none;
-    direct_.use_order_of(other.direct_);
-  }
+  void use_order_of(const auto_solver& other);
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    if (used_ == solver_used::none) throw solver_error("auto_solver: solve without a factorised matrix; call factorize first");
-    return used_ == solver_used::ldlt ? direct_.solve(b) : iteration_.solve(b);
-  }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
   const auto_solver_options& options() const { return options_; }
   /// What the last factorize chose; none before it, and after one that failed.
   solver_used used() const { return used_; }
   bool iterates() const { return used_ == solver_used::conjugate_gradients; }
-  int iterations() const { return iterates() ? iteration_.iterations() : 0; }
-  double error() const { return iterates() ? iteration_.error() : 0; }
-  double residual() const { return iterates() ? iteration_.residual() : 0; }
-  bool converged() const { return !iterates() || iteration_.converged(); }
+  int iterations() const;
+  double error() const;
+  double residual() const;
+  bool converged() const;
 };
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/solve/detail/auto_solver.ipp>
+#endif
