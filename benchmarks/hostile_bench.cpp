@@ -4,6 +4,7 @@
 // take as long as walking these. The files of the folder $CONCINO_CORPUS are measured too, as they are and damaged.
 #include "support/program.hpp"
 
+#include <concino/concepts/facets.hpp>
 #include <concino/io.hpp>
 #include <concino/validate.hpp>
 
@@ -163,16 +164,9 @@ struct seconds {
 template<class M>
 double num_neighbours(const M& m) {
   double sum = 0;
-  const auto add = [&](const auto& polys_of_facet, const auto& verts_of_facet) {
-    double k = 0, n = 0;
-    for ([[maybe_unused]] const auto p : polys_of_facet) ++k;
-    for ([[maybe_unused]] const auto v : verts_of_facet) ++n;
-    sum += k * (k + n);
-  };
-  if constexpr (concino::SurfaceMesh<M>) {
-    for (const auto e : concino::edges(m)) add(concino::adj_e2p(m, e), concino::adj_e2v(m, e));
-  } else {
-    for (const auto f : concino::faces(m)) add(concino::adj_f2p(m, f), concino::adj_f2v(m, f));
+  for (const auto x : concino::facets(m)) {
+    const auto k = static_cast<double>(concino::num_elements(concino::adj_facet2p(m, x)));
+    sum += k * (k + static_cast<double>(concino::num_elements(concino::adj_facet2v(m, x))));
   }
   return sum;
 }

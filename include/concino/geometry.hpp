@@ -13,6 +13,7 @@
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/normals.hpp>
 #include <concino/geometry/orientation.hpp>
+#include <concino/geometry/outer_polygons.hpp>
 #include <concino/geometry/outward_vector.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/geometry/self_intersections.hpp>

@@ -2,6 +2,7 @@
 // against others that know no mesh.
 #pragma once
 
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/views.hpp>
 
 #include <support/boost_graph.hpp>
@@ -39,8 +40,7 @@ struct dual_side {
   static auto nodes(const M& m) { return polys(m); }
   static std::size_t bound(const M& m) { return poly_index_bound(m); }
   static std::size_t num_crossings(const M& m) {
-    if constexpr (dimension_v<M> == 2) return edge_index_bound(m);
-    else return face_index_bound(m);
+    return facet_index_bound(m);
   }
   template<class F> static void for_each_join(const M& m, const F& f) {
     const auto pairs = [&](const auto x, const auto& at_x) {
@@ -48,11 +48,7 @@ struct dual_side {
         for (const auto q : at_x)
           if (index_of(m, p) < index_of(m, q)) f(p, q, x);
     };
-    if constexpr (dimension_v<M> == 2) {
-      for (const auto e : edges(m)) pairs(e, adj_e2p(m, e));
-    } else {
-      for (const auto f2 : faces(m)) pairs(f2, adj_f2p(m, f2));
-    }
+    for (const auto x : facets(m)) pairs(x, adj_facet2p(m, x));
   }
 };
 

@@ -1,6 +1,7 @@
 // What convert_with_correspondence() gives back: a mesh, and which of its elements stand for those of the mesh that it was made from.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -48,10 +49,10 @@ class conversion {
 
   /// Found at one of its verts.                                              Cost: the edges there.
   edge_t<To> edge_of(const edge_t<From>& e) const {
-    const auto ends = ends_of(from(), e);
+    const auto ends = end_verts(from(), e);
     const vert_t<To> a = vert_of(ends.first), b = vert_of(ends.second);
     for (const edge_t<To> x : adj_v2e(mesh, a)) {
-      const auto found = ends_of(mesh, x);
+      const auto found = end_verts(mesh, x);
       if (found.first == b || found.second == b) return x;
     }
     assert(false && "every edge of a mesh is an edge of what it was converted to");
@@ -98,15 +99,6 @@ class conversion {
     requires(ReadableMap<A, poly_t<From>>)
   void carry(const A& from_map, B&& to) const {
     for (const poly_t<From> p : polys(from())) to[poly_of(p)] = from_map[p];
-  }
-
- private:
-  template<class M>
-  static std::pair<vert_t<M>, vert_t<M>> ends_of(const M& m, const edge_t<M>& e) {
-    vert_t<M> two[2] = {vert_t<M>(), vert_t<M>()};
-    std::size_t n = 0;
-    for (const vert_t<M> v : adj_e2v(m, e)) two[n++] = v;
-    return {two[0], two[1]};
   }
 };
 

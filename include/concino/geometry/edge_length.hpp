@@ -1,6 +1,7 @@
 // How long edges are.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/parallel.hpp>
@@ -14,11 +15,7 @@ namespace concino {
 template<Embedded M>
   requires requires(const M& m, edge_t<M> e) { adj_e2v(m, e); }
 double edge_length(const M& m, const edge_t<M>& e) {
-  const auto& ends = adj_e2v(m, e);
-  auto it = ends.begin();
-  const vert_t<M> a = *it;
-  ++it;
-  const vert_t<M> b = *it;
+  const auto [a, b] = end_verts(m, e);
   return distance(to_vec3(point(m, a)), to_vec3(point(m, b)));
 }
 

@@ -8,6 +8,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/detail/any_scale.hpp>
+#include <concino/geometry/outer_polygons.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <cstddef>
@@ -20,25 +21,9 @@ namespace detail {
 /// 1 or -1 for a face of the boundary, by whether it runs counter-clockwise seen from outside; 0 for others.
 template<class M>
 double outward_sign(const M& m, const face_t<M>& f) {
-  poly_t<M> inside{};
-  int count = 0;
-  for (const poly_t<M> p : adj_f2p(m, f)) {
-    inside = p;
-    if (++count > 1) break;
-  }
-  return count != 1 ? 0 : face_is_outward(m, inside, f) ? 1 : -1;
-}
-
-/// Calls visit(loop, sign) for the polygons that surround v from outside: of a surface the polys at v; of a volume those faces at v that have
-/// exactly one poly, with the sign that makes them point out of it.
-template<class M, class Visit>
-void for_each_outer_polygon(const M& m, const vert_t<M>& v, const Visit& visit) {
-  if constexpr (SurfaceMesh<M>) {
-    for (const poly_t<M> p : adj_v2p(m, v)) visit(adj_p2v(m, p), 1.0);
-  } else {
-    for (const face_t<M> f : adj_v2f(m, v))
-      if (const double sign = outward_sign(m, f); sign != 0) visit(adj_f2v(m, f), sign);
-  }
+  if (!is_boundary(m, f)) return 0;
+  const auto& inside = adj_f2p(m, f);
+  return face_is_outward(m, *inside.begin(), f) ? 1 : -1;
 }
 
 }  // namespace detail
@@ -67,7 +52,9 @@ vec3 normal(const M& m, const face_t<M>& f) {
 template<AnyMesh M>
   requires Embedded<M>
 vec3 vert_normal(const M& m, const vert_t<M>& v) {
-  return detail::direction_of_areas(m, [&](const auto& visit) { detail::for_each_outer_polygon(m, v, visit); });
+  return detail::direction_of_areas(m, [&](const auto& visit) {
+    for_each_outer_polygon(m, v, [&](const poly_t<M>&, const auto& loop, bool is_outward) { visit(loop, is_outward ? 1.0 : -1.0); });
+  });
 }
 
 /// The normals of all polys of a surface.
@@ -135,7 +122,7 @@ template<class M>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
 vert_map<M, vec3> vert_normals(M&& m) {
   auto n = make_vert_map<vec3>(m);
-  if constexpr (SurfaceMesh<M>) {
+  if constexpr (SurfaceMesh<M>) {  // all polys count, so that areas may be kept per poly
     poly_map<M, vec3> area(m, poly_index_bound(m), detail::unwritten{});
     detail::sum_areas_of_polys(m, area, n);
   } else {

@@ -1,6 +1,7 @@
 // The border of a surface, as loops of edges.
 #pragma once
 
+#include <concino/concepts/facets.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 #include <concino/graph/detail/sides.hpp>
@@ -43,9 +44,7 @@ class border_edges {
     std::vector<unsigned char> on_border(static_cast<std::size_t>(edge_index_bound(m)));
     bool any = false;
     for (const edge_t<M> e : edges(m)) {
-      std::size_t n = 0;
-      for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) ++n;
-      if (n != 1) continue;
+      if (!is_boundary(m, e)) continue;
       on_border[index_of(m, e)] = 1;
       any = true;
     }

@@ -26,8 +26,7 @@ template<SurfaceMesh M>
 void expect_closed_manifold(const M& m, const char* who) {
   const auto refuse = [&](const std::string& what) { core::throw_joined<invalid_mesh>({who, ": ", what}); };
   for (const edge_t<M> e : edges(m)) {
-    std::size_t n = 0;
-    for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) ++n;
+    const std::size_t n = num_elements(adj_e2p(m, e));
     if (n == 2) continue;
     refuse(core::joined({"edge ", index_of(m, e), " has ", n, n == 1 ? " poly" : " polys",
                            n < 2 ? "; the surface must be closed, fill its borders (boundary_loops) first"

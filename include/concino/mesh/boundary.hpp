@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/derived.hpp>
+#include <concino/concepts/facets.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/mesh/detail/filtered.hpp>
 
@@ -127,13 +128,9 @@ auto boundary(const M& m) {
   auto turned = std::make_shared<typename views::boundary_view<M>::turned_faces>();
   std::vector<std::uint32_t> sizes;  // of the turned faces, by face index
   for (const auto f : faces(m)) {
-    poly_t<M> inside{};
-    int count = 0;
-    for (const auto p : adj_f2p(m, f)) {
-      inside = p;
-      if (++count > 1) break;
-    }
-    if (count != 1) continue;
+    if (!is_boundary(m, f)) continue;
+    const auto& polys_of_f = adj_f2p(m, f);
+    const poly_t<M> inside = *polys_of_f.begin();
     s->faces.set(index_of(m, f));
     std::uint32_t size = 0;
     for (const auto v : adj_f2v(m, f)) {

@@ -5,6 +5,7 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/geometry/outer_polygons.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/render/colormap.hpp>
 #include <concino/render/smooth_normals.hpp>
@@ -52,24 +53,6 @@ struct drawable_options {
 
 namespace detail {
 
-/// Calls f(poly, range of its verts in cyclic order, reversed?) for each polygon of a surface, each outer face of a volume.
-template<class M, class F>
-void each_outer_polygon(const M& m, F&& f) {
-  if constexpr (SurfaceMesh<M>) {
-    for (const auto p : polys(m)) f(static_cast<poly_t<M>>(p), adj_p2v(m, p), false);
-  } else {
-    for (const auto q : faces(m)) {
-      const auto sides = adj_f2p(m, q);
-      auto it = sides.begin();
-      if (!(it != sides.end())) continue;
-      const poly_t<M> p = *it;
-      ++it;
-      if (it != sides.end()) continue;
-      f(p, adj_f2v(m, q), !face_is_outward(m, p, q));
-    }
-  }
-}
-
 inline void add_triangles(drawable& d) {
   polygon_triangulator cut;
   std::vector<vec3> polygon;
@@ -96,7 +79,7 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
   constexpr std::uint32_t unseen = ~std::uint32_t{0};
   drawable d;
   std::vector<std::uint32_t> point_of(static_cast<std::size_t>(vert_index_bound(m)), unseen);
-  each_outer_polygon(m, [&](poly_t<M> p, const auto& ring, bool reversed) {
+  for_each_outer_polygon(m, [&](const poly_t<M>& p, const auto& ring, bool is_outward) {
     for (const auto r : ring) {
       const vert_t<M> v = r;
       std::uint32_t& at = point_of[static_cast<std::size_t>(index_of(m, v))];
@@ -110,7 +93,7 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
       }
       d.corners.push_back(at);
     }
-    if (reversed) std::reverse(d.corners.begin() + d.offsets.back(), d.corners.end());
+    if (!is_outward) std::reverse(d.corners.begin() + d.offsets.back(), d.corners.end());
     d.offsets.push_back(static_cast<std::uint32_t>(d.corners.size()));
     d.polys.push_back(static_cast<std::uint32_t>(index_of(m, p)));
   });

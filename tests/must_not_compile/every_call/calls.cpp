@@ -58,6 +58,7 @@ void no_adapter(const stranger& other) {
   cn::volume(other);  // refused
   cn::measure(other);  // refused
   cn::outward_vector(other);  // refused
+  cn::for_each_outer_polygon(other);  // refused
   cn::measures(other);  // refused
   cn::total_measure(other);  // refused
   cn::normal(other);  // refused

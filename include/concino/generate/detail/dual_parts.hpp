@@ -1,6 +1,8 @@
 // What the dual of a surface and that of a volume have in common: a vert for each poly, one for each facet that needs it, and loops around hubs.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/facets.hpp>
 #include <concino/generate/detail/read_wedges.hpp>
 #include <concino/geometry/centroid.hpp>
 
@@ -21,7 +23,7 @@ class dual_parts {
 
   /// Sides: of the faces of a volume.
   template<class... Sides>
-  dual_parts(const M& m, bool clipped, const Sides&... sides) : m_(m), polys_at_(facet_bound(), {none, none}), fans_(hub_bound()) {
+  dual_parts(const M& m, bool clipped, const Sides&... sides) : m_(m), polys_at_(facet_index_bound(m), {none, none}), fans_(hub_bound()) {
     read_polys();
     read_wedges(m, [&](const poly_t<M>& p) { return number_of(p); }, fans_, sides...);
     add_facet_verts(clipped);
@@ -71,17 +73,9 @@ class dual_parts {
   std::vector<std::uint32_t> facet_vert_;
   wedge_fans fans_;
 
-  std::size_t facet_bound() const {
-    if constexpr (is_surface) return edge_index_bound(m_);
-    else return face_index_bound(m_);
-  }
   std::size_t hub_bound() const {
-    if constexpr (is_surface) return vert_index_bound(m_);
+    if constexpr (is_surface) return vert_index_bound(m_);  // hubs are what facets meet in
     else return edge_index_bound(m_);
-  }
-  decltype(auto) facets_of(const poly_t<M>& p) const {
-    if constexpr (is_surface) return adj_p2e(m_, p);
-    else return adj_p2f(m_, p);
   }
 
   void read_polys() {
@@ -91,7 +85,7 @@ class dual_parts {
       const vec3 x = TriMesh<M> || TetMesh<M> ? vert_mean(m_, p) : centroid(m_, p);
       if (!is_finite(x)) refuse_dual("poly ", index_of(m_, p), " has a vert that is not at a finite point");
       const std::uint32_t n = poly_number_[index_of(m_, p)] = add_vert(x);
-      for (const auto f : facets_of(p)) {
+      for (const facet_t<M> f : adj_p2facet(m_, p)) {
         auto& [first, second] = polys_at_[index_of(m_, f)];
         if (second != none) refuse_dual(is_surface ? "edge " : "face ", index_of(m_, f), " has more than two polys");
         (first == none ? first : second) = n;
@@ -103,11 +97,11 @@ class dual_parts {
   /// share more than one: without them dual edges would coincide.
   void add_facet_verts(bool clipped) {
     std::vector<std::uint32_t> seen_from(points.size(), none), seen_through(points.size(), none);
-    facet_vert_.assign(facet_bound(), none);
+    facet_vert_.assign(facet_index_bound(m_), none);
     constexpr std::uint32_t wanted = 0;
     for (const poly_t<M> p : polys(m_)) {
       const std::uint32_t n = number_of(p);
-      for (const auto f : facets_of(p)) {
+      for (const facet_t<M> f : adj_p2facet(m_, p)) {
         const std::size_t i = index_of(m_, f);
         const auto [first, second] = polys_at_[i];
         if (second == none) {
@@ -120,18 +114,16 @@ class dual_parts {
         seen_through[other] = static_cast<std::uint32_t>(i);
       }
     }
-    const auto add = [&](const auto& all, const auto& centre) {
-      for (const auto f : all)
-        if (std::uint32_t& v = facet_vert_[index_of(m_, f)]; v == wanted) v = add_vert(centre(f));
-    };
-    if constexpr (is_surface) {
-      add(edges(m_), [&](const edge_t<M>& e) {
-        vec3 sum;
-        for (const vert_t<M> v : adj_e2v(m_, e)) sum += 0.5 * to_vec3(point(m_, v));
-        return sum;
-      });
+    for (const facet_t<M> f : facets(m_))
+      if (std::uint32_t& v = facet_vert_[index_of(m_, f)]; v == wanted) v = add_vert(centre_of(f));
+  }
+
+  vec3 centre_of(const facet_t<M>& x) const {
+    if constexpr (is_surface) {  // centroids are of polygons and polyhedra
+      const auto [a, b] = end_verts(m_, x);
+      return 0.5 * to_vec3(point(m_, a)) + 0.5 * to_vec3(point(m_, b));
     } else {
-      add(faces(m_), [&](const face_t<M>& f) { return centroid(m_, f); });
+      return centroid(m_, x);
     }
   }
 };

@@ -2,6 +2,7 @@
 // Known where the mesh offers it; views of one graph, primal(m) and dual(m), ask the mesh they show.
 #pragma once
 
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/views/dual.hpp>
 #include <concino/concepts/views/primal.hpp>
 #include <concino/core/function_ref.hpp>
@@ -19,8 +20,7 @@ template<class M> decltype(auto) mesh_behind(const views::dual_view<M>& m) { ret
 template<class M> using mesh_behind_t = std::remove_cvref_t<decltype(mesh_behind(std::declval<const M&>()))>;
 
 template<class M> concept crosses_edges_between_verts = requirement::has_adj_v2e<M> && requirement::has_adj_e2v<M>;
-template<class M> concept crosses_edges_between_polys = dimension_v<M> == 2 && requirement::has_adj_p2e<M> && requirement::has_adj_e2p<M>;
-template<class M> concept crosses_faces_between_polys = dimension_v<M> == 3 && requirement::has_adj_p2f<M> && requirement::has_adj_f2p<M>;
+template<class M> concept crosses_facets_between_polys = requires(const M& m, poly_t<M> p, facet_t<M> x) { adj_p2facet(m, p), adj_facet2p(m, x); };
 
 /// `type`: what is crossed on the way from node to node, void where the mesh does not say.
 template<class G> struct crossing { using type = void; };
@@ -28,11 +28,8 @@ template<class M>
   requires crosses_edges_between_verts<mesh_behind_t<M>>
 struct crossing<primal_graph<M>> { using type = edge_t<mesh_behind_t<M>>; };
 template<class M>
-  requires crosses_edges_between_polys<mesh_behind_t<M>>
-struct crossing<dual_graph<M>> { using type = edge_t<mesh_behind_t<M>>; };
-template<class M>
-  requires crosses_faces_between_polys<mesh_behind_t<M>>
-struct crossing<dual_graph<M>> { using type = face_t<mesh_behind_t<M>>; };
+  requires crosses_facets_between_polys<mesh_behind_t<M>>
+struct crossing<dual_graph<M>> { using type = facet_t<mesh_behind_t<M>>; };
 
 template<class G> using crossed_t = typename crossing<G>::type;
 template<class M, class S> using crossed_of = crossed_t<graph_of<M, S>>;
@@ -63,15 +60,8 @@ template<class M, class F>
   requires(!std::is_void_v<crossed_t<dual_graph<M>>>)
 void for_each_crossing(const dual_graph<M>& g, const poly_t<M>& p, const F& visit) {
   const auto& m = mesh_behind(g.m);
-  const auto across = [&](const auto& x, const auto& polys_at_x) {
-    for (const poly_t<M> q : polys_at_x)
-      if (!(q == p)) visit(q, x);
-  };
-  if constexpr (dimension_v<mesh_behind_t<M>> == 2) {
-    for (const auto e : adj_p2e(m, p)) across(e, adj_e2p(m, e));
-  } else {
-    for (const auto f : adj_p2f(m, p)) across(f, adj_f2p(m, f));
-  }
+  for (const auto x : adj_p2facet(m, p))
+    for (const poly_t<M> q : other_polys(m, p, x)) visit(q, x);
 }
 
 /// Calls visit(w, x) for each of these that may_cross and may_enter (either may be empty) let pass.
