@@ -64,7 +64,7 @@ inline vec3 vector_at(const Eigen::VectorXd& x, std::size_t i) {
 /// By index_of: verts of polys, no edge (of surfaces) or face (of volumes) at which has a side without poly.
 template<class M>
 std::vector<bool> interior_verts(const M& m) {
-  std::vector<bool> inside(static_cast<std::size_t>(vert_index_bound(m)), false);
+  std::vector<bool> inside(vert_index_bound(m), false);
   for (const auto p : polys(m))
     for (const auto v : adj_p2v(m, p)) inside[index_of(m, v)] = true;
   const auto look_at = [&](const auto& sides, const auto& corners) {

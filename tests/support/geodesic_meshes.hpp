@@ -130,7 +130,7 @@ inline double round_the_corner(const vec3& a, const vec3& b) {
 template<class M>
 vert_map<M, double> exact_over_fans(const M& m, const vert_id& source) {
   surface_arrays a{{}, {}, {}, 3};
-  a.points.resize(static_cast<std::size_t>(vert_index_bound(m)));
+  a.points.resize(vert_index_bound(m));
   for (const vert_id v : verts(m)) a.points[index_of(m, v)] = point(m, v);
   for (const poly_id p : polys(m)) {
     const vert_id middle{a.points.size()};

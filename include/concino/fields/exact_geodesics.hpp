@@ -31,7 +31,7 @@ namespace detail {
 template<SurfaceMesh M>
 exact_preparation prepare_exact(const M& m) {
   exact_preparation prepared;
-  prepared.triangle_of.resize(static_cast<std::size_t>(poly_index_bound(m)));
+  prepared.triangle_of.resize(poly_index_bound(m));
   flat_triangles& r = prepared.triangles;
   double largest = 0;
   for (const poly_t<M> p : polys(m))
@@ -55,7 +55,7 @@ exact_preparation prepare_exact(const M& m) {
       }
       ++n;
     }
-    const auto number = static_cast<std::size_t>(index_of(m, p));
+    const auto number = index_of(m, p);
     prepared.triangle_of[number] = static_cast<int>(r.vert.size() / 3);
     if (n != 3)
       core::throw_joined<unsupported>(
@@ -75,7 +75,7 @@ exact_preparation prepare_exact(const M& m) {
     }
     edge_of.insert(edge_of.end(), of_side.begin(), of_side.end());
   }
-  r.join(std::move(edge_of), static_cast<std::size_t>(edge_index_bound(m)), static_cast<std::size_t>(vert_index_bound(m)));
+  r.join(std::move(edge_of), edge_index_bound(m), vert_index_bound(m));
   return prepared;
 }
 
@@ -205,7 +205,7 @@ vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, 
   place.position = std::ldexp(1.0, triangles().exponent) * nearest;
   detail::exact_windows windows(triangles(), paths);
   const double length = norm(side);
-  windows.add_place(3 * prepared_->triangle_of[static_cast<std::size_t>(index_of(m, p))], dot(to, side) / length, norm(cross(side, to)) / length);
+  windows.add_place(3 * prepared_->triangle_of[index_of(m, p)], dot(to, side) / length, norm(cross(side, to)) / length);
   return solve(windows, 0);
 }
 

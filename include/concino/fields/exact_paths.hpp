@@ -60,10 +60,10 @@ class exact_paths {
       : distances_(std::move(distances)) {
     const M& m = distances_.mesh();
     contents c{std::move(prepared), std::move(tree), std::move(place), {}, {}};
-    c.vert.resize(static_cast<std::size_t>(vert_index_bound(m)));
-    for (const vert_t<M> v : verts(m)) c.vert[static_cast<std::size_t>(index_of(m, v))] = v;
-    c.edge.resize(static_cast<std::size_t>(edge_index_bound(m)));
-    for (const edge_t<M> e : edges(m)) c.edge[static_cast<std::size_t>(index_of(m, e))] = e;
+    c.vert.resize(vert_index_bound(m));
+    for (const vert_t<M> v : verts(m)) c.vert[index_of(m, v)] = v;
+    c.edge.resize(edge_index_bound(m));
+    for (const edge_t<M> e : edges(m)) c.edge[index_of(m, e)] = e;
     contents_ = std::make_shared<const contents>(std::move(c));
   }
 

@@ -121,7 +121,7 @@ class prepared_heat_geodesics {
       throw invalid_mesh("heat_geodesics: a source is no vert of the mesh; take it from verts(m)");
     if (!std::isfinite(distance))
       core::throw_joined<invalid_argument>(
-          {"heat_geodesics: the initial distance at vert ", static_cast<std::size_t>(index_of(mesh_.get(), v)), " is not finite"});
+          {"heat_geodesics: the initial distance at vert ", index_of(mesh_.get(), v), " is not finite"});
     const int i = number(v);
     q.starts.push_back({i, static_cast<int>(q.sources.size()), 0, down(distance)});
     q.sources.push_back({prepared_->graph.place(static_cast<std::size_t>(i)), down(distance)});

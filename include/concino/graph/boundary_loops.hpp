@@ -41,7 +41,7 @@ class border_edges {
 
  public:
   explicit border_edges(const M& m) : m_(m) {
-    std::vector<unsigned char> on_border(static_cast<std::size_t>(edge_index_bound(m)));
+    std::vector<unsigned char> on_border(edge_index_bound(m));
     bool any = false;
     for (const edge_t<M> e : edges(m)) {
       if (!is_boundary(m, e)) continue;
@@ -59,7 +59,7 @@ class border_edges {
         if (on_border[index_of(m, e)]) sides_.push_back({e, walker.ring()[i], walker.ring()[j]});
       });
     }
-    out_.assign(static_cast<std::size_t>(vert_index_bound(m)), none);
+    out_.assign(vert_index_bound(m), none);
     in_ = out_;
     degree_.assign(out_.size(), 0);
     for (std::size_t i = sides_.size(); i-- > 0;) {  // backwards, so that lists run forwards
@@ -124,7 +124,7 @@ boundary_loops_result<M> boundary_loops(const M& m) {
 
   // Go ahead until a vert is met twice, and take what lies between out as a cycle.
   constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> place(static_cast<std::size_t>(vert_index_bound(m)), nowhere);
+  std::vector<std::uint32_t> place(vert_index_bound(m), nowhere);
   edge_walk<M> walk;
   const auto go_from = [&](vert_t<M> v) {
     edge_t<M> e{};

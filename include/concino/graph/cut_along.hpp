@@ -30,8 +30,8 @@ struct cut_along_result {
 template<SurfaceMesh M, class Cut = std::initializer_list<edge_t<M>>>
   requires Embedded<M>
 cut_along_result<M> cut_along(const M& m, const Cut& cut) {
-  std::vector<unsigned char> edge_is_cut(static_cast<std::size_t>(edge_index_bound(m)));
-  std::vector<unsigned char> splits(static_cast<std::size_t>(vert_index_bound(m)));  // verts of the cut: others are left as they are
+  std::vector<unsigned char> edge_is_cut(edge_index_bound(m));
+  std::vector<unsigned char> splits(vert_index_bound(m));  // verts of the cut: others are left as they are
   std::vector<edge_t<M>> known(edge_is_cut.size());  // so that asking whether m has an edge is quick on every mesh
   for (const edge_t<M> e : edges(m)) known[index_of(m, e)] = e;
   const auto take = [&](const edge_t<M>& e) {

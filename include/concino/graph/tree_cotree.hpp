@@ -34,7 +34,7 @@ void expect_closed_manifold(const M& m, const char* who) {
   }
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   corner_classes<M> corners(m, [](std::size_t) { return false; });
-  std::vector<std::size_t> class_of(static_cast<std::size_t>(vert_index_bound(m)), none);
+  std::vector<std::size_t> class_of(vert_index_bound(m), none);
   for (const poly_t<M> p : polys(m)) {
     std::size_t corner = corners.first[index_of(m, p)];
     for (const vert_t<M> v : adj_p2v(m, p)) {
@@ -74,12 +74,12 @@ struct tree_cotree_tables : tree_cotree_result<M> {
   std::vector<unsigned char> in_tree_;
 
   void grow_tree(const M& m) {
-    const auto bound = static_cast<std::size_t>(vert_index_bound(m));
+    const auto bound = vert_index_bound(m);
     hops.assign(bound, unreached);
     component.assign(bound, 0);
     up_edge.resize(bound);
     up_vert.resize(bound);
-    in_tree_.assign(static_cast<std::size_t>(edge_index_bound(m)), 0);
+    in_tree_.assign(edge_index_bound(m), 0);
     once_queue<vert_t<M>> queue(bound);
     std::uint32_t roots = 0;
     for (const vert_t<M> root : verts(m)) {
@@ -127,7 +127,7 @@ struct tree_cotree_tables : tree_cotree_result<M> {
     for (const edge_t<M> e : edges(m))
       if (!in_tree_[index_of(m, e)]) sorted[begins_at[steps(e)]++] = e;
 
-    disjoint_sets sets(static_cast<std::size_t>(poly_index_bound(m)));
+    disjoint_sets sets(poly_index_bound(m));
     for (const edge_t<M>& e : sorted) {
       std::size_t side[2] = {0, 0}, n = 0;
       for (const poly_t<M> p : adj_e2p(m, e))

@@ -111,22 +111,22 @@ template<class M, class T> using poly_map = element_map<std::remove_cvref_t<M>, 
 template<class T, class M>
   requires requirement::is_no_temporary<M> && requires(const M& m) { vert_index_bound(m); }
 vert_map<M, T> make_vert_map(M&& m, const T& init = T()) {
-  return {m, static_cast<std::size_t>(vert_index_bound(m)), init};
+  return {m, vert_index_bound(m), init};
 }
 template<class T, class M>
   requires requirement::is_no_temporary<M> && requires(const M& m) { edge_index_bound(m); }
 edge_map<M, T> make_edge_map(M&& m, const T& init = T()) {
-  return {m, static_cast<std::size_t>(edge_index_bound(m)), init};
+  return {m, edge_index_bound(m), init};
 }
 template<class T, class M>
   requires requirement::is_no_temporary<M> && requires(const M& m) { face_index_bound(m); }
 face_map<M, T> make_face_map(M&& m, const T& init = T()) {
-  return {m, static_cast<std::size_t>(face_index_bound(m)), init};
+  return {m, face_index_bound(m), init};
 }
 template<class T, class M>
   requires requirement::is_no_temporary<M> && requires(const M& m) { poly_index_bound(m); }
 poly_map<M, T> make_poly_map(M&& m, const T& init = T()) {
-  return {m, static_cast<std::size_t>(poly_index_bound(m)), init};
+  return {m, poly_index_bound(m), init};
 }
 
 // What to write instead of calls that cannot compile.

@@ -14,7 +14,7 @@ template<class M, class T> using facet_map = element_map<std::remove_cvref_t<M>,
 template<class T, class M>
   requires requirement::is_no_temporary<M> && requires(const M& m) { facet_index_bound(m); }
 facet_map<M, T> make_facet_map(M&& m, const T& init = T()) {
-  return {m, static_cast<std::size_t>(facet_index_bound(m)), init};
+  return {m, facet_index_bound(m), init};
 }
 
 // What to write instead of calls that cannot compile.

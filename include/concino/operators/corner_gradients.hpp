@@ -19,7 +19,7 @@ namespace detail {
 
 template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* who, const M& m, const poly_t<M>& p) {
-  core::throw_joined<invalid_mesh>({who, ": poly ", static_cast<std::size_t>(index_of(m, p)), dimension_v<M> == 2 ? " has no area" : " has no volume",
+  core::throw_joined<invalid_mesh>({who, ": poly ", index_of(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
                               ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
 }
 
@@ -123,7 +123,7 @@ struct corner_gradients {
     if (sorted_.empty()) {
       while (i < verts.size() && !(verts[i] == v)) ++i;
     } else {
-      const auto number = static_cast<std::size_t>(index_of(m, v));
+      const auto number = index_of(m, v);
       i = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(number, std::size_t{0}))->second;
     }
     assert(i < verts.size() && "the verts of a poly are those of its faces");
@@ -132,7 +132,7 @@ struct corner_gradients {
   void sort_many(const M& m) {
     sorted_.clear();
     if (verts.size() <= 32) return;
-    for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back({static_cast<std::size_t>(index_of(m, verts[i])), i});
+    for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back({index_of(m, verts[i]), i});
     std::sort(sorted_.begin(), sorted_.end());
   }
 

@@ -25,12 +25,12 @@ template<AnyMesh M>
   requires Embedded<M>
 Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
   constexpr const char* who = "divergence_matrix";
-  auto d = detail::empty_columns(who, static_cast<std::size_t>(vert_index_bound(m)), 3 * static_cast<std::size_t>(poly_index_bound(m)));
+  auto d = detail::empty_columns(who, vert_index_bound(m), 3 * poly_index_bound(m));
   int* const begin = d.outerIndexPtr();
   const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
     int n = 0;
     for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) ++n;
-    const std::size_t c = 3 * static_cast<std::size_t>(index_of(m, p));
+    const std::size_t c = 3 * index_of(m, p);
     begin[c + 1] = begin[c + 2] = begin[c + 3] = n;
     return n;
   });
@@ -41,7 +41,7 @@ Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
     const double size = -std::abs(local.measure);
     const std::size_t n = local.verts.size();
     for (std::size_t k = 0; k < 3; ++k) {
-      int* const rows = d.innerIndexPtr() + begin[3 * static_cast<std::size_t>(index_of(m, p)) + k];
+      int* const rows = d.innerIndexPtr() + begin[3 * index_of(m, p) + k];
       double* const values = d.valuePtr() + (rows - d.innerIndexPtr());
       for (std::size_t i = 0; i < n; ++i) {
         rows[i] = static_cast<int>(index_of(m, local.verts[i]));

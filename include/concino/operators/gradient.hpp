@@ -57,18 +57,18 @@ vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
     vec3 sum;
     double size = 0;
   };
-  std::vector<weighted> of_poly(static_cast<std::size_t>(poly_index_bound(m))), of_vert(static_cast<std::size_t>(vert_index_bound(m)));
+  std::vector<weighted> of_poly(poly_index_bound(m)), of_vert(vert_index_bound(m));
   core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
     local.visit(m, p);
     if (!local.has_gradients()) detail::throw_no_measure("vert_gradient", m, p);
     const double size = std::abs(local.measure);
-    of_poly[static_cast<std::size_t>(index_of(m, p))] = {size * detail::gradient_of(local, u), size};
+    of_poly[index_of(m, p)] = {size * detail::gradient_of(local, u), size};
     return 0;
   });
   for (const poly_t<mesh> p : polys(m)) {
-    const weighted& w = of_poly[static_cast<std::size_t>(index_of(m, p))];
+    const weighted& w = of_poly[index_of(m, p)];
     for (const vert_t<mesh> v : adj_p2v(m, p)) {
-      weighted& at = of_vert[static_cast<std::size_t>(index_of(m, v))];
+      weighted& at = of_vert[index_of(m, v)];
       at.sum += w.sum;
       at.size += w.size;
     }

@@ -25,17 +25,17 @@ template<AnyMesh M>
   requires Embedded<M>
 Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   constexpr const char* who = "gradient_matrix";
-  auto g = detail::empty_columns(who, 3 * static_cast<std::size_t>(poly_index_bound(m)), static_cast<std::size_t>(vert_index_bound(m)));
+  auto g = detail::empty_columns(who, 3 * poly_index_bound(m), vert_index_bound(m));
   int* const begin = g.outerIndexPtr();
   std::vector<int> place;  // of each corner: how many polys met its vert before
-  if constexpr (arity_v<M> > 0) core::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * static_cast<std::size_t>(num_polys(m)));
+  if constexpr (arity_v<M> > 0) core::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * num_polys(m));
   bool ascend = true;
   std::size_t next = 0;
   const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
-    const std::size_t index = static_cast<std::size_t>(index_of(m, p)), before = place.size();
+    const std::size_t index = index_of(m, p), before = place.size();
     ascend = ascend && index >= next;
     next = index + 1;
-    for (const vert_t<M> v : adj_p2v(m, p)) place.push_back(begin[static_cast<std::size_t>(index_of(m, v)) + 1]++);
+    for (const vert_t<M> v : adj_p2v(m, p)) place.push_back(begin[index_of(m, v) + 1]++);
     return place.size() - before;
   });
   detail::make_room(who, g, 3);
@@ -47,7 +47,7 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
     const int row = 3 * static_cast<int>(index_of(m, p));
     const std::size_t n = local.verts.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const int at = begin[static_cast<std::size_t>(index_of(m, local.verts[i]))] + 3 * place[corner + i];
+      const int at = begin[index_of(m, local.verts[i])] + 3 * place[corner + i];
       const vec3 gradient = local.gradient[i];
       rows[at] = row;
       rows[at + 1] = row + 1;

@@ -35,7 +35,7 @@ Eigen::SparseMatrix<double> laplacian(const M& m, const laplacian_options& optio
       m, options.weights,
       [&](const auto& weights) {
         return core::assemble<core::whole_matrix>(
-            m, weights, static_cast<std::size_t>(vert_index_bound(m)), -1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
+            m, weights, vert_index_bound(m), -1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
             [](int, const vert_t<M>&, double) {});
       },
       [&](auto make_element) { return detail::assemble_stiffness(m, make_element, -1.0); });

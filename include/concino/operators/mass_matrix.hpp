@@ -25,7 +25,7 @@ template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_infinite_mass(const M& m) {
   for (const poly_t<M> p : polys(m))
     if (!std::isfinite(measure(m, p)))
-      core::throw_joined<invalid_mesh>({"masses: poly ", static_cast<std::size_t>(index_of(m, p)), " has points that are not finite, so it has no mass; move its verts"});
+      core::throw_joined<invalid_mesh>({"masses: poly ", index_of(m, p), " has points that are not finite, so it has no mass; move its verts"});
   core::throw_joined<invalid_mesh>({"masses: the polys are so large that their measures sum to infinity; scale the mesh"});
 }
 

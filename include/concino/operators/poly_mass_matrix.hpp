@@ -16,7 +16,7 @@ template<class M>
 double poly_mass(const char* who, const M& m, const poly_t<M>& p) {
   const double mass = std::abs(measure(m, p));
   if (!std::isfinite(mass))
-    core::throw_joined<invalid_mesh>({who, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ", static_cast<std::size_t>(index_of(m, p)),
+    core::throw_joined<invalid_mesh>({who, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ", index_of(m, p),
                                 " is not a finite number; look at the points of its verts"});
   return mass;
 }
@@ -45,15 +45,15 @@ template<AnyMesh M>
   requires Embedded<M>
 Eigen::SparseMatrix<double> poly_mass_matrix(const M& m) {
   constexpr const char* who = "poly_mass_matrix";
-  const std::size_t size = 3 * static_cast<std::size_t>(poly_index_bound(m));
+  const std::size_t size = 3 * poly_index_bound(m);
   auto a = detail::empty_columns(who, size, size);
   int* const begin = a.outerIndexPtr();
   for (const poly_t<M> p : polys(m))
-    for (std::size_t k = 1; k <= 3; ++k) begin[3 * static_cast<std::size_t>(index_of(m, p)) + k] = 1;
+    for (std::size_t k = 1; k <= 3; ++k) begin[3 * index_of(m, p) + k] = 1;
   detail::make_room(who, a);
   for (const poly_t<M> p : polys(m)) {
     const double mass = detail::poly_mass(who, m, p);
-    const std::size_t first = 3 * static_cast<std::size_t>(index_of(m, p));
+    const std::size_t first = 3 * index_of(m, p);
     for (std::size_t c = first; c < first + 3; ++c) {
       a.innerIndexPtr()[begin[c]] = static_cast<int>(c);
       a.valuePtr()[begin[c]] = mass;

@@ -25,10 +25,10 @@ struct corner_lists {
 
   template<class M>
   corner_lists(const char* who, const M& m, std::vector<double>& size_around)
-      : first{0}, first_at(static_cast<std::size_t>(vert_index_bound(m)) + 1) {
+      : first{0}, first_at(vert_index_bound(m) + 1) {
     const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
       for (const vert_t<M> v : adj_p2v(m, p)) {
-        vert.push_back(static_cast<std::size_t>(index_of(m, v)));
+        vert.push_back(index_of(m, v));
         ++first_at[vert.back() + 1];
       }
       const std::size_t n = vert.size() - first.back();
@@ -74,7 +74,7 @@ template<AnyMesh M>
   requires Embedded<M>
 Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
   constexpr const char* who = "vert_gradient_matrix";
-  const std::size_t nv = static_cast<std::size_t>(vert_index_bound(m));
+  const std::size_t nv = vert_index_bound(m);
   auto g = detail::empty_columns(who, 3 * nv, nv);
   std::vector<double> size_around;
   const detail::corner_lists lists(who, m, size_around);

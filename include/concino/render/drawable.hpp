@@ -78,16 +78,16 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
     throw invalid_argument("make_drawable: crease_angle must be in [0, 180] degrees");
   constexpr std::uint32_t unseen = ~std::uint32_t{0};
   drawable d;
-  std::vector<std::uint32_t> point_of(static_cast<std::size_t>(vert_index_bound(m)), unseen);
+  std::vector<std::uint32_t> point_of(vert_index_bound(m), unseen);
   for_each_outer_polygon(m, [&](const poly_t<M>& p, const auto& ring, bool is_outward) {
     for (const auto r : ring) {
       const vert_t<M> v = r;
-      std::uint32_t& at = point_of[static_cast<std::size_t>(index_of(m, v))];
+      std::uint32_t& at = point_of[index_of(m, v)];
       if (at == unseen) {
         at = static_cast<std::uint32_t>(d.points.size());
         d.points.push_back(to_vec3(point(m, v)));
         if (!is_finite(d.points.back()))
-          core::throw_joined<invalid_mesh>({"make_drawable: vert ", static_cast<std::size_t>(index_of(m, v)),
+          core::throw_joined<invalid_mesh>({"make_drawable: vert ", index_of(m, v),
                                               " has a coordinate that is not a finite number"});
         if (with_values) d.values.push_back(value(v));
       }

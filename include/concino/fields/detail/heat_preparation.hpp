@@ -55,7 +55,7 @@ Eigen::SparseMatrix<double> lower_stiffness(const M& m, weights which) {
       m, which,
       [&](const auto& weights) {
         return core::assemble<core::lower_triangle>(
-            m, weights, static_cast<std::size_t>(vert_index_bound(m)), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
+            m, weights, vert_index_bound(m), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
             [](int, const vert_t<M>&, double) {});
       },
       [&](auto make_element) { return assemble_elements(m, make_element); });
@@ -68,14 +68,14 @@ struct positive_weights {
   const M& m;
   std::vector<double> weight;
 
-  explicit positive_weights(const M& mesh) : m(mesh), weight(static_cast<std::size_t>(edge_index_bound(mesh))) {
+  explicit positive_weights(const M& mesh) : m(mesh), weight(edge_index_bound(mesh)) {
     for (const poly_t<M> p : polys(m)) {
       double n = 0;
       for ([[maybe_unused]] const edge_t<M> e : adj_p2e(m, p)) n += 1;
       const double part = std::abs(measure(m, p)) * dimension_v<M> / n;
       for (const edge_t<M> e : adj_p2e(m, p)) {
         const double length = edge_length(m, e);
-        weight[static_cast<std::size_t>(index_of(m, e))] += part / length / length;
+        weight[index_of(m, e)] += part / length / length;
       }
     }
   }
@@ -83,14 +83,14 @@ struct positive_weights {
   void for_each_neighbour(const vert_t<M>& v, F&& f) const {
     for (const edge_t<M> e : adj_v2e(m, v))
       for (const vert_t<M> w : adj_e2v(m, e))
-        if (!(w == v)) f(w, weight[static_cast<std::size_t>(index_of(m, e))]);
+        if (!(w == v)) f(w, weight[index_of(m, e)]);
   }
 };
 
 template<AnyMesh M>
 Eigen::SparseMatrix<double> lower_positive_stiffness(const M& m) {
   const auto column = [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); };
-  return core::assemble<core::lower_triangle>(m, positive_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), 1.0, column,
+  return core::assemble<core::lower_triangle>(m, positive_weights<M>(m), vert_index_bound(m), 1.0, column,
                                   [](int, const vert_t<M>&, double) {});
 }
 
@@ -205,9 +205,9 @@ inline void add_diagonals(const std::vector<int>& simplices, std::size_t corners
 
 template<AnyMesh M>
 distance_graph distance_graph_of(const M& m) {
-  std::vector<vec3> place(static_cast<std::size_t>(vert_index_bound(m)));
+  std::vector<vec3> place(vert_index_bound(m));
   std::vector<int> edge, simplices;
-  for (const vert_t<M> v : verts(m)) place[static_cast<std::size_t>(index_of(m, v))] = to_vec3(point(m, v));
+  for (const vert_t<M> v : verts(m)) place[index_of(m, v)] = to_vec3(point(m, v));
   for (const edge_t<M> e : edges(m))
     for (const vert_t<M> v : adj_e2v(m, e)) edge.push_back(static_cast<int>(index_of(m, v)));
   simplex_collector<M> collector;
@@ -222,16 +222,16 @@ distance_graph distance_graph_of(const M& m) {
 template<AnyMesh M>
 void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
   using entry = std::pair<double, vert_t<M>>;
-  const auto at = [&](const vert_t<M>& v) -> double& { return log_u[static_cast<std::size_t>(index_of(m, v))]; };
+  const auto at = [&](const vert_t<M>& v) -> double& { return log_u[index_of(m, v)]; };
   constexpr double none = -std::numeric_limits<double>::infinity();
   const auto less = [](const entry& a, const entry& b) { return a.first < b.first; };
   std::priority_queue<entry, std::vector<entry>, decltype(less)> queue(less);
   std::vector<unsigned char> open(log_u.size());
-  for (const vert_t<M> v : verts(m)) open[static_cast<std::size_t>(index_of(m, v))] = at(v) == none;
+  for (const vert_t<M> v : verts(m)) open[index_of(m, v)] = at(v) == none;
   const auto spread = [&](const vert_t<M>& v) {
     const vec3 x = to_vec3(point(m, v));
     for (const vert_t<M> w : adj_v2v(m, v)) {
-      if (!open[static_cast<std::size_t>(index_of(m, w))]) continue;
+      if (!open[index_of(m, w)]) continue;
       const double known = at(v) - distance(x, to_vec3(point(m, w))) / decay;
       if (!(known > at(w))) continue;
       at(w) = known;
@@ -239,7 +239,7 @@ void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
     }
   };
   for (const vert_t<M> v : verts(m))
-    if (!open[static_cast<std::size_t>(index_of(m, v))]) spread(v);
+    if (!open[index_of(m, v)]) spread(v);
   while (!queue.empty()) {
     const auto [known, v] = queue.top();
     queue.pop();

@@ -59,7 +59,7 @@ class implicit_system {
       : system_{std::move(held), {}, {}}, mass_(std::move(mass)), who_(who) {
     system_.verts.number_all(m);
     for (const vert_t<M> v : verts(m)) {
-      const auto i = static_cast<std::size_t>(index_of(m, v));
+      const auto i = index_of(m, v);
       if (system_.verts.unknown[v] >= 0 && !has_mass(mass_, i))
         core::throw_joined<invalid_mesh>({who_, ": vert ", i, " has edges but no polys, so no mass; use uniform weights"});
     }
@@ -81,7 +81,7 @@ class implicit_system {
       if (system_.verts.unknown[v] == held_verts<M>::isolated) continue;
       for (std::size_t k = 0; k < parts_of<T>; ++k)
         if (!std::isfinite(part(x, k)))
-          core::throw_joined<invalid_argument>({who_, ": the value at vert ", static_cast<std::size_t>(index_of(m, v)), " is not finite"});
+          core::throw_joined<invalid_argument>({who_, ": the value at vert ", index_of(m, v), " is not finite"});
     }
     return u;
   }

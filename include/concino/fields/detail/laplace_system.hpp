@@ -18,7 +18,7 @@ namespace concino::detail {
 /// Errors: invalid_mesh that names a vert with edges but without mass, and those of vert_masses.
 template<class M>
 std::vector<double> lumped_masses(const M& m, weights which, const char* who) {
-  std::vector<double> r(static_cast<std::size_t>(vert_index_bound(m)), 1.0);
+  std::vector<double> r(vert_index_bound(m), 1.0);
   if constexpr (AnyMesh<M> && Embedded<M>) {
     if (which == weights::uniform) return r;
     const auto mass = vert_masses(m);
@@ -27,7 +27,7 @@ std::vector<double> lumped_masses(const M& m, weights which, const char* who) {
       if (mass[v] > 0) continue;
       const auto& around = adj_v2v(m, v);
       if (around.begin() != around.end())
-        core::throw_joined<invalid_mesh>({who, ": vert ", static_cast<std::size_t>(index_of(m, v)),
+        core::throw_joined<invalid_mesh>({who, ": vert ", index_of(m, v),
                                     " has edges but no polys with a measure, so no mass; use uniform weights"});
     }
   }

@@ -32,7 +32,7 @@ template<class T, class M, class F>
 right_hand_sides<T> mass_times(const M& m, const Eigen::SparseMatrix<double>& mass, const F& f, const char* what) {
   auto x = zeros<T>(static_cast<std::size_t>(mass.cols()));
   for (const vert_t<M> v : verts(m)) {
-    const auto i = static_cast<std::size_t>(index_of(m, v));
+    const auto i = index_of(m, v);
     if (!has_mass(mass, i)) continue;
     const T value = as_field_value<T>(f[v]);
     for (std::size_t k = 0; k < parts_of<T>; ++k) {

@@ -40,7 +40,7 @@ void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
 template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_bad_flux(const char* who, const M& m, const facet_t<M>& x, const char* what) {
   const char* const word = dimension_v<M> == 2 ? "edge " : "face ";
-  core::throw_joined<invalid_argument>({who, ": the flux given at ", word, static_cast<std::size_t>(index_of(m, x)), what});
+  core::throw_joined<invalid_argument>({who, ": the flux given at ", word, index_of(m, x), what});
 }
 
 /// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or none on the boundary; invalid_argument if one is not finite, or two
@@ -59,7 +59,7 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
                                                   : ": a flux is given at something that is no face of the mesh; take faces from faces(m)"});
     const std::size_t polys = num_elements(adj_facet2p(m, x));
     if (polys != 1)
-      core::throw_joined<invalid_mesh>({who, ": a flux is given at ", is_surface ? "edge " : "face ", static_cast<std::size_t>(index_of(m, x)),
+      core::throw_joined<invalid_mesh>({who, ": a flux is given at ", is_surface ? "edge " : "face ", index_of(m, x),
                                   ", which has ", polys, " polys and so is not on the boundary; it can be given where there is one"});
     T& before = known[x];
     const bool again = !std::isnan(part(before, 0));

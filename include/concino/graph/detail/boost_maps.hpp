@@ -138,7 +138,7 @@ class poly_distance {
  public:
   explicit poly_distance(const M& view) : m_(view) {
     const auto& m = view.base();
-    auto centres = std::make_shared<std::vector<vec3>>(static_cast<std::size_t>(poly_index_bound(m)));
+    auto centres = std::make_shared<std::vector<vec3>>(poly_index_bound(m));
     for (const poly_t<M> p : polys(m)) (*centres)[index_of(m, p)] = vert_mean(m, p);
     centres_ = std::move(centres);
   }

@@ -17,8 +17,8 @@ struct corner_classes {
 
   template<class IsCut>
   corner_classes(const M& m, const IsCut& is_cut)
-      : first(static_cast<std::size_t>(poly_index_bound(m))), classes(number_corners(m, first)) {
-    std::vector<edge_ends> known(static_cast<std::size_t>(edge_index_bound(m)));
+      : first(poly_index_bound(m)), classes(number_corners(m, first)) {
+    std::vector<edge_ends> known(edge_index_bound(m));
     side_walker<M> sides(m);
     for (const poly_t<M> p : polys(m)) {
       sides.read(p);

@@ -23,8 +23,8 @@ struct primal_graph {
   static constexpr const char* word = "vert";
   const M& m;
 
-  std::size_t num_nodes() const { return static_cast<std::size_t>(num_verts(m)); }
-  std::size_t bound() const { return static_cast<std::size_t>(vert_index_bound(m)); }
+  std::size_t num_nodes() const { return num_verts(m); }
+  std::size_t bound() const { return vert_index_bound(m); }
   std::size_t index(const node& v) const { return index_of(m, v); }
   decltype(auto) nodes() const { return verts(m); }
   decltype(auto) neighbours(const node& v) const { return adj_v2v(m, v); }
@@ -38,8 +38,8 @@ struct dual_graph {
   static constexpr const char* word = "poly";
   const M& m;
 
-  std::size_t num_nodes() const { return static_cast<std::size_t>(num_polys(m)); }
-  std::size_t bound() const { return static_cast<std::size_t>(poly_index_bound(m)); }
+  std::size_t num_nodes() const { return num_polys(m); }
+  std::size_t bound() const { return poly_index_bound(m); }
   std::size_t index(const node& p) const { return index_of(m, p); }
   decltype(auto) nodes() const { return polys(m); }
   decltype(auto) neighbours(const node& p) const { return adj_p2p(m, p); }

@@ -61,7 +61,7 @@ class euclidean_poly_lengths {
   core::flat_array<vec3> centres_;
 
  public:
-  explicit euclidean_poly_lengths(const M& m) : m_(m), centres_(static_cast<std::size_t>(poly_index_bound(m))) {
+  explicit euclidean_poly_lengths(const M& m) : m_(m), centres_(poly_index_bound(m)) {
     for (const poly_t<M> p : polys(m)) centres_[index_of(m, p)] = vert_mean(m, p);
   }
 

@@ -17,7 +17,7 @@ class side_walker {
   std::vector<std::uint32_t> place_;  // of a vert in the ring of the poly walked last
 
  public:
-  explicit side_walker(const M& m) : m_(m), place_(static_cast<std::size_t>(vert_index_bound(m))) {}
+  explicit side_walker(const M& m) : m_(m), place_(vert_index_bound(m)) {}
 
   /// Reads the verts of p and says how many they are.
   std::size_t read(const poly_t<M>& p) {

@@ -67,8 +67,8 @@ struct write_context : write_state {
   const M& mesh;
 
   write_context(const M& m, std::string_view n, text_sink& o, save_report& r, const concino::progress& p)
-      : write_state{n, o, r, p, 0, static_cast<std::size_t>(num_verts(m)) + static_cast<std::size_t>(num_polys(m))}, mesh(m) {
-    number.resize(static_cast<std::size_t>(vert_index_bound(m)));
+      : write_state{n, o, r, p, 0, num_verts(m) + num_polys(m)}, mesh(m) {
+    number.resize(vert_index_bound(m));
   }
 
   std::uint32_t number_of(const vert_t<M>& v) const { return number[index_of(mesh, v)]; }

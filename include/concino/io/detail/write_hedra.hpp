@@ -11,14 +11,14 @@ void write_hedra(write_context<M>& c) {
     c.cannot_hold(".hedra", {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
   } else {
     const M& m = c.mesh;
-    c.out << static_cast<std::size_t>(num_verts(m)) << ' ' << static_cast<std::size_t>(num_faces(m)) << ' '
-          << static_cast<std::size_t>(num_polys(m)) << '\n';
+    c.out << num_verts(m) << ' ' << num_faces(m) << ' '
+          << num_polys(m) << '\n';
     for (const vert_t<M> v : verts(m)) {
       write_point(c.out, c.next_point(v));
       c.out << '\n';
       c.tell();
     }
-    std::vector<std::uint32_t> face_number(static_cast<std::size_t>(face_index_bound(m)), 0);
+    std::vector<std::uint32_t> face_number(face_index_bound(m), 0);
     std::vector<std::uint32_t> row;
     std::uint32_t n = 0;
     for (face_t<M> f : faces(m)) {

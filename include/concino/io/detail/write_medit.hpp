@@ -58,7 +58,7 @@ void write_medit(write_context<M>& c) {
   const int* const poly_label = values_if_any<int>(m, element_kind::poly, "label");
   c.keep(element_kind::vert, "label", typeid(int));
   c.keep(element_kind::poly, "label", typeid(int));
-  c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << static_cast<std::size_t>(num_verts(m)) << '\n';
+  c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << num_verts(m) << '\n';
   for (const vert_t<M> v : verts(m)) {
     write_point(c.out, c.next_point(v));
     c.out << ' ' << (vert_label ? vert_label[index_of(m, v)] : 0) << '\n';

@@ -55,7 +55,7 @@ void write_obj(write_context<M>& c) {
     for (const char* const name : {"object", "group", "material"}) c.keep(element_kind::poly, name, typeid(std::string));
     if (labels_are_names || labels_are_groups) c.keep(element_kind::poly, "label", typeid(int));
 
-    c.out << "# " << static_cast<std::size_t>(num_verts(m)) << " verts, " << static_cast<std::size_t>(num_polys(m)) << " polys\n";
+    c.out << "# " << num_verts(m) << " verts, " << num_polys(m) << " polys\n";
     mtl_names material(c, values_if_any<std::string>(m, element_kind::poly, "material"), values_if_any<rgba>(m, element_kind::poly, "color"),
                        values_if_any<material_table>(m, element_kind::mesh, "materials"));
     if (material.any()) {

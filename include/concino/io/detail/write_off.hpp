@@ -96,10 +96,10 @@ void write_off(write_context<M>& c, bool binary) {
     if (binary) {
       if (num_verts(m) > 0x7FFFFFFFu || num_polys(m) > 0x7FFFFFFFu) c.cannot_hold("binary .off", {"so many elements"}, ".obj");
       c.out << " BINARY\n";
-      for (const std::size_t n : {static_cast<std::size_t>(num_verts(m)), static_cast<std::size_t>(num_polys(m)), std::size_t{0}})
+      for (const std::size_t n : {num_verts(m), num_polys(m), std::size_t{0}})
         numbers.integer(static_cast<std::int64_t>(n));
     } else {
-      c.out << '\n' << static_cast<std::size_t>(num_verts(m)) << ' ' << static_cast<std::size_t>(num_polys(m)) << " 0\n";
+      c.out << '\n' << num_verts(m) << ' ' << num_polys(m) << " 0\n";
     }
     for (const vert_t<M> v : verts(m)) {
       numbers.point(c.next_point(v));

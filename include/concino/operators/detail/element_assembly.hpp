@@ -20,14 +20,14 @@ namespace concino::detail {
 /// Which entries of the lower triangle there are: the pairs of verts of one poly, and the diagonal of every vert.
 template<AnyMesh M>
 Eigen::SparseMatrix<double> lower_pattern(const M& m) {
-  const auto size = static_cast<std::size_t>(vert_index_bound(m));
+  const auto size = vert_index_bound(m);
   if (size >= static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw unsupported("assembly: the matrix would have more rows than its 32-bit indices can count");
   std::vector<int> rows, seen_in(size, -1);
   rows.reserve(4 * size);
   std::vector<std::size_t> begin(size, 0), end(size, 0);
   for (const vert_t<M> v : verts(m)) {
-    const auto i = static_cast<std::size_t>(index_of(m, v));
+    const auto i = index_of(m, v);
     const int c = static_cast<int>(i);
     begin[i] = rows.size();
     rows.push_back(c);

@@ -29,7 +29,7 @@ class simplex_mass_weights {
 
  public:
   /// Errors: invalid_mesh if a poly has no area or volume, or points that are not finite.
-  explicit simplex_mass_weights(const M& m) : m_(m), weight_(static_cast<std::size_t>(edge_index_bound(m))) {
+  explicit simplex_mass_weights(const M& m) : m_(m), weight_(edge_index_bound(m)) {
     constexpr int d = dimension_v<M>;
     for (const poly_t<M> p : polys(m)) {
       std::array<vert_t<M>, arity_v<M>> corner;
@@ -39,7 +39,7 @@ class simplex_mass_weights {
       const double size = simplex_measure(m, corner);
       if (!(size > 0 && std::isfinite(size))) throw_no_measure("mass matrix", m, p);
       const double weight = size / ((d + 1) * (d + 2));
-      for (const edge_t<M> e : adj_p2e(m, p)) weight_[static_cast<std::size_t>(index_of(m, e))] += weight;
+      for (const edge_t<M> e : adj_p2e(m, p)) weight_[index_of(m, e)] += weight;
     }
   }
 
@@ -51,7 +51,7 @@ class simplex_mass_weights {
   template<class F>
   void for_each_neighbour(const vert_t<M>& v, F&& f) const {
     for (const edge_t<M> e : adj_v2e(m_, v)) {
-      const double weight = weight_[static_cast<std::size_t>(index_of(m_, e))];
+      const double weight = weight_[index_of(m_, e)];
       for (const vert_t<M> w : adj_e2v(m_, e))
         if (!(w == v)) f(w, weight);
     }
@@ -62,7 +62,7 @@ class simplex_mass_weights {
 template<AnyMesh M>
 Eigen::SparseMatrix<double> simplex_mass(const M& m) {
   Eigen::SparseMatrix<double> a = core::assemble<core::whole_matrix>(
-      m, simplex_mass_weights<M>(m), static_cast<std::size_t>(vert_index_bound(m)), -1.0,
+      m, simplex_mass_weights<M>(m), vert_index_bound(m), -1.0,
       [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); }, [](int, const vert_t<M>&, double) {});
   // A simplex has `dimension` edges at a vert, and the square of the vert's function twice the integral of one.
   constexpr double factor = -2.0 / dimension_v<M>;

@@ -73,7 +73,7 @@ class virtual_refinement_element {
   std::vector<std::size_t> slot_;                      // of polys of many verts
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_not_star_shaped(const poly_t<M>& p) const {
-    core::throw_joined<unsupported>({"Laplacian by virtual refinement: poly ", static_cast<std::size_t>(index_of(m_, p)),
+    core::throw_joined<unsupported>({"Laplacian by virtual refinement: poly ", index_of(m_, p),
                                " is not star-shaped about its virtual vert; use standard weights, or split the poly"});
   }
 
@@ -145,15 +145,15 @@ class virtual_refinement_element {
     } else {
       const bool by_table = n > 32;
       if (by_table) {
-        slot_.resize(static_cast<std::size_t>(vert_index_bound(m_)));
-        for (std::size_t i = 0; i < n; ++i) slot_[static_cast<std::size_t>(index_of(m_, verts[i]))] = i;
+        slot_.resize(vert_index_bound(m_));
+        for (std::size_t i = 0; i < n; ++i) slot_[index_of(m_, verts[i])] = i;
       }
       triangles_.clear();
       for (const face_t<M> f : adj_p2f(m_, p)) {
         around_.clear();
         for (const vert_t<M> v : adj_f2v(m_, f)) {
           std::size_t i = 0;
-          if (by_table) i = slot_[static_cast<std::size_t>(index_of(m_, v))];
+          if (by_table) i = slot_[index_of(m_, v)];
           else while (i < n && !(verts[i] == v)) ++i;
           around_.push_back(i);
         }

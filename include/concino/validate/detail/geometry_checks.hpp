@@ -151,7 +151,7 @@ std::vector<std::uint8_t> check_hex_orders(const M& m, defect_log<M>& log) {
       if (!is_lexicographic(order)) continue;
       other[index_of(m, p)] = 1;
       if (defect<M>* d = log.add(defect_kind::corner_order, p))
-        d->what = core::joined({"the corners of hex ", static_cast<std::size_t>(index_of(m, p)), " look like ", hex_order_remedy(order)});
+        d->what = core::joined({"the corners of hex ", index_of(m, p), " look like ", hex_order_remedy(order)});
     }
   }
   return other;
