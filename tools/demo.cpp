@@ -83,24 +83,23 @@ auto farthest(const M& m, cn::vert_t<M> from) {
 template<class M>
 std::vector<far_ends<M>> ends_of_components(const M& m) {
   std::vector<far_ends<M>> components;
-  auto round = cn::make_vert_map<int>(m, 0);
-  std::vector<cn::vert_t<M>> queue;
-  const auto sweep = [&](cn::vert_t<M> from, int number) {  // breadth first; the last vert found is a farthest one
-    queue.assign(1, from);
-    round[from] = number;
-    for (std::size_t i = 0; i < queue.size(); ++i)
-      for (const auto w : cn::adj_v2v(m, cn::vert_t<M>(queue[i])))
-        if (round[w] != number) {
-          round[w] = number;
-          queue.push_back(w);
-        }
-    return queue.back();
-  };
-  for (const auto v : cn::verts(m)) {
-    if (round[v] != 0) continue;
-    const auto first = sweep(v, 1), second = sweep(first, 2);
-    if (queue.size() > 1) components.push_back({first, second, queue.size()});
-  }
+  auto component = cn::make_vert_map<std::size_t>(m, 0);
+  // Breadth first, the last vert found in a component is a farthest one: from any vert, then from that one.
+  cn::bfs_forest(m, {.visit = [&](cn::vert_t<M> v, int hops) {
+                   if (hops == 0) components.push_back({v, v, 0});
+                   components.back().first = v;
+                   ++components.back().verts;
+                   component[v] = components.size() - 1;
+                   return true;
+                 }});
+  if (components.empty()) return components;
+  std::vector<cn::vert_t<M>> sources;
+  for (const auto& c : components) sources.push_back(c.first);
+  cn::bfs(m, sources, {.visit = [&](cn::vert_t<M> v, int) {
+            components[component[v]].second = v;
+            return true;
+          }});
+  std::erase_if(components, [](const auto& c) { return c.verts == 1; });
   for (auto& c : components)
     if (c.verts > components.front().verts) std::swap(c, components.front());
   if (!components.empty()) {

@@ -102,6 +102,7 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
     int label;
     poly on;
   };
+  // Not grow_regions: a claim that is refused because the piece would touch itself may be right later, so all claims on a poly have to wait.
   const auto later = [](const claim& a, const claim& b) { return a.time != b.time ? a.time > b.time : a.number > b.number; };
   std::priority_queue<claim, std::vector<claim>, decltype(later)> queue(later);
   std::vector<std::vector<poly>> pieces;

@@ -73,6 +73,7 @@ struct tree_cotree_tables : tree_cotree_result<M> {
  private:
   std::vector<unsigned char> in_tree_;
 
+  /// A search of its own: bfs_forest, whose visitor and maps are type-erased, takes a tenth to a fifth longer for all of tree_cotree.
   void grow_tree(const M& m) {
     const auto bound = vert_index_bound(m);
     hops.assign(bound, unreached);

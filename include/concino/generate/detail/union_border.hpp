@@ -50,6 +50,7 @@ class union_members {
  public:
   explicit union_members(const M& m) : m_(m), in_(poly_index_bound(m)) {}
 
+  /// A search of its own: it takes time in proportion to the polys given, where bfs fills a map of all polys.
   bool set(std::span<const poly_t<M>> polys) {
     in_.clear();
     for (const poly_t<M>& p : polys) in_.add(index_of(m_, p), 1);
