@@ -69,13 +69,13 @@ void matrices(const bench::program& p, const std::string& name, const F& f, cons
   const auto timed = [](auto work) { return [work] { return bench::seconds_of(work); }; };
   if (const std::string work = "laplacian.uniform." + name; p.wants(work)) {
     const auto floor = [&] { return floors::uniform_laplacian(f); };
-    const auto ours = [&] { return concino::laplacian(m, {.weights = weights::uniform}); };
+    const auto ours = [&] { return concino::laplacian(m, uniform); };
     expect_equal(work, floor(), ours());
     p.print(bench::compare(work, p.rounds, {{"floor", timed(floor)}, {"concino", timed(ours)}}));
   }
   if (const std::string work = "laplacian.cotangent." + name; p.wants(work)) {
     const auto floor = [&] { return floors::cotangent_laplacian(f); };
-    const auto ours = [&] { return concino::laplacian(m, {.weights = weights::cotangent}); };
+    const auto ours = [&] { return concino::laplacian(m, cotangent); };
     expect_equal(work, floor(), ours());
     p.print(bench::compare(work, p.rounds,
                            {{"floor", timed(floor)}, {"concino", timed(ours)}, {"eigen-triplets", timed([&] { return by_triplets(f); }), 4}}));

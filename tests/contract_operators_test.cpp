@@ -20,10 +20,10 @@ TEST_CASE_TEMPLATE("operators and fields, word for word", M, CONCINO_KINDS) {
   const auto V = static_cast<Eigen::Index>(cn::vert_index_bound(m)), P = static_cast<Eigen::Index>(cn::poly_index_bound(m));
   CHECK((L.rows() == V && L.cols() == V && G.rows() == 3 * P && G.cols() == V && D.rows() == V && D.cols() == 3 * P && W.rows() == V && W.nonZeros() == V));
   if constexpr (cn::TriMesh<M> || cn::TetMesh<M>) {
-    Eigen::SparseMatrix<double> C = cn::laplacian(m, {.weights = cn::weights::cotangent});
+    Eigen::SparseMatrix<double> C = cn::laplacian(m, cn::cotangent);
     CHECK((L - C).norm() == 0);
   } else {
-    CHECK_THROWS_AS(cn::laplacian(m, {.weights = cn::weights::cotangent}), cn::unsupported);
+    CHECK_THROWS_AS(cn::laplacian(m, cn::cotangent), cn::unsupported);
   }
 
   double t = cn::total_measure(m);

@@ -31,7 +31,7 @@ std::string everything(const char* file) {
   auto p0 = *cn::polys(m).begin();
   auto dd = cn::dijkstra(m, p0);
   auto n1 = cn::dijkstra(m, a, [](auto, auto) { return 1.0; }, {.targets = {b}});
-  auto u = cn::harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.weights = cn::weights::uniform});
+  auto u = cn::harmonic_map(m, {{a, 0.0}, {b, 1.0}}, cn::uniform);
   auto p = cn::point(m, b);
   std::string text = fmt::format("{} {} {} {} {} {} {}\n", n, d[b], h[b], dd[p0], n1[b], u[b], p[2]);
   cn::save(m, cn::VolumeMesh<M> ? "copy.hedra" : "copy.obj");

@@ -120,7 +120,7 @@ auto solve(const M& m, const D& values, const cn::progress& progress, std::strin
     fmt::print(stderr, "concino_demo: {}; using uniform weights\n", e.what());
   }
   weights = "uniform";
-  return cn::harmonic_map(m, values, {.weights = cn::weights::uniform, .progress = progress});
+  return cn::harmonic_map(m, values, cn::uniform, {.progress = progress});
 }
 
 /// One number a line, in the order of the verts of the file.

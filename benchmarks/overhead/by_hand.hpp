@@ -227,7 +227,7 @@ void compare_all(const program& p, const std::string& library, const L& l, const
   const auto entries = [](const Eigen::SparseMatrix<double>& a) { return std::vector<double>(a.valuePtr(), a.valuePtr() + a.nonZeros()); };
   if (const std::string work = "overhead." + library + ".laplacian"; p.wants(work)) {
     const auto hand = [&] { return laplacian(l); };
-    const auto ours = [&] { return concino::laplacian(m, {.weights = concino::weights::cotangent}); };
+    const auto ours = [&] { return concino::laplacian(m, concino::cotangent); };
     expect_equal(work, entries(hand()), entries(ours()));
     p.print(bench::compare(work, p.rounds,
                            {{"by-hand", [&] { return seconds_of(hand); }}, {"concino", [&] { return seconds_of(ours); }}}));
@@ -239,7 +239,7 @@ template<class L, class M>
 void compare_harmonic(const program& p, const std::string& library, const L& l, const M& m) {
   const std::vector<std::pair<typename L::vert, double>> given = {{l.vert_at(0), 0.0}, {l.vert_at(l.num_verts() - 1), 1.0}};
   compare(p, library + ".harmonic", [&] { return harmonic_map(l); },
-          [&] { return concino::harmonic_map(m, given, {.weights = concino::weights::cotangent}); }, [](const auto& u) { return u.values(); });
+          [&] { return concino::harmonic_map(m, given, concino::cotangent); }, [](const auto& u) { return u.values(); });
 }
 
 }  // namespace bench::by_hand

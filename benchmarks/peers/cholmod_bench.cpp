@@ -12,7 +12,7 @@ namespace {
 /// Minus the Laplacian of a mesh, one vert held: its lower triangle.
 template<class M>
 Eigen::SparseMatrix<double> system_of(const M& m) {
-  Eigen::SparseMatrix<double> a = -concino::laplacian(m, {.weights = concino::weights::uniform});
+  Eigen::SparseMatrix<double> a = -concino::laplacian(m, concino::uniform);
   a.coeffRef(0, 0) *= 2;
   return a.triangularView<Eigen::Lower>();
 }

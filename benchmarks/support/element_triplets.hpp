@@ -10,7 +10,7 @@ namespace bench {
 template<class M>
 Eigen::SparseMatrix<double> standard_laplacian_by_triplets(const M& m) {
   concino::detail::virtual_stiffness<M> element(m);
-  concino::detail::local_matrix<concino::vert_t<M>> local;
+  concino::local_matrix<concino::vert_t<M>> local;
   std::vector<Eigen::Triplet<double>> t;
   for (const auto p : concino::polys(m)) {
     element(p, local);

@@ -156,7 +156,7 @@ void print_algorithms() {
   ALGORITHM("measure(m, poly)", cn::measure(m, p));
   ALGORITHM("total_measure(m)", cn::total_measure(m));
   ALGORITHM("centroid(m, poly)", cn::centroid(m, p));
-  ALGORITHM("laplacian(m, {.weights = weights::uniform})", cn::laplacian(m, {.weights = cn::weights::uniform}));
+  ALGORITHM("laplacian(m, uniform)", cn::laplacian(m, cn::uniform));
   ALGORITHM("mass_matrix(m)", cn::mass_matrix(m));
   ALGORITHM("harmonic_map(m, {{vert, 0.0}, {vert, 1.0}})", cn::harmonic_map(m, {{v, 0.0}, {v, 1.0}}));
   ALGORITHM("check_laws(m)", cn::check_laws(m));

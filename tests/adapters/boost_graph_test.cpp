@@ -195,7 +195,7 @@ TEST_CASE_TEMPLATE("Boost's graphs: laws, paths, components, trees are those of 
 TEST_CASE("Boost's graphs: the Laplacian of a graph") {
   const auto m = grid<polygonmesh>(4);
   const csr<boost::directedS, unsigned> copy(num_verts(m), edges_of(m));
-  CHECK((laplacian(copy.g, {.weights = weights::uniform}) - laplacian(m, {.weights = weights::uniform})).norm() == 0);
+  CHECK((laplacian(copy.g, uniform) - laplacian(m, uniform)).norm() == 0);
 }
 
 TEST_CASE("Boost's graphs: a number is a vert, one that is none is named") {

@@ -64,8 +64,8 @@ std::vector<allocations> allocated_on(const M& m) {
   r[2] = allocated_by([&] { dijkstra(m, v); });
   r[3] = allocated_by([&] { dijkstra(m, p); });
   r[4] = allocated_by([&] { connected_components(m); });
-  r[5] = allocated_by([&] { laplacian(m, {.weights = weights::uniform}); });
-  r[6] = allocated_by([&] { harmonic_map(m, {{v, 0.0}, {last, 1.0}}, {.weights = weights::uniform}); });
+  r[5] = allocated_by([&] { laplacian(m, uniform); });
+  r[6] = allocated_by([&] { harmonic_map(m, {{v, 0.0}, {last, 1.0}}, uniform); });
   r[7] = allocated_by([&] { walk_everything(m); });
   return r;
 }

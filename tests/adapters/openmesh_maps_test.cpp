@@ -112,7 +112,7 @@ TEST_CASE("as values of harmonic maps, and as their place") {
     given[v] = m.point(v)[0];
     fixed.push_back({v, given[v]});
   }
-  const auto solution = harmonic_map(m, fixed, {.weights = weights::cotangent});
+  const auto solution = harmonic_map(m, fixed, cotangent);
   for (const auto v : verts(m)) u[v] = solution[v];
   for (const auto v : verts(m)) CHECK(u[v] == doctest::Approx(m.point(v)[0]));
 }

@@ -61,9 +61,9 @@ std::vector<allocations> allocated_on(const M& m) {
           allocated_by([&] { spanning_tree(dual(m)); }),
           allocated_by([&] { grow_regions(m, {v, last}, [](auto, auto) { return true; }); }),
           allocated_by([&] { boundary_loops(m); }),
-          allocated_by([&] { laplacian(m, {.weights = weights::cotangent}); }),
+          allocated_by([&] { laplacian(m, cotangent); }),
           allocated_by([&] { mass_matrix(m); }),
-          allocated_by([&] { harmonic_map(m, {{v, 0.0}, {last, 1.0}}, {.weights = weights::uniform}); }),
+          allocated_by([&] { harmonic_map(m, {{v, 0.0}, {last, 1.0}}, uniform); }),
           allocated_by([&] { total_measure(m); })};
 }
 

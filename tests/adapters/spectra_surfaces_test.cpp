@@ -34,7 +34,7 @@ TEST_CASE("eigenfunctions: archetypes, options and errors") {
   const auto plain = eigenfunctions(m, 4);
   const auto by_archetype = eigenfunctions(weak, 4);
   for (std::size_t k = 0; k < 4; ++k) CHECK(by_archetype.values[k] == doctest::Approx(plain.values[k]).epsilon(1e-9));
-  CHECK(eigenfunctions(m, 3, {.weights = weights::cotangent}).values[1] == doctest::Approx(plain.values[1]));
+  CHECK(eigenfunctions(m, 3, cotangent).values[1] == doctest::Approx(plain.values[1]));
   CHECK(eigenfunctions(m, 3, {.lumped = false}).values[1] > std::numbers::pi * std::numbers::pi);  // from above
   ldlt solver;
   CHECK(eigenfunctions(m, 3, {.tolerance = 1e-6}, solver).values[2] == doctest::Approx(plain.values[2]));
@@ -42,7 +42,7 @@ TEST_CASE("eigenfunctions: archetypes, options and errors") {
   CHECK_THROWS_AS(eigenfunctions(m, 82), invalid_argument);
   CHECK_THROWS_AS(eigenfunctions(m, 20, {.max_restarts = 0}), invalid_argument);
   const auto quads = grid<quadmesh>(2);
-  CHECK_THROWS_AS(eigenfunctions(quads, 2, {.weights = weights::cotangent}), unsupported);
+  CHECK_THROWS_AS(eigenfunctions(quads, 2, cotangent), unsupported);
   const trimesh endless({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}}, {{0, 1, 2}});
   CHECK_THROWS_AS(eigenfunctions(endless, 1), invalid_mesh);
   const trimesh nothing;

@@ -43,12 +43,12 @@ values on_boundary(const M& m, const F& f) {
 
 template<class M, class F>
 double nodal_error(const M& m, const F& f, double* energy = nullptr) {
-  const auto u = harmonic_map(m, on_boundary(m, f), {.weights = weights::cotangent});
+  const auto u = harmonic_map(m, on_boundary(m, f), cotangent);
   double worst = 0;
   for (const auto v : verts(m)) worst = std::max(worst, std::abs(u[v] - f(to_vec3(point(m, v)))));
   if (energy) {
     const Eigen::Map<const Eigen::VectorXd> x(u.values().data(), static_cast<Eigen::Index>(u.values().size()));
-    *energy = -0.5 * x.dot(laplacian(m, {.weights = weights::cotangent}) * x);
+    *energy = -0.5 * x.dot(laplacian(m, cotangent) * x);
   }
   return worst;
 }
@@ -67,7 +67,7 @@ TEST_CASE("corpus: harmonic functions on the regular grid of triangles") {
   CHECK(energy == doctest::Approx(0.5).epsilon(1e-10));
   const auto smooth = [](const vec3& x) { return std::sin(std::numbers::pi * x.x) * std::sinh(std::numbers::pi * x.y) / std::sinh(std::numbers::pi); };
   CHECK(nodal_error(m, smooth) == doctest::Approx(0.00027796145785).epsilon(1e-8));
-  CHECK(harmonic_map(m, on_boundary(m, smooth), {.weights = weights::cotangent})[vert_id{544}] == doctest::Approx(0.199498816585).epsilon(1e-10));
+  CHECK(harmonic_map(m, on_boundary(m, smooth), cotangent)[vert_id{544}] == doctest::Approx(0.199498816585).epsilon(1e-10));
 }
 
 TEST_CASE("corpus: harmonic functions on the disk") {
@@ -88,7 +88,7 @@ TEST_CASE("corpus: masses of the sphere sum to its area, the Laplacian of its po
   CONCINO_CORPUS_OR_SKIP(path, "tri/sphere.obj");
   const auto m = load<trimesh>(path.string());
   const auto mass = vert_masses(m);
-  const auto l = laplacian(m, {.weights = weights::cotangent});
+  const auto l = laplacian(m, cotangent);
   Eigen::MatrixXd x(l.rows(), 3);
   double sum = 0;
   for (const auto v : verts(m)) {
@@ -131,7 +131,7 @@ TEST_CASE("corpus: uniform harmonic maps between one low and one high vert per c
             given[v] = -1;
             given[last] = 2;
           }
-          const auto u = harmonic_map(m, given, {.weights = weights::uniform});
+          const auto u = harmonic_map(m, given, uniform);
           std::size_t outside = 0;
           for (const auto v : verts(m)) outside += !(u[v] >= -1 - 1e-9 && u[v] <= 2 + 1e-9);
           CHECK(outside == 0);

@@ -89,9 +89,9 @@ TEST_CASE("heat_geodesics: options") {
   CHECK(averaged < error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::natural, .clamp = false}), middle));
   CHECK(averaged < error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::cold, .clamp = false}), middle));
   CHECK(error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::cold, .clamp = false}), vert_id{0}) < 0.12);
-  CHECK(error_from(prepare_heat_geodesics(m, {.weights = weights::uniform, .clamp = false}), middle) < 0.1);
-  CHECK(error_from(prepare_heat_geodesics(quads, {.weights = weights::virtual_refinement, .clamp = false}), middle) < 0.02);
-  CHECK(error_from(prepare_heat_geodesics(m, {.weights = weights::cotangent, .clamp = false}), middle) == doctest::Approx(averaged));
+  CHECK(error_from(prepare_heat_geodesics(m, uniform, {.clamp = false}), middle) < 0.1);
+  CHECK(error_from(prepare_heat_geodesics(quads, virtual_refinement, {.clamp = false}), middle) < 0.02);
+  CHECK(error_from(prepare_heat_geodesics(m, cotangent, {.clamp = false}), middle) == doctest::Approx(averaged));
   CHECK(prepare_heat_geodesics(m, {.time = 0.01}).time() == 0.01);
 
   struct counting : ldlt {
@@ -125,7 +125,7 @@ TEST_CASE("heat_geodesics: errors") {
   CHECK_THROWS_AS(heat.distance_from(poly_id{0}, {0, 0, infinity}), invalid_argument);
   CHECK_THROWS_WITH_AS(prepare_heat_geodesics(m, {.time = -1}), "heat_geodesics: time is -1; it must be finite and 0 or more", invalid_argument);
   CHECK_THROWS_AS(prepare_heat_geodesics(m, {.time = infinity}), invalid_argument);
-  CHECK_THROWS_AS(prepare_heat_geodesics(m, {.weights = weights::cotangent}), unsupported);
+  CHECK_THROWS_AS(prepare_heat_geodesics(m, cotangent), unsupported);
   CHECK_THROWS_AS(prepare_heat_geodesics(m, {.progress = [](double, const char*) { return false; }}), cancelled);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   CHECK_THROWS_WITH_AS(prepare_heat_geodesics(flat), doctest::Contains("heat_geodesics: poly 0 has no area"), invalid_mesh);

@@ -122,7 +122,7 @@ TEST_CASE_TEMPLATE("prepared problems: on archetypes", M, trimesh, polyhedralmes
   const M m = grid<M>(2);
   const vert_id a{0}, b{3};
   const auto graph = only_primal_graph(m);
-  const auto u = prepare_harmonic_map(m, {a, b}, {.weights = weights::uniform}).with_values({{a, 0.0}, {b, 1.0}});
+  const auto u = prepare_harmonic_map(m, {a, b}, uniform).with_values({{a, 0.0}, {b, 1.0}});
   const auto h = prepare_harmonic_map(graph, {graph.vert(a), graph.vert(b)}).with_values({{graph.vert(a), 0.0}, {graph.vert(b), 1.0}});
   for (const auto v : verts(graph)) CHECK(h[v] == doctest::Approx(u[graph.base(v)]).epsilon(1e-12));
   const auto weak = only_embedded_mesh(m);

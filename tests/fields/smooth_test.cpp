@@ -55,7 +55,7 @@ TEST_CASE_TEMPLATE("smooth: constants stay, totals stay, values come nearer to e
     for (const auto v : verts(m)) CHECK(flat[v] == doctest::Approx(before / total_measure(m)).epsilon(1e-3).scale(1));
   }
   CHECK(largest_difference(smooth(m, f, 0), f) < 1e-15);
-  const auto u = smooth(m, f, 3, {.weights = weights::uniform});
+  const auto u = smooth(m, f, 3, uniform);
   const auto [low, high] = std::minmax_element(f.values().begin(), f.values().end());
   for (const auto v : verts(m)) CHECK((u[v] > *low && u[v] < *high));
 }
@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("smooth: on archetypes", M, trimesh, polyhedralmesh) {
   const auto weak = only_embedded_mesh(m);
   auto on_weak = make_vert_map<double>(weak);
   for (const auto v : verts(weak)) on_weak[v] = f[weak.base(v)];
-  const auto u = smooth(m, f, 0.1, {vert_id{0}}), w = smooth(m, f, 0.1, {.weights = weights::uniform, .exponent = 2});
+  const auto u = smooth(m, f, 0.1, {vert_id{0}}), w = smooth(m, f, 0.1, uniform, {.exponent = 2});
   const auto same = smooth(weak, on_weak, 0.1, {weak.vert(vert_id{0})});
   for (const auto v : verts(weak)) CHECK(same[v] == doctest::Approx(u[weak.base(v)]).epsilon(1e-12).scale(1));
   const auto graph = only_primal_graph(m);

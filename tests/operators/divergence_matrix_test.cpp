@@ -79,7 +79,7 @@ TEST_CASE("divergence_matrix: constant fields have none inside prisms and turned
 
 TEST_CASE_TEMPLATE("divergence_matrix: of the gradient, the cotangent Laplacian; of the position, the dimension", M, trimesh, tetmesh) {
   const M m(jittered(grid_arrays<M>(3), 0.04));
-  const sparse l = laplacian(m, {.weights = weights::cotangent});
+  const sparse l = laplacian(m, cotangent);
   CHECK(difference(divergence_matrix(m) * gradient_matrix(m), l) < 1e-13);
   const sparse g = gradient_matrix(m);
   CHECK(difference(sparse(g.transpose()) * poly_mass_matrix(m) * g, -l) < 1e-13);
@@ -103,10 +103,10 @@ TEST_CASE_TEMPLATE("divergence_matrix: of the gradient, the cotangent Laplacian;
 TEST_CASE("divergence_matrix: polygons that are triangles and polyhedra that are tets, turned inside out or not") {
   const auto triangles = jittered(triangle_grid(2), 0.05);
   const polygonmesh polygons(with_offsets(triangles));
-  CHECK(difference(divergence_matrix(polygons) * gradient_matrix(polygons), laplacian(trimesh(triangles), {.weights = weights::cotangent})) < 1e-13);
+  CHECK(difference(divergence_matrix(polygons) * gradient_matrix(polygons), laplacian(trimesh(triangles), cotangent)) < 1e-13);
   auto tets = jittered(tet_grid(2), 0.04);
   for (std::size_t i = 0; i < tets.verts.size(); i += 8) std::swap(tets.verts[i], tets.verts[i + 1]);
-  const sparse l = laplacian(tetmesh(tets), {.weights = weights::cotangent});
+  const sparse l = laplacian(tetmesh(tets), cotangent);
   const polyhedralmesh polyhedra(to_polyhedra(cell_arrays(tets)));
   CHECK(difference(divergence_matrix(tetmesh(tets)) * gradient_matrix(tetmesh(tets)), l) < 1e-13);
   CHECK(difference(divergence_matrix(polyhedra) * gradient_matrix(polyhedra), l) < 1e-13);

@@ -54,7 +54,7 @@ Eigen::Index kernel_size(const Eigen::SparseMatrix<double>& l) {
 
 TEST_CASE_TEMPLATE("laplacian, uniform: minus the degree and ones; the kernel counts components", M, CONCINO_ALL_KINDS) {
   const M m = two_grids<M>(2);
-  const auto l = laplacian(m, {.weights = weights::uniform});
+  const auto l = laplacian(m, uniform);
   check_is_laplacian(m, l, 1e-13);
   for (const auto v : verts(m)) {
     double degree = 0;
@@ -71,9 +71,8 @@ TEST_CASE_TEMPLATE("laplacian, uniform: minus the degree and ones; the kernel co
 
 TEST_CASE_TEMPLATE("laplacian, uniform: uses nothing but a primal graph", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(2);
-  const auto l = laplacian(m, {.weights = weights::uniform});
-  CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m), {.weights = weights::uniform})) == Eigen::MatrixXd(l));
-  CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m))) == Eigen::MatrixXd(l));  // of a graph there is no better one
+  const auto l = laplacian(m, uniform);
+  CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m), uniform)) == Eigen::MatrixXd(l));
 }
 
 TEST_CASE_TEMPLATE("laplacian, standard: the default on all kinds; its kernel are the constants of each component", M, CONCINO_ALL_KINDS) {
@@ -81,7 +80,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: the default on all kinds; its kernel ar
   const auto l = laplacian(m);
   check_is_laplacian(m, l, 1e-13);
   CHECK(kernel_size(l) == 3);  // two grids and the lonely vert
-  CHECK((l - laplacian(m, {.weights = weights::standard})).norm() == 0);
+  CHECK((l - laplacian(m, virtual_elements)).norm() == 0);
 }
 
 TEST_CASE_TEMPLATE("laplacian, standard: linear functions are in the kernel at interior verts, whatever the polys", M, CONCINO_ALL_KINDS) {
@@ -117,7 +116,7 @@ TEST_CASE("laplacian, standard: of more polys than are computed at a time") {
 TEST_CASE_TEMPLATE("laplacian, standard: the cotangents where all polys are triangles or tets, by type or not", M, trimesh, tetmesh) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.05);
   const M m(arrays);
-  const Eigen::MatrixXd expected = laplacian(m, {.weights = weights::cotangent});
+  const Eigen::MatrixXd expected = laplacian(m, cotangent);
   CHECK(Eigen::MatrixXd(laplacian(m)) == expected);
   if constexpr (SurfaceMesh<M>)
     CHECK((Eigen::MatrixXd(laplacian(polygonmesh(with_offsets(arrays)))) - expected).cwiseAbs().maxCoeff() < 1e-13);
@@ -165,18 +164,18 @@ TEST_CASE_TEMPLATE("laplacian, standard: polys without a measure and coordinates
   auto arrays = grid_arrays<M>(1);
   auto flat = arrays;
   for (vec3& x : flat.points) x.y = x.z = 0;
-  CHECK_THROWS_WITH_AS(laplacian(M(flat)), doctest::Contains("standard weights: poly 0"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(laplacian(M(flat)), doctest::Contains("virtual elements: poly 0"), invalid_mesh);
   M m(arrays);
   for (const double bad : {std::nan(""), HUGE_VAL}) {
     const double x[3] = {bad, 0, 0};
     set_point(m, vert_id{0}, x);
-    CHECK_THROWS_WITH_AS(laplacian(m), doctest::Contains("standard weights: poly 0"), invalid_mesh);
+    CHECK_THROWS_WITH_AS(laplacian(m), doctest::Contains("virtual elements: poly 0"), invalid_mesh);
   }
 }
 
 TEST_CASE("laplacian, cotangent: half the sum of the cotangents opposite each edge; at the boundary one of them") {
   const trimesh m({{0, 0, 0}, {2, 0, 0.3}, {0.5, 1, 0}, {1.5, -1, 0.2}}, {{0, 1, 2}, {1, 0, 3}});
-  const auto l = laplacian(m, {.weights = weights::cotangent});
+  const auto l = laplacian(m, cotangent);
   const auto x = [&](unsigned i) { return to_vec3(point(m, vert_id{i})); };
   CHECK(l.coeff(0, 1) == doctest::Approx(0.5 * (cot(x(2), x(0), x(1)) + cot(x(3), x(0), x(1)))).epsilon(1e-14));
   CHECK(l.coeff(1, 2) == doctest::Approx(0.5 * cot(x(0), x(1), x(2))).epsilon(1e-14));
@@ -186,7 +185,7 @@ TEST_CASE("laplacian, cotangent: half the sum of the cotangents opposite each ed
 
 TEST_CASE("laplacian, cotangent: negative weights are kept") {
   const trimesh m({{0, 0, 0}, {4, 0, 0}, {2, 0.5, 0}}, {{0, 1, 2}});
-  const auto l = laplacian(m, {.weights = weights::cotangent});
+  const auto l = laplacian(m, cotangent);
   CHECK(l.coeff(0, 1) < -0.9);
   check_is_laplacian(m, l, 1e-13);
 }
@@ -195,7 +194,7 @@ TEST_CASE("laplacian, cotangent: of a tet, length times cotangent of the dihedra
   const std::vector<vec3> x = {{0, 0, 0}, {2, 0.1, 0}, {0.4, 1.5, 0.2}, {0.3, 0.6, 1.7}};
   const tetmesh m(x, std::vector<std::vector<int>>{{0, 1, 2, 3}});
   const tetmesh inverted(x, std::vector<std::vector<int>>{{1, 0, 2, 3}});
-  const auto l = laplacian(m, {.weights = weights::cotangent});
+  const auto l = laplacian(m, cotangent);
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {
       std::size_t others[2], n = 0;
@@ -208,12 +207,12 @@ TEST_CASE("laplacian, cotangent: of a tet, length times cotangent of the dihedra
       CHECK(l.coeff(static_cast<int>(i), static_cast<int>(j)) == doctest::Approx(expected).epsilon(1e-13));
     }
   check_is_laplacian(m, l, 1e-13);
-  CHECK((Eigen::MatrixXd(l) - Eigen::MatrixXd(laplacian(inverted, {.weights = weights::cotangent}))).cwiseAbs().maxCoeff() < 1e-14);
+  CHECK((Eigen::MatrixXd(l) - Eigen::MatrixXd(laplacian(inverted, cotangent))).cwiseAbs().maxCoeff() < 1e-14);
 }
 
 TEST_CASE_TEMPLATE("laplacian, cotangent: linear functions are harmonic at interior verts", M, trimesh, tetmesh) {
   const M m(jittered(grid_arrays<M>(4), 0.06, VolumeMesh<M>));
-  const auto l = laplacian(m, {.weights = weights::cotangent});
+  const auto l = laplacian(m, cotangent);
   check_is_laplacian(m, l, 1e-11);
   Eigen::VectorXd f(l.rows());
   for (const auto v : verts(m)) f[static_cast<Eigen::Index>(index_of(m, v))] = 2 * point(m, v)[0] - 3 * point(m, v)[1] + point(m, v)[2] + 4;
@@ -231,16 +230,16 @@ TEST_CASE_TEMPLATE("laplacian, cotangent: linear functions are harmonic at inter
 
 TEST_CASE_TEMPLATE("laplacian, cotangent: scales as lengths to the dimension minus two", M, trimesh, tetmesh) {
   auto arrays = jittered(grid_arrays<M>(2), 0.05);
-  const auto l = Eigen::MatrixXd(laplacian(M(arrays), {.weights = weights::cotangent}));
+  const auto l = Eigen::MatrixXd(laplacian(M(arrays), cotangent));
   for (vec3& x : arrays.points) x *= 0x1p-30;
-  const auto s = Eigen::MatrixXd(laplacian(M(arrays), {.weights = weights::cotangent}));
+  const auto s = Eigen::MatrixXd(laplacian(M(arrays), cotangent));
   CHECK(s == l * (VolumeMesh<M> ? 0x1p-30 : 1.0));
 }
 
 TEST_CASE("laplacian, cotangent: decided poly by poly, so polygons that all are triangles and polyhedra that all are tets will do") {
   const auto arrays = jittered(triangle_grid(2), 0.05);
-  const auto as_polygons = laplacian(polygonmesh(with_offsets(arrays)), {.weights = weights::cotangent});
-  CHECK(Eigen::MatrixXd(as_polygons) == Eigen::MatrixXd(laplacian(trimesh(arrays), {.weights = weights::cotangent})));
+  const auto as_polygons = laplacian(polygonmesh(with_offsets(arrays)), cotangent);
+  CHECK(Eigen::MatrixXd(as_polygons) == Eigen::MatrixXd(laplacian(trimesh(arrays), cotangent)));
 
   const std::vector<vec3> x = {{0, 0, 0}, {2, 0.1, 0}, {0.4, 1.5, 0.2}, {0.3, 0.6, 1.7}};
   polyhedra_arrays tet;
@@ -250,14 +249,14 @@ TEST_CASE("laplacian, cotangent: decided poly by poly, so polygons that all are 
   tet.poly_offsets = {0, 4};
   for (const unsigned f : {0u, 1u, 2u, 3u}) tet.poly_faces.push_back(face_id{f});
   tet.outward = {1, 1, 1, 1};
-  const auto l = laplacian(polyhedralmesh(tet), {.weights = weights::cotangent});
-  const auto expected = laplacian(tetmesh(x, std::vector<std::vector<int>>{{0, 1, 2, 3}}), {.weights = weights::cotangent});
+  const auto l = laplacian(polyhedralmesh(tet), cotangent);
+  const auto expected = laplacian(tetmesh(x, std::vector<std::vector<int>>{{0, 1, 2, 3}}), cotangent);
   CHECK((Eigen::MatrixXd(l) - Eigen::MatrixXd(expected)).cwiseAbs().maxCoeff() < 1e-14);
 }
 
 TEST_CASE("laplacian, cotangent: the order of the edges of a poly does not matter") {
   const auto same = [](const auto& m, const auto& other) {
-    const Eigen::MatrixXd a = laplacian(m, {.weights = weights::cotangent}), b = laplacian(other, {.weights = weights::cotangent});
+    const Eigen::MatrixXd a = laplacian(m, cotangent), b = laplacian(other, cotangent);
     REQUIRE(a.rows() == b.rows());
     CHECK((a - b).cwiseAbs().maxCoeff() < 1e-12);
   };
@@ -277,22 +276,23 @@ TEST_CASE("laplacian, cotangent: the order of the edges of a poly does not matte
 TEST_CASE("laplacian, cotangent: works on archetypes of meshes, is refused on bare graphs") {
   const auto m = grid<tetmesh>(2);
   const auto t = grid<trimesh>(2);
-  CHECK(Eigen::MatrixXd(laplacian(only_embedded_mesh(t), {.weights = weights::cotangent})).isApprox(Eigen::MatrixXd(laplacian(t, {.weights = weights::cotangent}))));
-  CHECK(Eigen::MatrixXd(laplacian(only_embedded_mesh(m), {.weights = weights::cotangent})).isApprox(Eigen::MatrixXd(laplacian(m, {.weights = weights::cotangent}))));
-  CHECK_THROWS_WITH_AS(laplacian(only_primal_graph(m), {.weights = weights::cotangent}),
-                       "cotangent weights: the mesh type is a graph without polys or points; use uniform weights", unsupported);
+  CHECK(Eigen::MatrixXd(laplacian(only_embedded_mesh(t), cotangent)).isApprox(Eigen::MatrixXd(laplacian(t, cotangent))));
+  CHECK(Eigen::MatrixXd(laplacian(only_embedded_mesh(m), cotangent)).isApprox(Eigen::MatrixXd(laplacian(m, cotangent))));
+  using graph = decltype(only_primal_graph(m));
+  static_assert(!Discretisation<cotangent_t, graph> && !Discretisation<virtual_elements_t, graph> && Discretisation<uniform_t, graph>);
 }
 
 TEST_CASE("laplacian, cotangent: errors name the poly") {
   const polygonmesh mixed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{1, 4, 2}, {0, 1, 2, 3}});
-  CHECK_THROWS_WITH_AS(laplacian(mixed, {.weights = weights::cotangent}),
-                       "cotangent weights: poly 1 has 4 verts and is no triangle; use standard or uniform weights, or split the polys", unsupported);
-  CHECK_THROWS_WITH_AS(laplacian(grid<hexmesh>(1), {.weights = weights::cotangent}),
-                       "cotangent weights: poly 0 has 8 verts and is no tet; use standard or uniform weights, or split the polys", unsupported);
+  CHECK_THROWS_WITH_AS(laplacian(mixed, cotangent),
+                       "cotangent weights: poly 1 has 4 verts and is no triangle; use virtual_elements or uniform, or split the polys", unsupported);
+  static_assert(!Discretisation<cotangent_t, hexmesh> && !Discretisation<cotangent_t, quadmesh>);
+  CHECK_THROWS_WITH_AS(laplacian(polyhedralmesh(to_polyhedra(cell_arrays(grid_arrays<hexmesh>(1)))), cotangent),
+                       "cotangent weights: poly 0 has 8 verts and is no tet; use virtual_elements or uniform, or split the polys", unsupported);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
-  CHECK_THROWS_WITH_AS(laplacian(flat, {.weights = weights::cotangent}), doctest::Contains("poly 1 is degenerate"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(laplacian(flat, cotangent), doctest::Contains("poly 1 is degenerate"), invalid_mesh);
   const tetmesh pressed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});
-  CHECK_THROWS_WITH_AS(laplacian(pressed, {.weights = weights::cotangent}), doctest::Contains("poly 0 is degenerate"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(laplacian(pressed, cotangent), doctest::Contains("poly 0 is degenerate"), invalid_mesh);
 }
 
 TEST_CASE_TEMPLATE("laplacian: of an empty mesh and of verts alone", M, CONCINO_ALL_KINDS) {
@@ -317,21 +317,23 @@ TEST_CASE("laplacian: a fan of a thousand triangles, three of them at one edge")
   polys_.push_back({0, 1, n + 1});
   polys_.push_back({0, 2, n + 1});
   const trimesh m(x, polys_);
-  for (const auto w : {weights::uniform, weights::cotangent}) {
-    const auto l = laplacian(m, {.weights = w});
+  const auto check = [&](const auto& which) {
+    const auto l = laplacian(m, which);
     check_compressed(l);
     CHECK((l * Eigen::VectorXd::Ones(l.rows())).cwiseAbs().maxCoeff() < 1e-9);
-  }
-  CHECK(laplacian(m, {.weights = weights::uniform}).coeff(0, 0) == -(n + 1));
+  };
+  check(uniform);
+  check(cotangent);
+  CHECK(laplacian(m, uniform).coeff(0, 0) == -(n + 1));
 }
 
 TEST_CASE("laplacian, cotangent: a mesh of a stranger; coordinates that are no numbers are refused, not passed on") {
   tiny::surface m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
-  const auto l = laplacian(m, {.weights = weights::cotangent});
+  const auto l = laplacian(m, cotangent);
   CHECK(l.coeff(1, 2) == doctest::Approx(0));
   CHECK(l.coeff(0, 1) == doctest::Approx(0.5));
   for (const double bad : {std::nan(""), HUGE_VAL}) {
     m.points[1][0] = bad;
-    CHECK_THROWS_AS(laplacian(m, {.weights = weights::cotangent}), invalid_mesh);
+    CHECK_THROWS_AS(laplacian(m, cotangent), invalid_mesh);
   }
 }

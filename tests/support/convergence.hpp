@@ -108,8 +108,8 @@ double gradient_error(const M& m) {
 }
 
 /// The L2 norm, by the lumped mass, of what is wrong with the solution of the Poisson problem whose solution is known; given on the boundary.
-template<class M, class Solver>
-double poisson_error(const M& m, weights w, Solver&& solver) {
+template<class M, class D, class Solver>
+double poisson_error(const M& m, const D& which, Solver&& solver) {
   using problem = smooth<dimension_v<M>>;
   const auto exact = at_verts(m, problem::value);
   const auto f = at_verts(m, [](const vec3& x) { return problem::load * problem::value(x); });
@@ -117,7 +117,7 @@ double poisson_error(const M& m, weights w, Solver&& solver) {
   std::vector<std::pair<vert_t<M>, double>> given;
   for (const auto v : verts(m))
     if (on_boundary[index_of(m, v)]) given.emplace_back(v, exact[v]);
-  const auto u = poisson(m, f, given, {.weights = w}, solver);
+  const auto u = poisson(m, f, which, {.values = given}, solver);
   const auto mass = vert_masses(m);
   double sum = 0;
   for (const auto v : verts(m)) sum += mass[v] * (u[v] - exact[v]) * (u[v] - exact[v]);
@@ -179,8 +179,8 @@ struct small_eigenproblem {
 
 /// The root mean square of the relative errors of the lowest eigenvalues, without the 0, with natural boundary: 5 of the square, to 4 pi^2, or
 /// 6 of the cube, to 2 pi^2. By inverse iteration of a few vectors more, from the true eigenfunctions, with Rayleigh-Ritz.
-template<class M, class Solver>
-double eigenvalue_error(const M& m, weights w, Solver&& solver) {
+template<class M, class D, class Solver>
+double eigenvalue_error(const M& m, const D& which, Solver&& solver) {
   constexpr double pi = 3.14159265358979323846;
   constexpr int D = dimension_v<M>;
   std::vector<std::array<int, 3>> modes;
@@ -193,7 +193,7 @@ double eigenvalue_error(const M& m, weights w, Solver&& solver) {
     if (const int sum = i * i + j * j + k * k; sum > 0 && sum <= (D == 2 ? 4 : 2)) known.push_back(pi * pi * sum);
   std::sort(known.begin(), known.end());
 
-  const Eigen::SparseMatrix<double> stiffness = -laplacian(m, {.weights = w}), mass = mass_matrix(m, {.lumped = false});
+  const Eigen::SparseMatrix<double> stiffness = -laplacian(m, which), mass = mass_matrix(m, {.lumped = false});
   const Eigen::SparseMatrix<double> shifted = stiffness + mass;
   solver.factorize(shifted);
   const std::size_t size = modes.size();
@@ -261,12 +261,12 @@ std::vector<convergence_row> measure_convergence(family f, std::size_t sizes, co
     }
   };
   add("gradient", "-", [](const M& m) { return gradient_error(m); });
-  add("poisson", "standard", [&](const M& m) { return poisson_error(m, weights::standard, make_solver(1e-9)); });
+  add("poisson", "standard", [&](const M& m) { return poisson_error(m, virtual_elements, make_solver(1e-9)); });
   if constexpr (!(TriMesh<M> || TetMesh<M>)) {  // where all weights are the same
-    add("poisson", "virtual_refinement", [&](const M& m) { return poisson_error(m, weights::virtual_refinement, make_solver(1e-9)); });
-    if constexpr (SurfaceMesh<M>) add("poisson", "de_goes", [&](const M& m) { return poisson_error(m, weights::de_goes, make_solver(1e-9)); });
+    add("poisson", "virtual_refinement", [&](const M& m) { return poisson_error(m, virtual_refinement, make_solver(1e-9)); });
+    if constexpr (SurfaceMesh<M>) add("poisson", "de_goes", [&](const M& m) { return poisson_error(m, de_goes, make_solver(1e-9)); });
   }
-  add("eigenvalues", "standard", [&](const M& m) { return eigenvalue_error(m, weights::standard, make_solver(1e-3)); });  // of corrections
+  add("eigenvalues", "standard", [&](const M& m) { return eigenvalue_error(m, virtual_elements, make_solver(1e-3)); });  // of corrections
   return rows;
 }
 

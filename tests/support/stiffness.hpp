@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/geometry/measure.hpp>
-#include <concino/operators/detail/local_matrix.hpp>
+#include <concino/operators/discretisation.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -19,7 +19,7 @@ Eigen::MatrixXd stiffness(const M& m) {
   const auto n = static_cast<Eigen::Index>(vert_index_bound(m));
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
   Element element(m);
-  detail::local_matrix<vert_t<M>> local;
+  local_matrix<vert_t<M>> local;
   for (const auto p : polys(m)) {
     element(p, local);
     for (std::size_t i = 0; i < local.size(); ++i)

@@ -169,10 +169,9 @@ eigenpairs_result eigenpairs(const Eigen::SparseMatrix<double>& k, const Eigen::
 }
 
 struct eigenfunctions_options {
-  concino::weights weights = concino::weights::standard;  // of the Laplacian
-  bool lumped = true;                                     // the mass, see mass_matrix: without, values converge from above
-  double tolerance = 1e-10;                               // as that of eigenpairs
-  int max_restarts = 1000;                                // likewise
+  bool lumped = true;        // the mass, see mass_matrix: without, values converge from above
+  double tolerance = 1e-10;  // as that of eigenpairs
+  int max_restarts = 1000;   // likewise
 };
 
 template<class M>
@@ -184,19 +183,20 @@ struct eigenfunctions_result {
 };
 
 /// The functions that a surface or a volume vibrates in: minus the Laplacian of each is its value times the function, and across the boundary it is
-/// flat.
-/// Needs:  Embedded AnyMesh, no temporary. count: at least 1, at most the verts of polys. solver: as for eigenpairs.
+/// flat. The Laplacian is that of the discretisation, after the count, or that of virtual_elements.
+/// Needs:  EmbeddedMesh M, no temporary; with a Discretisation also what that needs. count: at least 1, at most the verts of polys. solver: as for
+///         eigenpairs.
 /// Result: as many as asked for; the first is constant, its value 0, and there are as many of value 0 as components of polys. Errors of values
 ///         fall with the square of the edge length. Scaling the mesh by a power of 2 scales values exactly, and so functions, in volumes by one of 4.
 /// Cost:   as laplacian, mass_matrix and eigenpairs.
 /// Errors: as laplacian, mass_matrix and eigenpairs.
 /// Source: Vallet, Levy 2008, "Spectral geometry processing with manifold harmonics"; Reuter, Wolter, Peinecke 2006, "Laplace-Beltrami spectra as
 ///         Shape-DNA"; Kac 1966, "Can one hear the shape of a drum?".
-template<class M, class Solver = ldlt>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const eigenfunctions_options& options = {},
-                                                             Solver&& solver = {}) {
-  const Eigen::SparseMatrix<double> k = -laplacian(m, {.weights = options.weights});
+template<class M, class D, class Solver = ldlt>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const D& discretisation,
+                                                             const eigenfunctions_options& options = {}, Solver&& solver = {}) {
+  const Eigen::SparseMatrix<double> k = -laplacian(m, discretisation);
   const eigenpairs_result pairs = eigenpairs(k, mass_matrix(m, {.lumped = options.lumped}), count,
                                              {.tolerance = options.tolerance, .max_restarts = options.max_restarts}, solver);
   eigenfunctions_result<std::remove_cvref_t<M>> r;
@@ -213,6 +213,12 @@ eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t 
     r.isolated += !has_poly;
   }
   return r;
+}
+template<class M, class Solver = ldlt>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const eigenfunctions_options& options = {},
+                                                             Solver&& solver = {}) {
+  return eigenfunctions(m, count, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.

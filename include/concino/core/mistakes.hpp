@@ -23,6 +23,15 @@ struct no_points {
 };
 inline constexpr sentence give_points("needs an Embedded mesh: write mesh_traits<M>::point(m, v), or call with with_points(m, map)");
 
+/// Made of a graph without polys or without points, for which no discretisation is the default.
+template<sentence Remedy>
+struct bare_graph {
+  template<class M>
+    requires(PrimalGraph<M> && requirement::is_no_temporary<const M&> && !(AnyMesh<M> && Embedded<M>))
+  bare_graph(const M&);
+};
+inline constexpr sentence name_discretisation("a graph without polys or points has no default discretisation: name one, as in laplacian(m, uniform) or harmonic_map(m, values, uniform)");
+
 /// Made of any mesh or graph.
 struct any_mesh {
   template<class M>

@@ -20,28 +20,54 @@
 namespace concino {
 
 struct harmonic_map_options {
-  concino::weights weights = concino::weights::standard;  // of the Laplacian L; on a mere graph standard ones are uniform
-  int exponent = 1;                       // n >= 1: L (M^-1 L)^(n-1) u = 0; 1: harmonic, 2: biharmonic, ...
-  double isolated_value = 0;              // of verts without edges that have no value prescribed, in each part; any, NaN too
-  concino::progress progress = nullptr;   // told "harmonic map", "factorising", "solving"
+  int exponent = 1;                      // n >= 1: L (M^-1 L)^(n-1) u = 0; 1: harmonic, 2: biharmonic, ...
+  double isolated_value = 0;             // of verts without edges that have no value prescribed, in each part; any, NaN too
+  concino::progress progress = nullptr;  // told "harmonic map", "factorising", "solving"
 };
 
 namespace detail {
 
-/// Numbers the unknowns and assembles their system.
+/// The unknowns and their system, with values at some verts: what a call and a preparation share.
 template<class M>
-held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const harmonic_map_options& options) {
-  held.number_reached(m, "harmonic_map");
-  return at_unit_size(m, options.weights, [&](const auto& at, int) {  // no factor of the Laplacian changes the map
-    return laplace_system(at, std::move(held), options.weights, options.exponent, "harmonic_map");
-  });
-}
+class harmonic_problem {
+  static constexpr const char* who = "harmonic_map";
+  held_system<M> system_;
+  double isolated_value_;
 
-inline constexpr auto no_load = [](std::size_t, int) { return 0.0; };
+  template<class V, class D>
+  static held_system<M> make_system(const M& m, const V& fixed, const D& discretisation, const harmonic_map_options& options) {
+    if (options.exponent < 1) core::throw_joined<invalid_argument>({who, ": exponent is ", core::number_text(options.exponent), "; it must be 1 or more"});
+    tell(options.progress, 0, "harmonic map");
+    held_verts<M> held(m);
+    held.hold(m, fixed, who);
+    held.number_reached(m, who);
+    return at_unit_size(m, discretisation, [&](const auto& at, int) {  // no factor of the Laplacian changes the map
+      return laplace_system(at, std::move(held), discretisation, options.exponent, who);
+    });
+  }
 
-inline void check_exponent(const char* who, int exponent) {
-  if (exponent < 1) core::throw_joined<invalid_argument>({who, ": exponent is ", core::number_text(exponent), "; it must be 1 or more"});
-}
+ public:
+  /// fixed: verts, or pairs of a vert and a value.
+  template<class V, class D>
+  harmonic_problem(const M& m, const V& fixed, const D& discretisation, const harmonic_map_options& options)
+      : system_(make_system(m, fixed, discretisation, options)), isolated_value_(options.isolated_value) {}
+
+  std::size_t num_isolated() const { return system_.verts.num_isolated; }
+
+  template<class Solver>
+  void factorize(Solver& solver, const progress& told) const { system_.factorize(solver, told, who); }
+
+  /// A map with these values at their verts, and isolated_value.
+  template<class T, class V>
+  vert_map<M, T> prescribe(const M& m, const V& values) const {
+    return prescribed_values<T>(m, system_.verts, values, isolated_value_, who);
+  }
+  /// The unknowns of that map.
+  template<class T, class Solver>
+  void solve(const Solver& solver, vert_map<M, T>& u) const {
+    system_.template solve<T>(solver, [](std::size_t, int) { return 0.0; }, u, who);
+  }
+};
 
 }  // namespace detail
 
@@ -49,32 +75,27 @@ inline void check_exponent(const char* who, int exponent) {
 template<class M, class Solver>
 class prepared_harmonic_map {
   struct preparation {
-    detail::held_system<M> system;
+    detail::harmonic_problem<M> problem;
     std::unique_ptr<Solver> solver;
-    double isolated_value;
   };
 
   detail::mesh_ref<M> mesh_;
   std::shared_ptr<const preparation> prepared_;
 
  public:
-  template<class V>
-  prepared_harmonic_map(const M& m, const V& fixed, const harmonic_map_options& options, const Solver& solver) : mesh_(m) {
-    detail::check_exponent("harmonic_map", options.exponent);
-    detail::tell(options.progress, 0, "harmonic map");
-    detail::held_verts<M> held(m);
-    held.hold(m, fixed, "harmonic_map");
+  template<class V, class D>
+  prepared_harmonic_map(const M& m, const V& fixed, const D& discretisation, const harmonic_map_options& options, const Solver& solver) : mesh_(m) {
     auto own = detail::another_solver(solver);
-    auto system = detail::harmonic_system(m, std::move(held), options);
-    system.factorize(*own, options.progress, "harmonic_map");
-    prepared_ = std::make_shared<const preparation>(preparation{std::move(system), std::move(own), options.isolated_value});
+    detail::harmonic_problem<M> problem(m, fixed, discretisation, options);
+    problem.factorize(*own, options.progress);
+    prepared_ = std::make_shared<const preparation>(preparation{std::move(problem), std::move(own)});
     detail::tell(options.progress, 1, "harmonic map");
   }
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
   /// How many verts have no edges and no value prescribed: they get isolated_value.
-  std::size_t isolated() const { return prepared_->system.verts.num_isolated; }
+  std::size_t isolated() const { return prepared_->problem.num_isolated(); }
 
   /// The harmonic map with these values at the verts that were named before, with_values<vec3> part by part to space.
   /// Needs:  pairs of a vert and a value, in braces or any container, one at least for each of those verts and none elsewhere. The mesh is as it
@@ -86,10 +107,9 @@ class prepared_harmonic_map {
   template<class T = double, class D = std::initializer_list<std::pair<vert_t<M>, T>>>
     requires detail::field_value<T> && detail::gives_values<D, vert_t<M>>
   vert_map<M, T> with_values(const D& values) const {
-    const M& m = mesh_.get();
-    auto value = detail::prescribed_values<T>(m, prepared_->system.verts, values, prepared_->isolated_value, "harmonic_map");
-    prepared_->system.template solve<T>(*prepared_->solver, detail::no_load, value, "harmonic_map");
-    return value;
+    auto u = prepared_->problem.template prescribe<T>(mesh_.get(), values);
+    prepared_->problem.template solve<T>(*prepared_->solver, u);
+    return u;
   }
   template<class... T>
   void with_values(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
@@ -102,55 +122,67 @@ class prepared_harmonic_map {
 /// Result: an object that answers with_values(...), and tells by isolated() how many verts got isolated_value.
 /// Cost:   that of harmonic_map, but for the back-substitution.
 /// Errors: as harmonic_map, but for those about values; invalid_mesh if a vert to be fixed is no vert of m.
+template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed, const D& discretisation,
+                                                                                                const harmonic_map_options& options = {},
+                                                                                                Solver&& solver = {}) {
+  return {m, fixed, discretisation, options, solver};
+}
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed,
                                                                                                 const harmonic_map_options& options = {},
                                                                                                 Solver&& solver = {}) {
-  return {m, fixed, options, solver};
+  return {m, fixed, virtual_elements, options, solver};
 }
 
-/// The function u on the verts with the given values that is harmonic everywhere else: L u = 0, or L (M^-1 L)^(n-1) u = 0 for
-/// exponent n, with M the identity for uniform weights and the lumped mass otherwise. harmonic_map<vec3> maps to space, part by part.
-/// Needs:  PrimalGraph M; for cotangent weights an Embedded mesh of triangles or tets. `values`: verts and numbers (or points), in braces
+/// The function u on the verts with the given values that is harmonic everywhere else: L u = 0, or L (M^-1 L)^(n-1) u = 0 for exponent n, with L
+/// the Laplacian and M the masses of the discretisation, after the values: harmonic_map(m, values, uniform). Without one it is that of
+/// virtual_elements. harmonic_map<vec3> maps to space, part by part.
+/// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. `values`: verts and numbers (or points), in braces
 ///         ({{a, 0.0}, {b, 1.0}}) or any container of pairs; the same vert twice is fine if the value is the same.
 ///         T: double or vec3. solver: a SparseSolver for symmetric positive definite matrices; the default factorises, or, where the factor would be
 ///         too large, iterates: see auto_solver, which tells what it did if it is given by name.
 /// Result: a map of T, u[v]. Given values are exact. Verts without edges get isolated_value unless one is given; prepare_harmonic_map counts
-///         them. With standard weights linear functions of planar surfaces and of volumes are harmonic, whatever the polys; with uniform
-///         weights and exponent 1 every value lies between the extrema of those given in its component. On a mere graph standard
-///         weights are uniform ones.
+///         them. With virtual_elements linear functions of planar surfaces and of volumes are harmonic, whatever the polys; with uniform
+///         and exponent 1 every value lies between the extrema of those given in its component.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
-/// Errors: invalid_mesh if a value is given at what is no vert of m, or if exponent > 1, weights are not uniform and a vert has edges and no
+/// Errors: invalid_mesh if a value is given at what is no vert of m, or if exponent > 1 and a vert has edges and no
 ///         mass; invalid_argument if a value is not finite, a vert gets two, or exponent < 1; solver_error if
 ///         a component that has edges has no value prescribed (one of its verts is named), or if the system cannot be solved in double
-///         precision; with other weights than uniform also those of `laplacian`; cancelled.
+///         precision; those of `laplacian` with this discretisation; cancelled.
 /// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
-template<class T = double, class M, class D = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::field_value<T> && detail::gives_values<D, vert_t<M>> &&
+template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class D, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && Discretisation<D, M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> harmonic_map(M&& m, const D& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
+vert_map<M, T> harmonic_map(M&& m, const V& values, const D& discretisation, const harmonic_map_options& options = {}, Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
-  detail::check_exponent("harmonic_map", options.exponent);
-  detail::tell(options.progress, 0, "harmonic map");
-  detail::held_verts<std::remove_cvref_t<M>> held(mesh_in);
-  held.hold(mesh_in, values, "harmonic_map");
-  auto value = detail::prescribed_values<T>(mesh_in, held, values, options.isolated_value, "harmonic_map");
-  const auto system = detail::harmonic_system(mesh_in, std::move(held), options);
-  system.factorize(solver, options.progress, "harmonic_map");
+  const detail::harmonic_problem<std::remove_cvref_t<M>> problem(mesh_in, values, discretisation, options);
+  auto u = problem.template prescribe<T>(mesh_in, values);
+  problem.factorize(solver, options.progress);
   detail::tell(options.progress, 0.9, "solving");
-  system.template solve<T>(solver, detail::no_load, value, "harmonic_map");
+  problem.template solve<T>(solver, u);
   detail::tell(options.progress, 1, "harmonic map");
-  return value;
+  return u;
+}
+template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
+           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, T> harmonic_map(M&& m, const V& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
+  return harmonic_map<T>(m, values, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.
 template<class... T> void prepare_harmonic_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void prepare_harmonic_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_harmonic_map(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write prepare_harmonic_map(m, verts, uniform)
 template<class... T> void prepare_harmonic_map(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 template<class... T> void harmonic_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void harmonic_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void harmonic_map(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write harmonic_map(m, values, uniform)
 template<class... T> void harmonic_map(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -13,10 +13,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace concino {
 
@@ -25,8 +25,9 @@ namespace concino {
 /// backward_euler: one stage, of the first order. With lumped masses and no negative weights it never leaves the range of the values before.
 enum class heat_scheme { second_order, backward_euler };
 
+template<class M>
 struct heat_flow_options {
-  concino::weights weights = concino::weights::standard;  // of the Laplacian; on a mere graph standard ones are uniform
+  std::vector<vert_t<M>> fixed = {};      // verts that keep their values
   int steps = 10;                         // 1 or more, each as long as the others
   concino::heat_scheme scheme = concino::heat_scheme::second_order;  // how each step is computed
   bool lumped = false;                    // lumped masses: see backward_euler; else the Galerkin mass, of the second order in the size of the polys
@@ -38,26 +39,26 @@ namespace detail {
 /// 1 - 1 / sqrt(2): with it the stages' matrix is one and the same and the scheme L-stable.
 inline constexpr double alexander_gamma = 0.29289321881345247560;
 
-template<class M, class V>
-implicit_system<M> heat_flow_system(const M& m, double time, const V& held, const heat_flow_options& options) {
+template<class M, class D>
+implicit_system<M> heat_flow_system(const M& m, double time, const D& discretisation, const heat_flow_options<M>& options) {
   const char* const who = "heat_flow";
   if (!(time >= 0 && std::isfinite(time)))
     core::throw_joined<invalid_argument>({who, ": time is ", core::number_text(time), "; it must be finite and 0 or more"});
   if (options.steps < 1) core::throw_joined<invalid_argument>({who, ": steps is ", core::number_text(options.steps), "; it must be 1 or more"});
   tell(options.progress, 0, "heat flow");
-  held_verts<M> fixed(m);
-  fixed.hold(m, held, who);
+  held_verts<M> held(m);
+  held.hold(m, options.fixed, who);
   const double step = (options.scheme == heat_scheme::second_order ? alexander_gamma : 1) * (time / options.steps);
-  return at_unit_size(m, options.weights, [&](const auto& at, int exponent) -> implicit_system<M> {
-    auto mass = mass_beside(at, options.weights, options.lumped, who);
-    return {m, std::move(fixed), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, options.weights), who};
+  return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> implicit_system<M> {
+    auto mass = mass_beside(at, discretisation, options.lumped, who);
+    return {m, std::move(held), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, discretisation), who};
   });
 }
 
 /// Steps of M u' = -K u. With A = M + g dt K the stages are A v = M u and A w = M u - (1 - g) dt K v, where dt K v = M (u - v) / g, so that
 /// no more than A^-1 M is needed; w is u one step later.
 template<class T, class M, class Solver>
-void flow(const implicit_system<M>& system, const Solver& solver, const heat_flow_options& options, vert_map<M, T>& u,
+void flow(const implicit_system<M>& system, const Solver& solver, const heat_flow_options<M>& options, vert_map<M, T>& u,
           const progress& told) {
   constexpr double forward = (1 - alexander_gamma) / alexander_gamma;
   for (int i = 0; i < options.steps; ++i) {
@@ -84,7 +85,7 @@ class prepared_heat_flow {
   struct preparation {
     detail::implicit_system<M> system;
     std::unique_ptr<Solver> solver;
-    heat_flow_options options;
+    heat_flow_options<M> options;
     double time;
   };
 
@@ -92,9 +93,9 @@ class prepared_heat_flow {
   std::shared_ptr<const preparation> prepared_;
 
  public:
-  template<class V>
-  prepared_heat_flow(const M& m, double time, const V& held, const heat_flow_options& options, const Solver& solver) : mesh_(m) {
-    auto system = detail::heat_flow_system(m, time, held, options);
+  template<class D>
+  prepared_heat_flow(const M& m, double time, const D& discretisation, const heat_flow_options<M>& options, const Solver& solver) : mesh_(m) {
+    auto system = detail::heat_flow_system(m, time, discretisation, options);
     auto own = detail::another_solver(solver);
     system.factorize(*own, options.progress);
     preparation p{std::move(system), std::move(own), options, time};
@@ -107,7 +108,7 @@ class prepared_heat_flow {
   const Solver& solver() const { return *prepared_->solver; }
   /// For how long heat flows.
   double time() const { return prepared_->time; }
-  /// How many verts have no edges and are not held: they keep their values.
+  /// How many verts have no edges and are not fixed: they keep their values.
   std::size_t isolated() const { return prepared_->system.held().num_isolated; }
 
   /// What has become of the values u after the time that was prepared; call it again with the result to go on.
@@ -129,60 +130,62 @@ class prepared_heat_flow {
 /// Result: an object that answers advance(u), and tells by isolated() how many verts have no edges.
 /// Cost:   as heat_flow, but for the steps.
 /// Errors: as heat_flow, but for what is about values.
-template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
+template<class M, class D, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && Discretisation<D, M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const V& held,
-                                                                                          const heat_flow_options& options = {},
+prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const D& discretisation,
+                                                                                          const heat_flow_options<std::remove_cvref_t<M>>& options = {},
                                                                                           Solver&& solver = {}) {
-  return {m, time, held, options, solver};
+  return {m, time, discretisation, options, solver};
 }
 template<class M, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> &&
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const heat_flow_options& options = {},
+prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time,
+                                                                                          const heat_flow_options<std::remove_cvref_t<M>>& options = {},
                                                                                           Solver&& solver = {}) {
-  return {m, time, detail::no_verts<M>{}, options, solver};
+  return {m, time, virtual_elements, options, solver};
 }
 
-/// What has become of the values `initial` after `time` by the equation u_t = Laplacian of u. Held verts keep their value; where none are
-/// held on the boundary, no heat crosses it.
-/// Needs:  PrimalGraph M; on a mere graph standard weights are uniform ones, other weights need an Embedded AnyMesh, cotangent ones of triangles
-///         or tets. initial: any readable map over verts, of numbers, or of points for vectors, whose parts flow on their own. time: finite, 0 or
-///         more, in units of length^2; with uniform weights, where M is the identity, without unit. `held`: verts in braces ({a, b}) or any
-///         container; they stand before the options. solver as for harmonic_map.
-/// Result: a map of double or vec3. Where nothing is held the heat, the sum of M u, stays what it is, the sum of u times M u never grows, and
-///         in the end there is one mean value in each component; with held values the harmonic map through them. Verts without edges keep
+/// What has become of the values `initial` after `time` by the equation u_t = Laplacian of u, that of the discretisation, which stands after the
+/// time, or of virtual_elements. Fixed verts keep their value; where none are fixed on the boundary, no heat crosses it.
+/// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. initial: any readable map over verts, of numbers,
+///         or of points for vectors, whose parts flow on their own. time: finite, 0 or more, in units of length^2; with `uniform`, where M is the
+///         identity, without unit. solver as for harmonic_map.
+/// Result: a map of double or vec3. Where nothing is fixed the heat, the sum of M u, stays what it is, the sum of u times M u never grows, and
+///         in the end there is one mean value in each component; with fixed values the harmonic map through them. Verts without edges keep
 ///         what they have; prepare_heat_flow counts them.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find, and two back-substitutions a step, or one, see heat_scheme.
-/// Errors: invalid_argument if time or steps is out of its range or a value is not finite at a vert that has edges or is held; invalid_mesh if what
-///         is to be held is no vert of m, or if a vert has edges and no mass; with other weights than uniform those of `laplacian` and
+/// Errors: invalid_argument if time or steps is out of its range or a value is not finite at a vert that has edges or is fixed; invalid_mesh if what
+///         is to be fixed is no vert of m, or if a vert has edges and no mass; those of `laplacian` with this discretisation and of
 ///         mass_matrix; solver_error; cancelled.
 /// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && detail::names_elements<V, vert_t<M>> &&
+template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const V& held, const heat_flow_options& options = {}, Solver&& solver = {}) {
+vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const D& discretisation,
+                         const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
-  const auto system = detail::heat_flow_system(mesh_in, time, held, options);
+  const auto system = detail::heat_flow_system(mesh_in, time, discretisation, options);
   auto u = system.template values_of<T>(mesh_in, initial);
   system.factorize(solver, options.progress);
   detail::flow<T>(system, solver, options, u, options.progress);
   return u;
 }
-/// The same with nothing held.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires PrimalGraph<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options& options = {}, Solver&& solver = {}) {
-  return heat_flow(m, initial, time, detail::no_verts<M>{}, options, solver);
+vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
+  return heat_flow(m, initial, time, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.
 template<class... T> void prepare_heat_flow(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void prepare_heat_flow(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_heat_flow(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write prepare_heat_flow(m, time, uniform)
 template<class... T> void heat_flow(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void heat_flow(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void heat_flow(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write heat_flow(m, initial, time, uniform)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
   requires(PrimalGraph<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
 void heat_flow(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)

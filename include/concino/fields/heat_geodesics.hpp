@@ -8,7 +8,9 @@
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/detail/heat_preparation.hpp>
+#include <concino/fields/detail/laplace_system.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
+#include <concino/operators/virtual_elements.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <algorithm>
@@ -27,12 +29,19 @@ namespace concino {
 enum class heat_boundary { averaged, natural, cold };
 
 struct heat_geodesics_options {
-  concino::weights weights = concino::weights::standard;  // of the Laplacian; uniform: heat flows along edges, lengths stay those of the mesh
   double time = 0;                                        // how long heat flows, in units of length^2, finite; 0: see heat_geodesics
   concino::heat_boundary boundary = concino::heat_boundary::averaged;  // what happens to heat at the boundary
   bool clamp = true;                                      // to between straight lines and ways over the mesh, see heat_geodesics
   concino::progress progress = nullptr;                   // told "heat geodesics" and "factorising"
 };
+
+namespace detail {
+
+/// At a size near 1 too, where heat flows.
+template<class D, class M>
+concept flows_heat = Discretisation<D, M> && Discretisation<D, views::scaled<std::remove_cvref_t<M>>>;
+
+}  // namespace detail
 
 /// What prepare_heat_geodesics prepares: it answers questions, from several threads too if the solver can. Copies share what was prepared.
 template<class M, class Solver>
@@ -54,7 +63,8 @@ class prepared_heat_geodesics {
   detail::mesh_ref<M> mesh_;
   std::shared_ptr<const preparation> prepared_;
 
-  static preparation prepare(const M& mesh_in, const heat_geodesics_options& options, const Solver& solver) {
+  template<class D>
+  static preparation prepare(const M& mesh_in, const D& discretisation, const heat_geodesics_options& options, const Solver& solver) {
     if (!(options.time >= 0 && options.time <= std::numeric_limits<double>::max()))
       core::throw_joined<invalid_argument>({"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});
     detail::tell(options.progress, 0, "heat geodesics");
@@ -62,25 +72,29 @@ class prepared_heat_geodesics {
     detail::corner_fluxes corners = detail::fluxes_of(m);
     const double edge = detail::mean_edge_length(m);
     const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent()) : 2 * detail::mean_square_width(m) / dimension_v<M>;
-    const bool uniform = options.weights == weights::uniform;
-    Eigen::SparseMatrix<double> stiffness = detail::lower_stiffness(m, uniform ? weights::standard : options.weights);
+    constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are those of the mesh all the same
+    Eigen::SparseMatrix<double> stiffness;
+    if constexpr (along_edges) stiffness = detail::lower_stiffness(m, virtual_elements);
+    else stiffness = detail::lower_stiffness(m, discretisation);
     const auto mass = vert_masses(m);
     double sum = 0;
     for (const double x : mass.values()) sum += x;
     const double mean = num_verts(m) > 0 ? sum / static_cast<double>(num_verts(m)) : 0;
-    // uniform: the mean mass at every vert, and as much conductance at every edge as a grid of mean edges has
-    const double flow = uniform ? (edge > 0 ? mean / (edge * edge) : 0) * time : time;
+    // Along edges: the mean mass at every vert, and as much conductance at every edge as a grid of mean edges has.
+    const double flow = along_edges ? (edge > 0 ? mean / (edge * edge) : 0) * time : time;
+    std::vector<double> own;
+    if constexpr (along_edges) own = detail::lumped_masses(m, discretisation, "heat_geodesics");
     const auto heat_by = [&](Eigen::SparseMatrix<double> a) {
       for (int c = 0; c < a.cols(); ++c) {
         const double here = mass.values()[static_cast<std::size_t>(c)];
         for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
           a.valuePtr()[k] *= flow;
-          if (a.innerIndexPtr()[k] == c) a.valuePtr()[k] += uniform && here > 0 ? mean : here;
+          if (a.innerIndexPtr()[k] == c) a.valuePtr()[k] += along_edges && here > 0 ? mean * own[static_cast<std::size_t>(c)] : here;
         }
       }
       return a;
     };
-    Eigen::SparseMatrix<double> heat = heat_by(uniform ? detail::lower_stiffness(m, weights::uniform) : stiffness);
+    Eigen::SparseMatrix<double> heat = along_edges ? heat_by(detail::lower_stiffness(m, discretisation)) : heat_by(stiffness);
     detail::tell(options.progress, 0.1, "factorising");
     preparation r{{std::move(stiffness), std::move(corners), mean, solver},
                   detail::distance_graph_of(m),
@@ -100,7 +114,7 @@ class prepared_heat_geodesics {
     };
     if (!has_boundary || options.boundary != heat_boundary::cold) {
       r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
-      if (!uniform && r.system.is_heat_negative()) {
+      if (!along_edges && r.system.is_heat_negative()) {
         r.system.forget_heat();
         heat = heat_by(detail::lower_positive_stiffness(m));
         r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
@@ -130,8 +144,9 @@ class prepared_heat_geodesics {
   vert_map<M, double> answer(const question& q) const;
 
  public:
-  prepared_heat_geodesics(const M& m, const heat_geodesics_options& options, const Solver& solver)
-      : mesh_(m), prepared_(std::make_shared<const preparation>(prepare(m, options, solver))) {}
+  template<class D>
+  prepared_heat_geodesics(const M& m, const D& discretisation, const heat_geodesics_options& options, const Solver& solver)
+      : mesh_(m), prepared_(std::make_shared<const preparation>(prepare(m, discretisation, options, solver))) {}
 
   const M& mesh() const { return mesh_.get(); }
   /// How long heat flows, in units of length^2.
@@ -246,17 +261,25 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
 /// Result: an object that answers distance_from(...).
 /// Cost:   as heat_geodesics, but for the question.
 /// Errors: as heat_geodesics, but for what is about sources.
+template<class M, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const D& discretisation,
+                                                                                                    const heat_geodesics_options& options = {},
+                                                                                                    Solver&& solver = {}) {
+  return {m, discretisation, options, solver};
+}
 template<class M, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const heat_geodesics_options& options = {},
                                                                                                     Solver&& solver = {}) {
-  return {m, options, solver};
+  return {m, virtual_elements, options, solver};
 }
 
 /// How far away every vert is, over the surface or through the volume, from one vert, from the nearest of several, or, where pairs of a vert and a
 /// number are given, from the source for which the number plus the way from there is least: auto d = heat_geodesics(m, v); d[w] is a length.
-/// Needs:  Embedded AnyMesh, no temporary; for cotangent weights all polys triangles or tets. sources: a vert, a container of verts or of pairs,
-///         or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}. solver: a SparseSolver for symmetric positive definite matrices; two or three of
+/// Needs:  EmbeddedMesh M, no temporary. sources: a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}.
+///         A discretisation of the Laplacian may stand after them; with one that has masses of its own, as `uniform`, heat only flows along
+///         edges, and gradients and lengths stay those of the mesh. It takes any M, see Discretisation. solver: a SparseSolver for symmetric positive definite matrices; two or three of
 ///         its type are made, of its options() where it has them.
 /// Result: a map of double, in units of length; 0 (or the number given, where no other source is nearer) at sources, never less than at the
 ///         least of the sources of the component; +inf in components of polys without a source and at verts of no poly that are no source.
@@ -280,11 +303,23 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         of the mesh, or if a poly has no area or volume or points that are not finite; unsupported as laplacian; solver_error; cancelled.
 /// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; ways across triangles: Novotni, Klein 2002, "Computing
 ///         geodesic distances on triangular meshes"; paper section 2.2, "Distances and paths".
+template<class M, class S, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> heat_geodesics(M&& m, const S& sources, const D& discretisation, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
+  return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
+}
 template<class M, class S, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) &&
-           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, double> heat_geodesics(M&& m, const S& sources, const heat_geodesics_options& options = {}, Solver&& solver = {}) {
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> heat_geodesics(M&& m, const S& sources, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
+}
+template<class M, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources, const D& discretisation, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
+  return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
 }
 template<class M, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -292,10 +327,16 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sourc
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
+template<class M, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources, const D& discretisation, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
+  return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
+}
 template<class M, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources,
-                                   const heat_geodesics_options& options = {}, Solver&& solver = {}) {
+vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
 
@@ -304,9 +345,16 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
 /// Result: as above.
 /// Cost:   as above.
 /// Errors: as above, and invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
+template<class M, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const D& discretisation, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
+  return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(p, x);
+}
 template<class M, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const heat_geodesics_options& options = {}, Solver&& solver = {}) {
+vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(p, x);
 }
 

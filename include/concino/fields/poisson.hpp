@@ -19,53 +19,89 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace concino {
 
+/// What is known of the solution. T: double or vec3.
+template<class M, class T = double>
 struct poisson_options {
-  concino::weights weights = concino::weights::standard;  // of the Laplacian L
-  double isolated_value = 0;              // of verts without edges that have no value prescribed, in each part; any, NaN too
-  concino::progress progress = nullptr;   // told "Poisson's equation", "factorising", "solving"
+  std::vector<std::pair<vert_t<M>, T>> values = {};    // at these verts; finite, the same vert twice is fine if the value is the same
+  std::vector<std::pair<facet_t<M>, T>> fluxes = {};   // outward derivatives across edges (faces of volumes) on the boundary, in units of u over length
+  double isolated_value = 0;                           // of verts without edges that have no value prescribed, in each part; any, NaN too
+  concino::progress progress = nullptr;                // told "Poisson's equation", "factorising", "solving"
+};
+struct prepare_poisson_options {
+  concino::progress progress = nullptr;  // told "Poisson's equation", "factorising"
 };
 
 namespace detail {
 
-/// Without fluxes.
-template<class M, class T> using no_fluxes = std::initializer_list<std::pair<facet_t<M>, T>>;
-
-/// All at a size near 1, where coordinates are 2^-exponent as large.
+/// The unknowns and their system, with values at some verts: what a call and a preparation share. All at a size near 1, where coordinates are
+/// 2^-exponent as large.
 template<class M>
-struct poisson_problem {
-  held_system<M> system;
-  Eigen::SparseMatrix<double> mass;
-  int exponent;
+class poisson_problem {
+  static constexpr const char* who = "poisson";
+  held_system<M> system_;
+  Eigen::SparseMatrix<double> mass_;
+  int exponent_;
 
-  poisson_problem(const M& m, held_verts<M>&& held, weights which) : poisson_problem(numbered(m, std::move(held)), m, which) {}
+  poisson_problem(held_system<M>&& system, Eigen::SparseMatrix<double>&& mass, int exponent)
+      : system_(std::move(system)), mass_(std::move(mass)), exponent_(exponent) {}
+
+  void enlarge(auto& sides) const {
+    if (exponent_ == 0) return;
+    for (auto& side : sides)
+      for (Eigen::Index i = 0; i < side.size(); ++i) side[i] = std::ldexp(side[i], exponent_);
+  }
 
   /// The right-hand side: M f + S at this size, where u is a length^2 of f and a length of the fluxes.
-  template<class T, class F, class N>
-  right_hand_sides<T> load(const M& m, const F& f, const N& fluxes) const {
-    auto sum = mass_times<T>(m, mass, f, "poisson: the load f");
+  template<class T, class F>
+  right_hand_sides<T> load(const M& m, const F& f, const poisson_options<M, T>& options) const {
+    auto sum = mass_times<T>(m, mass_, f, "poisson: the load f");
     enlarge(sum);
-    add_fluxes<T>(views::scaled<M>(m, exponent), fluxes, sum, "poisson");
+    add_fluxes<T>(views::scaled<M>(m, exponent_), options.fluxes, sum, who);
     enlarge(sum);
     return sum;
   }
 
- private:
-  static held_verts<M> numbered(const M& m, held_verts<M>&& held) {
-    held.number_reached(m, "poisson");
-    return std::move(held);
+ public:
+  /// fixed: verts, or pairs of a vert and a value.
+  template<class V, class D>
+  static poisson_problem make(const M& m, const V& fixed, const D& discretisation, const progress& told) {
+    tell(told, 0, "Poisson's equation");
+    held_verts<M> held(m);
+    held.hold(m, fixed, who);
+    held.number_reached(m, who);
+    return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> poisson_problem {
+      auto system = laplace_system(at, std::move(held), discretisation, 1, who);
+      return {std::move(system), mass_matrix(at, {.lumped = false}), exponent};
+    });
   }
-  poisson_problem(held_verts<M>&& held, const M& m, weights which)
-      : poisson_problem(std::move(held), views::scaled<M>(m, which == weights::uniform ? 0 : length_exponent(m)), which) {}
-  poisson_problem(held_verts<M>&& held, const views::scaled<M>& at, weights which)
-      : system(laplace_system(at, std::move(held), which, 1, "poisson")), mass(mass_matrix(at, {.lumped = false})), exponent(at.exponent()) {}
 
-  void enlarge(auto& sides) const {
-    if (exponent == 0) return;
-    for (auto& side : sides)
-      for (Eigen::Index i = 0; i < side.size(); ++i) side[i] = std::ldexp(side[i], exponent);
+  std::size_t num_isolated() const { return system_.verts.num_isolated; }
+
+  template<class Solver>
+  void factorize(Solver& solver, const progress& told) const { system_.factorize(solver, told, who); }
+
+  /// What is known of one solution.
+  template<class T>
+  struct question {
+    vert_map<M, T> u;  // prescribed values, and isolated_value
+    right_hand_sides<T> sides;
+  };
+  template<class T, class F>
+  question<T> ask(const M& m, const F& f, const poisson_options<M, T>& options) const {
+    auto u = prescribed_values<T>(m, system_.verts, options.values, options.isolated_value, who);
+    return {std::move(u), load<T>(m, f, options)};
+  }
+
+  template<class T, class Solver>
+  vert_map<M, T> solve(const Solver& solver, question<T>&& q, const progress& told) const {
+    tell(told, 0.9, "solving");
+    system_.template solve<T>(solver, [&](std::size_t k, int i) { return q.sides[k][i]; }, q.u, who);
+    tell(told, 1, "Poisson's equation");
+    return std::move(q.u);
   }
 };
 
@@ -77,104 +113,94 @@ class prepared_poisson {
   struct preparation {
     detail::poisson_problem<M> problem;
     std::unique_ptr<Solver> solver;
-    double isolated_value;
   };
 
   detail::mesh_ref<M> mesh_;
   std::shared_ptr<const preparation> prepared_;
 
  public:
-  template<class V>
-  prepared_poisson(const M& m, const V& fixed, const poisson_options& options, const Solver& solver) : mesh_(m) {
-    detail::tell(options.progress, 0, "Poisson's equation");
-    detail::held_verts<M> held(m);
-    held.hold(m, fixed, "poisson");
+  template<class V, class D>
+  prepared_poisson(const M& m, const V& fixed, const D& discretisation, const prepare_poisson_options& options, const Solver& solver) : mesh_(m) {
     auto own = detail::another_solver(solver);
-    detail::poisson_problem<M> problem(m, std::move(held), options.weights);
-    problem.system.factorize(*own, options.progress, "poisson");
-    prepared_ = std::make_shared<const preparation>(preparation{std::move(problem), std::move(own), options.isolated_value});
+    auto problem = detail::poisson_problem<M>::make(m, fixed, discretisation, options.progress);
+    problem.factorize(*own, options.progress);
+    prepared_ = std::make_shared<const preparation>(preparation{std::move(problem), std::move(own)});
     detail::tell(options.progress, 1, "Poisson's equation");
   }
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
   /// How many verts have no edges and no value prescribed: they get isolated_value.
-  std::size_t isolated() const { return prepared_->problem.system.verts.num_isolated; }
+  std::size_t isolated() const { return prepared_->problem.num_isolated(); }
 
-  /// The function with the load f, these values at the verts that were named before, and these outward derivatives on the boundary.
-  /// Needs:  f and fluxes as for poisson; values: one at least for each of those verts and none elsewhere. The mesh is as it was prepared.
+  /// The function with the load f, values at the verts that were named before, and outward derivatives on the boundary.
+  /// Needs:  f and options as for poisson; values: one at least for each of those verts and none elsewhere. The mesh is as it was prepared.
   /// Result: that of poisson with these.
   /// Cost:   one back-substitution, three for vectors, and a product with the mass.
   /// Errors: as poisson about values, loads and fluxes; invalid_argument if one of those verts has no value, or one that was not named has.
-  template<class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
-           class N = detail::no_fluxes<M, T>>
-    requires requirement::gives_numbers_or_points<F, vert_t<M>> && detail::gives_values<D, vert_t<M>> && detail::walkable<N>
-  vert_map<M, T> solve(const F& f, const D& values, const N& fluxes = {}) const {
-    const M& m = mesh_.get();
-    auto value = detail::prescribed_values<T>(m, prepared_->problem.system.verts, values, prepared_->isolated_value, "poisson");
-    const auto load = prepared_->problem.template load<T>(m, f, fluxes);
-    prepared_->problem.system.template solve<T>(*prepared_->solver, [&](std::size_t k, int i) { return load[k][i]; }, value, "poisson");
-    return value;
+  template<class F, class T = detail::field_value_at<F, vert_t<M>>>
+    requires requirement::gives_numbers_or_points<F, vert_t<M>>
+  vert_map<M, T> solve(const F& f, const poisson_options<M, std::type_identity_t<T>>& options = {}) const {
+    auto q = prepared_->problem.template ask<T>(mesh_.get(), f, options);
+    return prepared_->problem.template solve<T>(*prepared_->solver, std::move(q), options.progress);
   }
 };
 
 /// Prepares Poisson's equation with values given at the same verts, for many loads, values and fluxes: auto p = prepare_poisson(m, {b});
-/// auto u = p.solve(f, {{b, 0.0}}).
+/// auto u = p.solve(f, {.values = {{b, 0.0}}}).
 /// Needs:  as poisson; the mesh stays as it is. `fixed`: verts in braces or any container. solver: one like it is kept, made of its options()
 ///         where it has them.
-/// Result: an object that answers solve(...), and tells by isolated() how many verts got isolated_value.
+/// Result: an object that answers solve(...), and tells by isolated() how many verts get isolated_value.
 /// Cost:   that of poisson, but for the back-substitution.
 /// Errors: as poisson, but for those about values, loads and fluxes; invalid_mesh if a vert to be fixed is no vert of m.
+template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const D& discretisation,
+                                                                                      const prepare_poisson_options& options = {}, Solver&& solver = {}) {
+  return {m, fixed, discretisation, options, solver};
+}
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const poisson_options& options = {},
-                                                                                      Solver&& solver = {}) {
-  return {m, fixed, options, solver};
+prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed,
+                                                                                      const prepare_poisson_options& options = {}, Solver&& solver = {}) {
+  return {m, fixed, virtual_elements, options, solver};
 }
 
-/// The function u on the verts with -L u = M f + S, the weak form of -(Laplacian of u) = f, the given values at some verts, and the given outward
-/// derivatives du/dn on some of the boundary. Where neither is given there, the derivative across it is 0.
-/// Needs:  Embedded AnyMesh; for cotangent weights all polys triangles or tets. f: any readable map over verts, f[v], in units of u over
-///         length^2; numbers, or points for vectors, which are solved for part by part. `values` and solver as for harmonic_map. `fluxes`: edges of
-///         a surface or faces of a volume and numbers (or points), in braces ({{e, 1.0}}) or any container of pairs: the derivative
-///         in the direction out of the mesh, constant on the edge or face, in units of u over length. The same one twice is fine. They
-///         stand before the options, and are told from them by their type; {} means none and default options alike.
+/// The function u on the verts with -L u = M f + S, the weak form of -(Laplacian of u) = f, the values of the options at some verts, and their outward
+/// derivatives du/dn on some of the boundary: poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 1.0}}}). Where neither is given there, the
+/// derivative across it is 0. L is the Laplacian of the discretisation, after the load, or that of virtual_elements.
+/// Needs:  EmbeddedMesh M, with a Discretisation also what that needs. f: any readable map over verts, f[v], in units of u over length^2;
+///         numbers, or points for vectors, which are solved for part by part: then values and fluxes are points too. Values: one at least in each
+///         component. Fluxes: edges of a surface or faces of a volume on the boundary and the derivative in the direction out of the mesh, constant on
+///         the edge or face. The same one twice is fine. solver: as for harmonic_map.
 /// Result: a map of double or vec3, u[v]. Given values are exact. M is the Galerkin mass: the load is integrated against the projected hat functions,
-///         since lumping it would cost the order of the error, 2 in the size of the polys with standard weights. S integrates the hat functions over
-///         edges and faces exactly as the Laplacian of standard weights has them: linear functions are reproduced where the mesh is planar, or a
+///         since lumping it would cost the order of the error, 2 in the size of the polys with virtual_elements. S integrates the hat functions over
+///         edges and faces exactly as the Laplacian of virtual_elements has them: linear functions are reproduced where the mesh is planar, or a
 ///         volume with planar faces on the boundary. Verts without edges get isolated_value unless a value is given; prepare_poisson counts
 ///         them; f is not read at verts of no poly.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
-/// Errors: as harmonic_map with the same weights; invalid_argument if f is not finite at a vert of a poly, or a flux is not finite or given
+/// Errors: as harmonic_map with the same discretisation; invalid_argument if f is not finite at a vert of a poly, or a flux is not finite or given
 ///         twice differently; invalid_mesh if a poly has no area or volume, or points that are not finite, or if a flux is given at what is no
 ///         edge or face of m or has not exactly one poly.
 /// Source: Beirao da Veiga et al. 2013, Ahmad et al. 2013 (the load); paper section 2.2.
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
-         class N = detail::no_fluxes<M, T>, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && detail::gives_values<D, vert_t<M>> && detail::walkable<N> &&
+template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && Discretisation<D, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> poisson(M&& m, const F& f, const D& values, const N& fluxes, const poisson_options& options = {}, Solver&& solver = {}) {
+vert_map<M, T> poisson(M&& m, const F& f, const D& discretisation, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {},
+                       Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
-  detail::tell(options.progress, 0, "Poisson's equation");
-  detail::held_verts<std::remove_cvref_t<M>> held(mesh_in);
-  held.hold(mesh_in, values, "poisson");
-  auto value = detail::prescribed_values<T>(mesh_in, held, values, options.isolated_value, "poisson");
-  const detail::poisson_problem<std::remove_cvref_t<M>> problem(mesh_in, std::move(held), options.weights);
-  const auto load = problem.template load<T>(mesh_in, f, fluxes);
-  problem.system.factorize(solver, options.progress, "poisson");
-  detail::tell(options.progress, 0.9, "solving");
-  problem.system.template solve<T>(solver, [&](std::size_t k, int i) { return load[k][i]; }, value, "poisson");
-  detail::tell(options.progress, 1, "Poisson's equation");
-  return value;
+  const auto problem = detail::poisson_problem<std::remove_cvref_t<M>>::make(mesh_in, options.values, discretisation, options.progress);
+  auto q = problem.template ask<T>(mesh_in, f, options);
+  problem.factorize(solver, options.progress);
+  return problem.template solve<T>(solver, std::move(q), options.progress);
 }
-/// The same without fluxes.
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D = std::initializer_list<std::pair<vert_t<M>, T>>,
-         class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && detail::gives_values<D, vert_t<M>> &&
+template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> poisson(M&& m, const F& f, const D& values, const poisson_options& options = {}, Solver&& solver = {}) {
-  return poisson(m, f, values, detail::no_fluxes<M, T>{}, options, solver);
+vert_map<M, T> poisson(M&& m, const F& f, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {}, Solver&& solver = {}) {
+  return poisson(m, f, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.

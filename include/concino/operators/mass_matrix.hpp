@@ -90,7 +90,7 @@ struct mass_matrix_options {
 ///         deleted ones too); sums to the measure of the mesh. Lumped: vert_masses as a diagonal. Otherwise the hat functions of the verts are projected to
 ///         linear functions on each poly, and what the projection does not see is weighed by its squares at the verts, so that the matrix
 ///         is positive definite on the verts of polys that do not intersect themselves; on triangles and tets it is the mass of linear elements.
-/// Cost:   lumped as vert_masses, otherwise as laplacian with standard weights.
+/// Cost:   lumped as vert_masses, otherwise as laplacian.
 /// Errors: invalid_mesh as vert_masses, or, unless lumped, if a poly has points that are not finite, or no area or volume; unsupported then if the
 ///         matrix would be too large for 32-bit indices.
 /// Source: Ahmad et al. 2013, "Equivalent projectors for virtual element methods".
@@ -99,7 +99,7 @@ template<AnyMesh M>
 Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& options = {}) {
   if (!options.lumped) {
     if constexpr (TriMesh<M> || TetMesh<M>) return detail::simplex_mass(m);
-    else return detail::with_both_triangles(detail::assemble_elements<M>(m, &detail::poly_operator_of<detail::virtual_mass<M>, M>));
+    else return detail::with_both_triangles(detail::assemble_elements<M>(m, [&] { return detail::poly_operator_of<M>([&] { return detail::virtual_mass<M>(m); }); }));
   }
   const auto mass = vert_masses(m);
   return detail::diagonal_matrix(mass.values());

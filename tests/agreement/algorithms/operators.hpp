@@ -34,14 +34,14 @@ struct laplacians {
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
-    compare(both, weights::uniform);
+    compare(both, uniform);
     return true;
   }
 
-  template<class B>
-  static void compare(const B& both, weights which) {
-    const auto expected = laplacian(both.native, {.weights = which});
-    const auto found = laplacian(both.other, {.weights = which});
+  template<class B, class D>
+  static void compare(const B& both, const D& which) {
+    const auto expected = laplacian(both.native, which);
+    const auto found = laplacian(both.other, which);
     expect(std::size_t(found.rows()) == vert_index_bound(both.other) && expected.nonZeros() == found.nonZeros(), "as many entries");
     const auto row = [&](Eigen::Index i) {
       return static_cast<Eigen::Index>(index_of(both.other, both.verts.to(vert_t<typename B::native_mesh>{i})));
@@ -59,13 +59,13 @@ struct harmonic {
   template<class B, class In>
   static bool check(const B& both, const In&) {
     if (both.verts.empty()) return false;
-    compare(both, {.weights = weights::uniform});
-    compare(both, {.weights = weights::uniform, .exponent = 2});
+    compare(both, uniform);
+    compare(both, uniform, {.exponent = 2});
     return true;
   }
 
-  template<class B>
-  static void compare(const B& both, const harmonic_map_options& options) {
+  template<class B, class D>
+  static void compare(const B& both, const D& which, const harmonic_map_options& options = {}) {
     std::vector<std::pair<vert_t<typename B::native_mesh>, double>> here;
     std::vector<std::pair<vert_t<typename B::other_mesh>, double>> there;
     const auto give = [&](const auto v, double x) {
@@ -93,9 +93,9 @@ struct cotangents {
   template<class B, class In>
   static bool check(const B& both, const In& in) {
     if (!has_cotangents(in, both.other)) return false;
-    laplacians::compare(both, weights::cotangent);
-    harmonic::compare(both, {.weights = weights::cotangent});
-    harmonic::compare(both, {.weights = weights::cotangent, .exponent = 2});
+    laplacians::compare(both, cotangent);
+    harmonic::compare(both, cotangent);
+    harmonic::compare(both, cotangent, {.exponent = 2});
     return true;
   }
 };

@@ -20,7 +20,7 @@ namespace {
 
 template<class M, class Element>
 Eigen::MatrixXd matrix_of(const M&, Element element, const poly_t<M>& p) {
-  detail::local_matrix<vert_t<M>> local;
+  local_matrix<vert_t<M>> local;
   element(p, local);
   const auto n = static_cast<Eigen::Index>(local.size());
   Eigen::MatrixXd a(n, n);

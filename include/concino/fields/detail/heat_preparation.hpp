@@ -9,9 +9,9 @@
 #include <concino/geometry/edge_length.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/graph/detail/boundary_verts.hpp>
+#include <concino/operators/detail/stiffness.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/simplex_gradients.hpp>
-#include <concino/operators/weights.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,19 +46,6 @@ corner_fluxes fluxes_of(const M& m) {
     return local.verts.size();
   });
   return r;
-}
-
-/// The lower triangle of minus the Laplacian.
-template<class M>
-Eigen::SparseMatrix<double> lower_stiffness(const M& m, weights which) {
-  return with_weights(
-      m, which,
-      [&](const auto& weights) {
-        return core::assemble<core::lower_triangle>(
-            m, weights, vert_index_bound(m), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
-            [](int, const vert_t<M>&, double) {});
-      },
-      [&](auto make_element) { return assemble_elements(m, make_element); });
 }
 
 /// Along each edge what its polys have for it: measure times dimension over number of edges, over the square of its length. Positive, and on grids

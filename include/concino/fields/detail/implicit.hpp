@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -37,13 +36,13 @@ inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, 
   return r;
 }
 
-/// Both triangles of the mass that goes with these weights: the identity for uniform ones, lumped, or the Galerkin mass.
-/// Errors: invalid_mesh if a vert with edges has no mass, and those of mass_matrix.
-template<class M>
-Eigen::SparseMatrix<double> mass_beside(const M& m, weights which, bool lumped, const char* who) {
-  if constexpr (AnyMesh<M> && Embedded<M>)
-    if (!lumped && which != weights::uniform) return mass_matrix(m, {.lumped = false});
-  return diagonal_matrix(lumped_masses(m, which, who));
+/// Both triangles of the mass that goes with a discretisation: its own, lumped, or the Galerkin mass.
+/// Errors: invalid_mesh if a vert with edges has no mass, and those of lumped_masses and mass_matrix.
+template<class M, class D>
+Eigen::SparseMatrix<double> mass_beside(const M& m, const D& discretisation, bool lumped, const char* who) {
+  if constexpr (!requirement::has_masses<D, M>)
+    if (!lumped) return mass_matrix(m, {.lumped = false});
+  return diagonal_matrix(lumped_masses(m, discretisation, who));
 }
 
 template<class M>
@@ -61,7 +60,7 @@ class implicit_system {
     for (const vert_t<M> v : verts(m)) {
       const auto i = index_of(m, v);
       if (system_.verts.unknown[v] >= 0 && !has_mass(mass_, i))
-        core::throw_joined<invalid_mesh>({who_, ": vert ", i, " has edges but no polys, so no mass; use uniform weights"});
+        core::throw_joined<invalid_mesh>({who_, ": vert ", i, " has edges but no polys, so no mass; use uniform"});
     }
     system_.restrict_to_unknowns(sum_of(mass_, amount, k));
   }
@@ -101,8 +100,5 @@ class implicit_system {
     system_.template solve<T>(solver, load, f, who_);
   }
 };
-
-/// Nothing held.
-template<class M> using no_verts = std::initializer_list<vert_t<M>>;
 
 }  // namespace concino::detail

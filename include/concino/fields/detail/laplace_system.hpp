@@ -2,42 +2,53 @@
 // masses that stand beside it in equations of heat and smoothness.
 #pragma once
 
+#include <concino/core/number_text.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/operators/detail/product.hpp>
+#include <concino/operators/detail/stiffness.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
-#include <concino/operators/weights.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace concino::detail {
 
-/// By index the lumped mass of each vert, or 1 for uniform weights, which know no lengths. 0 where the mesh has no vert with edges.
-/// Errors: invalid_mesh that names a vert with edges but without mass, and those of vert_masses.
-template<class M>
-std::vector<double> lumped_masses(const M& m, weights which, const char* who) {
-  std::vector<double> r(vert_index_bound(m), 1.0);
-  if constexpr (AnyMesh<M> && Embedded<M>) {
-    if (which == weights::uniform) return r;
+/// By index the mass of each vert that the discretisation gives, or the lumped ones.
+/// Errors: invalid_mesh that names a vert with edges but without mass, and those of vert_masses; invalid_argument if the mass that the discretisation
+///         gives at such a vert is not a positive number.
+template<class M, class D>
+std::vector<double> lumped_masses(const M& m, const D& discretisation, const char* who) {
+  std::vector<double> r(static_cast<std::size_t>(vert_index_bound(m)), 1.0);
+  const auto has_edges = [&](const vert_t<M>& v) {
+    const auto& around = adj_v2v(m, v);
+    return around.begin() != around.end();
+  };
+  if constexpr (requirement::has_masses<D, M>) {
+    const auto mass = discretisation.masses(m);
+    for (const vert_t<M> v : verts(m)) {
+      const auto i = static_cast<std::size_t>(index_of(m, v));
+      r[i] = static_cast<double>(mass[v]);
+      if (!(r[i] > 0 && std::isfinite(r[i])) && has_edges(v))
+        core::throw_joined<invalid_argument>({who, ": the discretisation gives vert ", i, " the mass ", core::number_text(r[i]), "; masses must be positive and finite"});
+    }
+  } else {
     const auto mass = vert_masses(m);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = mass.values()[i];
-    for (const vert_t<M> v : verts(m)) {
-      if (mass[v] > 0) continue;
-      const auto& around = adj_v2v(m, v);
-      if (around.begin() != around.end())
-        core::throw_joined<invalid_mesh>({who, ": vert ", index_of(m, v),
-                                    " has edges but no polys with a measure, so no mass; use uniform weights"});
-    }
+    for (const vert_t<M> v : verts(m))
+      if (!(mass[v] > 0) && has_edges(v))
+        core::throw_joined<invalid_mesh>({who, ": vert ", static_cast<std::size_t>(index_of(m, v)),
+                                    " has edges but no polys with a measure, so no mass; use uniform"});
   }
   return r;
 }
 
 /// Both triangles.
-template<class M>
-Eigen::SparseMatrix<double> minus_laplacian(const M& m, weights which) {
-  Eigen::SparseMatrix<double> a = laplacian(m, {.weights = which});
+template<class M, class D>
+Eigen::SparseMatrix<double> minus_laplacian(const M& m, const D& discretisation) {
+  Eigen::SparseMatrix<double> a = laplacian(m, discretisation);
   double* const x = a.valuePtr();
   for (Eigen::Index k = 0; k < a.nonZeros(); ++k) x[k] = -x[k];
   return a;
@@ -45,11 +56,11 @@ Eigen::SparseMatrix<double> minus_laplacian(const M& m, weights which) {
 
 /// A (M^-1 A)^(n-1) with A minus the Laplacian and M the lumped mass; both triangles.
 /// Errors: as lumped_masses; unsupported where 32-bit indices do not suffice; those of laplacian.
-template<class M>
-Eigen::SparseMatrix<double> polyharmonic(const M& m, weights which, int exponent, const char* who) {
-  const Eigen::SparseMatrix<double> a = minus_laplacian(m, which);
+template<class M, class D>
+Eigen::SparseMatrix<double> polyharmonic(const M& m, const D& discretisation, int exponent, const char* who) {
+  const Eigen::SparseMatrix<double> a = minus_laplacian(m, discretisation);
   if (exponent == 1) return a;
-  std::vector<double> inverse_mass = lumped_masses(m, which, who);
+  std::vector<double> inverse_mass = lumped_masses(m, discretisation, who);
   for (double& x : inverse_mass) x = x > 0 ? 1 / x : 1;
   Eigen::SparseMatrix<double> k = scaled_product(a, inverse_mass, a);
   for (int n = 2; n < exponent; ++n) k = scaled_product(a, inverse_mass, k);
@@ -57,17 +68,17 @@ Eigen::SparseMatrix<double> polyharmonic(const M& m, weights which, int exponent
 }
 
 /// The system of the unknowns of that. m: the mesh whose verts are held, or a view of it.
-template<class At, class M>
-held_system<M> laplace_system(const At& m, held_verts<M>&& held, weights which, int exponent, const char* who) {
+template<class At, class M, class D>
+held_system<M> laplace_system(const At& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
   held_system<M> r{std::move(held), {}, {}};
   if (exponent > 1) {  // of powers the verts with given values are part too
-    r.restrict_to_unknowns(polyharmonic(m, which, exponent, who));
+    r.restrict_to_unknowns(polyharmonic(m, discretisation, exponent, who));
     return r;
   }
   const auto& unknown = r.verts.unknown;
   bool is_whole = false;
-  Eigen::SparseMatrix<double> a = with_weights(
-      m, which,
+  Eigen::SparseMatrix<double> a = with_stiffness(
+      m, discretisation,
       [&](const auto& weights) {  // straight into the matrix of the unknowns
         auto lower = core::assemble<core::lower_triangle>(
             m, weights, static_cast<std::size_t>(r.verts.unknowns), 1.0, [&](const vert_t<M>& v) { return unknown[v]; },
@@ -80,7 +91,7 @@ held_system<M> laplace_system(const At& m, held_verts<M>&& held, weights which, 
       },
       [&](auto make_element) {
         is_whole = true;
-        return assemble_stiffness(m, make_element, 1.0);
+        return assemble_stiffness<At>(m, make_element, 1.0);
       });
   if (is_whole) r.restrict_to_unknowns(a);
   else r.lower = std::move(a);

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/views/forward.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/operators/weights.hpp>
+#include <concino/operators/discretisation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -60,11 +60,15 @@ views::scaled<M> scaled_to_unit(const M& m) {
   return {m, length_exponent(m)};
 }
 
+/// Whether lengths matter to D, and it can be asked about the mesh at another size.
+template<class D, class M>
+concept scales_with = AnyMesh<M> && Embedded<M> && !requirement::has_masses<D, M> && Discretisation<D, views::scaled<M>>;
+
 /// Calls use(mesh, exponent) with the mesh at a size near 1, or, where lengths do not matter, with itself and 0.
-template<class M, class Use>
-auto at_unit_size(const M& m, weights which, const Use& use) {
-  if constexpr (AnyMesh<M> && Embedded<M>) {
-    const views::scaled<M> at(m, which == weights::uniform ? 0 : length_exponent(m));
+template<class M, class D, class Use>
+auto at_unit_size(const M& m, const D&, const Use& use) {
+  if constexpr (scales_with<D, M>) {
+    const views::scaled<M> at = scaled_to_unit(m);
     return use(at, at.exponent());
   } else {
     return use(m, 0);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/operators/corner_gradients.hpp>
-#include <concino/operators/detail/local_matrix.hpp>
+#include <concino/operators/discretisation.hpp>
 
 #include <cstddef>
 #include <vector>

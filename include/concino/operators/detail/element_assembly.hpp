@@ -3,8 +3,7 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
-#include <concino/core/parallel.hpp>
-#include <concino/operators/detail/local_matrix.hpp>
+#include <concino/operators/detail/poly_operator.hpp>
 #include <concino/operators/detail/product.hpp>
 
 #include <Eigen/SparseCore>
@@ -78,7 +77,7 @@ Eigen::SparseMatrix<double> assemble_elements(const M& m, make_poly_operator<M> 
   constexpr std::size_t blocks = 16, block = 64;
   Eigen::SparseMatrix<double> a = lower_pattern(m);
   std::unique_ptr<poly_operator<M>> element[blocks];
-  for (auto& e : element) e = make_element(m);
+  for (auto& e : element) e = make_element();
   std::vector<local_matrix<vert_t<M>>> local(blocks * block);
   std::vector<poly_t<M>> batch;
   batch.reserve(blocks * block);

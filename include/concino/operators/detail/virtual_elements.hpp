@@ -3,7 +3,7 @@
 
 #include <concino/geometry/centroid.hpp>
 #include <concino/operators/corner_gradients.hpp>
-#include <concino/operators/detail/local_matrix.hpp>
+#include <concino/operators/discretisation.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -154,7 +154,7 @@ class virtual_stiffness : virtual_element<M> {
   using base = virtual_element<M>;
 
  public:
-  explicit virtual_stiffness(const M& m) : base(m, "standard weights") {}
+  explicit virtual_stiffness(const M& m) : base(m, "virtual elements") {}
 
   void operator()(const poly_t<M>& p, local_matrix<vert_t<M>>& out) {
     this->visit(p);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/operators/corner_gradients.hpp>
-#include <concino/operators/detail/local_matrix.hpp>
 #include <concino/operators/detail/simplex_weights.hpp>
+#include <concino/operators/discretisation.hpp>
 
 #include <array>
 #include <cmath>
@@ -73,8 +73,8 @@ class virtual_refinement_element {
   std::vector<std::size_t> slot_;                      // of polys of many verts
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_not_star_shaped(const poly_t<M>& p) const {
-    core::throw_joined<unsupported>({"Laplacian by virtual refinement: poly ", index_of(m_, p),
-                               " is not star-shaped about its virtual vert; use standard weights, or split the poly"});
+    core::throw_joined<unsupported>({"Laplacian by virtual refinement: poly ", static_cast<std::size_t>(index_of(m_, p)),
+                               " is not star-shaped about its virtual vert; use virtual_elements, or split the poly"});
   }
 
   /// A virtual vert that is the mean of the verts in `around_` that is nearest to the minimum of `energy`.

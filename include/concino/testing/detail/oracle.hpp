@@ -69,7 +69,7 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
     }
     for (const vert_t<M> v : verts(m))
       if (!has[static_cast<std::size_t>(component[v])]) prescribe(v, 0);
-    same("harmonic_map", verts(m), 'v', harmonic_map(m, given, {.weights = weights::uniform}), harmonic_map(c.mesh, also, {.weights = weights::uniform}), vert_of);
+    same("harmonic_map", verts(m), 'v', harmonic_map(m, given, uniform), harmonic_map(c.mesh, also, uniform), vert_of);
     break;
   }
 }

@@ -1,10 +1,8 @@
-#include <concino/operators/weights.hpp>
+#include <concino/operators/cotangent.hpp>
 
-#include <concino/concepts/archetypes.hpp>
 #include <concino/operators/laplacian.hpp>
 
 #include <support/kinds.hpp>
-#include <support/stiffness.hpp>
 #include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
@@ -44,28 +42,12 @@ struct concino::mesh_traits<spun> : concino::mesh_traits<tiny::surface> {
 TEST_CASE("cotangent weights: whichever edge a poly names first") {
   const std::vector<std::array<double, 3>> x = {{0, 0, 0}, {2, 0.1, 0}, {2.3, 1.5, 0.2}, {-0.3, 1.1, 0.4}};
   const std::vector<tiny::polygon> triangles = {{0, 1, 2}, {0, 2, 3}};
-  const Eigen::MatrixXd expected = laplacian(tiny::surface(x, triangles), {.weights = weights::cotangent});
+  const Eigen::MatrixXd expected = laplacian(tiny::surface(x, triangles), cotangent);
   for (const std::size_t turn : {0u, 1u, 2u})
     for (const bool back : {false, true}) {
       const spun m{{x, triangles}, turn, back};
-      CHECK((Eigen::MatrixXd(laplacian(m, {.weights = weights::cotangent})) - expected).cwiseAbs().maxCoeff() < 1e-14);
+      CHECK((Eigen::MatrixXd(laplacian(m, cotangent)) - expected).cwiseAbs().maxCoeff() < 1e-14);
     }
-}
-
-TEST_CASE_TEMPLATE("weights for comparison: minus the stiffness of the polys", M, polygonmesh, polyhedralmesh) {
-  const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
-  const Eigen::MatrixXd refined = laplacian(m, {.weights = weights::virtual_refinement});
-  CHECK((refined + stiffness<detail::virtual_refinement_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
-  if constexpr (SurfaceMesh<M>) {
-    const Eigen::MatrixXd de_goes = laplacian(m, {.weights = weights::de_goes});
-    CHECK((de_goes + stiffness<detail::de_goes_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
-  } else {
-    CHECK_THROWS_WITH_AS(laplacian(m, {.weights = weights::de_goes}),
-                         "weights of de Goes, Butts and Desbrun: they are for surfaces; use standard weights", unsupported);
-  }
-  for (const auto which : {weights::de_goes, weights::virtual_refinement})
-    CHECK_THROWS_WITH_AS(laplacian(only_primal_graph(m), {.weights = which}),
-                         "weights: the mesh type is a graph without polys or points; use uniform weights", unsupported);
 }
 
 TEST_CASE("weights of a triangle in space: one formula for surfaces and volumes, checked against gradients of the hat functions") {

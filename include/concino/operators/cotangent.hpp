@@ -1,0 +1,28 @@
+// The discretisation of linear elements: cotangents on the edges of triangles and tets.
+#pragma once
+
+#include <concino/operators/detail/cotangent_weights.hpp>
+#include <concino/operators/discretisation.hpp>
+
+namespace concino {
+
+namespace requirement {
+
+template<class M> concept may_have_simplices = AnyMesh<M> && (arity_v<M> == 0 || arity_v<M> == dimension_v<M> + 1);  // cotangents need triangles or tets: use virtual_elements, or split the polys
+
+}  // namespace requirement
+
+/// Minus the measure of each triangle or tet times the scalar product of the gradients of the hat functions of the edge's ends, summed: half the
+/// cotangents of the angles opposite the edge on surfaces, a sixth of the lengths of the opposite edges times the cotangents of the dihedral
+/// angles there in volumes. Negative weights are kept: they are what makes linear functions harmonic.
+/// Needs:  Embedded AnyMesh of triangles or tets: by type, or, where polys have any number of verts, by the polys that there are.
+/// Errors: of what uses it: unsupported if some poly is no triangle or tet, invalid_mesh if one is degenerate.
+/// Source: Pinkall, Polthier 1993 (triangles); Crane 2019, "The n-dimensional cotangent formula" (tets).
+struct cotangent_t {
+  template<class M>
+    requires AnyMesh<M> && Embedded<M> && requirement::may_have_simplices<M>
+  auto edge_weights(const M& m) const { return detail::cotangent_weights<M>(m, "cotangent weights"); }
+};
+inline constexpr cotangent_t cotangent{};
+
+}  // namespace concino

@@ -1,0 +1,25 @@
+// A discretisation to compare the default with: the Laplacian of de Goes, Butts and Desbrun.
+#pragma once
+
+#include <concino/operators/detail/cotangent_weights.hpp>
+#include <concino/operators/detail/de_goes.hpp>
+#include <concino/operators/discretisation.hpp>
+
+namespace concino {
+
+/// The mean gradient of each polygon, and how far the differences along its edges are from it. For comparison.
+/// Needs:  Embedded SurfaceMesh.
+/// Errors: of what uses it: invalid_mesh if a polygon has no area or points that are not finite.
+/// Source: de Goes, Butts, Desbrun 2020, "Discrete differential operators on polygonal meshes".
+struct de_goes_t {
+  template<class M>
+    requires SurfaceMesh<M> && Embedded<M> && TriMesh<M>
+  auto edge_weights(const M& m) const { return detail::cotangent_weights<M>(m, "Laplacian of de Goes"); }
+
+  template<class M>
+    requires SurfaceMesh<M> && Embedded<M> && (!TriMesh<M>)
+  auto poly_matrices(const M& m) const { return detail::de_goes_element<M>(m); }
+};
+inline constexpr de_goes_t de_goes{};
+
+}  // namespace concino

@@ -1,0 +1,27 @@
+// The default discretisation: virtual elements of order 1, right on every polygon and polyhedron.
+#pragma once
+
+#include <concino/operators/detail/cotangent_weights.hpp>
+#include <concino/operators/detail/virtual_elements.hpp>
+#include <concino/operators/discretisation.hpp>
+
+namespace concino {
+
+/// Virtual elements of order 1: right on every polygon and polyhedron, concave and non-planar ones too; on triangles and tets the same as cotangent.
+/// Linear functions are in the kernel at interior verts of planar surfaces and of volumes, whatever the polys; polys turned inside out count as if
+/// they were not.
+/// Needs:  Embedded AnyMesh.
+/// Errors: of what uses it: invalid_mesh if a poly has no area or volume or points that are not finite.
+/// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods".
+struct virtual_elements_t {
+  template<class M>
+    requires AnyMesh<M> && Embedded<M> && (TriMesh<M> || TetMesh<M>)
+  auto edge_weights(const M& m) const { return detail::cotangent_weights<M>(m, "virtual elements"); }  // the same, several times faster
+
+  template<class M>
+    requires AnyMesh<M> && Embedded<M> && (!TriMesh<M> && !TetMesh<M>)
+  auto poly_matrices(const M& m) const { return detail::virtual_stiffness<M>(m); }
+};
+inline constexpr virtual_elements_t virtual_elements{};
+
+}  // namespace concino
