@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
     for (const auto v : concino::verts(m)) f[v] = std::sin(static_cast<double>(v.raw()));
     for (const auto t : concino::polys(m)) size = std::max(size, concino::area(m, t));
 
-    compare_with_factorisation(p, "poisson.bunny", [&](auto& solver) { return concino::poisson(m, f, {{a, 0.0}}, {}, solver); });
+    compare_with_factorisation(p, "poisson.bunny", [&](auto& solver) { return concino::poisson(m, f, {.values = {{a, 0.0}}}, solver); });
     compare_with_factorisation(p, "smooth.bunny", [&](auto& solver) { return concino::smooth(m, f, size, {}, solver); });
     compare_with_factorisation(p, "heat_flow.prepare.bunny", [&](auto& solver) { return concino::heat_flow(m, f, size, {.steps = 1}, solver); });
 

@@ -33,7 +33,7 @@ TEST_CASE_TEMPLATE("operators and fields, word for word", M, CONCINO_KINDS) {
   CHECK(W.sum() == doctest::Approx(t).epsilon(1e-12));
 
   auto f = cn::make_vert_map<double>(m, 1.0);
-  auto u = cn::poisson(m, f, {{b, 0.0}});
+  auto u = cn::poisson(m, f, {.values = {{b, 0.0}}});
   auto g = cn::gradient(m, u);
   auto at_verts = cn::vert_gradient(m, u);
   CHECK(u[b] == 0);

@@ -25,7 +25,7 @@ void solve(const char* name, const M& m) {
     f[v] = 3 * pi * pi * exact(x);
     if (std::min({x.x, x.y, x.z, 1 - x.x, 1 - x.y, 1 - x.z}) < 1e-9) cold.push_back({v, 0.0});
   }
-  const auto u = cn::poisson(m, f, cold);
+  const auto u = cn::poisson(m, f, {.values = cold});
 
   const auto mass = cn::vert_masses(m);
   double squares = 0;

@@ -41,7 +41,7 @@ TEST_CASE("eigenfunctions: archetypes, options and errors") {
   CHECK_THROWS_AS(eigenfunctions(m, 0), invalid_argument);
   CHECK_THROWS_AS(eigenfunctions(m, 82), invalid_argument);
   CHECK_THROWS_AS(eigenfunctions(m, 20, {.max_restarts = 0}), invalid_argument);
-  const auto quads = grid<quadmesh>(2);
+  const polygonmesh quads({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
   CHECK_THROWS_AS(eigenfunctions(quads, 2, cotangent), unsupported);
   const trimesh endless({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}}, {{0, 1, 2}});
   CHECK_THROWS_AS(eigenfunctions(endless, 1), invalid_mesh);

@@ -290,7 +290,7 @@ TEST_CASE("harmonic_map: errors") {
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{b, std::nan("")}}), "harmonic_map: the value given at vert 8 is not finite", invalid_argument);
   CHECK_THROWS_AS(harmonic_map(m, {{b, INFINITY}}), invalid_argument);
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{b, 1.0}}, {.exponent = 0}), "harmonic_map: exponent is 0; it must be 1 or more", invalid_argument);
-  const auto quads = grid<quadmesh>(1);
+  const polygonmesh quads({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
   CHECK_THROWS_AS(harmonic_map(quads, {{a, 1.0}}, cotangent), unsupported);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   CHECK_THROWS_AS(harmonic_map(flat, {{a, 1.0}}, cotangent), invalid_mesh);

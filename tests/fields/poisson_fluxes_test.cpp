@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -84,7 +85,7 @@ double mixed_error(const M& m) {
     const vec3 gradient{-pi * std::tan(pi * x.x + 1) * u_at(x), u_at(x), VolumeMesh<M> ? u_at(x) / (x.z + 1) : 0};
     across.push_back({e, dot(gradient, out)});
   });
-  const auto u = poisson(m, f, given, across);
+  const auto u = poisson(m, f, {.values = given, .fluxes = across});
   const auto mass = vert_masses(m);
   double sum = 0;
   for (const auto v : verts(m)) {
@@ -102,7 +103,7 @@ TEST_CASE_TEMPLATE("poisson: linear functions with the flux that is theirs are r
   fluxes<M> across;
   for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3& out) { across.push_back({e, dot(slope, out)}); });
   const vert_id a{3};
-  const auto u = poisson(m, constant{0}, {{a, 1.0}}, across);
+  const auto u = poisson(m, constant{0}, {.values = {{a, 1.0}}, .fluxes = across});
   for (const auto v : verts(m)) CHECK(u[v] == doctest::Approx(1 + dot(slope, to_vec3(point(m, v)) - to_vec3(point(m, a)))).epsilon(1e-12).scale(1));
 }
 
@@ -155,7 +156,7 @@ TEST_CASE_TEMPLATE("poisson: the load and what flows out balance at the verts th
   const M m = moved_grid<M>(2, 0.1);
   fluxes<M> across;
   for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) { across.push_back({e, -(VolumeMesh<M> ? 1 / 6. : 1 / 4.)}); });
-  const auto u = poisson(m, constant{1}, {{vert_id{0}, 2.0}}, across);  // in balance, so nothing needs to flow at vert 0
+  const auto u = poisson(m, constant{1}, {.values = {{vert_id{0}, 2.0}}, .fluxes = across});  // in balance, so nothing needs to flow at vert 0
   Eigen::VectorXd x(static_cast<Eigen::Index>(vert_index_bound(m)));
   for (const auto v : verts(m)) x[static_cast<Eigen::Index>(index_of(m, v))] = u[v];
   const Eigen::VectorXd l = laplacian(m) * x, load = mass_matrix(m, {.lumped = false}) * Eigen::VectorXd::Ones(x.size());
@@ -174,21 +175,26 @@ TEST_CASE_TEMPLATE("poisson: every spelling of a call means one", M, quadmesh, t
     for (const auto v : verts(m)) CHECK(u[v] == w[v]);
   };
   const constant f{1};
-  const auto u = poisson(m, f, {{a, 0.0}});
-  const poisson_options options;
-  same(u, poisson(m, f, {{a, 0.0}}, {}));
-  same(u, poisson(m, f, {{a, 0.0}}, {}, ldlt{}));
-  same(u, poisson(m, f, {{a, 0.0}}, {}, {}));
-  same(u, poisson(m, f, {{a, 0.0}}, {}, {}, ldlt{}));
-  same(u, poisson(m, f, {{a, 0.0}}, options));
-  same(u, poisson(m, f, {{a, 0.0}}, {.isolated_value = 3}, ldlt{}));
-  same(u, poisson(m, f, {{a, 0.0}}, fluxes<M>{}, options));
-  const auto w = poisson(m, f, {{a, 0.0}}, {{e, 2.0}});
-  same(w, poisson(m, f, {{a, 0.0}}, {{e, 2.0}}, {.isolated_value = 3}));
-  same(w, poisson(m, f, {{a, 0.0}}, {{e, 2}, {e, 2}}, {}, ldlt{}));
-  same(w, poisson(m, f, {{a, 0.0}}, fluxes<M>{{e, 2}}, options, ldlt{}));
+  const auto u = poisson(m, f, {.values = {{a, 0.0}}});
+  poisson_options<M> options{.values = {{a, 0.0}}};
+  same(u, poisson(m, f, {.values = {{a, 0.0}}}, ldlt{}));
+  same(u, poisson(m, f, {.values = {{a, 0.0}}}, {}));
+  same(u, poisson(m, f, options));
+  same(u, poisson(m, f, options, ldlt{}));
+  same(u, poisson(m, f, virtual_elements, options));
+  same(u, poisson(m, f, virtual_elements, {.values = {{a, 0.0}}}, ldlt{}));
+  same(u, poisson(m, f, {.values = {{a, 0.0}}, .isolated_value = 3}, ldlt{}));
+  same(u, poisson(m, f, {.values = {{a, 0.0}}, .fluxes = fluxes<M>{}}));
+  const std::map<vert_id, double> by_map{{a, 0.0}};
+  same(u, poisson(m, f, {.values = {by_map.begin(), by_map.end()}}));
+  const auto w = poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 2.0}}});
+  same(w, poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 2.0}}, .isolated_value = 3}));
+  same(w, poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 2}, {e, 2}}}, ldlt{}));
+  options.fluxes = {{e, 2}};
+  same(w, poisson(m, f, options, ldlt{}));
   ldlt solver;
-  same(w, poisson(m, f, {{a, 0.0}}, {{e, 2}}, {}, solver));
+  same(w, poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 2}}}, solver));
+  same(w, poisson(m, f, virtual_elements, {.values = {{a, 0.0}}, .fluxes = {{e, 2}}}, solver));
 }
 
 TEST_CASE_TEMPLATE("poisson: fluxes on an archetype, and of vectors", M, polygonmesh, polyhedralmesh) {
@@ -199,7 +205,7 @@ TEST_CASE_TEMPLATE("poisson: fluxes on an archetype, and of vectors", M, polygon
     across.push_back({e, x.y});
     to_space.push_back({e, {0, x.y, 2 * x.y}});
   });
-  const auto u = poisson(m, constant{1}, {{vert_id{0}, 0.5}}, across);
+  const auto u = poisson(m, constant{1}, {.values = {{vert_id{0}, 0.5}}, .fluxes = across});
   const auto weak = only_embedded_mesh(m);
   using weak_mesh = std::remove_const_t<decltype(weak)>;
   fluxes<weak_mesh> weakly;
@@ -207,10 +213,10 @@ TEST_CASE_TEMPLATE("poisson: fluxes on an archetype, and of vectors", M, polygon
     if constexpr (SurfaceMesh<M>) weakly.push_back({weak.edge(e), flux});
     else weakly.push_back({weak.face(e), flux});
   }
-  const auto same = poisson(weak, constant{1}, {{weak.vert(vert_id{0}), 0.5}}, weakly);
+  const auto same = poisson(weak, constant{1}, {.values = {{weak.vert(vert_id{0}), 0.5}}, .fluxes = weakly});
   for (const auto v : verts(weak)) CHECK(same[v] == doctest::Approx(u[weak.base(v)]).epsilon(1e-12));
   const auto load = make_vert_map<vec3>(m, vec3{0, 1, 2});
-  const auto x = poisson(m, load, {{vert_id{0}, {7, 0.5, 1}}}, to_space);
+  const auto x = poisson(m, load, {.values = {{vert_id{0}, {7, 0.5, 1}}}, .fluxes = to_space});
   for (const auto v : verts(m)) {
     CHECK(x[v].x == doctest::Approx(7).epsilon(1e-12));
     CHECK(x[v].y == doctest::Approx(u[v]).epsilon(1e-12));
@@ -225,7 +231,7 @@ TEST_CASE_TEMPLATE("poisson: scaling the mesh by a power of two, and load and fl
     const M m(arrays);
     fluxes<M> across;
     for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) { across.push_back({e, 0.7 / scale}); });
-    const auto u = poisson(m, constant{1.3 / scale / scale}, {{vert_id{0}, 0.5}}, across);
+    const auto u = poisson(m, constant{1.3 / scale / scale}, {.values = {{vert_id{0}, 0.5}}, .fluxes = across});
     return std::vector<double>(u.values().begin(), u.values().end());
   };
   const auto u = solution(1);
@@ -250,15 +256,15 @@ TEST_CASE_TEMPLATE("poisson: fluxes given wrongly", M, CONCINO_KINDS) {
   const char* const word = SurfaceMesh<M> ? "edge " : "face ";
   const auto named = [&](const facet_t<M>& e) { return word + std::to_string(e.raw()); };
   const constant f{1};
-  CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{none, 1.0}}), doctest::Contains(("poisson: a flux is given at something that is no " + std::string(word) + "of the mesh").c_str()), invalid_mesh);
-  CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{inner, 1.0}}),
+  CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{none, 1.0}}}), doctest::Contains(("poisson: a flux is given at something that is no " + std::string(word) + "of the mesh").c_str()), invalid_mesh);
+  CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{inner, 1.0}}}),
                        doctest::Contains(("poisson: a flux is given at " + named(inner) + ", which has 2 polys and so is not on").c_str()),
                        invalid_mesh);
-  CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{outer, INFINITY}}), ("poisson: the flux given at " + named(outer) + " is not finite").c_str(),
+  CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{outer, INFINITY}}}), ("poisson: the flux given at " + named(outer) + " is not finite").c_str(),
                        invalid_argument);
-  CHECK_THROWS_AS(poisson(m, f, {{a, 0.0}}, {{outer, NAN}}), invalid_argument);
-  CHECK_THROWS_AS(poisson(m, make_vert_map<vec3>(m), {{a, {0, 0, 0}}}, {{outer, {0, INFINITY, 0}}}), invalid_argument);
-  CHECK_THROWS_WITH_AS(poisson(m, f, {{a, 0.0}}, {{outer, 1.0}, {outer, 2.0}}),
+  CHECK_THROWS_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{outer, NAN}}}), invalid_argument);
+  CHECK_THROWS_AS(poisson(m, make_vert_map<vec3>(m), {.values = {{a, {0, 0, 0}}}, .fluxes = {{outer, {0, INFINITY, 0}}}}), invalid_argument);
+  CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{outer, 1.0}, {outer, 2.0}}}),
                        ("poisson: the flux given at " + named(outer) + " is not the one given there before; keep one").c_str(), invalid_argument);
-  CHECK_THROWS_WITH_AS(poisson(m, f, values<M>{}, {{outer, 1.0}}), doctest::Contains("has no value prescribed"), solver_error);
+  CHECK_THROWS_WITH_AS(poisson(m, f, {.fluxes = {{outer, 1.0}}}), doctest::Contains("has no value prescribed"), solver_error);
 }

@@ -52,12 +52,12 @@ TEST_CASE_TEMPLATE("prepared problems: elements removed and not renumbered", M, 
   CHECK(h.isolated() == isolated);
   CHECK(prepare_smooth(m, 1).isolated() == isolated);
   const auto two = make_vert_map<double>(m, 0.0);
-  const auto flat = poisson(m, two, {{a, 2.0}}, {.isolated_value = 2});
+  const auto flat = poisson(m, two, {.values = {{a, 2.0}}, .isolated_value = 2});
   for (const auto v : verts(m)) CHECK(flat[v] == doctest::Approx(2).epsilon(1e-12));
   CHECK_THROWS_AS(prepare_harmonic_map(m, {gone}), invalid_mesh);
-  CHECK_THROWS_AS(smooth(m, f, 0.1, {gone}), invalid_mesh);
-  CHECK_THROWS_AS(heat_flow(m, f, 0.1, {gone}), invalid_mesh);
-  CHECK_THROWS_AS(poisson(m, f, {{a, 0.0}}, {{gone_too, 1.0}}), invalid_mesh);
+  CHECK_THROWS_AS(smooth(m, f, 0.1, {.fixed = {gone}}), invalid_mesh);
+  CHECK_THROWS_AS(heat_flow(m, f, 0.1, {.fixed = {gone}}), invalid_mesh);
+  CHECK_THROWS_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{gone_too, 1.0}}}), invalid_mesh);
 }
 
 TEST_CASE_TEMPLATE("prepared problems: points that are not finite", M, quadmesh, polyhedralmesh) {
@@ -67,7 +67,7 @@ TEST_CASE_TEMPLATE("prepared problems: points that are not finite", M, quadmesh,
     arrays.points[0].x = arrays.points[2].y = x;
     const M m(arrays);
     const vert_id a{0};
-    CHECK_THROWS_AS(poisson(m, f, {{a, 0.0}}), error);
+    CHECK_THROWS_AS(poisson(m, f, {.values = {{a, 0.0}}}), error);
     CHECK_THROWS_AS(heat_flow(m, f, 1), error);
     CHECK_THROWS_AS(smooth(m, f, 1), error);
     CHECK_THROWS_AS(prepare_poisson(m, {a}), error);
@@ -88,7 +88,7 @@ TEST_CASE("prepared problems: a quad with two verts 1e200 away is one of that si
   }
   CHECK_NOTHROW(prepare_poisson(m, {vert_id{0}}));
   const polyhedralmesh solid(far(grid_arrays<polyhedralmesh>(1)));
-  CHECK_THROWS_AS(poisson(solid, f, {{vert_id{0}, 0.0}}), error);
+  CHECK_THROWS_AS(poisson(solid, f, {.values = {{vert_id{0}, 0.0}}}), error);
   CHECK_THROWS_AS(heat_flow(solid, f, 1), error);
   CHECK_THROWS_AS(smooth(solid, f, 1), error);
   CHECK_THROWS_AS(prepare_poisson(solid, {vert_id{0}}), error);
@@ -105,7 +105,7 @@ TEST_CASE("prepared problems: an edge with three polys, a vert between two fans"
     for ([[maybe_unused]] const auto p : adj_e2p(m, e)) ++n;
     if (n == 3) shared = e;
   }
-  CHECK_THROWS_WITH_AS(poisson(m, ones, {{vert_id{0}, 0.0}}, {{shared, 1.0}}), doctest::Contains("which has 3 polys"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(poisson(m, ones, {.values = {{vert_id{0}, 0.0}}, .fluxes = {{shared, 1.0}}}), doctest::Contains("which has 3 polys"), invalid_mesh);
 }
 
 TEST_CASE("poisson: through a face without area nothing flows, whatever its flux") {
@@ -122,7 +122,7 @@ TEST_CASE("poisson: through a face without area nothing flows, whatever its flux
   CHECK(across.size() == 4);
   const auto load = make_vert_map<double>(m, 1.0);
   const vert_id a{13};
-  CHECK(largest_difference(poisson(m, load, {{a, 0.0}}, across), poisson(m, load, {{a, 0.0}})) == 0);
+  CHECK(largest_difference(poisson(m, load, {.values = {{a, 0.0}}, .fluxes = across}), poisson(m, load, {.values = {{a, 0.0}}})) == 0);
 }
 
 TEST_CASE("prepared problems: they keep a view, not the name it had") {

@@ -22,11 +22,11 @@ TEST_CASE("prepared problems: the same fields by every solver") {
   const trimesh m(jittered(grid_arrays<trimesh>(10), 0.02, false));
   const vert_id a{0}, b{50};
   const by_number f;
-  const auto h = harmonic_map(m, {{a, 0.0}, {b, 1.0}}), p = poisson(m, f, {{a, 0.0}, {b, 1.0}});
+  const auto h = harmonic_map(m, {{a, 0.0}, {b, 1.0}}), p = poisson(m, f, {.values = {{a, 0.0}, {b, 1.0}}});
   const auto t = heat_flow(m, f, 0.01), s = smooth(m, f, 0.01);
   const auto check = [&](const auto& solver) {
     CHECK(largest_difference(prepare_harmonic_map(m, {a, b}, {}, solver).with_values({{a, 0.0}, {b, 1.0}}), h) < 1e-9);
-    CHECK(largest_difference(prepare_poisson(m, {a, b}, {}, solver).solve(f, {{a, 0.0}, {b, 1.0}}), p) < 1e-9);
+    CHECK(largest_difference(prepare_poisson(m, {a, b}, {}, solver).solve(f, {.values = {{a, 0.0}, {b, 1.0}}}), p) < 1e-9);
     CHECK(largest_difference(prepare_heat_flow(m, 0.01, {}, solver).advance(f), t) < 1e-9);
     CHECK(largest_difference(prepare_smooth(m, 0.01, {}, solver).apply(f), s) < 1e-9);
   };

@@ -94,11 +94,11 @@ TEST_CASE_TEMPLATE("prepare_poisson: what poisson solves, one factorisation for 
   }
   int factorised = 0;
   const auto p = prepare_poisson(m, {a, b}, {}, counting(factorised));
-  CHECK(same_bits(p.solve(constant{1}, {{a, 0.0}, {b, 1.0}}), poisson(m, constant{1}, {{a, 0.0}, {b, 1.0}})));
-  CHECK(same_bits(p.solve(constant{-2}, values{{a, 5}, {b, 1}}), poisson(m, constant{-2}, values{{a, 5}, {b, 1}})));
-  CHECK(same_bits(p.solve(constant{1}, {{a, 0}, {b, 1}}, {{outer, 3}}), poisson(m, constant{1}, {{a, 0}, {b, 1}}, {{outer, 3}})));
+  CHECK(same_bits(p.solve(constant{1}, {.values = {{a, 0.0}, {b, 1.0}}}), poisson(m, constant{1}, {.values = {{a, 0.0}, {b, 1.0}}})));
+  CHECK(same_bits(p.solve(constant{-2}, {.values = {{a, 5}, {b, 1}}}), poisson(m, constant{-2}, {.values = {{a, 5}, {b, 1}}})));
+  CHECK(same_bits(p.solve(constant{1}, {.values = {{a, 0}, {b, 1}}, .fluxes = {{outer, 3}}}), poisson(m, constant{1}, {.values = {{a, 0}, {b, 1}}, .fluxes = {{outer, 3}}})));
   const auto f = make_vert_map<vec3>(m, vec3{1, 2, 3});
-  CHECK(same_bits(p.solve(f, {{a, {0, 0, 0}}, {b, {1, 2, 3}}}), poisson(m, f, {{a, {0, 0, 0}}, {b, {1, 2, 3}}})));
+  CHECK(same_bits(p.solve(f, {.values = {{a, {0, 0, 0}}, {b, {1, 2, 3}}}}), poisson(m, f, {.values = {{a, {0, 0, 0}}, {b, {1, 2, 3}}}})));
   CHECK(factorised == 1);
   CHECK(&p.mesh() == &m);
 }
@@ -113,9 +113,9 @@ TEST_CASE_TEMPLATE("prepared problems: verts without edges are counted", M, poly
   const auto all = prepare_harmonic_map(m, {a, b, alone});
   CHECK(all.isolated() == 0);
   CHECK(all.with_values({{a, 0}, {b, 1}, {alone, 7}})[alone] == 7);
-  const auto p = prepare_poisson(m, {a, b}, {.isolated_value = NAN});
+  const auto p = prepare_poisson(m, {a, b});
   CHECK(p.isolated() == 1);
-  CHECK(std::isnan(p.solve(constant{1}, {{a, 0}, {b, 1}})[alone]));
+  CHECK(std::isnan(p.solve(constant{1}, {.values = {{a, 0}, {b, 1}}, .isolated_value = NAN})[alone]));
 }
 
 TEST_CASE_TEMPLATE("prepared problems: on archetypes", M, trimesh, polyhedralmesh) {
@@ -123,11 +123,11 @@ TEST_CASE_TEMPLATE("prepared problems: on archetypes", M, trimesh, polyhedralmes
   const vert_id a{0}, b{3};
   const auto graph = only_primal_graph(m);
   const auto u = prepare_harmonic_map(m, {a, b}, uniform).with_values({{a, 0.0}, {b, 1.0}});
-  const auto h = prepare_harmonic_map(graph, {graph.vert(a), graph.vert(b)}).with_values({{graph.vert(a), 0.0}, {graph.vert(b), 1.0}});
+  const auto h = prepare_harmonic_map(graph, {graph.vert(a), graph.vert(b)}, uniform).with_values({{graph.vert(a), 0.0}, {graph.vert(b), 1.0}});
   for (const auto v : verts(graph)) CHECK(h[v] == doctest::Approx(u[graph.base(v)]).epsilon(1e-12));
   const auto weak = only_embedded_mesh(m);
-  const auto w = poisson(m, constant{1}, {{a, 0.0}});
-  const auto p = prepare_poisson(weak, {weak.vert(a)}).solve(constant{1}, {{weak.vert(a), 0.0}});
+  const auto w = poisson(m, constant{1}, {.values = {{a, 0.0}}});
+  const auto p = prepare_poisson(weak, {weak.vert(a)}).solve(constant{1}, {.values = {{weak.vert(a), 0.0}}});
   for (const auto v : verts(weak)) CHECK(p[v] == doctest::Approx(w[weak.base(v)]).epsilon(1e-12));
 }
 
@@ -135,12 +135,12 @@ TEST_CASE("prepared problems: nothing to find, nothing at all") {
   const trimesh none;
   const auto h = prepare_harmonic_map(none, {});
   CHECK(h.with_values(values{}).values().empty());
-  CHECK(prepare_poisson(none, {}).solve(constant{1}, values{}).values().empty());
+  CHECK(prepare_poisson(none, {}).solve(constant{1}).values().empty());
   const auto m = grid<trimesh>(1);
   const std::vector<vert_id> all(verts(m).begin(), verts(m).end());
   int factorised = 0;
   const auto p = prepare_poisson(m, all, {}, counting(factorised));
-  CHECK(p.solve(constant{1}, {{all[0], 0}, {all[1], 1}, {all[2], 2}, {all[3], 3}})[all[2]] == 2);
+  CHECK(p.solve(constant{1}, {.values = {{all[0], 0}, {all[1], 1}, {all[2], 2}, {all[3], 3}}})[all[2]] == 2);
   CHECK(factorised == 0);
 }
 
@@ -183,8 +183,8 @@ TEST_CASE("prepared problems: errors") {
   CHECK_THROWS_AS(prepare_poisson(m, {}), solver_error);
   CHECK_THROWS_AS(prepare_poisson(m, {none}), invalid_mesh);
   const auto p = prepare_poisson(m, {a});
-  CHECK_THROWS_WITH_AS(p.solve(constant{INFINITY}, {{a, 0.0}}), "poisson: the load f at vert 0 is not finite", invalid_argument);
-  CHECK_THROWS_AS(p.solve(constant{1}, {{b, 0.0}}), invalid_argument);
+  CHECK_THROWS_WITH_AS(p.solve(constant{INFINITY}, {.values = {{a, 0.0}}}), "poisson: the load f at vert 0 is not finite", invalid_argument);
+  CHECK_THROWS_AS(p.solve(constant{1}, {.values = {{b, 0.0}}}), invalid_argument);
   CHECK_THROWS_AS(prepare_harmonic_map(m, {a}, {.progress = [](double, const char*) { return false; }}), cancelled);
   CHECK_THROWS_AS(prepare_poisson(m, {a}, {.progress = [](double x, const char*) { return x == 0; }}), cancelled);
 }

@@ -27,7 +27,7 @@ TEST_CASE_TEMPLATE("harmonic_map, poisson, heat_flow, smooth: the size of the me
     return true;
   };
   const auto u = harmonic_map(m, {{a, 0.0}, {b, 1.0}}), u2 = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2});
-  const auto p = poisson(m, f, {{a, 0.5}});
+  const auto p = poisson(m, f, {.values = {{a, 0.5}}});
   const auto h = heat_flow(m, f, 0.01), s = smooth(m, f, 0.01);
   for (const int exponent : {-400, -266, -45, 45, 266, 400}) {
     CAPTURE(exponent);
@@ -36,8 +36,8 @@ TEST_CASE_TEMPLATE("harmonic_map, poisson, heat_flow, smooth: the size of the me
     CHECK(same(prepare_harmonic_map(other, {a, b}, {.exponent = 2}).with_values({{a, 0.0}, {b, 1.0}}), u2));
     auto load = f;
     for (const auto v : verts(m)) load[v] = std::ldexp(f[v], -2 * exponent);
-    CHECK(same(poisson(other, load, {{a, 0.5}}), p));
-    CHECK(same(prepare_poisson(other, {a}).solve(load, {{a, 0.5}}), p));
+    CHECK(same(poisson(other, load, {.values = {{a, 0.5}}}), p));
+    CHECK(same(prepare_poisson(other, {a}).solve(load, {.values = {{a, 0.5}}}), p));
     CHECK(same(heat_flow(other, f, std::ldexp(0.01, 2 * exponent)), h));
     CHECK(same(prepare_smooth(other, std::ldexp(0.01, 2 * exponent)).apply(f), s));
   }

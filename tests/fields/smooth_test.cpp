@@ -91,10 +91,10 @@ TEST_CASE_TEMPLATE("smooth: linear functions stay where the boundary is held; wh
     for (std::size_t k = 0; k < dimension_v<M>; ++k) inside = inside && x[k] > 0 && x[k] < 1;
     if (!inside) held.push_back(v);
   }
-  const auto u = smooth(m, f, 0.5, held);
+  const auto u = smooth(m, f, 0.5, {.fixed = held});
   CHECK(largest_difference(u, f) < 1e-13);
   auto noisy = random_values(m);
-  const auto w = smooth(m, noisy, 1e9, held);
+  const auto w = smooth(m, noisy, 1e9, {.fixed = held});
   std::vector<std::pair<vert_id, double>> given;
   for (const auto v : held) {
     given.push_back({v, noisy[v]});
@@ -132,9 +132,9 @@ TEST_CASE_TEMPLATE("prepare_smooth: the same bits, and part by part", M, polygon
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const vert_id a{0};
   const auto u = random_values(m);
-  const auto s = prepare_smooth(m, 0.1, {a}, {.exponent = 2}), copy = s;
+  const auto s = prepare_smooth(m, 0.1, {.fixed = {a}, .exponent = 2}), copy = s;
   CHECK(&s.mesh() == &m);
-  CHECK(largest_difference(copy.apply(u), smooth(m, u, 0.1, {a}, {.exponent = 2})) == 0);
+  CHECK(largest_difference(copy.apply(u), smooth(m, u, 0.1, {.fixed = {a}, .exponent = 2})) == 0);
   auto parts = make_vert_map<vec3>(m);
   for (const auto v : verts(m)) parts[v] = {u[v], 2 * u[v], 1};
   const auto free = prepare_smooth(m, 0.1);
@@ -154,13 +154,13 @@ TEST_CASE_TEMPLATE("smooth: on archetypes", M, trimesh, polyhedralmesh) {
   const auto weak = only_embedded_mesh(m);
   auto on_weak = make_vert_map<double>(weak);
   for (const auto v : verts(weak)) on_weak[v] = f[weak.base(v)];
-  const auto u = smooth(m, f, 0.1, {vert_id{0}}), w = smooth(m, f, 0.1, uniform, {.exponent = 2});
-  const auto same = smooth(weak, on_weak, 0.1, {weak.vert(vert_id{0})});
+  const auto u = smooth(m, f, 0.1, {.fixed = {vert_id{0}}}), w = smooth(m, f, 0.1, uniform, {.exponent = 2});
+  const auto same = smooth(weak, on_weak, 0.1, {.fixed = {weak.vert(vert_id{0})}});
   for (const auto v : verts(weak)) CHECK(same[v] == doctest::Approx(u[weak.base(v)]).epsilon(1e-12).scale(1));
   const auto graph = only_primal_graph(m);
   auto on_graph = make_vert_map<double>(graph);
   for (const auto v : verts(graph)) on_graph[v] = f[graph.base(v)];
-  const auto x = smooth(graph, on_graph, 0.1, {.exponent = 2});
+  const auto x = smooth(graph, on_graph, 0.1, uniform, {.exponent = 2});
   for (const auto v : verts(graph)) CHECK(x[v] == doctest::Approx(w[graph.base(v)]).epsilon(1e-12).scale(1));
 }
 
@@ -188,9 +188,9 @@ TEST_CASE_TEMPLATE("smooth: verts without edges keep what they have and are coun
     CHECK(std::isnan(s.apply(f)[alone]));
     CHECK(s.apply(f)[vert_id{0}] == doctest::Approx(1));
   }
-  CHECK_THROWS_AS(smooth(m, f, 0.1, {alone}), invalid_argument);
+  CHECK_THROWS_AS(smooth(m, f, 0.1, {.fixed = {alone}}), invalid_argument);
   f[alone] = 3;
-  CHECK(prepare_smooth(m, 0.1, {alone}).isolated() == 0);
+  CHECK(prepare_smooth(m, 0.1, {.fixed = {alone}}).isolated() == 0);
   CHECK(smooth(m, f, 0.1)[alone] == 3);
   const M none;
   CHECK(smooth(none, make_vert_map<double>(none), 1).values().empty());
@@ -203,7 +203,7 @@ TEST_CASE("smooth: errors, progress") {
   CHECK_THROWS_AS(smooth(m, f, INFINITY), invalid_argument);
   CHECK_THROWS_AS(smooth(m, f, NAN), invalid_argument);
   CHECK_THROWS_WITH_AS(smooth(m, f, 1, {.exponent = 0}), "smooth: exponent is 0; it must be 1 or more", invalid_argument);
-  CHECK_THROWS_WITH_AS(smooth(m, f, 1, {vert_id{9}}), doctest::Contains("no vert of the mesh"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(smooth(m, f, 1, {.fixed = {vert_id{9}}}), doctest::Contains("no vert of the mesh"), invalid_mesh);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   CHECK_THROWS_AS(smooth(flat, make_vert_map<double>(flat), 1), invalid_mesh);
   f[vert_id{4}] = INFINITY;

@@ -96,11 +96,11 @@ inline void check_problems(any_solver& solver) {
   const auto small = doctest::Contains("component of vert 0 (3 verts) has no value prescribed");
   const auto large = doctest::Contains("component of vert 4 (169 verts) has no value prescribed");
   CHECK_THROWS_WITH_AS(harmonic_map(m, given, {}, solver), small, solver_error);
-  CHECK_THROWS_WITH_AS(poisson(m, load, curved, {}, solver), small, solver_error);
+  CHECK_THROWS_WITH_AS(poisson(m, load, {.values = curved}, solver), small, solver_error);
   CHECK_THROWS_WITH_AS(harmonic_map(m, values{{vert_id{1}, 1.0}}, {}, solver), large, solver_error);
-  CHECK_THROWS_WITH_AS(poisson(m, load, values{{vert_id{1}, 1.0}}, {}, solver), large, solver_error);
+  CHECK_THROWS_WITH_AS(poisson(m, load, {.values = {{vert_id{1}, 1.0}}}, solver), large, solver_error);
   CHECK_THROWS_AS(harmonic_map(m, values{}, {}, solver), solver_error);
-  CHECK_THROWS_AS(poisson(m, load, values{}, {}, solver), solver_error);
+  CHECK_THROWS_AS(poisson(m, load, {}, solver), solver_error);
 
   // a small and a large one, and a vert of no edge
   given.emplace_back(vert_id{2}, 5.0);
@@ -115,12 +115,12 @@ inline void check_problems(any_solver& solver) {
     CHECK(u[vert_id{3}] == isolated);
   };
   check(harmonic_map(m, given, {.isolated_value = -7}, solver), linear, -7);
-  check(poisson(m, load, curved, {.isolated_value = -8}, solver), square, -8);
+  check(poisson(m, load, {.values = curved, .isolated_value = -8}, solver), square, -8);
   given.emplace_back(vert_id{3}, 4.5);
   check(harmonic_map(m, given, {}, solver), linear, 4.5);
 
   // all verts prescribed: nothing to solve
-  const auto u = harmonic_map(m, all, {}, solver), w = poisson(m, none, all, {}, solver);
+  const auto u = harmonic_map(m, all, {}, solver), w = poisson(m, none, {.values = all}, solver);
   for (const auto& [v, x] : all) CHECK((u[v] == x && w[v] == x));
 }
 

@@ -64,8 +64,8 @@ struct standard {
     };
     if constexpr (SurfaceMesh<typename B::native_mesh>) some_boundary(both, both.edges, adj_e2p, add);
     else some_boundary(both, both.faces, adj_f2p, add);
-    const auto expected = poisson(both.native, waves(both, both.native, [](const auto v) { return v; }), here, out_here);
-    const auto found = poisson(both.other, waves(both, both.other, [&](const auto v) { return both.verts.to(v); }), there, out_there);
+    const auto expected = poisson(both.native, waves(both, both.native, [](const auto v) { return v; }), {.values = here, .fluxes = out_here});
+    const auto found = poisson(both.other, waves(both, both.other, [&](const auto v) { return both.verts.to(v); }), {.values = there, .fluxes = out_there});
     for (const auto v : both.verts.all) expect_close(expected[v], found[both.verts.to(v)], "the solution of Poisson's equation");
   }
 
