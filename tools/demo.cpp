@@ -117,7 +117,7 @@ auto solve(const M& m, const D& values, const cn::progress& progress, std::strin
     weights = "standard";
     return cn::harmonic_map(m, values, {.progress = progress});
   } catch (const cn::invalid_mesh& e) {
-    fmt::print(stderr, "concino_demo: {}; using uniform weights\n", e.what());
+    fmt::print(stderr, "concino_demo: {}; using uniform\n", e.what());
   }
   weights = "uniform";
   return cn::harmonic_map(m, values, cn::uniform, {.progress = progress});

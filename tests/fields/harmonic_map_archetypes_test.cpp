@@ -15,9 +15,9 @@ TEST_CASE_TEMPLATE("harmonic_map, uniform: uses nothing but a primal graph", M, 
   const auto g = only_primal_graph(m);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
   const auto u = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, uniform);
-  const auto stripped = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}});
+  const auto stripped = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}}, uniform);
   for (const auto v : verts(g)) CHECK(stripped[v] == doctest::Approx(u[g.base(v)]).epsilon(1e-12));
-  const auto squared = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}}, {.exponent = 2});
+  const auto squared = harmonic_map(g, {{g.vert(a), 0.0}, {g.vert(b), 1.0}}, uniform, {.exponent = 2});
   const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, uniform, {.exponent = 2});
   for (const auto v : verts(g)) CHECK(squared[v] == doctest::Approx(expected[g.base(v)]).epsilon(1e-8));
 }

@@ -294,9 +294,9 @@ TEST_CASE("harmonic_map: errors") {
   CHECK_THROWS_AS(harmonic_map(quads, {{a, 1.0}}, cotangent), unsupported);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   CHECK_THROWS_AS(harmonic_map(flat, {{a, 1.0}}, cotangent), invalid_mesh);
-  CHECK_THROWS_WITH_AS(harmonic_map(flat, {{a, 1.0}}), doctest::Contains("standard weights: poly 0"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(harmonic_map(flat, {{a, 1.0}}), doctest::Contains("virtual elements: poly 0"), invalid_mesh);
   const quadmesh pressed({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2, 3}});
-  CHECK_THROWS_WITH_AS(harmonic_map(pressed, {{a, 1.0}}), doctest::Contains("standard weights: poly 0 has no area"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(harmonic_map(pressed, {{a, 1.0}}), doctest::Contains("virtual elements: poly 0 has no area"), invalid_mesh);
   CHECK(harmonic_map(flat, {{a, 1.0}}, uniform)[vert_id{2}] == doctest::Approx(1));
 }
 

@@ -1,6 +1,8 @@
 #include <concino/fields/heat_geodesics.hpp>
 
 #include <concino/generate/icosphere.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+#include <concino/operators/virtual_refinement.hpp>
 #include <concino/solve/ldlt.hpp>
 
 #include <support/geodesic_errors.hpp>

@@ -49,7 +49,7 @@ TEST_CASE("harmonic_map: higher exponents need a mass at every vert with edges")
                        "harmonic_map: vert 7 has edges but no polys with a measure, so no mass; use uniform", invalid_mesh);
 }
 
-TEST_CASE("lumped masses: 1 for uniform weights, which know no lengths, else those of the mesh") {
+TEST_CASE("lumped masses: 1 with uniform, which knows no lengths, else those of the mesh") {
   const tiny::surface m = tiny::surface_example();
   CHECK(detail::lumped_masses(m, uniform, "masses") == std::vector<double>(8, 1.0));
   const auto mass = vert_masses(m);

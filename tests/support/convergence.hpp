@@ -4,6 +4,8 @@
 
 #include <concino/fields/poisson.hpp>
 #include <concino/operators.hpp>
+#include <concino/operators/de_goes.hpp>
+#include <concino/operators/virtual_refinement.hpp>
 
 #include <support/convergence_families.hpp>
 #include <support/convergence_table.hpp>
@@ -262,7 +264,7 @@ std::vector<convergence_row> measure_convergence(family f, std::size_t sizes, co
   };
   add("gradient", "-", [](const M& m) { return gradient_error(m); });
   add("poisson", "standard", [&](const M& m) { return poisson_error(m, virtual_elements, make_solver(1e-9)); });
-  if constexpr (!(TriMesh<M> || TetMesh<M>)) {  // where all weights are the same
+  if constexpr (!(TriMesh<M> || TetMesh<M>)) {  // where all discretisations are the same
     add("poisson", "virtual_refinement", [&](const M& m) { return poisson_error(m, virtual_refinement, make_solver(1e-9)); });
     if constexpr (SurfaceMesh<M>) add("poisson", "de_goes", [&](const M& m) { return poisson_error(m, de_goes, make_solver(1e-9)); });
   }

@@ -192,6 +192,12 @@ struct eigenfunctions_result {
 /// Errors: as laplacian, mass_matrix and eigenpairs.
 /// Source: Vallet, Levy 2008, "Spectral geometry processing with manifold harmonics"; Reuter, Wolter, Peinecke 2006, "Laplace-Beltrami spectra as
 ///         Shape-DNA"; Kac 1966, "Can one hear the shape of a drum?".
+template<class M, class Solver = ldlt>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const eigenfunctions_options& options = {},
+                                                             Solver&& solver = {}) {
+  return eigenfunctions(m, count, virtual_elements, options, solver);
+}
 template<class M, class D, class Solver = ldlt>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const D& discretisation,
@@ -213,12 +219,6 @@ eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t 
     r.isolated += !has_poly;
   }
   return r;
-}
-template<class M, class Solver = ldlt>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const eigenfunctions_options& options = {},
-                                                             Solver&& solver = {}) {
-  return eigenfunctions(m, count, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.

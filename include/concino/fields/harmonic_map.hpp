@@ -122,14 +122,6 @@ class prepared_harmonic_map {
 /// Result: an object that answers with_values(...), and tells by isolated() how many verts got isolated_value.
 /// Cost:   that of harmonic_map, but for the back-substitution.
 /// Errors: as harmonic_map, but for those about values; invalid_mesh if a vert to be fixed is no vert of m.
-template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
-           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed, const D& discretisation,
-                                                                                                const harmonic_map_options& options = {},
-                                                                                                Solver&& solver = {}) {
-  return {m, fixed, discretisation, options, solver};
-}
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -137,6 +129,14 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
                                                                                                 const harmonic_map_options& options = {},
                                                                                                 Solver&& solver = {}) {
   return {m, fixed, virtual_elements, options, solver};
+}
+template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed, const D& discretisation,
+                                                                                                const harmonic_map_options& options = {},
+                                                                                                Solver&& solver = {}) {
+  return {m, fixed, discretisation, options, solver};
 }
 
 /// The function u on the verts with the given values that is harmonic everywhere else: L u = 0, or L (M^-1 L)^(n-1) u = 0 for exponent n, with L
@@ -155,6 +155,12 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 ///         a component that has edges has no value prescribed (one of its verts is named), or if the system cannot be solved in double
 ///         precision; those of `laplacian` with this discretisation; cancelled.
 /// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
+template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
+           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, T> harmonic_map(M&& m, const V& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
+  return harmonic_map<T>(m, values, virtual_elements, options, solver);
+}
 template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class D, class Solver = auto_solver>
   requires requirement::is_no_temporary<M> && Discretisation<D, M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -167,12 +173,6 @@ vert_map<M, T> harmonic_map(M&& m, const V& values, const D& discretisation, con
   problem.template solve<T>(solver, u);
   detail::tell(options.progress, 1, "harmonic map");
   return u;
-}
-template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
-           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> harmonic_map(M&& m, const V& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
-  return harmonic_map<T>(m, values, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.

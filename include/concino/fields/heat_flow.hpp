@@ -130,14 +130,6 @@ class prepared_heat_flow {
 /// Result: an object that answers advance(u), and tells by isolated() how many verts have no edges.
 /// Cost:   as heat_flow, but for the steps.
 /// Errors: as heat_flow, but for what is about values.
-template<class M, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> &&
-           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const D& discretisation,
-                                                                                          const heat_flow_options<std::remove_cvref_t<M>>& options = {},
-                                                                                          Solver&& solver = {}) {
-  return {m, time, discretisation, options, solver};
-}
 template<class M, class Solver = auto_solver>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -145,6 +137,14 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
                                                                                           const heat_flow_options<std::remove_cvref_t<M>>& options = {},
                                                                                           Solver&& solver = {}) {
   return {m, time, virtual_elements, options, solver};
+}
+template<class M, class D, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && Discretisation<D, M> &&
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const D& discretisation,
+                                                                                          const heat_flow_options<std::remove_cvref_t<M>>& options = {},
+                                                                                          Solver&& solver = {}) {
+  return {m, time, discretisation, options, solver};
 }
 
 /// What has become of the values `initial` after `time` by the equation u_t = Laplacian of u, that of the discretisation, which stands after the
@@ -160,6 +160,12 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 ///         is to be fixed is no vert of m, or if a vert has edges and no mass; those of `laplacian` with this discretisation and of
 ///         mass_matrix; solver_error; cancelled.
 /// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
+template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
+  return heat_flow(m, initial, time, virtual_elements, options, solver);
+}
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
   requires requirement::is_no_temporary<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -171,12 +177,6 @@ vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const D& discreti
   system.factorize(solver, options.progress);
   detail::flow<T>(system, solver, options, u, options.progress);
   return u;
-}
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
-           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
-  return heat_flow(m, initial, time, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.

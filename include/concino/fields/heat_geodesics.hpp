@@ -261,18 +261,18 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
 /// Result: an object that answers distance_from(...).
 /// Cost:   as heat_geodesics, but for the question.
 /// Errors: as heat_geodesics, but for what is about sources.
+template<class M, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const heat_geodesics_options& options = {},
+                                                                                                    Solver&& solver = {}) {
+  return {m, virtual_elements, options, solver};
+}
 template<class M, class D, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const D& discretisation,
                                                                                                     const heat_geodesics_options& options = {},
                                                                                                     Solver&& solver = {}) {
   return {m, discretisation, options, solver};
-}
-template<class M, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const heat_geodesics_options& options = {},
-                                                                                                    Solver&& solver = {}) {
-  return {m, virtual_elements, options, solver};
 }
 
 /// How far away every vert is, over the surface or through the volume, from one vert, from the nearest of several, or, where pairs of a vert and a
@@ -303,21 +303,15 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         of the mesh, or if a poly has no area or volume or points that are not finite; unsupported as laplacian; solver_error; cancelled.
 /// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; ways across triangles: Novotni, Klein 2002, "Computing
 ///         geodesic distances on triangular meshes"; paper section 2.2, "Distances and paths".
-template<class M, class S, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, double> heat_geodesics(M&& m, const S& sources, const D& discretisation, const heat_geodesics_options& options = {},
-                                   Solver&& solver = {}) {
-  return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
-}
 template<class M, class S, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const S& sources, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
-template<class M, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources, const D& discretisation, const heat_geodesics_options& options = {},
+template<class M, class S, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> heat_geodesics(M&& m, const S& sources, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
 }
@@ -329,7 +323,7 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sourc
 }
 template<class M, class D, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources, const D& discretisation, const heat_geodesics_options& options = {},
+vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
 }
@@ -339,23 +333,29 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
+template<class M, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources, const D& discretisation, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
+  return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
+}
 
 /// The same from a point of poly p.
 /// Needs:  x lies on or in p, which is best convex: its verts are as far away as straight lines say.
 /// Result: as above.
 /// Cost:   as above.
 /// Errors: as above, and invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
-template<class M, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const D& discretisation, const heat_geodesics_options& options = {},
-                                   Solver&& solver = {}) {
-  return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(p, x);
-}
 template<class M, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(p, x);
+}
+template<class M, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const D& discretisation, const heat_geodesics_options& options = {},
+                                   Solver&& solver = {}) {
+  return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(p, x);
 }
 
 // What to write instead of calls that cannot compile.

@@ -153,19 +153,19 @@ class prepared_poisson {
 /// Result: an object that answers solve(...), and tells by isolated() how many verts get isolated_value.
 /// Cost:   that of poisson, but for the back-substitution.
 /// Errors: as poisson, but for those about values, loads and fluxes; invalid_mesh if a vert to be fixed is no vert of m.
-template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
-           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const D& discretisation,
-                                                                                      const prepare_poisson_options& options = {}, Solver&& solver = {}) {
-  return {m, fixed, discretisation, options, solver};
-}
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed,
                                                                                       const prepare_poisson_options& options = {}, Solver&& solver = {}) {
   return {m, fixed, virtual_elements, options, solver};
+}
+template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const D& discretisation,
+                                                                                      const prepare_poisson_options& options = {}, Solver&& solver = {}) {
+  return {m, fixed, discretisation, options, solver};
 }
 
 /// The function u on the verts with -L u = M f + S, the weak form of -(Laplacian of u) = f, the values of the options at some verts, and their outward
@@ -185,6 +185,12 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 ///         twice differently; invalid_mesh if a poly has no area or volume, or points that are not finite, or if a flux is given at what is no
 ///         edge or face of m or has not exactly one poly.
 /// Source: Beirao da Veiga et al. 2013, Ahmad et al. 2013 (the load); paper section 2.2.
+template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
+  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, T> poisson(M&& m, const F& f, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {}, Solver&& solver = {}) {
+  return poisson(m, f, virtual_elements, options, solver);
+}
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
   requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && Discretisation<D, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -195,12 +201,6 @@ vert_map<M, T> poisson(M&& m, const F& f, const D& discretisation, const poisson
   auto q = problem.template ask<T>(mesh_in, f, options);
   problem.factorize(solver, options.progress);
   return problem.template solve<T>(solver, std::move(q), options.progress);
-}
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
-           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> poisson(M&& m, const F& f, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {}, Solver&& solver = {}) {
-  return poisson(m, f, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.

@@ -92,14 +92,6 @@ class prepared_smooth {
 /// Result: an object that answers apply(f), and tells by isolated() how many verts have no edges.
 /// Cost:   as smooth, but for the back-substitution.
 /// Errors: as smooth, but for what is about f.
-template<class M, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> &&
-           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount, const D& discretisation,
-                                                                                    const smooth_options<std::remove_cvref_t<M>>& options = {},
-                                                                                    Solver&& solver = {}) {
-  return {m, amount, discretisation, options, solver};
-}
 template<class M, class Solver = auto_solver>
   requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -107,6 +99,14 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
                                                                                     const smooth_options<std::remove_cvref_t<M>>& options = {},
                                                                                     Solver&& solver = {}) {
   return {m, amount, virtual_elements, options, solver};
+}
+template<class M, class D, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && Discretisation<D, M> &&
+           SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount, const D& discretisation,
+                                                                                    const smooth_options<std::remove_cvref_t<M>>& options = {},
+                                                                                    Solver&& solver = {}) {
+  return {m, amount, discretisation, options, solver};
 }
 
 /// The u for which the sum of mass times |u - f|^2 plus amount times the energy of u is least: (M + amount L') u = M f, with L' minus the Laplacian
@@ -125,6 +125,12 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 ///         solver_error; cancelled.
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature
 ///         flow".
+template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
+  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+vert_map<M, T> smooth(M&& m, const F& f, double amount, const smooth_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
+  return smooth(m, f, amount, virtual_elements, options, solver);
+}
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
   requires requirement::is_no_temporary<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -138,12 +144,6 @@ vert_map<M, T> smooth(M&& m, const F& f, double amount, const D& discretisation,
   system.template apply<T>(solver, u);
   detail::tell(options.progress, 1, "smoothing");
   return u;
-}
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
-           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-vert_map<M, T> smooth(M&& m, const F& f, double amount, const smooth_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
-  return smooth(m, f, amount, virtual_elements, options, solver);
 }
 
 // What to write instead of calls that cannot compile.

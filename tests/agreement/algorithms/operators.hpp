@@ -1,4 +1,4 @@
-// laplacian and harmonic_map, with uniform weights and with cotangents; gradient and divergence.
+// laplacian and harmonic_map, uniform and with cotangents; gradient and divergence.
 #pragma once
 
 #include <agreement/matched.hpp>
