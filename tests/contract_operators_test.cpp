@@ -23,7 +23,7 @@ TEST_CASE_TEMPLATE("operators and fields, word for word", M, CONCINO_KINDS) {
     Eigen::SparseMatrix<double> C = cn::laplacian(m, cn::cotangent);
     CHECK((L - C).norm() == 0);
   } else {
-    CHECK_THROWS_AS(cn::laplacian(m, cn::cotangent), cn::unsupported);
+    if constexpr (cn::Discretisation<cn::cotangent_t, M>) CHECK_THROWS_AS(cn::laplacian(m, cn::cotangent), cn::unsupported);
   }
 
   double t = cn::total_measure(m);
