@@ -21,7 +21,7 @@ namespace concino::detail {
 ///         gives at such a vert is not a positive number.
 template<class M, class D>
 std::vector<double> lumped_masses(const M& m, const D& discretisation, const char* who) {
-  std::vector<double> r(static_cast<std::size_t>(vert_index_bound(m)), 1.0);
+  std::vector<double> r(vert_index_bound(m), 1.0);
   const auto has_edges = [&](const vert_t<M>& v) {
     const auto& around = adj_v2v(m, v);
     return around.begin() != around.end();
@@ -29,7 +29,7 @@ std::vector<double> lumped_masses(const M& m, const D& discretisation, const cha
   if constexpr (requirement::has_masses<D, M>) {
     const auto mass = discretisation.masses(m);
     for (const vert_t<M> v : verts(m)) {
-      const auto i = static_cast<std::size_t>(index_of(m, v));
+      const auto i = index_of(m, v);
       r[i] = static_cast<double>(mass[v]);
       if (!(r[i] > 0 && std::isfinite(r[i])) && has_edges(v))
         core::throw_joined<invalid_argument>({who, ": the discretisation gives vert ", i, " the mass ", core::number_text(r[i]), "; masses must be positive and finite"});
@@ -39,7 +39,7 @@ std::vector<double> lumped_masses(const M& m, const D& discretisation, const cha
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = mass.values()[i];
     for (const vert_t<M> v : verts(m))
       if (!(mass[v] > 0) && has_edges(v))
-        core::throw_joined<invalid_mesh>({who, ": vert ", static_cast<std::size_t>(index_of(m, v)),
+        core::throw_joined<invalid_mesh>({who, ": vert ", index_of(m, v),
                                     " has edges but no polys with a measure, so no mass; use uniform"});
   }
   return r;

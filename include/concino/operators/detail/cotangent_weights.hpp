@@ -52,11 +52,11 @@ class cotangent_weights {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_no_simplex(const poly_t<M>& p, std::size_t n) const {
-    core::throw_joined<unsupported>({who_, ": poly ", static_cast<std::size_t>(index_of(m_, p)), " has ", n, " verts and is no ",
+    core::throw_joined<unsupported>({who_, ": poly ", index_of(m_, p), " has ", n, " verts and is no ",
                                dimension == 2 ? "triangle" : "tet", "; use virtual_elements or uniform, or split the polys"});
   }
   [[noreturn, gnu::noinline, gnu::cold]] void throw_degenerate(const poly_t<M>& p) const {
-    core::throw_joined<invalid_mesh>({who_, ": poly ", static_cast<std::size_t>(index_of(m_, p)),
+    core::throw_joined<invalid_mesh>({who_, ": poly ", index_of(m_, p),
                                 " is degenerate: it has no area or volume, or points that are not finite, so its angles have no cotangents; remove it, move "
                                 "its verts or use uniform"});
   }
@@ -95,11 +95,11 @@ class cotangent_weights {
 
  public:
   /// Errors: unsupported if some poly is no triangle or tet, invalid_mesh if it is degenerate; messages begin with `who`.
-  cotangent_weights(const M& m, const char* who) : m_(m), who_(who), weight_(static_cast<std::size_t>(edge_index_bound(m))) {
+  cotangent_weights(const M& m, const char* who) : m_(m), who_(who), weight_(edge_index_bound(m)) {
     for (const poly_t<M> p : polys(m)) add(p);
   }
 
-  double operator[](const edge_t<M>& e) const { return weight_[static_cast<std::size_t>(index_of(m_, e))]; }
+  double operator[](const edge_t<M>& e) const { return weight_[index_of(m_, e)]; }
 };
 
 }  // namespace concino::detail

@@ -74,7 +74,7 @@ Eigen::SparseMatrix<double> lower_stiffness(const M& m, const D& discretisation)
       m, discretisation,
       [&](const auto& weights) {
         return core::assemble<core::lower_triangle>(
-            m, weights, static_cast<std::size_t>(vert_index_bound(m)), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
+            m, weights, vert_index_bound(m), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
             [](int, const vert_t<M>&, double) {});
       },
       [&](auto make_element) { return assemble_elements<M>(m, make_element); });

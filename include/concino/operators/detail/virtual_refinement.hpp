@@ -73,7 +73,7 @@ class virtual_refinement_element {
   std::vector<std::size_t> slot_;                      // of polys of many verts
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_not_star_shaped(const poly_t<M>& p) const {
-    core::throw_joined<unsupported>({"Laplacian by virtual refinement: poly ", static_cast<std::size_t>(index_of(m_, p)),
+    core::throw_joined<unsupported>({"Laplacian by virtual refinement: poly ", index_of(m_, p),
                                " is not star-shaped about its virtual vert; use virtual_elements, or split the poly"});
   }
 
