@@ -151,6 +151,8 @@ struct lacking : links {
   static void next(const linked&, int);
 };
 struct hopeless {};
+struct untyped {};
+struct no_links {};
 
 }  // namespace
 
@@ -158,12 +160,14 @@ template<> struct concino::mesh_traits<linked> : halfedge_kernel<linked, links> 
 template<> struct concino::mesh_traits<gappy> : halfedge_kernel<gappy, own_handles> {};
 template<> struct concino::mesh_traits<borderless> : halfedge_kernel<borderless, inner_links> {};
 template<> struct concino::mesh_traits<hopeless> : halfedge_kernel<linked, lacking> {};
+template<> struct concino::mesh_traits<untyped> : halfedge_kernel<untyped, no_links> {};
 
 static_assert(cn::testing::models_in_all_forms<linked>(cn::testing::surface));
 static_assert(cn::testing::models_in_all_forms<gappy>(cn::testing::surface));
 static_assert(cn::testing::models_in_all_forms<borderless>(cn::testing::surface));
 static_assert(cn::HalfedgeLinks<inner_links, linked> && !cn::HalfedgeLinks<incomplete_links, linked>);
 static_assert(!cn::PrimalGraph<hopeless> && !cn::SurfaceMesh<hopeless>);
+static_assert(!cn::PrimalGraph<untyped> && !cn::SurfaceMesh<untyped> && !cn::HalfedgeLinks<no_links, untyped>);
 static_assert(cn::HalfedgeLinks<links, linked> && !cn::HalfedgeLinks<lacking, linked> && !cn::HalfedgeLinks<int, linked>);
 static_assert(std::forward_iterator<decltype(cn::adj_v2v(linked(), cn::vert_id()).begin())>);
 static_assert(std::forward_iterator<decltype(cn::adj_p2p(linked(), cn::poly_id()).begin())>);

@@ -1,4 +1,4 @@
-// expect in 10 lines: needs vert, edge and poly of mesh_traits<M> to be different types
+// expect in 10 lines: vert, edge and poly of mesh_traits<M> have to be different types
 // Told before anything that is missing, since it changes the signatures of the rest.
 #include <concino/concepts/mesh_requirements.hpp>
 

@@ -1,4 +1,4 @@
-// expect: Embedded needs mesh_traits<M>::point to take the mesh by reference, const M&
+// expect: mesh_traits<M>::point has to take the mesh by reference, const M&
 #include <concino/concepts/mesh.hpp>
 
 struct mine {

@@ -1,4 +1,4 @@
-// expect in 10 lines: begin[(][)] or end[(][)] of what it returns is not const
+// expect in 10 lines: begin[(][)] of what it returns is not const
 // The member is there: the chain says what is wrong with it.
 #include <concino/concepts/primal_graph.hpp>
 

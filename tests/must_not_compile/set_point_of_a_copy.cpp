@@ -1,4 +1,4 @@
-// expect: MutablePoints needs mesh_traits<M>::set_point to take the mesh by reference, M&
+// expect: mesh_traits<M>::set_point has to take the mesh by reference, M&
 #include <concino/concepts/mesh.hpp>
 
 struct mine {

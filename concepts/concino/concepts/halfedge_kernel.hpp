@@ -22,8 +22,8 @@
 //   };
 //   template<> struct concino::mesh_traits<my_mesh> : concino::halfedge_kernel<my_mesh, my_links> {};
 //
-// What is still missing: explain_halfedge_links<my_links, my_mesh>() does not compile, and says in one sentence what to write next; then
-// explain_surface_mesh<my_mesh>() and explain_embedded<my_mesh>().
+// What is still missing: explain_surface_mesh<my_mesh>() does not compile, and says in one sentence what to write next, of the links too; then
+// explain_embedded<my_mesh>(). explain_halfedge_links<my_links, my_mesh>() asks for the links alone.
 //
 // Half-edges hold oriented manifolds only: surfaces whose edges have at most two polys that run them in opposite directions. For any other
 // mesh use indexed_surface. The fans of polys at a vert must be linked by the border half-edges, from one fan to the next, as OpenMesh and
@@ -36,103 +36,24 @@
 //   HE4  stepping from halfedge_of(v) to next(opposite(h)) meets every half-edge that leaves v and comes back
 #pragma once
 
+#include <concino/concepts/requirement.hpp>  // first, so that compilers name few headers on the way to a sentence
+
+#include <concino/concepts/halfedge_links.hpp>
+#include <concino/concepts/detail/halfedge_rings.hpp>
 #include <concino/concepts/mesh.hpp>
 
 namespace concino {
 
-namespace requirement {
+namespace detail {
 
-template<class K, class M>
-concept has_link_types = std::regular<typename K::vert> && std::regular<typename K::edge> && std::regular<typename K::poly> &&
-    std::regular<typename K::halfedge>;
-template<class K, class M> concept has_next = requires(const M& m, typename K::halfedge h) {
-  { K::next(m, h) } -> std::convertible_to<typename K::halfedge>;
-};
-template<class K, class M> concept has_opposite = requires(const M& m, typename K::halfedge h) {
-  { K::opposite(m, h) } -> std::convertible_to<typename K::halfedge>;
-};
-template<class K, class M> concept has_target = requires(const M& m, typename K::halfedge h) {
-  { K::target(m, h) } -> std::convertible_to<typename K::vert>;
-};
-template<class K, class M> concept has_is_border = requires(const M& m, typename K::halfedge h) {
-  { K::is_border(m, h) } -> std::convertible_to<bool>;
-};
-template<class K> concept lacks_border_halfedges = requires { requires !K::has_border_halfedges; };
-template<class K, class M> concept has_has_opposite = requires(const M& m, typename K::halfedge h) {
-  { K::has_opposite(m, h) } -> std::convertible_to<bool>;
-};
-template<class K, class M>
-concept has_borders = (lacks_border_halfedges<K> && has_has_opposite<K, M>) || (!lacks_border_halfedges<K> && has_is_border<K, M>);
-template<class K, class M> concept has_poly_of = requires(const M& m, typename K::halfedge h) {
-  { K::poly_of(m, h) } -> std::convertible_to<typename K::poly>;
-};
-template<class K, class M> concept has_edge_of = requires(const M& m, typename K::halfedge h) {
-  { K::edge_of(m, h) } -> std::convertible_to<typename K::edge>;
-};
-template<class K, class M> concept has_is_isolated = requires(const M& m, typename K::vert v) {
-  { K::is_isolated(m, v) } -> std::convertible_to<bool>;
-};
-template<class K, class M, class X> concept has_halfedge_of = requires(const M& m, X x) {
-  { K::halfedge_of(m, x) } -> std::convertible_to<typename K::halfedge>;
-};
-template<class K, class M>
-concept has_numbers = requires(const M& m) {
-  { K::num_verts(m) } -> std::convertible_to<std::size_t>;
-  { K::num_edges(m) } -> std::convertible_to<std::size_t>;
-  { K::num_polys(m) } -> std::convertible_to<std::size_t>;
+/// What explain_surface_mesh walks first, of traits that are made from links.
+template<class M, class K>
+struct needs_of_links {
+  template<class> static constexpr bool holds = HalfedgeLinks<K, M>;
+  template<class> static consteval void explain() { requirement::first_missing<requirement::halfedge_links_requirements, K, M>::template explain<K, M>(); }
 };
 
-}  // namespace requirement
-
-/// K says how the half-edges of M are linked: the list above.
-template<class K, class M>
-concept HalfedgeLinks = requirement::has_link_types<K, M> && requirement::has_next<K, M> && requirement::has_opposite<K, M> &&
-    requirement::has_target<K, M> && requirement::has_borders<K, M> && requirement::has_poly_of<K, M> && requirement::has_edge_of<K, M> &&
-    requirement::has_is_isolated<K, M> && requirement::has_halfedge_of<K, M, typename K::vert> &&
-    requirement::has_halfedge_of<K, M, typename K::edge> && requirement::has_halfedge_of<K, M, typename K::poly> &&
-    requirement::has_numbers<K, M>;
-
-/// Fails to compile with one sentence that names the first thing K lacks to be HalfedgeLinks of M and what to write.
-template<class K, class M>
-consteval void explain_halfedge_links() {
-  using detail::missing;
-  // One line per message, so that compilers show it in one.
-  // clang-format off
-  if constexpr (!requirement::has_link_types<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs using vert, edge, poly, halfedge = four std::regular types");
-  else if constexpr (!requirement::has_next<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge next(const M&, halfedge); along the poly, or along the border");
-  else if constexpr (!requirement::has_opposite<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge opposite(const M&, halfedge); the other half-edge of the edge");
-  else if constexpr (!requirement::has_target<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static vert target(const M&, halfedge); the vert that the half-edge leads to");
-  else if constexpr (requirement::lacks_border_halfedges<K> && !requirement::has_has_opposite<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks without border half-edges needs static bool has_opposite(const M&, halfedge); false where the edge has no other poly");
-  else if constexpr (!requirement::has_borders<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static bool is_border(const M&, halfedge); whether the half-edge has no poly; where the border has no half-edges: static constexpr bool has_border_halfedges = false; and has_opposite");
-  else if constexpr (!requirement::has_poly_of<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static poly poly_of(const M&, halfedge); asked only where is_border is false");
-  else if constexpr (!requirement::has_edge_of<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static edge edge_of(const M&, halfedge)");
-  else if constexpr (!requirement::has_is_isolated<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static bool is_isolated(const M&, vert); whether the vert has no edge");
-  else if constexpr (!requirement::has_halfedge_of<K, M, typename K::vert>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge halfedge_of(const M&, vert); one that leaves the vert");
-  else if constexpr (!requirement::has_halfedge_of<K, M, typename K::edge>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge halfedge_of(const M&, edge); either of the two");
-  else if constexpr (!requirement::has_halfedge_of<K, M, typename K::poly>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static halfedge halfedge_of(const M&, poly); one along the poly");
-  else if constexpr (!requirement::has_numbers<K, M>)
-    static_assert(missing<K>, "concino: HalfedgeLinks needs static std::size_t num_verts(const M&), num_edges(const M&), num_polys(const M&)");
-  else static_assert(HalfedgeLinks<K, M>);
-  // clang-format on
-}
-
-}  // namespace concino
-
-#include <concino/concepts/detail/halfedge_rings.hpp>
-
-namespace concino {
+}  // namespace detail
 
 /// mesh_traits from links: inherit mesh_traits<M> from it.
 /// Cost: every ring in time proportional to its length, adj_p2p besides that to the polys across; nothing is stored. Without border
@@ -141,6 +62,7 @@ template<class M, class K>
 struct halfedge_kernel : K {
   static constexpr int dimension = 2;
   static constexpr bool edges_in_order = true;
+  using base_requirements = detail::needs_of_links<M, K>;
   using vert = typename K::vert;
   using edge = typename K::edge;
   using poly = typename K::poly;
@@ -152,27 +74,27 @@ struct halfedge_kernel : K {
   template<detail::around Ring> using ring = detail::halfedge_ring<M, L, Ring>;
 
  public:
-  static decltype(auto) verts(const M& m) requires(requires { K::verts(m); } || is_id<vert, vert_tag>) {
+  static decltype(auto) verts(const M& m) requires(requires { K::verts(m); } || (is_id<vert, vert_tag> && requirement::has_number_of_verts<K, M>)) {
     if constexpr (requires { K::verts(m); }) return K::verts(m);
     else return id_range<vert>(K::num_verts(m));
   }
-  static decltype(auto) edges(const M& m) requires(requires { K::edges(m); } || is_id<edge, edge_tag>) {
+  static decltype(auto) edges(const M& m) requires(requires { K::edges(m); } || (is_id<edge, edge_tag> && requirement::has_number_of_edges<K, M>)) {
     if constexpr (requires { K::edges(m); }) return K::edges(m);
     else return id_range<edge>(K::num_edges(m));
   }
-  static decltype(auto) polys(const M& m) requires(requires { K::polys(m); } || is_id<poly, poly_tag>) {
+  static decltype(auto) polys(const M& m) requires(requires { K::polys(m); } || (is_id<poly, poly_tag> && requirement::has_number_of_polys<K, M>)) {
     if constexpr (requires { K::polys(m); }) return K::polys(m);
     else return id_range<poly>(K::num_polys(m));
   }
-  static std::size_t vert_index_bound(const M& m) requires(requires { K::vert_index_bound(m); } || is_id<vert, vert_tag>) {
+  static std::size_t vert_index_bound(const M& m) requires(requires { K::vert_index_bound(m); } || (is_id<vert, vert_tag> && requirement::has_number_of_verts<K, M>)) {
     if constexpr (requires { K::vert_index_bound(m); }) return K::vert_index_bound(m);
     else return K::num_verts(m);
   }
-  static std::size_t edge_index_bound(const M& m) requires(requires { K::edge_index_bound(m); } || is_id<edge, edge_tag>) {
+  static std::size_t edge_index_bound(const M& m) requires(requires { K::edge_index_bound(m); } || (is_id<edge, edge_tag> && requirement::has_number_of_edges<K, M>)) {
     if constexpr (requires { K::edge_index_bound(m); }) return K::edge_index_bound(m);
     else return K::num_edges(m);
   }
-  static std::size_t poly_index_bound(const M& m) requires(requires { K::poly_index_bound(m); } || is_id<poly, poly_tag>) {
+  static std::size_t poly_index_bound(const M& m) requires(requires { K::poly_index_bound(m); } || (is_id<poly, poly_tag> && requirement::has_number_of_polys<K, M>)) {
     if constexpr (requires { K::poly_index_bound(m); }) return K::poly_index_bound(m);
     else return K::num_polys(m);
   }
@@ -203,6 +125,14 @@ struct halfedge_kernel : K {
     const poly left = L::poly_of(m, h);
     return left == right ? detail::up_to_two<poly>(left) : detail::up_to_two<poly>(left, right);
   }
+};
+
+/// Links that do not name all of their types give nothing: asking about M answers "no", and explain_surface_mesh<M>() what is missing.
+template<class M, class K>
+  requires(!requirement::names_link_types<K>)
+struct halfedge_kernel<M, K> : K {
+  static constexpr int dimension = 2;
+  using base_requirements = detail::needs_of_links<M, K>;
 };
 
 }  // namespace concino

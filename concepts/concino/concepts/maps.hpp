@@ -2,6 +2,8 @@
 // foreign library. Writing is `p[e] = t` and nothing more, so proxies qualify.
 #pragma once
 
+#include <concino/concepts/requirement.hpp>
+
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
@@ -16,6 +18,23 @@ concept WritableMap = requires(std::remove_reference_t<P>& p, const E& e, const 
 
 namespace requirement {
 
+struct read_requirement {
+  template<class P, class E> static constexpr bool holds = ReadableMap<P, E>;
+  template<class P, class E> static consteval void explain() {
+    static_assert(!requires(std::remove_cvref_t<P>& p, const E& e) { p[e]; } || detail::missing<P, E>, "concino: operator[] is there, but is not const");
+    static_assert(detail::missing<P, E>, "concino: ReadableMap needs value operator[](const E&) const; m[x] is the value at element x");
+  }
+};
+struct write_requirement {
+  template<class P, class E, class T> static constexpr bool holds = WritableMap<P, E, T>;
+  template<class P, class E, class T> static consteval void explain() {
+    static_assert(detail::missing<P, E, T>, "concino: WritableMap needs T& or proxy operator[](const E&); m[x] = t sets the value at element x");
+  }
+};
+
+using readable_map_requirements = list<read_requirement>;
+using writable_map_requirements = list<write_requirement>;
+
 /// What a map gives: numbers, or points and vectors p with p[0], p[1], p[2].
 template<class P, class E> concept gives_numbers = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
   { p[e] } -> std::convertible_to<double>;
@@ -29,25 +48,16 @@ template<class P, class E> concept gives_numbers_or_points = gives_numbers<P, E>
 
 }  // namespace requirement
 
-namespace detail {
-
-/// False, but only once the types are known.
-template<class... T> inline constexpr bool no_map = false;
-
-}  // namespace detail
-
 /// Fails to compile with one sentence that says what to write where P is no map that can be read at an E.
 template<class P, class E>
 consteval void explain_readable_map() {
-  if constexpr (!ReadableMap<P, E>)
-    static_assert(detail::no_map<P, E>, "concino: ReadableMap needs value operator[](const E&) const; m[x] is the value at element x");
+  if constexpr (!ReadableMap<P, E>) requirement::first_missing<requirement::readable_map_requirements, P, E>::template explain<P, E>();
 }
 
 /// Fails to compile with one sentence that says what to write where P is no map in which Ts can be written at an E.
 template<class P, class E, class T>
 consteval void explain_writable_map() {
-  if constexpr (!WritableMap<P, E, T>)
-    static_assert(detail::no_map<P, E, T>, "concino: WritableMap needs T& or proxy operator[](const E&); m[x] = t sets the value at element x");
+  if constexpr (!WritableMap<P, E, T>) requirement::first_missing<requirement::writable_map_requirements, P, E, T>::template explain<P, E, T>();
 }
 
 }  // namespace concino

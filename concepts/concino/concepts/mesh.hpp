@@ -5,23 +5,58 @@
 //   EM2  where polys are hexes by type, not all of them look as if their corners were listed in lexicographic order
 #pragma once
 
+// From the bottom up, so that compilers name few headers on the way to a sentence.
+#include <concino/concepts/requirement.hpp>
+#include <concino/concepts/mesh_traits.hpp>
+#include <concino/concepts/primal_graph.hpp>
+#include <concino/concepts/dual_graph.hpp>
+#include <concino/concepts/mesh_requirements.hpp>
 #include <concino/concepts/surface_mesh.hpp>
 #include <concino/concepts/volume_mesh.hpp>
 
 namespace concino {
 
+namespace requirement {
+
+template<class M> concept has_dimension = is_surface<M> || is_volume<M>;
+struct dimension_requirement {
+  template<class M> static constexpr bool holds = has_dimension<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_constant<requires { traits<M>::dimension; }, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs dimension: static constexpr int dimension = 2; of a surface, 3 of a volume");
+  }
+};
+
+}  // namespace requirement
+
 /// SurfaceMesh or VolumeMesh, written so that compilers say what the one lacks that `dimension` asks for.
 template<class M>
-concept AnyMesh = PrimalGraph<M> && DualGraph<M> && (SurfaceMesh<M> || requirement::is_volume<M>) && (VolumeMesh<M> || requirement::is_surface<M>);
+concept AnyMesh = PrimalGraph<M> && DualGraph<M> && requirement::has_dimension<M> && (SurfaceMesh<M> || requirement::is_volume<M>) &&
+                  (VolumeMesh<M> || requirement::is_surface<M>);
 
 namespace requirement {
+
+struct surface_or_volume_requirement {
+  template<class M> static constexpr bool holds = AnyMesh<M>;  // explained as what the dimension asks for
+};
+template<class M>
+struct check<surface_or_volume_requirement, M>
+    : check<std::conditional_t<is_surface<M>, surface_mesh_requirements, volume_mesh_requirements>, M> {};
+
+using any_mesh_requirements = list<traits_requirements, dimension_requirement, surface_or_volume_requirement>;
 
 template<class M> concept has_point = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) {
   { traits<M>::point(m, v)[0] } -> std::convertible_to<double>;
   { traits<M>::point(m, v)[1] } -> std::convertible_to<double>;
   { traits<M>::point(m, v)[2] } -> std::convertible_to<double>;
 };
-template<class M> concept has_set_point = requires(std::remove_cvref_t<M>& m, vert_t<M> v, const double (&x)[3]) { traits<M>::set_point(m, v, x); };
+struct point_requirement {
+  template<class M> static constexpr bool holds = has_point<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_value<requires { &traits<M>::point; }, point_verb, M, vert_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs point: static P point(const M&, vert); P has p[0], p[1], p[2] that convert to double");
+  }
+};
 
 // A forgotten &: what is returned, or set, belongs to a copy of the mesh that is gone. Views and meshes as small as a pointer may be copied.
 template<class M> concept is_copied_freely = is_view_v<M> || std::is_trivially_copyable_v<std::remove_cvref_t<M>>;
@@ -32,9 +67,36 @@ template<class M>
 concept has_point_of_the_mesh = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) {
   requires !point_is_of_a_copy<M, decltype(traits<M>::point(m, v))>;
 };
+struct point_of_the_mesh_requirement {
+  template<class M> static constexpr bool holds = has_point_of_the_mesh<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::missing<M>, "concino: mesh_traits<M>::point has to take the mesh by reference, const M&: without the & it returns a reference into a copy that is gone");
+  }
+};
+
+using embedded_requirements = list<traits_requirements, vert_requirement, point_requirement, point_of_the_mesh_requirement>;
+using embedded_mesh_requirements = list<any_mesh_requirements, embedded_requirements>;
+using embedded_graph_requirements = list<primal_graph_requirements, embedded_requirements>;
+
+template<class M> concept has_set_point = requires(std::remove_cvref_t<M>& m, vert_t<M> v, const double (&x)[3]) { traits<M>::set_point(m, v, x); };
+struct set_point_requirement {
+  template<class M> static constexpr bool holds = has_set_point<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs set_point: static void set_point(M&, vert, const X& x); X has x[0], x[1], x[2]");
+  }
+};
+
 template<class M>
-concept sets_point_of_a_copy =
-    requires { static_cast<void (*)(std::remove_cvref_t<M>, vert_t<M>, const double (&)[3])>(&traits<M>::set_point); } && !is_copied_freely<M>;
+concept sets_point_of_the_mesh =
+    !requires { static_cast<void (*)(std::remove_cvref_t<M>, vert_t<M>, const double (&)[3])>(&traits<M>::set_point); } || is_copied_freely<M>;
+struct set_point_of_the_mesh_requirement {
+  template<class M> static constexpr bool holds = sets_point_of_the_mesh<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::missing<M>, "concino: mesh_traits<M>::set_point has to take the mesh by reference, M&: without the & the point of a copy is set");
+  }
+};
+
+using mutable_points_requirements = list<embedded_requirements, set_point_requirement, set_point_of_the_mesh_requirement>;
 
 }  // namespace requirement
 
@@ -46,61 +108,36 @@ template<class M> concept EmbeddedMesh = AnyMesh<M> && Embedded<M>;
 template<class M> concept EmbeddedGraph = PrimalGraph<M> && Embedded<M>;
 
 /// set_point takes anything with x[0], x[1], x[2].
-template<class M> concept MutablePoints = Embedded<M> && requirement::has_set_point<M> && !requirement::sets_point_of_a_copy<M>;
+template<class M> concept MutablePoints = Embedded<M> && requirement::has_set_point<M> && requirement::sets_point_of_the_mesh<M>;
 
 /// Fails to compile with one sentence that names the first thing M lacks to be Embedded and what to write.
 template<class M>
 consteval void explain_embedded() {
-  using detail::missing;
-  // One line per message, so that compilers show it in one.
-  // clang-format off
-  if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: Embedded: " CONCINO_NO_TRAITS);
-  else if constexpr (!requirement::has_vert<M>)
-    static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
-  else if constexpr (!requirement::has_point<M>)
-    static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::point: static P point(const M&, vert); P has p[0], p[1], p[2] that convert to double");
-  else if constexpr (!requirement::has_point_of_the_mesh<M>)
-    static_assert(missing<M>, "concino: Embedded needs mesh_traits<M>::point to take the mesh by reference, const M&: without the & it returns a reference into a copy that is gone");
-  else static_assert(Embedded<M>);
-  // clang-format on
+  if constexpr (!Embedded<M>) requirement::first_missing<requirement::embedded_requirements, M>::template explain<M>();
 }
 
 /// Fails to compile with one sentence that names the first thing M lacks to have MutablePoints and what to write.
 template<class M>
 consteval void explain_mutable_points() {
-  using detail::missing;
-  if constexpr (!Embedded<M>) explain_embedded<M>();
-  else if constexpr (!requirement::has_set_point<M>)
-    static_assert(missing<M>, "concino: MutablePoints needs mesh_traits<M>::set_point: static void set_point(M&, vert, const X& x); X has x[0], x[1], x[2]");
-  else if constexpr (requirement::sets_point_of_a_copy<M>)
-    static_assert(missing<M>, "concino: MutablePoints needs mesh_traits<M>::set_point to take the mesh by reference, M&: without the & the point of a copy is set");
+  if constexpr (!MutablePoints<M>) requirement::first_missing<requirement::mutable_points_requirements, M>::template explain<M>();
 }
 
 /// Fails to compile with one sentence that names the first thing M lacks to be an AnyMesh and what to write.
 template<class M>
 consteval void explain_any_mesh() {
-  using detail::missing;
-  // clang-format off
-  if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: AnyMesh: " CONCINO_NO_TRAITS);
-  else if constexpr (dimension_v<M> == 2) explain_surface_mesh<M>();
-  else if constexpr (dimension_v<M> == 3) explain_volume_mesh<M>();
-  else
-    static_assert(missing<M>, "concino: AnyMesh needs mesh_traits<M>::dimension: static constexpr int dimension = 2 for a surface, 3 for a volume");
-  // clang-format on
+  if constexpr (!AnyMesh<M>) requirement::first_missing<requirement::any_mesh_requirements, M>::template explain<M>();
 }
 
-/// Fails to compile with one sentence that names the first thing M lacks to be an EmbeddedMesh or an EmbeddedGraph and what to write.
+/// Fails to compile with one sentence that names the first thing M lacks to be an EmbeddedMesh and what to write.
 template<class M>
 consteval void explain_embedded_mesh() {
-  if constexpr (!AnyMesh<M>) explain_any_mesh<M>();
-  else explain_embedded<M>();
+  if constexpr (!EmbeddedMesh<M>) requirement::first_missing<requirement::embedded_mesh_requirements, M>::template explain<M>();
 }
+
+/// Fails to compile with one sentence that names the first thing M lacks to be an EmbeddedGraph and what to write.
 template<class M>
 consteval void explain_embedded_graph() {
-  if constexpr (!PrimalGraph<M>) explain_primal_graph<M>();
-  else explain_embedded<M>();
+  if constexpr (!EmbeddedGraph<M>) requirement::first_missing<requirement::embedded_graph_requirements, M>::template explain<M>();
 }
 
 /// Whether x is an element of m now.

@@ -20,11 +20,7 @@
 
 #include <concino/concepts/descriptors.hpp>
 #include <concino/concepts/ranges.hpp>
-
-/// What all of explain_... say about a type of which nothing is known: the commonest reason is a forgotten adapter.
-#define CONCINO_NO_TRAITS                                                                                                                   \
-  "no mesh_traits<M>: include the adapter of the library that M is from, <concino/adapters/...>: boost_graph.hpp, cgal_polyhedron.hpp, "     \
-  "cgal_surface_mesh.hpp, cgal_triangulation.hpp, cgal_lcc.hpp, eigen.hpp, openmesh.hpp, span.hpp; or specialise concino::mesh_traits for M"
+#include <concino/concepts/requirement.hpp>
 
 namespace concino {
 
@@ -47,13 +43,31 @@ namespace requirement {
 // What stands behind the concept is there to be read in the compiler's message.
 template<class M>
 concept is_adapted = !std::is_base_of_v<no_traits, traits<M>>;  // else include <concino/adapters/openmesh.hpp> or a sibling, or specialise mesh_traits
+// The commonest reason is a forgotten adapter.
+struct adapted_requirement {
+  template<class M> static constexpr bool holds = is_adapted<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::missing<M>, "concino: no mesh_traits<M>: include the adapter of the library that M is from, <concino/adapters/...>: boost_graph.hpp, cgal_polyhedron.hpp, cgal_surface_mesh.hpp, cgal_triangulation.hpp, cgal_lcc.hpp, eigen.hpp, openmesh.hpp, span.hpp; or specialise concino::mesh_traits for M");
+  }
+};
+
+// A base that traits may inherit from and that has requirements of its own, such as halfedge_kernel, says so in mesh_traits<M>:
+//   struct base_requirements { template<class M> static constexpr bool holds = ...; template<class M> static consteval void explain(); };
+template<class M> concept has_base_requirements = requires { typename traits<M>::base_requirements; };
+struct base_requirement {
+  template<class M> static constexpr bool holds = true;  // where the traits have no such base; else see below
+};
+template<has_base_requirements M>
+struct check<base_requirement, M> : std::bool_constant<traits<M>::base_requirements::template holds<M>> {
+  using first_missing = typename traits<M>::base_requirements;
+};
+
+/// What every list of requirements on mesh_traits begins with. Without what a base needs nothing can be had of it, so that this is explained first.
+using traits_requirements = list<adapted_requirement, base_requirement>;
 
 }  // namespace requirement
 
 namespace detail {
-
-/// False, but only once M is known: what the assertions of explain_primal_graph<M>() and its siblings stand on.
-template<class M> inline constexpr bool missing = false;
 
 template<class T> struct dimension_of : std::integral_constant<int, 0> {};
 template<class T>

@@ -14,11 +14,61 @@ namespace concino {
 namespace requirement {
 
 template<class M> concept has_vert = requires { typename vert_t<M>; } && std::regular<vert_t<M>>;
+struct vert_requirement {
+  template<class M> static constexpr bool holds = has_vert<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_regular<vert_t, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs vert: using vert = a std::regular type; names one vert");
+  }
+};
+
 template<class M> concept has_verts = requires(const std::remove_cvref_t<M>& m) { { traits<M>::verts(m) } -> ElementRange<vert_t<M>>; };
+struct verts_requirement {
+  template<class M> static constexpr bool holds = has_verts<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::verts; }, vert_t<M>, verts_verb, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs verts: static ElementRange<vert> verts(const M&); all verts");
+  }
+};
+
 template<class M> concept has_num_verts = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_verts(m) } -> std::convertible_to<std::size_t>; };
+struct num_verts_requirement {
+  template<class M> static constexpr bool holds = has_num_verts<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_value<requires { &traits<M>::num_verts; }, num_verts_verb, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_verts: static std::size_t num_verts(const M&); how many verts the walk meets");
+  }
+};
+
 template<class M> concept has_vert_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::vert_index_bound(m) } -> std::convertible_to<std::size_t>; };
+struct vert_index_bound_requirement {
+  template<class M> static constexpr bool holds = has_vert_index_bound<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_value<requires { &traits<M>::vert_index_bound; }, vert_index_bound_verb, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs vert_index_bound: static std::size_t vert_index_bound(const M&); exclusive bound of index_of");
+  }
+};
+
 template<class M> concept has_vert_index_of = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) { { traits<M>::index_of(m, v) } -> std::convertible_to<std::size_t>; };
+struct vert_index_of_requirement {
+  template<class M> static constexpr bool holds = has_vert_index_of<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_value<false, index_of_verb, M, vert_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs index_of: static std::size_t index_of(const M&, vert); below vert_index_bound, different for different verts");
+  }
+};
+
 template<class M> concept has_adj_v2v = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) { { traits<M>::adj_v2v(m, v) } -> ElementRange<vert_t<M>>; };
+struct adj_v2v_requirement {
+  template<class M> static constexpr bool holds = has_adj_v2v<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::adj_v2v; }, vert_t<M>, adj_v2v_verb, M, vert_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_v2v: static ElementRange<vert> adj_v2v(const M&, vert); the verts joined to a vert by an edge");
+  }
+};
+
+using primal_graph_requirements = list<traits_requirements, vert_requirement, verts_requirement, num_verts_requirement,
+                                       vert_index_bound_requirement, vert_index_of_requirement, adj_v2v_requirement>;
 
 }  // namespace requirement
 
@@ -29,26 +79,7 @@ concept PrimalGraph = requirement::is_adapted<M> && requirement::has_vert<M> && 
 /// Fails to compile with one sentence that names the first thing M lacks to be a PrimalGraph and what to write.
 template<class M>
 consteval void explain_primal_graph() {
-  using detail::missing;
-  // One line per message, so that compilers show it in one.
-  // clang-format off
-  if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: PrimalGraph: " CONCINO_NO_TRAITS);
-  else if constexpr (!requirement::has_vert<M>)
-    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
-  else if constexpr (!requirement::has_verts<M>)
-    static_assert(detail::explain_range<vert_t<M>, decltype(verts), const std::remove_cvref_t<M>&>() && missing<M>, "concino: PrimalGraph needs mesh_traits<M>::verts: static ElementRange<vert> verts(const M&); all verts");
-  else if constexpr (!requirement::has_num_verts<M>)
-    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::num_verts: static std::size_t num_verts(const M&); how many verts the walk meets");
-  else if constexpr (!requirement::has_vert_index_bound<M>)
-    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::vert_index_bound: static std::size_t vert_index_bound(const M&); exclusive bound of index_of");
-  else if constexpr (!requirement::has_vert_index_of<M>)
-    static_assert(missing<M>, "concino: PrimalGraph needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, vert); below vert_index_bound, different for different verts");
-  else if constexpr (!requirement::has_adj_v2v<M>)
-    static_assert(detail::explain_range<vert_t<M>, decltype(adj_v2v), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: PrimalGraph needs mesh_traits<M>::adj_v2v: static ElementRange<vert> adj_v2v(const M&, vert); the verts joined to a vert by an edge");
-  else static_assert(PrimalGraph<M>);
-  // clang-format on
+  if constexpr (!PrimalGraph<M>) requirement::first_missing<requirement::primal_graph_requirements, M>::template explain<M>();
 }
 
 }  // namespace concino
-

@@ -14,6 +14,8 @@
 //   void use_order_of(const S&)                          takes over the order that another has found, for matrices of the same pattern
 #pragma once
 
+#include <concino/concepts/requirement.hpp>
+
 #include <concepts>
 #include <type_traits>
 
@@ -22,27 +24,35 @@ namespace concino {
 namespace requirement {
 
 template<class S, class Matrix> concept has_factorize = requires(std::remove_reference_t<S>& s, const Matrix& a) { s.factorize(a); };
+struct factorize_requirement {
+  template<class S, class Matrix, class Vector> static constexpr bool holds = has_factorize<S, Matrix>;
+  template<class S, class Matrix, class Vector> static consteval void explain() {
+    static_assert(detail::missing<S>, "concino: SparseSolver needs factorize: void factorize(const Matrix&); throws a concino::solver_error if it cannot");
+  }
+};
+
 template<class S, class Vector> concept has_solve = requires(const std::remove_cvref_t<S>& s, const Vector& b) { { s.solve(b) } -> std::convertible_to<Vector>; };
+struct solve_requirement {
+  template<class S, class Matrix, class Vector> static constexpr bool holds = has_solve<S, Vector>;
+  template<class S, class Matrix, class Vector> static consteval void explain() {
+    static_assert(!requires(const std::remove_cvref_t<S>& s, const Vector& b) { s.solve(b); } || detail::missing<S>, "concino: solve is there, but what it returns does not convert to Vector");
+    static_assert(requires(const std::remove_cvref_t<S>& s, const Vector& b) { s.solve(b); } || !requires(std::remove_cvref_t<S>& s, const Vector& b) { s.solve(b); } || detail::missing<S>, "concino: solve is there, but is not const");
+    static_assert(detail::missing<S>, "concino: SparseSolver needs solve: Vector solve(const Vector& b) const; the x with a x = b for the matrix a factorised last");
+  }
+};
+
+using sparse_solver_requirements = list<factorize_requirement, solve_requirement>;
 
 }  // namespace requirement
 
 template<class S, class Matrix, class Vector>
 concept SparseSolver = requirement::has_factorize<S, Matrix> && requirement::has_solve<S, Vector>;
 
-namespace detail {
-
-/// False, but only once the types are known.
-template<class... T> inline constexpr bool no_solver = false;
-
-}  // namespace detail
-
 /// Fails to compile with one sentence that names the first thing S lacks to be a SparseSolver and what to write.
 template<class S, class Matrix, class Vector>
 consteval void explain_sparse_solver() {
-  if constexpr (!requirement::has_factorize<S, Matrix>)
-    static_assert(detail::no_solver<S>, "concino: SparseSolver needs factorize: void factorize(const Matrix&); throws a concino::solver_error if it cannot");
-  else if constexpr (!requirement::has_solve<S, Vector>)
-    static_assert(detail::no_solver<S>, "concino: SparseSolver needs solve: Vector solve(const Vector& b) const; the x with a x = b for the matrix a factorised last");
+  if constexpr (!SparseSolver<S, Matrix, Vector>)
+    requirement::first_missing<requirement::sparse_solver_requirements, S, Matrix, Vector>::template explain<S, Matrix, Vector>();
 }
 
 }  // namespace concino

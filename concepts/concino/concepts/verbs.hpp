@@ -245,26 +245,4 @@ inline constexpr struct adj_p2p_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2p(m, p); }
 } adj_p2p{};
 
-namespace detail {
-
-/// Fails to compile with a sentence that says why what a member of mesh_traits returns is no ElementRange of Ts; true if there is no such
-/// member. Asked in the assertion that names the member, so that this sentence comes first.
-template<class T, class Verb, class... Arguments>
-consteval bool explain_range() {
-  if constexpr (std::is_invocable_v<Verb, Arguments...>) {
-    using R = std::remove_cvref_t<std::invoke_result_t<Verb, Arguments...>>;
-    if constexpr (!requires(R& r) { r.begin(); r.end(); })
-      static_assert(missing<R>, "concino: the member is there, but what it returns has no begin() and end()");
-    else if constexpr (!requires(const R& r) { r.begin(); r.end(); })
-      static_assert(missing<R>, "concino: the member is there, but begin() or end() of what it returns is not const: write `iterator begin() const`");
-    else if constexpr (!requires(const R& r) { requires std::same_as<std::remove_cvref_t<decltype(*r.begin())>, T>; })
-      static_assert(missing<R>, "concino: the member is there, but what it returns yields elements of another type than mesh_traits<M> names");
-    else
-      static_assert(missing<R>, "concino: the member is there, but the iterators of what it returns lack ++ or !=, or cannot be copied");
-  }
-  return true;
-}
-
-}  // namespace detail
-
 }  // namespace concino

@@ -20,21 +20,131 @@ namespace concino {
 
 namespace requirement {
 
-template<class M> concept has_face = requires { typename face_t<M>; } && std::regular<face_t<M>>;
-template<class M> concept has_faces = requires(const std::remove_cvref_t<M>& m) { { traits<M>::faces(m) } -> ElementRange<face_t<M>>; };
-template<class M> concept has_num_faces = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_faces(m) } -> std::convertible_to<std::size_t>; };
-template<class M> concept has_face_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::face_index_bound(m) } -> std::convertible_to<std::size_t>; };
-template<class M> concept has_face_index_of = requires(const std::remove_cvref_t<M>& m, face_t<M> f) { { traits<M>::index_of(m, f) } -> std::convertible_to<std::size_t>; };
-template<class M> concept has_adj_f2v = requires(const std::remove_cvref_t<M>& m, face_t<M> f) { { traits<M>::adj_f2v(m, f) } -> ElementRange<vert_t<M>>; };
-template<class M> concept has_adj_f2e = requires(const std::remove_cvref_t<M>& m, face_t<M> f) { { traits<M>::adj_f2e(m, f) } -> ElementRange<edge_t<M>>; };
-template<class M> concept has_adj_f2p = requires(const std::remove_cvref_t<M>& m, face_t<M> f) { { traits<M>::adj_f2p(m, f) } -> ElementRange<poly_t<M>>; };
-template<class M> concept has_adj_v2f = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) { { traits<M>::adj_v2f(m, v) } -> ElementRange<face_t<M>>; };
-template<class M> concept has_adj_e2f = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) { { traits<M>::adj_e2f(m, e) } -> ElementRange<face_t<M>>; };
-template<class M> concept has_adj_p2f = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) { { traits<M>::adj_p2f(m, p) } -> ElementRange<face_t<M>>; };
-template<class M> concept has_face_is_outward =
-    requires(const std::remove_cvref_t<M>& m, poly_t<M> p, face_t<M> f) { { traits<M>::face_is_outward(m, p, f) } -> std::convertible_to<bool>; };
+// As of the others above: it holds where a type is not there.
 template<class M> concept has_distinct_faces =
-    !std::same_as<vert_t<M>, face_t<M>> && !std::same_as<edge_t<M>, face_t<M>> && !std::same_as<poly_t<M>, face_t<M>>;
+    !requires { requires std::same_as<vert_t<M>, face_t<M>>; } && !requires { requires std::same_as<edge_t<M>, face_t<M>>; } &&
+    !requires { requires std::same_as<poly_t<M>, face_t<M>>; };
+struct distinct_faces_requirement {
+  template<class M> static constexpr bool holds = has_distinct_faces<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::missing<M>, "concino: face of mesh_traits<M> has to be another type than vert, edge and poly; wrap it if it is the same");
+  }
+};
+
+template<class M> concept has_face = requires { typename face_t<M>; } && std::regular<face_t<M>>;
+struct face_requirement {
+  template<class M> static constexpr bool holds = has_face<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_regular<face_t, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs face: using face = a std::regular type; names one face");
+  }
+};
+
+template<class M> concept has_faces = requires(const std::remove_cvref_t<M>& m) { { traits<M>::faces(m) } -> ElementRange<face_t<M>>; };
+struct faces_requirement {
+  template<class M> static constexpr bool holds = has_faces<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::faces; }, face_t<M>, faces_verb, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs faces: static ElementRange<face> faces(const M&); all faces");
+  }
+};
+
+template<class M> concept has_num_faces = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_faces(m) } -> std::convertible_to<std::size_t>; };
+struct num_faces_requirement {
+  template<class M> static constexpr bool holds = has_num_faces<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_value<requires { &traits<M>::num_faces; }, num_faces_verb, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_faces: static std::size_t num_faces(const M&); how many faces the walk meets");
+  }
+};
+
+template<class M> concept has_face_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::face_index_bound(m) } -> std::convertible_to<std::size_t>; };
+struct face_index_bound_requirement {
+  template<class M> static constexpr bool holds = has_face_index_bound<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_value<requires { &traits<M>::face_index_bound; }, face_index_bound_verb, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs face_index_bound: static std::size_t face_index_bound(const M&); exclusive bound of index_of");
+  }
+};
+
+template<class M> concept has_face_index_of = requires(const std::remove_cvref_t<M>& m, face_t<M> f) { { traits<M>::index_of(m, f) } -> std::convertible_to<std::size_t>; };
+struct face_index_of_requirement {
+  template<class M> static constexpr bool holds = has_face_index_of<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_value<false, index_of_verb, M, face_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs index_of: static std::size_t index_of(const M&, face); below face_index_bound, different for different faces");
+  }
+};
+
+template<class M> concept has_adj_f2v = requires(const std::remove_cvref_t<M>& m, face_t<M> f) { { traits<M>::adj_f2v(m, f) } -> ElementRange<vert_t<M>>; };
+struct adj_f2v_requirement {
+  template<class M> static constexpr bool holds = has_adj_f2v<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::adj_f2v; }, vert_t<M>, adj_f2v_verb, M, face_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_f2v: static ElementRange<vert> adj_f2v(const M&, face); the verts of a face in cyclic order");
+  }
+};
+
+template<class M> concept has_adj_f2e = requires(const std::remove_cvref_t<M>& m, face_t<M> f) { { traits<M>::adj_f2e(m, f) } -> ElementRange<edge_t<M>>; };
+struct adj_f2e_requirement {
+  template<class M> static constexpr bool holds = has_adj_f2e<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::adj_f2e; }, edge_t<M>, adj_f2e_verb, M, face_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_f2e: static ElementRange<edge> adj_f2e(const M&, face); the edges of a face");
+  }
+};
+
+template<class M> concept has_adj_f2p = requires(const std::remove_cvref_t<M>& m, face_t<M> f) { { traits<M>::adj_f2p(m, f) } -> ElementRange<poly_t<M>>; };
+struct adj_f2p_requirement {
+  template<class M> static constexpr bool holds = has_adj_f2p<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::adj_f2p; }, poly_t<M>, adj_f2p_verb, M, face_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_f2p: static ElementRange<poly> adj_f2p(const M&, face); the polys on the sides of a face");
+  }
+};
+
+template<class M> concept has_adj_v2f = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) { { traits<M>::adj_v2f(m, v) } -> ElementRange<face_t<M>>; };
+struct adj_v2f_requirement {
+  template<class M> static constexpr bool holds = has_adj_v2f<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::adj_v2f; }, face_t<M>, adj_v2f_verb, M, vert_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_v2f: static ElementRange<face> adj_v2f(const M&, vert); the faces at a vert");
+  }
+};
+
+template<class M> concept has_adj_e2f = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) { { traits<M>::adj_e2f(m, e) } -> ElementRange<face_t<M>>; };
+struct adj_e2f_requirement {
+  template<class M> static constexpr bool holds = has_adj_e2f<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::adj_e2f; }, face_t<M>, adj_e2f_verb, M, edge_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_e2f: static ElementRange<face> adj_e2f(const M&, edge); the faces at an edge");
+  }
+};
+
+template<class M> concept has_adj_p2f = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) { { traits<M>::adj_p2f(m, p) } -> ElementRange<face_t<M>>; };
+struct adj_p2f_requirement {
+  template<class M> static constexpr bool holds = has_adj_p2f<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_range<requires { &traits<M>::adj_p2f; }, face_t<M>, adj_p2f_verb, M, poly_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_p2f: static ElementRange<face> adj_p2f(const M&, poly); the faces of a poly");
+  }
+};
+
+template<class M> concept has_face_is_outward = requires(const std::remove_cvref_t<M>& m, poly_t<M> p, face_t<M> f) { { traits<M>::face_is_outward(m, p, f) } -> std::convertible_to<bool>; };
+struct face_is_outward_requirement {
+  template<class M> static constexpr bool holds = has_face_is_outward<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_value<requires { &traits<M>::face_is_outward; }, face_is_outward_verb, M, poly_t<M>, face_t<M>>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs face_is_outward: static bool face_is_outward(const M&, poly, face); whether the face runs counter-clockwise seen from outside the poly");
+  }
+};
+
+using volume_mesh_requirements = list<traits_requirements, volume_dimension_requirement, distinct_descriptors_requirement, distinct_faces_requirement,
+                                      mesh_requirements, face_requirement, faces_requirement, num_faces_requirement, face_index_bound_requirement,
+                                      face_index_of_requirement, adj_f2v_requirement, adj_f2e_requirement, adj_f2p_requirement, adj_v2f_requirement,
+                                      adj_e2f_requirement, adj_p2f_requirement, face_is_outward_requirement>;
+using tet_mesh_requirements = list<volume_mesh_requirements, arity_4_requirement>;
+using hex_mesh_requirements = list<volume_mesh_requirements, arity_8_requirement>;
 
 }  // namespace requirement
 
@@ -48,112 +158,25 @@ concept VolumeMesh = PrimalGraph<M> && DualGraph<M> && requirement::is_volume<M>
                      requirement::has_adj_e2f<M> && requirement::has_adj_p2f<M> && requirement::has_face_is_outward<M>;
 
 /// Volumes of tetrahedra, of hexahedra: known when compiling.
-template<class M> concept TetMesh = VolumeMesh<M> && arity_v<M> == 4;
-template<class M> concept HexMesh = VolumeMesh<M> && arity_v<M> == 8;
+template<class M> concept TetMesh = VolumeMesh<M> && requirement::has_arity_4<M>;
+template<class M> concept HexMesh = VolumeMesh<M> && requirement::has_arity_8<M>;
 
 /// Fails to compile with one sentence that names the first thing M lacks to be a VolumeMesh and what to write.
 template<class M>
 consteval void explain_volume_mesh() {
-  using detail::missing;
-  // One line per message, so that compilers show it in one.
-  // clang-format off
-  if constexpr (!requirement::is_adapted<M>)
-    static_assert(missing<M>, "concino: VolumeMesh: " CONCINO_NO_TRAITS);
-  else if constexpr (!requirement::is_volume<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::dimension: static constexpr int dimension = 3;");
-  else if constexpr (requirement::has_vert<M> && requirement::has_poly<M> && requirement::has_edge<M> && !requirement::has_distinct_descriptors<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs vert, edge and poly of mesh_traits<M> to be different types; wrap those that are the same");
-  else if constexpr (!requirement::has_vert<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::vert: using vert = a std::regular type; names one vert");
-  else if constexpr (!requirement::has_verts<M>)
-    static_assert(detail::explain_range<vert_t<M>, decltype(verts), const std::remove_cvref_t<M>&>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::verts: static ElementRange<vert> verts(const M&); all verts");
-  else if constexpr (!requirement::has_num_verts<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::num_verts: static std::size_t num_verts(const M&); how many verts the walk meets");
-  else if constexpr (!requirement::has_vert_index_bound<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::vert_index_bound: static std::size_t vert_index_bound(const M&); exclusive bound of index_of");
-  else if constexpr (!requirement::has_vert_index_of<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, vert); below vert_index_bound, different for different verts");
-  else if constexpr (!requirement::has_adj_v2v<M>)
-    static_assert(detail::explain_range<vert_t<M>, decltype(adj_v2v), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2v: static ElementRange<vert> adj_v2v(const M&, vert); the verts joined to a vert by an edge");
-  else if constexpr (!requirement::has_poly<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::poly: using poly = a std::regular type; names one poly");
-  else if constexpr (!requirement::has_polys<M>)
-    static_assert(detail::explain_range<poly_t<M>, decltype(polys), const std::remove_cvref_t<M>&>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::polys: static ElementRange<poly> polys(const M&); all polys");
-  else if constexpr (!requirement::has_num_polys<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::num_polys: static std::size_t num_polys(const M&); how many polys the walk meets");
-  else if constexpr (!requirement::has_poly_index_bound<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::poly_index_bound: static std::size_t poly_index_bound(const M&); exclusive bound of index_of");
-  else if constexpr (!requirement::has_poly_index_of<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, poly); below poly_index_bound, different for different polys");
-  else if constexpr (!requirement::has_adj_p2p<M>)
-    static_assert(detail::explain_range<poly_t<M>, decltype(adj_p2p), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2p: static ElementRange<poly> adj_p2p(const M&, poly); the polys across an edge (surface) or a face (volume)");
-  else if constexpr (!requirement::has_edge<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::edge: using edge = a std::regular type; names one edge");
-  else if constexpr (!requirement::has_edges<M>)
-    static_assert(detail::explain_range<edge_t<M>, decltype(edges), const std::remove_cvref_t<M>&>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::edges: static ElementRange<edge> edges(const M&); all edges");
-  else if constexpr (!requirement::has_num_edges<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::num_edges: static std::size_t num_edges(const M&); how many edges the walk meets");
-  else if constexpr (!requirement::has_edge_index_bound<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::edge_index_bound: static std::size_t edge_index_bound(const M&); exclusive bound of index_of");
-  else if constexpr (!requirement::has_edge_index_of<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, edge); below edge_index_bound, different for different edges");
-  else if constexpr (!requirement::has_adj_e2v<M>)
-    static_assert(detail::explain_range<vert_t<M>, decltype(adj_e2v), const std::remove_cvref_t<M>&, edge_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2v: static ElementRange<vert> adj_e2v(const M&, edge); the two ends of an edge");
-  else if constexpr (!requirement::has_adj_e2p<M>)
-    static_assert(detail::explain_range<poly_t<M>, decltype(adj_e2p), const std::remove_cvref_t<M>&, edge_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2p: static ElementRange<poly> adj_e2p(const M&, edge); the polys at an edge");
-  else if constexpr (!requirement::has_adj_v2e<M>)
-    static_assert(detail::explain_range<edge_t<M>, decltype(adj_v2e), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2e: static ElementRange<edge> adj_v2e(const M&, vert); the edges at a vert");
-  else if constexpr (!requirement::has_adj_v2p<M>)
-    static_assert(detail::explain_range<poly_t<M>, decltype(adj_v2p), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2p: static ElementRange<poly> adj_v2p(const M&, vert); the polys at a vert");
-  else if constexpr (!requirement::has_adj_p2v<M>)
-    static_assert(detail::explain_range<vert_t<M>, decltype(adj_p2v), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2v: static ElementRange<vert> adj_p2v(const M&, poly); the verts of a poly");
-  else if constexpr (!requirement::has_adj_p2e<M>)
-    static_assert(detail::explain_range<edge_t<M>, decltype(adj_p2e), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2e: static ElementRange<edge> adj_p2e(const M&, poly); the edges of a poly");
-  else if constexpr (!requirement::has_face<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::face: using face = a std::regular type; names one face");
-  else if constexpr (!requirement::has_distinct_faces<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs face of mesh_traits<M> to be another type than vert, edge and poly; wrap it if it is the same");
-  else if constexpr (!requirement::has_faces<M>)
-    static_assert(detail::explain_range<face_t<M>, decltype(faces), const std::remove_cvref_t<M>&>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::faces: static ElementRange<face> faces(const M&); all faces");
-  else if constexpr (!requirement::has_num_faces<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::num_faces: static std::size_t num_faces(const M&); how many faces the walk meets");
-  else if constexpr (!requirement::has_face_index_bound<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::face_index_bound: static std::size_t face_index_bound(const M&); exclusive bound of index_of");
-  else if constexpr (!requirement::has_face_index_of<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::index_of: static std::size_t index_of(const M&, face); below face_index_bound, different for different faces");
-  else if constexpr (!requirement::has_adj_f2v<M>)
-    static_assert(detail::explain_range<vert_t<M>, decltype(adj_f2v), const std::remove_cvref_t<M>&, face_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2v: static ElementRange<vert> adj_f2v(const M&, face); the verts of a face in cyclic order");
-  else if constexpr (!requirement::has_adj_f2e<M>)
-    static_assert(detail::explain_range<edge_t<M>, decltype(adj_f2e), const std::remove_cvref_t<M>&, face_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2e: static ElementRange<edge> adj_f2e(const M&, face); the edges of a face");
-  else if constexpr (!requirement::has_adj_f2p<M>)
-    static_assert(detail::explain_range<poly_t<M>, decltype(adj_f2p), const std::remove_cvref_t<M>&, face_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_f2p: static ElementRange<poly> adj_f2p(const M&, face); the polys on the sides of a face");
-  else if constexpr (!requirement::has_adj_v2f<M>)
-    static_assert(detail::explain_range<face_t<M>, decltype(adj_v2f), const std::remove_cvref_t<M>&, vert_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_v2f: static ElementRange<face> adj_v2f(const M&, vert); the faces at a vert");
-  else if constexpr (!requirement::has_adj_e2f<M>)
-    static_assert(detail::explain_range<face_t<M>, decltype(adj_e2f), const std::remove_cvref_t<M>&, edge_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_e2f: static ElementRange<face> adj_e2f(const M&, edge); the faces at an edge");
-  else if constexpr (!requirement::has_adj_p2f<M>)
-    static_assert(detail::explain_range<face_t<M>, decltype(adj_p2f), const std::remove_cvref_t<M>&, poly_t<M>>() && missing<M>, "concino: VolumeMesh needs mesh_traits<M>::adj_p2f: static ElementRange<face> adj_p2f(const M&, poly); the faces of a poly");
-  else if constexpr (!requirement::has_face_is_outward<M>)
-    static_assert(missing<M>, "concino: VolumeMesh needs mesh_traits<M>::face_is_outward: static bool face_is_outward(const M&, poly, face); whether the face runs counter-clockwise seen from outside the poly");
-  else static_assert(VolumeMesh<M>);
-  // clang-format on
+  if constexpr (!VolumeMesh<M>) requirement::first_missing<requirement::volume_mesh_requirements, M>::template explain<M>();
 }
 
 /// Fails to compile with one sentence that names the first thing M lacks to be a TetMesh and what to write.
 template<class M>
 consteval void explain_tet_mesh() {
-  if constexpr (!VolumeMesh<M>) explain_volume_mesh<M>();
-  else if constexpr (!TetMesh<M>)
-    static_assert(detail::missing<M>, "concino: TetMesh needs mesh_traits<M>::arity: static constexpr int arity = 4; every poly has 4 verts");
+  if constexpr (!TetMesh<M>) requirement::first_missing<requirement::tet_mesh_requirements, M>::template explain<M>();
 }
 
 /// Fails to compile with one sentence that names the first thing M lacks to be a HexMesh and what to write.
 template<class M>
 consteval void explain_hex_mesh() {
-  if constexpr (!VolumeMesh<M>) explain_volume_mesh<M>();
-  else if constexpr (!HexMesh<M>)
-    static_assert(detail::missing<M>, "concino: HexMesh needs mesh_traits<M>::arity: static constexpr int arity = 8; every poly has 8 verts");
+  if constexpr (!HexMesh<M>) requirement::first_missing<requirement::hex_mesh_requirements, M>::template explain<M>();
 }
 
 }  // namespace concino
-

@@ -1,11 +1,11 @@
 # Where nothing is known of a type, the message lists the headers that may have been forgotten: all adapters that bring meshes or graphs.
 file(READ ${source}/concepts/concino/concepts/mesh_traits.hpp text)
-string(REGEX MATCH "#define CONCINO_NO_TRAITS.*specialise concino::mesh_traits for M" message "${text}")
+string(REGEX MATCH "\"concino: no mesh_traits<M>: [^\n]*specialise concino::mesh_traits for M\"" message "${text}")
 file(GLOB headers ${source}/adapters/concino/adapters/*.hpp)
 foreach(header IN LISTS headers)
   cmake_path(GET header FILENAME name)
   file(READ ${header} text)
   if(text MATCHES "[^_]mesh_traits<|view_tri" AND NOT message MATCHES "[^a-z_]${name}")
-    message(FATAL_ERROR "CONCINO_NO_TRAITS of mesh_traits.hpp does not list ${name}, whose types a forgotten include leaves unknown")
+    message(FATAL_ERROR "adapted_requirement of mesh_traits.hpp does not list ${name}, whose types a forgotten include leaves unknown")
   endif()
 endforeach()
