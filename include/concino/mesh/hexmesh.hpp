@@ -19,14 +19,10 @@ class hexmesh : public detail::native_mesh<hex_tables> {
   /// From flat arrays with arity 8, taken over without a copy. `order`: how the lists name the corners of a hex.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
-  explicit hexmesh(cell_arrays a, hex_order order = hex_order::standard) : base(std::move(a.points), {}) {
-    if (a.arity != 8) core::throw_joined<invalid_mesh>({"the arrays hold polys of ", a.arity, " verts; a hexmesh needs 8"});
-    tables() = hex_tables(points().size(), std::move(a.verts), order);
-  }
+  explicit hexmesh(cell_arrays a, hex_order order = hex_order::standard);
 
   /// From points and lists of 8 verts, in braces or in containers.
-  hexmesh(point_list points, index_lists poly_verts, hex_order order = hex_order::standard)
-      : hexmesh(detail::to_cells({points}, poly_verts, 8), order) {}
+  hexmesh(point_list points, index_lists poly_verts, hex_order order = hex_order::standard);
   template<detail::PointRange Points, detail::IndexListRange Polys>
   hexmesh(const Points& points, const Polys& poly_ranges, hex_order order = hex_order::standard)
       : hexmesh(detail::to_cells(detail::to_points(points), poly_ranges, 8), order) {}
@@ -40,3 +36,7 @@ struct mesh_traits<hexmesh> : detail::native_traits<hexmesh, indexed_volume> {
 static_assert(HexMesh<hexmesh> && MutablePoints<hexmesh>);
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/hexmesh.ipp>
+#endif

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/compiled.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/indexed_base.hpp>
@@ -69,23 +70,7 @@ surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_
 }
 
 /// The same polys with lists of `arity`, or with offsets (0).
-inline surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
-  if (arity == 0) {
-    a.offsets.clear();
-    for (std::size_t i = 0; i <= a.verts.size() / a.arity; ++i) a.offsets.push_back(static_cast<std::uint32_t>(i * a.arity));
-    if (a.offsets.back() != a.verts.size()) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
-  } else {
-    const std::size_t n = a.num_polys();
-    for (std::size_t p = 0; p < n; ++p) {
-      const std::uint32_t has = a.arity ? a.arity : a.offsets[p + 1] - a.offsets[p];
-      if (has != arity) core::throw_joined<invalid_mesh>({"poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
-    }
-    if (n * arity != a.verts.size()) core::throw_joined<invalid_mesh>({"the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
-    a.offsets.clear();
-  }
-  a.arity = arity;
-  return a;
-}
+surface_arrays to_arity(surface_arrays a, std::uint32_t arity);
 
 template<class R>
 cell_arrays to_cells(std::vector<vec3> points, const R& lists, std::uint32_t arity) {
@@ -115,14 +100,15 @@ class native_mesh {
   property_set properties_;
 
  protected:
-  native_mesh(std::vector<vec3> points, Tables tables) : points_(std::move(points)), tables_(std::move(tables)) { drop_spare_room(points_); }
+  native_mesh(std::vector<vec3> points, Tables tables);
 
  public:
-  native_mesh() = default;
-  native_mesh(const native_mesh&) = default;
-  native_mesh(native_mesh&&) noexcept = default;
-  native_mesh& operator=(const native_mesh& o) { return *this = native_mesh(o); }  // all or nothing
-  native_mesh& operator=(native_mesh&&) noexcept = default;
+  native_mesh();
+  native_mesh(const native_mesh&);
+  native_mesh(native_mesh&&) noexcept;
+  native_mesh& operator=(const native_mesh&);  // all or nothing
+  native_mesh& operator=(native_mesh&&) noexcept;
+  ~native_mesh();
 
   const std::vector<vec3>& points() const { return points_; }
   std::vector<vec3>& points() { return points_; }
@@ -181,3 +167,7 @@ struct native_traits : Base<M> {
 }  // namespace detail
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/native_mesh.ipp>
+#endif

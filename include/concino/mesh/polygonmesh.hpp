@@ -12,18 +12,15 @@ class polygonmesh : public detail::native_mesh<surface_tables<0>> {
   using base = detail::native_mesh<surface_tables<0>>;
 
  public:
-  polygonmesh() : polygonmesh(surface_arrays{}) {}
+  polygonmesh();
 
   /// From flat arrays, taken over without a copy.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with fewer than 3 verts, or with a vert out of range or twice, or offsets that are none.
-  explicit polygonmesh(surface_arrays a) : base(std::move(a.points), {}) {
-    if (a.arity) a = detail::to_arity(std::move(a), 0);
-    tables() = surface_tables<0>(points().size(), std::move(a.offsets), std::move(a.verts));
-  }
+  explicit polygonmesh(surface_arrays a);
 
   /// From points and lists of verts, in braces or in containers.
-  polygonmesh(point_list points, index_lists poly_verts) : polygonmesh(detail::to_surface({points}, poly_verts, 0)) {}
+  polygonmesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
   polygonmesh(const Points& points, const Polys& poly_ranges) : polygonmesh(detail::to_surface(detail::to_points(points), poly_ranges, 0)) {}
 };
@@ -34,3 +31,7 @@ struct mesh_traits<polygonmesh> : detail::native_traits<polygonmesh, indexed_sur
 static_assert(SurfaceMesh<polygonmesh> && MutablePoints<polygonmesh> && !TriMesh<polygonmesh>);
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/polygonmesh.ipp>
+#endif

@@ -14,20 +14,17 @@ class polyhedralmesh : public detail::native_mesh<polyhedra_tables> {
   using base = detail::native_mesh<polyhedra_tables>;
 
  public:
-  polyhedralmesh() : polyhedralmesh(polyhedra_arrays{}) {}
+  polyhedralmesh();
 
   /// From flat arrays, taken over without a copy.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the face with fewer than 3 verts, or with a vert out of range or twice, the poly with no face, or with a
   ///         face out of range or twice, or arrays that do not fit each other; unsupported if faces of more than 16 verts belong to so many
   ///         polys, always more than 16, that the adjacencies would be far longer than the arrays.
-  explicit polyhedralmesh(polyhedra_arrays a) : base(std::move(a.points), {}) {
-    tables() = polyhedra_tables(points().size(), std::move(a.face_offsets), std::move(a.face_verts), std::move(a.poly_offsets), std::move(a.poly_faces),
-                                std::move(a.outward));
-  }
+  explicit polyhedralmesh(polyhedra_arrays a);
 
   /// From points, lists of verts and lists of {face, outward?}, in braces or in containers.
-  polyhedralmesh(point_list points, index_lists face_verts, face_lists poly_faces) : polyhedralmesh(detail::to_polyhedra({points}, face_verts, poly_faces)) {}
+  polyhedralmesh(point_list points, index_lists face_verts, face_lists poly_faces);
   template<detail::PointRange Points, detail::IndexListRange Faces, class Polys>
   polyhedralmesh(const Points& points, const Faces& face_ranges, const Polys& poly_ranges)
       : polyhedralmesh(detail::to_polyhedra(detail::to_points(points), face_ranges, poly_ranges)) {}
@@ -39,3 +36,7 @@ struct mesh_traits<polyhedralmesh> : detail::native_traits<polyhedralmesh, index
 static_assert(VolumeMesh<polyhedralmesh> && MutablePoints<polyhedralmesh> && !TetMesh<polyhedralmesh>);
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/polyhedralmesh.ipp>
+#endif

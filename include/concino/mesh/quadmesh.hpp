@@ -17,13 +17,10 @@ class quadmesh : public detail::native_mesh<surface_tables<4>> {
   /// From flat arrays with arity 4, taken over without a copy.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
-  explicit quadmesh(surface_arrays a) : base(std::move(a.points), {}) {
-    if (a.arity != 4) a = detail::to_arity(std::move(a), 4);
-    tables() = surface_tables<4>(points().size(), std::move(a.verts));
-  }
+  explicit quadmesh(surface_arrays a);
 
   /// From points and lists of 4 verts, in braces or in containers.
-  quadmesh(point_list points, index_lists poly_verts) : quadmesh(detail::to_surface({points}, poly_verts, 4)) {}
+  quadmesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
   quadmesh(const Points& points, const Polys& poly_ranges) : quadmesh(detail::to_surface(detail::to_points(points), poly_ranges, 4)) {}
 };
@@ -36,3 +33,7 @@ struct mesh_traits<quadmesh> : detail::native_traits<quadmesh, indexed_surface> 
 static_assert(QuadMesh<quadmesh> && MutablePoints<quadmesh>);
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/quadmesh.ipp>
+#endif

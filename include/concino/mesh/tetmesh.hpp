@@ -19,14 +19,10 @@ class tetmesh : public detail::native_mesh<tet_tables> {
   /// From flat arrays with arity 4, taken over without a copy. `order`: how the lists name the corners of a tet.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
-  explicit tetmesh(cell_arrays a, tet_order order = tet_order::standard) : base(std::move(a.points), {}) {
-    if (a.arity != 4) core::throw_joined<invalid_mesh>({"the arrays hold polys of ", a.arity, " verts; a tetmesh needs 4"});
-    tables() = tet_tables(points().size(), std::move(a.verts), order);
-  }
+  explicit tetmesh(cell_arrays a, tet_order order = tet_order::standard);
 
   /// From points and lists of 4 verts, in braces or in containers.
-  tetmesh(point_list points, index_lists poly_verts, tet_order order = tet_order::standard)
-      : tetmesh(detail::to_cells({points}, poly_verts, 4), order) {}
+  tetmesh(point_list points, index_lists poly_verts, tet_order order = tet_order::standard);
   template<detail::PointRange Points, detail::IndexListRange Polys>
   tetmesh(const Points& points, const Polys& poly_ranges, tet_order order = tet_order::standard)
       : tetmesh(detail::to_cells(detail::to_points(points), poly_ranges, 4), order) {}
@@ -40,3 +36,7 @@ struct mesh_traits<tetmesh> : detail::native_traits<tetmesh, indexed_volume> {
 static_assert(TetMesh<tetmesh> && MutablePoints<tetmesh>);
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/tetmesh.ipp>
+#endif

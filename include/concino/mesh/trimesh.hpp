@@ -17,13 +17,10 @@ class trimesh : public detail::native_mesh<surface_tables<3>> {
   /// From flat arrays with arity 3, taken over without a copy.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
-  explicit trimesh(surface_arrays a) : base(std::move(a.points), {}) {
-    if (a.arity != 3) a = detail::to_arity(std::move(a), 3);
-    tables() = surface_tables<3>(points().size(), std::move(a.verts));
-  }
+  explicit trimesh(surface_arrays a);
 
   /// From points and lists of 3 verts, in braces or in containers.
-  trimesh(point_list points, index_lists poly_verts) : trimesh(detail::to_surface({points}, poly_verts, 3)) {}
+  trimesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
   trimesh(const Points& points, const Polys& poly_ranges) : trimesh(detail::to_surface(detail::to_points(points), poly_ranges, 3)) {}
 };
@@ -36,3 +33,7 @@ struct mesh_traits<trimesh> : detail::native_traits<trimesh, indexed_surface> {
 static_assert(TriMesh<trimesh> && MutablePoints<trimesh>);
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/trimesh.ipp>
+#endif

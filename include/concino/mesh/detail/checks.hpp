@@ -1,13 +1,13 @@
 // What lists of verts a mesh refuses.
 #pragma once
 
+#include <concino/core/compiled.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/detail/live.hpp>
 #include <concino/mesh/detail/sides.hpp>
 #include <concino/mesh/limits.hpp>
 
 #include <span>
-#include <string>
 
 namespace concino::detail {
 
@@ -33,39 +33,15 @@ rows<T, 0> checked_rows(offsets first, std::vector<T> values, const char* what) 
 }
 
 /// Refuses a list of verts that no polygon can have.
-inline void check_verts(std::span<const vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met) {
-  const auto name = [&] { return core::joined({what, " ", which}); };
-  if (verts.size() < 3) core::throw_joined<invalid_mesh>({name(), " has ", verts.size(), " verts; it needs at least 3"});
-  for (const vert_id v : verts)
-    if (v.raw() >= vert_count)
-      core::throw_joined<invalid_mesh>({name(), " names vert ", v.is_none() ? "-1 or beyond 2^32" : std::to_string(v.raw()), ", but the mesh has ",
-                                  vert_count, " verts, numbered from 0"});
-  std::size_t twice = verts.size();
-  if (verts.size() <= 16) {
-    for (std::size_t i = 1; i < verts.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (verts[i] == verts[j]) twice = i;
-  } else {
-    if (met.size() < vert_count) met.resize(vert_count, ~0u);
-    for (std::size_t i = 0; i < verts.size(); ++i) {
-      if (met[verts[i].raw()] == which) twice = i;
-      met[verts[i].raw()] = static_cast<std::uint32_t>(which);
-    }
-  }
-  if (twice != verts.size()) core::throw_joined<invalid_mesh>({name(), " has vert ", verts[twice].raw(), " twice; its verts must differ"});
-}
+void check_verts(std::span<const vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met);
 
 /// The same for a new poly or face of a mesh some of whose verts may be deleted.
-inline void check_new_verts(std::span<const vert_id> list, const live<vert_id>& all, const char* what, std::size_t which) {
-  std::vector<std::uint32_t> met;
-  check_verts(list, all.bound(), what, which, met);
-  for (const vert_id v : list)
-    if (!all.contains(v)) core::throw_joined<invalid_mesh>({what, " ", which, " names vert ", v.raw(), ", which was deleted"});
-}
+void check_new_verts(std::span<const vert_id> list, const live<vert_id>& all, const char* what, std::size_t which);
 
-inline void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
-  if (poly_count >= across::mask) core::throw_joined<unsupported>({"the mesh has ", poly_count, " polys; at most 2^30 fit"});
-  if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has more than 2^32 verts or corners");
-}
+void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count);
 
 }  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/checks.ipp>
+#endif

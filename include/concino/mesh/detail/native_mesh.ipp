@@ -1,0 +1,61 @@
+// What the meshes of the library have in common; see native_mesh.hpp.
+#pragma once
+
+#include <concino/mesh/native_mesh.hpp>
+
+#include <utility>
+
+#ifdef CONCINO_COMPILED
+#include <concino/mesh/cell_tables.hpp>
+#include <concino/mesh/polyhedra_tables.hpp>
+#endif
+
+namespace concino::detail {
+
+CONCINO_INLINE surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
+  if (arity == 0) {
+    a.offsets.clear();
+    for (std::size_t i = 0; i <= a.verts.size() / a.arity; ++i) a.offsets.push_back(static_cast<std::uint32_t>(i * a.arity));
+    if (a.offsets.back() != a.verts.size()) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
+  } else {
+    const std::size_t n = a.num_polys();
+    for (std::size_t p = 0; p < n; ++p) {
+      const std::uint32_t has = a.arity ? a.arity : a.offsets[p + 1] - a.offsets[p];
+      if (has != arity) core::throw_joined<invalid_mesh>({"poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
+    }
+    if (n * arity != a.verts.size()) core::throw_joined<invalid_mesh>({"the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
+    a.offsets.clear();
+  }
+  a.arity = arity;
+  return a;
+}
+
+template<class Tables>
+native_mesh<Tables>::native_mesh(std::vector<vec3> points, Tables tables) : points_(std::move(points)), tables_(std::move(tables)) {
+  drop_spare_room(points_);
+}
+template<class Tables>
+native_mesh<Tables>::native_mesh() = default;
+template<class Tables>
+native_mesh<Tables>::native_mesh(const native_mesh&) = default;
+template<class Tables>
+native_mesh<Tables>::native_mesh(native_mesh&&) noexcept = default;
+template<class Tables>
+native_mesh<Tables>& native_mesh<Tables>::operator=(const native_mesh& o) {
+  return *this = native_mesh(o);
+}
+template<class Tables>
+native_mesh<Tables>& native_mesh<Tables>::operator=(native_mesh&&) noexcept = default;
+template<class Tables>
+native_mesh<Tables>::~native_mesh() = default;
+
+#ifdef CONCINO_COMPILED
+template class native_mesh<surface_tables<0>>;
+template class native_mesh<surface_tables<3>>;
+template class native_mesh<surface_tables<4>>;
+template class native_mesh<tet_tables>;
+template class native_mesh<hex_tables>;
+template class native_mesh<polyhedra_tables>;
+#endif
+
+}  // namespace concino::detail

@@ -1,0 +1,330 @@
+// How tables of polyhedra are built and edited; see polyhedra_tables.hpp.
+#pragma once
+
+#include <concino/mesh/polyhedra_tables.hpp>
+
+#include <numeric>
+
+namespace concino {
+
+template<class Lists>
+basic_polyhedra_tables<Lists>::basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
+                                                      std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward)
+    : f2v_(detail::checked_rows(std::move(face_offsets), std::move(face_verts), "face")) {
+  const ragged<face_id> given = detail::checked_rows(std::move(poly_offsets), std::move(poly_faces), "poly");
+  if (outward.size() != given.num_values())
+    core::throw_joined<invalid_mesh>({outward.size(), " outward flags were given for ", given.num_values(), " faces of polys; each needs one"});
+  detail::drop_spare_room(outward);
+  outward_ = {given.shape(), std::move(outward)};
+  build(vert_count, given, check(vert_count, given));
+}
+
+template<class Lists>
+vert_id basic_polyhedra_tables<Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
+  detail::stage_star(v2v_, v2e_, v2p_);
+  verts_.reserve(1);
+  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound()});
+  detail::add_star(v2v_, v2e_, v2p_);
+  return verts_.add();
+}
+
+template<class Lists>
+face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow) {
+  const face_id f{faces_.bound()};
+  detail::check_new_verts(corners, verts_, "face", f.raw());
+  const std::size_t n = corners.size();
+  const vert_id* const c = f2v_.stage_row(corners.data(), n);  // corners may have lain in a row that moved
+  const auto next = [&](std::size_t i) { return c[i + 1 == n ? 0 : i + 1]; };
+  bool last_is_new = edge_between(c[n - 1], c[0]).is_none();
+  std::size_t more = 0;
+  e2f_.loosen();
+  for (std::size_t i = 0; i < n; ++i) {
+    const edge_id e = edge_between(c[i], next(i));
+    if (!e.is_none()) e2f_.reserve_in_row(e.raw(), 1);
+    detail::reserve_edges_at(v2v_, v2e_, c[i], (e.is_none() ? 1u : 0u) + (last_is_new ? 1u : 0u));
+    last_is_new = e.is_none();
+    more += last_is_new;
+  }
+  e2f_.reserve_rows(more, more * faces_of_new_edge);
+  e2v_.reserve_rows(more);
+  edges_.reserve(more);
+  faces_.reserve(1);
+  sides_.reserve_links(nullptr, 0, 1);
+  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, faces_.bound() + 1, polys_.bound()});
+
+  f2v_.commit_row(n);
+  sides_.add_facet();
+  for (std::size_t i = 0; i < n; ++i) {
+    edge_id e = edge_between(c[i], next(i));
+    if (e.is_none()) {
+      e = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[i], next(i));
+      e2f_.add_row(&f, &f, faces_of_new_edge);
+    }
+    e2f_.push(e.raw(), f);
+  }
+  return faces_.add();
+}
+
+template<class Lists>
+poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow) {
+  const poly_id p{polys_.bound()};
+  const std::string name = core::joined({"poly ", p.raw()});
+  if (list.empty() || list.size() != outward.size()) core::throw_joined<invalid_mesh>({name, " needs at least one face and an outward flag for each"});
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (!faces_.contains(list[k])) core::throw_joined<invalid_mesh>({name, " names face ", list[k].raw(), ", which is not a face of the mesh"});
+    if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), list[k]) != list.begin() + static_cast<std::ptrdiff_t>(k))
+      core::throw_joined<invalid_mesh>({name, " has face ", list[k].raw(), " twice; its faces must differ"});
+  }
+  const auto n = static_cast<std::uint32_t>(list.size());
+  const face_id* const faces = sides_.stage_poly(n, list.data());  // list may have lain in a row that moved
+  outward_.stage_row(outward.data(), n);
+  std::vector<vert_id> corners;
+  std::vector<edge_id> around;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    for (const vert_id v : adj_f2v(faces[k]))
+      if (std::find(corners.begin(), corners.end(), v) == corners.end()) corners.push_back(v);
+    for (const edge_id e : adj_f2e(faces[k]))
+      if (std::find(around.begin(), around.end(), e) == around.end()) around.push_back(e);
+  }
+  p2v_.stage_row(corners.data(), corners.size());
+  p2e_.stage_row(around.data(), around.size());
+  for (const vert_id v : corners) v2p_.reserve_in_row(v.raw(), 1);
+  polys_.reserve(1);
+  auto scratch = sides_.reserve_links(faces, n, 0);
+  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound(), faces_.bound(), polys_.bound() + 1});
+
+  sides_.commit_poly(n);
+  outward_.commit_row(n);
+  p2v_.commit_row(corners.size());
+  p2e_.commit_row(around.size());
+  for (std::uint32_t k = 0; k < n; ++k) sides_.link(p.raw(), k, faces[k]);
+  for (const vert_id v : corners) v2p_.push(v.raw(), p);
+  sides_.remark(p.raw(), std::move(scratch));
+  return polys_.add();
+}
+
+template<class Lists>
+void basic_polyhedra_tables<Lists>::reserve_removal(std::span<const poly_id>) {
+  v2v_.loosen();
+  v2e_.loosen();
+  v2p_.loosen();
+  e2f_.loosen();
+  sides_.reserve_removal();
+  verts_.reserve_removal();
+  edges_.reserve_removal();
+  faces_.reserve_removal();
+  polys_.reserve_removal();
+}
+
+template<class Lists>
+void basic_polyhedra_tables<Lists>::remove_poly(poly_id p) {
+  reserve_removal({&p, 1});
+  sides_.unlink(p.raw());
+  for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
+  polys_.remove(p);
+  for (const face_id f : sides_.facets(p))
+    if (!sides_.is_owned(f)) remove_face(f);
+}
+
+template<class Lists>
+void basic_polyhedra_tables<Lists>::remove_face(face_id f) {
+  assert(!sides_.is_owned(f));
+  reserve_removal({});
+  const id_span<vert_id> corners = adj_f2v(f);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const edge_id e = edge_between(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
+    e2f_.remove(e.raw(), f);
+    if (adj_e2f(e).empty()) detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
+  }
+  faces_.remove(f);
+}
+
+template<class Lists>
+void basic_polyhedra_tables<Lists>::remove_vert(vert_id v) {
+  assert(v2p_[v.raw()].empty());
+  reserve_removal({});
+  while (!adj_v2e(v).empty()) remove_face(adj_e2f(adj_v2e(v)[0])[0]);
+  verts_.remove(v);
+}
+
+template<class Lists>
+std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const ragged<face_id>& polys) const {
+  detail::check_counts(vert_count, polys.size(), f2v_.num_values());
+  std::vector<std::uint32_t> met;
+  for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "face", f, met);
+  met.assign(f2v_.size(), ~0u);
+  std::size_t poly_corners = 0;
+  for (std::size_t p = 0; p < polys.size(); ++p) {
+    if (polys.length(p) == 0) core::throw_joined<invalid_mesh>({"poly ", p, " has no faces; it needs at least 1"});
+    for (const face_id f : polys[p]) {
+      if (f.raw() >= f2v_.size())
+        core::throw_joined<invalid_mesh>({"poly ", p, " names face ", f.raw(), ", but the mesh has ", f2v_.size(), " faces, numbered from 0"});
+      if (met[f.raw()] == p) core::throw_joined<invalid_mesh>({"poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
+      met[f.raw()] = static_cast<std::uint32_t>(p);
+      poly_corners += f2v_.length(f.raw());
+    }
+  }
+  check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values());
+  return poly_corners;
+}
+
+template<class Lists>
+[[gnu::noinline]] edge_id basic_polyhedra_tables<Lists>::edge_to_smaller(vert_id v, vert_id smaller) const {
+  const id_span<vert_id> near = v2v_[v.raw()];
+  const vert_id* const at = std::lower_bound(near.begin(), near.end(), smaller);
+  return at != near.end() && *at == smaller ? v2e_.begin(v.raw())[at - near.begin()] : edge_id{};
+}
+
+template<class Lists>
+void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const ragged<face_id>& polys, std::size_t poly_corners) {
+  face_places_ = detail::row_places(f2v_);
+  core::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
+  core::flat_array<std::uint32_t> scratch = build_edges(vert_count, f2e);
+  const std::size_t edge_count = e2v_.size();
+
+  detail::offsets counts(edge_count + 1, 0);
+  for (const edge_id e : f2e) ++counts[e.raw() + 1];
+  e2f_ = detail::make_rows<face_id>(std::move(counts));
+  {
+    core::flat_array<std::uint32_t> next(edge_count);
+    std::copy_n(e2f_.shape()->begin(), edge_count, next.data());
+    face_id* const faces = e2f_.begin(0);
+    const edge_id* e = f2e.begin();
+    for (std::size_t f = 0; f < f2v_.size(); ++f)
+      for (std::uint32_t n = f2v_.length(f); n > 0; --n) faces[next[(e++)->raw()]++] = face_id{f};
+  }
+
+  sides_ = {{polys.shape(), core::flat_array<face_id>(polys.num_values(), face_id{})}, {polys.shape(), core::flat_array<detail::across>(polys.num_values())}};
+  sides_.set_facets(f2v_.size());
+  core::flat_array<detail::sides<face_id, 0>::side> met_first(f2v_.size());
+  for (std::uint32_t p = 0; p < polys.size(); ++p)
+    for (std::uint32_t k = 0; k < polys.length(p); ++k) {
+      const face_id f = polys.begin(p)[k];
+      if (sides_.is_owned(f)) {
+        sides_.link(p, k, f, met_first[f.raw()]);
+      } else {
+        met_first[f.raw()] = {p, k};
+        sides_.link(p, k, f);
+      }
+    }
+  sides_.finish();
+
+  build_corners(vert_count, f2e, std::move(scratch), poly_corners);
+  verts_ = detail::live<vert_id>(vert_count);
+  edges_ = detail::live<edge_id>(edge_count);
+  faces_ = detail::live<face_id>(f2v_.size());
+  polys_ = detail::live<poly_id>(polys.size());
+}
+
+template<class Lists>
+core::flat_array<std::uint32_t> basic_polyhedra_tables<Lists>::build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e) {
+  const std::size_t corner_count = f2v_.num_values();
+  core::flat_array<std::uint32_t> first(vert_count + 1, 0), edge_to(vert_count);
+  // Corners by the smaller end of the edge that leaves them, with the other end beside.
+  struct half { std::uint32_t corner, far; };
+  const auto for_each_half = [&](auto&& use) {
+    std::uint32_t c = 0;
+    for (std::size_t f = 0; f < f2v_.size(); ++f) {
+      const id_span<vert_id> v = f2v_[f];
+      for (std::size_t i = 0; i < v.size(); ++i, ++c) {
+        const std::uint32_t a = v[i].raw(), b = v[i + 1 == v.size() ? 0 : i + 1].raw();
+        use(c, std::min(a, b), std::max(a, b));
+      }
+    }
+  };
+  for_each_half([&](std::uint32_t, std::uint32_t a, std::uint32_t) { ++first[a + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.data());
+  core::flat_array<half> halves(corner_count);
+  std::copy_n(first.begin(), vert_count, edge_to.data());
+  for_each_half([&](std::uint32_t c, std::uint32_t a, std::uint32_t b) { halves[edge_to[a]++] = {c, b}; });
+
+  std::fill_n(edge_to.data(), vert_count, ~0u);
+  core::flat_array<vert_id> ends;
+  ends.reserve(corner_count * 2 / 3);
+  detail::offsets degrees(vert_count + 1, 0);
+  std::uint32_t num = 0;
+  for (std::uint32_t a = 0; a < vert_count; ++a) {
+    const std::uint32_t first_edge = num;
+    for (std::uint32_t i = first[a]; i < first[a + 1]; ++i) {
+      std::uint32_t e = edge_to[halves[i].far];
+      if (e == ~0u || e < first_edge) {
+        edge_to[halves[i].far] = e = num++;
+        ends.push_back(vert_id{a});
+        ends.push_back(vert_id{halves[i].far});
+        ++degrees[a + 1];
+        ++degrees[halves[i].far + 1];
+      }
+      f2e[halves[i].corner] = edge_id{e};
+    }
+  }
+  ends.give_back_spare_room();
+  e2v_ = detail::rows<vert_id, 2>(std::move(ends));
+  detail::fill_stars(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
+  return edge_to;
+}
+
+template<class Lists>
+void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const core::flat_array<edge_id>& f2e, core::flat_array<std::uint32_t> vert_met, std::size_t poly_corners) {
+  const std::size_t poly_count = sides_.num_polys();
+  const vert_id* const corner_vert = f2v_.begin(0);
+  core::flat_array<std::uint32_t> edge_met(e2v_.size(), ~0u);
+  std::fill_n(vert_met.data(), vert_count, ~0u);
+
+  // In a closed poly every edge is met twice, and verts and faces are two more than edges: room that most meshes fill exactly.
+  const std::size_t sides = outward_.num_values();
+  core::flat_array<vert_id> verts;
+  core::flat_array<edge_id> edges;
+  edges.reserve(poly_corners / 2);
+  if (poly_corners / 2 + 2 * poly_count > sides) verts.reserve(poly_corners / 2 + 2 * poly_count - sides);
+
+  detail::offsets v_first{0}, e_first{0}, degrees(vert_count + 1, 0);
+  v_first.reserve(poly_count + 1);
+  e_first.reserve(poly_count + 1);
+  for (std::uint32_t p = 0; p < poly_count; ++p) {
+    for (const face_id f : sides_.facets(poly_id{p})) {
+      const auto at = static_cast<std::size_t>(f2v_.begin(f.raw()) - corner_vert);
+      for (std::size_t c = at; c < at + f2v_.length(f.raw()); ++c) {
+        const vert_id v = corner_vert[c];
+        const edge_id e = f2e[c];
+        if (vert_met[v.raw()] != p) {
+          vert_met[v.raw()] = p;
+          verts.push_back(v);
+          ++degrees[v.raw() + 1];
+        }
+        if (edge_met[e.raw()] != p) {
+          edge_met[e.raw()] = p;
+          edges.push_back(e);
+        }
+      }
+    }
+    v_first.push_back(static_cast<std::uint32_t>(verts.size()));
+    e_first.push_back(static_cast<std::uint32_t>(edges.size()));
+  }
+  if (edges.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+  verts.give_back_spare_room();
+  edges.give_back_spare_room();
+  p2v_ = {std::make_shared<const detail::offsets>(std::move(v_first)), std::move(verts)};
+  p2e_ = {std::make_shared<const detail::offsets>(std::move(e_first)), std::move(edges)};
+
+  v2p_ = detail::make_rows<poly_id>(std::move(degrees));
+  std::copy_n(v2p_.shape()->begin(), vert_count, vert_met.data());
+  poly_id* const polys = v2p_.begin(0);
+  for (std::uint32_t p = 0; p < poly_count; ++p)
+    for (const vert_id v : p2v_[p]) polys[vert_met[v.raw()]++] = poly_id{p};
+  if (*v2p_.shape() == *v2v_.shape()) v2p_.share_shape(v2v_);
+}
+
+#ifdef CONCINO_COMPILED
+template basic_polyhedra_tables<detail::rows<vert_id, 0>>::basic_polyhedra_tables(std::size_t, std::vector<std::uint32_t>, std::vector<vert_id>, std::vector<std::uint32_t>, std::vector<face_id>,
+                                                  std::vector<std::uint8_t>);
+template vert_id basic_polyhedra_tables<detail::rows<vert_id, 0>>::add_vert(function_ref<void(const detail::index_bounds&)>);
+template face_id basic_polyhedra_tables<detail::rows<vert_id, 0>>::add_face(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>);
+template poly_id basic_polyhedra_tables<detail::rows<vert_id, 0>>::add_poly(std::span<const face_id>, std::span<const std::uint8_t>, function_ref<void(const detail::index_bounds&)>);
+template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::reserve_removal(std::span<const poly_id>);
+template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_poly(poly_id);
+template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_face(face_id);
+template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_vert(vert_id);
+template edge_id basic_polyhedra_tables<detail::rows<vert_id, 0>>::edge_to_smaller(vert_id, vert_id) const;
+#endif
+
+}  // namespace concino
