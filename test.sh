@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the tests need, builds and runs them with both compilers. The last line says how many passed, failed and were skipped.
 #   ./test.sh          everything that must hold
-#   ./test.sh --long   also mutations, benchmarks on tiny data, long fuzzing and runs of many steps
+#   ./test.sh --long   also clang-tidy, the reference, mutations, benchmarks on tiny data, long fuzzing and runs of many steps
 #   ./test.sh --quick  g++ only, without sanitizers and consumers: while developing
 # Environment: CONCINO_CORPUS (folder of real mesh files; default ../shared/data), CONCINO_TEST_BUILD (default build/test), CONCINO_JOBS (2).
 set -u
@@ -85,6 +85,7 @@ compilers=()
 find_gcc >/dev/null || compilers+=(g++-12)
 [ $quick -eq 1 ] || find_clang >/dev/null || compilers+=(clang-14)
 install_packages "${packages_test[@]}" "${compilers[@]}" || exit 1
+[ $long -eq 0 ] || install_packages "${packages_long[@]}" || exit 1
 gcc=$(find_gcc) || { echo "no g++ 12 or later"; exit 1; }
 [ $quick -eq 1 ] || clang=$(find_clang) || { echo "no clang++ 14 or later"; exit 1; }
 
@@ -123,6 +124,10 @@ if [ $quick -eq 0 ]; then
   fi
 fi
 if [ $long -eq 1 ]; then
+  say "clang-tidy"
+  scripts/clang_tidy.sh "$build/clang-tidy" && passed=$((passed + 1)) || failed=$((failed + 1))
+  say "the reference"
+  (cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = $build/reference") | doxygen - && passed=$((passed + 1)) || failed=$((failed + 1))
   say "$gcc: benchmarks on tiny data"
   if CXX=$gcc benchmarks/run.sh --build "$build/benchmarks" --tiny --rounds 1 >"$build/benchmarks.log" 2>&1; then
     passed=$((passed + 1))

@@ -83,9 +83,9 @@ class element_map {
   element_map(const M& m, std::size_t bound, detail::unwritten) : mesh_(m), values_(detail::map_storage<stored>::unfilled(bound)) {}
 
   element_map(const element_map&) = default;
-  element_map(element_map&&) = default;
+  element_map(element_map&&) noexcept = default;
   element_map& operator=(const element_map& o) { return *this = element_map(o); }  // all or nothing
-  element_map& operator=(element_map&&) = default;
+  element_map& operator=(element_map&&) noexcept = default;
 
   stored& operator[](const X& x) { return values_[slot(x)]; }
   std::conditional_t<std::is_same_v<T, bool>, bool, const T&> operator[](const X& x) const {
