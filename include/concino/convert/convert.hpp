@@ -84,7 +84,7 @@ conversion<To, From> make_by_adding(const From& m) {
     }
   };
   constexpr auto arity = static_cast<std::uint32_t>(arity_v<To>);
-  if constexpr (dimension_v<From> == 2) {
+  if constexpr (dimension_v<From> == 2) {  // a polygon is given by its verts, a polyhedron by faces
     for (const poly_t<From> p : polys(m)) {
       corners.clear();
       for (const vert_t<From> v : adj_p2v(m, p)) corners.push_back(vert_names[v]);
@@ -121,6 +121,7 @@ void carry_properties(conversion<To, From>& c, convert_report& report) {
       };
       take(element_kind::vert, verts(m), vert_index_bound(c.mesh), [&](const auto& x) { return c.vert_of(x); });
       take(element_kind::edge, edges(m), edge_index_bound(c.mesh), [&](const auto& x) { return c.edge_of(x); });
+      // Surfaces have no faces.
       if constexpr (dimension_v<From> == 3) take(element_kind::face, faces(m), face_index_bound(c.mesh), [&](const auto& x) { return c.face_of(x); });
       take(element_kind::poly, polys(m), poly_index_bound(c.mesh), [&](const auto& x) { return c.poly_of(x); });
       if (given.has(element_kind::mesh)) taken.gather(given, element_kind::mesh, {0u});

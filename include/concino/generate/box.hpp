@@ -13,7 +13,7 @@ namespace concino {
 /// Errors: as make_grid.
 template<requirement::can_be_made M>
 M make_box(const grid_options& options = {}) {
-  if constexpr (dimension_v<M> == 3) {
+  if constexpr (dimension_v<M> == 3) {  // a solid box; of a surface its six sides
     return make_grid<M>(options);
   } else {
     detail::check_grid("make_box", options, 3);

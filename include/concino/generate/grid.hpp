@@ -128,10 +128,10 @@ template<requirement::can_be_made M>
 M make_grid(const grid_options& options = {}) {
   detail::check_grid("make_grid", options, dimension_v<M>);
   const double x = static_cast<double>(options.cells[0]), y = static_cast<double>(options.cells[1]), z = static_cast<double>(options.cells[2]);
-  if constexpr (dimension_v<M> == 3) {
+  if constexpr (dimension_v<M> == 3) {  // what is built of cubes or of squares
     detail::check_room<M>("make_grid", "cells", (x + 1) * (y + 1) * (z + 1), x * y * z);
     return detail::made_of_hexes<M>(detail::hex_grid(options));
-  } else if constexpr (arity_v<M> > 0) {
+  } else if constexpr (arity_v<M> > 0) {  // triangles and quads; general polygons are hexagons
     detail::check_room<M>("make_grid", "cells", (x + 1) * (y + 1), x * y);
     return detail::made_of_quads<M>(detail::quad_grid(options));
   } else {

@@ -41,7 +41,7 @@ void jitter(M& m, double amount, const jitter_options& options = {}) {
   if (options.keep_boundary) stays = detail::boundary_verts(m);
 
   std::vector<vec3> normal;
-  if constexpr (SurfaceMesh<M>) {
+  if constexpr (SurfaceMesh<M>) {  // volumes have no plane to stay in
     if (options.in_plane) {
       normal.resize(vert_index_bound(m));
       for (const poly_t<M> p : polys(m)) {

@@ -41,7 +41,7 @@ class joining {
     shared_vert_.clear();
     std::ptrdiff_t chi = 0;  // of what is shared
     std::size_t pieces = 0;
-    if constexpr (SurfaceMesh<M>) {
+    if constexpr (SurfaceMesh<M>) {  // what is shared has one dimension less: paths, or patches of faces
       for (const edge_t<M> e : adj_p2e(m_, p)) {
         if (!holds(adj_e2p(m_, e), label)) continue;
         --chi, ++pieces;

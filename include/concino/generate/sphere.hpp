@@ -85,13 +85,13 @@ M make_sphere(const sphere_options& options = {}) {
   detail::check_positive("make_sphere", "radius", options.radius);
   detail::check_finite("make_sphere", "centre", options.centre);
   const double n = static_cast<double>(options.cells), skin = 6 * n * n;
-  if constexpr (dimension_v<M> == 3) {
+  if constexpr (dimension_v<M> == 3) {  // a ball; of a surface its skin
     detail::check_room<M>("make_sphere", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (skin + 2), n * n * n + (n + 1) / 2 * skin);
     return detail::made_of_hexes<M>(detail::placed(detail::hex_ball(options.cells), options.radius, options.centre));
   } else {
     detail::check_room<M>("make_sphere", "cells", 2 * skin, skin);
     surface_arrays quads = detail::cube_sphere(options.cells);
-    if constexpr (arity_v<M> == 0) {
+    if constexpr (arity_v<M> == 0) {  // general polygons are the dual of triangles
       const surface_arrays triangles = detail::cut_quads(std::move(quads));
       quads = detail::dual_of_triangles(triangles, [&](std::size_t t) {
         vec3 sum;

@@ -102,14 +102,14 @@ M make_torus(const torus_options& options = {}) {
                                             "; it must be below radius, which is ", core::number_text(options.radius)});
   detail::check_finite("make_torus", "centre", options.centre);
   const double n = static_cast<double>(options.cells[0]), k = static_cast<double>(options.cells[1]);
-  if constexpr (dimension_v<M> == 3) {
+  if constexpr (dimension_v<M> == 3) {  // a solid torus; of a surface its skin
     const double core = (k + 3) / 4 + 1, around = 4 * core * (core / 2 + 1);
     detail::check_room<M>("make_torus", "cells", n * (core * core + around), n * (core * core + around));
     return detail::made_of_hexes<M>(detail::hex_torus(options));
   } else {
     detail::check_room<M>("make_torus", "cells", 2 * n * k, n * k);
     surface_arrays quads = detail::quad_torus(options);
-    if constexpr (arity_v<M> == 0) {
+    if constexpr (arity_v<M> == 0) {  // general polygons are the dual of triangles
       const auto place = [&](std::size_t t) {  // in the middle of the triangle, by angle: the quad's lower right half, then its upper left one
         const double right = t % 2 ? 1 / 3.0 : 2 / 3.0, up = 1 - right;
         return detail::on_torus(options, static_cast<double>(t / 2 % options.cells[0]) + right, static_cast<double>(t / 2 / options.cells[0]) + up);

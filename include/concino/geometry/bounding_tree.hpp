@@ -49,7 +49,7 @@ class poly_tree {
   using mesh_type = M;
 
   explicit poly_tree(const M& m) : mesh_(m), pieces_(m) {
-    if constexpr (SurfaceMesh<M>) facts_ = detail::facts_of(m, pieces_);
+    if constexpr (SurfaceMesh<M>) facts_ = detail::facts_of(m, pieces_);  // volumes know inside from outside by their polys
     std::vector<std::uint32_t> order;
     boxes_ = detail::build_box_tree(pieces_.size(), pieces::leaf_size, [&](std::size_t i) { return pieces_.box_of(i); }, order);
     pieces_.arrange(order);

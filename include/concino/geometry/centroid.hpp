@@ -106,7 +106,7 @@ moments polyhedron_moments(const M& m, const poly_t<M>& p, const At& at, const v
 /// The moments of a polygon or of a polyhedron.
 template<class M, class At>
 moments moments_of(const M& m, const poly_t<M>& p, const At& at, const vec3& origin) {
-  if constexpr (SurfaceMesh<M>) return polygon_moments<vert_t<M>>(adj_p2v(m, p), at, origin);
+  if constexpr (SurfaceMesh<M>) return polygon_moments<vert_t<M>>(adj_p2v(m, p), at, origin);  // an area or a volume is integrated
   else return polyhedron_moments(m, p, at, origin);
 }
 template<class M, class At>

@@ -43,7 +43,7 @@ double safe_area(const M& m, const Loop& loop) {
 /// at(v): the point of vert v.
 template<class M, class At>
 [[gnu::always_inline]] inline double volume_through(const M& m, const poly_t<M>& p, const At& at) {
-  if constexpr (TetMesh<M>) {
+  if constexpr (TetMesh<M>) {  // faster: a determinant
     vec3 x[4];
     std::size_t n = 0;
     for (const vert_t<M> v : adj_p2v(m, p)) x[n++] = at(v);
@@ -66,7 +66,7 @@ template<class M, class At>
 /// The size of p in the points at(v), of either dimension.
 template<class M, class At>
 [[gnu::always_inline]] inline double measure_through(const M& m, const poly_t<M>& p, const At& at) {
-  if constexpr (SurfaceMesh<M>) return norm(area_vector_through<vert_t<M>>(adj_p2v(m, p), at));
+  if constexpr (SurfaceMesh<M>) return norm(area_vector_through<vert_t<M>>(adj_p2v(m, p), at));  // an area is of verts in a cycle, a volume of faces
   else return volume_through(m, p, at);
 }
 
@@ -138,7 +138,7 @@ double volume(const M& m, const poly_t<M>& p) {
 template<AnyMesh M>
   requires Embedded<M>
 double measure(const M& m, const poly_t<M>& p) {
-  if constexpr (SurfaceMesh<M>) return area(m, p);
+  if constexpr (SurfaceMesh<M>) return area(m, p);  // what `measure` means
   else return volume(m, p);
 }
 

@@ -33,9 +33,9 @@ consteval void check_tables() {
     static_assert(missing<M>, "concino: mesh_traits<M>::tables must return a reference, static const auto& tables(const M&): without the & every question would be answered from a copy that is gone");
   else if constexpr (takes_a_copy<M, R>)
     static_assert(missing<M>, "concino: mesh_traits<M>::tables must take the mesh by reference, static const auto& tables(const M&): without the & it returns a reference into a copy that is gone");
-  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>> && dimension_v<M> == 2)
+  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>> && dimension_v<M> == 2)  // the sentences differ
     static_assert(missing<M>, "concino: mesh_traits<M>::arity needs tables(m) to be surface_tables<arity>: leave arity out, or build these");
-  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>>)
+  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>>)  // the sentences differ
     static_assert(missing<M>, "concino: mesh_traits<M>::arity = 4 needs tables(m) to be tet_tables, 8 hex_tables, whose lists keep the standard order of corners; polyhedra_tables do not: leave arity out, or build the others");
 }
 // clang-format on

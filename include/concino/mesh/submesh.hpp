@@ -105,13 +105,13 @@ auto submesh(const M& m, const Keep& keep) {
   auto s = std::make_shared<detail::shown_elements>(
       detail::shown_elements{detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(0),
                              detail::element_mask(poly_index_bound(m)), detail::element_mask(vert_index_bound(m))});
-  if constexpr (VolumeMesh<M>) s->faces = detail::element_mask(face_index_bound(m));
+  if constexpr (VolumeMesh<M>) s->faces = detail::element_mask(face_index_bound(m));  // surfaces have no faces
   for (const auto p : polys(m)) {
     if (!keep(p)) continue;
     s->polys.set(index_of(m, p));
     for (const auto v : adj_p2v(m, p)) s->verts.set(index_of(m, v));
     for (const auto e : adj_p2e(m, p)) s->edges.set(index_of(m, e));
-    if constexpr (VolumeMesh<M>)
+    if constexpr (VolumeMesh<M>)  // surfaces have no faces
       for (const auto f : adj_p2f(m, p)) s->faces.set(index_of(m, f));
   }
   detail::mark_whole_verts(m, *s);

@@ -67,7 +67,7 @@ struct corner_gradients {
     }
     centre();
     gradient.assign(verts.size(), vec3{});
-    if constexpr (SurfaceMesh<M>) {
+    if constexpr (SurfaceMesh<M>) {  // edges, or faces cut into triangles, are integrated along
       visit_polygon();
     } else {
       measure = 0;

@@ -28,7 +28,7 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   auto g = detail::empty_columns(who, 3 * poly_index_bound(m), vert_index_bound(m));
   int* const begin = g.outerIndexPtr();
   std::vector<int> place;  // of each corner: how many polys met its vert before
-  if constexpr (arity_v<M> > 0) core::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * num_polys(m));
+  if constexpr (arity_v<M> > 0) core::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * num_polys(m));  // the number of corners is known
   bool ascend = true;
   std::size_t next = 0;
   const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {

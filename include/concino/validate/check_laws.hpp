@@ -65,10 +65,10 @@ std::vector<broken_law> check_laws(const M& m) {
   if constexpr (AnyMesh<M>) {
     const auto primal = detail::check_primal_graph(m, log);
     const auto dual = detail::check_dual_graph(m, log);
-    if constexpr (SurfaceMesh<M>) detail::check_surface_mesh(m, primal, dual, log);
+    if constexpr (SurfaceMesh<M>) detail::check_surface_mesh(m, primal, dual, log);  // each concept has its laws
     else detail::check_volume_mesh(m, primal, dual, log);
     if constexpr (Embedded<M>) detail::check_points(m, primal.nodes, log);
-    if constexpr (Embedded<M> && HexMesh<M>)
+    if constexpr (Embedded<M> && HexMesh<M>)  // only hexes come in orders that one can mistake
       if (log.empty()) detail::check_corner_order(m, log);
   } else {
     if constexpr (PrimalGraph<M>) {

@@ -82,7 +82,7 @@ template<VolumeMesh M, class Take>
 void for_each_cell(const M& m, const std::vector<std::uint32_t>& vert_number, std::uint32_t arity, const Take& take) {
   cell_recogniser known;
   for (const poly_t<M> p : polys(m)) {
-    if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {
+    if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {  // tets and hexes need no recognising
       if (arity == arity_v<M>) {
         vert_id corners[8];
         std::size_t n = 0;

@@ -158,9 +158,9 @@ class simplex_collector {
 
  public:
   void add(const M& m, const poly_t<M>& p, std::vector<int>& simplices) {
-    if constexpr (TriMesh<M> || TetMesh<M>) {
+    if constexpr (TriMesh<M> || TetMesh<M>) {  // nothing to cut
       for (const vert_t<M> v : adj_p2v(m, p)) simplices.push_back(static_cast<int>(index_of(m, v)));
-    } else if constexpr (SurfaceMesh<M>) {
+    } else if constexpr (SurfaceMesh<M>) {  // polygons are cut into triangles, polyhedra into tets
       read(m, adj_p2v(m, p));
       for (const polygon_triangle& t : triangulate_(x_))
         for (const std::uint32_t k : t) simplices.push_back(number_[k]);
@@ -200,7 +200,7 @@ distance_graph distance_graph_of(const M& m) {
   simplex_collector<M> collector;
   for (const poly_t<M> p : polys(m)) collector.add(m, p, simplices);
   constexpr std::size_t corners = static_cast<std::size_t>(dimension_v<M>) + 1;
-  if constexpr (!(TriMesh<M> || TetMesh<M>)) add_diagonals(simplices, corners, edge);
+  if constexpr (!(TriMesh<M> || TetMesh<M>)) add_diagonals(simplices, corners, edge);  // simplices have no diagonals
   return {std::move(place), edge, std::move(simplices), corners};
 }
 

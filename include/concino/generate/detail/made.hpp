@@ -48,7 +48,7 @@ inline surface_arrays cut_quads(surface_arrays quads) {
 /// A surface of these quads: as they are, or cut where M is of triangles.
 template<class M>
 M made_of_quads(surface_arrays quads) {
-  if constexpr (arity_v<M> == 3) return made_of<M>(cut_quads(std::move(quads)));
+  if constexpr (arity_v<M> == 3) return made_of<M>(cut_quads(std::move(quads)));  // quads are cut into triangles
   else return made_of<M>(std::move(quads));
 }
 
@@ -79,7 +79,7 @@ inline cell_arrays tets_of(cell_arrays hexes) {
 /// A volume of these hexes: as they are, as polyhedra, or cut into tets.
 template<class M>
 M made_of_hexes(cell_arrays hexes) {
-  if constexpr (arity_v<M> == 4) {
+  if constexpr (arity_v<M> == 4) {  // hexes are cut into tets
     if constexpr (from_cells<M>) {
       return M(tets_of(std::move(hexes)));
     } else {
@@ -98,7 +98,7 @@ M made_of_hexes(cell_arrays hexes) {
 template<class M>
 void check_room(const char* what, const char* option, double vert_count, double polys) {
   double corners = polys * 4;
-  if constexpr (dimension_v<M> == 3) {
+  if constexpr (dimension_v<M> == 3) {  // how many corners there will be
     corners = polys * 24;  // six tets of four, or six faces of four
     if (arity_v<M> == 4) polys *= 6;
   } else {

@@ -88,7 +88,7 @@ local_frame frame_of_loop(const M& m, const Loop& loop) {
 }
 template<class M>
 void for_each_point_of(const M& m, const poly_t<M>& p, auto&& visit) {
-  if constexpr (SurfaceMesh<M>) {
+  if constexpr (SurfaceMesh<M>) {  // the points that the measure is computed of
     for (const vert_t<M> v : adj_p2v(m, p)) visit(to_vec3(point(m, v)));
   } else {
     for (const face_t<M> f : adj_p2f(m, p))

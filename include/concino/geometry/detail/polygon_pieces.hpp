@@ -54,7 +54,7 @@ class polygon_pieces : public ranked_polys<M> {
   static constexpr bool are_solid = false;
 
   explicit polygon_pieces(const M& m) : base(m) {
-    if constexpr (TriMesh<M>) {
+    if constexpr (TriMesh<M>) {  // a triangle is one piece
       corners_ = core::large_vector(this->num_ranks(), std::array<corner_index, 3>{});
       owners_ = core::large_vector(this->num_ranks(), std::uint32_t{0});
       for (std::size_t r = 0; r < corners_.size(); ++r) {

@@ -7,7 +7,7 @@ namespace concino::detail {
 
 template<class M>
 void write_hedra(write_context<M>& c) {
-  if constexpr (dimension_v<M> == 2) {
+  if constexpr (dimension_v<M> == 2) {  // the format holds volumes only
     c.cannot_hold(".hedra", {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
   } else {
     const M& m = c.mesh;

@@ -24,13 +24,13 @@ template<class M>
 void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, [[maybe_unused]] cell_recogniser& known) {
   const M& m = c.mesh;
   std::size_t s = std::size(medit_sections);
-  if constexpr (dimension_v<M> == 2) {
+  if constexpr (dimension_v<M> == 2) {  // the format has sections for triangles and quads, and for cells
     const std::size_t before = rows.verts.size();
     for (vert_t<M> v : adj_p2v(m, p)) rows.verts.push_back(c.number_of(v));
     const std::size_t n = rows.verts.size() - before;
     if (n == 3 || n == 4) s = n - 3;
     else c.cannot_hold(".mesh", {"poly ", index_of(m, p), ", a polygon of ", n, " verts"}, ".obj");
-  } else if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {
+  } else if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {  // tets and hexes need no recognising
     for (vert_t<M> v : adj_p2v(m, p)) rows.verts.push_back(c.number_of(v));
     s = arity_v<M> == 4 ? 2 : 3;
   } else {

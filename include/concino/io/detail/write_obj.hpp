@@ -41,7 +41,7 @@ bool labels_number(const M& m, const std::string* names, const int* labels) {
 
 template<class M>
 void write_obj(write_context<M>& c) {
-  if constexpr (dimension_v<M> == 3) {
+  if constexpr (dimension_v<M> == 3) {  // the format holds surfaces only
     c.cannot_hold(".obj", {"volumes"}, ".mesh or .hedra");
   } else {
     const M& m = c.mesh;

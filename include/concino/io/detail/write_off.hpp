@@ -76,7 +76,7 @@ class off_numbers {
 
 template<class M>
 void write_off(write_context<M>& c, bool binary) {
-  if constexpr (dimension_v<M> == 3) {
+  if constexpr (dimension_v<M> == 3) {  // the format holds surfaces only
     c.cannot_hold(".off", {"volumes"}, ".mesh or .hedra");
   } else {
     const M& m = c.mesh;

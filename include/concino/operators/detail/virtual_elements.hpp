@@ -169,7 +169,7 @@ class virtual_stiffness : virtual_element<M> {
       symmetric3 spread;
       for (const vec3& y : poly.place) spread.add(1, y);
       if (squares * spread.trace() > thin && fill_thin(out, size)) [[unlikely]] return;
-      if constexpr (base::dimension == 3) {
+      if constexpr (base::dimension == 3) {  // of polygons the spread across them is 0
         const double least = spread.trace_of_inverse();
         if (least > 0 && least < squares) squares = least;  // rounding has the last word on polys next to flat
       }
@@ -251,7 +251,7 @@ class virtual_mass : virtual_element<M> {
     const double size = std::abs(poly.measure), n = static_cast<double>(poly.verts.size());
     moments_ = {};
     first_ = {};
-    if constexpr (SurfaceMesh<M>) add_polygon(poly);
+    if constexpr (SurfaceMesh<M>) add_polygon(poly);  // an area or a volume is integrated
     else add_polyhedron(p);
     const double factor = this->is_simplex() ? 0 : size / (9 * n);
     if (factor > 0)

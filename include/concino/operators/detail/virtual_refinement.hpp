@@ -137,7 +137,7 @@ class virtual_refinement_element {
       for (std::size_t i = 0; i < n; ++i) simplices_[0][i] = i;
       return;
     }
-    if constexpr (SurfaceMesh<M>) {
+    if constexpr (SurfaceMesh<M>) {  // polygons are refined into triangles, polyhedra into tets
       around_.clear();
       for (std::size_t i = 0; i < n; ++i) around_.push_back(i);
       const std::size_t within = add_within_polygon();
@@ -183,7 +183,7 @@ class virtual_refinement_element {
   void check(const poly_t<M>& p) {
     measure_.clear();
     double whole = 0;
-    if constexpr (SurfaceMesh<M>) {
+    if constexpr (SurfaceMesh<M>) {  // triangles have a common normal, tets a sign
       vec3 sum;
       const auto normal = [&](const auto& s) { return cross(place_[s[1]] - place_[s[0]], place_[s[2]] - place_[s[0]]); };
       for (const auto& s : simplices_) sum += normal(s);

@@ -40,7 +40,7 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
   const auto poly_of = [&](const poly_t<M>& p) { return c.poly_of(p); };
 
   if (num_edges(m) != num_edges(c.mesh)) differ("the number of edges");
-  if constexpr (dimension_v<M> == 3)
+  if constexpr (dimension_v<M> == 3)  // surfaces have no faces
     if (num_faces(m) != num_faces(c.mesh)) differ("the number of faces");
   if (!near(total_measure(m), total_measure(c.mesh))) differ("total_measure");
   if (connected_components(m).count != connected_components(c.mesh).count) differ("the number of components");

@@ -26,7 +26,7 @@ void for_each_ring([[maybe_unused]] const M& m, const F& f) {
     f("adj_p2v", 'p', polys, adj_p2v);
     f("adj_p2e", 'p', polys, adj_p2e);
   }
-  if constexpr (VolumeMesh<M>) {
+  if constexpr (VolumeMesh<M>) {  // surfaces have no faces
     f("adj_v2f", 'v', verts, adj_v2f);
     f("adj_e2f", 'e', edges, adj_e2f);
     f("adj_f2v", 'f', faces, adj_f2v);

@@ -144,7 +144,7 @@ void check_cell_size(const M& m, const poly_t<M>& p, local_points& local, std::v
 template<VolumeMesh M>
 std::vector<std::uint8_t> check_hex_orders(const M& m, defect_log<M>& log) {
   std::vector<std::uint8_t> other(arity_v<M> == 8 ? poly_index_bound(m) : 0);
-  if constexpr (arity_v<M> == 8) {
+  if constexpr (arity_v<M> == 8) {  // only hexes come in orders that one can mistake
     hex_order_checks order_of;
     for (const poly_t<M> p : polys(m)) {
       const hex_order order = order_of(m, p);
@@ -184,7 +184,7 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
   }
   if (!log.wants_any({defect_kind::zero_size, defect_kind::inverted_cell, defect_kind::self_touching, defect_kind::non_planar, defect_kind::corner_order})) return;
   polygon_checks<M> check_polygon;
-  if constexpr (SurfaceMesh<M>) {
+  if constexpr (SurfaceMesh<M>) {  // polys are polygons themselves, or have them as faces
     for (const poly_t<M> p : polys(m)) {
       log.step();
       check_polygon(m, p, adj_p2v(m, p), log);

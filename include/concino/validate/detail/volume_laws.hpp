@@ -142,6 +142,7 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
       }
     }
   check_winding(ps, es, p2f, f2e, senses, outward, log);
+  // The law of tets and hexes.
   if constexpr (arity_v<M> == 4 || arity_v<M> == 8) check_standard_order<arity_v<M>>(ps, vs, p2v, p2f, f2v, outward, log);
 }
 
