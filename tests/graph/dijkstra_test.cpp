@@ -259,3 +259,67 @@ TEST_CASE("dijkstra: comparing squares loses no length that is less, at any scal
       REQUIRE(detail::distance_below(vec3{}, step, gap) == length);
     }
 }
+
+TEST_CASE_TEMPLATE("dijkstra: initial distances, what is crossed and who visits, on verts and on polys", M, CONCINO_KINDS) {
+  const M m(jittered(grid_arrays<M>(3), 0.05));
+  const auto check = [&](const auto nodes, const auto& length, auto before, auto across, const auto& is_between) {
+    using node = std::remove_cvref_t<decltype(*nodes.begin())>;
+    const node a{0}, b{5}, c{3};
+    const auto from_a = dijkstra(m, a, length), from_b = dijkstra(m, b, length);
+    for (const double ahead : {-2.5, 0.25, 100.0, inf}) {
+      std::vector<node> order;
+      bool known = true;
+      const auto d = dijkstra(m, {a, b}, length,
+                              {.predecessors = &before,
+                               .crossed = &across,
+                               .visit = [&](const node& x, double) {
+                                 known = known && (before[x] == x || (is_between(across[x], x) && is_between(across[x], before[x])));
+                                 order.push_back(x);
+                                 return true;
+                               },
+                               .initial_distance = [&](const node& x) { return x == a ? 0.0 : ahead; }});
+      CHECK(known);
+      std::size_t reached = 0;
+      for (const auto x : nodes) {
+        reached += d[x] < inf;
+        const double expected = std::min(from_a[x], ahead + from_b[x]);
+        if (expected < inf) REQUIRE(d[x] == doctest::Approx(expected).epsilon(1e-13));
+        else REQUIRE(d[x] == inf);
+        if (before[x] == x) REQUIRE((d[x] == inf || x == a || x == b));
+        else REQUIRE(d[before[x]] + length(before[x], x) == d[x]);
+      }
+      if (ahead >= 100) REQUIRE(!(before[b] == b));
+      REQUIRE(order.size() == reached);
+      for (std::size_t i = 1; i < order.size(); ++i) REQUIRE(d[order[i - 1]] <= d[order[i]]);
+    }
+    // Without predecessors or the like; and stopped by the visitor at the fourth node.
+    const auto plain = dijkstra(m, std::vector{b, a, b}, length, {.initial_distance = [&](const node& x) { return x == a ? -1.0 : 0.5; }});
+    for (const auto x : nodes) REQUIRE(plain[x] == doctest::Approx(std::min(from_a[x] - 1, from_b[x] + 0.5)).epsilon(1e-13));
+    std::vector<node> seen;
+    const auto part = dijkstra(m, c, length, {.predecessors = &before, .visit = [&](const node& x, double) {
+                                 seen.push_back(x);
+                                 return seen.size() < 4;
+                               }});
+    const auto all = dijkstra(m, c, length);
+    REQUIRE(seen.size() == 4);
+    for (const auto x : nodes) {
+      const bool is_seen = std::find(seen.begin(), seen.end(), x) != seen.end();
+      REQUIRE(part[x] == (is_seen ? all[x] : inf));
+      if (!is_seen) REQUIRE(before[x] == x);
+      else if (!(x == c)) REQUIRE(!(before[x] == x));
+    }
+    CHECK_THROWS_WITH_AS(dijkstra(m, a, length, {.initial_distance = [](const node&) { return std::nan(""); }}),
+                         doctest::Contains("0 is not a number; give a number, or +inf for no source"), invalid_argument);
+    CHECK_THROWS_WITH_AS(dijkstra(m, a, length, {.initial_distance = [](const node&) { return -inf; }}), doctest::Contains("0 is -inf"), invalid_argument);
+  };
+  const auto is_in = [](const auto range, const auto& x) {
+    bool any = false;
+    for (const auto y : range) any = any || y == x;
+    return any;
+  };
+  check(verts(m), straight(m), make_vert_map<vert_id>(m), make_vert_map<edge_id>(m), [&](edge_id e, vert_id v) { return is_in(adj_e2v(m, e), v); });
+  if constexpr (dimension_v<M> == 2)
+    check(polys(m), centre_to_centre(m), make_poly_map<poly_id>(m), make_poly_map<edge_id>(m), [&](edge_id e, poly_id p) { return is_in(adj_e2p(m, e), p); });
+  else
+    check(polys(m), centre_to_centre(m), make_poly_map<poly_id>(m), make_poly_map<face_id>(m), [&](face_id f, poly_id p) { return is_in(adj_f2p(m, f), p); });
+}

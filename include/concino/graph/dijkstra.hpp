@@ -13,6 +13,7 @@
 #include <concino/graph/predecessors.hpp>
 
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace concino {
@@ -26,6 +27,9 @@ struct dijkstra_options {
   function_ref<bool(Node)> may_enter = nullptr;  // false: no path may step on this node (empty: on all). Sources are exempt.
   detail::may_cross_t<Crossed> may_cross = nullptr;                   // false: no path may cross this edge or face (empty: all)
   predecessors_ref<Node> predecessors = nullptr;                      // pointer to a map of nodes by nodes, filled with the last but one of each path
+  crossed_ref<Node, Crossed> crossed = nullptr;                       // pointer to a map of nodes by edges or faces, filled with the last that each path crosses
+  function_ref<bool(Node, double)> visit = nullptr;                   // called with each node and its distance, nearest first; false: the search is over (empty: never)
+  function_ref<double(Node)> initial_distance = nullptr;              // of each source, in units of length, any sign; +inf: none (empty: 0 for all)
   double max_distance = std::numeric_limits<double>::infinity();      // >= 0, in units of length; nodes farther than this are not reached
 };
 
@@ -38,7 +42,18 @@ template<class G>
                                       length < 0 ? core::number_text(length) : std::string("not a number"), "; lengths must be 0 or more"});
 }
 
-/// Full: with may_enter, may_cross and predecessors, which are not even asked for otherwise.
+/// What a source begins with.
+/// Errors: invalid_argument if that is not a number or -inf.
+template<class Options, class G>
+double initial_distance_of(const Options& options, const G& g, const typename G::node& source, const char* who) {
+  if (!options.initial_distance) return 0;
+  const double d = options.initial_distance(source);
+  if (d > -std::numeric_limits<double>::infinity()) return d;
+  core::throw_joined<invalid_argument>({who, ": the initial distance of ", name_of(g, source), " is ", d < 0 ? "-inf" : "not a number",
+                                        "; give a number, or +inf for no source"});
+}
+
+/// Full: with may_enter, may_cross, predecessors, crossed and visit, which are not even asked for otherwise.
 template<bool Full, class G, class S, class L>
 auto search_by_length(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* who) {
   using node = typename G::node;
@@ -48,7 +63,8 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
   auto distance = make_node_map<double>(g, infinity);
   indexed_heap<node> queue(distance.values());
   for_each_source(g, sources, who, [&](const node& s) {
-    if (const auto slot = g.index(s); queue.key(slot) == infinity) queue.lower(s, slot, 0);
+    const double d = initial_distance_of(options, g, s, who);
+    if (const auto slot = g.index(s); d < queue.key(slot)) queue.lower(s, slot, d);
   });
   target_set targets(g, options.targets, options.nearest_target, who);
   if constexpr (Full) {
@@ -60,6 +76,9 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
   while (!queue.empty() && queue.least() <= limit) {
     const auto [v, v_slot, d] = queue.pop();
     if (targets.meet(v_slot)) limit = d;
+    if constexpr (Full) {
+      if (options.visit && !options.visit(v, d)) break;
+    }
     const auto length_to = lengths.from(v);
     if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
       if (!queue.empty()) fetch(row_of(g.neighbours(queue.front())));
@@ -68,7 +87,7 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
         lengths.fetch(w);
       }
     }
-    const auto relax = [&, from = v, far = d](const node& w) {
+    const auto relax = [&, from = v, far = d](const node& w, [[maybe_unused]] const auto& put_crossed) {
       const auto w_slot = g.index(w);
       const double known = queue.key(w_slot);
       const double length = length_to(w, known - far);
@@ -77,13 +96,21 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
         queue.lower(w, w_slot, far + length);
         if constexpr (Full) {
           if (predecessors) predecessors.put(w, from);
+          put_crossed();
         }
       }
     };
     if constexpr (Full) {
-      for_each_step(g, v, may_enter, options.may_cross, relax);
+      if constexpr (!std::is_void_v<crossed_t<G>>) {
+        if (options.crossed) {
+          for_each_step_across(g, v, may_enter, options.may_cross,
+                               [&](const node& w, const crossed_t<G>& x) { relax(w, [&] { options.crossed.put(w, x); }); });
+          continue;
+        }
+      }
+      for_each_step(g, v, may_enter, options.may_cross, [&](const node& w) { relax(w, [] {}); });
     } else {
-      for_each_in(g.neighbours(v), relax);
+      for_each_in(g.neighbours(v), [&](const node& w) { relax(w, [] {}); });
     }
   }
   queue.forget_waiting([&]([[maybe_unused]] const node& x) {
@@ -98,8 +125,8 @@ template<class G, class S, class L>
 auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options,
               const char* who = "dijkstra") {
   if (!(options.max_distance >= 0)) core::throw_joined<invalid_argument>({who, ": max_distance must be 0 or more"});
-  return options.may_enter || options.may_cross || options.predecessors ? search_by_length<true>(g, sources, lengths, options, who)
-                                                   : search_by_length<false>(g, sources, lengths, options, who);
+  const bool full = options.may_enter || options.may_cross || options.predecessors || options.crossed || options.visit;
+  return full ? search_by_length<true>(g, sources, lengths, options, who) : search_by_length<false>(g, sources, lengths, options, who);
 }
 
 }  // namespace detail
@@ -108,38 +135,39 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
 /// sources where a container or braces of them are given. Without a length, an arc is as long as the straight line between the verts,
 /// or between the means of the verts of the polys.
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; length(from, to) >= 0. Without a length: Embedded, and AnyMesh for polys.
-///         may_cross needs the edges or faces of an AnyMesh.
+///         may_cross and crossed need the edges or faces of an AnyMesh.
 /// Result: a map of double: distance[x] in units of length, +inf where unreached. With targets, it is exact for all nodes that are not
 ///         farther than the farthest target, or with nearest_target than the nearest, and +inf for the others. It does not depend on the
 ///         order of elements of equal distance. Of predecessors by which a path is equally short, that stands which was settled first; it
-///         is the same in every run.
+///         is the same in every run. With initial distances, a source that is reached from another on a shorter way is no beginning any more.
+///         When visit(x, distance) returns false, the nodes that it was called with are all that is reached.
 /// Cost:   O(E log V) time, O(V) memory.
 /// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number;
-///         invalid_argument if there is no source, or max_distance is negative or not a number.
+///         invalid_argument if there is no source, max_distance is negative or not a number, or an initial distance is not a number or -inf.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
-auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, source, detail::default_lengths(g), options);
 }
 
 template<class M, class S, class L>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::given_lengths<L>{length}, options);
 }
 
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, sources, detail::default_lengths(g), options);
 }
 
 template<class M, class S, class L>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::given_lengths<L>{length}, options);
 }
 
