@@ -150,15 +150,18 @@ void print_algorithms() {
   ALGORITHM("dijkstra(m, poly)", cn::dijkstra(m, p));
   ALGORITHM("shortest_path(m, vert, vert)", cn::shortest_path(m, v, v));
   ALGORITHM("connected_components(m)", cn::connected_components(m));
+  ALGORITHM("connected_components(dual(m))", cn::connected_components(cn::dual(m)));
   ALGORITHM("spanning_tree(m)", cn::spanning_tree(m));
   ALGORITHM("boundary_loops(m)", cn::boundary_loops(m));
   ALGORITHM("homology_generators(m)", cn::homology_generators(m));
   ALGORITHM("measure(m, poly)", cn::measure(m, p));
   ALGORITHM("total_measure(m)", cn::total_measure(m));
   ALGORITHM("centroid(m, poly)", cn::centroid(m, p));
+  ALGORITHM("laplacian(m)", cn::laplacian(m));
   ALGORITHM("laplacian(m, uniform)", cn::laplacian(m, cn::uniform));
   ALGORITHM("mass_matrix(m)", cn::mass_matrix(m));
   ALGORITHM("harmonic_map(m, {{vert, 0.0}, {vert, 1.0}})", cn::harmonic_map(m, {{v, 0.0}, {v, 1.0}}));
+  ALGORITHM("harmonic_map(m, {{vert, 0.0}, {vert, 1.0}}, uniform)", cn::harmonic_map(m, {{v, 0.0}, {v, 1.0}}, cn::uniform));
   ALGORITHM("check_laws(m)", cn::check_laws(m));
   ALGORITHM("validate(m)", cn::validate(m));
   ALGORITHM("convert<To>(m)", requires(requires { cn::convert<cn::polygonmesh>(m); } || requires { cn::convert<cn::polyhedralmesh>(m); }));

@@ -26,10 +26,10 @@ cn::quadmesh grid(unsigned n) {
   return cn::quadmesh(points, polys);
 }
 
-template<class M>
-void print_map(const char* what, const M& m, const cn::harmonic_map_options& options = {}) {
+template<class M, class D = cn::virtual_elements_t>
+void print_map(const char* what, const M& m, const cn::harmonic_map_options& options = {}, const D& discretisation = {}) {
   cn::auto_solver solver;
-  const auto u = cn::harmonic_map(m, {{cn::vert_id{0}, 0.0}, {cn::vert_id{3}, 1.0}}, options, solver);
+  const auto u = cn::harmonic_map(m, {{cn::vert_id{0}, 0.0}, {cn::vert_id{3}, 1.0}}, discretisation, options, solver);
   std::printf("%s, solver %d\n", what, static_cast<int>(solver.used()));
   for (const cn::vert_id v : cn::verts(m)) std::printf("%a\n", u[v]);
 }
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
   print_map("quads", quads);
   print_map("house", house);
   print_map("tets", tet);
-  print_map("uniform", house, {.weights = cn::weights::uniform});
+  print_map("uniform", house, {}, cn::uniform);
   print_map("biharmonic", house, {.exponent = 2});
   cn::auto_solver iterating({.most_factor_entries = 0});
   const auto u = cn::harmonic_map(quads, {{cn::vert_id{0}, 0.0}, {cn::vert_id{3}, 1.0}}, {}, iterating);

@@ -70,10 +70,11 @@ TEST_CASE_TEMPLATE("connected_components: uses nothing but a primal or a dual gr
   const auto g = only_primal_graph(m);
   const auto d = only_dual_graph(m);
   const auto cc = connected_components(g, {.may_enter = [](const auto&) { return true; }});
-  const auto cd = connected_components(d);
+  const auto cd = connected_components(dual(d));
   CHECK(cc.count == 3);
   CHECK(cd.count == 2);
   for (const auto v : verts(g)) CHECK(cc[v] == connected_components(m)[g.base(v)]);
   for (const auto p : polys(d)) CHECK(cd[p] == connected_components(dual(m))[d.base(p)]);
+  static_assert(has_components<views::dual_view<M>&> && !has_components<decltype(d)&>);  // which say that polys are meant, or not
   static_assert(has_components<trimesh&> && !has_components<trimesh> && !has_components<int&>);
 }

@@ -34,8 +34,8 @@ TEST_CASE_TEMPLATE("graphs: archetypes that own, and can be neither copied nor m
   CHECK(bfs(d, p, {.predecessors = &from})[q] == bfs(m, poly_id{0})[d.base(q)]);
   CHECK(path_to(from, q).size() == static_cast<std::size_t>(bfs(d, p)[q]) + 1);
   CHECK(dijkstra(d, p, one)[q] == bfs(d, p)[q]);
-  CHECK(connected_components(d).count == 1);
-  CHECK(spanning_tree(d, one, {.method = tree_method::prim}).arcs.size() == num_polys(m) - 1);
+  CHECK(connected_components(dual(d)).count == 1);
+  CHECK(spanning_tree(dual(d), one, {.method = tree_method::prim}).arcs.size() == num_polys(m) - 1);
   CHECK(grow_regions(d, p, one)[q] == 0);
 
   const archetypes::owner<decltype(only_mesh(m))> a(m);

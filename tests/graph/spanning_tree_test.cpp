@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("spanning_tree: uses nothing but its concept", M, CONCINO_KIN
     CHECK(bare.arcs.size() == num_verts(m) - 1);
     CHECK(bare.weight == doctest::Approx(st.weight));
     const auto d = only_dual_graph(m);
-    CHECK(spanning_tree(d, [](const auto&, const auto&) { return 1; }, {.method = method}).weight == double(num_polys(m) - 1));
+    CHECK(spanning_tree(dual(d), [](const auto&, const auto&) { return 1; }, {.method = method}).weight == double(num_polys(m) - 1));
     CHECK(spanning_tree(only_embedded_graph(m), {.method = method}).weight == doctest::Approx(st.weight));
     CHECK(spanning_tree(only_embedded_mesh(m), {.method = method}).edges.size() == st.edges.size());
   }

@@ -32,6 +32,15 @@ struct bare_graph {
 };
 inline constexpr sentence name_discretisation("a graph without polys or points has no default discretisation: name one, as in laplacian(m, uniform) or harmonic_map(m, values, uniform)");
 
+/// Made of a graph of polys that is no view of one, of which a function on verts is asked.
+template<sentence Remedy>
+struct polys_alone {
+  template<class M>
+    requires(DualGraph<M> && requirement::is_no_temporary<const M&> && !requirement::has_vert<M>)
+  polys_alone(const M&);
+};
+inline constexpr sentence name_dual("the graph has polys and no verts: say that polys are meant by dual(m), as in connected_components(dual(m))");
+
 /// Made of any mesh or graph.
 struct any_mesh {
   template<class M>

@@ -177,8 +177,8 @@ auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node
 }
 
 /// Breadth-first trees of everything: a search from the first node, then from the first that is not reached yet, until none is left. Nodes are
-/// the verts of a mesh or, of dual(m) and other graphs of polys alone, its polys.
-/// Needs:  PrimalGraph M, or DualGraph M; may_cross and crossed need the edges or faces of an AnyMesh.
+/// the verts of a mesh or, of dual(m), its polys.
+/// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; may_cross and crossed need the edges or faces of an AnyMesh.
 /// Result: a map of int: hops[x] from the root of the tree of x, 0 at the roots, -1 where may_enter bars. The nodes of a tree are reached one
 ///         after another, as bfs reaches them, so visit(x, 0) tells where the next tree begins. With max_hops no tree is higher than that: nodes
 ///         farther away begin trees of their own. When targets are reached or visit returns false, no further tree begins.
@@ -195,6 +195,7 @@ auto bfs_forest(M&& m, const bfs_options<detail::default_node_of<M>, detail::cro
 template<class... T> void bfs(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void bfs(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void bfs_forest(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void bfs_forest(mistake::polys_alone<mistake::name_dual>, ...) = delete;  // of a graph of polys alone write bfs_forest(dual(m))
 template<class... T> void bfs_forest(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void bfs(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 

@@ -86,9 +86,9 @@ auto connected_components(const G& g, const component_options<typename G::node, 
 
 }  // namespace detail
 
-/// The connected components of the verts of a mesh or, of dual(m) and other graphs of polys alone, of its polys. Nodes or arcs that
+/// The connected components of the verts of a mesh or, of dual(m), of its polys. Nodes or arcs that
 /// may_enter and may_cross bar part them further.
-/// Needs:  PrimalGraph M, or DualGraph M; may_cross needs the edges or faces of an AnyMesh.
+/// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; may_cross needs the edges or faces of an AnyMesh.
 /// Result: cc.count; cc[x] is 0 .. cc.count - 1, numbered by the first element that a walk over all meets; -1 for barred nodes.
 /// Cost:   O(V + E) up to an inverse Ackermann factor in time, O(V) memory.
 /// Errors: none of its own.
@@ -101,6 +101,7 @@ auto connected_components(M&& m, const component_options<detail::default_node_of
 
 // What to write instead of calls that cannot compile.
 template<class... T> void connected_components(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void connected_components(mistake::polys_alone<mistake::name_dual>, ...) = delete;  // of a graph of polys alone write connected_components(dual(m))
 template<class... T> void connected_components(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

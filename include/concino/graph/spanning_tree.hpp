@@ -169,10 +169,10 @@ concept has_default_lengths = Embedded<concino::detail::mesh_behind_t<std::remov
 
 }  // namespace requirement
 
-/// The shortest spanning tree of each component of the verts of a mesh or, of dual(m) and other graphs of polys alone, of its polys; or the
+/// The shortest spanning tree of each component of the verts of a mesh or, of dual(m), of its polys; or the
 /// tree that prefers arcs by another order. Without a length, an arc is as long as the straight line between the verts, or between the
 /// means of the verts of the polys.
-/// Needs:  PrimalGraph M, or DualGraph M; length(v, w) is asked from lower to higher index_of, may be negative, and is +inf for no arc.
+/// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; length(v, w) is asked from lower to higher index_of, may be negative, and is +inf for no arc.
 ///         Without a length: Embedded, and AnyMesh for polys. may_cross needs the edges or faces of an AnyMesh.
 /// Result: st.arcs: pairs of nodes, as many as nodes less components; st.edges: their edges, of verts of a mesh with edges; st.weight.
 ///         By Kruskal in the order taken, lower index first; by Prim as the trees grow, outward. Both take the same arcs: of those that
@@ -196,6 +196,7 @@ auto spanning_tree(const M& m, const L& length,  // may_cross: not of a bare gra
 
 // What to write instead of calls that cannot compile.
 template<class... T> void spanning_tree(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void spanning_tree(mistake::polys_alone<mistake::name_dual>, ...) = delete;  // of a graph of polys alone write spanning_tree(dual(m))
 template<class... T> void spanning_tree(mistake::no_points<"no points (Embedded) to measure by: give a callable of lengths, spanning_tree(m, length)">, ...) = delete;
 
 }  // namespace concino

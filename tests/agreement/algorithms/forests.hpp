@@ -14,10 +14,7 @@ template<class B, class F>
 void each_graph_alone(const B& both, F&& f) {
   using M = typename B::other_mesh;
   if constexpr (PrimalGraph<M>) f(both.native, both.other, both.verts);
-  if constexpr (DualGraph<M>) {
-    if constexpr (PrimalGraph<M>) f(dual(both.native), dual(both.other), both.polys);
-    else f(dual(both.native), both.other, both.polys);
-  }
+  if constexpr (DualGraph<M>) f(dual(both.native), dual(both.other), both.polys);
 }
 
 struct components {

@@ -206,6 +206,30 @@ void no_points(const cn::trimesh& m) {
   cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
 }
 
+// There is a graph and no more, for which no discretisation is the default.
+void bare_graph(const cn::trimesh& m) {
+  const auto g = cn::primal(m);
+  const cn::vert_id a{0};
+  const auto f = cn::make_vert_map<double>(m);
+  cn::laplacian(g);  // refused
+  cn::harmonic_map(g, {{a, 0.0}});  // refused
+  cn::harmonic_map<cn::vec3>(g, {{a, {0, 0, 0}}});  // refused
+  cn::prepare_harmonic_map(g, {a});  // refused
+  cn::smooth(g, f, 1);  // refused
+  cn::prepare_smooth(g, 1);  // refused
+  cn::heat_flow(g, f, 1);  // refused
+  cn::prepare_heat_flow(g, 1);  // refused
+  cn::laplacian(g, cn::cotangent);  // refused
+}
+
+// There are polys alone, and nobody says that they are meant.
+void polys_alone(const cn::trimesh& m) {
+  const auto g = cn::only_dual_graph(m);
+  cn::bfs_forest(g);  // refused
+  cn::connected_components(g);  // refused
+  cn::spanning_tree(g);  // refused
+}
+
 // Elements are named by numbers.
 void numbers(const cn::trimesh& m) {
   cn::bfs(m, 0);  // refused

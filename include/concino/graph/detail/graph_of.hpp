@@ -4,6 +4,7 @@
 #include <concino/concepts/dual_graph.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/primal_graph.hpp>
+#include <concino/concepts/views/dual.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
@@ -93,13 +94,10 @@ void expect_node(const G& g, const typename G::node& x, const char* who, const c
   core::throw_joined<invalid_mesh>({who, ": the ", role, " is no ", G::word, " of the mesh; take one from ", G::word, "s(m)"});
 }
 
-/// The graph that is meant where no source says so: that of the verts, of what has none that of the polys. A mesh whose verts lack something
-/// is not taken for one without verts.
+/// The graph that is meant where no source says so: that of the verts; of dual(m), which says so by its name, that of the polys.
 template<class M> struct graph_by_default { using type = no_graph; };
 template<PrimalGraph M> struct graph_by_default<M> { using type = primal_graph<M>; };
-template<DualGraph M>
-  requires(!requirement::has_vert<M>)
-struct graph_by_default<M> { using type = dual_graph<M>; };
+template<DualGraph M> struct graph_by_default<views::dual_view<M>> { using type = dual_graph<views::dual_view<M>>; };
 template<class M> using default_graph_of = typename graph_by_default<std::remove_cvref_t<M>>::type;
 template<class M> using default_node_of = typename default_graph_of<M>::node;
 
@@ -131,8 +129,10 @@ void for_each_source(const G& g, const S& source, const char* who, F&& visit, co
 
 namespace concino::requirement {
 
-template<class M> concept has_no_verts = !has_vert<M>;
-template<class M> concept is_graph = PrimalGraph<M> || (has_no_verts<M> && DualGraph<M>);
+template<class M> inline constexpr bool is_dual_view_v = false;
+template<class M> inline constexpr bool is_dual_view_v<views::dual_view<M>> = true;
+template<class M> concept is_dual_view = is_dual_view_v<std::remove_cvref_t<M>>;
+template<class M> concept is_graph = PrimalGraph<M> || is_dual_view<M>;  // of the polys of m write connected_components(dual(m)), spanning_tree(dual(m))
 
 /// X names polys rather than verts of M, whatever else M offers.
 template<class M, class X> concept becomes_vert_type = std::convertible_to<X, vert_t<M>>;
