@@ -69,8 +69,8 @@ auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(
 /// Stands for the sources of a forest: the first node that is not reached yet, again and again.
 struct all_nodes {};
 
-/// The same search with everything.
-template<class G, class S>
+/// The same search with everything. Reports: with crossed and visit too, which cost time where nobody asked for them.
+template<bool Reports, class G, class S>
 auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
   auto hops = make_node_map<int>(g, -1);
@@ -80,20 +80,22 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
   int limit = options.max_hops;  // no step beyond this; -1 when visit has ended the search
   bool is_over = false;
 
-  const auto reach = [&](const node& x, const node& before, int h, const auto& put_crossed) {
+  const auto reach = [&](const node& x, const node& before, int h, [[maybe_unused]] const auto& put_crossed) {
     const auto slot = g.index(x);
-    if (value[slot] >= 0 || h > limit) return;
+    if (value[slot] >= 0 || (Reports && h > limit)) return;
     value[slot] = h;
     queue.push(x);
     if (options.predecessors) options.predecessors.put(x, before);
-    put_crossed();
+    if constexpr (Reports) put_crossed();
     if (targets.meet(slot)) {
       limit = h;
       is_over = true;
     }
-    if (options.visit && !options.visit(x, h)) {
-      limit = -1;
-      is_over = true;
+    if constexpr (Reports) {
+      if (options.visit && !options.visit(x, h)) {
+        limit = -1;
+        is_over = true;
+      }
     }
   };
   const auto search = [&] {
@@ -104,7 +106,7 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
       if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
         if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
       }
-      if constexpr (!std::is_void_v<crossed_t<G>>) {
+      if constexpr (Reports && !std::is_void_v<crossed_t<G>>) {
         if (options.crossed) {
           for_each_step_across(g, v, options.may_enter, options.may_cross, [&](const node& w, const crossed_t<G>& x) {
             reach(w, v, h + 1, [&] { options.crossed.put(w, x); });
@@ -143,13 +145,13 @@ auto bfs(const G& g, const S& sources, const bfs_options<typename G::node, cross
   const bool plain = options.targets.empty() && !options.may_cross && !options.predecessors && !options.crossed && !options.visit &&
                      options.max_hops == std::numeric_limits<int>::max();
   if (plain) return options.may_enter ? plain_bfs<true>(g, sources, options.may_enter) : plain_bfs<false>(g, sources, nullptr);
-  return full_bfs(g, sources, options);
+  return options.crossed || options.visit ? full_bfs<true>(g, sources, options) : full_bfs<false>(g, sources, options);
 }
 
 template<class G>
 auto bfs_forest(const G& g, const bfs_options<typename G::node, crossed_t<G>>& options) {
   check_bfs(options, "bfs_forest");
-  return full_bfs(g, all_nodes{}, options);
+  return full_bfs<true>(g, all_nodes{}, options);
 }
 
 }  // namespace detail
