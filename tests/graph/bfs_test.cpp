@@ -260,7 +260,8 @@ TEST_CASE_TEMPLATE("bfs_forest: a tree for each component, as bfs from its first
   check(m, verts(m), make_vert_map<vert_id>(m));
   check(dual(m), polys(m), make_poly_map<poly_id>(m));
   const auto g = only_primal_graph(m);
-  const auto hops = bfs_forest(m), stripped = bfs_forest(g);
+  const auto hops = bfs_forest(m);
+  const auto stripped = bfs_forest(g);
   for (const auto w : verts(g)) CHECK(stripped[w] == hops[g.base(w)]);
   static_assert(has_forest<M&> && !has_forest<M> && !has_forest<int&>);
 }
