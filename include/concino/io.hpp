@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/file_text.hpp>
+#include <concino/io/formats.hpp>
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/material_table.hpp>

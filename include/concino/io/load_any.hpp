@@ -15,6 +15,31 @@ namespace concino {
 
 using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, polyhedralmesh>;
 
+namespace detail {
+
+template<class Variant, Formats F>
+Variant load_any_with(const std::string& path, F formats, const load_options& options) {
+  const auto known = list_of(formats);
+  const std::uint64_t candidates = candidates_for(path, formats, options.format);
+  file_text file(path, {.map = options.map, .pipes = true});
+  load_report unheard;
+  volume_contents contents;
+  const read_context context{file.text(), path, {}, options.report ? options.report : &unheard, &options.progress, true};
+  with_format(known, format_of(file, known, candidates), [&]<Format G>(G) { read_as<G, true, true>(context, contents); });
+  const auto make = [&]<class M>(std::type_identity<M>) -> Variant { return mesh_of<M>(contents, path, options.report); };
+  file.close(path);
+  if (contents.held == held_mesh::surface) {
+    if (contents.surface.arity == 3) return make(std::type_identity<trimesh>{});
+    if (contents.surface.arity == 4) return make(std::type_identity<quadmesh>{});
+    return make(std::type_identity<polygonmesh>{});
+  }
+  if (contents.held == held_mesh::cells)
+    return contents.cells.arity == 4 ? make(std::type_identity<tetmesh>{}) : make(std::type_identity<hexmesh>{});
+  return make(std::type_identity<polyhedralmesh>{});
+}
+
+}  // namespace detail
+
 /// Reads a file as what it is; std::visit goes on from there.
 /// Needs:  a file in one of the formats of load.
 /// Result: of the six kinds the most special that holds the file: triangles only, quads only, any polygons; tets only, hexes only, any
@@ -23,21 +48,12 @@ using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, 
 /// Errors: as load, but for kinds that do not fit: every kind does.
 template<class Variant = any_mesh>  // a template only so that programs that do not call it need not compile six meshes
 Variant load_any(const std::string& path, const load_options& options = {}) {
-  const file_format format = detail::format_of(path, options.format);
-  file_text file(path, {.map = options.map, .pipes = true});
-  load_report unheard;
-  detail::volume_contents contents;
-  detail::read_contents<true, true>({file.text(), path, {}, options.report ? options.report : &unheard, &options.progress, true}, format, contents);
-  const auto make = [&]<class M>(std::type_identity<M>) -> Variant { return detail::mesh_of<M>(contents, path, options.report); };
-  file.close(path);
-  if (contents.held == detail::held_mesh::surface) {
-    if (contents.surface.arity == 3) return make(std::type_identity<trimesh>{});
-    if (contents.surface.arity == 4) return make(std::type_identity<quadmesh>{});
-    return make(std::type_identity<polygonmesh>{});
-  }
-  if (contents.held == detail::held_mesh::cells)
-    return contents.cells.arity == 4 ? make(std::type_identity<tetmesh>{}) : make(std::type_identity<hexmesh>{});
-  return make(std::type_identity<polyhedralmesh>{});
+  return detail::load_any_with<Variant>(path, standard_formats, options);
+}
+/// `formats` as of load.
+template<class Variant = any_mesh, Formats F>
+Variant load_any(const std::string& path, F formats, const load_options& options = {}) {
+  return detail::load_any_with<Variant>(path, formats, options);
 }
 
 }  // namespace concino

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/progress.hpp>
-#include <concino/io/formats.hpp>
+#include <concino/io/format_id.hpp>
 
 #include <cstddef>
 #include <string>
@@ -24,7 +24,7 @@ struct save_report {
 };
 
 struct load_options {
-  file_format format = file_format::by_extension;  // or one of the formats, whatever the extension
+  format_id format = {};                   // one of the formats that the call knows; by default the extension says which
   concino::load_report* report = nullptr;  // filled in if given; cleared first
   concino::progress progress = {};         // told the fraction of the file read
   /// Files are mapped into memory, not read: loading is about a tenth faster, but a file that shrinks meanwhile may end the program by
@@ -33,10 +33,10 @@ struct load_options {
 };
 
 struct save_options {
-  file_format format = file_format::by_extension;  // or one of the formats, whatever the extension
+  format_id format = {};                   // one of the formats that the call knows; by default the extension says which
   concino::save_report* report = nullptr;  // filled in if given; cleared first
   concino::progress progress = {};         // told the fraction of the elements written
-  bool binary = false;                     // .off only: 32-bit numbers, so coordinates are rounded to floats; unsupported elsewhere
+  bool binary = false;                     // .off: 32-bit numbers, so coordinates are rounded to floats; unsupported by formats without a binary form
   bool sync = false;                       // what is written reaches the disk before it replaces a file; else the system decides when
 };
 

@@ -6,6 +6,7 @@
 #include <concino/io/detail/read_mtl.hpp>
 #include <concino/io/replacing_file.hpp>
 #include <concino/io/text_sink.hpp>
+#include <concino/io/write_context.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -80,7 +81,7 @@ namespace concino::detail {
 }
 
 /// The materials of one save of one .obj file: in libraries that are there, or in a new one.
-class library_file {
+class library_file final : public companion_files {
   struct old_library {
     std::string path;
     struct ::stat info;
@@ -232,7 +233,7 @@ class library_file {
 
   /// Gives the library its name, then the .obj file; or neither. Then removes outdated libraries.
   /// Errors: io_error; nothing has changed then, unless only a folder could not be brought to the disk.
-  [[gnu::noinline, gnu::cold]] void commit_with(replacing_file& file) {
+  [[gnu::noinline, gnu::cold]] void commit_with(replacing_file& file) override {
     try {
       if (file_) file_->commit();
       file.commit();

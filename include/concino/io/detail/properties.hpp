@@ -1,4 +1,4 @@
-// Properties on their way into files and out of them.
+// Properties on their way from files into meshes.
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
@@ -81,31 +81,6 @@ void give_properties(M& m, file_contents& contents, load_report* report) {
     }
   } else if (report) {
     tell_of_skipped(contents, *report);
-  }
-}
-
-/// The values of the property of that name and type by the indices of elements; null if m has none such.
-template<class T, class M>
-const T* values_if_any(const M& m, element_kind kind, std::string_view name) {
-  if constexpr (HasProperties<M>) return static_cast<const T*>(traits<M>::properties(m).values_if_any(kind, name, typeid(T)));
-  else return nullptr;
-}
-
-/// What a format keeps of the properties of m.
-struct kept_property {
-  element_kind kind;
-  std::string_view name;
-  const std::type_info* type;
-};
-
-/// Says which properties a format drops: all but those in `kept`.
-[[gnu::noinline, gnu::cold]] inline void tell_of_lost_properties(const property_set& all, const kept_property* kept, std::size_t num_kept, std::string_view format,
-                                    std::vector<std::string>& lost) {
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const property_info p = all.info(i);
-    bool is_kept = false;
-    for (std::size_t k = 0; k < num_kept; ++k) is_kept = is_kept || (p.kind == kept[k].kind && kept[k].name == p.name && *p.type == *kept[k].type);
-    if (!is_kept) lost.push_back(core::joined({to_string(p.kind), " property \"", p.name, "\": ", format, " has no place for it"}));
   }
 }
 

@@ -8,8 +8,8 @@
 
 namespace concino::detail {
 
-/// What the mesh to be made cannot be is not compiled: surfaces, volumes.
-template<bool Surfaces, bool Volumes>
+/// Programs that read surfaces only need not compile volumes.
+template<bool Volumes>
 class medit_reader : token_cursor {
   const wanted_mesh& wanted_;
   load_report& report_;
@@ -208,7 +208,7 @@ class medit_reader : token_cursor {
         continue;
       }
       // Where the kind is wrong anyway, load() says so better than the line of some element would.
-      if (has_cells ? !Volumes : !Surfaces) {
+      if (has_cells ? !Volumes : !wanted_.surface) {
         polys_ += p.count;
         continue;
       }
@@ -223,15 +223,14 @@ class medit_reader : token_cursor {
       report_.notes.push_back(core::joined({report_.reoriented_polys, " of ", polys_,
                                       " cells had a negative volume: their verts were put into the standard order"}));
     if (has_cells && !Volumes) throw_wrong_dimension(name(), true, polys_);
-    if (!has_cells && !Surfaces && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
+    if (!has_cells && !wanted_.surface && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
 
     if (!vert_labels_.empty()) vert_labels_.resize(points_.size());
     if (!poly_labels_.empty()) poly_labels_.resize(polys_);
     out.vert_labels = std::move(vert_labels_);
     out.poly_labels = std::move(poly_labels_);
-    const bool volume = has_cells || !Surfaces;
-    if constexpr (Surfaces)
-      if (!volume) out.surface = surface();
+    const bool volume = has_cells || !wanted_.surface;
+    if (!volume) out.surface = surface();
     if constexpr (Volumes)
       if (volume) {
         const bool fits = wanted_.cells && shapes_.empty() && (!only_ || only_->arity == 4 || only_->arity == 8);
@@ -272,9 +271,9 @@ class medit_reader : token_cursor {
 /// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the
 ///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
 ///         or the reverse.
-template<bool Surfaces, bool Volumes>
+template<bool Volumes>
 void read_medit(const read_context& context, contents_of<Volumes>& out) {
-  medit_reader<Surfaces, Volumes>(context).read(out);
+  medit_reader<Volumes>(context).read(out);
 }
 
 }  // namespace concino::detail

@@ -15,7 +15,7 @@ struct material_library {
   material_table table;
   name_table all;                // of table.materials
   name_table names;              // of the materials that have a colour
-  given_values<rgba> colors;     // of each
+  element_values<rgba> colors;     // of each
   std::size_t num_textures = 0;  // map_Kd and the like
   std::size_t num_redefined = 0;
   std::string redefined = {};    // the first of them

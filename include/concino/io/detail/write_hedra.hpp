@@ -5,42 +5,30 @@
 
 namespace concino::detail {
 
-template<class M>
-void write_hedra(write_context<M>& c) {
-  if constexpr (dimension_v<M> == 2) {  // the format holds volumes only
-    c.cannot_hold(".hedra", {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
-  } else {
-    const M& m = c.mesh;
-    c.out << num_verts(m) << ' ' << num_faces(m) << ' '
-          << num_polys(m) << '\n';
-    for (const vert_t<M> v : verts(m)) {
-      write_point(c.out, c.next_point(v));
-      c.out << '\n';
-      c.tell();
+inline void write_hedra(write_context& c, flat_mesh& m) {
+  const flat_polyhedra& all = m.polyhedra();
+  c.out << m.points.size() << ' ' << all.face_verts.size() << ' ' << m.num_polys << '\n';
+  for (const vec3& p : m.points) {
+    write_point(c.out, p);
+    c.out << '\n';
+    c.tell();
+  }
+  for (std::size_t f = 0; f < all.face_verts.size(); ++f) {
+    const std::span<const vert_id> corners = all.face_verts[f];
+    c.out << corners.size();
+    for (const vert_id v : corners) c.out << ' ' << v.raw() + 1;
+    c.out << '\n';
+  }
+  const std::uint8_t* outward = all.outward.data();
+  for (std::size_t p = 0; p < m.num_polys; ++p) {
+    const std::span<const face_id> faces_of_poly = all.poly_faces[p];
+    c.out << faces_of_poly.size();
+    for (const face_id f : faces_of_poly) {
+      const std::int64_t i = std::int64_t{f.raw()} + 1;
+      c.out << ' ' << (*outward++ != 0 ? i : -i);
     }
-    std::vector<std::uint32_t> face_number(face_index_bound(m), 0);
-    std::vector<std::uint32_t> row;
-    std::uint32_t n = 0;
-    for (face_t<M> f : faces(m)) {
-      face_number[index_of(m, f)] = ++n;
-      row.clear();
-      for (vert_t<M> v : adj_f2v(m, f)) row.push_back(c.number_of(v));
-      c.out << row.size();
-      for (const std::uint32_t v : row) c.out << ' ' << v + 1;
-      c.out << '\n';
-    }
-    std::vector<std::int64_t> signs;
-    for (poly_t<M> p : polys(m)) {
-      signs.clear();
-      for (face_t<M> f : adj_p2f(m, p)) {
-        const std::int64_t i = face_number[index_of(m, f)];
-        signs.push_back(face_is_outward(m, p, f) ? i : -i);
-      }
-      c.out << signs.size();
-      for (const std::int64_t f : signs) c.out << ' ' << f;
-      c.out << '\n';
-      c.tell();
-    }
+    c.out << '\n';
+    c.tell();
   }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/io/detail/medit_sections.hpp>
-#include <concino/io/detail/properties.hpp>
 #include <concino/io/detail/write_common.hpp>
 #include <concino/mesh/cell_recogniser.hpp>
 
@@ -20,58 +19,52 @@ struct medit_rows {
   }
 };
 
-template<class M>
-void add_row(write_context<M>& c, const poly_t<M>& p, medit_rows& rows, [[maybe_unused]] cell_recogniser& known) {
-  const M& m = c.mesh;
+inline void add_row(const write_context& c, flat_mesh& m, std::size_t p, medit_rows& rows, cell_recogniser& known, const std::uint8_t*& outward) {
   std::size_t s = std::size(medit_sections);
-  if constexpr (dimension_v<M> == 2) {  // the format has sections for triangles and quads, and for cells
-    const std::size_t before = rows.verts.size();
-    for (vert_t<M> v : adj_p2v(m, p)) rows.verts.push_back(c.number_of(v));
-    const std::size_t n = rows.verts.size() - before;
+  if (m.dimension == 2) {
+    for (const vert_id v : m.poly_verts[p]) rows.verts.push_back(v.raw());
+    const std::size_t n = m.poly_verts[p].size();
     if (n == 3 || n == 4) s = n - 3;
-    else c.cannot_hold(".mesh", {"poly ", index_of(m, p), ", a polygon of ", n, " verts"}, ".obj");
-  } else if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {  // tets and hexes need no recognising
-    for (vert_t<M> v : adj_p2v(m, p)) rows.verts.push_back(c.number_of(v));
-    s = arity_v<M> == 4 ? 2 : 3;
+    else c.cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polygon of ", n, " verts"}, ".obj");
+  } else if (m.arity == 4 || m.arity == 8) {
+    for (const vert_id v : m.poly_verts[p]) rows.verts.push_back(v.raw());
+    s = m.arity == 4 ? 2 : 3;
   } else {
     known.clear();
-    std::size_t n = 0;
-    for (face_t<M> f : adj_p2f(m, p)) {
+    const flat_polyhedra& all = m.polyhedra();
+    for (const face_id f : all.poly_faces[p]) {
       known.begin_face();
-      for (vert_t<M> v : adj_f2v(m, f)) known.push(vert_id{c.number_of(v)});
-      if (!face_is_outward(m, p, f)) known.reverse_face();
-      ++n;
+      for (const vert_id v : all.face_verts[f.raw()]) known.push(v);
+      if (*outward++ == 0) known.reverse_face();
     }
     const cell_shape shape = known.recognise();
     if (shape == cell_shape::general)
-      c.cannot_hold(".mesh", {"poly ", index_of(m, p), ", a polyhedron of ", n, " faces that is no tet, hex, prism or pyramid"}, ".hedra");
-    for (unsigned i = 0; i < standard_cell_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
+      c.cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polyhedron of ", all.poly_faces[p].size(), " faces that is no tet, hex, prism or pyramid"}, ".hedra");
+    for (unsigned i = 0; i < table_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
     s = 2 + static_cast<std::size_t>(shape);
   }
   rows.end_row(s);
 }
 
-template<class M>
-void write_medit(write_context<M>& c) {
-  const M& m = c.mesh;
-  const int* const vert_label = values_if_any<int>(m, element_kind::vert, "label");
-  const int* const poly_label = values_if_any<int>(m, element_kind::poly, "label");
-  c.keep(element_kind::vert, "label", typeid(int));
-  c.keep(element_kind::poly, "label", typeid(int));
-  c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << num_verts(m) << '\n';
-  for (const vert_t<M> v : verts(m)) {
-    write_point(c.out, c.next_point(v));
-    c.out << ' ' << (vert_label ? vert_label[index_of(m, v)] : 0) << '\n';
+inline void write_medit(write_context& c, flat_mesh& m) {
+  const flat_values<int> vert_label = m.vert_values<int>("label"), poly_label = m.poly_values<int>("label");
+  c.keep<int>(element_kind::vert, "label");
+  c.keep<int>(element_kind::poly, "label");
+  c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << m.points.size() << '\n';
+  for (std::size_t v = 0; v < m.points.size(); ++v) {
+    write_point(c.out, m.points[v]);
+    c.out << ' ' << (vert_label ? vert_label[v] : 0) << '\n';
     c.tell();
   }
 
   medit_rows rows;
   cell_recogniser known;
+  const bool by_faces = m.dimension == 3 && m.arity != 4 && m.arity != 8;
+  const std::uint8_t* outward = by_faces ? m.polyhedra().outward.data() : nullptr;
   std::vector<int> labels;
-  for (poly_t<M> p : polys(m)) {
-    add_row(c, p, rows, known);
-    const int label = poly_label ? poly_label[index_of(m, p)] : 0;
-    labels.push_back(label);
+  for (std::size_t p = 0; p < m.num_polys; ++p) {
+    add_row(c, m, p, rows, known, outward);
+    labels.push_back(poly_label ? poly_label[p] : 0);
     c.tell();
   }
   std::size_t kinds = 0;

@@ -1,6 +1,7 @@
 // The materials of the polys of an OBJ file, and what its material library has to define.
 #pragma once
 
+#include <concino/io/detail/library_file.hpp>
 #include <concino/io/detail/write_common.hpp>
 
 #include <cstdint>
@@ -42,9 +43,10 @@ class mtl_names {
     bool is_defined = false;        // the name means one colour already
   };
 
-  write_state& c_;
-  const std::string* material_;               // of polys, by their indices; null: none
-  const rgba* color_;                         // the same
+  write_context& c_;
+  library_file* library_;                    // where materials go; null: there is no file beside this one
+  flat_values<std::string> material_;         // of polys, if they have any
+  flat_values<rgba> color_;                   // the same
   const material_table* table_;               // null: none
   std::vector<material> table_materials_;     // as lines can hold them
   std::vector<material> needed_;              // what the library has to hold, those of the table first
@@ -63,18 +65,19 @@ class mtl_names {
  public:
   bool changed = false;  // names that no line can hold
 
-  [[gnu::noinline, gnu::cold]] mtl_names(write_state& c, const std::string* material, const rgba* color, const material_table* table)
-      : c_(c), material_(material), color_(color), table_(table) {
-    c.keep(element_kind::poly, "color", typeid(rgba));
-    c.keep(element_kind::mesh, "materials", typeid(material_table));
-    if (!c.library) {
+  [[gnu::noinline, gnu::cold]] mtl_names(write_context& c, library_file* library, const flat_values<std::string>& material,
+                                                  const flat_values<rgba>& color, const material_table* table)
+      : c_(c), library_(library), material_(material), color_(color), table_(table) {
+    c.keep<rgba>(element_kind::poly, "color");
+    c.keep<material_table>(element_kind::mesh, "materials");
+    if (!library) {
       constexpr const char* where = "it goes to a .mtl file beside the .obj file, and text has none beside it";
       if (color_) c.report.lost.push_back(core::joined({"poly property \"color\": ", where}));
       if (table_ && !table_->materials.empty()) c.report.lost.push_back(core::joined({"mesh property \"materials\": ", where}));
-      color_ = nullptr;
+      color_ = {};
     }
     add_name("");
-    if (!table_ || !c.library) return;
+    if (!table_ || !library) return;
     for (const concino::material& m : table_->materials) {
       const std::uint32_t name = add_name(line_name(m.name, changed));
       if (m.name.empty() || info_[name].in_table != none) {
@@ -118,7 +121,7 @@ class mtl_names {
     if (poly_material_.empty()) poly_material_.reserve(num_polys_);
     char key[sizeof name + sizeof(rgba)];
     std::memcpy(key, &name, sizeof name);
-    std::memcpy(key + sizeof name, color_ + poly, sizeof(rgba));
+    std::memcpy(key + sizeof name, &color_[poly], sizeof(rgba));
     std::uint64_t words[2];
     std::memcpy(words, key + sizeof name, sizeof words);
     std::uint32_t& recent = recent_[(words[0] * 0x9e3779b97f4a7c15u ^ (words[1] + name) * 0xc2b2ae3d27d4eb4fu) >> 56];
@@ -138,7 +141,7 @@ class mtl_names {
     lost(num_duplicates_, "materials without a name, or of a name that another has: ", " were left out");
     lost(num_bad_lines_, "lines of materials that are empty or begin another material: ", " were left out");
     std::vector<std::string> libraries;
-    if (c_.library) libraries = c_.library->choose_or_write(needed_, undefined_, table_, c_.report);
+    if (library_) libraries = library_->choose_or_write(needed_, undefined_, table_, c_.report);
     else if (table_) libraries = table_->libraries;
     bool ignored = false;
     for (const std::string& name : libraries) c_.out << "mtllib " << line_name(name, ignored) << '\n';

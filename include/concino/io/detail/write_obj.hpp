@@ -7,14 +7,14 @@ namespace concino::detail {
 
 /// Names of polys on lines of their own, where they change.
 class obj_names {
-  write_state& c_;
+  write_context& c_;
   std::string_view keyword_;
   std::string last_;
 
  public:
   bool changed = false;
 
-  obj_names(write_state& c, std::string_view keyword) : c_(c), keyword_(keyword) {}
+  obj_names(write_context& c, std::string_view keyword) : c_(c), keyword_(keyword) {}
   [[gnu::noinline]] void before_poly(const std::string& name) {
     if (std::string_view(name) == last_) return;
     last_ = name;
@@ -31,70 +31,66 @@ inline std::string label_name(int label) {
 }
 
 /// Whether a reader finds the labels again by numbering the names.
-template<class M>
-bool labels_number(const M& m, const std::string* names, const int* labels) {
+inline bool labels_number(std::size_t polys, const flat_values<std::string>& names, const flat_values<int>& labels) {
   name_numbers number;
-  for (const poly_t<M> p : polys(m))
-    if (number(names[index_of(m, p)]) != labels[index_of(m, p)]) return false;
+  for (std::size_t p = 0; p < polys; ++p)
+    if (number(names[p]) != labels[p]) return false;
   return true;
 }
 
-template<class M>
-void write_obj(write_context<M>& c) {
-  if constexpr (dimension_v<M> == 3) {  // the format holds surfaces only
-    c.cannot_hold(".obj", {"volumes"}, ".mesh or .hedra");
-  } else {
-    const M& m = c.mesh;
-    const rgba* const vert_color = values_if_any<rgba>(m, element_kind::vert, "color");
-    const std::string* const object = values_if_any<std::string>(m, element_kind::poly, "object");
-    const std::string* const group = values_if_any<std::string>(m, element_kind::poly, "group");
-    const int* const label = values_if_any<int>(m, element_kind::poly, "label");
-    const bool labels_are_names = label && (group || object) && labels_number(m, group ? group : object, label);
-    const bool labels_are_groups = label && !group && !labels_are_names;
-    c.keep(element_kind::vert, "color", typeid(rgba));
-    for (const char* const name : {"object", "group", "material"}) c.keep(element_kind::poly, name, typeid(std::string));
-    if (labels_are_names || labels_are_groups) c.keep(element_kind::poly, "label", typeid(int));
+inline void write_obj(write_context& c, flat_mesh& m) {
+  const flat_values<rgba> vert_color = m.vert_values<rgba>("color");
+  const flat_values<std::string> object = m.poly_values<std::string>("object");
+  const flat_values<std::string> group = m.poly_values<std::string>("group");
+  const flat_values<int> label = m.poly_values<int>("label");
+  const bool labels_are_names = label && (group || object) && labels_number(m.num_polys, group ? group : object, label);
+  const bool labels_are_groups = label && !group && !labels_are_names;
+  c.keep<rgba>(element_kind::vert, "color");
+  for (const char* const name : {"object", "group", "material"}) c.keep<std::string>(element_kind::poly, name);
+  if (labels_are_names || labels_are_groups) c.keep<int>(element_kind::poly, "label");
 
-    c.out << "# " << num_verts(m) << " verts, " << num_polys(m) << " polys\n";
-    mtl_names material(c, values_if_any<std::string>(m, element_kind::poly, "material"), values_if_any<rgba>(m, element_kind::poly, "color"),
-                       values_if_any<material_table>(m, element_kind::mesh, "materials"));
-    if (material.any()) {
-      for (const poly_t<M> p : polys(m)) material.register_poly(index_of(m, p));
-      for (const poly_t<M> p : polys(m)) material.assign_material(index_of(m, p));
-    }
-    material.end();
-    bool transparent = false;
-    for (const vert_t<M> v : verts(m)) {
-      c.out << "v ";
-      write_point(c.out, c.next_point(v));
-      if (vert_color) {
-        const rgba& x = vert_color[index_of(m, v)];
-        transparent = transparent || x.a != 1;
-        for (const float part : {x.r, x.g, x.b}) {
-          c.out << ' ';
-          write_part(c.out, c.finite(part), false);
-        }
-      }
-      c.out << '\n';
-      c.tell();
-    }
-    obj_names objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
-    std::size_t walked = 0;
-    for (const poly_t<M> p : polys(m)) {
-      const std::size_t i = index_of(m, p);
-      if (object) objects.before_poly(object[i]);
-      if (group) groups.before_poly(group[i]);
-      else if (labels_are_groups) groups.before_poly(label_name(label[i]));
-      if (material.any()) materials.before_poly(material[walked++]);
-      c.out << 'f';
-      for (const vert_t<M> v : adj_p2v(m, p)) c.out << ' ' << c.number_of(v) + 1;
-      c.out << '\n';
-      c.tell();
-    }
-    if (transparent) c.report.lost.push_back("opacity of verts: .obj has no place for it");
-    if (objects.changed || groups.changed || material.changed)
-      c.report.lost.push_back("names of polys that no line of .obj can hold: they were changed");
+  c.out << "# " << m.points.size() << " verts, " << m.num_polys << " polys\n";
+  library_file* library = nullptr;
+  if (!c.path.empty()) {
+    auto made = std::make_unique<library_file>(std::string(c.path), c.options.sync);
+    library = made.get();
+    c.companions = std::move(made);
   }
+  mtl_names material(c, library, m.poly_values<std::string>("material"), m.poly_values<rgba>("color"), m.mesh_value<material_table>("materials"));
+  if (material.any()) {
+    for (std::size_t p = 0; p < m.num_polys; ++p) material.register_poly(p);
+    for (std::size_t p = 0; p < m.num_polys; ++p) material.assign_material(p);
+  }
+  material.end();
+  bool transparent = false;
+  for (std::size_t v = 0; v < m.points.size(); ++v) {
+    c.out << "v ";
+    write_point(c.out, m.points[v]);
+    if (vert_color) {
+      const rgba& x = vert_color[v];
+      transparent = transparent || x.a != 1;
+      for (const float part : {x.r, x.g, x.b}) {
+        c.out << ' ';
+        write_part(c.out, c.finite(part), false);
+      }
+    }
+    c.out << '\n';
+    c.tell();
+  }
+  obj_names objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
+  for (std::size_t p = 0; p < m.num_polys; ++p) {
+    if (object) objects.before_poly(object[p]);
+    if (group) groups.before_poly(group[p]);
+    else if (labels_are_groups) groups.before_poly(label_name(label[p]));
+    if (material.any()) materials.before_poly(material[p]);
+    c.out << 'f';
+    for (const vert_id v : m.poly_verts[p]) c.out << ' ' << v.raw() + 1;
+    c.out << '\n';
+    c.tell();
+  }
+  if (transparent) c.report.lost.push_back("opacity of verts: .obj has no place for it");
+  if (objects.changed || groups.changed || material.changed)
+    c.report.lost.push_back("names of polys that no line of .obj can hold: they were changed");
 }
 
 }  // namespace concino::detail

@@ -1,9 +1,12 @@
 // Writes surfaces as Geomview OFF: text, or binary where that is asked for.
 #pragma once
 
+#include <concino/core/rgba.hpp>
 #include <concino/io/detail/write_common.hpp>
 
+#include <array>
 #include <bit>
+#include <cmath>
 
 namespace concino::detail {
 
@@ -20,7 +23,7 @@ inline bool bytes_of(const rgba& c, int (&bytes)[4]) {
 
 /// Numbers of a file, as text with blanks before them or as 32 bits, big-endian.
 class off_numbers {
-  write_state& c_;
+  write_context& c_;
   bool binary_;
 
   void word(std::uint32_t x) {
@@ -30,7 +33,7 @@ class off_numbers {
  public:
   bool rounded = false;  // a coordinate is no float
 
-  off_numbers(write_state& c, bool binary) : c_(c), binary_(binary) {}
+  off_numbers(write_context& c, bool binary) : c_(c), binary_(binary) {}
 
   [[gnu::noinline]] void integer(std::int64_t i) {
     if (binary_) word(static_cast<std::uint32_t>(i));
@@ -74,58 +77,51 @@ class off_numbers {
   }
 };
 
-template<class M>
-void write_off(write_context<M>& c, bool binary) {
-  if constexpr (dimension_v<M> == 3) {  // the format holds surfaces only
-    c.cannot_hold(".off", {"volumes"}, ".mesh or .hedra");
-  } else {
-    const M& m = c.mesh;
-    const rgba* const vert_color = values_if_any<rgba>(m, element_kind::vert, "color");
-    const vec3* const normal = values_if_any<vec3>(m, element_kind::vert, "normal");
-    const auto* const texture = values_if_any<std::array<double, 2>>(m, element_kind::vert, "texture");
-    const rgba* const color = values_if_any<rgba>(m, element_kind::poly, "color");
-    const int* const label = values_if_any<int>(m, element_kind::poly, "label");
-    c.keep(element_kind::vert, "color", typeid(rgba));
-    c.keep(element_kind::vert, "normal", typeid(vec3));
-    c.keep(element_kind::vert, "texture", typeid(std::array<double, 2>));
-    c.keep(element_kind::poly, "color", typeid(rgba));
-    if (!color) c.keep(element_kind::poly, "label", typeid(int));  // a poly has a colour or the index of one
+inline void write_off(write_context& c, flat_mesh& m) {
+  const bool binary = c.options.binary;
+  const flat_values<rgba> vert_color = m.vert_values<rgba>("color");
+  const flat_values<vec3> normal = m.vert_values<vec3>("normal");
+  const flat_values<auto> texture = m.vert_values<auto>("texture");
+  const flat_values<rgba> color = m.poly_values<rgba>("color");
+  const flat_values<int> label = m.poly_values<int>("label");
+  c.keep<rgba>(element_kind::vert, "color");
+  c.keep<vec3>(element_kind::vert, "normal");
+  c.keep<std::array<double, 2>>(element_kind::vert, "texture");
+  c.keep<rgba>(element_kind::poly, "color");
+  if (!color) c.keep<int>(element_kind::poly, "label");  // a poly has a colour or the index of one
 
-    off_numbers numbers(c, binary);
-    c.out << (texture ? "ST" : "") << (vert_color ? "C" : "") << (normal ? "N" : "") << "OFF";
-    if (binary) {
-      if (num_verts(m) > 0x7FFFFFFFu || num_polys(m) > 0x7FFFFFFFu) c.cannot_hold("binary .off", {"so many elements"}, ".obj");
-      c.out << " BINARY\n";
-      for (const std::size_t n : {num_verts(m), num_polys(m), std::size_t{0}})
-        numbers.integer(static_cast<std::int64_t>(n));
-    } else {
-      c.out << '\n' << num_verts(m) << ' ' << num_polys(m) << " 0\n";
-    }
-    for (const vert_t<M> v : verts(m)) {
-      numbers.point(c.next_point(v));
-      const std::size_t i = index_of(m, v);
-      if (normal)
-        for (const double x : {normal[i].x, normal[i].y, normal[i].z}) numbers.real(x);
-      if (vert_color) numbers.color(vert_color[i]);
-      if (texture)
-        for (const double x : texture[i]) numbers.real(x);
-      if (!binary) c.out << '\n';
-      c.tell();
-    }
-    for (const poly_t<M> p : polys(m)) {
-      std::int64_t n = 0;
-      for ([[maybe_unused]] const vert_t<M>& v : adj_p2v(m, p)) ++n;
-      if (binary) numbers.integer(n);
-      else c.out << n;
-      for (const vert_t<M> v : adj_p2v(m, p)) numbers.integer(c.number_of(v));
-      if (color) numbers.poly_color(color[index_of(m, p)]);
-      else if (label) numbers.poly_label(label[index_of(m, p)]);
-      else if (binary) numbers.integer(0);
-      if (!binary) c.out << '\n';
-      c.tell();
-    }
-    if (numbers.rounded) c.report.lost.push_back("binary .off holds floats: coordinates and other numbers were rounded to 32 bits");
+  off_numbers numbers(c, binary);
+  c.out << (texture ? "ST" : "") << (vert_color ? "C" : "") << (normal ? "N" : "") << "OFF";
+  const std::size_t vert_count = m.points.size();
+  if (binary) {
+    if (vert_count > 0x7FFFFFFFu || m.num_polys > 0x7FFFFFFFu) c.cannot_hold("binary .off", {"so many elements"}, ".obj");
+    c.out << " BINARY\n";
+    for (const std::size_t n : {vert_count, m.num_polys, std::size_t{0}}) numbers.integer(static_cast<std::int64_t>(n));
+  } else {
+    c.out << '\n' << vert_count << ' ' << m.num_polys << " 0\n";
   }
+  for (std::size_t v = 0; v < vert_count; ++v) {
+    numbers.point(m.points[v]);
+    if (normal)
+      for (const double x : {normal[v].x, normal[v].y, normal[v].z}) numbers.real(x);
+    if (vert_color) numbers.color(vert_color[v]);
+    if (texture)
+      for (const double x : texture[v]) numbers.real(x);
+    if (!binary) c.out << '\n';
+    c.tell();
+  }
+  for (std::size_t p = 0; p < m.num_polys; ++p) {
+    const std::span<const vert_id> corners = m.poly_verts[p];
+    if (binary) numbers.integer(static_cast<std::int64_t>(corners.size()));
+    else c.out << corners.size();
+    for (const vert_id v : corners) numbers.integer(v.raw());
+    if (color) numbers.poly_color(color[p]);
+    else if (label) numbers.poly_label(label[p]);
+    else if (binary) numbers.integer(0);
+    if (!binary) c.out << '\n';
+    c.tell();
+  }
+  if (numbers.rounded) c.report.lost.push_back("binary .off holds floats: coordinates and other numbers were rounded to 32 bits");
 }
 
 }  // namespace concino::detail

@@ -1,0 +1,160 @@
+// Any mesh as flat arrays, without a copy of what lies so in the mesh.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/core/message.hpp>
+#include <concino/io/flat_mesh.hpp>
+#include <concino/mesh/property.hpp>
+
+#include <type_traits>
+#include <vector>
+
+namespace concino::detail {
+
+/// Lists that are collected one by one: shown where they lie as long as each begins where the one before it ends, else copied.
+template<class T>
+class list_collector {
+  const T* first_ = nullptr;
+  std::vector<T> copies_;
+  std::vector<std::size_t> offsets_;  // once lists differ in length
+  std::size_t lists_ = 0, values_ = 0, arity_ = 0;
+  bool is_copy_;
+
+  void end(std::size_t length) {
+    if (lists_ == 0) arity_ = length;
+    if (offsets_.empty() && (length != arity_ || arity_ == 0))
+      for (std::size_t i = 0; i <= lists_; ++i) offsets_.push_back(i * arity_);
+    values_ += length;
+    ++lists_;
+    if (!offsets_.empty()) offsets_.push_back(values_);
+  }
+
+ public:
+  explicit list_collector(bool copy) : is_copy_(copy) {}
+
+  [[gnu::noinline]] void show(const T* first, const T* last) {
+    if (!is_copy_ && values_ == 0) first_ = first;
+    if (!is_copy_ && first != last && first != first_ + values_) {
+      copies_.assign(first_, first_ + values_);
+      is_copy_ = true;
+    }
+    if (is_copy_) copies_.insert(copies_.end(), first, last);
+    end(static_cast<std::size_t>(last - first));
+  }
+  void push(T x) { copies_.push_back(x); }
+  /// Ends a list that was pushed.
+  [[gnu::noinline]] void end_list() { end(copies_.size() - values_); }
+
+  flat_lists<T> lists() const {
+    return {std::span<const T>(is_copy_ ? copies_.data() : first_, values_), std::span<const std::size_t>(offsets_), offsets_.empty() ? arity_ : 0};
+  }
+};
+
+/// Elements as they are walked: their indices, where these are not 0, 1, 2 ...; of each index the number.
+struct element_numbers {
+  std::vector<std::uint32_t> indices, numbers;
+  std::size_t size = 0;
+  bool lists_hold_numbers = true;  // the ids of elements are their numbers, so that lists of them may stay where they are
+
+  template<class X>
+  void add(const X& x, std::size_t index, std::size_t bound) {
+    if constexpr (requires { x.raw(); }) lists_hold_numbers = lists_hold_numbers && x.raw() == size;
+    if (index != size && numbers.empty()) [[unlikely]] renumber(bound);
+    if (!numbers.empty()) {
+      numbers[index] = static_cast<std::uint32_t>(size);
+      indices.push_back(static_cast<std::uint32_t>(index));
+    }
+    ++size;
+  }
+  std::uint32_t number_of(std::size_t index) const { return numbers.empty() ? static_cast<std::uint32_t>(index) : numbers[index]; }
+
+ private:
+  [[gnu::noinline, gnu::cold]] void renumber(std::size_t bound) {
+    lists_hold_numbers = false;
+    numbers.resize(bound);
+    for (std::size_t i = 0; i < size; ++i) {
+      numbers[i] = static_cast<std::uint32_t>(i);
+      indices.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+};
+
+template<class M>
+class flat_mesh_of final : public flat_mesh {
+  const M& mesh_;
+  element_numbers verts_, faces_;
+  std::vector<vec3> own_points_;
+  std::vector<std::uint32_t> poly_indices_;
+  list_collector<vert_id> poly_verts_, face_verts_;
+  list_collector<face_id> poly_faces_;
+  std::vector<std::uint8_t> outward_;
+
+  /// A list of verts or faces as numbers.
+  template<class Id, class X, class R>
+  static void add_list(list_collector<Id>& lists, const element_numbers& of, const M& m, const R& range) {
+    if constexpr (std::is_same_v<R, id_span<Id>>) {
+      if (of.lists_hold_numbers) return lists.show(range.begin(), range.end());
+    }
+    for (const X x : range) lists.push(Id{of.number_of(index_of(m, x))});
+    lists.end_list();
+  }
+
+  void collect_points() {
+    constexpr bool lie_in_the_mesh = std::is_same_v<decltype(point(mesh_, *verts(mesh_).begin())), const vec3&>;
+    if constexpr (lie_in_the_mesh) {
+      const vec3* first = nullptr;
+      std::size_t n = 0;
+      for (const vert_t<M> v : verts(mesh_)) {
+        const vec3& p = point(mesh_, v);
+        if (n == 0) first = &p;
+        else if (&p != first + n) break;
+        ++n;
+      }
+      points = {first, n};
+      if (n == verts_.size) return;
+    }
+    own_points_.reserve(verts_.size);
+    for (const vert_t<M> v : verts(mesh_)) own_points_.push_back(to_vec3(point(mesh_, v)));
+    points = own_points_;
+  }
+
+  void make_polyhedra() override {
+    if constexpr (dimension_v<M> == 3) {
+      for (const face_t<M> f : faces(mesh_)) faces_.add(f, index_of(mesh_, f), face_index_bound(mesh_));
+      face_verts_ = list_collector<vert_id>(!shows<vert_id, decltype(adj_f2v(mesh_, *faces(mesh_).begin()))>(verts_));
+      poly_faces_ = list_collector<face_id>(!shows<face_id, decltype(adj_p2f(mesh_, *polys(mesh_).begin()))>(faces_));
+      for (const face_t<M> f : faces(mesh_)) add_list<vert_id, vert_t<M>>(face_verts_, verts_, mesh_, adj_f2v(mesh_, f));
+      for (const poly_t<M> p : polys(mesh_)) {
+        add_list<face_id, face_t<M>>(poly_faces_, faces_, mesh_, adj_p2f(mesh_, p));
+        for (const face_t<M> f : adj_p2f(mesh_, p)) outward_.push_back(face_is_outward(mesh_, p, f) ? 1 : 0);
+      }
+      polyhedra_ = {face_verts_.lists(), poly_faces_.lists(), outward_};
+    }
+  }
+
+  template<class Id, class R>
+  static bool shows(const element_numbers& of) { return std::is_same_v<std::remove_cvref_t<R>, id_span<Id>> && of.lists_hold_numbers; }
+
+ public:
+  /// The mesh has to stay as it is meanwhile.
+  explicit flat_mesh_of(const M& m) : mesh_(m), poly_verts_(true), face_verts_(true), poly_faces_(true) {
+    dimension = dimension_v<M>;
+    arity = static_cast<std::uint32_t>(arity_v<M>);
+    if constexpr (HasProperties<M>) properties = &traits<M>::properties(m);
+    for (const vert_t<M> v : verts(m)) verts_.add(v, index_of(m, v), vert_index_bound(m));
+    vert_indices = verts_.indices;
+    collect_points();
+    element_numbers numbered;
+    poly_verts_ = list_collector<vert_id>(!shows<vert_id, decltype(adj_p2v(m, *polys(m).begin()))>(verts_));
+    for (const poly_t<M> p : polys(m)) {
+      numbered.add(p, index_of(m, p), poly_index_bound(m));
+      if constexpr (dimension_v<M> == 2 || arity_v<M> == 4 || arity_v<M> == 8) add_list<vert_id, vert_t<M>>(poly_verts_, verts_, m, adj_p2v(m, p));
+    }
+    num_polys = numbered.size;
+    poly_indices_ = std::move(numbered.indices);
+    poly_indices = poly_indices_;
+    poly_verts = poly_verts_.lists();
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,106 @@
+// What all that load meshes share, whatever the formats.
+#pragma once
+
+#include <concino/concepts/mesh_traits.hpp>
+#include <concino/io/detail/choose_format.hpp>
+#include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/properties.hpp>
+#include <concino/io/file_text.hpp>
+#include <concino/mesh/face_soup.hpp>
+
+#include <concepts>
+
+namespace concino {
+
+namespace detail {
+
+/// Polys that are all of one size are so for the mesh too, however the reader has listed them.
+inline void drop_equal_offsets(surface_arrays& a) {
+  if (a.arity != 0 || a.offsets.size() < 2 || a.offsets.front() != 0 || a.offsets.back() != a.verts.size()) return;
+  const std::uint32_t size = a.offsets[1];
+  for (std::size_t p = 0; p + 1 < a.offsets.size(); ++p)
+    if (a.offsets[p + 1] < a.offsets[p] || a.offsets[p + 1] - a.offsets[p] != size) return;
+  if (size == 0) return;
+  a.arity = size;
+  a.offsets.clear();
+}
+
+/// Readers of what is not wanted are not compiled.
+template<Format F, bool Surfaces, bool Volumes>
+void read_as(const read_context& context, contents_of<Volumes>& out) {
+  *context.report = {};
+  if constexpr (!(Surfaces && F::holds_surfaces) && !(Volumes && F::holds_volumes)) {
+    throw_wrong_dimension(context.name, F::holds_volumes);
+  } else if constexpr (requires { F::read(context, out); }) {
+    F::read(context, out);
+  } else {
+    volume_contents all;
+    F::read(context, all);
+    if (all.held != held_mesh::surface)
+      throw_wrong_dimension(context.name, true, all.held == held_mesh::cells ? all.cells.num_polys() : all.polyhedra.num_polys());
+    static_cast<file_contents&>(out) = std::move(all);
+  }
+  drop_equal_offsets(out.surface);
+  tell(*context.progress, 1.0, "reading");
+}
+
+/// Of what M can be.
+template<class M>
+M mesh_of(file_contents& contents, std::string_view, load_report* report) {
+  M m(std::move(contents.surface));
+  give_properties(m, contents, report);
+  return m;
+}
+template<class M>
+M mesh_of(volume_contents& contents, std::string_view name, load_report* report) {
+  const auto with_properties = [&](M m) {
+    give_properties(m, contents, report);
+    return m;
+  };
+  if (contents.held == held_mesh::surface) {
+    if constexpr (from_surface<M>) return with_properties(M(std::move(contents.surface)));
+    else throw_wrong_dimension(name, false, contents.surface.num_polys());
+  } else if (contents.held == held_mesh::cells) {
+    if constexpr (from_cells<M>) return with_properties(M(std::move(contents.cells)));
+    else if constexpr (from_polyhedra<M>) return with_properties(M(to_polyhedra(std::move(contents.cells))));
+    else throw_wrong_dimension(name, true, contents.cells.num_polys());
+  } else {
+    if constexpr (from_polyhedra<M>) return with_properties(M(std::move(contents.polyhedra)));
+    else throw_wrong_dimension(name, true, contents.polyhedra.num_polys());
+  }
+}
+
+/// From a file if there is one, which is let go as soon as it is read; else from the text.
+template<class M, class... F>
+M load_from(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const load_options& options, file_text* file = nullptr) {
+  constexpr bool surface = from_surface<M>, volume = from_cells<M> || from_polyhedra<M>;
+  load_report unheard;
+  const wanted_mesh wanted{surface, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
+  contents_of<volume> contents;
+  const read_context context{text, name, wanted, options.report ? options.report : &unheard, &options.progress, file != nullptr};
+  with_format(known, chosen, [&]<Format G>(G) { read_as<G, surface, volume>(context, contents); });
+  if (file) file->close(std::string(name));
+  return mesh_of<M>(contents, name, options.report);
+}
+
+/// The format of an open file, of those in the mask.
+template<class... F>
+std::size_t format_of(const file_text& file, format_list<F...> known, std::uint64_t candidates) {
+  const std::string_view text = file.text();
+  return choose_format(candidates, rows_of(known), &text);
+}
+
+template<class M, Formats F>
+M load_with(const std::string& path, F formats, const load_options& options) {
+  const auto known = list_of(formats);
+  const std::uint64_t candidates = candidates_for(path, formats, options.format);
+  file_text file(path, {.map = options.map, .pipes = true});
+  return load_from<M>(file.text(), path, known, format_of(file, known, candidates), options, &file);
+}
+
+}  // namespace detail
+
+/// What load() can make: anything constructible from surface_arrays, cell_arrays or polyhedra_arrays, which are themselves of the kind.
+template<class M> concept Loadable = detail::from_surface<M> || detail::from_cells<M> || detail::from_polyhedra<M>;
+
+}  // namespace concino

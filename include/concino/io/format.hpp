@@ -1,0 +1,121 @@
+// A file format: a type that names it, says what it can hold, reads it and writes it. <concino/io/off.hpp> and its siblings are such types; a
+// format of your own is another, in the same terms:
+//
+//   struct triangle_soup {
+//     static constexpr std::string_view name = "soup";               // in messages; different for each format
+//     static constexpr std::string_view extensions[] = {".soup"};    // in lower case; the first is the usual one
+//     static constexpr bool holds_surfaces = true, holds_volumes = false;
+//     static void read(const read_context& in, file_contents& out);  // fills out.surface; volume_contents& where it holds volumes
+//     static void write(write_context& out, flat_mesh& m);           // writes to out.out
+//   };
+//
+// and is handed to a call:  load<trimesh>(path, triangle_soup{}),  save(m, path, standard_formats + triangle_soup{}).
+// Where it has them, a format also says
+//     static bool has_signature(std::string_view text);  whether a file begins as files of this format do: tells formats of one extension apart
+//     static constexpr bool has_binary = true;           that it has a binary form, for save_options::binary
+//     read as a template over the contents               so that programs that read surfaces only, into file_contents, need not compile volumes
+//
+// Laws: read() fills the arrays in the order of the file, reports what it skips, and throws parse_error, by text_cursor::fail, where the file
+// breaks the format; it checks indices, or leaves that to the mesh, which throws invalid_mesh. What write() writes, read() reads as the same mesh.
+#pragma once
+
+#include <concino/concepts/mesh_traits.hpp>
+#include <concino/io/file_contents.hpp>
+#include <concino/io/flat_mesh.hpp>
+#include <concino/io/format_id.hpp>
+#include <concino/io/write_context.hpp>
+
+#include <array>
+#include <concepts>
+#include <iterator>
+#include <string_view>
+#include <type_traits>
+
+namespace concino {
+
+namespace requirement {
+
+template<class F> concept has_format_name = requires { { F::name } -> std::convertible_to<std::string_view>; };
+template<class F> concept has_extensions = requires { { *std::begin(F::extensions) } -> std::convertible_to<std::string_view>; requires std::size(F::extensions) > 0; };
+template<class F> concept says_what_it_holds = requires { { F::holds_surfaces } -> std::convertible_to<bool>; { F::holds_volumes } -> std::convertible_to<bool>; requires F::holds_surfaces || F::holds_volumes; };
+template<class F> concept has_reader = requires(const read_context& in, volume_contents& out) { F::read(in, out); };
+template<class F> concept has_writer = requires(write_context& out, flat_mesh& m) { F::write(out, m); };
+
+}  // namespace requirement
+
+template<class F>
+concept Format = requirement::has_format_name<F> && requirement::has_extensions<F> && requirement::says_what_it_holds<F> && requirement::has_reader<F> &&
+                 requirement::has_writer<F>;
+
+namespace detail {
+
+/// False, but only once the type is known.
+template<class F> inline constexpr bool no_format = false;
+
+}  // namespace detail
+
+/// Fails to compile with one sentence that names the first thing F lacks to be a Format and what to write.
+template<class F>
+consteval void explain_format() {
+  // One line per message, so that compilers show it in one.
+  // clang-format off
+  if constexpr (!requirement::has_format_name<F>)
+    static_assert(detail::no_format<F>, "concino: Format needs name: static constexpr std::string_view name = \"soup\"; what messages call the format");
+  else if constexpr (!requirement::has_extensions<F>)
+    static_assert(detail::no_format<F>, "concino: Format needs extensions: static constexpr std::string_view extensions[] = {\".soup\"}; in lower case, the usual one first");
+  else if constexpr (!requirement::says_what_it_holds<F>)
+    static_assert(detail::no_format<F>, "concino: Format needs holds_surfaces and holds_volumes: static constexpr bool holds_surfaces = true, holds_volumes = false; not both false");
+  else if constexpr (!requirement::has_reader<F>)
+    static_assert(detail::no_format<F>, "concino: Format needs read: static void read(const concino::read_context&, concino::file_contents&), or volume_contents&; fills flat arrays from the text of a file");
+  else if constexpr (!requirement::has_writer<F>)
+    static_assert(detail::no_format<F>, "concino: Format needs write: static void write(concino::write_context&, concino::flat_mesh&); writes flat arrays to context.out");
+  else static_assert(Format<F>);
+  // clang-format on
+}
+
+/// Formats that a call knows, listed when it is compiled. Where several have the extension of a path, those with the signature of the file come
+/// first, then later ones.
+template<Format... F>
+struct format_list {
+  static_assert(sizeof...(F) <= 64);
+
+  constexpr format_list() = default;
+  constexpr explicit format_list(F...)
+    requires(sizeof...(F) > 0)
+  {}
+
+  /// One for each.
+  static constexpr std::array<format_id, sizeof...(F)> ids() { return {format_id(F{})...}; }
+
+  template<Format G>
+  friend constexpr format_list<F..., G> operator+(format_list, G) { return {}; }
+};
+
+namespace detail {
+
+template<class T> inline constexpr bool is_format_list = false;
+template<class... F> inline constexpr bool is_format_list<format_list<F...>> = true;
+
+/// A list of one.
+template<Format F>
+constexpr format_list<F> list_of(F) { return {}; }
+template<class... F>
+constexpr format_list<F...> list_of(format_list<F...> all) { return all; }
+
+}  // namespace detail
+
+namespace mistake {
+
+/// A class that is given where a format is wanted, and is no options either.
+template<class F>
+concept is_no_format = std::is_class_v<F> && !Format<F> && !detail::is_format_list<F> && !std::convertible_to<F, load_options> &&
+                       !std::convertible_to<F, save_options> && !std::convertible_to<F, format_id>;
+inline constexpr sentence complete_the_format("this is no Format: explain_format<F>() names what it lacks, and <concino/io/format.hpp> says what a format is");
+
+}  // namespace mistake
+
+/// What load and save take beside the path: a format, which the file then is in whatever its extension, or a list of them.
+template<class F>
+concept Formats = Format<F> || detail::is_format_list<F>;
+
+}  // namespace concino
