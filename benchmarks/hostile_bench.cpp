@@ -21,11 +21,12 @@
 
 namespace {
 
-using concino::file_format;
+namespace file_format = concino::file_format;
+using concino::format_id;
 
 struct input {
   std::string name;
-  file_format format;
+  format_id format;
   std::string text;
   std::size_t bytes = 0;  // of all files, if there are more than the text
 };
@@ -51,7 +52,7 @@ std::string medit(std::size_t verts, const std::string& cells, std::size_t n) {
 std::vector<input> inputs(const bench::program& p) {
   const auto size = [&](std::size_t n) { return p.data.tiny ? std::max<std::size_t>(n / 100, 8) : n; };
   std::vector<input> all;
-  const auto add = [&](const char* name, file_format f, std::string text, std::size_t more = 0) {
+  const auto add = [&](const char* name, format_id f, std::string text, std::size_t more = 0) {
     const std::size_t bytes = text.size() + more;
     all.push_back({name, f, std::move(text), bytes});
   };
@@ -265,7 +266,7 @@ int main(int argc, char** argv) {
         if (!entry.is_regular_file() || entry.file_size() > (p.data.tiny ? 20'000u : 1'000'000u)) continue;
         input in{"corpus." + entry.path().filename().string(), file_format::by_extension, {}};
         try {
-          in.format = concino::detail::format_of(entry.path().string(), in.format);
+          in.format = concino::standard_formats.ids()[concino::detail::chosen_for(entry.path().string(), concino::standard_formats, {})];
         } catch (const concino::unsupported&) {
           ++refused;
           continue;

@@ -19,7 +19,7 @@ std::size_t fuzz_rounds() {
 }
 
 struct seed {
-  file_format format;
+  format_id format;
   std::string text;
 };
 
@@ -74,7 +74,7 @@ bool holds_together(const polyhedra_arrays& a) {
 
 /// Reads a text that ends where its memory ends, as M and finds it whole, refused with a line of the text, or of the wrong kind.
 template<class M>
-bool survives(const std::string& text, file_format format) {
+bool survives(const std::string& text, format_id format) {
   const std::unique_ptr<char[]> exact(new char[text.size()]);
   std::copy(text.begin(), text.end(), exact.get());
   try {
@@ -90,7 +90,7 @@ bool survives(const std::string& text, file_format format) {
   }
 }
 
-bool survives_all(const std::string& text, file_format format) {
+bool survives_all(const std::string& text, format_id format) {
   return survives<surface_arrays>(text, format) && survives<cell_arrays>(text, format) && survives<polyhedra_arrays>(text, format);
 }
 
@@ -139,9 +139,9 @@ TEST_CASE("fuzz: bytes changed, cut out, repeated") {
 
 TEST_CASE("fuzz: a text of one format read as another, and no text at all") {
   for (const seed& s : seeds)
-    for (const file_format f : {file_format::obj, file_format::off, file_format::medit, file_format::hedra}) CHECK(survives_all(s.text, f));
+    for (const format_id f : standard_formats.ids()) CHECK(survives_all(s.text, f));
   std::mt19937 random(4);
-  for (const file_format f : {file_format::obj, file_format::off, file_format::medit, file_format::hedra})
+  for (const format_id f : standard_formats.ids())
     for (int i = 0; i < 200; ++i) {
       std::string noise(static_cast<std::size_t>(i), ' ');
       for (char& c : noise) c = static_cast<char>(random());

@@ -19,7 +19,7 @@ const std::string mixed =
     "Hexahedra 1\n1 2 3 4 5 6 7 8 0\nPyramids 1\n5 6 7 8 9 0\nEnd";
 
 template<class M>
-M from(const std::string& text, file_format f) {
+M from(const std::string& text, format_id f) {
   return load_text<M>(text, f);
 }
 

@@ -160,9 +160,11 @@ TEST_CASE("replacing_file: no path holds a character of value 0") {
   CHECK_THROWS_WITH_AS(save(triangle, with_zero(".obj")), message.c_str(), io_error);
   CHECK_THROWS_WITH_AS(load<trimesh>(with_zero(".obj")), message.c_str(), io_error);
   CHECK_THROWS_WITH_AS(load_any(with_zero(".obj")), message.c_str(), io_error);
-  for (const auto& [format, extension] : concino::detail::known_formats) {
-    CHECK_THROWS_AS(save(triangle, with_zero(std::string(extension))), io_error);
-    CHECK_THROWS_AS(load<trimesh>(with_zero(std::string(extension))), io_error);
+  for (const std::string extension : {".obj", ".off", ".mesh", ".hedra"}) {
+    CHECK_THROWS_AS(save(triangle, with_zero(extension)), io_error);
+    CHECK_THROWS_AS(load<trimesh>(with_zero(extension)), io_error);
+  }
+  for (const format_id format : standard_formats.ids()) {
     CHECK_THROWS_AS(save(triangle, with_zero(""), {.format = format}), io_error);
     CHECK_THROWS_AS(load<trimesh>(with_zero(""), {.format = format}), io_error);
   }

@@ -60,7 +60,7 @@ M ugly(unsigned n) {
 }
 
 template<class M>
-std::string as_text(const M& m, file_format f) {
+std::string as_text(const M& m, format_id f) {
   return save_text(m, f);
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("save: coordinates that are not finite are refused") {
   for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     auto points = tiny::surface_example();
     points.points[3][1] = x;
-    for (const file_format f : {file_format::obj, file_format::off, file_format::medit})
+    for (const format_id f : std::initializer_list<format_id>{file_format::obj, file_format::off, file_format::medit})
       CHECK_THROWS_WITH_AS(save_text(points, f), "text: vert 3 has a coordinate that is not a finite number; no file can hold it",
                            invalid_mesh);
   }
@@ -209,7 +209,7 @@ TEST_CASE("save: meshes of strangers") {
 TEST_CASE("save: deleted elements leave no gaps in the file") {
   static_assert(SurfaceMesh<with_holes> && Embedded<with_holes>);
   with_holes h{trimesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {1, 2, 3}})};
-  for (const file_format f : {file_format::obj, file_format::off, file_format::medit}) {
+  for (const format_id f : std::initializer_list<format_id>{file_format::obj, file_format::off, file_format::medit}) {
     const auto m = load_text<trimesh>(save_text(h, f), f);
     CHECK(num_verts(m) == 3);
     CHECK(said(m) == std::vector<std::vector<unsigned>>{{0, 1, 2}});

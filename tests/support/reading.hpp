@@ -32,7 +32,7 @@ std::string listed(const M& m) {
 
 /// load_text. What follows the text in memory must not be read: with that or with something else there, all is the same.
 template<class M>
-M load_alone(const std::string& text, file_format format, const load_options& options = {}, const std::string& name = "t") {
+M load_alone(const std::string& text, format_id format, const load_options& options = {}, const std::string& name = "t") {
   const auto outcome = [&](std::string_view part) {
     try {
       return listed(load_text<M>(part, format, options, name));
@@ -51,7 +51,7 @@ inline surface_arrays obj(const std::string& text, const load_options& options =
 
 /// What reading M from the text complains of: "line: expected | found". Empty if it does not.
 template<class M>
-std::string complaint(const std::string& text, file_format format) {
+std::string complaint(const std::string& text, format_id format) {
   try {
     load_alone<M>(text, format);
   } catch (const parse_error& e) {
@@ -64,7 +64,7 @@ std::string complaint(const std::string& text, file_format format) {
 
 /// The line that it complains of; 0 if it does not.
 template<class M>
-std::size_t bad_line(const std::string& text, file_format format) {
+std::size_t bad_line(const std::string& text, format_id format) {
   const std::string said = complaint<M>(text, format);
   return said.empty() ? 0 : std::stoul(said);
 }

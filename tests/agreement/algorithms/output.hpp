@@ -21,7 +21,7 @@ struct saving {
   static bool check(const B& both, const In&) {
     using N = typename B::native_mesh;
     bool any = false;
-    for (const file_format format : {file_format::obj, file_format::off, file_format::medit, file_format::hedra}) {
+    for (const format_id format : standard_formats.ids()) {
       std::string here, there;
       const auto can = [&](const auto& m, std::string& text) {
         try {

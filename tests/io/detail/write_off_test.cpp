@@ -123,7 +123,7 @@ TEST_CASE("write_off: binary holds what floats can") {
   const auto again = load_text<trimesh>(save_text(m, file_format::off, {.binary = true}), file_format::off);
   CHECK(find_poly_property<int>(again, "label")[poly_id{1}] == -3);
   CHECK(same(m, again));
-  for (const file_format f : {file_format::obj, file_format::medit}) CHECK_THROWS_AS(save_text(m, f, {.binary = true}), unsupported);
+  for (const format_id f : std::initializer_list<format_id>{file_format::obj, file_format::medit}) CHECK_THROWS_AS(save_text(m, f, {.binary = true}), unsupported);
 }
 
 TEST_CASE("write_off: what it cannot hold") {

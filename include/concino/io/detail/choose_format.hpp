@@ -5,6 +5,7 @@
 #include <concino/io/detail/paths.hpp>
 #include <concino/io/format.hpp>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -43,10 +44,10 @@ struct format_rows {
 };
 template<class... F>
 struct all_format_rows {
-  static constexpr format_row rows[] = {format_facts<F>::row()...};
+  static constexpr std::array<format_row, sizeof...(F)> rows = {format_facts<F>::row()...};
 };
 template<class... F>
-constexpr format_rows rows_of(format_list<F...>) { return {all_format_rows<F...>::rows, sizeof...(F)}; }
+constexpr format_rows rows_of(format_list<F...>) { return {all_format_rows<F...>::rows.data(), sizeof...(F)}; }
 
 /// Upper and lower case mean the same; `extension` is in lower case.
 inline bool has_extension(std::string_view path, std::string_view extension) {
@@ -109,8 +110,8 @@ std::size_t chosen_for(std::string_view path, F formats, format_id asked) {
 
 /// Calls f(format) for the chosen one.
 template<class... F, class Function>
-void with_format(format_list<F...>, std::size_t chosen, const Function& f) {
-  std::size_t i = 0;
+void with_format(format_list<F...>, [[maybe_unused]] std::size_t chosen, [[maybe_unused]] const Function& f) {
+  [[maybe_unused]] std::size_t i = 0;
   ((i++ == chosen ? f(F{}) : void()), ...);
 }
 

@@ -25,21 +25,16 @@ inline void drop_equal_offsets(surface_arrays& a) {
   a.offsets.clear();
 }
 
+/// Whether it can be read without the arrays of volumes: always where surfaces are not asked of it.
+template<class F>
+inline constexpr bool reads_surfaces_alone = !F::holds_surfaces || requires(const read_context& in, file_contents& out) { F::read(in, out); };
+
 /// Readers of what is not wanted are not compiled.
-template<Format F, bool Surfaces, bool Volumes>
-void read_as(const read_context& context, contents_of<Volumes>& out) {
+template<Format F, bool Surfaces, bool Volumes, class Contents>
+void read_as(const read_context& context, Contents& out) {
   *context.report = {};
-  if constexpr (!(Surfaces && F::holds_surfaces) && !(Volumes && F::holds_volumes)) {
-    throw_wrong_dimension(context.name, F::holds_volumes);
-  } else if constexpr (requires { F::read(context, out); }) {
-    F::read(context, out);
-  } else {
-    volume_contents all;
-    F::read(context, all);
-    if (all.held != held_mesh::surface)
-      throw_wrong_dimension(context.name, true, all.held == held_mesh::cells ? all.cells.num_polys() : all.polyhedra.num_polys());
-    static_cast<file_contents&>(out) = std::move(all);
-  }
+  if constexpr ((Surfaces && F::holds_surfaces) || (Volumes && F::holds_volumes)) F::read(context, out);
+  else throw_wrong_dimension(context.name, F::holds_volumes);
   drop_equal_offsets(out.surface);
   tell(*context.progress, 1.0, "reading");
 }
@@ -76,7 +71,7 @@ M load_from(std::string_view text, std::string_view name, format_list<F...> know
   constexpr bool surface = from_surface<M>, volume = from_cells<M> || from_polyhedra<M>;
   load_report unheard;
   const wanted_mesh wanted{surface, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
-  contents_of<volume> contents;
+  contents_of<volume || !(reads_surfaces_alone<F> && ...)> contents;
   const read_context context{text, name, wanted, options.report ? options.report : &unheard, &options.progress, file != nullptr};
   with_format(known, chosen, [&]<Format G>(G) { read_as<G, surface, volume>(context, contents); });
   if (file) file->close(std::string(name));

@@ -81,7 +81,7 @@ inline void write_off(write_context& c, flat_mesh& m) {
   const bool binary = c.options.binary;
   const flat_values<rgba> vert_color = m.vert_values<rgba>("color");
   const flat_values<vec3> normal = m.vert_values<vec3>("normal");
-  const flat_values<auto> texture = m.vert_values<auto>("texture");
+  const flat_values<std::array<double, 2>> texture = m.vert_values<std::array<double, 2>>("texture");
   const flat_values<rgba> color = m.poly_values<rgba>("color");
   const flat_values<int> label = m.poly_values<int>("label");
   c.keep<rgba>(element_kind::vert, "color");

@@ -1,0 +1,173 @@
+#include <concino/io/format.hpp>
+
+#include <concino/io.hpp>
+#include <concino/mesh.hpp>
+
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// Triangles as nine numbers each.
+struct soup_format {
+  static constexpr std::string_view name = "soup";
+  static constexpr std::string_view extensions[] = {".soup", ".tris"};
+  static constexpr bool holds_surfaces = true, holds_volumes = false;
+  static void read(const read_context& in, file_contents& out) {
+    out.surface.arity = 3;
+    token_cursor words = in.words('#');
+    for (words.skip(); !words.at_end(); words.skip()) {
+      out.surface.verts.push_back(vert_id{out.surface.points.size()});
+      const double x = words.next_real("x"), y = words.next_real("y");
+      out.surface.points.push_back({x, y, words.next_real("z")});
+    }
+  }
+  static void write(write_context& out, flat_mesh& m) {
+    for (std::size_t p = 0; p < m.num_polys; ++p, out.tell())
+      for (const vert_id v : m.poly_verts[p]) out.out << m.points[v.raw()].x << ' ' << m.points[v.raw()].y << ' ' << m.points[v.raw()].z << '\n';
+  }
+};
+
+/// Of any dimension, told by its first word; its reader knows no other contents than those of volumes. Lists sizes although all are equal.
+struct both_format {
+  static constexpr const char* name = "both";
+  static constexpr std::array<const char*, 1> extensions = {".soup"};
+  static constexpr bool holds_surfaces = true, holds_volumes = true, has_binary = true;
+  static bool has_signature(std::string_view text) { return text.starts_with("both"); }
+  static void read(const read_context& in, volume_contents& out) {
+    token_cursor words = in.words();
+    words.word();
+    const auto dimension = words.next_integer("2 or 3");
+    const std::vector<vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (dimension == 3) {
+      out.held = held_mesh::cells;
+      out.cells = {points, {vert_id{0}, vert_id{1}, vert_id{2}, vert_id{3}}, 4};
+    } else {
+      out.surface = {points, {0, 3, 6}, {vert_id{0}, vert_id{1}, vert_id{2}, vert_id{1}, vert_id{3}, vert_id{2}}, 0};
+    }
+    in.report->notes.push_back("both");
+  }
+  static void write(write_context& out, flat_mesh& m) {
+    out.out << "both " << m.dimension << (out.options.binary ? " binary" : "") << '\n';
+    if (m.dimension == 3) out.cannot_hold(".soup", {"volumes yet"}, ".mesh");
+  }
+};
+
+constexpr auto known = standard_formats + soup_format{};
+const std::string one = "0 0 0  1 0 0  0 1 0 # one\n";
+const trimesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+const tetmesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
+
+struct nameless {};
+static_assert(Format<obj_format> && Format<off_format> && Format<medit_format> && Format<hedra_format> && Format<soup_format> && Format<both_format>);
+static_assert(!Format<nameless> && !Format<int> && !Format<load_options> && !Format<format_id>);
+static_assert(Formats<soup_format> && Formats<std::remove_const_t<decltype(known)>> && !Formats<nameless> && !Formats<load_options>);
+static_assert(format_id(soup_format{}) != file_format::obj && format_id(file_format::obj) == format_id(obj_format{}) && format_id() == file_format::by_extension);
+static_assert(known.ids().size() == 5 && known.ids()[4].name() == "soup");
+
+}  // namespace
+
+TEST_CASE("format: one that is given is used whatever the extension") {
+  const temporary_folder dir;
+  for (const std::string name : {"a.soup", "b.obj", "c"}) {
+    write_file(dir / name, one);
+    CHECK(num_polys(load<trimesh>(dir / name, soup_format{})) == 1);
+    CHECK(load_any(dir / name, soup_format{}).index() == 0);
+    save(triangle, dir / name, soup_format{});
+    CHECK(read_file(dir / name) == "0 0 0\n1 0 0\n0 1 0\n");
+  }
+  CHECK(num_polys(load_text<trimesh>(one, soup_format{})) == 1);
+  CHECK(save_text(triangle, soup_format{}) == "0 0 0\n1 0 0\n0 1 0\n");
+  save_off(triangle, dir / "c");
+  CHECK(read_file(dir / "c").starts_with("OFF"));
+  CHECK(num_polys(load_off<trimesh>(dir / "c")) == 1);
+  save_obj(triangle, dir / "c");
+  CHECK(num_polys(load_obj<trimesh>(dir / "c")) == 1);
+  save_medit(tet, dir / "c");
+  CHECK(num_polys(load_medit<tetmesh>(dir / "c")) == 1);
+  save_hedra(tet, dir / "c");
+  CHECK(num_polys(load_hedra<tetmesh>(dir / "c")) == 1);
+}
+
+TEST_CASE("format: of a list the extension chooses, or the options") {
+  const temporary_folder dir;
+  for (const std::string name : {"a.soup", "b.TRIS"}) {
+    save(triangle, dir / name, known);
+    CHECK(num_polys(load<trimesh>(dir / name, known)) == 1);
+  }
+  save(triangle, dir / "a.obj", known);
+  CHECK(num_polys(load<trimesh>(dir / "a.obj", known)) == 1);
+  write_file(dir / "text", one);
+  CHECK(num_polys(load<trimesh>(dir / "text", known, {.format = soup_format{}})) == 1);
+  CHECK(num_polys(load_text<trimesh>(one, known, {.format = soup_format{}})) == 1);
+  CHECK(save_text(triangle, known, {.format = file_format::off}).starts_with("OFF"));
+  CHECK_THROWS_AS(load_text<trimesh>(one, known), invalid_argument);
+  CHECK_THROWS_AS(save_text(triangle, known), invalid_argument);
+  CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", known),
+                       ((dir / "text") + ": the extension names no format known here; known are .obj, .off, .mesh, .hedra, .soup, .tris").c_str(), unsupported);
+  CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", {.format = soup_format{}}),
+                       ((dir / "text") + ": this call does not know the format soup; known are obj, off, medit, hedra").c_str(), unsupported);
+  CHECK_THROWS_AS(load<trimesh>(dir / "a.obj", format_list{soup_format{}}), unsupported);
+  CHECK_THROWS_AS(save(triangle, dir / "a.obj", format_list<>{}), unsupported);
+}
+
+TEST_CASE("format: what it cannot hold, and a binary form that it has not") {
+  const temporary_folder dir;
+  CHECK_THROWS_WITH_AS(save_text(tet, soup_format{}), "text: .soup cannot hold volumes; save it as .mesh or .hedra", unsupported);
+  CHECK_THROWS_WITH_AS(save_text(triangle, soup_format{}, {.binary = true}), "text: .soup has no binary form here", unsupported);
+  CHECK_THROWS_AS(load_text<tetmesh>(one, soup_format{}), unsupported);
+  CHECK_THROWS_AS(load_text<quadmesh>(one, soup_format{}), invalid_mesh);
+  CHECK_THROWS_WITH_AS(load_text<trimesh>("0 0 x", soup_format{}), "text:1: expected z, found 'x'", parse_error);
+  CHECK_THROWS_AS(load_text<trimesh>("0 0 0", soup_format{}), invalid_mesh);
+  trimesh m = triangle;
+  vert_property<int>(m, "n");
+  save_report r;
+  save_text(m, soup_format{}, {.report = &r});
+  CHECK(r.lost == std::vector<std::string>{"vert property \"n\": .soup has no place for it"});
+  set_point(m, vert_id{1}, vec3{0, std::numeric_limits<double>::infinity(), 0});
+  save(triangle, dir / "f", soup_format{});
+  CHECK_THROWS_WITH_AS(save(m, dir / "f", soup_format{}),
+                       ((dir / "f") + ": vert 1 has a coordinate that is not a finite number; no file can hold it").c_str(), invalid_mesh);
+  CHECK(read_file(dir / "f") == "0 0 0\n1 0 0\n0 1 0\n");
+  CHECK(dir.num_files() == 1);
+}
+
+TEST_CASE("format: one that is read as a volume gives surfaces too") {
+  load_report r;
+  CHECK(num_polys(load_text<trimesh>("both 2", both_format{}, {.report = &r})) == 2);
+  CHECK(r.notes.size() == 1);
+  CHECK(num_polys(load_text<tetmesh>("both 3", both_format{})) == 1);
+  CHECK(num_polys(load_text<polyhedralmesh>("both 3", both_format{})) == 1);
+  CHECK_THROWS_WITH_AS(load_text<trimesh>("both 3", both_format{}),
+                       "text: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any", unsupported);
+  CHECK_THROWS_WITH_AS(load_text<tetmesh>("both 2", both_format{}),
+                       "text: holds a surface of 2 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
+  CHECK(save_text(triangle, both_format{}, {.binary = true}) == "both 2 binary\n");
+  CHECK_THROWS_WITH_AS(save_text(tet, both_format{}), "text: .soup cannot hold volumes yet; save it as .mesh", unsupported);
+}
+
+TEST_CASE("format: of formats with one extension the signature chooses, then the later one") {
+  const temporary_folder dir;
+  constexpr auto first = known + both_format{};
+  constexpr auto second = format_list{both_format{}, soup_format{}};
+  write_file(dir / "one.soup", one);
+  write_file(dir / "two.soup", "both 2");
+  CHECK(num_polys(load<trimesh>(dir / "one.soup", first)) == 1);
+  CHECK(num_polys(load<trimesh>(dir / "two.soup", first)) == 2);
+  CHECK(num_polys(load<trimesh>(dir / "one.soup", second)) == 1);
+  CHECK(num_polys(load<trimesh>(dir / "two.soup", second)) == 2);
+  CHECK(load_any(dir / "two.soup", second).index() == 0);  // equal sizes are one arity
+  save(triangle, dir / "three.soup", first);
+  CHECK(read_file(dir / "three.soup") == "both 2\n");
+  save(triangle, dir / "three.soup", second);
+  CHECK(read_file(dir / "three.soup").starts_with("0 0 0"));
+  CHECK(medit_format::has_signature("# a comment\n MeshVersionFormatted 2"));
+  CHECK(!medit_format::has_signature("MeshVersionUnformatted 2"));
+  CHECK(!medit_format::has_signature(""));
+}
