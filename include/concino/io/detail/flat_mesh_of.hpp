@@ -119,7 +119,7 @@ class flat_mesh_of final : public flat_mesh {
   }
 
   void make_polyhedra() override {
-    if constexpr (dimension_v<M> == 3) {
+    if constexpr (dimension_v<M> == 3) {  // surfaces have no polyhedra
       for (const face_t<M> f : faces(mesh_)) faces_.add(f, index_of(mesh_, f), face_index_bound(mesh_));
       face_verts_ = list_collector<vert_id>(!shows<vert_id, decltype(adj_f2v(mesh_, *faces(mesh_).begin()))>(verts_));
       poly_faces_ = list_collector<face_id>(!shows<face_id, decltype(adj_p2f(mesh_, *polys(mesh_).begin()))>(faces_));
@@ -148,7 +148,8 @@ class flat_mesh_of final : public flat_mesh {
     poly_verts_ = list_collector<vert_id>(!shows<vert_id, decltype(adj_p2v(m, *polys(m).begin()))>(verts_));
     for (const poly_t<M> p : polys(m)) {
       numbered.add(p, index_of(m, p), poly_index_bound(m));
-      if constexpr (dimension_v<M> == 2 || arity_v<M> == 4 || arity_v<M> == 8) add_list<vert_id, vert_t<M>>(poly_verts_, verts_, m, adj_p2v(m, p));
+      if constexpr (dimension_v<M> == 2 || arity_v<M> == 4 || arity_v<M> == 8)  // polyhedra are lists of faces
+        add_list<vert_id, vert_t<M>>(poly_verts_, verts_, m, adj_p2v(m, p));
     }
     num_polys = numbered.size;
     poly_indices_ = std::move(numbered.indices);

@@ -42,13 +42,13 @@ std::unique_ptr<companion_files> write_with(text_sink& out, const M& m, std::str
   if (options.binary && !row.has_binary) core::throw_joined<unsupported>({name, ": ", row.extensions[0], " has no binary form here"});
   write_context context{out, name, path, options, report};
   with_format(known, chosen, [&]<Format G>(G) {
-    if constexpr (dimension_v<M> == 2 ? G::holds_surfaces : G::holds_volumes) {
+    if constexpr (dimension_v<M> == 2 ? G::holds_surfaces : G::holds_volumes) {  // a format may hold one of them only
       flat_mesh_of<M> flat(m);
       check_points(name, flat);
       context.num_elements = flat.points.size() + flat.num_polys;
       G::write(context, flat);
       tell_of_lost(context, flat, row.extensions[0]);
-    } else if (dimension_v<M> == 2) {
+    } else if constexpr (dimension_v<M> == 2) {  // other formats can be named
       context.cannot_hold(row.extensions[0], {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
     } else {
       context.cannot_hold(row.extensions[0], {"volumes"}, ".mesh or .hedra");
