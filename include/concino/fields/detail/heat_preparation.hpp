@@ -9,6 +9,7 @@
 #include <concino/geometry/edge_length.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/graph/detail/boundary_verts.hpp>
+#include <concino/graph/dijkstra.hpp>
 #include <concino/operators/detail/stiffness.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/simplex_gradients.hpp>
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -208,30 +208,24 @@ distance_graph distance_graph_of(const M& m) {
 /// heat would have it that decays by the length over `decay`.
 template<AnyMesh M>
 void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
-  using entry = std::pair<double, vert_t<M>>;
-  const auto at = [&](const vert_t<M>& v) -> double& { return log_u[index_of(m, v)]; };
   constexpr double none = -std::numeric_limits<double>::infinity();
-  const auto less = [](const entry& a, const entry& b) { return a.first < b.first; };
-  std::priority_queue<entry, std::vector<entry>, decltype(less)> queue(less);
-  std::vector<unsigned char> open(log_u.size());
-  for (const vert_t<M> v : verts(m)) open[index_of(m, v)] = at(v) == none;
-  const auto spread = [&](const vert_t<M>& v) {
-    const vec3 x = to_vec3(point(m, v));
+  const auto at = [&](const vert_t<M>& v) -> double& { return log_u[static_cast<std::size_t>(index_of(m, v))]; };
+  std::vector<vert_t<M>> beside;  // verts with a value that have a neighbour without
+  for (const vert_t<M> v : verts(m)) {
+    if (at(v) == none) continue;
     for (const vert_t<M> w : adj_v2v(m, v)) {
-      if (!open[index_of(m, w)]) continue;
-      const double known = at(v) - distance(x, to_vec3(point(m, w))) / decay;
-      if (!(known > at(w))) continue;
-      at(w) = known;
-      queue.push({known, w});
+      if (at(w) != none) continue;
+      beside.push_back(v);
+      break;
     }
-  };
-  for (const vert_t<M> v : verts(m))
-    if (!open[index_of(m, v)]) spread(v);
-  while (!queue.empty()) {
-    const auto [known, v] = queue.top();
-    queue.pop();
-    if (known == at(v)) spread(v);
   }
+  if (beside.empty()) return;
+  const auto length = [&](const vert_t<M>& v, const vert_t<M>& w) { return distance(to_vec3(point(m, v)), to_vec3(point(m, w))) / decay; };
+  const auto known = concino::dijkstra(m, beside, length,
+                                       {.may_enter = [&](const vert_t<M>& v) { return at(v) == none; },
+                                        .initial_distance = [&](const vert_t<M>& v) { return -at(v); }});
+  for (const vert_t<M> v : verts(m))
+    if (at(v) == none) at(v) = -known[v];
 }
 
 }  // namespace concino::detail
