@@ -42,7 +42,8 @@ fields/detail/scaled_mesh  fields/heat_geodesics_scale fields/heat_geodesics
 fields/detail/straight_distance    fields/heat_geodesics_sources fields/heat_geodesics
 fields/detail/masses   fields/poisson fields/poisson_fluxes
 fields/detail/neumann  fields/poisson_fluxes
-operators/weights      operators/weights operators/laplacian
+operators/detail/cotangent_weights operators/cotangent operators/laplacian
+operators/detail/stiffness  operators/discretisation operators/laplacian
 operators/laplacian    operators/laplacian
 operators/mass_matrix  operators/mass_matrix
 operators/poly_mass_matrix operators/poly_mass_matrix
@@ -56,7 +57,7 @@ operators/detail/element_assembly  operators/mass_matrix operators/laplacian
 operators/detail/compressed_columns    core/poly_chunks operators/poly_mass_matrix operators/gradient_matrix operators/divergence_matrix
 operators/corner_gradients  operators/corner_gradients operators/gradient_matrix
 operators/detail/de_goes   operators/de_goes
-operators/detail/local_matrix  operators/mass_matrix operators/laplacian
+operators/detail/poly_operator operators/mass_matrix operators/laplacian
 core/poly_chunks   core/poly_chunks operators/gradient
 operators/detail/product   fields/smooth fields/harmonic_map
 operators/simplex_gradients operators/corner_gradients operators/gradient_matrix operators/divergence_matrix

@@ -1,6 +1,9 @@
-// Differential operators on meshes, as sparse matrices or applied without one.
+// Differential operators on meshes, as sparse matrices or applied without one. Discretisations to compare the default with have headers of their own,
+// virtual_refinement.hpp and de_goes.hpp.
 #pragma once
 
+#include <concino/operators/cotangent.hpp>
+#include <concino/operators/discretisation.hpp>
 #include <concino/operators/divergence.hpp>
 #include <concino/operators/divergence_matrix.hpp>
 #include <concino/operators/gradient.hpp>
@@ -8,4 +11,6 @@
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/poly_mass_matrix.hpp>
+#include <concino/operators/uniform.hpp>
 #include <concino/operators/vert_gradient_matrix.hpp>
+#include <concino/operators/virtual_elements.hpp>

@@ -53,6 +53,17 @@ struct given_masses {  // those of the mesh, so that problems are solved at the 
 struct of_quads_alone {
   auto poly_matrices(const quadmesh& m) const { return virtual_elements.poly_matrices(m); }
 };
+struct dependent_on_places {
+  bool* within;
+  template<EmbeddedMesh M> auto poly_matrices(const M& m) const {
+    for (const auto v : verts(m))
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double x = to_vec3(point(m, v))[k];
+        if (x != 0 && x != 20 && x != 40) *within = false;
+      }
+    return virtual_elements.poly_matrices(m);
+  }
+};
 struct without_mass : counted_neighbours {
   template<class M> auto masses(const M& m) const { return make_vert_map<double>(m, 0); }
 };
@@ -149,6 +160,23 @@ TEST_CASE("discretisations: with masses of the mesh, or for one type of mesh, th
   };
   check(given_masses{});
   check(of_quads_alone{});
+  CHECK(difference(heat_geodesics(m, a, of_quads_alone{}), heat_geodesics(m, a)) < 1e-9);
+}
+
+TEST_CASE_TEMPLATE("discretisations: one that depends on places is asked about the mesh as it is, wherever that lies", M, trimesh, hexmesh) {
+  auto arrays = grid_arrays<M>(2);
+  for (vec3& x : arrays.points) x *= 40;
+  const M m(arrays);
+  const vert_id a{0}, b{3};
+  const auto f = make_vert_map<double>(m, 0.25);
+  bool within = true;
+  const dependent_on_places own{&within};
+  CHECK(difference(laplacian(m, own), laplacian(m)) < 1e-12);
+  CHECK(difference(harmonic_map(m, {{a, 0}, {b, 1}}, own), harmonic_map(m, {{a, 0}, {b, 1}})) < 1e-10);
+  CHECK(difference(smooth(m, f, 9, own, {.fixed = {a}}), smooth(m, f, 9, {.fixed = {a}})) < 1e-10);
+  CHECK(difference(heat_flow(m, f, 9, own), heat_flow(m, f, 9)) < 1e-10);
+  CHECK(difference(heat_geodesics(m, a, own), heat_geodesics(m, a)) < 1e-8);
+  CHECK(within);
 }
 
 TEST_CASE("discretisations: a mass that is not positive is refused") {

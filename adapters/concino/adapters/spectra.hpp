@@ -193,13 +193,13 @@ struct eigenfunctions_result {
 /// Source: Vallet, Levy 2008, "Spectral geometry processing with manifold harmonics"; Reuter, Wolter, Peinecke 2006, "Laplace-Beltrami spectra as
 ///         Shape-DNA"; Kac 1966, "Can one hear the shape of a drum?".
 template<class M, class Solver = ldlt>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const eigenfunctions_options& options = {},
                                                              Solver&& solver = {}) {
   return eigenfunctions(m, count, virtual_elements, options, solver);
 }
 template<class M, class D, class Solver = ldlt>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const D& discretisation,
                                                              const eigenfunctions_options& options = {}, Solver&& solver = {}) {
   const Eigen::SparseMatrix<double> k = -laplacian(m, discretisation);

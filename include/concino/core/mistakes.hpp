@@ -27,7 +27,7 @@ inline constexpr sentence give_points("needs an Embedded mesh: write mesh_traits
 template<sentence Remedy>
 struct bare_graph {
   template<class M>
-    requires(PrimalGraph<M> && requirement::is_no_temporary<const M&> && !(AnyMesh<M> && Embedded<M>))
+    requires(PrimalGraph<M> && requirement::is_no_temporary<const M&> && !EmbeddedMesh<M>)
   bare_graph(const M&);
 };
 inline constexpr sentence name_discretisation("a graph without polys or points has no default discretisation: name one, as in laplacian(m, uniform) or harmonic_map(m, values, uniform)");

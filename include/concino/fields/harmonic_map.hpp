@@ -123,7 +123,7 @@ class prepared_harmonic_map {
 /// Cost:   that of harmonic_map, but for the back-substitution.
 /// Errors: as harmonic_map, but for those about values; invalid_mesh if a vert to be fixed is no vert of m.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && detail::names_elements<V, vert_t<M>> &&
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed,
                                                                                                 const harmonic_map_options& options = {},
@@ -156,7 +156,7 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 ///         precision; those of `laplacian` with this discretisation; cancelled.
 /// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
 template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> harmonic_map(M&& m, const V& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
   return harmonic_map<T>(m, values, virtual_elements, options, solver);

@@ -131,7 +131,7 @@ class prepared_heat_flow {
 /// Cost:   as heat_flow, but for the steps.
 /// Errors: as heat_flow, but for what is about values.
 template<class M, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> &&
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time,
                                                                                           const heat_flow_options<std::remove_cvref_t<M>>& options = {},
@@ -161,7 +161,7 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 ///         mass_matrix; solver_error; cancelled.
 /// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   return heat_flow(m, initial, time, virtual_elements, options, solver);

@@ -37,9 +37,17 @@ struct heat_geodesics_options {
 
 namespace detail {
 
-/// At a size near 1 too, where heat flows.
-template<class D, class M>
-concept flows_heat = Discretisation<D, M> && Discretisation<D, views::scaled<std::remove_cvref_t<M>>>;
+/// That of the mesh at the size of `scaled`.
+template<class M, class D>
+Eigen::SparseMatrix<double> lower_stiffness_at(const views::scaled<M>& scaled, const M& m, const D& discretisation) {
+  if constexpr (scales_with<D, M>) {
+    return lower_stiffness(scaled, discretisation);
+  } else {
+    Eigen::SparseMatrix<double> a = lower_stiffness(m, discretisation);
+    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) a.valuePtr()[k] = std::ldexp(a.valuePtr()[k], (2 - dimension_v<M>) * scaled.exponent());
+    return a;
+  }
+}
 
 }  // namespace detail
 
@@ -75,7 +83,7 @@ class prepared_heat_geodesics {
     constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are those of the mesh all the same
     Eigen::SparseMatrix<double> stiffness;
     if constexpr (along_edges) stiffness = detail::lower_stiffness(m, virtual_elements);
-    else stiffness = detail::lower_stiffness(m, discretisation);
+    else stiffness = detail::lower_stiffness_at(m, mesh_in, discretisation);
     const auto mass = vert_masses(m);
     double sum = 0;
     for (const double x : mass.values()) sum += x;
@@ -83,7 +91,7 @@ class prepared_heat_geodesics {
     // Along edges: the mean mass at every vert, and as much conductance at every edge as a grid of mean edges has.
     const double flow = along_edges ? (edge > 0 ? mean / (edge * edge) : 0) * time : time;
     std::vector<double> own;
-    if constexpr (along_edges) own = detail::lumped_masses(m, discretisation, "heat_geodesics");
+    if constexpr (along_edges) own = detail::lumped_masses(mesh_in, discretisation, "heat_geodesics");
     const auto heat_by = [&](Eigen::SparseMatrix<double> a) {
       for (int c = 0; c < a.cols(); ++c) {
         const double here = mass.values()[static_cast<std::size_t>(c)];
@@ -94,7 +102,7 @@ class prepared_heat_geodesics {
       }
       return a;
     };
-    Eigen::SparseMatrix<double> heat = along_edges ? heat_by(detail::lower_stiffness(m, discretisation)) : heat_by(stiffness);
+    Eigen::SparseMatrix<double> heat = along_edges ? heat_by(detail::lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
     detail::tell(options.progress, 0.1, "factorising");
     preparation r{{std::move(stiffness), std::move(corners), mean, solver},
                   detail::distance_graph_of(m),
@@ -262,13 +270,13 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
 /// Cost:   as heat_geodesics, but for the question.
 /// Errors: as heat_geodesics, but for what is about sources.
 template<class M, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const heat_geodesics_options& options = {},
                                                                                                     Solver&& solver = {}) {
   return {m, virtual_elements, options, solver};
 }
 template<class M, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const D& discretisation,
                                                                                                     const heat_geodesics_options& options = {},
                                                                                                     Solver&& solver = {}) {
@@ -279,7 +287,7 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 /// number are given, from the source for which the number plus the way from there is least: auto d = heat_geodesics(m, v); d[w] is a length.
 /// Needs:  EmbeddedMesh M, no temporary. sources: a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}.
 ///         A discretisation of the Laplacian may stand after them; with one that has masses of its own, as `uniform`, heat only flows along
-///         edges, and gradients and lengths stay those of the mesh. It takes any M, see Discretisation. solver: a SparseSolver for symmetric positive definite matrices; two or three of
+///         edges, and gradients and lengths stay those of the mesh. solver: a SparseSolver for symmetric positive definite matrices; two or three of
 ///         its type are made, of its options() where it has them.
 /// Result: a map of double, in units of length; 0 (or the number given, where no other source is nearer) at sources, never less than at the
 ///         least of the sources of the component; +inf in components of polys without a source and at verts of no poly that are no source.
@@ -304,37 +312,37 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 /// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; ways across triangles: Novotni, Klein 2002, "Computing
 ///         geodesic distances on triangular meshes"; paper section 2.2, "Distances and paths".
 template<class M, class S, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const S& sources, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
 template<class M, class S, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const S& sources, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
 }
 template<class M, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
 template<class M, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
 }
 template<class M, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
 template<class M, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
@@ -346,13 +354,13 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
 /// Cost:   as above.
 /// Errors: as above, and invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
 template<class M, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(p, x);
 }
 template<class M, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::flows_heat<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(p, x);

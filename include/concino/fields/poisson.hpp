@@ -154,14 +154,14 @@ class prepared_poisson {
 /// Cost:   that of poisson, but for the back-substitution.
 /// Errors: as poisson, but for those about values, loads and fluxes; invalid_mesh if a vert to be fixed is no vert of m.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed,
                                                                                       const prepare_poisson_options& options = {}, Solver&& solver = {}) {
   return {m, fixed, virtual_elements, options, solver};
 }
 template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const D& discretisation,
                                                                                       const prepare_poisson_options& options = {}, Solver&& solver = {}) {
@@ -186,13 +186,13 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 ///         edge or face of m or has not exactly one poly.
 /// Source: Beirao da Veiga et al. 2013, Ahmad et al. 2013 (the load); paper section 2.2.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {}, Solver&& solver = {}) {
   return poisson(m, f, virtual_elements, options, solver);
 }
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
-  requires AnyMesh<M> && Embedded<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && Discretisation<D, M> &&
+  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && Discretisation<D, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const D& discretisation, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {},
                        Solver&& solver = {}) {
@@ -212,7 +212,7 @@ template<class... T> void poisson(mistake::no_mesh_traits<mistake::include_adapt
 template<class... T> void poisson(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void poisson(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
-  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
+  requires(EmbeddedMesh<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
 void poisson(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

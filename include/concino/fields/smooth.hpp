@@ -93,7 +93,7 @@ class prepared_smooth {
 /// Cost:   as smooth, but for the back-substitution.
 /// Errors: as smooth, but for what is about f.
 template<class M, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> &&
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount,
                                                                                     const smooth_options<std::remove_cvref_t<M>>& options = {},
@@ -126,7 +126,7 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature
 ///         flow".
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const smooth_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   return smooth(m, f, amount, virtual_elements, options, solver);

@@ -19,8 +19,10 @@ template<class M> concept may_have_simplices = AnyMesh<M> && (arity_v<M> == 0 ||
 /// Errors: of what uses it: unsupported if some poly is no triangle or tet, invalid_mesh if one is degenerate.
 /// Source: Pinkall, Polthier 1993 (triangles); Crane 2019, "The n-dimensional cotangent formula" (tets).
 struct cotangent_t {
-  template<class M>
-    requires AnyMesh<M> && Embedded<M> && requirement::may_have_simplices<M>
+  static constexpr bool scales_with_mesh = true;
+
+  template<EmbeddedMesh M>
+    requires requirement::may_have_simplices<M>
   auto edge_weights(const M& m) const { return detail::cotangent_weights<M>(m, "cotangent weights"); }
 };
 inline constexpr cotangent_t cotangent{};

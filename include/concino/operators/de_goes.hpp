@@ -12,12 +12,14 @@ namespace concino {
 /// Errors: of what uses it: invalid_mesh if a polygon has no area or points that are not finite.
 /// Source: de Goes, Butts, Desbrun 2020, "Discrete differential operators on polygonal meshes".
 struct de_goes_t {
+  static constexpr bool scales_with_mesh = true;
+
   template<class M>
     requires SurfaceMesh<M> && Embedded<M> && TriMesh<M>
   auto edge_weights(const M& m) const { return detail::cotangent_weights<M>(m, "Laplacian of de Goes"); }
 
   template<class M>
-    requires SurfaceMesh<M> && Embedded<M> && (!TriMesh<M>)
+    requires SurfaceMesh<M> && Embedded<M>
   auto poly_matrices(const M& m) const { return detail::de_goes_element<M>(m); }
 };
 inline constexpr de_goes_t de_goes{};

@@ -39,8 +39,11 @@ concept has_masses = requires(const D& d, const M& m, const vert_t<M>& v) {
   { d.masses(m)[v] } -> std::convertible_to<double>;
 };
 
+/// For one that says so, the mesh times s has s to the dimension minus 2 times its entries.
+template<class D> concept scales_with_mesh = requires { requires bool(D::scales_with_mesh); };
+
 template<class D, class M> concept has_weights_or_matrices = has_neighbour_weights<D, M> || has_edge_weights<D, M> || has_poly_matrices<D, M>;
-template<class D, class M> concept has_masses_or_points = has_masses<D, M> || (AnyMesh<M> && Embedded<M>);
+template<class D, class M> concept has_masses_or_points = has_masses<D, M> || EmbeddedMesh<M>;
 
 }  // namespace requirement
 
@@ -55,9 +58,12 @@ template<class D, class M> concept has_masses_or_points = has_masses<D, M> || (A
 /// positive term by term, but the sum must not be negative. What the members return is kept while a matrix is assembled; callables w are read from
 /// several threads, while each thread has a k of its own, which may hold memory that it uses again.
 ///
-/// Without masses, those of the mesh are used: the discretisation is integrated, in units of length to the dimension minus 2, and problems are
-/// solved at a size near 1, so the members are given a view of the mesh: let them take any M. One that takes a single mesh type works, at the
-/// mesh's own size. With masses, weights and masses are taken as they are: where they have no unit, as `uniform`, times and amounts have none.
+/// Without masses, those of the mesh are used: the discretisation is integrated, in units of length to the dimension minus 2. With masses, weights
+/// and masses are taken as they are: where they have no unit, as those of `uniform`, times and amounts have none.
+///
+/// The members are asked about the mesh as it is. One that takes any M, and whose entries on the mesh times s are s to the dimension minus 2 times as
+/// large, may say so by `static constexpr bool scales_with_mesh = true;`: then they are given a view of the mesh at a size near 1, so that problems are
+/// solved as well for very small and very large meshes. What depends on places, as a conductivity may, must not say so.
 template<class D, class M>
 concept Discretisation = PrimalGraph<M> && requirement::has_weights_or_matrices<std::remove_cvref_t<D>, std::remove_cvref_t<M>> &&
                          requirement::has_masses_or_points<std::remove_cvref_t<D>, std::remove_cvref_t<M>>;

@@ -34,8 +34,7 @@ Eigen::SparseMatrix<double> laplacian(const M& m, const D& discretisation) {
       },
       [&](auto make_element) { return detail::assemble_stiffness<M>(m, make_element, -1.0); });
 }
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> laplacian(const M& m) {
   return laplacian(m, virtual_elements);
 }

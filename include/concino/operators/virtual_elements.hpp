@@ -14,12 +14,13 @@ namespace concino {
 /// Errors: of what uses it: invalid_mesh if a poly has no area or volume or points that are not finite.
 /// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods".
 struct virtual_elements_t {
-  template<class M>
-    requires AnyMesh<M> && Embedded<M> && (TriMesh<M> || TetMesh<M>)
+  static constexpr bool scales_with_mesh = true;
+
+  template<EmbeddedMesh M>
+    requires (TriMesh<M> || TetMesh<M>)
   auto edge_weights(const M& m) const { return detail::cotangent_weights<M>(m, "virtual elements"); }  // the same, several times faster
 
-  template<class M>
-    requires AnyMesh<M> && Embedded<M> && (!TriMesh<M> && !TetMesh<M>)
+  template<EmbeddedMesh M>
   auto poly_matrices(const M& m) const { return detail::virtual_stiffness<M>(m); }
 };
 inline constexpr virtual_elements_t virtual_elements{};

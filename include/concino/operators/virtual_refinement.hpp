@@ -13,12 +13,13 @@ namespace concino {
 ///         its virtual point.
 /// Source: Bunge, Herholz, Kazhdan, Botsch 2020, "Polygon Laplacian made simple".
 struct virtual_refinement_t {
-  template<class M>
-    requires AnyMesh<M> && Embedded<M> && (TriMesh<M> || TetMesh<M>)
+  static constexpr bool scales_with_mesh = true;
+
+  template<EmbeddedMesh M>
+    requires (TriMesh<M> || TetMesh<M>)
   auto edge_weights(const M& m) const { return detail::cotangent_weights<M>(m, "virtual refinement"); }
 
-  template<class M>
-    requires AnyMesh<M> && Embedded<M> && (!TriMesh<M> && !TetMesh<M>)
+  template<EmbeddedMesh M>
   auto poly_matrices(const M& m) const { return detail::virtual_refinement_element<M>(m); }
 };
 inline constexpr virtual_refinement_t virtual_refinement{};

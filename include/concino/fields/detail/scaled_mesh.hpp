@@ -60,9 +60,9 @@ views::scaled<M> scaled_to_unit(const M& m) {
   return {m, length_exponent(m)};
 }
 
-/// Whether lengths matter to D, and it can be asked about the mesh at another size.
+/// Whether D can be asked about the mesh at another size.
 template<class D, class M>
-concept scales_with = AnyMesh<M> && Embedded<M> && !requirement::has_masses<D, M> && Discretisation<D, views::scaled<M>>;
+concept scales_with = EmbeddedMesh<M> && requirement::scales_with_mesh<D> && !requirement::has_masses<D, M>;
 
 /// Calls use(mesh, exponent) with the mesh at a size near 1, or, where lengths do not matter, with itself and 0.
 template<class M, class D, class Use>

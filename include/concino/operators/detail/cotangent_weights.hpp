@@ -16,8 +16,7 @@
 namespace concino::detail {
 
 /// The map of an Embedded AnyMesh of triangles or tets.
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 class cotangent_weights {
   static constexpr int dimension = dimension_v<M>;
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
