@@ -26,6 +26,10 @@ struct unknown;
 static_assert(std::is_same_v<first_missing<whole_number_requirements, unknown&>, number_requirement>);
 static_assert(check<list<>, int>::value && std::is_same_v<first_missing<list<>, int>, nothing_missing>);
 
+
+// A base of traits knows the types, whichever mesh is asked about.
+static_assert(bound<whole_number_requirements, int>::holds<void> && !bound<whole_number_requirements, float>::holds<void>);
+
 }  // namespace
 
 TEST_CASE("lists of requirements are compared when compiling") { CHECK(check<list<number_requirement>, double>::value); }

@@ -44,17 +44,6 @@
 
 namespace concino {
 
-namespace detail {
-
-/// What explain_surface_mesh walks first, of traits that are made from links.
-template<class M, class K>
-struct needs_of_links {
-  template<class> static constexpr bool holds = HalfedgeLinks<K, M>;
-  template<class> static consteval void explain() { requirement::first_missing<requirement::halfedge_links_requirements, K, M>::template explain<K, M>(); }
-};
-
-}  // namespace detail
-
 /// mesh_traits from links: inherit mesh_traits<M> from it.
 /// Cost: every ring in time proportional to its length, adj_p2p besides that to the polys across; nothing is stored. Without border
 /// half-edges and without `previous`, a vert at the border costs the size of the polys there.
@@ -62,7 +51,7 @@ template<class M, class K>
 struct halfedge_kernel : K {
   static constexpr int dimension = 2;
   static constexpr bool edges_in_order = true;
-  using base_requirements = detail::needs_of_links<M, K>;
+  using base_requirements = requirement::bound<requirement::halfedge_links_requirements, K, M>;
   using vert = typename K::vert;
   using edge = typename K::edge;
   using poly = typename K::poly;
@@ -132,7 +121,7 @@ template<class M, class K>
   requires(!requirement::names_link_types<K>)
 struct halfedge_kernel<M, K> : K {
   static constexpr int dimension = 2;
-  using base_requirements = detail::needs_of_links<M, K>;
+  using base_requirements = requirement::bound<requirement::halfedge_links_requirements, K, M>;
 };
 
 }  // namespace concino

@@ -51,8 +51,8 @@ struct adapted_requirement {
   }
 };
 
-// A base that traits may inherit from and that has requirements of its own, such as halfedge_kernel, says so in mesh_traits<M>:
-//   struct base_requirements { template<class M> static constexpr bool holds = ...; template<class M> static consteval void explain(); };
+// A base that traits may inherit from and that has requirements of its own, such as halfedge_kernel, says so by
+//   using base_requirements = requirement::bound<...>;
 template<class M> concept has_base_requirements = requires { typename traits<M>::base_requirements; };
 struct base_requirement {
   template<class M> static constexpr bool holds = true;  // where the traits have no such base; else see below

@@ -48,6 +48,13 @@ struct check<list<>, T...> : std::true_type {
 
 template<class List, class... T> using first_missing = typename check<List, T...>::first_missing;
 
+/// What a base needs that traits may inherit from: a list on the types T, which the base knows. See base_requirement of mesh_traits.hpp.
+template<class List, class... T>
+struct bound {
+  template<class> static constexpr bool holds = check<List, T...>::value;
+  template<class> static consteval void explain() { first_missing<List, T...>::template explain<T...>(); }
+};
+
 }  // namespace requirement
 
 namespace detail {

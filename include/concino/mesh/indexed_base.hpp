@@ -14,6 +14,19 @@
 
 namespace concino {
 
+namespace requirement {
+
+template<class M> concept has_tables = requires(const M& m) { mesh_traits<M>::tables(m); };
+struct tables_requirement {
+  template<class M> static constexpr bool holds = has_tables<M>;
+  template<class M> static consteval void explain() {
+    static_assert(detail::explain_result<requires { &mesh_traits<M>::tables; }, has_tables<M>, M>());
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs tables: static const auto& tables(const M&); the surface_tables, tet_tables, hex_tables or polyhedra_tables of the mesh");
+  }
+};
+
+}  // namespace requirement
+
 namespace detail {
 
 /// Verts of every poly where the type of tables fixes it, else 0.
@@ -52,10 +65,12 @@ struct indexed_elements {
   using edge = edge_id;
   using poly = poly_id;
   static constexpr bool edges_in_order = true;
+  using base_requirements = requirement::bound<requirement::list<requirement::tables_requirement>, M>;
 
-  static auto verts(const M& m) { return detail::tables_of<M>(m).verts().all(); }
-  static auto edges(const M& m) { return detail::tables_of<M>(m).edges().all(); }
-  static auto polys(const M& m) { return detail::tables_of<M>(m).polys().all(); }
+  // What concepts ask for first says "no" where there are no tables, so that they do not ask for the rest. X, since only then mesh_traits<M> is complete.
+  template<class X = M> requires requirement::has_tables<X> static auto verts(const M& m) { return detail::tables_of<M>(m).verts().all(); }
+  template<class X = M> requires requirement::has_tables<X> static auto edges(const M& m) { return detail::tables_of<M>(m).edges().all(); }
+  template<class X = M> requires requirement::has_tables<X> static auto polys(const M& m) { return detail::tables_of<M>(m).polys().all(); }
   static std::size_t num_verts(const M& m) { return detail::tables_of<M>(m).verts().size(); }
   static std::size_t num_edges(const M& m) { return detail::tables_of<M>(m).edges().size(); }
   static std::size_t num_polys(const M& m) { return detail::tables_of<M>(m).polys().size(); }
@@ -96,7 +111,7 @@ struct indexed_volume : detail::indexed_elements<M> {
 
   using base::contains;
   using base::index_of;
-  static auto faces(const M& m) { return detail::tables_of<M>(m).faces().all(); }
+  template<class X = M> requires requirement::has_tables<X> static auto faces(const M& m) { return detail::tables_of<M>(m).faces().all(); }
   static std::size_t num_faces(const M& m) { return detail::tables_of<M>(m).faces().size(); }
   static std::size_t face_index_bound(const M& m) { return detail::tables_of<M>(m).faces().bound(); }
   static std::size_t index_of(const M&, face_id f) { return f.raw(); }

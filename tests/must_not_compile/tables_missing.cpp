@@ -1,0 +1,10 @@
+// expect in 10 lines: mesh_traits<M> needs tables: static const auto& tables[(]const M&[)]
+// What the base needs is told, not the first of the verbs that it would give; asking is no error.
+#include <concino/mesh/indexed_base.hpp>
+
+struct mine {};
+template<>
+struct concino::mesh_traits<mine> : concino::indexed_surface<mine> {};
+static_assert(!concino::SurfaceMesh<mine> && !concino::PrimalGraph<mine> && !concino::DualGraph<mine>);
+
+int main() { concino::explain_surface_mesh<mine>(); }
