@@ -2,6 +2,7 @@
 # Builds the benchmarks for this processor and runs them all: one table on the terminal, the same as JSON.
 # usage: benchmarks/run.sh [--json FILE] [--build FOLDER] [options of the programs: --rounds 5, --only load.tri1m, --base bunny.obj, --tiny]
 set -eu
+export CONCINO_NUM_THREADS=${CONCINO_NUM_THREADS:-1}  # the peers and loops by hand run on one
 source=$(cd "$(dirname "$0")/.." && pwd)
 build=$source/build/benchmarks
 json=

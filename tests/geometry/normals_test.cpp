@@ -8,16 +8,13 @@
 #include <support/closed_surfaces.hpp>
 #include <support/kinds.hpp>
 #include <support/motions.hpp>
+#include <support/threads.hpp>
 #include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 using namespace concino;
 using namespace concino::testing;
@@ -204,14 +201,10 @@ TEST_CASE_TEMPLATE("normals: the same for any number of threads, and on an empty
   const M m(jittered(grid_arrays<M>(SurfaceMesh<M> ? 40 : 8), 0.01)), none;
   CHECK(vert_normals(none).values().empty());
   const auto alone = vert_normals(m);
-#ifdef _OPENMP
-  const int usual = omp_get_max_threads();
   for (const int threads : {1, 3, 4}) {
-    omp_set_num_threads(threads);
+    const with_num_threads now(threads);
     const auto together = vert_normals(m);
     for (const auto v : verts(m)) CHECK(together[v] == alone[v]);
   }
-  omp_set_num_threads(usual);
-#endif
   for (const auto v : verts(m)) CHECK((norm(alone[v]) > 0.5 || VolumeMesh<M>));
 }

@@ -1,4 +1,4 @@
-// Operators that run in parallel give the same bits for any number of threads. Built once as every test and once with OpenMP (openmp/parallel).
+// Operators that run in parallel give the same bits for any number of threads.
 #include <concino/operators/divergence.hpp>
 #include <concino/operators/divergence_matrix.hpp>
 #include <concino/operators/gradient.hpp>
@@ -9,12 +9,9 @@
 
 #include <support/fields.hpp>
 #include <support/kinds.hpp>
+#include <support/threads.hpp>
 
 #include <doctest/doctest.h>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 using namespace concino;
 using namespace concino::testing;
@@ -23,16 +20,10 @@ namespace {
 
 template<class F>
 void with_threads(F&& f) {
-#ifdef _OPENMP
-  const int before = omp_get_max_threads();
   for (const int n : {1, 2, 5}) {
-    omp_set_num_threads(n);
+    const with_num_threads now(n);
     f();
   }
-  omp_set_num_threads(before);
-#else
-  f();
-#endif
 }
 
 }  // namespace

@@ -6,12 +6,9 @@
 #include <doctest/doctest.h>
 #include <support/brute_force.hpp>
 #include <support/kinds.hpp>
+#include <support/threads.hpp>
 
 #include <string>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 using namespace concino;
 using testing::brute_force;
@@ -158,15 +155,12 @@ TEST_CASE("an empty scene is a white picture; options out of range and a missing
   CHECK_THROWS_AS(render(scene, c, small), unsupported);
 }
 
-#ifdef _OPENMP
 TEST_CASE("the picture does not depend on the number of threads") {
   const auto scene = one(make_drawable(testing::grid<tetmesh>(1)));
   const camera c = frame(scene, 4.0 / 3);
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(1);
-  const image alone = render(scene, c, small, brute_force{});
-  omp_set_num_threads(3);
-  CHECK(render(scene, c, small, brute_force{}) == alone);
-  omp_set_num_threads(threads);
+  const auto with = [&](int threads) {
+    const testing::with_num_threads now(threads);
+    return render(scene, c, small, brute_force{});
+  };
+  CHECK(with(1) == with(3));
 }
-#endif

@@ -1,0 +1,30 @@
+// Loops with a given number of threads.
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+namespace concino::testing {
+
+/// How many threads loops take, as long as this lives.
+class with_num_threads {
+  std::string before_;
+  bool was_set_ = false;
+
+ public:
+  explicit with_num_threads(int n) {
+    if (const char* const text = std::getenv("CONCINO_NUM_THREADS")) {
+      before_ = text;
+      was_set_ = true;
+    }
+    ::setenv("CONCINO_NUM_THREADS", std::to_string(n).c_str(), 1);
+  }
+  with_num_threads(const with_num_threads&) = delete;
+  with_num_threads& operator=(const with_num_threads&) = delete;
+  ~with_num_threads() {
+    if (was_set_) ::setenv("CONCINO_NUM_THREADS", before_.c_str(), 1);
+    else ::unsetenv("CONCINO_NUM_THREADS");
+  }
+};
+
+}  // namespace concino::testing
