@@ -2,11 +2,16 @@
 #pragma once
 
 #include <concino/io/file_text.hpp>
+#include <concino/io/format.hpp>
 #include <concino/io/formats.hpp>
+#include <concino/io/hedra.hpp>
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/material_table.hpp>
+#include <concino/io/medit.hpp>
 #include <concino/io/numbers.hpp>
+#include <concino/io/obj.hpp>
+#include <concino/io/off.hpp>
 #include <concino/io/replacing_file.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/scalar_field.hpp>

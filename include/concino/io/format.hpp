@@ -20,6 +20,7 @@
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
+#include <concino/concepts/requirement.hpp>
 #include <concino/io/file_contents.hpp>
 #include <concino/io/flat_mesh.hpp>
 #include <concino/io/format_id.hpp>
@@ -36,10 +37,48 @@ namespace concino {
 namespace requirement {
 
 template<class F> concept has_format_name = requires { { F::name } -> std::convertible_to<std::string_view>; };
+struct format_name_requirement {
+  template<class F> static constexpr bool holds = has_format_name<F>;
+  template<class F> static consteval void explain() {
+    static_assert(detail::missing<F>, "concino: Format needs name: static constexpr std::string_view name = \"soup\"; what messages call the format");
+  }
+};
+
 template<class F> concept has_extensions = requires { { *std::begin(F::extensions) } -> std::convertible_to<std::string_view>; requires std::size(F::extensions) > 0; };
+struct extensions_requirement {
+  template<class F> static constexpr bool holds = has_extensions<F>;
+  template<class F> static consteval void explain() {
+    static_assert(detail::missing<F>, "concino: Format needs extensions: static constexpr std::string_view extensions[] = {\".soup\"}; in lower case, the usual one first");
+  }
+};
+
 template<class F> concept says_what_it_holds = requires { { F::holds_surfaces } -> std::convertible_to<bool>; { F::holds_volumes } -> std::convertible_to<bool>; requires F::holds_surfaces || F::holds_volumes; };
+struct holds_requirement {
+  template<class F> static constexpr bool holds = says_what_it_holds<F>;
+  template<class F> static consteval void explain() {
+    static_assert(detail::missing<F>, "concino: Format needs holds_surfaces and holds_volumes: static constexpr bool holds_surfaces = true, holds_volumes = false; not both false");
+  }
+};
+
 template<class F> concept has_reader = requires(const read_context& in, volume_contents& out) { F::read(in, out); };
+struct reader_requirement {
+  template<class F> static constexpr bool holds = has_reader<F>;
+  template<class F> static consteval void explain() {
+    static_assert(!requires { &F::read; } || detail::missing<F>, "concino: read is there, but is not static, or takes other arguments");
+    static_assert(detail::missing<F>, "concino: Format needs read: static void read(const read_context&, file_contents&), or volume_contents&; fills flat arrays from the text of a file");
+  }
+};
+
 template<class F> concept has_writer = requires(write_context& out, flat_mesh& m) { F::write(out, m); };
+struct writer_requirement {
+  template<class F> static constexpr bool holds = has_writer<F>;
+  template<class F> static consteval void explain() {
+    static_assert(!requires { &F::write; } || detail::missing<F>, "concino: write is there, but is not static, or takes other arguments");
+    static_assert(detail::missing<F>, "concino: Format needs write: static void write(write_context&, flat_mesh&); writes flat arrays to context.out");
+  }
+};
+
+using format_requirements = list<format_name_requirement, extensions_requirement, holds_requirement, reader_requirement, writer_requirement>;
 
 }  // namespace requirement
 
@@ -47,30 +86,10 @@ template<class F>
 concept Format = requirement::has_format_name<F> && requirement::has_extensions<F> && requirement::says_what_it_holds<F> && requirement::has_reader<F> &&
                  requirement::has_writer<F>;
 
-namespace detail {
-
-/// False, but only once the type is known.
-template<class F> inline constexpr bool no_format = false;
-
-}  // namespace detail
-
 /// Fails to compile with one sentence that names the first thing F lacks to be a Format and what to write.
 template<class F>
 consteval void explain_format() {
-  // One line per message, so that compilers show it in one.
-  // clang-format off
-  if constexpr (!requirement::has_format_name<F>)
-    static_assert(detail::no_format<F>, "concino: Format needs name: static constexpr std::string_view name = \"soup\"; what messages call the format");
-  else if constexpr (!requirement::has_extensions<F>)
-    static_assert(detail::no_format<F>, "concino: Format needs extensions: static constexpr std::string_view extensions[] = {\".soup\"}; in lower case, the usual one first");
-  else if constexpr (!requirement::says_what_it_holds<F>)
-    static_assert(detail::no_format<F>, "concino: Format needs holds_surfaces and holds_volumes: static constexpr bool holds_surfaces = true, holds_volumes = false; not both false");
-  else if constexpr (!requirement::has_reader<F>)
-    static_assert(detail::no_format<F>, "concino: Format needs read: static void read(const concino::read_context&, concino::file_contents&), or volume_contents&; fills flat arrays from the text of a file");
-  else if constexpr (!requirement::has_writer<F>)
-    static_assert(detail::no_format<F>, "concino: Format needs write: static void write(concino::write_context&, concino::flat_mesh&); writes flat arrays to context.out");
-  else static_assert(Format<F>);
-  // clang-format on
+  if constexpr (!Format<F>) requirement::first_missing<requirement::format_requirements, F>::template explain<F>();
 }
 
 /// Formats that a call knows, listed when it is compiled. Where several have the extension of a path, those with the signature of the file come

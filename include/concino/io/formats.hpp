@@ -1,10 +1,10 @@
 // All formats of the library, in the order in which messages name them.
 #pragma once
 
-#include <concino/io/hedra.hpp>
-#include <concino/io/medit.hpp>
-#include <concino/io/obj.hpp>
-#include <concino/io/off.hpp>
+#include <concino/io/detail/hedra_format.hpp>
+#include <concino/io/detail/medit_format.hpp>
+#include <concino/io/detail/obj_format.hpp>
+#include <concino/io/detail/off_format.hpp>
 
 namespace concino {
 

@@ -3,6 +3,10 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/io/detail/load_with.hpp>
+#include <concino/io/detail/read_hedra.hpp>
+#include <concino/io/detail/read_medit.hpp>
+#include <concino/io/detail/read_obj.hpp>
+#include <concino/io/detail/read_off.hpp>
 #include <concino/io/formats.hpp>
 
 namespace concino {

@@ -2,36 +2,12 @@
 #pragma once
 
 #include <concino/io/detail/load_with.hpp>
+#include <concino/io/detail/medit_format.hpp>
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/save_with.hpp>
 #include <concino/io/detail/write_medit.hpp>
 
 namespace concino {
-
-/// Surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids; "label" of verts and polys.
-struct medit_format {
-  static constexpr std::string_view name = "medit";
-  static constexpr std::string_view extensions[] = {".mesh"};
-  static constexpr bool holds_surfaces = true, holds_volumes = true;
-
-  static bool has_signature(std::string_view text) {
-    token_cursor in(text, name, nullptr, '#');
-    in.skip();
-    return in.word() == "MeshVersionFormatted";
-  }
-
-  static void read(const read_context& in, file_contents& out) { detail::read_medit<false>(in, out); }
-  template<std::same_as<volume_contents> Contents>
-  static void read(const read_context& in, Contents& out) { detail::read_medit<true>(in, out); }
-  static void write(write_context& out, flat_mesh& m) { detail::write_medit(out, m); }
-};
-static_assert(Format<medit_format>);
-
-namespace file_format {
-
-inline constexpr medit_format medit{};
-
-}  // namespace file_format
 
 /// Reads a mesh from a MEDIT file, whatever its extension; no other format is compiled.
 /// Needs:  Loadable M.

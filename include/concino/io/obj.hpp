@@ -2,28 +2,12 @@
 #pragma once
 
 #include <concino/io/detail/load_with.hpp>
+#include <concino/io/detail/obj_format.hpp>
 #include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/save_with.hpp>
 #include <concino/io/detail/write_obj.hpp>
 
 namespace concino {
-
-/// Verts and polygons of any size; "color" of verts and polys, "label", "object", "group" and "material" of polys, "materials" of the mesh.
-struct obj_format {
-  static constexpr std::string_view name = "obj";
-  static constexpr std::string_view extensions[] = {".obj"};
-  static constexpr bool holds_surfaces = true, holds_volumes = false;
-
-  static void read(const read_context& in, file_contents& out) { detail::read_obj(in, out); }
-  static void write(write_context& out, flat_mesh& m) { detail::write_obj(out, m); }
-};
-static_assert(Format<obj_format>);
-
-namespace file_format {
-
-inline constexpr obj_format obj{};
-
-}  // namespace file_format
 
 /// Reads a mesh from an OBJ file, whatever its extension; no other format is compiled.
 /// Needs:  Loadable M, a surface.

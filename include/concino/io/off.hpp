@@ -2,29 +2,12 @@
 #pragma once
 
 #include <concino/io/detail/load_with.hpp>
+#include <concino/io/detail/off_format.hpp>
 #include <concino/io/detail/read_off.hpp>
 #include <concino/io/detail/save_with.hpp>
 #include <concino/io/detail/write_off.hpp>
 
 namespace concino {
-
-/// Verts and polygons of any size; "color" of verts and polys, "label" of polys that have no colour, "normal" and "texture" of verts.
-struct off_format {
-  static constexpr std::string_view name = "off";
-  static constexpr std::string_view extensions[] = {".off"};
-  static constexpr bool holds_surfaces = true, holds_volumes = false;
-  static constexpr bool has_binary = true;
-
-  static void read(const read_context& in, file_contents& out) { detail::read_off(in, out); }
-  static void write(write_context& out, flat_mesh& m) { detail::write_off(out, m); }
-};
-static_assert(Format<off_format>);
-
-namespace file_format {
-
-inline constexpr off_format off{};
-
-}  // namespace file_format
 
 /// Reads a mesh from an OFF file, whatever its extension; no other format is compiled.
 /// Needs:  Loadable M, a surface.

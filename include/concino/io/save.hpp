@@ -3,6 +3,10 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/write_hedra.hpp>
+#include <concino/io/detail/write_medit.hpp>
+#include <concino/io/detail/write_obj.hpp>
+#include <concino/io/detail/write_off.hpp>
 #include <concino/io/formats.hpp>
 
 namespace concino {

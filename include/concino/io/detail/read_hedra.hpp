@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/hedra_format.hpp>
 #include <concino/io/detail/orient.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/detail/text_sample.hpp>
@@ -143,6 +144,10 @@ class hedra_reader : token_cursor {
   }
 };
 
+}  // namespace concino::detail
+
+namespace concino {
+
 /// Needs:  text of a .hedra file: numbers in any layout.
 /// Result: its verts, faces and polyhedra in order. Polyhedra whose faces do not agree on the outside, or are inside out, are put right
 ///         and counted.
@@ -150,9 +155,9 @@ class hedra_reader : token_cursor {
 /// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
 ///         polyhedron that the wanted mesh cannot hold, text after the last; unsupported if faces of more than 16 verts belong to very many
 ///         polyhedra.
-template<class Contents>
-void read_hedra(const read_context& context, Contents& out) {
-  hedra_reader<Contents>(context).read(out);
+template<std::same_as<volume_contents> Contents>
+void hedra_format::read(const read_context& in, Contents& out) {
+  detail::hedra_reader<Contents>(in).read(out);
 }
 
-}  // namespace concino::detail
+}  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/medit_format.hpp>
 #include <concino/io/detail/medit_sections.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/mesh/face_soup.hpp>
@@ -263,6 +264,10 @@ class medit_reader : token_cursor {
   }
 };
 
+}  // namespace concino::detail
+
+namespace concino {
+
 /// Needs:  text of a MEDIT file: keywords, counts and rows in any layout, sections in any order, `#` comments, Dimension 2 (z is 0) or 3.
 /// Result: a volume if there is any cell, else a surface. Elements keep their order. Cells of negative volume are turned into the standard
 ///         order and counted. References become labels unless all are zero; those that are no integers are rounded and counted. Surface elements of a volume, and sections that a mesh has no
@@ -271,9 +276,9 @@ class medit_reader : token_cursor {
 /// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the
 ///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
 ///         or the reverse.
-template<bool Volumes>
-void read_medit(const read_context& context, contents_of<Volumes>& out) {
-  medit_reader<Volumes>(context).read(out);
+template<std::derived_from<file_contents> Contents>
+void medit_format::read(const read_context& in, Contents& out) {
+  detail::medit_reader<std::is_same_v<Contents, volume_contents>>(in).read(out);
 }
 
-}  // namespace concino::detail
+}  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/obj_format.hpp>
 #include <concino/io/detail/read_mtl.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/detail/text_sample.hpp>
@@ -275,6 +276,10 @@ class obj_reader : text_cursor {
   }
 };
 
+}  // namespace concino::detail
+
+namespace concino {
+
 /// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
 /// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are. `v x y z r g b` gives
 /// colours
@@ -285,6 +290,6 @@ class obj_reader : text_cursor {
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a number that is none or not finite, of an index out of range, of a poly of fewer than three
 ///         verts or with a vert twice, of a poly that the wanted mesh cannot hold; of an empty file.
-inline void read_obj(const read_context& context, file_contents& out) { obj_reader(context, out).read(*context.report); }
+inline void obj_format::read(const read_context& in, file_contents& out) { detail::obj_reader(in, out).read(*in.report); }
 
-}  // namespace concino::detail
+}  // namespace concino

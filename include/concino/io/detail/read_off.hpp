@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/off_format.hpp>
 #include <concino/io/detail/off_cursor.hpp>
 
 namespace concino::detail {
@@ -243,6 +244,10 @@ class off_reader : off_cursor {
   }
 };
 
+}  // namespace concino::detail
+
+namespace concino {
+
 /// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, then BINARY and numbers of 32 bits, or text with comments.
 /// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: coordinates that are missing are 0, those
 ///         beyond the third are reported as skipped. Colours, normals and texture coordinates of verts; colours of polys, white where there
@@ -253,6 +258,6 @@ class off_reader : off_cursor {
 /// Errors: parse_error naming the line (in binary files, the byte) of what is no number or not finite, of counts that are negative or
 ///         larger than the file, of an index out of range, of a poly of fewer than three verts or with a vert twice, of a poly that the
 ///         wanted mesh cannot hold, of w = 0, of the end of a file that is cut off.
-inline void read_off(const read_context& context, file_contents& out) { off_reader(context, out).read(); }
+inline void off_format::read(const read_context& in, file_contents& out) { detail::off_reader(in, out).read(); }
 
-}  // namespace concino::detail
+}  // namespace concino

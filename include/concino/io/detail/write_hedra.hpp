@@ -1,15 +1,20 @@
 // Writes volumes as .hedra.
 #pragma once
 
+#include <concino/io/detail/hedra_format.hpp>
 #include <concino/io/detail/write_common.hpp>
 
 namespace concino::detail {
 
-inline void write_hedra(write_context& c, flat_mesh& m) {
+}  // namespace concino::detail
+
+namespace concino {
+
+inline void hedra_format::write(write_context& c, flat_mesh& m) {
   const flat_polyhedra& all = m.polyhedra();
   c.out << m.points.size() << ' ' << all.face_verts.size() << ' ' << m.num_polys << '\n';
   for (const vec3& p : m.points) {
-    write_point(c.out, p);
+    detail::write_point(c.out, p);
     c.out << '\n';
     c.tell();
   }
@@ -32,4 +37,4 @@ inline void write_hedra(write_context& c, flat_mesh& m) {
   }
 }
 
-}  // namespace concino::detail
+}  // namespace concino

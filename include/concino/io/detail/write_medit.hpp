@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/medit_sections.hpp>
+#include <concino/io/detail/medit_format.hpp>
 #include <concino/io/detail/write_common.hpp>
 #include <concino/mesh/cell_recogniser.hpp>
 
@@ -46,36 +47,40 @@ inline void add_row(const write_context& c, flat_mesh& m, std::size_t p, medit_r
   rows.end_row(s);
 }
 
-inline void write_medit(write_context& c, flat_mesh& m) {
+}  // namespace concino::detail
+
+namespace concino {
+
+inline void medit_format::write(write_context& c, flat_mesh& m) {
   const flat_values<int> vert_label = m.vert_values<int>("label"), poly_label = m.poly_values<int>("label");
   c.keep<int>(element_kind::vert, "label");
   c.keep<int>(element_kind::poly, "label");
   c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << m.points.size() << '\n';
   for (std::size_t v = 0; v < m.points.size(); ++v) {
-    write_point(c.out, m.points[v]);
+    detail::write_point(c.out, m.points[v]);
     c.out << ' ' << (vert_label ? vert_label[v] : 0) << '\n';
     c.tell();
   }
 
-  medit_rows rows;
+  detail::medit_rows rows;
   cell_recogniser known;
   const bool by_faces = m.dimension == 3 && m.arity != 4 && m.arity != 8;
   const std::uint8_t* outward = by_faces ? m.polyhedra().outward.data() : nullptr;
   std::vector<int> labels;
   for (std::size_t p = 0; p < m.num_polys; ++p) {
-    add_row(c, m, p, rows, known, outward);
+    detail::add_row(c, m, p, rows, known, outward);
     labels.push_back(poly_label ? poly_label[p] : 0);
     c.tell();
   }
   std::size_t kinds = 0;
-  for (std::size_t s = 0; s < std::size(medit_sections); ++s) {
+  for (std::size_t s = 0; s < std::size(detail::medit_sections); ++s) {
     if (rows.count[s] == 0) continue;
     ++kinds;
-    const medit_section& section = medit_sections[s];
+    const detail::medit_section& section = detail::medit_sections[s];
     c.out << section.keyword << '\n' << rows.count[s] << '\n';
     std::size_t at = 0;
     for (std::size_t p = 0; p < rows.section.size(); ++p) {
-      const std::size_t n = medit_sections[rows.section[p]].arity;
+      const std::size_t n = detail::medit_sections[rows.section[p]].arity;
       if (rows.section[p] == s) {
         for (std::size_t i = 0; i < n; ++i) c.out << rows.verts[at + i] + 1 << ' ';
         c.out << labels[p] << '\n';
@@ -87,4 +92,4 @@ inline void write_medit(write_context& c, flat_mesh& m) {
   if (kinds > 1) c.report.notes.push_back("the file lists polys of one shape after those of another: their order changed");
 }
 
-}  // namespace concino::detail
+}  // namespace concino

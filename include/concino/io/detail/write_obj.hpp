@@ -1,6 +1,7 @@
 // Writes surfaces as Wavefront OBJ, and the material library that holds the colours of their polys.
 #pragma once
 
+#include <concino/io/detail/obj_format.hpp>
 #include <concino/io/detail/write_mtl.hpp>
 
 namespace concino::detail {
@@ -38,25 +39,29 @@ inline bool labels_number(std::size_t polys, const flat_values<std::string>& nam
   return true;
 }
 
-inline void write_obj(write_context& c, flat_mesh& m) {
+}  // namespace concino::detail
+
+namespace concino {
+
+inline void obj_format::write(write_context& c, flat_mesh& m) {
   const flat_values<rgba> vert_color = m.vert_values<rgba>("color");
   const flat_values<std::string> object = m.poly_values<std::string>("object");
   const flat_values<std::string> group = m.poly_values<std::string>("group");
   const flat_values<int> label = m.poly_values<int>("label");
-  const bool labels_are_names = label && (group || object) && labels_number(m.num_polys, group ? group : object, label);
+  const bool labels_are_names = label && (group || object) && detail::labels_number(m.num_polys, group ? group : object, label);
   const bool labels_are_groups = label && !group && !labels_are_names;
   c.keep<rgba>(element_kind::vert, "color");
   for (const char* const name : {"object", "group", "material"}) c.keep<std::string>(element_kind::poly, name);
   if (labels_are_names || labels_are_groups) c.keep<int>(element_kind::poly, "label");
 
   c.out << "# " << m.points.size() << " verts, " << m.num_polys << " polys\n";
-  library_file* library = nullptr;
+  detail::library_file* library = nullptr;
   if (!c.path.empty()) {
-    auto made = std::make_unique<library_file>(std::string(c.path), c.options.sync);
+    auto made = std::make_unique<detail::library_file>(std::string(c.path), c.options.sync);
     library = made.get();
     c.companions = std::move(made);
   }
-  mtl_names material(c, library, m.poly_values<std::string>("material"), m.poly_values<rgba>("color"), m.mesh_value<material_table>("materials"));
+  detail::mtl_names material(c, library, m.poly_values<std::string>("material"), m.poly_values<rgba>("color"), m.mesh_value<material_table>("materials"));
   if (material.any()) {
     for (std::size_t p = 0; p < m.num_polys; ++p) material.register_poly(p);
     for (std::size_t p = 0; p < m.num_polys; ++p) material.assign_material(p);
@@ -65,23 +70,23 @@ inline void write_obj(write_context& c, flat_mesh& m) {
   bool transparent = false;
   for (std::size_t v = 0; v < m.points.size(); ++v) {
     c.out << "v ";
-    write_point(c.out, m.points[v]);
+    detail::write_point(c.out, m.points[v]);
     if (vert_color) {
       const rgba& x = vert_color[v];
       transparent = transparent || x.a != 1;
       for (const float part : {x.r, x.g, x.b}) {
         c.out << ' ';
-        write_part(c.out, c.finite(part), false);
+        detail::write_part(c.out, c.finite(part), false);
       }
     }
     c.out << '\n';
     c.tell();
   }
-  obj_names objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
+  detail::obj_names objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
   for (std::size_t p = 0; p < m.num_polys; ++p) {
     if (object) objects.before_poly(object[p]);
     if (group) groups.before_poly(group[p]);
-    else if (labels_are_groups) groups.before_poly(label_name(label[p]));
+    else if (labels_are_groups) groups.before_poly(detail::label_name(label[p]));
     if (material.any()) materials.before_poly(material[p]);
     c.out << 'f';
     for (const vert_id v : m.poly_verts[p]) c.out << ' ' << v.raw() + 1;
@@ -93,4 +98,4 @@ inline void write_obj(write_context& c, flat_mesh& m) {
     c.report.lost.push_back("names of polys that no line of .obj can hold: they were changed");
 }
 
-}  // namespace concino::detail
+}  // namespace concino

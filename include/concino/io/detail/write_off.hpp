@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/rgba.hpp>
+#include <concino/io/detail/off_format.hpp>
 #include <concino/io/detail/write_common.hpp>
 
 #include <array>
@@ -77,7 +78,11 @@ class off_numbers {
   }
 };
 
-inline void write_off(write_context& c, flat_mesh& m) {
+}  // namespace concino::detail
+
+namespace concino {
+
+inline void off_format::write(write_context& c, flat_mesh& m) {
   const bool binary = c.options.binary;
   const flat_values<rgba> vert_color = m.vert_values<rgba>("color");
   const flat_values<vec3> normal = m.vert_values<vec3>("normal");
@@ -90,7 +95,7 @@ inline void write_off(write_context& c, flat_mesh& m) {
   c.keep<rgba>(element_kind::poly, "color");
   if (!color) c.keep<int>(element_kind::poly, "label");  // a poly has a colour or the index of one
 
-  off_numbers numbers(c, binary);
+  detail::off_numbers numbers(c, binary);
   c.out << (texture ? "ST" : "") << (vert_color ? "C" : "") << (normal ? "N" : "") << "OFF";
   const std::size_t vert_count = m.points.size();
   if (binary) {
@@ -124,4 +129,4 @@ inline void write_off(write_context& c, flat_mesh& m) {
   if (numbers.rounded) c.report.lost.push_back("binary .off holds floats: coordinates and other numbers were rounded to 32 bits");
 }
 
-}  // namespace concino::detail
+}  // namespace concino

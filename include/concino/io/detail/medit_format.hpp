@@ -1,0 +1,31 @@
+// What the MEDIT format is: its reader is defined in read_medit.hpp, its writer in write_medit.hpp.
+#pragma once
+
+#include <concino/io/format.hpp>
+
+namespace concino {
+
+/// Surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids; "label" of verts and polys.
+struct medit_format {
+  static constexpr std::string_view name = "medit";
+  static constexpr std::string_view extensions[] = {".mesh"};
+  static constexpr bool holds_surfaces = true, holds_volumes = true;
+
+  static bool has_signature(std::string_view text) {
+    token_cursor in(text, name, nullptr, '#');
+    in.skip();
+    return in.word() == "MeshVersionFormatted";
+  }
+  template<std::derived_from<file_contents> Contents>  // programs that read surfaces only need not compile volumes
+  static void read(const read_context& in, Contents& out);
+  static void write(write_context& out, flat_mesh& m);
+};
+static_assert(Format<medit_format>);
+
+namespace file_format {
+
+inline constexpr medit_format medit{};
+
+}  // namespace file_format
+
+}  // namespace concino

@@ -1,0 +1,25 @@
+// What the OFF format is: its reader is defined in read_off.hpp, its writer in write_off.hpp.
+#pragma once
+
+#include <concino/io/format.hpp>
+
+namespace concino {
+
+/// Verts and polygons of any size; "color" of verts and polys, "label" of polys that have no colour, "normal" and "texture" of verts.
+struct off_format {
+  static constexpr std::string_view name = "off";
+  static constexpr std::string_view extensions[] = {".off"};
+  static constexpr bool holds_surfaces = true, holds_volumes = false;
+  static constexpr bool has_binary = true;
+  static void read(const read_context& in, file_contents& out);
+  static void write(write_context& out, flat_mesh& m);
+};
+static_assert(Format<off_format>);
+
+namespace file_format {
+
+inline constexpr off_format off{};
+
+}  // namespace file_format
+
+}  // namespace concino
