@@ -43,7 +43,7 @@ fields/detail/straight_distance    fields/heat_geodesics_sources fields/heat_geo
 fields/detail/masses   fields/poisson fields/poisson_fluxes
 fields/detail/neumann  fields/poisson_fluxes
 operators/detail/cotangent_weights operators/cotangent operators/laplacian
-operators/detail/stiffness  operators/discretisation operators/laplacian
+operators/stiffness    operators/stiffness operators/discretisation operators/laplacian
 operators/laplacian    operators/laplacian
 operators/mass_matrix  operators/mass_matrix
 operators/poly_mass_matrix operators/poly_mass_matrix

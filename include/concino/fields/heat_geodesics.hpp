@@ -82,7 +82,7 @@ class prepared_heat_geodesics {
     const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent()) : 2 * detail::mean_square_width(m) / dimension_v<M>;
     constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are those of the mesh all the same
     Eigen::SparseMatrix<double> stiffness;
-    if constexpr (along_edges) stiffness = detail::lower_stiffness(m, virtual_elements);
+    if constexpr (along_edges) stiffness = lower_stiffness(m, virtual_elements);
     else stiffness = detail::lower_stiffness_at(m, mesh_in, discretisation);
     const auto mass = vert_masses(m);
     double sum = 0;
@@ -102,7 +102,7 @@ class prepared_heat_geodesics {
       }
       return a;
     };
-    Eigen::SparseMatrix<double> heat = along_edges ? heat_by(detail::lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
+    Eigen::SparseMatrix<double> heat = along_edges ? heat_by(lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
     detail::tell(options.progress, 0.1, "factorising");
     preparation r{{std::move(stiffness), std::move(corners), mean, solver},
                   detail::distance_graph_of(m),

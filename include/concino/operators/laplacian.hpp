@@ -3,8 +3,8 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/operators/cotangent.hpp>
-#include <concino/operators/detail/stiffness.hpp>
 #include <concino/operators/discretisation.hpp>
+#include <concino/operators/stiffness.hpp>
 #include <concino/operators/uniform.hpp>
 #include <concino/operators/virtual_elements.hpp>
 
@@ -25,7 +25,7 @@ namespace concino {
 /// Source: that of the discretisation; paper section 2.2.
 template<PrimalGraph M, Discretisation<M> D>
 Eigen::SparseMatrix<double> laplacian(const M& m, const D& discretisation) {
-  return detail::with_stiffness(
+  return with_stiffness(
       m, discretisation,
       [&](const auto& weights) {
         return core::assemble<core::whole_matrix>(

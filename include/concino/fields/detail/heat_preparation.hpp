@@ -10,9 +10,9 @@
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/graph/detail/boundary_verts.hpp>
 #include <concino/graph/dijkstra.hpp>
-#include <concino/operators/detail/stiffness.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/simplex_gradients.hpp>
+#include <concino/operators/stiffness.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <concino/core/number_text.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/operators/detail/product.hpp>
-#include <concino/operators/detail/stiffness.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
+#include <concino/operators/stiffness.hpp>
 
 #include <cmath>
 #include <cstddef>

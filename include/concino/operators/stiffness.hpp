@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <utility>
 
-namespace concino::detail {
+namespace concino {
+
+namespace detail {
 
 /// w(a, b) for neighbours a and b.
 template<PrimalGraph M, class W>
@@ -53,22 +55,32 @@ struct weights_of_edges {
   }
 };
 
-/// Calls on_weights(weights) or on_polys(make_poly_operator), whichever the discretisation has.      Errors: those of the discretisation.
+}  // namespace detail
+
+/// Hands the weights or the matrices of a discretisation to what assembles them, whichever it has.
+/// Needs:  PrimalGraph M, Discretisation D. on_weights(w): w.num_neighbours(v) and w.for_each_neighbour(v, f) with f(neighbour, weight), as
+///         core::assemble reads them. on_polys(make): make() gives an element of its own to each thread, as detail::assemble_elements asks for.
+/// Result: what on_weights or on_polys returned.
+/// Cost:   that of the discretisation's members, and of what is called.
+/// Errors: those of the discretisation, and of what is called.
 template<PrimalGraph M, Discretisation<M> D, class OnWeights, class OnPolys>
 Eigen::SparseMatrix<double> with_stiffness(const M& m, const D& discretisation, const OnWeights& on_weights, const OnPolys& on_polys) {
   if constexpr (requirement::has_neighbour_weights<D, M>) {
-    return on_weights(weights_of_neighbours<M, decltype(discretisation.neighbour_weights(m))>{m, discretisation.neighbour_weights(m)});
+    return on_weights(detail::weights_of_neighbours<M, decltype(discretisation.neighbour_weights(m))>{m, discretisation.neighbour_weights(m)});
   } else if constexpr (requirement::has_edge_weights<D, M>) {
-    return on_weights(weights_of_edges<M, decltype(discretisation.edge_weights(m))>{m, discretisation.edge_weights(m)});
+    return on_weights(detail::weights_of_edges<M, decltype(discretisation.edge_weights(m))>{m, discretisation.edge_weights(m)});
   } else {
     const auto make = [&] { return discretisation.poly_matrices(m); };
-    const auto make_operator = [&] { return poly_operator_of<M>(make); };
-    return on_polys(make_poly_operator<M>(make_operator));
+    const auto make_operator = [&] { return detail::poly_operator_of<M>(make); };
+    return on_polys(detail::make_poly_operator<M>(make_operator));
   }
 }
 
 /// The lower triangle of minus the Laplacian.
-template<class M, class D>
+/// Needs:  PrimalGraph M, Discretisation D.
+/// Result: that of laplacian with the other sign, without what stands above the diagonal.
+/// Cost:   as laplacian.      Errors: as laplacian.
+template<PrimalGraph M, Discretisation<M> D>
 Eigen::SparseMatrix<double> lower_stiffness(const M& m, const D& discretisation) {
   return with_stiffness(
       m, discretisation,
@@ -77,7 +89,7 @@ Eigen::SparseMatrix<double> lower_stiffness(const M& m, const D& discretisation)
             m, weights, vert_index_bound(m), 1.0, [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); },
             [](int, const vert_t<M>&, double) {});
       },
-      [&](auto make_element) { return assemble_elements<M>(m, make_element); });
+      [&](auto make_element) { return detail::assemble_elements<M>(m, make_element); });
 }
 
-}  // namespace concino::detail
+}  // namespace concino
