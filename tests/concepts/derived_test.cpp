@@ -26,10 +26,11 @@ std::vector<int> numbers(const R& ring, const X& number) {
 template<class A, class All, class Ring>
 std::vector<int> sharing(A a, const All& all, const Ring& ring) {
   std::vector<int> r;
-  const auto mine = ring(a);
+  const auto& mine = ring(a);
   for (A x : all) {
     bool shares = false;
-    for (auto y : ring(x)) shares = shares || std::find(mine.begin(), mine.end(), y) != mine.end();
+    for (auto y : ring(x))
+      for (auto z : mine) shares = shares || y == z;
     if (shares && !(x == a)) r.push_back(x.i);
   }
   return r;

@@ -1,11 +1,14 @@
 // Each law, broken on purpose, is found under its own number with a witness; the mesh as it was breaks none.
 #include <concino/concepts/archetypes.hpp>
+#include <concino/mesh/boundary.hpp>
 #include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/polyhedralmesh.hpp>
 #include <concino/mesh/tetmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
 #include "../support/liar.hpp"
+#include "../support/meshes.hpp"
 
 #include <doctest/doctest.h>
 
@@ -214,22 +217,26 @@ TEST_CASE("the arity of a surface") {
 }
 
 namespace {
-/// A mesh that promises its edges in order, and lists them the other way round.
-template<class M>
+/// A mesh that lists the edges of polys and faces backwards, and says so or not.
+template<class M, bool SaysSo = false>
 struct backwards : M {
   using M::M;
 };
+template<class R>
+std::vector<cn::edge_id> reversed(const R& edges) {
+  std::vector<cn::edge_id> ring;
+  for (const cn::edge_id e : edges) ring.insert(ring.begin(), e);
+  return ring;
+}
 }  // namespace
-template<class M>
-struct concino::mesh_traits<backwards<M>> : mesh_traits<M> {
-  static std::vector<edge_id> adj_p2e(const M& m, poly_id p) {
-    std::vector<edge_id> ring;
-    for (const edge_id e : mesh_traits<M>::adj_p2e(m, p)) ring.insert(ring.begin(), e);
-    return ring;
-  }
+template<class M, bool SaysSo>
+struct concino::mesh_traits<backwards<M, SaysSo>> : mesh_traits<M> {
+  static constexpr bool edges_in_order = !SaysSo;
+  static std::vector<edge_id> adj_p2e(const M& m, poly_id p) { return reversed(mesh_traits<M>::adj_p2e(m, p)); }
+  static std::vector<edge_id> adj_f2e(const M& m, face_id f) { return reversed(mesh_traits<M>::adj_f2e(m, f)); }
 };
 
-TEST_CASE("edges in order, where the type promises it") {
+TEST_CASE("the order of edges, unless the type says that it lists them otherwise") {
   const backwards<cn::trimesh> triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const auto of_triangle = cn::check_laws(triangle);
   CHECK(of_triangle.size() == 2);  // the one in the middle is where it should be
@@ -240,6 +247,21 @@ TEST_CASE("edges in order, where the type promises it") {
   const auto of_tet = cn::check_laws(tet);
   CHECK(of_tet.size() == 4);  // as many as are told of one law
   for (const auto& b : of_tet) CHECK(b.law == "VM8");
+  const backwards<cn::polyhedralmesh> prism(cn::testing::polyhedra_grid(1));
+  const auto of_prism = cn::check_laws(prism);
+  CHECK_FALSE(of_prism.empty());
+  for (const auto& b : of_prism) CHECK(b.law == "VM8");
+
+  const backwards<cn::polygonmesh, true> sorted_square({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
+  const backwards<cn::tetmesh, true> sorted_tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
+  const backwards<cn::polyhedralmesh, true> sorted_prism(cn::testing::polyhedra_grid(1));
+  CHECK(cn::check_laws(sorted_square).empty());
+  CHECK(cn::check_laws(sorted_tet).empty());
+  CHECK(cn::check_laws(sorted_prism).empty());
+  CHECK(cn::check_laws(cn::only_mesh(sorted_square)).empty());
+  CHECK(cn::check_laws(cn::only_fixed_arity_mesh(sorted_tet)).empty());
+  CHECK(cn::check_laws(cn::only_mesh(sorted_prism)).empty());
+  CHECK(cn::check_laws(cn::boundary(sorted_prism)).empty());
 }
 
 TEST_CASE_TEMPLATE("meshes that throw or answer nonsense everywhere are described, at most four times per law", M, surface, volume) {

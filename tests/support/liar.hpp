@@ -42,6 +42,7 @@ struct mesh_traits<tiny::liar<B>> {
   using face = tiny::facet;
   using poly = tiny::cell;
   static constexpr int dimension = T::dimension;
+  static constexpr bool edges_in_order = T::edges_in_order;
 
 #define TINY_ALL(kind)                                                                   \
   static auto kind##s(const L& m) requires requires { T::kind##s(m); }                   \

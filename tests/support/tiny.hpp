@@ -96,6 +96,7 @@ struct mesh_traits<tiny::surface> {
   using edge = tiny::segment;
   using poly = tiny::cell;
   static constexpr int dimension = 2;
+  static constexpr bool edges_in_order = false;
 
   static auto verts(const M& m) { return tiny::all<vert>(m.points.size()); }
   static auto edges(const M& m) { return tiny::all<edge>(m.es.size()); }
@@ -159,6 +160,7 @@ struct mesh_traits<tiny::volume> {
   using face = tiny::facet;
   using poly = tiny::cell;
   static constexpr int dimension = 3;
+  static constexpr bool edges_in_order = false;
 
   static auto verts(const M& m) { return tiny::all<vert>(m.points.size()); }
   static auto edges(const M& m) { return tiny::all<edge>(m.es.size()); }

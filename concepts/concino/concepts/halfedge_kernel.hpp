@@ -50,7 +50,6 @@ namespace concino {
 template<class M, class K>
 struct halfedge_kernel : K {
   static constexpr int dimension = 2;
-  static constexpr bool edges_in_order = true;
   using base_requirements = requirement::bound<requirement::halfedge_links_requirements, K, M>;
   using vert = typename K::vert;
   using edge = typename K::edge;

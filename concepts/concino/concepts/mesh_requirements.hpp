@@ -166,13 +166,6 @@ using mesh_requirements = list<primal_graph_requirements, dual_graph_requirement
                                edge_index_bound_requirement, edge_index_of_requirement, adj_e2v_requirement, adj_e2p_requirement, adj_v2e_requirement,
                                adj_v2p_requirement, adj_p2v_requirement, adj_p2e_requirement>;
 
-/// A promise that a type may make, `static constexpr bool edges_in_order = true;`, so that algorithms on its polys need not search:
-///   SM7  the k-th edge of adj_p2e(p) joins the k-th vert of adj_p2v(p) and the next one, the last the last and the first
-///   VM8  where polys are tets by type, the edges of adj_p2e(p) join the verts 01 02 03 12 13 23 of adj_p2v(p)
-/// Of other volumes it says nothing.
-template<class M>
-concept promises_edges_in_order = requires { requires traits<M>::edges_in_order; } && (dimension_v<M> == 2 || arity_v<M> == 4);
-
 }  // namespace concino::requirement
 
 // Whoever includes the parts can ask for what is missing: explain_surface_mesh<M>(), explain_volume_mesh<M>().

@@ -11,7 +11,7 @@
 //   face_is_outward(m, p, f)                 seen from outside poly p, f's verts run counter-clockwise
 //   point(m, v) set_point(m, v, x)           coordinates
 //   contains(m, x)                           optional: is x an element now, in constant time
-//   edges_in_order                           optional: static constexpr bool, see mesh_requirements.hpp
+//   edges_in_order                           optional: static constexpr bool; false where adj_p2e or adj_f2e breaks SM7 or VM8: then the verbs sort
 //
 // Include the adapter, or specialise, before anything asks about the type: an algorithm called, a concept named. A specialisation for one
 // type that comes later is an error. So is a later one for many types, as adapters have, with g++; clang++ takes it without a word, but keeps

@@ -2,13 +2,15 @@
 //
 // Laws, beside those of both graphs:
 //   SM1  index_of of edges is below edge_index_bound and differs; walking edges(m) meets num_edges(m), each once
-//   SM2  adj_e2v(e) is two different verts, adj_v2e mirrors it, and adj_v2v(v) is the far ends of adj_v2e(v)
+//   SM2  adj_e2v(e) is two different verts, in the same order each time, adj_v2e mirrors it, and adj_v2v(v) is the far ends of adj_v2e(v)
 //   SM3  adj_p2v(p) walks the polygon: each two verts that follow one another, the last and the first too, are the ends of one of
 //        adj_p2e(p); no vert twice, as many edges as verts
 //   SM4  adj_e2p mirrors adj_p2e and adj_v2p mirrors adj_p2v, nothing twice
 //   SM5  adj_p2p(p) is the polys that share an edge with p
 //   SM6  where the type fixes the arity, adj_p2v(p) is that many verts
-//   SM7  where the type promises edges_in_order, see mesh_requirements.hpp
+//   SM7  the k-th edge of adj_p2e(p) joins the k-th vert of adj_p2v(p) and the next one, the last the last and the first
+//
+// A model whose own lists come in another order says so in its traits, static constexpr bool edges_in_order = false; and the verb sorts.
 #pragma once
 
 #include <concino/concepts/mesh_requirements.hpp>

@@ -7,6 +7,7 @@
 // Errors: those of the member.
 #pragma once
 
+#include <concino/concepts/detail/sorted_edges.hpp>
 #include <concino/concepts/mesh_traits.hpp>
 
 #include <concepts>
@@ -197,12 +198,16 @@ inline constexpr struct adj_f2v_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const { return traits<M>::adj_f2v(m, f); }
 } adj_f2v{};
 
-/// The edges of f.
+/// The edges of f, following its verts: edge k joins the verts k and k + 1 of adj_f2v. Where the traits say edges_in_order = false, they are sorted:
+/// k^2 comparisons for k edges up to 8, above them a walk over the edges at the ends of each.
 inline constexpr struct adj_f2e_verb : detail::verb {
   using verb::operator();
   template<class M>
     requires requires(const M& m, face_t<M> f) { traits<M>::adj_f2e(m, f); }
-  constexpr decltype(auto) operator()(const M& m, face_t<M> f) const { return traits<M>::adj_f2e(m, f); }
+  constexpr decltype(auto) operator()(const M& m, face_t<M> f) const {
+    if constexpr (detail::sorts_edges_of_faces<M>) return detail::edges_along_ring<M, detail::edges_of_faces<M>>(m, f);
+    else return traits<M>::adj_f2e(m, f);
+  }
 } adj_f2e{};
 
 /// The polys on the sides of f.
@@ -221,12 +226,16 @@ inline constexpr struct adj_p2v_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2v(m, p); }
 } adj_p2v{};
 
-/// The edges of p.
+/// The edges of p. Of a surface they follow its verts: edge k joins the verts k and k + 1 of adj_p2v. Those of a tet join its verts 01 02 03 12 13 23.
+/// Where the traits say edges_in_order = false, they are sorted as those of a face are.
 inline constexpr struct adj_p2e_verb : detail::verb {
   using verb::operator();
   template<class M>
     requires requires(const M& m, poly_t<M> p) { traits<M>::adj_p2e(m, p); }
-  constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2e(m, p); }
+  constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const {
+    if constexpr (detail::sorts_edges_of_polys<M>) return typename detail::sorted_edges_of_poly<M>::type(m, p);
+    else return traits<M>::adj_p2e(m, p);
+  }
 } adj_p2e{};
 
 /// The faces of p.

@@ -11,7 +11,10 @@
 //        and the other against it
 //   VM7  where polys are tets or hexes by type, adj_p2v lists 4 or 8 verts in the standard order: the tet's faces are 0 2 1, 0 1 3,
 //        0 3 2, 1 2 3, the hex's 0 3 2 1, 1 2 6 5, 4 5 6 7, 3 0 4 7, 0 1 5 4, 2 3 7 6, in any order
-//   VM8  where the type promises edges_in_order, see mesh_requirements.hpp
+//   VM8  the k-th edge of adj_f2e(f) joins the k-th vert of adj_f2v(f) and the next one, the last the last and the first; where polys are tets by
+//        type, the edges of adj_p2e(p) join the verts 01 02 03 12 13 23 of adj_p2v(p)
+//
+// A model whose own lists come in another order says so in its traits, static constexpr bool edges_in_order = false; and the verbs sort.
 #pragma once
 
 #include <concino/concepts/mesh_requirements.hpp>

@@ -12,12 +12,13 @@ namespace concino {
 
 namespace views {
 
-/// Shows faces of M as polys. Those that M lists clockwise, seen from outside, are kept here the other way round.
+/// Shows faces of M as polys. Those that M lists clockwise, seen from outside, are kept here the other way round, edges too.
 template<VolumeMesh M>
 class boundary_view : public partial<M> {
  public:
   struct turned_faces {
     std::vector<vert_t<M>> verts;
+    std::vector<edge_t<M>> edges;
     std::vector<std::size_t> first;  // by face index, one more than the bound; empty where no face is turned
   };
 
@@ -33,27 +34,26 @@ class boundary_view : public partial<M> {
 
 namespace detail {
 
-/// The verts of a face as the mesh lists them, or as they were turned round.
-template<class M>
+/// The verts or edges, X, of a face as the mesh lists them, or as they were turned round.
+template<class M, class X, class Verb>
 class outward_ring {
-  using vert = vert_t<M>;
-  using ring = decltype(adj_f2v(std::declval<const M&>(), std::declval<face_t<M>>()));
+  using ring = decltype(std::declval<const Verb&>()(std::declval<const M&>(), std::declval<face_t<M>>()));
   using step = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
 
   ring listed_;
-  const vert* first_ = nullptr;
-  const vert* last_ = nullptr;
+  const X* first_ = nullptr;
+  const X* last_ = nullptr;
 
  public:
   struct sentinel {};
   class iterator {
     const outward_ring* r_;
     step listed_;
-    const vert* turned_;
+    const X* turned_;
 
    public:
     explicit iterator(const outward_ring& r) : r_(&r), listed_(r.listed_.begin()), turned_(r.first_) {}
-    vert operator*() const { return turned_ ? *turned_ : vert(*listed_); }
+    X operator*() const { return turned_ ? *turned_ : X(*listed_); }
     iterator& operator++() {
       if (turned_) ++turned_;
       else ++listed_;
@@ -62,13 +62,13 @@ class outward_ring {
     bool operator!=(sentinel) const { return turned_ ? turned_ != r_->last_ : listed_ != r_->listed_.end(); }
   };
 
-  outward_ring(const views::boundary_view<M>& b, const face_t<M>& f) : listed_(adj_f2v(b.base(), f)) {
+  outward_ring(const views::boundary_view<M>& b, const face_t<M>& f, const Verb& verb, const std::vector<X>& turned) : listed_(verb(b.base(), f)) {
     const auto& t = b.turned();
     if (t.first.empty()) return;
     const std::size_t i = index_of(b.base(), f);
     if (t.first[i] == t.first[i + 1]) return;
-    first_ = t.verts.data() + t.first[i];
-    last_ = t.verts.data() + t.first[i + 1];
+    first_ = turned.data() + t.first[i];
+    last_ = turned.data() + t.first[i + 1];
   }
   outward_ring(const outward_ring&) = delete;
   iterator begin() const { return iterator(*this); }
@@ -110,15 +110,15 @@ struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boun
   static auto adj_p2p(const V& m, const poly& p) {
     return detail::filtered([&]() -> decltype(auto) { return adj_f2f(m.base(), p); }, base::shown_in(m, m.elements().faces));
   }
-  static auto adj_p2v(const V& m, const poly& p) { return detail::outward_ring<M>(m, p); }
-  static decltype(auto) adj_p2e(const V& m, const poly& p) { return traits<M>::adj_f2e(m.base(), p); }
+  static auto adj_p2v(const V& m, const poly& p) { return detail::outward_ring<M, vert, adj_f2v_verb>(m, p, adj_f2v, m.turned().verts); }
+  static auto adj_p2e(const V& m, const poly& p) { return detail::outward_ring<M, edge, adj_f2e_verb>(m, p, adj_f2e, m.turned().edges); }
 };
 
 /// Needs:  VolumeMesh M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
 /// Result: a SurfaceMesh (a TriMesh of tets, a QuadMesh of hexes) whose polys are the faces with exactly one poly, wound counter-clockwise
 ///         seen from outside that poly, and whose verts and edges are those of these faces. Descriptors and indices are those of m, so a
 ///         poly of the surface is a face_t<M>. It does not follow later changes of m.
-/// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts of faces that m lists clockwise, which copies share.
+/// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts and edges of faces that m lists clockwise, which copies share.
 /// Errors: none of its own.
 template<VolumeMesh M>
 auto boundary(const M& m) {
@@ -147,11 +147,16 @@ auto boundary(const M& m) {
     turned->first.push_back(0);
     for (const std::uint32_t n : sizes) turned->first.push_back(turned->first.back() + n);
     turned->verts.resize(turned->first.back());
+    turned->edges.resize(turned->first.back());
     for (const auto f : faces(m)) {
       const std::size_t i = index_of(m, f);
       std::size_t k = turned->first[i + 1];
       if (k == turned->first[i]) continue;
       for (const auto v : adj_f2v(m, f)) turned->verts[--k] = v;
+      // The last edge, between the last vert and the first, joins them the other way round too.
+      const std::size_t end = turned->first[i + 1], last = end - 1;
+      k = last;
+      for (const auto e : adj_f2e(m, f)) turned->edges[k == turned->first[i] ? last : --k] = e;
     }
   }
   detail::mark_whole_verts(m, *s);

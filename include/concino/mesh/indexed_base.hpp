@@ -64,7 +64,6 @@ struct indexed_elements {
   using vert = vert_id;
   using edge = edge_id;
   using poly = poly_id;
-  static constexpr bool edges_in_order = true;
   using base_requirements = requirement::bound<requirement::list<requirement::tables_requirement>, M>;
 
   // What concepts ask for first says "no" where there are no tables, so that they do not ask for the rest. X, since only then mesh_traits<M> is complete.

@@ -49,7 +49,7 @@ struct submesh_traits : partial_traits<views::submesh_view<M>, M>, fixed_arity<a
     return filtered([&]() -> decltype(auto) { return traits<M>::adj_p2p(m.base(), p); }, base::shown_in(m, m.elements().polys));
   }
   static decltype(auto) adj_p2v(const V& m, const poly& p) { return traits<M>::adj_p2v(m.base(), p); }
-  static decltype(auto) adj_p2e(const V& m, const poly& p) { return traits<M>::adj_p2e(m.base(), p); }
+  static decltype(auto) adj_p2e(const V& m, const poly& p) { return concino::adj_p2e(m.base(), p); }
 };
 
 template<class M>
@@ -82,7 +82,7 @@ struct submesh_volume_traits : submesh_traits<M> {
     return filtered([&]() -> decltype(auto) { return traits<M>::adj_f2p(m.base(), f); }, base::shown_in(m, m.elements().polys));
   }
   static decltype(auto) adj_f2v(const V& m, const face& f) { return traits<M>::adj_f2v(m.base(), f); }
-  static decltype(auto) adj_f2e(const V& m, const face& f) { return traits<M>::adj_f2e(m.base(), f); }
+  static decltype(auto) adj_f2e(const V& m, const face& f) { return concino::adj_f2e(m.base(), f); }
   static decltype(auto) adj_p2f(const V& m, const poly& p) { return traits<M>::adj_p2f(m.base(), p); }
   static bool face_is_outward(const V& m, const poly& p, const face& f) { return concino::face_is_outward(m.base(), p, f); }
 };

@@ -43,6 +43,7 @@ struct walk {
         for (const auto& e : adj_p2e(m, both.polys.to(p)))
           expect(native_numbers(both.verts, adj_e2v(m, e)) == native_numbers(both.verts, adj_e2v(m, both.edges.to(both.edges.back(e)))), "adj_e2v");
     }
+    if constexpr (AnyMesh<M>) check_order(both);
     if constexpr (SurfaceMesh<M>) check_facets(both, both.edges);
     if constexpr (VolumeMesh<M>) check_facets(both, both.faces);
     if constexpr (SurfaceMesh<M>)
@@ -79,6 +80,31 @@ struct walk {
   static void same_sets(const B& both, const From& from, const To& to, const Verb& verb, const char* what) {
     for (const auto x : from.all)
       expect(sorted(raw_numbers(verb(both.native, x))) == sorted(native_numbers(to, verb(both.other, from.to(x)))), what);
+  }
+  /// Edge k of a polygon joins its verts k and k + 1, those of a tet are 01 02 03 12 13 23.
+  template<class B>
+  static void check_order(const B& both) {
+    using M = typename B::other_mesh;
+    const auto& m = both.other;
+    const auto in_order = [&](const auto& loop, const auto& edges_of_it, const auto& ends_of, const char* what) {
+      std::vector<vert_t<M>> ring;
+      for (const vert_t<M> v : loop) ring.push_back(v);
+      std::size_t k = 0;
+      for (const edge_t<M> e : edges_of_it) {
+        const auto [i, j] = ends_of(k++, ring.size());
+        const auto [a, b] = end_verts(m, e);
+        expect((a == ring[i] && b == ring[j]) || (a == ring[j] && b == ring[i]), what);
+      }
+    };
+    const auto around = [](std::size_t k, std::size_t n) { return std::pair(k, k + 1 == n ? 0 : k + 1); };
+    if constexpr (SurfaceMesh<M>)
+      for (const poly_t<M> p : polys(m)) in_order(adj_p2v(m, p), adj_p2e(m, p), around, "adj_p2e follows adj_p2v");
+    if constexpr (VolumeMesh<M>)
+      for (const face_t<M> f : faces(m)) in_order(adj_f2v(m, f), adj_f2e(m, f), around, "adj_f2e follows adj_f2v");
+    if constexpr (TetMesh<M>) {
+      const auto of_tet = [](std::size_t k, std::size_t) { return std::pair<std::size_t, std::size_t>(k < 3 ? 0 : k < 5 ? 1 : 2, k < 3 ? k + 1 : k < 5 ? k - 1 : 3); };
+      for (const poly_t<M> p : polys(m)) in_order(adj_p2v(m, p), adj_p2e(m, p), of_tet, "the edges of a tet in order");
+    }
   }
   /// pairs: of the facets.
   template<class B, class P>

@@ -119,11 +119,11 @@ struct mesh_traits<archetypes::only<M, P>> : archetypes::vert_type<M, has(P, arc
   template<class X = M> requires mesh static constexpr auto adj_e2p(const A& a, const e<X>& x) { return out<p<X>>([&]() -> decltype(auto) { return T::adj_e2p(a.base(), in(x)); }); }
 
   template<class X = M> requires volume static constexpr auto adj_f2v(const A& a, const f<X>& x) { return out<v<X>>([&]() -> decltype(auto) { return T::adj_f2v(a.base(), in(x)); }); }
-  template<class X = M> requires volume static constexpr auto adj_f2e(const A& a, const f<X>& x) { return out<e<X>>([&]() -> decltype(auto) { return T::adj_f2e(a.base(), in(x)); }); }
+  template<class X = M> requires volume static constexpr auto adj_f2e(const A& a, const f<X>& x) { return out<e<X>>([&]() -> decltype(auto) { return concino::adj_f2e(a.base(), in(x)); }); }
   template<class X = M> requires volume static constexpr auto adj_f2p(const A& a, const f<X>& x) { return out<p<X>>([&]() -> decltype(auto) { return T::adj_f2p(a.base(), in(x)); }); }
 
   template<class X = M> requires mesh static constexpr auto adj_p2v(const A& a, const p<X>& x) { return out<v<X>>([&]() -> decltype(auto) { return T::adj_p2v(a.base(), in(x)); }); }
-  template<class X = M> requires mesh static constexpr auto adj_p2e(const A& a, const p<X>& x) { return out<e<X>>([&]() -> decltype(auto) { return T::adj_p2e(a.base(), in(x)); }); }
+  template<class X = M> requires mesh static constexpr auto adj_p2e(const A& a, const p<X>& x) { return out<e<X>>([&]() -> decltype(auto) { return concino::adj_p2e(a.base(), in(x)); }); }
   template<class X = M> requires volume static constexpr auto adj_p2f(const A& a, const p<X>& x) { return out<f<X>>([&]() -> decltype(auto) { return T::adj_p2f(a.base(), in(x)); }); }
   template<class X = M> requires dual static constexpr auto adj_p2p(const A& a, const p<X>& x) { return out<p<X>>([&]() -> decltype(auto) { return T::adj_p2p(a.base(), in(x)); }); }
 

@@ -113,7 +113,7 @@ class halfedge_ring {
       if (K::is_isolated(m, x)) return r;
     }
     r.first_ = K::halfedge_of(m, x);
-    if constexpr (Ring == around::p2e) r.first_ = K::next(m, r.first_);  // so that it leaves the first vert: edges_in_order
+    if constexpr (Ring == around::p2e) r.first_ = K::next(m, r.first_);  // so that it leaves the first vert: SM7
     r.empty_ = false;
     return r;
   }

@@ -73,7 +73,7 @@ struct forward_edges : forward_verts<V, M>, forward_polys<V, M> {
   static decltype(auto) adj_e2v(const V& m, const edge& x) { return traits<M>::adj_e2v(m.base(), x); }
   static decltype(auto) adj_e2p(const V& m, const edge& x) { return traits<M>::adj_e2p(m.base(), x); }
   static decltype(auto) adj_p2v(const V& m, const poly& x) { return traits<M>::adj_p2v(m.base(), x); }
-  static decltype(auto) adj_p2e(const V& m, const poly& x) { return traits<M>::adj_p2e(m.base(), x); }
+  static decltype(auto) adj_p2e(const V& m, const poly& x) { return concino::adj_p2e(m.base(), x); }
 };
 
 /// What volumes have besides.
@@ -93,7 +93,7 @@ struct forward_faces : forward_edges<V, M> {
   static decltype(auto) adj_v2f(const V& m, const vert& x) { return traits<M>::adj_v2f(m.base(), x); }
   static decltype(auto) adj_e2f(const V& m, const edge& x) { return traits<M>::adj_e2f(m.base(), x); }
   static decltype(auto) adj_f2v(const V& m, const face& x) { return traits<M>::adj_f2v(m.base(), x); }
-  static decltype(auto) adj_f2e(const V& m, const face& x) { return traits<M>::adj_f2e(m.base(), x); }
+  static decltype(auto) adj_f2e(const V& m, const face& x) { return concino::adj_f2e(m.base(), x); }
   static decltype(auto) adj_f2p(const V& m, const face& x) { return traits<M>::adj_f2p(m.base(), x); }
   static decltype(auto) adj_p2f(const V& m, const poly& x) { return traits<M>::adj_p2f(m.base(), x); }
   static bool face_is_outward(const V& m, const poly& p, const face& f) { return concino::face_is_outward(m.base(), p, f); }

@@ -27,17 +27,8 @@ class scaled : public shown<M> {
 
 }  // namespace views
 
-namespace detail {
-
-template<class M> struct edges_in_order_as {};
 template<class M>
-  requires requires { requires bool(traits<M>::edges_in_order); }
-struct edges_in_order_as<M> { static constexpr bool edges_in_order = true; };
-
-}  // namespace detail
-
-template<class M>
-struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>, detail::fixed_arity<arity_v<M>>, detail::edges_in_order_as<M> {
+struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>, detail::fixed_arity<arity_v<M>> {
   static constexpr bool is_view = true;
   static vec3 point(const views::scaled<M>& m, const vert_t<M>& v) { return m.down(to_vec3(traits<M>::point(m.base(), v))); }
 };

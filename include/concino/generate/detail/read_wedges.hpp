@@ -19,29 +19,17 @@ void read_wedges(const M& m, const NumberOf& number_of, wedge_fans& fans) {
   for (const poly_t<M> p : polys(m))
     for (const vert_t<M> v : adj_p2v(m, p)) fans.count(index_of(m, v));
   fans.end_counting();
-  if constexpr (requirement::promises_edges_in_order<M>) {  // the same without a search
-    for (const poly_t<M> p : polys(m)) {
-      const auto& ring = adj_p2e(m, p);
-      std::uint32_t before = wedge::none;
-      for (const edge_t<M> e : ring) before = static_cast<std::uint32_t>(index_of(m, e));
-      auto side = ring.begin();
-      for (const vert_t<M> v : adj_p2v(m, p)) {
-        const edge_t<M> e = *side;
-        wedge& w = fans.at(index_of(m, v), number_of(p));
-        w.out = before;
-        before = w.in = static_cast<std::uint32_t>(index_of(m, e));
-        ++side;
-      }
-    }
-  } else {
-    side_walker<M> walker(m);
-    for (const poly_t<M> p : polys(m)) {
-      walker.read(p);
-      walker.for_each_side(p, [&](const edge_t<M>& e, std::size_t i, std::size_t j) {
-        const auto facet = static_cast<std::uint32_t>(index_of(m, e));
-        fans.at(index_of(m, walker.ring()[i]), number_of(p)).in = facet;
-        fans.at(index_of(m, walker.ring()[j]), number_of(p)).out = facet;
-      });
+  for (const poly_t<M> p : polys(m)) {
+    const auto& ring = adj_p2e(m, p);
+    std::uint32_t before = wedge::none;
+    for (const edge_t<M> e : ring) before = static_cast<std::uint32_t>(index_of(m, e));
+    auto side = ring.begin();
+    for (const vert_t<M> v : adj_p2v(m, p)) {
+      const edge_t<M> e = *side;
+      wedge& w = fans.at(index_of(m, v), number_of(p));
+      w.out = before;
+      before = w.in = static_cast<std::uint32_t>(index_of(m, e));
+      ++side;
     }
   }
 }

@@ -1,6 +1,7 @@
 // Cotangents, one number per edge, summed over the triangles or tets at it.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
@@ -21,7 +22,7 @@ class cotangent_weights {
   static constexpr int dimension = dimension_v<M>;
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
   static constexpr std::size_t sides = dimension == 2 ? 3 : 6;
-  // The order that a type may promise; where it does not, the first to try.
+  // The order of edges; those of polyhedra come in any, and this is the first to try.
   static constexpr std::size_t likely_ends[2][6][2] = {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
   const M& m_;
@@ -40,14 +41,6 @@ class cotangent_weights {
       if (corner[k] == b) j = k;
     }
     return weight(i, j);
-  }
-
-  std::pair<vert_t<M>, vert_t<M>> ends(const edge_t<M>& e) const {
-    const auto& two = adj_e2v(m_, e);
-    auto it = two.begin();
-    const vert_t<M> first = *it;
-    ++it;
-    return {first, *it};
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_no_simplex(const poly_t<M>& p, std::size_t n) const {
@@ -80,11 +73,9 @@ class cotangent_weights {
       const edge_t<M> e = *it;
       const auto [i, j] = likely_ends[dimension - 2][k];
       double w = weight(i, j);
-      if constexpr (!requirement::promises_edges_in_order<M>) {
-        const auto [a, b] = ends(e);
-        const std::size_t before = (k + 2) % 3;  // where half-edges name their targets, the last edge comes first
-        if (!are(a, b, corner[i], corner[j]))
-          w = dimension == 2 && are(a, b, corner[before], corner[k]) ? weight(before, k) : searched(corner, weight, a, b);
+      if constexpr (VolumeMesh<M> && !TetMesh<M>) {  // the edges of polyhedra come in any order
+        const auto [a, b] = end_verts(m_, e);
+        if (!are(a, b, corner[i], corner[j])) w = searched(corner, weight, a, b);
       }
       sum += w;
       weight_[index_of(m_, e)] += w;

@@ -24,13 +24,13 @@ void for_each_ring([[maybe_unused]] const M& m, const F& f) {
     f("adj_e2v", 'e', edges, adj_e2v);
     f("adj_e2p", 'e', edges, adj_e2p);
     f("adj_p2v", 'p', polys, adj_p2v);
-    f("adj_p2e", 'p', polys, adj_p2e);
+    f("adj_p2e", 'p', polys, [](const M& mesh, const poly_t<M>& p) -> decltype(auto) { return traits<M>::adj_p2e(mesh, p); });  // before the verb sorts
   }
   if constexpr (VolumeMesh<M>) {  // surfaces have no faces
     f("adj_v2f", 'v', verts, adj_v2f);
     f("adj_e2f", 'e', edges, adj_e2f);
     f("adj_f2v", 'f', faces, adj_f2v);
-    f("adj_f2e", 'f', faces, adj_f2e);
+    f("adj_f2e", 'f', faces, [](const M& mesh, const face_t<M>& x) -> decltype(auto) { return traits<M>::adj_f2e(mesh, x); });
     f("adj_f2p", 'f', faces, adj_f2p);
     f("adj_p2f", 'p', polys, adj_p2f);
   }

@@ -121,10 +121,18 @@ void check_neighbours(const element_table<P>& ps, const element_table<S>& sides,
   }
 }
 
-/// The k-th edge of a poly of n verts joins those numbered ends_of(k, n), where the type promises so.
+/// What the traits list, before the verbs sort it: it is their law that is checked.
+struct listed_p2e {
+  template<class M> decltype(auto) operator()(const M& m, const poly_t<M>& p) const { return traits<M>::adj_p2e(m, p); }
+};
+struct listed_f2e {
+  template<class M> decltype(auto) operator()(const M& m, const face_t<M>& f) const { return traits<M>::adj_f2e(m, f); }
+};
+
+/// The k-th edge of a poly or face of n verts joins those numbered ends_of(k, n).
 template<class P, class V, class E, class Ends>
 void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs, const element_table<E>& es, const rings& p2v, const rings& p2e,
-                          const rings& e2v, const Ends& ends_of, const char* law, law_log& log) {
+                          const rings& e2v, const Ends& ends_of, const char* law, const char* edge_verb, const char* vert_verb, law_log& log) {
   for (position p = 0; p < ps.size() && !log.full(law); ++p) {
     const auto corners = p2v[p], sides = p2e[p];
     for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -135,8 +143,8 @@ void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs
       if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) continue;
       const std::string arg = core::joined({"(", ps.name(p), ")"});
       log.add(law,
-              core::joined({"adj_p2e", arg, " has ", es.name(sides[k]), " where the type promises, by edges_in_order, the edge from ", vs.name(a), " to ",
-                      vs.name(b), " of adj_p2v", arg}),
+              core::joined({edge_verb, arg, " has ", es.name(sides[k]), " where the edge from ", vs.name(a), " to ", vs.name(b), " of ", vert_verb, arg,
+                            " belongs; sort the list, or write static constexpr bool edges_in_order = false; in mesh_traits"}),
               core::joined({ps.name(p), " ", es.name(sides[k])}));
     }
   }

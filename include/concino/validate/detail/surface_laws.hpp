@@ -14,7 +14,7 @@ void check_surface_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const
   const auto& es = edge.edges;
 
   const rings p2v = read_rings(m, ps, vs, adj_p2v, "SM3", "adj_p2v", log);
-  const rings p2e = read_rings(m, ps, es, adj_p2e, "SM3", "adj_p2e", log);
+  const rings p2e = read_rings(m, ps, es, listed_p2e{}, "SM3", "adj_p2e", log);
   check_cycles(ps, vs, es, p2v, p2e, edge.e2v, "SM3", "adj_p2v", "adj_p2e", log);
 
   const rings e2p = read_rings(m, es, ps, adj_e2p, "SM4", "adj_e2p", log);
@@ -30,8 +30,8 @@ void check_surface_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const
                 core::joined({"adj_p2v(", ps.name(p), ") has ", p2v[p].size(), " verts, but the arity of the type is ", arity_v<M>}),
                 ps.name(p));
   }
-  if constexpr (requirement::promises_edges_in_order<M>)
-    check_edges_in_order(ps, vs, es, p2v, p2e, edge.e2v, [](std::size_t k, std::size_t n) { return std::pair(k, k + 1 == n ? 0 : k + 1); }, "SM7", log);
+  if constexpr (!lists_edges_unordered<M>)
+    check_edges_in_order(ps, vs, es, p2v, p2e, edge.e2v, [](std::size_t k, std::size_t n) { return std::pair(k, k + 1 == n ? 0 : k + 1); }, "SM7", "adj_p2e", "adj_p2v", log);
 }
 
 }  // namespace concino::detail

@@ -106,8 +106,11 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
   const auto fs = read_elements<face_t<M>>(m, 'f', faces, num_faces, face_index_bound, "VM1", "VM1", log);
 
   const rings f2v = read_rings(m, fs, vs, adj_f2v, "VM2", "adj_f2v", log);
-  const rings f2e = read_rings(m, fs, es, adj_f2e, "VM2", "adj_f2e", log);
+  const rings f2e = read_rings(m, fs, es, listed_f2e{}, "VM2", "adj_f2e", log);
   const std::vector<sense> senses = check_cycles(fs, vs, es, f2v, f2e, edge.e2v, "VM2", "adj_f2v", "adj_f2e", log);
+
+  if constexpr (!lists_edges_unordered<M>)
+    check_edges_in_order(fs, vs, es, f2v, f2e, edge.e2v, [](std::size_t k, std::size_t n) { return std::pair(k, k + 1 == n ? 0 : k + 1); }, "VM8", "adj_f2e", "adj_f2v", log);
 
   const rings p2f = read_rings(m, ps, fs, adj_p2f, "VM3", "adj_p2f", log);
   const rings f2p = read_rings(m, fs, ps, adj_f2p, "VM3", "adj_f2p", log);
@@ -116,15 +119,9 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
   check_mirror(fs, ps, f2p, p2f, "VM3", "adj_f2p", "adj_p2f", log);
 
   const rings p2v = read_rings(m, ps, vs, adj_p2v, "VM4", "adj_p2v", log);
-  {
-    const rings p2e = read_rings(m, ps, es, adj_p2e, "VM4", "adj_p2e", log);
-    check_same(ps, es, p2e, composed(p2f, f2e), "VM4", "adj_p2e", "an edge of one of its faces", log);
-    check_mirror(es, ps, read_rings(m, es, ps, adj_e2p, "VM4", "adj_e2p", log), p2e, "VM4", "adj_e2p", "adj_p2e", log);
-    if constexpr (requirement::promises_edges_in_order<M>) {
-      static constexpr std::pair<std::size_t, std::size_t> ends[6] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-      check_edges_in_order(ps, vs, es, p2v, p2e, edge.e2v, [](std::size_t k, std::size_t) { return ends[k % 6]; }, "VM8", log);
-    }
-  }
+  const rings p2e = read_rings(m, ps, es, listed_p2e{}, "VM4", "adj_p2e", log);
+  check_same(ps, es, p2e, composed(p2f, f2e), "VM4", "adj_p2e", "an edge of one of its faces", log);
+  check_mirror(es, ps, read_rings(m, es, ps, adj_e2p, "VM4", "adj_e2p", log), p2e, "VM4", "adj_e2p", "adj_p2e", log);
   check_same(ps, vs, p2v, composed(p2f, f2v), "VM4", "adj_p2v", "a vert of one of its faces", log);
   check_mirror(vs, ps, read_rings(m, vs, ps, adj_v2p, "VM4", "adj_v2p", log), p2v, "VM4", "adj_v2p", "adj_p2v", log);
 
@@ -144,6 +141,10 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
   check_winding(ps, es, p2f, f2e, senses, outward, log);
   // The law of tets and hexes.
   if constexpr (arity_v<M> == 4 || arity_v<M> == 8) check_standard_order<arity_v<M>>(ps, vs, p2v, p2f, f2v, outward, log);
+  if constexpr (arity_v<M> == 4 && !lists_edges_unordered<M>) {
+    static constexpr std::pair<std::size_t, std::size_t> ends[6] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+    check_edges_in_order(ps, vs, es, p2v, p2e, edge.e2v, [](std::size_t k, std::size_t) { return ends[k % 6]; }, "VM8", "adj_p2e", "adj_p2v", log);
+  }
 }
 
 }  // namespace concino::detail

@@ -1,0 +1,156 @@
+// adj_p2e and adj_f2e bring edges into order where the traits say edges_in_order = false; models that are in order are not touched.
+#include <concino/concepts/archetypes.hpp>
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/views.hpp>
+
+#include "../support/tiny.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace cn = concino;
+
+namespace {
+
+/// Lists the edges of polys and faces in an order of its own, another one for each seed.
+template<class M>
+struct shuffled : M {
+  unsigned seed = 0;
+};
+
+struct tet_volume : tiny::volume {
+  using volume::volume;
+};
+template<class M> struct in_order : M {};
+
+template<class X>
+std::vector<X> shuffle(std::vector<X> r, unsigned seed) {
+  std::mt19937 random(seed);
+  std::shuffle(r.begin(), r.end(), random);
+  return r;
+}
+
+}  // namespace
+
+template<>
+struct concino::mesh_traits<tet_volume> : mesh_traits<tiny::volume> {
+  static constexpr int arity = 4;
+};
+template<class M>
+struct concino::mesh_traits<shuffled<M>> : mesh_traits<M> {
+  using T = mesh_traits<M>;
+  static auto adj_p2e(const shuffled<M>& m, typename T::poly p) { return shuffle(T::adj_p2e(m, p), m.seed); }
+  static auto adj_f2e(const shuffled<M>& m, tiny::facet f) { return shuffle(T::adj_f2e(m, f), m.seed); }
+};
+template<>
+struct concino::mesh_traits<in_order<tiny::surface>> : mesh_traits<tiny::surface> {
+  static constexpr bool edges_in_order = true;
+};
+
+static_assert(std::same_as<decltype(cn::adj_p2e(std::declval<const in_order<tiny::surface>&>(), tiny::cell())), std::vector<tiny::segment>>);
+static_assert(cn::ElementRange<decltype(cn::adj_p2e(std::declval<const tiny::surface&>(), tiny::cell())), tiny::segment>);
+static_assert(cn::ElementRange<decltype(cn::adj_f2e(std::declval<const tiny::volume&>(), tiny::facet())), tiny::segment>);
+static_assert(cn::ElementRange<decltype(cn::adj_p2e(std::declval<const tet_volume&>(), tiny::cell())), tiny::segment>);
+static_assert(cn::SurfaceMesh<shuffled<tiny::surface>> && cn::VolumeMesh<shuffled<tiny::volume>> && cn::TetMesh<shuffled<tet_volume>>);
+
+namespace {
+
+template<class M, class Verts, class Edges>
+void follow(const M& m, const Verts& loop, const Edges& sides) {
+  std::vector<cn::vert_t<M>> ring;
+  for (const cn::vert_t<M> v : loop) ring.push_back(v);
+  for (int walk = 0; walk < 2; ++walk) {
+    std::size_t k = 0;
+    for (const cn::edge_t<M> e : sides) {
+      REQUIRE(k < ring.size());
+      const auto &a = ring[k], &b = ring[(k + 1) % ring.size()];
+      const auto ends = cn::end_verts(m, e);
+      CHECK(((ends.first == a && ends.second == b) || (ends.first == b && ends.second == a)));
+      ++k;
+    }
+    CHECK(k == ring.size());
+  }
+}
+
+template<class M>
+void polys_in_order(const M& m) {
+  for (const cn::poly_t<M> p : cn::polys(m)) follow(m, cn::adj_p2v(m, p), cn::adj_p2e(m, p));
+}
+template<class M>
+void faces_in_order(const M& m) {
+  for (const cn::face_t<M> f : cn::faces(m)) follow(m, cn::adj_f2v(m, f), cn::adj_f2e(m, f));
+}
+template<class M>
+void tets_in_order(const M& m) {
+  const std::pair<std::size_t, std::size_t> ends[6] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+  for (const cn::poly_t<M> p : cn::polys(m)) {
+    std::vector<cn::vert_t<M>> corner;
+    for (const cn::vert_t<M> v : cn::adj_p2v(m, p)) corner.push_back(v);
+    std::size_t k = 0;
+    for (const cn::edge_t<M> e : cn::adj_p2e(m, p)) {
+      REQUIRE(k < 6);
+      const auto &a = corner[ends[k].first], &b = corner[ends[k].second];
+      const auto of = cn::end_verts(m, e);
+      CHECK(((of.first == a && of.second == b) || (of.first == b && of.second == a)));
+      ++k;
+    }
+    CHECK(k == 6);
+  }
+}
+
+struct points_of {
+  const tiny::surface* m;
+  const std::array<double, 3>& operator[](tiny::vertex v) const { return m->points[static_cast<std::size_t>(v.i)]; }
+};
+
+/// A polygon of n verts, and a triangle at one of its edges.
+tiny::surface long_polygon(int n) {
+  std::vector<std::array<double, 3>> x;
+  tiny::polygon ring, fan;
+  for (int i = 0; i < n; ++i) x.push_back({std::cos(i * 6.28 / n), std::sin(i * 6.28 / n), 0}), ring.push_back(n - 1 - i);
+  x.push_back({0, 0, 1});
+  return {x, {ring, {0, 1, n}}};
+}
+
+}  // namespace
+
+TEST_CASE("sorted edges: of polygons, short and long, and through views") {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const shuffled<tiny::surface> s{tiny::surface_example(), seed};
+    polys_in_order(s);
+    polys_in_order(cn::only_mesh(s));
+    const points_of points{&s};
+    polys_in_order(cn::with_points(s, points));
+    for (const int n : {7, 8, 9, 10, 20}) polys_in_order(shuffled<tiny::surface>{long_polygon(n), seed});
+  }
+  const auto twice = in_order<tiny::surface>{tiny::surface_example()};
+  CHECK(cn::adj_p2e(twice, tiny::cell{0}).size() == 3);
+}
+
+TEST_CASE("sorted edges: of faces and of tets") {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const shuffled<tiny::volume> w{tiny::volume_example(), seed};
+    faces_in_order(w);
+    faces_in_order(cn::only_mesh(w));
+    const shuffled<tet_volume> two{tet_volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
+                                              {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 4, 2}, {1, 3, 4}, {2, 4, 3}},
+                                              {{{0, true}, {1, true}, {2, true}, {3, true}}, {{3, false}, {4, true}, {5, true}, {6, true}}}),
+                                   seed};
+    tets_in_order(two);
+    faces_in_order(two);
+    tets_in_order(cn::only_fixed_arity_mesh(two));
+  }
+}
+
+TEST_CASE("sorted edges: a list that lacks an edge breaks a law, but no bound") {
+  tiny::surface s = tiny::surface_example();
+  s.es.erase(s.es.begin() + 1);  // edges are numbered by place, so that those of poly 0 are too few
+  std::size_t met = 0;
+  for ([[maybe_unused]] const auto e : cn::adj_p2e(s, tiny::cell{0})) ++met;
+  CHECK(met == 3);
+}
