@@ -67,6 +67,9 @@ int main(int argc, char** argv) {
   print_map("quads", quads);
   print_map("house", house);
   print_map("tets", tet);
+  print_map("hexes", cn::hexmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1.5}, {0, 1, 1}}, {{0, 1, 2, 3, 4, 5, 6, 7}}));
+  print_map("polyhedra", cn::convert<cn::polyhedralmesh>(tet));
+  print_map("triangles", cn::trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {2, 1, 1}}, {{0, 1, 2}, {2, 1, 3}, {1, 4, 3}}));
   print_map("uniform", house, {}, cn::uniform);
   print_map("biharmonic", house, {.exponent = 2});
   cn::auto_solver iterating({.most_factor_entries = 0});

@@ -8,7 +8,6 @@
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
-#include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cstddef>
@@ -40,10 +39,7 @@ class harmonic_problem {
     tell(options.progress, 0, "harmonic map");
     held_verts<M> held(m);
     held.hold(m, fixed, who);
-    held.number_reached(m, who);
-    return at_unit_size(m, discretisation, [&](const auto& at, int) {  // no factor of the Laplacian changes the map
-      return laplace_system(at, std::move(held), discretisation, options.exponent, who);
-    });
+    return harmonic_system(m, std::move(held), discretisation, options.exponent, who);
   }
 
  public:

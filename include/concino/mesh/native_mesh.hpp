@@ -121,6 +121,7 @@ class native_mesh {
 /// What mesh_traits says of each of the six beyond its adjacencies.
 template<class M, template<class> class Base>
 struct native_traits : Base<M> {
+  static constexpr bool is_precompiled = true;  // in concino::compiled
   static const auto& tables(const M& m) { return m.tables(); }
   static const vec3& point(const M& m, vert_id v) { return m.points()[v.raw()]; }
   template<class P>

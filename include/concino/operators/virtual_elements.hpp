@@ -18,10 +18,10 @@ struct virtual_elements_t {
 
   template<EmbeddedMesh M>
     requires (TriMesh<M> || TetMesh<M>)
-  auto edge_weights(const M& m) const { return detail::cotangent_weights<M>(m, "virtual elements"); }  // the same, several times faster
+  detail::cotangent_weights<M> edge_weights(const M& m) const { return {m, "virtual elements"}; }  // the same, several times faster
 
   template<EmbeddedMesh M>
-  auto poly_matrices(const M& m) const { return detail::virtual_stiffness<M>(m); }
+  detail::virtual_stiffness<M> poly_matrices(const M& m) const { return detail::virtual_stiffness<M>(m); }
 };
 inline constexpr virtual_elements_t virtual_elements{};
 

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <concino/core/number_text.hpp>
+#include <concino/core/precompiled.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
+#include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/operators/detail/product.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/stiffness.hpp>
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -96,6 +99,26 @@ held_system<M> laplace_system(const At& m, held_verts<M>&& held, const D& discre
   if (is_whole) r.restrict_to_unknowns(a);
   else r.lower = std::move(a);
   return r;
+}
+
+/// The unknowns numbered, and their system at a size near 1: no factor of the Laplacian changes a harmonic map.
+template<class M, class D>
+held_system<M> unit_laplace_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
+  held.number_reached(m, who);
+  return at_unit_size(m, discretisation, [&](const auto& at, int) { return laplace_system(at, std::move(held), discretisation, exponent, who); });
+}
+
+/// Those for which the compiled library has the system of its own meshes.
+template<class D> inline constexpr bool is_of_library = std::same_as<D, virtual_elements_t> || std::same_as<D, uniform_t>;
+
+/// The same, defined in the compiled library only.
+template<class M, class D>
+held_system<M> precompiled_laplace_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who);
+
+template<class M, class D>
+held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
+  if constexpr (is_precompiled<M> && is_of_library<D>) return precompiled_laplace_system(m, std::move(held), discretisation, exponent, who);
+  else return unit_laplace_system(m, std::move(held), discretisation, exponent, who);
 }
 
 }  // namespace concino::detail

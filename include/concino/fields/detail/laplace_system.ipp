@@ -1,0 +1,37 @@
+// The systems of harmonic maps on the meshes of the library; see laplace_system.hpp.
+#pragma once
+
+#include <concino/fields/detail/laplace_system.hpp>
+
+#ifdef CONCINO_COMPILED
+
+#include <concino/mesh/hexmesh.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/polyhedralmesh.hpp>
+#include <concino/mesh/quadmesh.hpp>
+#include <concino/mesh/tetmesh.hpp>
+#include <concino/mesh/trimesh.hpp>
+
+#include <utility>
+
+namespace concino::detail {
+
+template<class M, class D>
+held_system<M> precompiled_laplace_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
+  return unit_laplace_system(m, std::move(held), discretisation, exponent, who);
+}
+
+#define CONCINO_DEFINE_LAPLACE_SYSTEMS(MESH)                                                                                                   \
+  template held_system<MESH> precompiled_laplace_system(const MESH&, held_verts<MESH>&&, const virtual_elements_t&, int, const char*);        \
+  template held_system<MESH> precompiled_laplace_system(const MESH&, held_verts<MESH>&&, const uniform_t&, int, const char*)
+CONCINO_DEFINE_LAPLACE_SYSTEMS(trimesh);
+CONCINO_DEFINE_LAPLACE_SYSTEMS(quadmesh);
+CONCINO_DEFINE_LAPLACE_SYSTEMS(polygonmesh);
+CONCINO_DEFINE_LAPLACE_SYSTEMS(tetmesh);
+CONCINO_DEFINE_LAPLACE_SYSTEMS(hexmesh);
+CONCINO_DEFINE_LAPLACE_SYSTEMS(polyhedralmesh);
+#undef CONCINO_DEFINE_LAPLACE_SYSTEMS
+
+}  // namespace concino::detail
+
+#endif

@@ -1,0 +1,24 @@
+#include <concino/core/precompiled.hpp>
+
+#include <concino/mesh/tetmesh.hpp>
+#include <concino/mesh/trimesh.hpp>
+
+#include <doctest/doctest.h>
+
+namespace {
+
+struct no_mesh {};
+
+#ifdef CONCINO_COMPILED
+constexpr bool is_compiled = true;
+#else
+constexpr bool is_compiled = false;
+#endif
+
+}  // namespace
+
+TEST_CASE("precompiled: meshes of the library, where the library is compiled") {
+  CHECK(concino::detail::is_precompiled<concino::trimesh> == is_compiled);
+  CHECK(concino::detail::is_precompiled<concino::tetmesh> == is_compiled);
+  CHECK_FALSE(concino::detail::is_precompiled<no_mesh>);
+}
