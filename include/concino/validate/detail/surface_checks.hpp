@@ -28,118 +28,182 @@ void check_edge_ends(const M& m, const edge_t<M>& e, defect_log<M>& log) {
   if (defect<M>* d = log.add(defect_kind::degenerate_element, e)) d->what = core::joined({log.edge_name(e), " is a loop; the ends of an edge differ"});
 }
 
-/// One fan per vert: corners of polygons are joined across edges; the sets left at a vert are its fans.
-/// Result: facts of the surface. boundary_loops and components by joining verts, in the same walk.
+/// Checks one surface: corners of polygons are united across edges; the sets left at a vert are its fans, and a manifold has one per vert.
 template<class M, SurfaceMesh S>
-mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_log<M>& log) {
-  constexpr bool is_boundary = surface_scope<M, S>::is_boundary;
+class surface_checker {
+  static constexpr bool is_boundary = surface_scope<M, S>::is_boundary;
+  /// The corners of the first poly at an edge, at the two ends of the edge.
   struct corner_pair {
-    std::uint32_t a, b;  // of the first poly at an edge, at the ends of the edge
+    std::uint32_t a, b;
   };
-  std::size_t corner_count = 0;
-  for (const poly_t<S> p : polys(s))
-    for ([[maybe_unused]] const vert_t<S> v : adj_p2v(s, p)) ++corner_count;
-  log.stage(is_boundary ? 0.55 : 0.3, num_polys(s) + num_edges(s));
 
-  mesh_facts facts;
-  disjoint_sets fans(corner_count), pieces(vert_index_bound(s)), loops(vert_index_bound(s));
-  std::vector<shared_by> edge_use(edge_index_bound(s));
-  std::vector<corner_pair> known(edge_index_bound(s));
-  rim_walker<S> rims(s);
-  std::uint32_t first = 0;
-  for (const poly_t<S> p : polys(s)) {
-    log.step();
-    const std::size_t poly_index = index_of(s, p);
-    std::size_t anchor = ~std::size_t{0};
-    const auto rim = rims.walk(
-        s, adj_p2v(s, p), adj_p2e(s, p),
-        [&](const vert_t<S>&, std::size_t i) {
-          if (anchor == ~std::size_t{0}) anchor = i;
-          else pieces.unite(anchor, i);
-        },
-        [&](const edge_t<S>& e, std::uint32_t a, std::uint32_t b, bool forward) {
-          const std::size_t i = index_of(s, e);
-          if (edge_use[i].polys == 0) known[i] = {first + a, first + b};
-          else {
-            fans.unite(known[i].a, first + a);
-            fans.unite(known[i].b, first + b);
-          }
-          edge_use[i].add(poly_index, forward);
-        });
-    if (!is_boundary && rim.is_degenerate())
-      if (defect<M>* d = log.add(defect_kind::degenerate_element, p))
-        d->what = rim.repeats ? core::joined({log.name(p), " has a vert twice"}) : core::joined({log.name(p), " has ", rim.verts, " verts; a polygon has at least 3"});
-    first += rim.verts;
+  const S& s_;
+  const surface_scope<M, S>& scope_;
+  defect_log<M>& log_;
+  disjoint_sets fans_;    // of corners, numbered in the walk over polys
+  disjoint_sets pieces_;  // of verts that polys join
+  disjoint_sets loops_;   // of verts that border edges join
+  std::vector<shared_by> edge_use_;
+  std::vector<std::uint8_t> on_border_;  // by vert index
+  mesh_facts facts_;
+
+  static std::size_t count_corners(const S& s) {
+    std::size_t count = 0;
+    for (const poly_t<S> p : polys(s))
+      for ([[maybe_unused]] const vert_t<S> v : adj_p2v(s, p)) ++count;
+    return count;
   }
 
-  std::vector<std::uint8_t> on_border(vert_index_bound(s));
-  std::size_t used_edges = 0, used_polys = 0;
-  for (const edge_t<S> e : edges(s)) {
-    log.step();
-    const std::size_t i = index_of(s, e);
-    const shared_by& use = edge_use[i];
-    used_edges += use.polys > 0;
-    std::size_t end[2] = {0, 0};
-    int k = 0;
-    for (const vert_t<S> v : adj_e2v(s, e))
-      if (k < 2) end[k++] = index_of(s, v);
-    if constexpr (!is_boundary) check_edge_ends(s, e, log);
-    if (use.polys == 1) {
-      facts.closed = false;
-      loops.unite(end[0], end[1]);
-      on_border[end[0]] = on_border[end[1]] = 1;
-    } else if (use.polys > 2) {
-      facts.manifold = false;
-      if (scope.is_told(i)) continue;
-      if (defect<M>* d = log.add(defect_kind::non_manifold_edge, e)) {
-        const std::string list = log.list(*d, adj_e2p(s, e));
-        d->what = core::joined({log.edge_name(e), scope.where(), " has ", use.polys, is_boundary ? " faces there (" : " polys (", list,
-                          "); a manifold has at most 2"});
+  /// Walks each poly once: its corners join those of the first poly at each edge, its verts join one piece.
+  void join_polys() {
+    std::vector<corner_pair> first_corners(edge_index_bound(s_));
+    rim_walker<S> rims(s_);
+    std::uint32_t first = 0;
+    for (const poly_t<S> p : polys(s_)) {
+      log_.step();
+      const std::size_t poly_index = index_of(s_, p);
+      std::size_t anchor = ~std::size_t{0};
+      const auto rim = rims.walk(
+          s_, adj_p2v(s_, p), adj_p2e(s_, p),
+          [&](const vert_t<S>&, std::size_t i) {
+            if (anchor == ~std::size_t{0}) anchor = i;
+            else pieces_.unite(anchor, i);
+          },
+          [&](const edge_t<S>& e, std::uint32_t a, std::uint32_t b, bool forward) {
+            const std::size_t i = index_of(s_, e);
+            if (edge_use_[i].polys == 0) first_corners[i] = {first + a, first + b};
+            else {
+              fans_.unite(first_corners[i].a, first + a);
+              fans_.unite(first_corners[i].b, first + b);
+            }
+            edge_use_[i].add(poly_index, forward);
+          });
+      if constexpr (!is_boundary)
+        if (rim.is_degenerate()) add_degenerate_poly(p, rim);
+      first += rim.verts;
+    }
+  }
+
+  void add_degenerate_poly(const poly_t<S>& p, const typename rim_walker<S>::summary& rim) {
+    if (defect<M>* d = log_.add(defect_kind::degenerate_element, p))
+      d->what = rim.repeats ? core::joined({log_.name(p), " has a vert twice"}) : core::joined({log_.name(p), " has ", rim.verts, " verts; a polygon has at least 3"});
+  }
+
+  /// Finds the border, and edges of more than two polys.
+  void check_edges() {
+    for (const edge_t<S> e : edges(s_)) {
+      log_.step();
+      const std::size_t i = index_of(s_, e);
+      const std::uint32_t poly_count = edge_use_[i].polys;
+      facts_.euler_characteristic -= poly_count > 0;
+      if constexpr (!is_boundary) check_edge_ends(s_, e, log_);
+      if (poly_count == 1) add_to_border(e);
+      else if (poly_count > 2) {
+        facts_.manifold = false;
+        if (!scope_.is_told(i)) add_non_manifold_edge(e, poly_count);
       }
     }
   }
 
-  std::vector<std::uint32_t> fans_at(vert_index_bound(s));
-  std::size_t corner = 0;
-  for (const poly_t<S> p : polys(s)) {
-    ++used_polys;
-    for (const vert_t<S> v : adj_p2v(s, p)) {
-      fans_at[index_of(s, v)] += fans.root(corner) == corner;
-      ++corner;
+  void add_to_border(const edge_t<S>& e) {
+    std::size_t end[2] = {0, 0};
+    int k = 0;
+    for (const vert_t<S> v : adj_e2v(s_, e))
+      if (k < 2) end[k++] = index_of(s_, v);
+    facts_.closed = false;
+    loops_.unite(end[0], end[1]);
+    on_border_[end[0]] = on_border_[end[1]] = 1;
+  }
+
+  void add_non_manifold_edge(const edge_t<S>& e, std::uint32_t poly_count) {
+    if (defect<M>* d = log_.add(defect_kind::non_manifold_edge, e)) {
+      const std::string list = log_.list(*d, adj_e2p(s_, e));
+      d->what = core::joined({log_.edge_name(e), scope_.where(), " has ", poly_count, is_boundary ? " faces there (" : " polys (", list,
+                        "); a manifold has at most 2"});
     }
   }
-  std::size_t used_verts = 0;
-  for (const vert_t<S> v : verts(s)) {
-    const std::size_t i = index_of(s, v);
-    if (fans_at[i] == 0) {
-      if constexpr (!is_boundary)
-        if (defect<M>* d = log.add(defect_kind::isolated_vert, v)) d->what = core::joined({log.name(v), " belongs to no poly"});
-      continue;
+
+  /// Result: the number of fans by vert index, 0 at verts without polys.
+  std::vector<std::uint32_t> count_fans() {
+    std::vector<std::uint32_t> fans_at(vert_index_bound(s_));
+    std::size_t corner = 0;
+    for (const poly_t<S> p : polys(s_)) {
+      ++facts_.euler_characteristic;
+      for (const vert_t<S> v : adj_p2v(s_, p)) {
+        fans_at[index_of(s_, v)] += fans_.root(corner) == corner;
+        ++corner;
+      }
     }
-    ++used_verts;
-    facts.components += pieces.root(i) == i;
-    facts.boundary_loops += on_border[i] && loops.root(i) == i;
-    if (fans_at[i] < 2) continue;
-    facts.manifold = false;
-    if (defect<M>* d = log.add(defect_kind::non_manifold_vert, v)) {
-      const std::string list = log.list(*d, adj_v2p(s, v));
-      d->what = core::joined({log.name(v), scope.where(), " joins ", core::number_text(fans_at[i]), " fans of ", is_boundary ? "faces (" : "polys (", list,
+    return fans_at;
+  }
+
+  /// Counts components and border loops by their roots, and finds verts of none or of several fans.
+  void check_verts() {
+    const std::vector<std::uint32_t> fans_at = count_fans();
+    for (const vert_t<S> v : verts(s_)) {
+      const std::size_t i = index_of(s_, v);
+      if (fans_at[i] == 0) {
+        if constexpr (!is_boundary)
+          if (defect<M>* d = log_.add(defect_kind::isolated_vert, v)) d->what = core::joined({log_.name(v), " belongs to no poly"});
+        continue;
+      }
+      ++facts_.euler_characteristic;
+      facts_.components += pieces_.root(i) == i;
+      facts_.boundary_loops += on_border_[i] && loops_.root(i) == i;
+      if (fans_at[i] < 2) continue;
+      facts_.manifold = false;
+      add_non_manifold_vert(v, fans_at[i]);
+    }
+  }
+
+  void add_non_manifold_vert(const vert_t<S>& v, std::uint32_t fan_count) {
+    if (defect<M>* d = log_.add(defect_kind::non_manifold_vert, v)) {
+      const std::string list = log_.list(*d, adj_v2p(s_, v));
+      d->what = core::joined({log_.name(v), scope_.where(), " joins ", core::number_text(fan_count), " fans of ", is_boundary ? "faces (" : "polys (", list,
                         ") that share no edge there; a manifold has one"});
     }
   }
-  facts.euler_characteristic = static_cast<std::ptrdiff_t>(used_verts + used_polys) - static_cast<std::ptrdiff_t>(used_edges);
 
-  if constexpr (is_boundary) {
-    parity_sets sides(poly_index_bound(s));
-    for (const shared_by& use : edge_use)
-      if (use.polys == 2 && !sides.join(use.poly[0], use.poly[1], use.clashes())) facts.orientable = false;
-  } else {
-    facts.orientable = check_windings(
-        s, edges(s), [&](const edge_t<S>& e) -> decltype(auto) { return adj_e2p(s, e); }, edge_use, poly_index_bound(s), " run in the same sense along ", log);
+  /// Reports clashes of a surface; those of the boundary of a volume are reported at its faces.
+  bool check_orientability() {
+    if constexpr (is_boundary) {
+      bool orientable = true;
+      parity_sets sides(poly_index_bound(s_));
+      for (const shared_by& use : edge_use_)
+        if (use.polys == 2 && !sides.join(use.poly[0], use.poly[1], use.clashes())) orientable = false;
+      return orientable;
+    } else {
+      return check_windings(
+          s_, edges(s_), [&](const edge_t<S>& e) -> decltype(auto) { return adj_e2p(s_, e); }, edge_use_, poly_index_bound(s_), " run in the same sense along ", log_);
+    }
   }
-  if (facts.manifold && facts.orientable)  // sum over pieces of (2 - loops - chi) / 2
-    facts.genus = static_cast<std::size_t>((2 * static_cast<std::ptrdiff_t>(facts.components) - static_cast<std::ptrdiff_t>(facts.boundary_loops) - facts.euler_characteristic) / 2);
-  return facts;
+
+  /// Sum over pieces of (2 - loops - chi) / 2.
+  std::size_t genus() const {
+    return static_cast<std::size_t>(
+        (2 * static_cast<std::ptrdiff_t>(facts_.components) - static_cast<std::ptrdiff_t>(facts_.boundary_loops) - facts_.euler_characteristic) / 2);
+  }
+
+ public:
+  surface_checker(const S& s, const surface_scope<M, S>& scope, defect_log<M>& log)
+      : s_(s), scope_(scope), log_(log), fans_(count_corners(s)), pieces_(vert_index_bound(s)), loops_(vert_index_bound(s)),
+        edge_use_(edge_index_bound(s)), on_border_(vert_index_bound(s)) {}
+
+  mesh_facts check() {
+    log_.stage(is_boundary ? 0.55 : 0.3, num_polys(s_) + num_edges(s_));
+    join_polys();
+    check_edges();
+    check_verts();
+    facts_.orientable = check_orientability();
+    if (facts_.manifold && facts_.orientable) facts_.genus = genus();
+    return facts_;
+  }
+};
+
+/// Result: facts of the surface.
+template<class M, SurfaceMesh S>
+mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_log<M>& log) {
+  return surface_checker<M, S>(s, scope, log).check();
 }
 
 }  // namespace concino::detail
