@@ -14,117 +14,192 @@ struct edge_in_poly {
   std::uint32_t forward = 0;
 };
 
-/// Result: facts of the volume, and in `sound` by index of polys whether they are closed and wound consistently, so that they have a volume.
+/// Checks one volume, and last its boundary as a surface.
 template<VolumeMesh M>
-mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log) {
-  mesh_facts facts;
-  log.stage(0.3, num_polys(m) + num_faces(m));
-  disjoint_sets pieces(poly_index_bound(m));
-  std::vector<shared_by> face_use(face_index_bound(m));
-  std::vector<edge_in_poly> edge_use(edge_index_bound(m));
-  std::vector<std::uint8_t> vert_used(vert_index_bound(m)), told_edges(edge_index_bound(m));
-  std::vector<edge_t<M>> touched;
-  rim_walker<M> rims(m);
-  std::uint32_t number = 0;
-  for (const poly_t<M> p : polys(m)) {
-    log.step();
-    const std::size_t poly_index = index_of(m, p);
+class volume_checker {
+  const M& m_;
+  std::vector<std::uint8_t>& sound_;  // by poly index
+  defect_log<M>& log_;
+  disjoint_sets pieces_;  // of polys that share faces
+  std::vector<shared_by> face_use_;
+  std::vector<edge_in_poly> edge_use_;
+  std::vector<std::uint8_t> vert_used_, told_edges_;  // by index
+  rim_walker<M> rims_;
+  std::vector<edge_t<M>> touched_;  // edges of the poly that is checked
+  std::uint32_t number_ = 0;        // of that poly in the walk over polys
+  mesh_facts facts_;
+
+  /// Counts the faces of p at each of its edges.   Result: the number of faces of p.
+  std::uint32_t count_edge_uses(const poly_t<M>& p) {
+    const std::size_t poly_index = index_of(m_, p);
     std::uint32_t face_count = 0;
-    touched.clear();
-    for (const face_t<M> f : adj_p2f(m, p)) {
+    touched_.clear();
+    for (const face_t<M> f : adj_p2f(m_, p)) {
       ++face_count;
-      const bool outward = face_is_outward(m, p, f);
-      shared_by& use = face_use[index_of(m, f)];
-      if (use.polys > 0) pieces.unite(use.poly[0], poly_index);
+      const bool outward = face_is_outward(m_, p, f);
+      shared_by& use = face_use_[index_of(m_, f)];
+      if (use.polys > 0) pieces_.unite(use.poly[0], poly_index);
       use.add(poly_index, outward);
-      rims.walk(
-          m, adj_f2v(m, f), adj_f2e(m, f), [&](const vert_t<M>&, std::size_t i) { vert_used[i] = 1; },
+      rims_.walk(
+          m_, adj_f2v(m_, f), adj_f2e(m_, f), [&](const vert_t<M>&, std::size_t i) { vert_used_[i] = 1; },
           [&](const edge_t<M>& e, std::uint32_t, std::uint32_t, bool forward) {
-            edge_in_poly& here = edge_use[index_of(m, e)];
-            if (here.poly != number) {
-              here = {number, 0, 0};
-              touched.push_back(e);
+            edge_in_poly& here = edge_use_[index_of(m_, e)];
+            if (here.poly != number_) {
+              here = {number_, 0, 0};
+              touched_.push_back(e);
             }
             ++here.faces;
             here.forward += forward == outward;
           });
     }
+    return face_count;
+  }
+
+  void check_polys() {
+    for (const poly_t<M> p : polys(m_)) {
+      log_.step();
+      const std::uint32_t face_count = count_edge_uses(p);
+      check_poly(p, face_count);
+      --facts_.euler_characteristic;
+      ++number_;
+    }
+  }
+
+  /// Whether p, whose edges are touched_, is closed, wound consistently and has enough faces.
+  void check_poly(const poly_t<M>& p, std::uint32_t face_count) {
     std::vector<edge_t<M>> open;
     const edge_t<M>* clash = nullptr;
     bool pinched = false;
-    for (const edge_t<M>& e : touched) {
-      const edge_in_poly& here = edge_use[index_of(m, e)];
+    for (const edge_t<M>& e : touched_) {
+      const edge_in_poly& here = edge_use_[index_of(m_, e)];
       if (here.faces == 1) open.push_back(e);
       else if (here.faces == 2 && here.forward != 1) clash = clash ? clash : &e;
       else if (here.faces > 2) {
         pinched = true;
-        told_edges[index_of(m, e)] = 1;
-        if (defect<M>* d = log.add(defect_kind::non_manifold_edge, e)) {
-          d->what = core::joined({log.edge_name(e), " lies in ", here.faces, " faces of ", log.name(p),
-                            "; in the surface of a poly it lies in 2"});
-          d->others.push_back(p);
-        }
+        add_pinched_edge(e, here.faces, p);
       }
     }
-    if (!open.empty())
-      if (defect<M>* d = log.add(defect_kind::open_cell, p)) {
-        const std::string list = log.list(*d, open);
-        d->what = core::joined({log.name(p), " is open: only one of its faces lies at ", list});
-      }
-    if (clash)
-      if (defect<M>* d = log.add(defect_kind::inconsistent_winding, p)) {
-        d->what = core::joined({log.name(p), " has two faces that, turned outward, run in the same sense along ", log.edge_name(*clash)});
-        d->others.push_back(*clash);
-      }
+    if (!open.empty()) add_open_poly(p, open);
+    if (clash) add_clash_in_poly(p, *clash);
     if (face_count < 4)
-      if (defect<M>* d = log.add(defect_kind::degenerate_element, p))
-        d->what = core::joined({log.name(p), " has ", face_count, " faces; a polyhedron has at least 4"});
-    sound[poly_index] = open.empty() && !clash && !pinched && face_count >= 4;
-    facts.closed = facts.closed && open.empty();
-    facts.manifold = facts.manifold && sound[poly_index];
-    ++number;
+      if (defect<M>* d = log_.add(defect_kind::degenerate_element, p))
+        d->what = core::joined({log_.name(p), " has ", face_count, " faces; a polyhedron has at least 4"});
+    const bool is_sound = open.empty() && !clash && !pinched && face_count >= 4;
+    sound_[index_of(m_, p)] = is_sound;
+    facts_.closed = facts_.closed && open.empty();
+    facts_.manifold = facts_.manifold && is_sound;
   }
 
-  std::size_t used_faces = 0, used_edges = 0, used_verts = 0;
-  for (const face_t<M> f : faces(m)) {
-    log.step();
-    const auto rim = rims.walk(m, adj_f2v(m, f), adj_f2e(m, f), [](const vert_t<M>&, std::size_t) {}, [](const edge_t<M>&, std::uint32_t, std::uint32_t, bool) {});
-    if (rim.is_degenerate())
-      if (defect<M>* d = log.add(defect_kind::degenerate_element, f))
-        d->what = rim.repeats ? core::joined({log.name(f), " has a vert twice"}) : core::joined({log.name(f), " has ", rim.verts, " verts; a face has at least 3"});
-    const shared_by& use = face_use[index_of(m, f)];
-    used_faces += use.polys > 0;
-    if (use.polys == 0) {
-      if (defect<M>* d = log.add(defect_kind::unreferenced_face, f)) d->what = core::joined({log.name(f), " belongs to no poly"});
-    } else if (use.polys > 2) {
-      facts.manifold = false;
-      for (const edge_t<M> e : adj_f2e(m, f)) told_edges[index_of(m, e)] = 1;  // more than two boundary faces there follow from this
-      if (defect<M>* d = log.add(defect_kind::non_manifold_face, f)) {
-        const std::string list = log.list(*d, adj_f2p(m, f));
-        d->what = core::joined({log.name(f), " has ", use.polys, " polys (", list, "); at most 2 fit"});
+  void add_pinched_edge(const edge_t<M>& e, std::uint32_t face_count, const poly_t<M>& p) {
+    told_edges_[index_of(m_, e)] = 1;
+    if (defect<M>* d = log_.add(defect_kind::non_manifold_edge, e)) {
+      d->what = core::joined({log_.edge_name(e), " lies in ", face_count, " faces of ", log_.name(p),
+                        "; in the surface of a poly it lies in 2"});
+      d->others.push_back(p);
+    }
+  }
+  void add_open_poly(const poly_t<M>& p, const std::vector<edge_t<M>>& open) {
+    if (defect<M>* d = log_.add(defect_kind::open_cell, p)) {
+      const std::string list = log_.list(*d, open);
+      d->what = core::joined({log_.name(p), " is open: only one of its faces lies at ", list});
+    }
+  }
+  void add_clash_in_poly(const poly_t<M>& p, const edge_t<M>& clash) {
+    if (defect<M>* d = log_.add(defect_kind::inconsistent_winding, p)) {
+      d->what = core::joined({log_.name(p), " has two faces that, turned outward, run in the same sense along ", log_.edge_name(clash)});
+      d->others.push_back(clash);
+    }
+  }
+
+  void check_faces() {
+    for (const face_t<M> f : faces(m_)) {
+      log_.step();
+      check_rim(f);
+      const std::uint32_t poly_count = face_use_[index_of(m_, f)].polys;
+      facts_.euler_characteristic += poly_count > 0;
+      if (poly_count == 0) {
+        if (defect<M>* d = log_.add(defect_kind::unreferenced_face, f)) d->what = core::joined({log_.name(f), " belongs to no poly"});
+      } else if (poly_count > 2) {
+        facts_.manifold = false;
+        add_non_manifold_face(f, poly_count);
       }
     }
   }
-  for (const edge_t<M> e : edges(m)) {
-    used_edges += edge_use[index_of(m, e)].poly != ~0u;
-    check_edge_ends(m, e, log);
-  }
-  for (const vert_t<M> v : verts(m)) {
-    used_verts += vert_used[index_of(m, v)];
-    if (!vert_used[index_of(m, v)])
-      if (defect<M>* d = log.add(defect_kind::isolated_vert, v)) d->what = core::joined({log.name(v), " belongs to no poly"});
-  }
-  for (const poly_t<M> p : polys(m)) facts.components += pieces.root(index_of(m, p)) == index_of(m, p);
-  facts.euler_characteristic = static_cast<std::ptrdiff_t>(used_verts + used_faces) - static_cast<std::ptrdiff_t>(used_edges + number);
-  facts.orientable = check_windings(
-      m, faces(m), [&](const face_t<M>& f) -> decltype(auto) { return adj_f2p(m, f); }, face_use, poly_index_bound(m), " have their outside on the same side of ", log);
 
-  const auto surface = boundary(m);
-  const mesh_facts skin = check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&told_edges}, log);
-  facts.manifold = facts.manifold && skin.manifold;
-  facts.boundary_loops = skin.boundary_loops;
-  if (facts.manifold && facts.orientable) facts.genus = skin.genus;
-  return facts;
+  void check_rim(const face_t<M>& f) {
+    const auto rim = rims_.walk(m_, adj_f2v(m_, f), adj_f2e(m_, f), [](const vert_t<M>&, std::size_t) {}, [](const edge_t<M>&, std::uint32_t, std::uint32_t, bool) {});
+    if (rim.is_degenerate())
+      if (defect<M>* d = log_.add(defect_kind::degenerate_element, f))
+        d->what = rim.repeats ? core::joined({log_.name(f), " has a vert twice"}) : core::joined({log_.name(f), " has ", rim.verts, " verts; a face has at least 3"});
+  }
+
+  void add_non_manifold_face(const face_t<M>& f, std::uint32_t poly_count) {
+    for (const edge_t<M> e : adj_f2e(m_, f)) told_edges_[index_of(m_, e)] = 1;  // more than two boundary faces there follow from this
+    if (defect<M>* d = log_.add(defect_kind::non_manifold_face, f)) {
+      const std::string list = log_.list(*d, adj_f2p(m_, f));
+      d->what = core::joined({log_.name(f), " has ", poly_count, " polys (", list, "); at most 2 fit"});
+    }
+  }
+
+  void check_edges() {
+    for (const edge_t<M> e : edges(m_)) {
+      facts_.euler_characteristic -= edge_use_[index_of(m_, e)].poly != ~0u;
+      check_edge_ends(m_, e, log_);
+    }
+  }
+
+  void check_verts() {
+    for (const vert_t<M> v : verts(m_)) {
+      const bool is_used = vert_used_[index_of(m_, v)];
+      facts_.euler_characteristic += is_used;
+      if (!is_used)
+        if (defect<M>* d = log_.add(defect_kind::isolated_vert, v)) d->what = core::joined({log_.name(v), " belongs to no poly"});
+    }
+  }
+
+  std::size_t count_components() {
+    std::size_t count = 0;
+    for (const poly_t<M> p : polys(m_)) count += pieces_.root(index_of(m_, p)) == index_of(m_, p);
+    return count;
+  }
+
+  bool check_face_windings() {
+    return check_windings(
+        m_, faces(m_), [&](const face_t<M>& f) -> decltype(auto) { return adj_f2p(m_, f); }, face_use_, poly_index_bound(m_),
+        " have their outside on the same side of ", log_);
+  }
+
+  /// The genus of a volume is that of its boundary.
+  void check_boundary() {
+    const auto surface = boundary(m_);
+    const mesh_facts skin = check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&told_edges_}, log_);
+    facts_.manifold = facts_.manifold && skin.manifold;
+    facts_.boundary_loops = skin.boundary_loops;
+    if (facts_.manifold && facts_.orientable) facts_.genus = skin.genus;
+  }
+
+ public:
+  volume_checker(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log)
+      : m_(m), sound_(sound), log_(log), pieces_(poly_index_bound(m)), face_use_(face_index_bound(m)), edge_use_(edge_index_bound(m)),
+        vert_used_(vert_index_bound(m)), told_edges_(edge_index_bound(m)), rims_(m) {}
+
+  mesh_facts check() {
+    log_.stage(0.3, num_polys(m_) + num_faces(m_));
+    check_polys();
+    check_faces();
+    check_edges();
+    check_verts();
+    facts_.components = count_components();
+    facts_.orientable = check_face_windings();
+    check_boundary();
+    return facts_;
+  }
+};
+
+/// Result: facts of the volume, and in `sound` by index of polys whether they are closed and wound consistently, so that they have a volume.
+template<VolumeMesh M>
+mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log) {
+  return volume_checker<M>(m, sound, log).check();
 }
 
 }  // namespace concino::detail
