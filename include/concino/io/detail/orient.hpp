@@ -91,87 +91,110 @@ class winding_check {
   }
 };
 
-/// Makes the faces of each poly agree on what is outside, by walking from face to face over the edges that two of them share, and the
-/// outside such that volumes are positive. Polys that are right, or without volume and consistent, stay as they are.
-/// Result: how many polys changed.   Cost: O(n log n) in the edges of a poly.
-template<std::same_as<polyhedra_arrays> Arrays>  // a template only so that programs without volumes need not compile it
-std::size_t orient_polyhedra(Arrays& m) {
+/// Makes the faces of one poly after the other agree on what is outside, by walking from face to face over the edges that two of them share.
+/// Faces of a poly are numbered by their places in its list.
+template<class Arrays>
+class face_orienter {
   struct side {
     std::uint64_t edge;  // smaller vert, larger vert
-    std::uint32_t face;  // place in poly_faces
-    bool up;             // walked outward, the face runs from the smaller to the larger
+    std::uint32_t face;
+    bool up;  // walked outward, the face runs from the smaller to the larger
   };
   struct link {
     std::uint32_t to;
     bool agree;
   };
-  std::vector<side> sides;
-  std::vector<std::uint32_t> first_link, component, queue;
-  std::vector<link> links;
-  std::vector<std::uint8_t> flip;
-  winding_check<Arrays> wound_well;
-  std::size_t changed = 0;
+  std::vector<side> sides_;
+  std::vector<std::uint32_t> first_link_;  // the links of face f end before first_link_[f], where those of f + 1 begin
+  std::vector<std::uint32_t> component_, queue_;
+  std::vector<link> links_;
+  std::vector<std::uint8_t> flip_;
 
-  for (std::size_t p = 0; p < m.num_polys(); ++p) {
-    const std::uint32_t begin = m.poly_offsets[p], end = m.poly_offsets[p + 1], n = end - begin;
-    bool touched = false;
-    if (!wound_well(m, begin, end)) {
-      sides.clear();
-      for (std::uint32_t i = begin; i < end; ++i) {
-        const std::uint32_t f = m.poly_faces[i].raw();
-        std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
-        for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
-          const std::uint32_t b = m.face_verts[k].raw();
-          sides.push_back({a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a, i - begin, (a < b) == (m.outward[i] != 0)});
-          a = b;
-        }
+  void list_sides(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
+    sides_.clear();
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t f = m.poly_faces[i].raw();
+      std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
+      for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
+        const std::uint32_t b = m.face_verts[k].raw();
+        sides_.push_back({a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a, i - begin, (a < b) == (m.outward[i] != 0)});
+        a = b;
       }
-      std::sort(sides.begin(), sides.end(),
-                [](const side& x, const side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
-
-      // Two faces at an edge agree if one runs up and the other down. Edges with one face, or more than two, say nothing.
-      const auto pairs = [&](const auto& use) {
-        for (std::size_t i = 0, j; i < sides.size(); i = j) {
-          for (j = i + 1; j < sides.size() && sides[j].edge == sides[i].edge;) ++j;
-          if (j - i == 2 && sides[i].face != sides[i + 1].face) use(sides[i], sides[i + 1]);
-        }
-      };
-      first_link.assign(n + 1, 0);
-      pairs([&](const side& x, const side& y) { ++first_link[x.face + 1], ++first_link[y.face + 1]; });
-      std::partial_sum(first_link.begin(), first_link.end(), first_link.begin());
-      links.resize(first_link[n]);
-      pairs([&](const side& x, const side& y) {
-        links[first_link[x.face]++] = {y.face, x.up != y.up};
-        links[first_link[y.face]++] = {x.face, x.up != y.up};
-      });
-      flip.assign(n, 0);
-      component.assign(n, ~0u);
-      for (std::uint32_t seed = 0; seed < n; ++seed) {
-        if (component[seed] != ~0u) continue;
-        queue.assign(1, seed);
-        component[seed] = seed;
-        std::size_t flipped = 0;
-        for (std::size_t q = 0; q < queue.size(); ++q) {
-          const std::uint32_t f = queue[q];
-          for (std::uint32_t l = f ? first_link[f - 1] : 0; l < first_link[f]; ++l) {
-            const std::uint32_t g = links[l].to;
-            if (component[g] != ~0u) continue;
-            component[g] = seed;
-            flip[g] = links[l].agree ? flip[f] : !flip[f];
-            flipped += flip[g];
-            queue.push_back(g);
-          }
-        }
-        // what most faces of the shell say stays: only the sign of the whole is decided below
-        if (2 * flipped > queue.size())
-          for (const std::uint32_t f : queue) flip[f] = !flip[f];
-      }
-      for (std::uint32_t k = 0; k < n; ++k)
-        if (flip[k]) {
-          m.outward[begin + k] = !m.outward[begin + k];
-          touched = true;
-        }
     }
+    std::sort(sides_.begin(), sides_.end(), [](const side& x, const side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
+  }
+
+  /// Two faces at an edge agree if one runs up and the other down. Edges with one face, or more than two, say nothing.
+  template<class Use>
+  void for_each_pair(const Use& use) const {
+    for (std::size_t i = 0, j; i < sides_.size(); i = j) {
+      for (j = i + 1; j < sides_.size() && sides_[j].edge == sides_[i].edge;) ++j;
+      if (j - i == 2 && sides_[i].face != sides_[i + 1].face) use(sides_[i], sides_[i + 1]);
+    }
+  }
+
+  void link_faces(std::uint32_t n) {
+    first_link_.assign(n + 1, 0);
+    for_each_pair([&](const side& x, const side& y) { ++first_link_[x.face + 1], ++first_link_[y.face + 1]; });
+    std::partial_sum(first_link_.begin(), first_link_.end(), first_link_.begin());
+    links_.resize(first_link_[n]);
+    for_each_pair([&](const side& x, const side& y) {
+      links_[first_link_[x.face]++] = {y.face, x.up != y.up};
+      links_[first_link_[y.face]++] = {x.face, x.up != y.up};
+    });
+  }
+
+  /// Which faces of the component of `seed` to flip, so that they agree with most of its faces: the sign of the whole is decided by the volume.
+  void orient_component(std::uint32_t seed) {
+    queue_.assign(1, seed);
+    component_[seed] = seed;
+    std::size_t flipped = 0;
+    for (std::size_t q = 0; q < queue_.size(); ++q) {
+      const std::uint32_t f = queue_[q];
+      for (std::uint32_t l = f ? first_link_[f - 1] : 0; l < first_link_[f]; ++l) {
+        const std::uint32_t g = links_[l].to;
+        if (component_[g] != ~0u) continue;
+        component_[g] = seed;
+        flip_[g] = links_[l].agree ? flip_[f] : !flip_[f];
+        flipped += flip_[g];
+        queue_.push_back(g);
+      }
+    }
+    if (2 * flipped > queue_.size())
+      for (const std::uint32_t f : queue_) flip_[f] = !flip_[f];
+  }
+
+ public:
+  /// Result: whether a face was flipped.
+  bool operator()(Arrays& m, std::uint32_t begin, std::uint32_t end) {
+    const std::uint32_t n = end - begin;
+    list_sides(m, begin, end);
+    link_faces(n);
+    flip_.assign(n, 0);
+    component_.assign(n, ~0u);
+    for (std::uint32_t seed = 0; seed < n; ++seed)
+      if (component_[seed] == ~0u) orient_component(seed);
+    bool any = false;
+    for (std::uint32_t k = 0; k < n; ++k)
+      if (flip_[k]) {
+        m.outward[begin + k] = !m.outward[begin + k];
+        any = true;
+      }
+    return any;
+  }
+};
+
+/// Makes the faces of each poly agree on what is outside, and the outside such that volumes are positive. Polys that are right, or without
+/// volume and consistent, stay as they are.
+/// Result: how many polys changed.   Cost: O(n log n) in the edges of a poly.
+template<std::same_as<polyhedra_arrays> Arrays>  // a template only so that programs without volumes need not compile it
+std::size_t orient_polyhedra(Arrays& m) {
+  winding_check<Arrays> wound_well;
+  face_orienter<Arrays> orient;
+  std::size_t changed = 0;
+  for (std::size_t p = 0; p < m.num_polys(); ++p) {
+    const std::uint32_t begin = m.poly_offsets[p], end = m.poly_offsets[p + 1];
+    bool touched = !wound_well(m, begin, end) && orient(m, begin, end);
     if (six_times_volume(m, p) < 0) {
       for (std::uint32_t i = begin; i < end; ++i) m.outward[i] = !m.outward[i];
       touched = true;
