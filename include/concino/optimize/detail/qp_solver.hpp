@@ -95,86 +95,27 @@ class qp_solver {
       : h_(h), g_(g), a_(a), low_(low), high_(high), options_(options) {}
 
   qp_result solve() const {
-    const Eigen::Index n = g_.size(), m = low_.size();
-    qp_result r;
-    r.x = options_.x.size() ? options_.x : Eigen::VectorXd::Zero(n);
-    r.multipliers = options_.multipliers.size() ? options_.multipliers : Eigen::VectorXd::Zero(m);
-    r.residual = std::numeric_limits<double>::infinity();
-    if (low_ == high_) {  // equations only, or nothing: one linear system
-      std::vector<Eigen::Index> all;
-      for (Eigen::Index i = 0; i < m; ++i) all.push_back(i);
-      qp_result direct = r;
-      if (solve_with_active(all, low_, direct) && direct.residual <= 1e-9 * scale_of(direct)) {
-        direct.status = qp_status::solved;
-        return direct;
-      }
-    }
-
+    qp_result r = first_guess();
+    if (low_ == high_)
+      if (qp_result direct = r; solve_equations(direct)) return direct;
     const scaled_qp p(h_, g_, a_, low_, high_);
-    const double shift = 1e-6, relaxation = 1.6;
-    double rho = 0.1;
-    Eigen::VectorXd weight(m);
-    const auto set_weights = [&] {
-      for (Eigen::Index i = 0; i < m; ++i)
-        weight[i] = p.low[i] == p.high[i] ? 1e3 * rho : std::isinf(p.low[i]) && std::isinf(p.high[i]) ? 1e-6 : rho;
-    };
-    quasidefinite system;
-    const auto factorize = [&] {
-      set_weights();
-      system.factorize(p.h, shift, p.a, weight.cwiseInverse());
-    };
-    factorize();
-    Eigen::VectorXd x = r.x.cwiseQuotient(p.column), y = p.objective * r.multipliers.cwiseQuotient(p.row), z = p.a * x;
-    for (Eigen::Index i = 0; i < m; ++i) z[i] = std::clamp(z[i], p.low[i], p.high[i]);
-    const auto unscale = [&] {
-      r.x = x.cwiseProduct(p.column);
-      r.multipliers = y.cwiseProduct(p.row) / p.objective;
-    };
-    Eigen::VectorXd b(n + m);
+    splitting_iterates iterates(p, r.x, r.multipliers);
     for (r.iterations = 1; r.iterations <= options_.max_iterations; ++r.iterations) {
-      const Eigen::VectorXd x_before = x, y_before = y;
-      b.head(n) = shift * x - p.g;
-      b.tail(m) = z - y.cwiseQuotient(weight);
-      const Eigen::VectorXd s = system.solve(b);
-      x = relaxation * s.head(n) + (1 - relaxation) * x;
-      for (Eigen::Index i = 0; i < m; ++i) {
-        const double z_tilde = relaxation * (z[i] + (s[n + i] - y[i]) / weight[i]) + (1 - relaxation) * z[i];
-        const double next = std::clamp(z_tilde + y[i] / weight[i], p.low[i], p.high[i]);
-        y[i] += weight[i] * (z_tilde - next);
-        z[i] = next;
-      }
+      iterates.step();
       if (r.iterations % 25 != 0 && r.iterations != options_.max_iterations) continue;
       tell(options_.progress, static_cast<double>(r.iterations) / options_.max_iterations, "quadratic program");
-      unscale();
-      const Eigen::VectorXd z_true = z.cwiseQuotient(p.row), ax = a_ * r.x, hx = h_ * r.x, aty = a_.transpose() * r.multipliers;
-      const double primal = largest(ax - z_true), dual = largest(hx + g_ + aty);
-      const double primal_scale = std::max(largest(ax), largest(z_true)), dual_scale = std::max({largest(hx), largest(g_), largest(aty)});
+      r.x = iterates.x();
+      r.multipliers = iterates.multipliers();
+      const relative_residuals left = residuals_of(r, iterates.row_values());
       r.residual = residual(r.x, r.multipliers);
       if (!std::isfinite(r.residual)) throw solver_error("quadratic program: the iteration left the finite numbers; scale the program");
-      if (primal <= options_.tolerance * (1e-3 + primal_scale) && dual <= options_.tolerance * (1e-3 + dual_scale)) {
+      if (left.are_within(options_.tolerance)) {
         r.status = qp_status::solved;
         if (options_.polish) r.polished = polish(r);
         return r;
       }
-      const Eigen::VectorXd dy = y - y_before, dx = x - x_before;
-      if (proves_infeasible(p, dy, 1e-6)) {
-        r.status = qp_status::infeasible;
-        r.certificate = dy.cwiseProduct(p.row) / largest(dy.cwiseProduct(p.row));
-        return r;
-      }
-      if (proves_unbounded(p, dx, 1e-6)) {
-        r.status = qp_status::unbounded;
-        r.certificate = dx.cwiseProduct(p.column) / largest(dx.cwiseProduct(p.column));
-        return r;
-      }
-      const double ratio = std::sqrt((primal / std::max(primal_scale, 1e-10)) / std::max(dual / std::max(dual_scale, 1e-10), 1e-10));
-      if (ratio > 5 || ratio < 0.2) {  // one residual lags behind the other
-        const double better = std::clamp(rho * ratio, 1e-6, 1e6);
-        if (better != rho) {
-          rho = better;
-          factorize();
-        }
-      }
+      if (find_certificate(p, iterates, r)) return r;
+      iterates.balance(left.primal_to_dual());
     }
     --r.iterations;
     if (options_.polish && polish(r) && r.residual <= options_.tolerance * scale_of(r)) {
@@ -185,6 +126,55 @@ class qp_solver {
   }
 
  private:
+  /// How far rows and gradient are off, and the largest of the terms that these are differences of.
+  struct relative_residuals {
+    double primal, primal_scale, dual, dual_scale;
+
+    bool are_within(double tolerance) const { return primal <= tolerance * (1e-3 + primal_scale) && dual <= tolerance * (1e-3 + dual_scale); }
+    double primal_to_dual() const {
+      return std::sqrt((primal / std::max(primal_scale, 1e-10)) / std::max(dual / std::max(dual_scale, 1e-10), 1e-10));
+    }
+  };
+
+  qp_result first_guess() const {
+    qp_result r;
+    r.x = options_.x.size() ? options_.x : Eigen::VectorXd::Zero(g_.size());
+    r.multipliers = options_.multipliers.size() ? options_.multipliers : Eigen::VectorXd::Zero(low_.size());
+    r.residual = std::numeric_limits<double>::infinity();
+    return r;
+  }
+
+  /// Equations only, or nothing: one linear system.   Result: whether it gave the minimum.
+  bool solve_equations(qp_result& r) const {
+    std::vector<Eigen::Index> all;
+    for (Eigen::Index i = 0; i < low_.size(); ++i) all.push_back(i);
+    if (!solve_with_active(all, low_, r) || !(r.residual <= 1e-9 * scale_of(r))) return false;
+    r.status = qp_status::solved;
+    return true;
+  }
+
+  relative_residuals residuals_of(const qp_result& r, const Eigen::VectorXd& row_values) const {
+    const Eigen::VectorXd ax = a_ * r.x, hx = h_ * r.x, aty = a_.transpose() * r.multipliers;
+    return {largest(ax - row_values), std::max(largest(ax), largest(row_values)), largest(hx + g_ + aty),
+            std::max({largest(hx), largest(g_), largest(aty)})};
+  }
+
+  /// Whether the last step proves that there is no minimum; the proof is put into r.
+  static bool find_certificate(const scaled_qp& p, const splitting_iterates& iterates, qp_result& r) {
+    const Eigen::VectorXd dy = iterates.multiplier_change(), dx = iterates.x_change();
+    if (proves_infeasible(p, dy, 1e-6)) {
+      r.status = qp_status::infeasible;
+      r.certificate = dy.cwiseProduct(p.row) / largest(dy.cwiseProduct(p.row));
+      return true;
+    }
+    if (proves_unbounded(p, dx, 1e-6)) {
+      r.status = qp_status::unbounded;
+      r.certificate = dx.cwiseProduct(p.column) / largest(dx.cwiseProduct(p.column));
+      return true;
+    }
+    return false;
+  }
+
   /// The terms that residuals are differences of.
   double scale_of(const qp_result& r) const {
     return 1e-3 + std::max({largest(h_ * r.x), largest(g_), largest(a_.transpose() * r.multipliers), largest(a_ * r.x)});

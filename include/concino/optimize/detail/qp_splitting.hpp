@@ -1,4 +1,4 @@
-// The parts of the operator splitting for quadratic programs: scaling, the system that is solved in every step, and the certificates.
+// The parts of the operator splitting for quadratic programs: scaling, the system that is solved in every step, the steps, and the certificates.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -96,6 +96,67 @@ class quasidefinite {
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return size_ == 0 ? b : Eigen::VectorXd(factors_.solve(b)); }
+};
+
+/// What the operator splitting moves, in the scaled program: x, multipliers y, and the values z of the rows, within their bounds.
+class splitting_iterates {
+  static constexpr double shift = 1e-6, relaxation = 1.6;
+  const scaled_qp& p_;
+  double rho_ = 0.1;
+  Eigen::VectorXd weight_;  // of the rows
+  quasidefinite system_;
+  Eigen::VectorXd x_, y_, z_, x_before_, y_before_, b_;
+
+  void factorize() {
+    for (Eigen::Index i = 0; i < weight_.size(); ++i)
+      weight_[i] = p_.low[i] == p_.high[i] ? 1e3 * rho_ : std::isinf(p_.low[i]) && std::isinf(p_.high[i]) ? 1e-6 : rho_;
+    system_.factorize(p_.h, shift, p_.a, weight_.cwiseInverse());
+  }
+
+ public:
+  /// Begins at x and multipliers of the program that is not scaled.   Errors: solver_error if H + shift is not positive definite.
+  splitting_iterates(const scaled_qp& p, const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers)
+      : p_(p), weight_(p.low.size()), b_(p.g.size() + p.low.size()) {
+    factorize();
+    x_ = x.cwiseQuotient(p.column);
+    y_ = p.objective * multipliers.cwiseQuotient(p.row);
+    z_ = p.a * x_;
+    for (Eigen::Index i = 0; i < z_.size(); ++i) z_[i] = std::clamp(z_[i], p.low[i], p.high[i]);
+  }
+
+  void step() {
+    const Eigen::Index n = x_.size(), m = z_.size();
+    x_before_ = x_;
+    y_before_ = y_;
+    b_.head(n) = shift * x_ - p_.g;
+    b_.tail(m) = z_ - y_.cwiseQuotient(weight_);
+    const Eigen::VectorXd s = system_.solve(b_);
+    x_ = relaxation * s.head(n) + (1 - relaxation) * x_;
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const double z_tilde = relaxation * (z_[i] + (s[n + i] - y_[i]) / weight_[i]) + (1 - relaxation) * z_[i];
+      const double next = std::clamp(z_tilde + y_[i] / weight_[i], p_.low[i], p_.high[i]);
+      y_[i] += weight_[i] * (z_tilde - next);
+      z_[i] = next;
+    }
+  }
+
+  /// The weights that make both residuals fall alike. `ratio` is that of the primal to the dual one, each relative to its terms.
+  void balance(double ratio) {
+    if (!(ratio > 5 || ratio < 0.2)) return;  // neither lags behind
+    const double better = std::clamp(rho_ * ratio, 1e-6, 1e6);
+    if (better == rho_) return;
+    rho_ = better;
+    factorize();
+  }
+
+  // of the program that is not scaled
+  Eigen::VectorXd x() const { return x_.cwiseProduct(p_.column); }
+  Eigen::VectorXd multipliers() const { return y_.cwiseProduct(p_.row) / p_.objective; }
+  Eigen::VectorXd row_values() const { return z_.cwiseQuotient(p_.row); }
+
+  // of the last step, scaled
+  Eigen::VectorXd x_change() const { return x_ - x_before_; }
+  Eigen::VectorXd multiplier_change() const { return y_ - y_before_; }
 };
 
 /// Whether dy proves that no x satisfies low <= Ax <= high: A^T dy = 0 and the bounds it looks at contradict each other.
