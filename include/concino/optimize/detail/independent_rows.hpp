@@ -39,81 +39,128 @@ struct row_space {
   }
 };
 
+/// Eliminates the rows of C x = d one after the other, with the largest entry of each as its pivot.
+class row_elimination {
+  using row_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+  /// What is left of a right side, and how far to believe what is left of its row.
+  struct reduced_side {
+    double value, terms, noise;
+    std::vector<std::pair<int, double>> taken;
+  };
+  struct largest_entry {
+    int column = -1;  // none
+    double size = 0;
+  };
+
+  row_space space_;
+  std::vector<int> pivot_of_;  // by column: the reduced row whose pivot it is, or -1
+  std::vector<double> row_;    // the row that is being reduced; zero but where is_touched_
+  std::vector<char> is_touched_;
+  std::vector<int> touched_;                                                   // columns
+  std::priority_queue<int, std::vector<int>, std::greater<int>> waiting_;  // pivots to eliminate, oldest first
+
+  void touch(int column) {
+    if (is_touched_[static_cast<std::size_t>(column)]) return;
+    is_touched_[static_cast<std::size_t>(column)] = 1;
+    touched_.push_back(column);
+    if (pivot_of_[static_cast<std::size_t>(column)] >= 0) waiting_.push(pivot_of_[static_cast<std::size_t>(column)]);
+  }
+
+  /// Result: the size of the largest entry.
+  double load(const row_matrix& rows, int i) {
+    double scale = 0;
+    for (row_matrix::InnerIterator it(rows, i); it; ++it) {
+      scale = std::max(scale, std::abs(it.value()));
+      row_[static_cast<std::size_t>(it.col())] = it.value();
+      touch(static_cast<int>(it.col()));
+    }
+    return scale;
+  }
+
+  /// Takes multiples of the reduced rows away, so that nothing is left in the columns of their pivots.
+  reduced_side eliminate(double value, double scale) {
+    reduced_side r{value, std::abs(value), 8 * std::numeric_limits<double>::epsilon() * scale, {}};
+    double steps = 0;
+    while (!waiting_.empty()) {
+      const int at = waiting_.top();
+      const reduced_row& pivot = space_.reduced[static_cast<std::size_t>(at)];
+      waiting_.pop();
+      const auto column = static_cast<std::size_t>(pivot.entries.front().first);
+      const double factor = row_[column];
+      if (factor == 0) continue;
+      for (const auto& [j, x] : pivot.entries) {
+        touch(j);
+        row_[static_cast<std::size_t>(j)] -= factor * x;
+      }
+      row_[column] = 0;
+      r.taken.emplace_back(at, factor);
+      r.value -= factor * pivot.value;
+      r.terms += std::abs(factor) * pivot.terms;
+      r.noise = std::max(r.noise, std::abs(factor) * pivot.noise);
+      ++steps;
+    }
+    r.noise *= 1 + std::sqrt(steps) / 8;
+    return r;
+  }
+
+  largest_entry find_largest() const {
+    largest_entry r;
+    for (const int j : touched_)
+      if (const double x = std::abs(row_[static_cast<std::size_t>(j)]); x > r.size) r = {j, x};
+    return r;
+  }
+
+  void add_independent(int i, int column, reduced_side&& left) {
+    const double pivot = row_[static_cast<std::size_t>(column)];
+    reduced_row next{{{column, 1.0}}, left.value / pivot, left.terms / std::abs(pivot), left.noise / std::abs(pivot), pivot, std::move(left.taken)};
+    for (const int j : touched_)
+      if (j != column && row_[static_cast<std::size_t>(j)] != 0) next.entries.emplace_back(j, row_[static_cast<std::size_t>(j)] / pivot);
+    pivot_of_[static_cast<std::size_t>(column)] = static_cast<int>(space_.reduced.size());
+    space_.reduced.push_back(std::move(next));
+    space_.independent.push_back(i);
+  }
+
+  void clear_row() {
+    for (const int j : touched_) {
+      row_[static_cast<std::size_t>(j)] = 0;
+      is_touched_[static_cast<std::size_t>(j)] = 0;
+    }
+    touched_.clear();
+  }
+
+ public:
+  explicit row_elimination(Eigen::Index columns)
+      : pivot_of_(static_cast<std::size_t>(columns), -1), row_(static_cast<std::size_t>(columns)), is_touched_(row_.size()) {}
+
+  /// Reduces row i of `rows`, whose right side is `value`, and keeps it if it is independent of those before.
+  void add(const char* who, const row_matrix& rows, int i, double value) {
+    const double scale = load(rows, i);
+    reduced_side left = eliminate(value, scale);
+    const largest_entry largest = find_largest();
+    if (largest.column >= 0 && largest.size > left.noise) {
+      space_.is_nearly_dependent |= largest.size < 1e-6 * scale;
+      add_independent(i, largest.column, std::move(left));
+    } else if (!(std::abs(left.value) <= 1e-9 * left.terms)) {
+      core::throw_joined<solver_error>({who, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from"
+                                  " theirs, but its right side is off by ", core::number_text(std::abs(left.value))});
+    }
+    clear_row();
+  }
+
+  row_space take() && { return std::move(space_); }
+};
+
 /// The rows of C x = d, in their order, that do not follow from those before; by elimination with the largest entry of each row as its pivot.
 /// A row counts as dependent if elimination leaves no entry above rounding errors: those of its largest entry, and those of the rows that it is reduced
 /// by, which are larger where little was left of these. It contradicts the others if then more than 1e-9 of the d involved is left.
 /// Errors: solver_error if a row contradicts those before; it is named.
 inline row_space independent_rows(const char* who, const Eigen::SparseMatrix<double>& c, const Eigen::VectorXd& d) {
-  using row_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-  row_matrix rows = c;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> rows = c;
   rows.makeCompressed();
-  row_space space;
-  std::vector<reduced_row>& pivots = space.reduced;
-  std::vector<int> pivot_of(static_cast<std::size_t>(c.cols()), -1), touched;
-  std::vector<double> row(static_cast<std::size_t>(c.cols()));
-  std::vector<char> is_touched(row.size());
-  for (int i = 0; i < rows.rows(); ++i) {
-    std::priority_queue<int, std::vector<int>, std::greater<int>> waiting;  // pivots to eliminate, oldest first
-    const auto touch = [&](int column) {
-      if (is_touched[static_cast<std::size_t>(column)]) return;
-      is_touched[static_cast<std::size_t>(column)] = 1;
-      touched.push_back(column);
-      if (pivot_of[static_cast<std::size_t>(column)] >= 0) waiting.push(pivot_of[static_cast<std::size_t>(column)]);
-    };
-    double scale = 0;
-    for (row_matrix::InnerIterator it(rows, i); it; ++it) {
-      scale = std::max(scale, std::abs(it.value()));
-      row[static_cast<std::size_t>(it.col())] = it.value();
-      touch(static_cast<int>(it.col()));
-    }
-    double value = d[i], terms = std::abs(d[i]), noise = 8 * std::numeric_limits<double>::epsilon() * scale, steps = 0;
-    std::vector<std::pair<int, double>> taken;
-    while (!waiting.empty()) {
-      const int at = waiting.top();
-      const reduced_row& pivot = pivots[static_cast<std::size_t>(at)];
-      waiting.pop();
-      const auto column = static_cast<std::size_t>(pivot.entries.front().first);
-      const double factor = row[column];
-      if (factor == 0) continue;
-      for (const auto& [j, x] : pivot.entries) {
-        touch(j);
-        row[static_cast<std::size_t>(j)] -= factor * x;
-      }
-      row[column] = 0;
-      taken.emplace_back(at, factor);
-      value -= factor * pivot.value;
-      terms += std::abs(factor) * pivot.terms;
-      noise = std::max(noise, std::abs(factor) * pivot.noise);
-      ++steps;
-    }
-    int largest = -1;
-    double most = 0;
-    for (const int j : touched)
-      if (const double x = std::abs(row[static_cast<std::size_t>(j)]); x > most) {
-        most = x;
-        largest = j;
-      }
-    noise *= 1 + std::sqrt(steps) / 8;
-    if (largest >= 0 && most > noise) {
-      const double pivot = row[static_cast<std::size_t>(largest)];
-      reduced_row next{{{largest, 1.0}}, value / pivot, terms / std::abs(pivot), noise / std::abs(pivot), pivot, std::move(taken)};
-      space.is_nearly_dependent |= most < 1e-6 * scale;
-      for (const int j : touched)
-        if (j != largest && row[static_cast<std::size_t>(j)] != 0) next.entries.emplace_back(j, row[static_cast<std::size_t>(j)] / pivot);
-      pivot_of[static_cast<std::size_t>(largest)] = static_cast<int>(pivots.size());
-      pivots.push_back(std::move(next));
-      space.independent.push_back(i);
-    } else if (!(std::abs(value) <= 1e-9 * terms)) {
-      core::throw_joined<solver_error>({who, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from"
-                                  " theirs, but its right side is off by ", core::number_text(std::abs(value))});
-    }
-    for (const int j : touched) {
-      row[static_cast<std::size_t>(j)] = 0;
-      is_touched[static_cast<std::size_t>(j)] = 0;
-    }
-    touched.clear();
-  }
-  return space;
+  row_elimination elimination(c.cols());
+  for (int i = 0; i < rows.rows(); ++i) elimination.add(who, rows, i, d[i]);
+  return std::move(elimination).take();
 }
 
 }  // namespace concino::detail
