@@ -99,7 +99,7 @@ template<AnyMesh M>
 Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& options = {}) {
   if (!options.lumped) {
     if constexpr (TriMesh<M> || TetMesh<M>) return detail::simplex_mass(m);  // faster: a formula
-    else return detail::with_both_triangles(detail::assemble_elements<M>(m, [&] { return detail::poly_operator_of<M>([&] { return detail::virtual_mass<M>(m); }); }));
+    else return with_both_triangles(detail::assemble_elements<M>(m, [&] { return detail::poly_operator_of<M>([&] { return detail::virtual_mass<M>(m); }); }));
   }
   const auto mass = vert_masses(m);
   return detail::diagonal_matrix(mass.values());

@@ -6,7 +6,6 @@
 #include <concino/core/vec3.hpp>
 #include <concino/fields/detail/another_solver.hpp>
 #include <concino/graph/disjoint_sets.hpp>
-#include <concino/operators/detail/product.hpp>
 
 #include <Eigen/SparseCore>
 

@@ -6,9 +6,9 @@
 #include <concino/core/precompiled.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
-#include <concino/operators/detail/product.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
+#include <concino/operators/product.hpp>
 #include <concino/operators/stiffness.hpp>
 
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/operators/detail/poly_operator.hpp>
-#include <concino/operators/detail/product.hpp>
+#include <concino/operators/product.hpp>
 
 #include <Eigen/SparseCore>
 

@@ -1,8 +1,9 @@
-// What powers of an operator need: both triangles of a symmetric matrix, and products. Eigen's own product adds a second to the compile time
-// of every program that includes it.
+// Products of sparse matrices, and both triangles of a symmetric one: what powers of operators are made of. Eigen's own product adds a second to
+// the compile time of every program that includes it.
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -12,10 +13,24 @@
 #include <limits>
 #include <vector>
 
-namespace concino::detail {
+namespace concino {
 
-/// The symmetric matrix with this lower triangle; rows sorted within columns, here and there.
+namespace detail {
+
+inline void expect_compressed(const char* who, const Eigen::SparseMatrix<double>& a) {
+  if (!a.isCompressed()) core::throw_joined<invalid_argument>({who, ": a matrix is not compressed; call makeCompressed()"});
+}
+
+}  // namespace detail
+
+
+/// The symmetric matrix with this lower triangle, such as solvers that read both triangles want it.
+/// Needs:  lower: square, compressed, rows sorted within columns, no entries above the diagonal.
+/// Result: a matrix with rows sorted within columns, entries that are 0 too.      Cost: O(entries) time and memory.
+/// Errors: invalid_argument if lower is not square or not compressed; unsupported if 32-bit indices cannot count the entries.
 inline Eigen::SparseMatrix<double> with_both_triangles(const Eigen::SparseMatrix<double>& lower) {
+  if (lower.rows() != lower.cols()) throw invalid_argument("with_both_triangles: the matrix is not square");
+  detail::expect_compressed("with_both_triangles", lower);
   const int n = static_cast<int>(lower.cols());
   const int* const from = lower.outerIndexPtr();
   const int* const row = lower.innerIndexPtr();
@@ -47,13 +62,22 @@ inline Eigen::SparseMatrix<double> with_both_triangles(const Eigen::SparseMatrix
   return r;
 }
 
-/// a diag(d) b for square matrices of one size, rows sorted within columns.
+/// a diag(d) b, such as K M^-1 K of a Laplacian and lumped masses, or with d all 1 the product of a and b.
+/// Needs:  a, b: compressed; as many columns of a, numbers in d and rows of b.
+/// Result: a matrix with rows sorted within columns. Where entries cancel, 0 is stored: its pattern depends on those of a and b alone.
+/// Cost:   O(multiplications + entries log of those in a column) time, O(entries) memory.
+/// Errors: invalid_argument if sizes do not fit or a matrix is not compressed; unsupported if 32-bit indices cannot count the entries.
 /// Source: Gustavson 1978, "Two fast algorithms for sparse matrices".
 inline Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMatrix<double>& a, const std::vector<double>& d, const Eigen::SparseMatrix<double>& b) {
-  const auto n = static_cast<std::size_t>(a.cols());
+  if (static_cast<std::size_t>(a.cols()) != d.size() || static_cast<std::size_t>(b.rows()) != d.size())
+    core::throw_joined<invalid_argument>({"scaled_product: there are ", static_cast<std::size_t>(a.cols()), " columns of a, ", d.size(), " factors and ",
+                                          static_cast<std::size_t>(b.rows()), " rows of b; they have to be as many"});
+  detail::expect_compressed("scaled_product", a);
+  detail::expect_compressed("scaled_product", b);
+  const auto n = static_cast<std::size_t>(b.cols()), height = static_cast<std::size_t>(a.rows());
   std::vector<int> first{0}, rows;
-  std::vector<double> values, sum(n);
-  std::vector<std::size_t> seen_in(n, n);  // the column for which a row was last met
+  std::vector<double> values, sum(height);
+  std::vector<std::size_t> seen_in(height, n);  // the column for which a row was last met
   first.reserve(n + 1);
   for (std::size_t c = 0; c < n; ++c) {
     const std::size_t begin = rows.size();
@@ -77,7 +101,7 @@ inline Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMatrix<doub
     for (std::size_t k = begin; k < rows.size(); ++k) values.push_back(sum[static_cast<std::size_t>(rows[k])]);
     first.push_back(static_cast<int>(rows.size()));
   }
-  Eigen::SparseMatrix<double> r(a.rows(), a.cols());
+  Eigen::SparseMatrix<double> r(a.rows(), b.cols());
   r.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
   std::copy(first.begin(), first.end(), r.outerIndexPtr());
   std::copy(rows.begin(), rows.end(), r.innerIndexPtr());
@@ -85,4 +109,4 @@ inline Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMatrix<doub
   return r;
 }
 
-}  // namespace concino::detail
+}  // namespace concino
