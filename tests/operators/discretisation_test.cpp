@@ -99,6 +99,11 @@ double difference(const A& a, const B& b) {
 
 }  // namespace
 
+TEST_CASE("explain says nothing about discretisations") {
+  explain_discretisation<uniform_t, graph>();
+  explain_discretisation<const of_quads_alone&, quadmesh>();
+}
+
 TEST_CASE_TEMPLATE("discretisations for comparison: minus the stiffness of the polys", M, polygonmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const Eigen::MatrixXd refined = laplacian(m, virtual_refinement);

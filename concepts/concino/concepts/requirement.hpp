@@ -48,11 +48,12 @@ struct check<list<>, T...> : std::true_type {
 
 template<class List, class... T> using first_missing = typename check<List, T...>::first_missing;
 
-/// What a base needs that traits may inherit from: a list on the types T, which the base knows. See base_requirement of mesh_traits.hpp.
+/// A list on the types T, whatever is asked about: what a base needs that traits may inherit from (base_requirement of mesh_traits.hpp), or what one of
+/// several types has to be.
 template<class List, class... T>
 struct bound {
-  template<class> static constexpr bool holds = check<List, T...>::value;
-  template<class> static consteval void explain() { first_missing<List, T...>::template explain<T...>(); }
+  template<class...> static constexpr bool holds = check<List, T...>::value;
+  template<class...> static consteval void explain() { first_missing<List, T...>::template explain<T...>(); }
 };
 
 }  // namespace requirement

@@ -25,6 +25,8 @@ struct tables_requirement {
   }
 };
 
+using indexed_base_requirements = list<tables_requirement>;
+
 }  // namespace requirement
 
 namespace detail {
@@ -64,7 +66,7 @@ struct indexed_elements {
   using vert = vert_id;
   using edge = edge_id;
   using poly = poly_id;
-  using base_requirements = requirement::bound<requirement::list<requirement::tables_requirement>, M>;
+  using base_requirements = requirement::bound<requirement::indexed_base_requirements, M>;
 
   // What concepts ask for first says "no" where there are no tables, so that they do not ask for the rest. X, since only then mesh_traits<M> is complete.
   template<class X = M> requires requirement::has_tables<X> static auto verts(const M& m) { return detail::tables_of<M>(m).verts().all(); }

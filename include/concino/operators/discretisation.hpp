@@ -43,7 +43,37 @@ concept has_masses = requires(const D& d, const M& m, const vert_t<M>& v) {
 template<class D> concept scales_with_mesh = requires { requires bool(D::scales_with_mesh); };
 
 template<class D, class M> concept has_weights_or_matrices = has_neighbour_weights<D, M> || has_edge_weights<D, M> || has_poly_matrices<D, M>;
+struct weights_or_matrices_requirement {
+  template<class D, class M> static constexpr bool holds = has_weights_or_matrices<std::remove_cvref_t<D>, std::remove_cvref_t<M>>;
+  template<class D, class M> static consteval void explain() {
+    static_assert(!requires(const D& d, const M& m) { d.neighbour_weights(m); } || detail::missing<D, M>, "concino: neighbour_weights(m) is there, but what it returns does not give a number for two verts");
+    static_assert(!requires(const D& d, const M& m) { d.edge_weights(m); } || AnyMesh<M> || detail::missing<D, M>, "concino: edge_weights(m) is there, but M has no edges: it is no AnyMesh");
+    static_assert(!requires(const D& d, const M& m) { d.edge_weights(m); } || !AnyMesh<M> || detail::missing<D, M>, "concino: edge_weights(m) is there, but what it returns does not give a number at each edge");
+    static_assert(!requires(const D& d, const M& m) { d.poly_matrices(m); } || AnyMesh<M> || detail::missing<D, M>, "concino: poly_matrices(m) is there, but M has no polys with verts: it is no AnyMesh");
+    static_assert(!requires(const D& d, const M& m) { d.poly_matrices(m); } || !AnyMesh<M> || detail::missing<D, M>, "concino: poly_matrices(m) is there, but what it returns cannot be called with a poly and a local_matrix");
+    static_assert(detail::missing<D, M>, "concino: Discretisation needs auto neighbour_weights(const M&) const, of meshes also edge_weights or poly_matrices: a callable w, w(a, b) is the weight of two verts joined by an edge");
+  }
+};
+
 template<class D, class M> concept has_masses_or_points = has_masses<D, M> || EmbeddedMesh<M>;
+struct masses_or_points_requirement {
+  template<class D, class M> static constexpr bool holds = has_masses_or_points<std::remove_cvref_t<D>, std::remove_cvref_t<M>>;
+  template<class D, class M> static consteval void explain() {
+    static_assert(!requires(const D& d, const M& m) { d.masses(m); } || detail::missing<D, M>, "concino: masses(m) is there, but what it returns does not give a number at each vert");
+    static_assert(detail::missing<D, M>, "concino: Discretisation needs auto masses(const M&) const; a map, mass[v] > 0 of each vert: M is no EmbeddedMesh that has masses of its own");
+  }
+};
+
+// The mesh is a graph, at least.
+struct graph_requirement {
+  template<class, class M> static constexpr bool holds = PrimalGraph<M>;
+};
+template<class D, class M>
+struct check<graph_requirement, D, M> : check<primal_graph_requirements, M> {
+  using first_missing = bound<primal_graph_requirements, M>;
+};
+
+using discretisation_requirements = list<graph_requirement, weights_or_matrices_requirement, masses_or_points_requirement>;
 
 }  // namespace requirement
 
@@ -64,8 +94,16 @@ template<class D, class M> concept has_masses_or_points = has_masses<D, M> || Em
 /// The members are asked about the mesh as it is. One that takes any M, and whose entries on the mesh times s are s to the dimension minus 2 times as
 /// large, may say so by `static constexpr bool scales_with_mesh = true;`: then they are given a view of the mesh at a size near 1, so that problems are
 /// solved as well for very small and very large meshes. What depends on places, as a conductivity may, must not say so.
+///
+/// explain_discretisation<D, M>() names what is missing.
 template<class D, class M>
 concept Discretisation = PrimalGraph<M> && requirement::has_weights_or_matrices<std::remove_cvref_t<D>, std::remove_cvref_t<M>> &&
                          requirement::has_masses_or_points<std::remove_cvref_t<D>, std::remove_cvref_t<M>>;
+
+/// Fails to compile with one sentence that names the first thing that D, or M, lacks to be a Discretisation on M and what to write.
+template<class D, class M>
+consteval void explain_discretisation() {
+  if constexpr (!Discretisation<D, M>) requirement::first_missing<requirement::discretisation_requirements, D, M>::template explain<D, M>();
+}
 
 }  // namespace concino
