@@ -65,7 +65,7 @@ sparse gradient_by_triplets(const F& f) {
 
 template<class F, class M>
 void matrices(const bench::program& p, const std::string& name, const F& f, const M& m) {
-  using concino::weights;
+  using concino::cotangent, concino::uniform;
   const auto timed = [](auto work) { return [work] { return bench::seconds_of(work); }; };
   if (const std::string work = "laplacian.uniform." + name; p.wants(work)) {
     const auto floor = [&] { return floors::uniform_laplacian(f); };

@@ -110,8 +110,8 @@ double gradient_error(const M& m) {
 }
 
 /// The L2 norm, by the lumped mass, of what is wrong with the solution of the Poisson problem whose solution is known; given on the boundary.
-template<class M, class D, class Solver>
-double poisson_error(const M& m, const D& which, Solver&& solver) {
+template<class M, class Which, class Solver>
+double poisson_error(const M& m, const Which& which, Solver&& solver) {
   using problem = smooth<dimension_v<M>>;
   const auto exact = at_verts(m, problem::value);
   const auto f = at_verts(m, [](const vec3& x) { return problem::load * problem::value(x); });
@@ -181,8 +181,8 @@ struct small_eigenproblem {
 
 /// The root mean square of the relative errors of the lowest eigenvalues, without the 0, with natural boundary: 5 of the square, to 4 pi^2, or
 /// 6 of the cube, to 2 pi^2. By inverse iteration of a few vectors more, from the true eigenfunctions, with Rayleigh-Ritz.
-template<class M, class D, class Solver>
-double eigenvalue_error(const M& m, const D& which, Solver&& solver) {
+template<class M, class Which, class Solver>
+double eigenvalue_error(const M& m, const Which& which, Solver&& solver) {
   constexpr double pi = 3.14159265358979323846;
   constexpr int D = dimension_v<M>;
   std::vector<std::array<int, 3>> modes;
