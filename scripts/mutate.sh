@@ -92,7 +92,7 @@ mesh/detail/checks            mesh/native_mesh edit/elements
 mesh/face_soup         mesh/face_soup io/load io/detail/read_medit validate/crowds
 graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path
 graph/bfs              graph/bfs graph/predecessors
-graph/detail/indexed_heap  graph/dijkstra
+core/indexed_heap    core/indexed_heap graph/dijkstra
 graph/detail/lengths   graph/dijkstra
 graph/detail/targets   graph/bfs graph/dijkstra
 graph/detail/crossings graph/bfs graph/dijkstra graph/predecessors

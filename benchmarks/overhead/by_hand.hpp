@@ -68,7 +68,7 @@ std::vector<int> components(const L& l, std::size_t n, NodeAt node_at) {
 template<class L, class Node, class At>
 std::vector<double> dijkstra(const L& l, Node source, std::size_t n, At at) {
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());
-  concino::detail::indexed_heap<Node> queue(distance);
+  concino::core::indexed_heap<Node> queue(distance);
   queue.lower(source, l.index(source), 0);
   while (!queue.empty()) {
     const auto [v, slot, d] = queue.pop();

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <concino/core/function_ref.hpp>
+#include <concino/core/indexed_heap.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/fetch.hpp>
 #include <concino/graph/detail/for_each_in.hpp>
 #include <concino/graph/detail/graph_of.hpp>
-#include <concino/graph/detail/indexed_heap.hpp>
 #include <concino/graph/detail/lengths.hpp>
 #include <concino/graph/detail/targets.hpp>
 #include <concino/graph/predecessors.hpp>
@@ -61,7 +61,7 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
   [[maybe_unused]] const auto may_enter = options.may_enter;
   [[maybe_unused]] const auto predecessors = options.predecessors;
   auto distance = make_node_map<double>(g, infinity);
-  indexed_heap<node> queue(distance.values());
+  core::indexed_heap<node> queue(distance.values());
   for_each_source(g, sources, who, [&](const node& s) {
     const double d = initial_distance_of(options, g, s, who);
     if (const auto slot = g.index(s); d < queue.key(slot)) queue.lower(s, slot, d);

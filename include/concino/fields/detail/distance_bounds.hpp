@@ -2,9 +2,9 @@
 // arrays, independent of the type of the mesh.
 #pragma once
 
+#include <concino/core/indexed_heap.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/fields/detail/straight_distance.hpp>
-#include <concino/graph/detail/indexed_heap.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -229,7 +229,7 @@ class distance_graph::search {
   const double longest_;
   std::vector<node> node_;
   std::vector<double> waiting_;  // the ways to those in the queue
-  indexed_heap<int> queue_;
+  core::indexed_heap<int> queue_;
   std::vector<int> offered_;         // since the last vert left the queue
   std::vector<crossing> crossings_;
   std::vector<std::uint8_t> known_;  // of each tet: bits of corners that are settled

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/large_pages.hpp>
-#include <concino/graph/detail/fetch.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// A heap of four children per entry that knows where each node stands, over keys that the caller keeps by slot (+inf: not met yet), so
 /// that the last keys are the result. Taking the least moves the hole down to a leaf before the last entry is put back, which
@@ -45,12 +44,12 @@ class indexed_heap {
 
  public:
   explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), places_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {
-    core::prefer_large_pages(places_.get(), keys.size() * sizeof(std::uint32_t));
+    prefer_large_pages(places_.get(), keys.size() * sizeof(std::uint32_t));
   }
 
   bool empty() const { return heap_.empty(); }
   const Node& front() const { return heap_.front().node; }
-  void fetch_key(std::size_t slot) const { fetch(keys_ + slot); }
+  void fetch_key(std::size_t slot) const { __builtin_prefetch(keys_ + slot); }
   double least() const { return heap_.front().key; }
   /// The lowest distance set so far, +inf if none was.
   double key(std::size_t slot) const { return keys_[slot]; }
@@ -100,4 +99,4 @@ class indexed_heap {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino::core
