@@ -83,7 +83,7 @@ struct edge_of_requirement {
   template<class K, class M> static constexpr bool holds = has_edge_of<K, M>;
   template<class K, class M> static consteval void explain() {
     static_assert(detail::explain_result<requires { &K::edge_of; }, requires(const M& m, typename K::halfedge h) { K::edge_of(m, h); }, K, M>());
-    static_assert(detail::missing<K, M>, "concino: HalfedgeLinks needs static edge edge_of(const M&, halfedge); the edge that the half-edge is one of the two of");
+    static_assert(detail::missing<K, M>, "concino: HalfedgeLinks needs static edge edge_of(const M&, halfedge); the edge that the half-edge belongs to");
   }
 };
 

@@ -4,6 +4,8 @@ set(ENV{LC_ALL} C)
 execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${defines} ${case} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
 file(READ ${expected_file} expected)
 string(STRIP "${expected}" expected)
+string(REPLACE "\\\"" "\"" expected "${expected}")  # as g++ prints quotes within a sentence; clang++ prints them as they are written
+string(REPLACE "\\\"" "\"" said "${said}")
 if(expected STREQUAL "")
   if(NOT code EQUAL 0)
     message(FATAL_ERROR "a complete model is refused:\n${said}")

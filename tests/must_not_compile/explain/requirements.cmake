@@ -7,6 +7,7 @@
 #   entries_c         the names x of the list and of the lists within it, each once, in order
 #   concept_c         the concept of that name, PrimalGraph of primal_graph; empty where there is none
 #   named_c           the named concepts of its conjunction and of those within it
+#   concepts          all concepts in these headers, and of these concepts_of_meshes, those of the vocabulary
 # Semicolons and brackets mean something in lists of CMake and are written in other ways meanwhile.
 
 function(plain_requirement_text variable text)
@@ -36,6 +37,7 @@ macro(read_requirements source)
   set(requirements "")
   set(lists "")
   set(concepts "")
+  set(concepts_of_meshes "")
   foreach(header IN LISTS requirement_headers)
     file(READ ${header} text)
     if(NOT text MATCHES "_requirements = list<" AND NOT header MATCHES "/concepts/concino/concepts/[a-z_]+[.]hpp$")
@@ -84,6 +86,9 @@ macro(read_requirements source)
       string(REGEX MATCH "concept (.*) =" _ "${token}")
       set(current ${CMAKE_MATCH_1})
       list(APPEND concepts ${current})
+      if(header MATCHES "/concepts/concino/")
+        list(APPEND concepts_of_meshes ${current})
+      endif()
       string(FIND "${text}" "${token}" at)
       string(SUBSTRING "${text}" ${at} -1 body)
       string(FIND "${body}" ";" end)
