@@ -27,6 +27,12 @@ io/detail/read_mtl            io/detail/read_mtl io/detail/library_file io/detai
 io/detail/write_mtl           io/detail/write_mtl io/detail/library_file
 io/detail/library_file        io/detail/library_file io/killed_save io/detail/write_mtl
 core/hash_bytes      core/hash_bytes
+io/detail/choose_format   io/format io/load
+io/detail/load_with       io/format io/load io/load_any
+io/detail/save_with       io/format io/save
+io/detail/flat_mesh_of    io/flat_mesh io/save
+io/flat_mesh              io/flat_mesh io/save
+io/write_context          io/save io/detail/write_off
 io/file_text           io/file_text
 io/numbers             io/numbers io/detail/read_obj
 io/detail/decimals     io/numbers io/detail/read_obj

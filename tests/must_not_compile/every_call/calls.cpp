@@ -257,3 +257,11 @@ void numbers(const cn::trimesh& m) {
   cn::prepare_heat_geodesics(m).distance_from(0);  // refused
   cn::prepare_exact_geodesics(m).distance_from({0, 1});  // refused
 }
+
+// No format.
+void no_format(const cn::trimesh& m, const stranger& other) {
+  cn::load<cn::trimesh>("a", other);  // refused
+  cn::load_text<cn::trimesh>("a", other);  // refused
+  cn::save(m, "a", other);  // refused
+  cn::save_text(m, other);  // refused
+}

@@ -1,0 +1,57 @@
+// A file format of your own: one struct that says what it is called and what it can hold, and turns text into flat arrays and back. Nothing is registered
+// and no file of the library is touched; a call that is given the struct knows the format, and what is compiled is what it names.
+#include <concino/io.hpp>
+#include <concino/mesh.hpp>
+
+#include <fmt/core.h>
+
+#include <variant>
+
+namespace cn = concino;
+
+/// Triangles: how many verts and triangles there are, the points, then three verts each, from 1. What follows a # is a comment.
+struct triangle_list {
+  static constexpr std::string_view name = "triangles", extensions[] = {".tri"};
+  static constexpr bool holds_surfaces = true, holds_volumes = false;
+
+  static void read(const cn::read_context& in, cn::file_contents& out) {
+    cn::token_cursor words = in.words('#');
+    const auto points = words.next_count("the number of verts", 6), triangles = words.next_count("the number of triangles", 6);
+    for (std::uint64_t v = 0; v < points; ++v) out.surface.points.push_back({words.next_real("x"), words.next_real("y"), words.next_real("z")});
+    for (std::uint64_t k = 0; k < 3 * triangles; ++k) out.surface.verts.push_back(cn::vert_id{words.next_index(points, "a vert")});
+    out.surface.arity = 3;
+  }
+  static void write(cn::write_context& context, cn::flat_mesh& m) {
+    if (m.poly_verts.arity != 3) context.cannot_hold(".tri", {"polygons of other sizes"}, ".off");
+    context.out << m.points.size() << ' ' << m.num_polys << '\n';
+    for (const cn::vec3& p : m.points) context.out << p.x << ' ' << p.y << ' ' << p.z << '\n';
+    for (std::size_t k = 0; k < m.poly_verts.values.size(); ++k) context.out << m.poly_verts.values[k].raw() + 1 << (k % 3 == 2 ? '\n' : ' ');
+  }
+};
+
+int main() {
+  // Beside all that the library knows: the extension chooses. A file appears when it is complete, as all files that the library writes.
+  constexpr auto formats = cn::standard_formats + triangle_list{};
+  const cn::polygonmesh roof({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 1}}, {{0, 1, 2}, {0, 2, 3}});
+  cn::save(roof, "roof.tri", formats);
+  fmt::print("{}", cn::file_text("roof.tri").text());
+  cn::save(cn::load<cn::trimesh>("roof.tri", formats), "roof.obj", formats);
+  const auto any = cn::load_any("roof.obj", formats);
+  fmt::print("roof.obj: {} polys\n", std::visit([](const auto& m) { return cn::num_polys(m); }, any));
+
+  // That format alone, whatever the name of the file says; and the library's own one by one.
+  fmt::print("text: {}", cn::save_text(cn::load_text<cn::trimesh>("3 1  0 0 0  1 0 0  0 0.5 0  1 2 3", triangle_list{}), triangle_list{}));
+  fmt::print("load_obj: {} verts\n", cn::num_verts(cn::load_obj<cn::trimesh>("roof.obj")));
+
+  // Errors name the line, and what the format cannot hold is refused: no file is made or changed.
+  try {
+    cn::load_text<cn::trimesh>("3 1\n0 0 0\n1 0 0\n0 1 0\n1 2 4\n", triangle_list{});
+  } catch (const cn::parse_error& e) {
+    fmt::print("{}\n", e.what());
+  }
+  try {
+    cn::save(cn::tetmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}), "tet.tri", formats);
+  } catch (const cn::unsupported& e) {
+    fmt::print("{}\n", e.what());
+  }
+}

@@ -1,0 +1,12 @@
+// expect in 10 lines: concino: Format needs holds_surfaces and holds_volumes: static constexpr bool
+// Surfaces, volumes or both.
+#include <concino/io/format.hpp>
+
+struct soup {
+  static constexpr std::string_view name = "soup";
+  static constexpr std::string_view extensions[] = {".soup"};
+  static constexpr bool holds_surfaces = false, holds_volumes = false;
+  static void read(const concino::read_context&, concino::file_contents&);
+  static void write(concino::write_context&, concino::flat_mesh&);
+};
+int main() { concino::explain_format<soup>(); }
