@@ -105,7 +105,6 @@ graph/detail/crossings graph/bfs graph/dijkstra graph/predecessors
 graph/detail/once_queue    graph/bfs
 graph/detail/steps     graph/boost
 graph/detail/edge_numbers  graph/boost
-graph/detail/sides     graph/cut_along graph/boundary_loops graph/tree_cotree
 graph/detail/corners   graph/cut_along graph/boundary_loops
 graph/disjoint_sets   graph/disjoint_sets graph/spanning_tree
 '

@@ -1,8 +1,8 @@
 // Spheres of nearly equal triangles.
 #pragma once
 
+#include <concino/concepts/oriented_edges.hpp>
 #include <concino/generate/detail/made.hpp>
-#include <concino/graph/detail/sides.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 namespace concino {
@@ -42,14 +42,13 @@ inline surface_arrays quartered_on_sphere(const surface_arrays& triangles) {
     for (const vert_id v : adj_e2v(m, e)) sum += point(m, v);
     a.points.push_back(sum / norm(sum));
   }
-  side_walker<trimesh> walker(m);
   for (const poly_id p : polys(m)) {
-    walker.read(p);
     vert_id corner[3], middle[3];
-    walker.for_each_side(p, [&](const edge_id e, std::size_t i, std::size_t) {
-      corner[i] = walker.ring()[i];
-      middle[i] = vert_id{num_verts(m) + index_of(m, e)};
-    });
+    std::size_t i = 0;
+    for (const auto& [e, from, to] : oriented_edges(m, p)) {
+      corner[i] = from;
+      middle[i++] = vert_id{num_verts(m) + index_of(m, e)};
+    }
     for (const std::size_t k : {0u, 1u, 2u}) a.verts.insert(a.verts.end(), {corner[k], middle[k], middle[(k + 2) % 3]});
     a.verts.insert(a.verts.end(), {middle[0], middle[1], middle[2]});
   }

@@ -1,32 +1,13 @@
 // Which way a facet faces, seen from one of its polys, and how large it is: the vectors of the divergence theorem in either dimension.
 #pragma once
 
-#include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/facets.hpp>
+#include <concino/concepts/oriented_edges.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/normals.hpp>
 
 namespace concino {
-
-namespace detail {
-
-/// Whether poly p of a surface walks edge e from its second end to its first.
-template<SurfaceMesh M>
-bool walks_backward(const M& m, const poly_t<M>& p, const edge_ends<vert_t<M>>& ends) {
-  vert_t<M> first{}, previous{};
-  bool any = false;
-  for (const vert_t<M> v : adj_p2v(m, p)) {
-    if (!any) first = v;
-    else if (previous == ends.first && v == ends.second) return false;
-    else if (previous == ends.second && v == ends.first) return true;
-    previous = v;
-    any = true;
-  }
-  return previous == ends.second && first == ends.first;
-}
-
-}  // namespace detail
 
 /// The vector normal to facet x that points out of its poly p and is as long as x is large.
 /// Needs:  Embedded AnyMesh; x is a facet of p.
@@ -38,12 +19,14 @@ bool walks_backward(const M& m, const poly_t<M>& p, const edge_ends<vert_t<M>>& 
 template<SurfaceMesh M>
   requires Embedded<M>
 vec3 outward_vector(const M& m, const poly_t<M>& p, const edge_t<M>& x) {
-  auto ends = end_verts(m, x);
-  if (detail::walks_backward(m, p, ends)) ends = {ends.second, ends.first};
-  const vec3 a = to_vec3(point(m, ends.first)), b = to_vec3(point(m, ends.second)), n = normal(m, p);
-  const vec3 step = b - a;
-  if (is_finite(step)) [[likely]] return cross(step, n);
-  return 2 * cross(0.5 * b - 0.5 * a, n);
+  for (const auto& [e, from, to] : oriented_edges(m, p)) {
+    if (!(e == x)) continue;
+    const vec3 a = to_vec3(point(m, from)), b = to_vec3(point(m, to)), n = normal(m, p);
+    const vec3 step = b - a;
+    if (is_finite(step)) [[likely]] return cross(step, n);
+    return 2 * cross(0.5 * b - 0.5 * a, n);
+  }
+  return {};
 }
 template<VolumeMesh M>
   requires Embedded<M>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/concepts/facets.hpp>
+#include <concino/concepts/oriented_edges.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/graph/disjoint_sets.hpp>
-#include <concino/graph/detail/sides.hpp>
 #include <concino/graph/edge_walk.hpp>
 
 #include <limits>
@@ -49,15 +49,12 @@ class border_edges {
       any = true;
     }
     if (!any) return;
-    side_walker<M> walker(m);
     for (const poly_t<M> p : polys(m)) {
       bool here = false;
       for (const edge_t<M> e : adj_p2e(m, p)) here = here || on_border[index_of(m, e)];
       if (!here) continue;
-      walker.read(p);
-      walker.for_each_side(p, [&](const edge_t<M>& e, std::size_t i, std::size_t j) {
-        if (on_border[index_of(m, e)]) sides_.push_back({e, walker.ring()[i], walker.ring()[j]});
-      });
+      for (const auto& [e, from, to] : oriented_edges(m, p))
+        if (on_border[index_of(m, e)]) sides_.push_back({e, from, to});
     }
     out_.assign(vert_index_bound(m), none);
     in_ = out_;

@@ -1,10 +1,10 @@
 // Fills the fans around verts of a surface or edges of a volume from its polys.
 #pragma once
 
+#include <concino/concepts/oriented_edges.hpp>
 #include <concino/core/error.hpp>
 #include <concino/generate/detail/face_sides.hpp>
 #include <concino/generate/detail/wedge_fans.hpp>
-#include <concino/graph/detail/sides.hpp>
 
 namespace concino::detail {
 
@@ -20,17 +20,15 @@ void read_wedges(const M& m, const NumberOf& number_of, wedge_fans& fans) {
     for (const vert_t<M> v : adj_p2v(m, p)) fans.count(index_of(m, v));
   fans.end_counting();
   for (const poly_t<M> p : polys(m)) {
-    const auto& ring = adj_p2e(m, p);
     std::uint32_t before = wedge::none;
-    for (const edge_t<M> e : ring) before = static_cast<std::uint32_t>(index_of(m, e));
-    auto side = ring.begin();
-    for (const vert_t<M> v : adj_p2v(m, p)) {
-      const edge_t<M> e = *side;
-      wedge& w = fans.at(index_of(m, v), number_of(p));
+    wedge* first = nullptr;
+    for (const auto& side : oriented_edges(m, p)) {
+      wedge& w = fans.at(index_of(m, side.from), number_of(p));
+      if (first == nullptr) first = &w;
       w.out = before;
-      before = w.in = static_cast<std::uint32_t>(index_of(m, e));
-      ++side;
+      before = w.in = static_cast<std::uint32_t>(index_of(m, side.edge));
     }
+    if (first != nullptr) first->out = before;
   }
 }
 

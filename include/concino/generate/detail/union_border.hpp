@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/concepts/oriented_edges.hpp>
 #include <concino/graph/disjoint_sets.hpp>
-#include <concino/graph/detail/sides.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -83,7 +83,6 @@ class union_border<M> {
   struct side { vert_t<M> from, to; };
   const M& m_;
   union_members<M> members_;
-  side_walker<M> walker_;
   stamped<std::uint32_t> leaving_, first_from_;  // by vert: the side that leaves it; by edge inside: where the first poly begins it
   stamped<unsigned char> met_;
   std::vector<side> sides_;
@@ -91,7 +90,7 @@ class union_border<M> {
 
  public:
   explicit union_border(const M& m)
-      : m_(m), members_(m), walker_(m), leaving_(vert_index_bound(m)), first_from_(edge_index_bound(m)), met_(vert_index_bound(m)) {}
+      : m_(m), members_(m), leaving_(vert_index_bound(m)), first_from_(edge_index_bound(m)), met_(vert_index_bound(m)) {}
 
   const std::vector<vert_t<M>>& ring() const { return ring_; }
 
@@ -107,10 +106,8 @@ class union_border<M> {
     std::ptrdiff_t inside = 0, met = 0;
     union_fault fault;
     for (const poly_t<M>& p : polys) {
-      walker_.read(p);
-      for (const vert_t<M>& v : walker_.ring()) met += met_.add(index_of(m_, v), 1);
-      walker_.for_each_side(p, [&](const edge_t<M>& e, std::size_t i, std::size_t j) {
-        const vert_t<M> from = walker_.ring()[i], to = walker_.ring()[j];
+      for (const auto& [e, from, to] : oriented_edges(m_, p)) {
+        met += met_.add(index_of(m_, from), 1);
         const std::size_t n = members_.count(adj_e2p(m_, e)), at = index_of(m_, from);
         if (n > 2) fault = {"more than two of them meet at edge", index_of(m_, e)};
         if (n == 1) {
@@ -121,7 +118,7 @@ class union_border<M> {
         } else if (first_from_[index_of(m_, e)] == at) {
           fault = {"two of them run the same way along edge", index_of(m_, e)};
         }
-      });
+      }
       if (fault) return fault;
     }
     if (sides_.empty()) return {"they have no border"};

@@ -1,7 +1,7 @@
 // Corners of polygons, joined around verts: what is one vert of a surface, and what would be several if it were cut.
 #pragma once
 
-#include <concino/graph/detail/sides.hpp>
+#include <concino/concepts/oriented_edges.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 
 #include <limits>
@@ -18,29 +18,30 @@ struct corner_classes {
   template<class IsCut>
   corner_classes(const M& m, const IsCut& is_cut)
       : first(poly_index_bound(m)), classes(number_corners(m, first)) {
-    std::vector<edge_ends> known(edge_index_bound(m));
-    side_walker<M> sides(m);
+    std::vector<corner_pair> known(edge_index_bound(m));
     for (const poly_t<M> p : polys(m)) {
-      sides.read(p);
-      const std::size_t start = first[index_of(m, p)];
-      sides.for_each_side(p, [&](const edge_t<M>& e, std::size_t i, std::size_t j) {
+      const std::size_t start = first[index_of(m, p)], end = start + num_elements(adj_p2v(m, p));
+      std::size_t next = start;
+      for (const auto& [e, from, to] : oriented_edges(m, p)) {
         const std::size_t slot = index_of(m, e);
-        if (is_cut(slot)) return;
-        if (index_of(m, sides.ring()[i]) > index_of(m, sides.ring()[j])) std::swap(i, j);
-        edge_ends& there = known[slot];
+        std::size_t i = next++;
+        if (is_cut(slot)) continue;
+        std::size_t j = next == end ? start : next;
+        if (index_of(m, from) > index_of(m, to)) std::swap(i, j);
+        corner_pair& there = known[slot];
         if (there.low == unknown) {
-          there = {start + i, start + j};
-          return;
+          there = {i, j};
+          continue;
         }
-        classes.unite(there.low, start + i);
-        classes.unite(there.high, start + j);
-      });
+        classes.unite(there.low, i);
+        classes.unite(there.high, j);
+      }
     }
   }
 
  private:
   static constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
-  struct edge_ends {  // the corners of the poly met first at an edge, by index of the verts
+  struct corner_pair {  // the corners of the poly met first at an edge, by index of the verts
     std::size_t low = unknown, high = unknown;
   };
 
