@@ -158,6 +158,70 @@ class library_file final : public companion_files {
     file_->finish();
   }
 
+  /// Whether the libraries that the mesh came with still define the materials as they are.
+  bool defines_all(const material_table& table, const std::vector<material>& needed, load_report& unheard) const {
+    const concino::progress silent;
+    const read_context beside{{}, given_, {}, &unheard, &silent, true};
+    material_library library;
+    read_libraries(beside, table.libraries, library);
+    return contains_all(library, needed);
+  }
+
+  struct numbered_libraries {
+    std::string found;   // the first library that holds all
+    std::string unused;  // the first free name
+    std::string other;   // the first library before both that holds others
+  };
+
+  /// Looks at name_of(0), name_of(1), ... up to the second free name, and collects outdated libraries among them.
+  numbered_libraries find_numbered(const std::vector<material>& needed, const std::vector<std::string>& undefined,
+                                   const std::vector<std::string>& old_lines, load_report& unheard) {
+    numbered_libraries r;
+    for (std::size_t attempt = 0, num_free = 0; num_free < 2; ++attempt) {
+      if (attempt == 1000) core::throw_joined<io_error>({path_, ": 1000 material libraries of this name hold other materials"});
+      const std::string name = name_of(attempt), path = core::joined({folder_, name});
+      if (std::string_view(name) == std::string_view(path_).substr(folder_.size())) continue;  // an OBJ file called .mtl
+      struct ::stat info {};
+      if (::stat(path.c_str(), &info) != 0) {
+        if (errno != ENOENT) throw_io_error(path, "cannot be written", errno);
+        if (std::any_of(old_lines.begin(), old_lines.end(), [&](const std::string& line) { return names_library(line, name); }))
+          continue;  // the old file must not find what is not its own
+        if (num_free++ == 0) r.unused = name;
+        continue;
+      }
+      const file_text file(path);
+      material_library library;
+      read_mtl(file.text(), path, library, unheard);
+      const bool is_right = contains_all(library, needed) && std::none_of(undefined.begin(), undefined.end(), [&](const std::string& n) {
+                              return library.all.find(n) != name_table::none;
+                            });
+      if (r.found.empty() && is_right) r.found = name;
+      else if (!add_if_outdated(name) && r.found.empty() && r.unused.empty() && r.other.empty()) r.other = name;
+    }
+    return r;
+  }
+
+  /// Libraries that the new file names again are not outdated.
+  void keep_named_again(const material_table& table) {
+    std::erase_if(outdated_, [&](const old_library& o) {
+      return std::find(table.unread.begin(), table.unread.end(), std::string_view(o.path).substr(folder_.size())) != table.unread.end();
+    });
+  }
+
+  static bool names_pictures(const std::vector<material>& materials) {
+    return std::any_of(materials.begin(), materials.end(), [](const material& m) {
+      return std::any_of(m.lines.begin(), m.lines.end(), [](const std::string& line) { return line.starts_with("map_"); });
+    });
+  }
+
+  void add_notes(const std::string& chosen, const std::string& other, bool leaves_pictures, save_report& report) const {
+    if (!other.empty()) report.notes.push_back(core::joined({"the materials are in ", chosen, ": ", other, " holds others, and stays as it is"}));
+    for (const old_library& o : outdated_)
+      report.notes.push_back(
+          core::joined({std::string_view(o.path).substr(folder_.size()), ", which an earlier save made for this file, is removed"}));
+    if (leaves_pictures) report.notes.push_back("the pictures that materials name (map_Kd and the like) are not copied");
+  }
+
  public:
   /// If the path is a link, a new library goes beside the file that it names.
   library_file(const std::string& path, bool sync) : given_(path), path_(resolve_links(path)), sync_(sync) {
@@ -173,57 +237,18 @@ class library_file final : public companion_files {
                                                                         const std::vector<std::string>& undefined,
                                                                         const material_table* table, save_report& report) {
     load_report unheard;
-    const concino::progress silent;
-    const read_context beside{{}, given_, {}, &unheard, &silent, true};
-    if (table) {
-      material_library library;
-      read_libraries(beside, table->libraries, library);
-      if (contains_all(library, needed)) return table->libraries;
-    }
+    if (table && defines_all(*table, needed, unheard)) return table->libraries;
     if (needed.empty()) return {};
     const std::vector<std::string> old_lines = library_lines(path_);
-    std::string found, unused, other;  // the first library that holds all, name that is free, library that holds others
-    for (std::size_t attempt = 0, num_free = 0; num_free < 2; ++attempt) {
-      if (attempt == 1000) core::throw_joined<io_error>({path_, ": 1000 material libraries of this name hold other materials"});
-      const std::string name = name_of(attempt), path = core::joined({folder_, name});
-      if (std::string_view(name) == std::string_view(path_).substr(folder_.size())) continue;  // an OBJ file called .mtl
-      struct ::stat info {};
-      if (::stat(path.c_str(), &info) != 0) {
-        if (errno != ENOENT) throw_io_error(path, "cannot be written", errno);
-        if (std::any_of(old_lines.begin(), old_lines.end(), [&](const std::string& line) { return names_library(line, name); }))
-          continue;  // the old file must not find what is not its own
-        if (num_free++ == 0) unused = name;
-        continue;
-      }
-      const file_text file(path);
-      material_library library;
-      read_mtl(file.text(), path, library, unheard);
-      const bool is_right = contains_all(library, needed) && std::none_of(undefined.begin(), undefined.end(), [&](const std::string& n) {
-                              return library.all.find(n) != name_table::none;
-                            });
-      if (found.empty() && is_right) found = name;
-      else if (!add_if_outdated(name) && found.empty() && unused.empty() && other.empty()) other = name;
-    }
+    const numbered_libraries numbered = find_numbered(needed, undefined, old_lines, unheard);
     for (const std::string_view line : old_lines)
-      if (const std::size_t first = line.find_first_not_of(" \t"); first != line.npos && line.substr(first) != found)
+      if (const std::size_t first = line.find_first_not_of(" \t"); first != line.npos && line.substr(first) != numbered.found)
         add_if_outdated(line.substr(first));
-    if (table)
-      std::erase_if(outdated_, [&](const old_library& o) {  // they are named again
-        return std::find(table->unread.begin(), table->unread.end(), std::string_view(o.path).substr(folder_.size())) !=
-               table->unread.end();
-      });
-    const bool is_new = found.empty();
-    const std::string& chosen = is_new ? unused : found;
+    if (table) keep_named_again(*table);
+    const bool is_new = numbered.found.empty();
+    const std::string& chosen = is_new ? numbered.unused : numbered.found;
     if (is_new) write(core::joined({folder_, chosen}), table ? table->head : std::vector<std::string>(), needed);
-    if (!other.empty()) report.notes.push_back(core::joined({"the materials are in ", chosen, ": ", other, " holds others, and stays as it is"}));
-    for (const old_library& o : outdated_)
-      report.notes.push_back(
-          core::joined({std::string_view(o.path).substr(folder_.size()), ", which an earlier save made for this file, is removed"}));
-    const auto names_pictures = [](const material& m) {
-      return std::any_of(m.lines.begin(), m.lines.end(), [](const std::string& line) { return line.starts_with("map_"); });
-    };
-    if (is_new && std::any_of(needed.begin(), needed.end(), names_pictures))
-      report.notes.push_back("the pictures that materials name (map_Kd and the like) are not copied");
+    add_notes(chosen, numbered.other, is_new && names_pictures(needed), report);
     std::vector<std::string> names = {chosen};
     if (table)
       for (const std::string& name : table->unread)
