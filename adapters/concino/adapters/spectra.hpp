@@ -50,7 +50,7 @@ struct eigenproblem {
     if (!good) core::throw_joined<invalid_argument>(why);
   }
 
-  eigenproblem(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m, const eigenpairs_options& options) {
+  static void check(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m, const eigenpairs_options& options) {
     const std::string tolerance = core::number_text(options.tolerance), given_shift = core::number_text(options.shift);
     expect(options.tolerance > 0 && options.tolerance < 1, {"eigenpairs: tolerance is ", tolerance, "; it must be above 0 and below 1"});
     expect(options.max_restarts > 0, {"eigenpairs: max_restarts must be 1 or more"});
@@ -58,12 +58,24 @@ struct eigenproblem {
     expect(k.rows() == m.rows() && k.cols() == m.cols(), {"eigenpairs: the mass has ", static_cast<std::size_t>(m.rows()), " rows, the other matrix ",
                                                           static_cast<std::size_t>(k.rows()), "; they must be of the same size"});
     core::check_square("eigenpairs", k);
+  }
+
+  eigenproblem(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m, const eigenpairs_options& options) {
+    check(k, m, options);
     Eigen::SparseMatrix<double> k_storage, m_storage;
     const auto &whole_k = core::compressed(k, k_storage), &whole_m = core::compressed(m, m_storage);
     core::check_entries("eigenpairs", whole_k);
     core::check_entries("eigenpairs, mass", whole_m);
+    const std::vector<int> place = number_rows(whole_k, whole_m);
+    choose_scales(core::diagonal(whole_k), core::diagonal(whole_m), options.shift);
+    stiffness = part(whole_k, place, stiffness_exponent);
+    mass = part(whole_m, place, mass_exponent);
+  }
+
+  /// Lists the rows that have entries.   Result: the place of each row in that list, or -1.
+  std::vector<int> number_rows(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m) {
     std::vector<int> place(static_cast<std::size_t>(k.cols()), -1);
-    for (const auto* a : {&whole_k, &whole_m})
+    for (const auto* a : {&k, &m})
       for (int c = 0; c < a->cols(); ++c)
         for (int e = a->outerIndexPtr()[c]; e < a->outerIndexPtr()[c + 1]; ++e)
           if (a->valuePtr()[e] != 0) place[static_cast<std::size_t>(c)] = place[static_cast<std::size_t>(a->innerIndexPtr()[e])] = 0;
@@ -72,7 +84,12 @@ struct eigenproblem {
         place[static_cast<std::size_t>(c)] = static_cast<int>(row.size());
         row.push_back(c);
       }
-    const std::vector<double> k_diagonal = core::diagonal(whole_k), m_diagonal = core::diagonal(whole_m);
+    return place;
+  }
+
+  /// The powers of 2 that both matrices are divided by, and the shift, from the means of their diagonals.
+  /// Errors: solver_error if a row has no mass.
+  void choose_scales(const std::vector<double>& k_diagonal, const std::vector<double>& m_diagonal, double given_shift) {
     double k_mean = 0, m_mean = 0;
     const double n = static_cast<double>(row.size());
     for (const int c : row) {
@@ -84,9 +101,7 @@ struct eigenproblem {
     }
     if (m_mean > 0) mass_exponent = std::ilogb(m_mean);
     if (k_mean > 0) stiffness_exponent = std::ilogb(k_mean);
-    stiffness = part(whole_k, place, stiffness_exponent);
-    mass = part(whole_m, place, mass_exponent);
-    if (options.shift > 0) shift = std::ldexp(options.shift, mass_exponent - stiffness_exponent);
+    if (given_shift > 0) shift = std::ldexp(given_shift, mass_exponent - stiffness_exponent);
     else if (k_mean > 0) shift = std::ldexp(k_mean, -stiffness_exponent) / std::ldexp(m_mean, -mass_exponent) / n;
   }
 
