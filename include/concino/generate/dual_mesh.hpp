@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/star_checker.hpp>
+#include <concino/generate/detail/volume_dual.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
 
@@ -76,68 +76,8 @@ polygonmesh dual_mesh(const M& m, const dual_mesh_options& options = {}) {
 template<VolumeMesh M>
   requires Embedded<M>
 polyhedralmesh dual_mesh(const M& m, const dual_mesh_options& options = {}) {
-  constexpr std::uint32_t none = ~0u;
   const bool clipped = options.boundary == dual_boundary::clipped;
-  const detail::face_sides<M> sides(m);
-  detail::dual_parts<M> parts(m, clipped, sides);
-  detail::star_checker<M> stars(m, parts);
-
-  std::vector<unsigned char> on_border(vert_index_bound(m));
-  for (const face_t<M> f : faces(m))
-    if (parts.is_border(index_of(m, f)))
-      for (const detail::face_side& s : sides.of(index_of(m, f))) on_border[s.from] = 1;
-
-  polyhedra_arrays a;
-  core::reserve_large(a.face_verts, parts.num_corners());
-  a.face_offsets.push_back(0);
-  a.poly_offsets.push_back(0);
-  const auto close_face = [&] { a.face_offsets.push_back(static_cast<std::uint32_t>(a.face_verts.size())); };
-  std::vector<std::uint32_t> face_of(edge_index_bound(m), none), middle_of(edge_index_bound(m), none);
-  for (const edge_t<M> e : edges(m)) {
-    const std::size_t i = index_of(m, e);
-    if (!parts.has_polys(i)) continue;
-    bool wanted = clipped;
-    vec3 middle;
-    for (const vert_t<M> v : adj_e2v(m, e)) {
-      wanted = wanted || !on_border[index_of(m, v)];
-      middle += 0.5 * to_vec3(point(m, v));
-    }
-    if (!wanted) continue;
-    if (parts.is_border_hub(i)) middle_of[i] = parts.add_vert(middle);
-    face_of[i] = static_cast<std::uint32_t>(a.num_faces());
-    parts.add_loop(i, middle_of[i], a.face_verts);
-    close_face();
-  }
-
-  for (const vert_t<M> v : verts(m)) {
-    const std::size_t i = index_of(m, v);
-    bool any = false;
-    for (const edge_t<M> e : adj_v2e(m, v)) any = any || parts.has_polys(index_of(m, e));
-    if (!any || (on_border[i] && !clipped)) continue;
-    stars.check(v, on_border[i]);
-    for (const edge_t<M> e : adj_v2e(m, v)) {
-      const std::size_t k = index_of(m, e);
-      if (face_of[k] == none) continue;
-      a.poly_faces.push_back(face_id{face_of[k]});
-      a.outward.push_back(sides.second_end(k) != i);  // loops turn as seen from the second end
-    }
-    if (on_border[i]) {
-      const std::uint32_t own = parts.add_vert(to_vec3(point(m, v)));
-      for (const face_t<M> f : adj_v2f(m, v)) {
-        if (!parts.is_border(index_of(m, f))) continue;
-        const auto ring = sides.of(index_of(m, f));
-        std::size_t k = 0;
-        while (ring[k].from != i) ++k;
-        const std::uint32_t before = middle_of[ring[k == 0 ? ring.size() - 1 : k - 1].edge], after = middle_of[ring[k].edge];
-        a.poly_faces.push_back(face_id{a.num_faces()});
-        for (const poly_t<M> p : adj_f2p(m, f)) a.outward.push_back(face_is_outward(m, p, f));  // one poly
-        for (const std::uint32_t x : {own, after, parts.facet_vert(index_of(m, f)), before}) a.face_verts.push_back(vert_id{x});
-        close_face();
-      }
-    }
-    a.poly_offsets.push_back(static_cast<std::uint32_t>(a.poly_faces.size()));
-  }
-  a.points = std::move(parts.points);
+  polyhedra_arrays a = detail::volume_dual<M>(m, clipped).build();
   if (!clipped) detail::drop_unused(a.points, a.face_verts);
   return polyhedralmesh(std::move(a));
 }
