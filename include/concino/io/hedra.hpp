@@ -2,10 +2,14 @@
 #pragma once
 
 #include <concino/io/detail/hedra_format.hpp>
+#include <concino/core/compiled.hpp>
 #include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/read_hedra.hpp>
 #include <concino/io/detail/save_with.hpp>
+
+#ifndef CONCINO_COMPILED
+#include <concino/io/detail/read_hedra.hpp>
 #include <concino/io/detail/write_hedra.hpp>
+#endif
 
 namespace concino {
 

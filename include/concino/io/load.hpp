@@ -1,13 +1,17 @@
 // Reads a mesh of the wanted type from a file.
 #pragma once
 
+#include <concino/core/compiled.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/io/detail/load_with.hpp>
+#include <concino/io/formats.hpp>
+
+#ifndef CONCINO_COMPILED
 #include <concino/io/detail/read_hedra.hpp>
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/read_off.hpp>
-#include <concino/io/formats.hpp>
+#endif
 
 namespace concino {
 

@@ -1,11 +1,15 @@
 // MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids.
 #pragma once
 
+#include <concino/core/compiled.hpp>
 #include <concino/io/detail/load_with.hpp>
 #include <concino/io/detail/medit_format.hpp>
-#include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/save_with.hpp>
+
+#ifndef CONCINO_COMPILED
+#include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/write_medit.hpp>
+#endif
 
 namespace concino {
 

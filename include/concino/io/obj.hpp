@@ -1,11 +1,15 @@
 // Wavefront OBJ: surfaces with colours, groups, objects and materials.
 #pragma once
 
+#include <concino/core/compiled.hpp>
 #include <concino/io/detail/load_with.hpp>
 #include <concino/io/detail/obj_format.hpp>
-#include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/save_with.hpp>
+
+#ifndef CONCINO_COMPILED
+#include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/write_obj.hpp>
+#endif
 
 namespace concino {
 

@@ -1,11 +1,15 @@
 // Geomview OFF: surfaces with colours, normals and texture coordinates, as text or binary.
 #pragma once
 
+#include <concino/core/compiled.hpp>
 #include <concino/io/detail/load_with.hpp>
 #include <concino/io/detail/off_format.hpp>
-#include <concino/io/detail/read_off.hpp>
 #include <concino/io/detail/save_with.hpp>
+
+#ifndef CONCINO_COMPILED
+#include <concino/io/detail/read_off.hpp>
 #include <concino/io/detail/write_off.hpp>
+#endif
 
 namespace concino {
 
