@@ -61,8 +61,8 @@ struct bound {
 namespace detail {
 
 // What is wrong with a member of mesh_traits, or of links, that is there: each fails to compile with a sentence, and returns true where the member is
-// missing. Asked in the assertion that names the member, so that this sentence comes first. IsThere: whether there is a member of that name;
-// functions of several overloads do not show it. One line per message, so that compilers show it in one.
+// missing. Asked in an assertion above the one that names the member, so that this sentence comes first. IsThere: whether there is a member of that
+// name; functions with several overloads do not show it. One line per message, so that compilers show it in one.
 // clang-format off
 
 /// The function cannot be called as it has to be, or returns something that does not convert.
