@@ -3,6 +3,7 @@
 
 #include <concino/concepts/views.hpp>
 #include <concino/mesh/boundary.hpp>
+#include <concino/mesh/corner.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/facet_map.hpp>
 #include <concino/mesh/hexmesh.hpp>

@@ -99,6 +99,7 @@ void no_adapter(const stranger& other) {
   cn::make_edge_map<int>(other);  // refused
   cn::make_face_map<int>(other);  // refused
   cn::make_facet_map<int>(other);  // refused
+  cn::make_corner_map<int>(other);  // refused
   cn::make_poly_map<int>(other);  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(other);  // refused
 }
@@ -144,6 +145,7 @@ void temporary() {
   cn::make_edge_map<int>(made());  // refused
   cn::make_face_map<int>(made());  // refused
   cn::make_facet_map<int>(made());  // refused
+  cn::make_corner_map<int>(made());  // refused
   cn::make_poly_map<int>(made());  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(made());  // refused
 }

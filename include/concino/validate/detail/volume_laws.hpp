@@ -141,7 +141,7 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
   check_winding(ps, es, p2f, f2e, senses, outward, log);
   // The law of tets and hexes.
   if constexpr (arity_v<M> == 4 || arity_v<M> == 8) check_standard_order<arity_v<M>>(ps, vs, p2v, p2f, f2v, outward, log);
-  if constexpr (arity_v<M> == 4 && !lists_edges_unordered<M>) {
+  if constexpr (arity_v<M> == 4 && !lists_edges_unordered<M>) {  // in other volumes the edges of a poly have no order
     static constexpr std::pair<std::size_t, std::size_t> ends[6] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
     check_edges_in_order(ps, vs, es, p2v, p2e, edge.e2v, [](std::size_t k, std::size_t) { return ends[k % 6]; }, "VM8", "adj_p2e", "adj_p2v", log);
   }
