@@ -51,7 +51,7 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
   const bool labels_are_names = label && (group || object) && detail::labels_number(m.num_polys, group ? group : object, label);
   const bool labels_are_groups = label && !group && !labels_are_names;
   c.keep<rgba>(element_kind::vert, "color");
-  for (const char* const name : {"object", "group", "material"}) c.keep<std::string>(element_kind::poly, name);
+  for (const char* const of_polys : {"object", "group", "material"}) c.keep<std::string>(element_kind::poly, of_polys);
   if (labels_are_names || labels_are_groups) c.keep<int>(element_kind::poly, "label");
 
   c.out << "# " << m.points.size() << " verts, " << m.num_polys << " polys\n";
