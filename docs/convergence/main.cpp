@@ -43,7 +43,7 @@ void add_rows(std::string& table) {
       else return iterative_solver(tolerance);
     });
     for (const convergence_row& row : rows) {
-      std::string line = fmt::format("{}\t{}\t{}\t{}", row.what, row.weights, row.kind, row.family);
+      std::string line = fmt::format("{}\t{}\t{}\t{}", row.what, row.discretisation, row.kind, row.family);
       for (const double error : row.errors) line += std::isnan(error) ? "\t-" : fmt::format("\t{:.4g}", error);
       line += '\n';
       fmt::print(stderr, "{}", line);
@@ -56,7 +56,7 @@ template<class M>
 void add_geodesics(std::string& table) {
   const auto coarse = measure_geodesics<M>(coarse_geodesic_mesh), fine = measure_geodesics<M>(fine_geodesic_mesh);
   for (std::size_t i = 0; i < coarse.size(); ++i) {
-    std::string line = fmt::format("{}\t{}\t{}\t{}", coarse[i].what, coarse[i].weights, coarse[i].kind, coarse[i].family);
+    std::string line = fmt::format("{}\t{}\t{}\t{}", coarse[i].what, coarse[i].discretisation, coarse[i].kind, coarse[i].family);
     for (const auto& row : {coarse[i], fine[i]})
       for (const double error : row.errors) line += fmt::format("\t{:.4f}", error);
     line += '\n';

@@ -30,15 +30,15 @@ inline bool print_table(const std::string& which) {
   const std::size_t gap = which.find(' ');
   if (gap == std::string::npos) return false;
   const std::string what = which.substr(0, gap);
-  const bool volumes = which.substr(gap + 1) == "volumes", with_weights = what == "poisson";
+  const bool volumes = which.substr(gap + 1) == "volumes", with_discretisation = what == "poisson";
   if (what == "geodesics") return print_geodesics(volumes);
-  fmt::print("| kind | family |{}", with_weights ? " weights |" : "");
+  fmt::print("| kind | family |{}", with_discretisation ? " discretisation |" : "");
   for (int n = volumes ? 4 : 8; n <= (volumes ? 32 : 64); n *= 2) fmt::print(" {} |", n);
-  fmt::print(" order |\n|---|---|{}---|---|---|---|---|\n", with_weights ? "---|" : "");
+  fmt::print(" order |\n|---|---|{}---|---|---|---|---|\n", with_discretisation ? "---|" : "");
   for (const auto& row : concino::testing::read_convergence_table()) {
     if (row.what != what || is_of_volumes(row.kind) != volumes) continue;
     fmt::print("| {} | {} |", row.kind, row.family);
-    if (with_weights) fmt::print(" {} |", row.weights);
+    if (with_discretisation) fmt::print(" {} |", row.discretisation);
     for (const double error : row.errors) fmt::print(" {} |", std::isnan(error) ? "-" : fmt::format("{:.3g}", error));
     const double order = concino::testing::order_of(row.errors);
     fmt::print(" {} |\n", std::isnan(order) ? "-" : fmt::format("{:.2f}", order));

@@ -263,12 +263,12 @@ std::vector<convergence_row> measure_convergence(family f, std::size_t sizes, co
     }
   };
   add("gradient", "-", [](const M& m) { return gradient_error(m); });
-  add("poisson", "standard", [&](const M& m) { return poisson_error(m, virtual_elements, make_solver(1e-9)); });
+  add("poisson", "virtual_elements", [&](const M& m) { return poisson_error(m, virtual_elements, make_solver(1e-9)); });
   if constexpr (!(TriMesh<M> || TetMesh<M>)) {  // where all discretisations are the same
     add("poisson", "virtual_refinement", [&](const M& m) { return poisson_error(m, virtual_refinement, make_solver(1e-9)); });
     if constexpr (SurfaceMesh<M>) add("poisson", "de_goes", [&](const M& m) { return poisson_error(m, de_goes, make_solver(1e-9)); });
   }
-  add("eigenvalues", "standard", [&](const M& m) { return eigenvalue_error(m, virtual_elements, make_solver(1e-3)); });  // of corrections
+  add("eigenvalues", "virtual_elements", [&](const M& m) { return eigenvalue_error(m, virtual_elements, make_solver(1e-3)); });  // of corrections
   return rows;
 }
 

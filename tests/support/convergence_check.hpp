@@ -20,11 +20,11 @@ void check_convergence_of() {
     });
     for (const convergence_row& row : rows) {
       CAPTURE(row.what);
-      CAPTURE(row.weights);
+      CAPTURE(row.discretisation);
       CAPTURE(row.family);
       ++computed;
       const auto known = std::find_if(table.begin(), table.end(), [&](const convergence_row& r) {
-        return r.what == row.what && r.weights == row.weights && r.kind == row.kind && r.family == row.family;
+        return r.what == row.what && r.discretisation == row.discretisation && r.kind == row.kind && r.family == row.family;
       });
       REQUIRE(known != table.end());
       REQUIRE(known->errors.size() == 4);

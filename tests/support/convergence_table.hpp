@@ -1,5 +1,5 @@
 // docs/convergence.tsv: the errors that docs/convergence.md shows and the tests compute again. A line says what was computed, with which
-// weights, on which kind of mesh and which family, and then the error for each size, - where the weights do not support some poly. Of geodesics
+// discretisation, on which kind of mesh and which family, and then the error for each size, - where the discretisation does not support some poly. Of geodesics
 // it names the mesh, with _ for blanks, and then the mean and largest error on a coarse one and on a fine one.
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace concino::testing {
 
 struct convergence_row {
-  std::string what, weights, kind, family;
+  std::string what, discretisation, kind, family;
   std::vector<double> errors = {};  // not a number: unsupported
 };
 
@@ -30,7 +30,7 @@ inline std::vector<convergence_row> read_convergence_table() {
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
     convergence_row row;
-    words >> row.what >> row.weights >> row.kind >> row.family;
+    words >> row.what >> row.discretisation >> row.kind >> row.family;
     for (std::string error; words >> error;) row.errors.push_back(error == "-" ? std::numeric_limits<double>::quiet_NaN() : std::stod(error));
     rows.push_back(row);
   }
