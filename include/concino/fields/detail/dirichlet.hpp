@@ -8,6 +8,7 @@
 #include <concino/core/progress.hpp>
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/graph/bfs.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <Eigen/SparseCore>
@@ -95,8 +96,8 @@ right_hand_sides<T> zeros(std::size_t size) {
 /// The verts whose values are to be found, numbered; the others are held at given values, or are isolated: they have no edges.
 template<class M>
 struct held_verts {
-  enum : int { held = -1, isolated = -2, reached = -3 };
-  vert_map<M, int> unknown;       // number, held or isolated; before they are numbered, reached
+  enum : int { held = -1, isolated = -2 };
+  vert_map<M, int> unknown;       // number, held or isolated
   std::vector<vert_t<M>> given;   // the held ones, each once
   std::vector<int> index;         // by index_of, of each unknown
   int unknowns = 0;
@@ -120,22 +121,19 @@ struct held_verts {
 
   /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a held vert along edges.
   void number_reached(const M& m, const char* who) {
-    std::vector<vert_t<M>> front = given;
-    reach(m, front);
+    const vert_map<M, int> hops = given.empty() ? make_vert_map<int>(m, -1) : concino::bfs(m, given);
     for (const vert_t<M> v : verts(m)) {
       if (unknown[v] == held) continue;
-      if (unknown[v] == isolated) {
-        if (!has_edges(m, v)) {
-          ++num_isolated;
-          continue;
-        }
-        front.clear();
-        front.push_back(v);
-        unknown[v] = reached;
-        reach(m, front);
-        throw_nothing_given(who, index_of(m, v), front.size());
+      if (hops[v] >= 0) {
+        number(m, v);
+      } else if (has_edges(m, v)) {
+        std::size_t component = 0;
+        const vert_map<M, int> from_v = concino::bfs(m, v);
+        for (const vert_t<M> w : verts(m)) component += from_v[w] >= 0;
+        throw_nothing_given(who, index_of(m, v), component);
+      } else {
+        ++num_isolated;
       }
-      number(m, v);
     }
   }
 
@@ -163,18 +161,6 @@ struct held_verts {
     if (unknown[v] == held) return;
     unknown[v] = held;
     given.push_back(v);
-  }
-
-  /// Adds to `front` all verts that can be reached from it, and marks them.
-  void reach(const M& m, std::vector<vert_t<M>>& front) {
-    for (std::size_t i = 0; i < front.size(); ++i) {
-      const vert_t<M> v = front[i];
-      for (const vert_t<M> w : adj_v2v(m, v)) {
-        if (unknown[w] != isolated) continue;
-        unknown[w] = reached;
-        front.push_back(w);
-      }
-    }
   }
 };
 
