@@ -13,7 +13,7 @@
 namespace concino::detail {
 
 /// Numbers the rows of a symmetric matrix, given by its lower triangle, breadth first: neighbours lie near each other in memory, and an incomplete
-/// factorisation in this order is as good as any with its entries.
+/// factorisation in this order is as good as any with its entries. Not bfs_forest: solvers know matrices, not graphs.
 inline std::vector<int> breadth_first_order(const Eigen::SparseMatrix<double>& lower) {
   const auto n = static_cast<int>(lower.cols());
   const int *const starts = lower.outerIndexPtr(), *const rows = lower.innerIndexPtr();
