@@ -44,6 +44,7 @@ fields/poisson         fields/poisson fields/poisson_fluxes fields/prepared
 fields/detail/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/laplace_system fields/smooth
 fields/detail/laplace_system   fields/laplace_system fields/smooth fields/poisson fields/harmonic_map fields/harmonic_map_archetypes
 fields/detail/distance_bounds  fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
+fields/detail/distance_graph   fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
 fields/detail/scaled_mesh  fields/heat_geodesics_scale fields/heat_geodesics
 fields/detail/straight_distance    fields/heat_geodesics_sources fields/heat_geodesics
 fields/detail/masses   fields/poisson fields/poisson_fluxes

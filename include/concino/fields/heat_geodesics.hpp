@@ -8,6 +8,7 @@
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/detail/heat_preparation.hpp>
+#include <concino/fields/detail/straight_distance.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/operators/virtual_elements.hpp>

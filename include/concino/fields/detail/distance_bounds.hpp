@@ -1,10 +1,8 @@
-// Bounds of distances: straight lines through space from below; ways along edges and straight across triangles or tets from above. Works on flat
-// arrays, independent of the type of the mesh.
+// Bounds of distances from above: ways along edges and straight across triangles or tets.
 #pragma once
 
 #include <concino/core/indexed_heap.hpp>
-#include <concino/core/vec3.hpp>
-#include <concino/fields/detail/straight_distance.hpp>
+#include <concino/fields/detail/distance_graph.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,113 +14,10 @@
 
 namespace concino::detail {
 
-/// Edges, and triangles or tets inside the polys, whose corners are verts. Sizes are near 1.
-///
-/// A front that has come straight from a source to two corners of a triangle, or three of a tet, comes to the last one from the place that is as far
-/// from those as they are from the source, if the line from there passes between them: on a plane and in space that is exact. On other surfaces the
-/// front is also curved as the Gaussian curvature on its way makes it.
-class distance_graph {
-  struct neighbour {
-    double length;
-    int vert;
-  };
-  /// Of a triangle, seen from one of its corners.
-  struct corner {
-    int ends[2];  // the other corners
-    double lengths[2];
-    double cosine, sine;  // of the angle between
-  };
-  /// Of a tet: the plane of three corners a, b and c, with a at the origin and b at (length, 0), and in it the foot of the last corner.
-  struct side {
-    double length;
-    double cx, cy;
-    double x, y, height;
-  };
-
-  std::size_t corners_;  // of a simplex
-  std::vector<vec3> place_;
-  std::vector<std::size_t> neighbour_begin_;  // of each vert
-  std::vector<neighbour> neighbour_;
-  std::vector<std::size_t> simplex_begin_;  // of each vert
-  std::vector<corner> corner_;              // of triangles at each vert
-  std::vector<double> curvature_;           // Gaussian, at each vert of a surface; 0 on the boundary
-  std::vector<int> tet_at_;                 // each vert
-  std::vector<int> tet_;                    // its corners
-  std::vector<side> side_;                  // of each tet, that without the first corner first
-
+/// One search for shortest ways.
+class distance_graph::search {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  /// Where the list of each vert begins that counts how often it is named.
-  static std::vector<std::size_t> count(std::size_t size, const std::vector<int>& verts) {
-    std::vector<std::size_t> begin(size + 1);
-    for (const int v : verts) ++begin[static_cast<std::size_t>(v) + 1];
-    for (std::size_t i = 0; i < size; ++i) begin[i + 1] += begin[i];
-    return begin;
-  }
-
-  corner seen_from(int vert, int end, int other) const {
-    const auto at = [&](int v) { return place_[static_cast<std::size_t>(v)]; };
-    const vec3 a = at(end) - at(vert), b = at(other) - at(vert), normal = cross(a, b);
-    const double x = std::sqrt(dot(a, a)), y = std::sqrt(dot(b, b));
-    const bool is_point = !(x > 0 && y > 0);
-    return {{end, other}, {x, y}, is_point ? 0 : dot(a, b) / x / y, is_point ? 0 : std::sqrt(dot(normal, normal)) / x / y};
-  }
-
-  void add_triangles(const std::vector<int>& triangles) {
-    corner_.resize(triangles.size());
-    std::vector<std::size_t> next = simplex_begin_;
-    for (std::size_t i = 0; i < triangles.size(); i += 3)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int v = triangles[i + k];
-        corner_[next[static_cast<std::size_t>(v)]++] = seen_from(v, triangles[i + (k + 1) % 3], triangles[i + (k + 2) % 3]);
-      }
-    find_curvature();
-  }
-
-  void find_curvature() {
-    constexpr double turn = 6.28318530717958647692;
-    curvature_.assign(place_.size(), 0.0);
-    std::vector<std::uint32_t> times(place_.size());  // that a vert was met around this one
-    for (std::size_t v = 0; v < place_.size(); ++v) {
-      double angle = 0, area = 0;
-      bool is_inside = true;
-      const auto for_each_end = [&](const auto& f) {
-        for (std::size_t k = simplex_begin_[v]; k < simplex_begin_[v + 1]; ++k)
-          for (const int w : corner_[k].ends) f(times[static_cast<std::size_t>(w)]);
-      };
-      for (std::size_t k = simplex_begin_[v]; k < simplex_begin_[v + 1]; ++k) {
-        const corner& c = corner_[k];
-        angle += std::atan2(c.sine, c.cosine);
-        area += c.lengths[0] * c.lengths[1] * c.sine / 6;
-      }
-      for_each_end([](std::uint32_t& n) { ++n; });
-      for_each_end([&](std::uint32_t n) { is_inside = is_inside && n == 2; });
-      for_each_end([](std::uint32_t& n) { n = 0; });
-      if (is_inside && area > 0) curvature_[v] = (turn - angle) / area;
-    }
-  }
-
-  side seen_from(const vec3& a, const vec3& b, const vec3& c, const vec3& last) const {
-    const vec3 ab = b - a, ac = c - a, to = last - a, normal = cross(ab, ac);
-    const double length = std::sqrt(dot(ab, ab)), area = std::sqrt(dot(normal, normal));
-    if (!(area > 0)) return {};
-    const vec3 e = ab / length, f = cross(normal, e) / area;
-    return {length, dot(ac, e), dot(ac, f), dot(to, e), dot(to, f), std::abs(dot(to, normal)) / area};
-  }
-
-  void add_tets() {
-    tet_at_.resize(tet_.size());
-    side_.resize(tet_.size());
-    std::vector<std::size_t> next = simplex_begin_;
-    for (std::size_t i = 0; i < tet_.size(); ++i) {
-      tet_at_[next[static_cast<std::size_t>(tet_[i])]++] = static_cast<int>(i);
-      const std::size_t first = i / 4 * 4, last = i - first;
-      const auto at = [&](std::size_t k) { return place_[static_cast<std::size_t>(tet_[first + k])]; };
-      side_[i] = seen_from(at(others[last][0]), at(others[last][1]), at(others[last][2]), at(last));
-    }
-  }
-
-  static constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
+  static constexpr std::uint8_t most_changes = 64;
 
   /// A way straight across a triangle, seen from one of its corners, to the last of its ends from a source that is `near` away from the other end.
   struct crossing {
@@ -184,46 +79,6 @@ class distance_graph {
       step = 0;
     }
   };
-
- public:
-  /// edges: two verts each, and lines within polys that are no edges. simplices: of triangles (corners 3) or tets (4).
-  distance_graph(std::vector<vec3> place, const std::vector<int>& edges, std::vector<int> simplices, std::size_t corners)
-      : corners_(corners), place_(std::move(place)), neighbour_begin_(count(place_.size(), edges)), neighbour_(edges.size()),
-        simplex_begin_(count(place_.size(), simplices)) {
-    std::vector<std::size_t> next = neighbour_begin_;
-    for (std::size_t i = 0; i < edges.size(); i += 2) {
-      const int v = edges[i], w = edges[i + 1];
-      const double length = distance(place_[static_cast<std::size_t>(v)], place_[static_cast<std::size_t>(w)]);
-      neighbour_[next[static_cast<std::size_t>(v)]++] = {length, w};
-      neighbour_[next[static_cast<std::size_t>(w)]++] = {length, v};
-    }
-    if (corners_ == 3) {
-      add_triangles(simplices);
-    } else {
-      tet_ = std::move(simplices);
-      add_tets();
-    }
-  }
-
-  const vec3& place(std::size_t v) const { return place_[v]; }
-
-  /// The lengths of ways to each vert from the given verts, whose distances are given; +inf where none leads. Ways longer than `longest` may be
-  /// left out.
-  /// Verts with the same source share its number.
-  struct start {
-    int vert, source;
-    double distance;  // from the source, 0 or more
-    double before;    // at the source
-  };
-  std::vector<double> ways_from(const std::vector<start>& starts, double longest) const;
-
- private:
-  class search;
-};
-
-/// One search for shortest ways.
-class distance_graph::search {
-  static constexpr std::uint8_t most_changes = 64;
 
   const distance_graph& graph_;
   const double longest_;
