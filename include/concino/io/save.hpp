@@ -6,6 +6,13 @@
 #include <concino/io/detail/save_with.hpp>
 #include <concino/io/formats.hpp>
 
+#ifndef CONCINO_COMPILED
+#include <concino/io/detail/write_hedra.hpp>
+#include <concino/io/detail/write_medit.hpp>
+#include <concino/io/detail/write_obj.hpp>
+#include <concino/io/detail/write_off.hpp>
+#endif
+
 namespace concino {
 
 /// Writes a mesh to a file; which of standard_formats follows from the extension: .obj and .off for surfaces; .mesh for triangles and quads, or for
@@ -63,13 +70,6 @@ std::string save_text(const M& m, format_id format, const save_options& options 
 template<class... T> void save(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void save(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class... T> void save_text(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
-
-#ifndef CONCINO_COMPILED
-#include <concino/io/detail/write_hedra.hpp>
-#include <concino/io/detail/write_medit.hpp>
-#include <concino/io/detail/write_obj.hpp>
-#include <concino/io/detail/write_off.hpp>
-#endif
 template<class... T> void save_text(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class F, class R = mistake::remedy<mistake::complete_the_format>>
   requires(AnyMesh<M>&& Embedded<M>&& mistake::is_no_format<F>)
