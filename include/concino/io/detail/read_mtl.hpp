@@ -42,6 +42,23 @@ struct material_library {
 inline constexpr std::string_view signature_begins = "# Materials of ", signature_goes_on = ", written by concino; checksum ";
 inline bool is_signature(std::string_view line) { return line.starts_with(signature_begins) && line.find(signature_goes_on) != line.npos; }
 
+/// Moves on to the next line.   Result: the text from `from`, which is on this one, to its end, without the blanks there.
+[[gnu::noinline, gnu::cold]] inline std::string_view rest_of_line(text_cursor& in, const char* from) {
+  in.at = from;
+  in.skip_line();
+  const char* to = in.at;
+  while (to != from && is_blank(to[-1])) --to;
+  return std::string_view(from, static_cast<std::size_t>(to - from));
+}
+
+/// A name up to a # after a blank, without the blanks there.
+[[gnu::noinline, gnu::cold]] inline std::string_view without_comment(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '#' && (i == 0 || is_blank(text[i - 1]))) text = text.substr(0, i);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
 /// Adds what a text says: newmtl, and all lines up to the next one, of which Kd and d give a colour; of materials of one name the first
 /// counts.
 [[gnu::noinline, gnu::cold]] inline void read_mtl(std::string_view text, std::string_view name, material_library& library, load_report& report) {
@@ -70,14 +87,6 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
     color = {};
     has_color = false;
   };
-  /// Up to the end of the line, without the blanks there; `from` is on it.
-  const auto rest_of_line = [&](const char* from) {
-    in.at = from;
-    in.skip_line();
-    const char* to = in.at;
-    while (to != from && is_blank(to[-1])) --to;
-    return std::string_view(from, static_cast<std::size_t>(to - from));
-  };
   for (;;) {
     in.skip_space();
     if (in.at_end()) break;
@@ -87,11 +96,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
     if (word == "newmtl") {
       end_material();
       is_open = true;
-      std::string_view rest = rest_of_line(in.at);
-      for (std::size_t i = 0; i < rest.size(); ++i)
-        if (rest[i] == '#' && (i == 0 || is_blank(rest[i - 1]))) rest = rest.substr(0, i);
-      while (!rest.empty() && is_blank(rest.back())) rest.remove_suffix(1);
-      now.name = rest;
+      now.name = without_comment(rest_of_line(in, in.at));
       continue;
     }
     try {
@@ -100,7 +105,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
     } catch (const parse_error& e) {
       if (num_bad++ == 0) report.notes.push_back(core::joined({e.what(), "; such lines give no colour"}));
     }
-    const std::string_view whole = rest_of_line(line);
+    const std::string_view whole = rest_of_line(in, line);
     if (is_open) now.lines.push_back(std::string(whole));
     else if (!is_signature(whole)) library.table.head.push_back(std::string(whole));
   }
