@@ -4,6 +4,7 @@
 
 #include <concino/graph/bfs.hpp>
 #include <concino/graph/boundary_loops.hpp>
+#include <concino/graph/boundary_verts.hpp>
 #include <concino/graph/components.hpp>
 #include <concino/graph/cut_along.hpp>
 #include <concino/graph/dijkstra.hpp>

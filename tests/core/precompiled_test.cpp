@@ -18,7 +18,7 @@ constexpr bool is_compiled = false;
 }  // namespace
 
 TEST_CASE("precompiled: meshes of the library, where the library is compiled") {
-  CHECK(concino::detail::is_precompiled<concino::trimesh> == is_compiled);
-  CHECK(concino::detail::is_precompiled<concino::tetmesh> == is_compiled);
-  CHECK_FALSE(concino::detail::is_precompiled<no_mesh>);
+  CHECK(concino::core::is_precompiled<concino::trimesh> == is_compiled);
+  CHECK(concino::core::is_precompiled<concino::tetmesh> == is_compiled);
+  CHECK_FALSE(concino::core::is_precompiled<no_mesh>);
 }

@@ -115,10 +115,10 @@ double poisson_error(const M& m, const Which& which, Solver&& solver) {
   using problem = smooth<dimension_v<M>>;
   const auto exact = at_verts(m, problem::value);
   const auto f = at_verts(m, [](const vec3& x) { return problem::load * problem::value(x); });
-  const auto on_boundary = concino::detail::boundary_verts(m);
+  const auto on_boundary = boundary_verts(m);
   std::vector<std::pair<vert_t<M>, double>> given;
   for (const auto v : verts(m))
-    if (on_boundary[index_of(m, v)]) given.emplace_back(v, exact[v]);
+    if (on_boundary[v]) given.emplace_back(v, exact[v]);
   const auto u = poisson(m, f, which, {.values = given}, solver);
   const auto mass = vert_masses(m);
   double sum = 0;

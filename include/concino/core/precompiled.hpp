@@ -4,7 +4,7 @@
 #include <concino/concepts/mesh_traits.hpp>
 #include <concino/core/compiled.hpp>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// Whether a function that the library instantiates for its own meshes is to be called, and not to be compiled here. Headers declare such a
 /// function without a definition. The meshes say so in their traits, so that no header of an algorithm includes one.
@@ -14,4 +14,4 @@ template<class M> inline constexpr bool is_precompiled = requires { requires boo
 template<class M> inline constexpr bool is_precompiled = false;
 #endif
 
-}  // namespace concino::detail
+}  // namespace concino::core

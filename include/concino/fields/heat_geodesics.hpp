@@ -18,6 +18,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -112,8 +113,8 @@ class prepared_heat_geodesics {
                   m.exponent(),
                   options.clamp};
     detail::tell(options.progress, 0.4, "factorising");
-    std::vector<unsigned char> is_cold;
-    if (options.boundary != heat_boundary::natural) is_cold = detail::boundary_verts(m);
+    const auto cold = options.boundary == heat_boundary::natural ? make_vert_map<bool>(m, false) : boundary_verts(m);
+    const std::span<const unsigned char> is_cold = cold.values();
     const bool has_boundary = std::find(is_cold.begin(), is_cold.end(), 1) != is_cold.end();
     // Not quite 0 at the boundary, so that it has a logarithm, and sources there warm the rest.
     const auto chilled = [&](Eigen::SparseMatrix<double> a) {

@@ -7,7 +7,7 @@
 #include <concino/generate/detail/finite.hpp>
 #include <concino/generate/detail/random.hpp>
 #include <concino/geometry/polygon.hpp>
-#include <concino/graph/detail/boundary_verts.hpp>
+#include <concino/graph/boundary_verts.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -37,8 +37,7 @@ void jitter(M& m, double amount, const jitter_options& options = {}) {
   if (!(amount >= 0 && amount <= std::numeric_limits<double>::max()))
     core::throw_joined<invalid_argument>({"jitter: amount is ", core::number_text(amount), "; it must be finite and 0 or more"});
   detail::check_points_finite("jitter", m);
-  std::vector<unsigned char> stays(vert_index_bound(m));
-  if (options.keep_boundary) stays = detail::boundary_verts(m);
+  const auto stays = options.keep_boundary ? boundary_verts(m) : make_vert_map<bool>(m, false);
 
   std::vector<vec3> normal;
   if constexpr (SurfaceMesh<M>) {  // volumes have no plane to stay in
@@ -58,7 +57,7 @@ void jitter(M& m, double amount, const jitter_options& options = {}) {
     const double dx = random.between(-1, 1), dy = random.between(-1, 1), dz = random.between(-1, 1);  // also where not needed: each vert has its own
     const std::size_t i = index_of(m, v);
     double shortest = std::numeric_limits<double>::infinity();
-    if (!stays[i])
+    if (!stays[v])
       for (const vert_t<M> w : adj_v2v(m, v)) shortest = std::min(shortest, distance(x, to_vec3(point(m, w))));
     if (!(shortest < std::numeric_limits<double>::infinity())) {
       moved.push_back(x);

@@ -28,6 +28,7 @@ void no_adapter(const stranger& other) {
   cn::tree_cotree(other);  // refused
   cn::homology_generators(other);  // refused
   cn::boundary_loops(other);  // refused
+  cn::boundary_verts(other);  // refused
   cn::cut_along(other);  // refused
   cn::submesh(other);  // refused
   cn::boundary(other);  // refused
@@ -126,6 +127,7 @@ void temporary() {
   cn::dihedral_angles(made());  // refused
   cn::edge_lengths(made());  // refused
   cn::measures(made());  // refused
+  cn::boundary_verts(made());  // refused
   cn::poly_normals(made());  // refused
   cn::face_normals(made());  // refused
   cn::vert_normals(made());  // refused

@@ -8,7 +8,7 @@
 #include <concino/fields/detail/heat_system.hpp>
 #include <concino/geometry/edge_length.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
-#include <concino/graph/detail/boundary_verts.hpp>
+#include <concino/graph/boundary_verts.hpp>
 #include <concino/graph/dijkstra.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/simplex_gradients.hpp>

@@ -117,7 +117,7 @@ held_system<M> precompiled_laplace_system(const M& m, held_verts<M>&& held, cons
 
 template<class M, class D>
 held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
-  if constexpr (is_precompiled<M> && is_of_library<D>) return precompiled_laplace_system(m, std::move(held), discretisation, exponent, who);
+  if constexpr (core::is_precompiled<M> && is_of_library<D>) return precompiled_laplace_system(m, std::move(held), discretisation, exponent, who);
   else return unit_laplace_system(m, std::move(held), discretisation, exponent, who);
 }
 

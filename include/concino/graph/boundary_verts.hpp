@@ -1,0 +1,29 @@
+// Which verts lie on the boundary of a surface or a volume.
+#pragma once
+
+#include <concino/concepts/facets.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/mesh/element_map.hpp>
+
+namespace concino {
+
+/// Which verts lie on the boundary: those of facets with exactly one poly. One walk over all facets, where is_boundary(m, v) asks the facets of one vert.
+/// Needs:  AnyMesh, no temporary.
+/// Result: a map of bool.                                                          Cost: O(verts of all facets) time, a byte per vert.
+/// Errors: none.
+template<class M>
+  requires requirement::is_no_temporary<M> && AnyMesh<M>
+vert_map<M, bool> boundary_verts(M&& m) {
+  auto on_boundary = make_vert_map<bool>(m, false);
+  for (const facet_t<M> x : facets(m)) {
+    if (!is_boundary(m, x)) continue;
+    for (const vert_t<M> v : adj_facet2v(m, x)) on_boundary[v] = true;
+  }
+  return on_boundary;
+}
+
+// What to write instead of calls that cannot compile.
+template<class... T> void boundary_verts(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void boundary_verts(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+
+}  // namespace concino
