@@ -4,6 +4,8 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/primal_graph.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/io/detail/paths.hpp>
+#include <concino/io/file_text.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/replacing_file.hpp>

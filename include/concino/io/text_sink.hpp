@@ -1,14 +1,17 @@
 // Where writers put their text: a buffer that goes to a file, or stays a string.
 #pragma once
 
-#include <concino/io/file_text.hpp>
+#include <concino/io/detail/io_errors.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cstdint>
 #include <string>
 #include <string_view>
+
+#include <unistd.h>
 
 namespace concino {
 

@@ -3,16 +3,22 @@
 // with.
 #pragma once
 
+#include <concino/io/detail/paths.hpp>
 #include <concino/io/detail/read_mtl.hpp>
 #include <concino/io/replacing_file.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/io/write_context.hpp>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace concino::detail {
 

@@ -8,6 +8,8 @@
 #include <climits>
 #include <cstdlib>
 
+#include <sys/stat.h>
+
 namespace concino::detail {
 
 /// All libraries of a file, as one.
