@@ -51,19 +51,20 @@ struct face_soup {
     poly_offsets.push_back(static_cast<std::uint32_t>(face_offsets.size() - 1));
   }
 
-  /// A template, like the other large ones here, only so that programs without volumes need not compile it.
-  template<std::same_as<vec3> Point>
-  polyhedra_arrays unite(std::vector<Point> points) && {
-    struct entry {
-      std::uint64_t others;  // the second and third smallest verts
-      std::uint32_t face;
-    };
-    const std::size_t n = face_offsets.size() - 1;
-    const auto size = [&](std::size_t f) { return face_offsets[f + 1] - face_offsets[f]; };
-    const auto first = [&](std::size_t f) { return face_verts.data() + face_offsets[f]; };
-    const auto smallest = [&](std::size_t f) { return std::min_element(first(f), first(f) + size(f))->raw(); };
+ private:
+  std::uint32_t size(std::size_t f) const { return face_offsets[f + 1] - face_offsets[f]; }
+  vert_id* first(std::size_t f) { return face_verts.data() + face_offsets[f]; }
 
-    std::vector<std::uint32_t> where(points.size() + 1, 0);
+  struct entry {
+    std::uint64_t others;  // the second and third smallest verts
+    std::uint32_t face;
+  };
+
+  /// The faces in the order of their smallest verts. where: zeros, one more than there are verts; afterwards it says of each vert where
+  /// the faces end that it is the smallest of.
+  std::vector<entry> sort_by_smallest_vert(std::vector<std::uint32_t>& where) {
+    const std::size_t n = face_offsets.size() - 1;
+    const auto smallest = [&](std::size_t f) { return std::min_element(first(f), first(f) + size(f))->raw(); };
     for (std::size_t f = 0; f < n; ++f) ++where[smallest(f) + 1];
     std::partial_sum(where.begin(), where.end(), where.begin());
     std::vector<entry> entries(n);
@@ -77,6 +78,43 @@ struct face_soup {
       }
       entries[where[low[0]]++] = {std::uint64_t{low[1]} << 32 | low[2], static_cast<std::uint32_t>(f)};
     }
+    return entries;
+  }
+
+  /// Result: polyhedra of the faces that are their own twins; the others are seen from their second side.
+  polyhedra_arrays keep_first_faces(std::vector<vec3>&& points, const std::vector<std::uint32_t>& twin, std::vector<std::uint8_t>&& outward) {
+    const std::size_t n = twin.size();
+    polyhedra_arrays out;
+    out.points = std::move(points);
+    out.poly_offsets = std::move(poly_offsets);
+    out.poly_faces.resize(n);
+    out.outward = std::move(outward);
+    out.face_offsets.push_back(0);
+    std::uint32_t corners = 0, face_count = 0;
+    // In place: a kept face moves to the front, over what has been read; twin becomes the new number.
+    for (std::size_t f = 0; f < n; ++f) {
+      if (twin[f] == f) {
+        const std::uint32_t k = size(f);
+        std::copy_n(first(f), k, face_verts.data() + corners);
+        out.face_offsets.push_back(corners += k);
+        out.poly_faces[f] = face_id{face_count++};
+      } else {
+        out.poly_faces[f] = out.poly_faces[twin[f]];
+      }
+    }
+    face_verts.resize(corners);
+    face_verts.shrink_to_fit();
+    out.face_verts = std::move(face_verts);
+    return out;
+  }
+
+ public:
+  /// A template, like the other large ones here, only so that programs without volumes need not compile it.
+  template<std::same_as<vec3> Point>
+  polyhedra_arrays unite(std::vector<Point> points) && {
+    const std::size_t n = face_offsets.size() - 1;
+    std::vector<std::uint32_t> where(points.size() + 1, 0);
+    std::vector<entry> entries = sort_by_smallest_vert(where);
 
     // twin[f]: the first face equal to f, and whether f runs the other way
     std::vector<std::uint32_t> twin(n);
@@ -113,28 +151,7 @@ struct face_soup {
     entries = {};
     where = {};
 
-    polyhedra_arrays out;
-    out.points = std::move(points);
-    out.poly_offsets = std::move(poly_offsets);
-    out.poly_faces.resize(n);
-    out.outward = std::move(outward);
-    out.face_offsets.push_back(0);
-    std::uint32_t corners = 0, face_count = 0;
-    // In place: a kept face moves to the front, over what has been read; twin becomes the new number.
-    for (std::size_t f = 0; f < n; ++f) {
-      if (twin[f] == f) {
-        const std::uint32_t k = size(f);
-        std::copy_n(first(f), k, face_verts.data() + corners);
-        out.face_offsets.push_back(corners += k);
-        out.poly_faces[f] = face_id{face_count++};
-      } else {
-        out.poly_faces[f] = out.poly_faces[twin[f]];
-      }
-    }
-    face_verts.resize(corners);
-    face_verts.shrink_to_fit();
-    out.face_verts = std::move(face_verts);
-    return out;
+    return keep_first_faces(std::move(points), twin, std::move(outward));
   }
 };
 
