@@ -1,5 +1,7 @@
 // What harmonic maps ask of their solver.
 #include <concino/fields/harmonic_map.hpp>
+#include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <support/kinds.hpp>
 

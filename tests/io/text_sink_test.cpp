@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fcntl.h>
+
 using namespace concino;
 using namespace concino::testing;
 using concino::replacing_file;

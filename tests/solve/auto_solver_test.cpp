@@ -1,5 +1,8 @@
 #include <concino/solve/auto_solver.hpp>
 
+#include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/ldlt.hpp>
+
 #include "support/systems.hpp"
 
 using namespace concino;

@@ -9,6 +9,8 @@
 #include <concino/mesh/tetmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 #include <concino/solve/auto_solver.hpp>
+#include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <doctest/doctest.h>
 

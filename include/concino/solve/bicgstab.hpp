@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/equilibrate.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/core/system_checks.hpp>
 
 #include <Eigen/IterativeLinearSolvers>

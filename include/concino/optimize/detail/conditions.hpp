@@ -1,6 +1,7 @@
 // Conditions x_i = v_i taken out of a linear system: the columns of the unknowns that are left, and the right-hand side that makes up for the rest.
 #pragma once
 
+#include <concino/core/number_text.hpp>
 #include <concino/core/system_checks.hpp>
 
 #include <Eigen/SparseCore>

@@ -1,6 +1,7 @@
 // Which rows of a system of constraints are independent, which follow from others, and which contradict them.
 #pragma once
 
+#include <concino/core/number_text.hpp>
 #include <concino/core/system_checks.hpp>
 
 #include <Eigen/SparseCore>
