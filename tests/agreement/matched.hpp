@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -19,14 +20,22 @@ namespace concino::agreement {
 
 inline void expect(bool ok, const char* what) { REQUIRE_MESSAGE(ok, std::string(what)); }
 
-/// To 1e-12 of the larger one; infinities and what is not a number only with themselves.
-inline bool close(double a, double b) {
+/// To 1e-12 of the largest magnitude of the result that both are part of; infinities and what is not a number only with themselves.
+inline bool close(double a, double b, double largest) {
   if (!std::isfinite(a) || !std::isfinite(b)) return a == b || (std::isnan(a) && std::isnan(b));
-  return std::abs(a - b) <= 1e-12 * std::max({1.0, std::abs(a), std::abs(b)});
+  return std::abs(a - b) <= 1e-12 * largest;
 }
-inline void expect_close(double a, double b, const char* what) {
-  INFO(a << " and " << b);
-  REQUIRE_MESSAGE(close(a, b), std::string(what));
+inline void expect_close(double a, double b, double largest, const char* what) {
+  INFO(a << " and " << b << ", apart by " << std::abs(a - b) << ", the largest " << largest);
+  REQUIRE_MESSAGE(close(a, b, largest), std::string(what));
+}
+/// The largest magnitude of value(x) of some elements; those that are not finite do not count.
+template<class R, class F>
+double largest_of(const R& elements, const F& value) {
+  double largest = 0;
+  for (const auto& x : elements)
+    if (const double size = std::abs(value(x)); size <= std::numeric_limits<double>::max()) largest = std::max(largest, size);
+  return largest;
 }
 
 using numbers = std::vector<unsigned>;

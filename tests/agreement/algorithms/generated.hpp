@@ -23,6 +23,7 @@ struct trees {
     const auto here = bounding_tree(both.native);
     const auto there = bounding_tree(both.other);
     const box whole = bounding_box(both.native);
+    const double extent = whole.diagonal();
     const auto at = [&](double x, double y, double z) {
       return vec3{whole.min.x + x * (whole.max.x - whole.min.x), whole.min.y + y * (whole.max.y - whole.min.y), whole.min.z + z * (whole.max.z - whole.min.z)};
     };
@@ -34,15 +35,15 @@ struct trees {
       const auto a = here.closest(x);
       const auto b = there.closest(x);
       expect(bool(a) == bool(b), "something is near");
-      expect_close(a.distance, b.distance, "the distance to the nearest point");
+      expect_close(a.distance, b.distance, extent, "the distance to the nearest point");
       expect(here.locate(x).has_value() == there.locate(x).has_value(), "some poly holds the point");
       const auto c = here.ray(x, {0.3, -0.2, -1});
       const auto d = there.ray(x, {0.3, -0.2, -1});
       expect(bool(c) == bool(d), "the ray meets something");
-      if (c) expect_close(c.parameter, d.parameter, "where the ray meets the first poly");
+      if (c) expect_close(c.parameter, d.parameter, extent, "where the ray meets the first poly");
     }
     for (const auto p : both.polys.all)
-      if (const vec3 c = centroid(both.native, p); is_finite(c)) expect(there.closest(c).distance <= here.closest(c).distance + 1e-12, "near each poly");
+      if (const vec3 c = centroid(both.native, p); is_finite(c)) expect(there.closest(c).distance <= here.closest(c).distance + 1e-12 * extent, "near each poly");
     const box part{at(0.2, 0.1, -1), at(0.6, 0.8, 0.7)};
     expect(sorted(raw_numbers(here.in_box(part))) == sorted(native_numbers(both.polys, there.in_box(part))), "the polys in a box");
     return true;
@@ -64,10 +65,11 @@ bool expect_same_polys(const A& make_native, const B& make_other) {
   expect(a.has_value() == b.has_value(), "both meshes are refused or neither");
   if (!a) return false;
   expect(num_verts(*a) == num_verts(*b) && num_edges(*a) == num_edges(*b) && num_polys(*a) == num_polys(*b), "as many elements");
+  const double largest = largest_of(polys(*a), [&](const auto p) { return measure(*a, p); }), extent = bounding_box(*a).diagonal();
   for (const auto p : polys(*a)) {
-    expect_close(measure(*a, p), measure(*b, p), "the measure of a poly");
+    expect_close(measure(*a, p), measure(*b, p), largest, "the measure of a poly");
     const vec3 x = centroid(*a, p), y = centroid(*b, p);
-    for (std::size_t k = 0; k < 3; ++k) expect(std::abs(x[k] - y[k]) <= 1e-9, "the centroid of a poly");
+    for (std::size_t k = 0; k < 3; ++k) expect(std::abs(x[k] - y[k]) <= 1e-9 * extent, "the centroid of a poly");
   }
   return true;
 }

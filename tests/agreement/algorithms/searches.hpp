@@ -66,7 +66,8 @@ struct by_length {
       if (nodes.empty()) return;
       any = true;
       const auto compare = [&](const auto& expected, const auto& found) {
-        for (const auto x : nodes.all) expect_close(expected[x], found[nodes.to(x)], "as far");
+        const double largest = largest_of(nodes.all, [&](const auto x) { return expected[x]; });
+        for (const auto x : nodes.all) expect_close(expected[x], found[nodes.to(x)], largest, "as far");
       };
       const auto same_path = [&](const auto& expected, const auto& found) {
         expect(raw_numbers(expected) == native_numbers(nodes, found), "the same way");

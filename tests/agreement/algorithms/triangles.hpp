@@ -27,11 +27,13 @@ struct straight_distances {
     const auto their_paths = there.paths_from(both.verts.to(v));
     const auto from_poly = here.distance_from(both.polys.all.back(), centroid(both.native, both.polys.all.back()));
     const auto theirs_from_poly = there.distance_from(both.polys.to(both.polys.all.back()), centroid(both.native, both.polys.all.back()));
+    const double far = largest_of(both.verts.all, [&](const auto w) { return paths.distances()[w]; });
+    const double far_from_poly = largest_of(both.verts.all, [&](const auto w) { return from_poly[w]; });
     for (const auto w : both.verts.all) {
       const auto& to = both.verts.to(w);
-      expect_close(paths.distances()[w], their_paths.distances()[to], "the distance");
-      expect_close(paths.path_to(w).length, their_paths.path_to(to).length, "the length of a path");
-      expect_close(from_poly[w], theirs_from_poly[to], "the distance from a point of a poly");
+      expect_close(paths.distances()[w], their_paths.distances()[to], far, "the distance");
+      expect_close(paths.path_to(w).length, their_paths.path_to(to).length, far, "the length of a path");
+      expect_close(from_poly[w], theirs_from_poly[to], far_from_poly, "the distance from a point of a poly");
     }
     return true;
   }
