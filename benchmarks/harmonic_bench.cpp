@@ -1,4 +1,6 @@
 // A harmonic map by the library's own solver, beside Eigen's factorisation alone.
+#include <concino/solve/ldlt.hpp>
+
 #include "support/harmonic.hpp"
 
 #include <Eigen/SparseCholesky>

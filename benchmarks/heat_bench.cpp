@@ -3,6 +3,7 @@
 #include "support/kinds.hpp"
 
 #include <concino/fields.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <Eigen/SparseCholesky>
 

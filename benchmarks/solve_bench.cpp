@@ -6,6 +6,7 @@
 
 #include <concino/operators/laplacian.hpp>
 #include <concino/solve/auto_solver.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <cmath>
 #include <stdexcept>

@@ -7,6 +7,7 @@
 #include <concino/fields.hpp>
 #include <concino/graph.hpp>
 #include <concino/operators.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <memory>
 #include <vector>

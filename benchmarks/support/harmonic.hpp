@@ -4,6 +4,7 @@
 #include "kinds.hpp"
 
 #include <concino/fields.hpp>
+#include <concino/solve/ldlt.hpp>
 
 namespace bench {
 

@@ -25,6 +25,7 @@ struct roads {
   template<cn::PrimalGraph M>
   auto masses(const M& m) const { return cn::make_vert_map<double>(m, 1.0); }
 };
+template<class Lanes> roads(const Lanes&) -> roads<Lanes>;
 
 /// A matrix for each poly, from that of the default: a block of wood, whose lowest third conducts better. Masses are those of the mesh.
 struct layered {

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/generate/icosphere.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <limits>
 

@@ -1,6 +1,7 @@
 #include <concino/adapters/spectra.hpp>
 
 #include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
 // Harmonic maps on grids graded by x^3, whose cells differ by orders of magnitude in size and shape: the same by iteration as by factorisation.
 #include <concino/fields/heat_geodesics.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include "support/graded_solvers.hpp"
 

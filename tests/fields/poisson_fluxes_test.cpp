@@ -2,6 +2,7 @@
 #include <concino/fields/poisson.hpp>
 
 #include <concino/concepts/archetypes.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <support/kinds.hpp>
 

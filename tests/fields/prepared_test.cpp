@@ -3,6 +3,7 @@
 #include <concino/fields/poisson.hpp>
 
 #include <concino/concepts/archetypes.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <support/kinds.hpp>
 

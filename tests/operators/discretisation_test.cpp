@@ -3,14 +3,15 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/views.hpp>
-#include <concino/fields/heat_flow.hpp>
 #include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/heat_flow.hpp>
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/poisson.hpp>
 #include <concino/fields/smooth.hpp>
 #include <concino/operators/de_goes.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/virtual_refinement.hpp>
+#include <concino/solve/auto_solver.hpp>
 
 #include <support/kinds.hpp>
 #include <support/stiffness.hpp>

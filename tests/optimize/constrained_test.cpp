@@ -1,6 +1,7 @@
 #include <concino/optimize/constrained.hpp>
 
 #include <concino/solve/ldlt.hpp>
+#include <concino/solve/lu.hpp>
 
 #include "support/systems.hpp"
 

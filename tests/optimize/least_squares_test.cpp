@@ -1,6 +1,7 @@
 #include <concino/optimize/least_squares.hpp>
 
 #include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/ldlt.hpp>
 #include <concino/solve/qr.hpp>
 
 #include "support/systems.hpp"

@@ -1,6 +1,9 @@
 #include <concino/optimize/solve_with_values.hpp>
 
+#include <concino/solve/auto_solver.hpp>
 #include <concino/solve/bicgstab.hpp>
+#include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/ldlt.hpp>
 #include <concino/solve/llt.hpp>
 #include <concino/solve/lu.hpp>
 #include <concino/solve/qr.hpp>

@@ -6,6 +6,7 @@
 #include <concino/operators.hpp>
 #include <concino/operators/de_goes.hpp>
 #include <concino/operators/virtual_refinement.hpp>
+#include <concino/solve/conjugate_gradients.hpp>
 
 #include <support/convergence_families.hpp>
 #include <support/convergence_table.hpp>

@@ -1,6 +1,9 @@
 // Comparison with docs/convergence.tsv of what the operators do now, for the sizes that are quickly done.
 #pragma once
 
+#include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/ldlt.hpp>
+
 #include <support/convergence.hpp>
 
 #include <doctest/doctest.h>
