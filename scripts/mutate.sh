@@ -14,7 +14,7 @@ set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 . scripts/packages.sh
 
-# header below include/concino: tests that answer for it, below tests; those that find most come first.
+# header below include/concino, or .ipp file where there is no header of that name: tests that answer for it, below tests; those that find most come first.
 table='
 io/detail/read_obj            io/detail/read_obj io/detail/read_mtl io/load io/detail/name_runs
 io/detail/read_off            io/detail/read_off io/load
@@ -34,6 +34,7 @@ io/detail/flat_mesh_of    io/flat_mesh io/save
 io/flat_mesh              io/flat_mesh io/save
 io/write_context          io/save io/detail/write_off
 io/file_text           io/file_text
+io/detail/file_text     io/file_text
 io/numbers             io/numbers io/detail/read_obj
 io/detail/decimals     io/numbers io/detail/read_obj
 io/text_cursor         io/text_cursor io/detail/read_obj io/detail/read_medit io/detail/read_hedra
@@ -72,8 +73,10 @@ operators/detail/simplex_weights   operators/laplacian
 operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian
 operators/detail/virtual_refinement    operators/virtual_refinement
 solve/auto_solver      solve/auto_solver
+solve/detail/auto_solver solve/auto_solver
 optimize/constrained      optimize/constrained
 solve/ldlt             solve/ldlt solve/auto_solver
+solve/detail/ldlt       solve/ldlt solve/auto_solver
 solve/llt              solve/llt
 optimize/qp               optimize/qp
 solve/qr               solve/qr optimize/least_squares
@@ -83,13 +86,18 @@ optimize/detail/conditions    optimize/solve_with_values optimize/least_squares
 solve/detail/energy_gains  solve/detail/energy_gains
 core/equilibrate   core/equilibrate solve/qr
 core/residual  core/residual optimize/solve_with_values fields/laplace_system fields/harmonic_map
+core/detail/residual    core/residual optimize/solve_with_values fields/laplace_system fields/harmonic_map
 core/system_checks core/system_checks solve/ldlt solve/lu solve/qr optimize/constrained
+core/detail/system_checks core/system_checks solve/ldlt solve/lu solve/qr optimize/constrained
 validate/detail/hex_orders mesh/corner_orders validate/minimal
 validate/detail/halfedge_laws validate/halfedge_links concepts/halfedge_kernel
 mesh/corner_orders     mesh/corner_orders
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
+mesh/detail/surface_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
 mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/crowds
+mesh/detail/cell_tables mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/crowds
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/crowds
+mesh/detail/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/crowds
 mesh/detail/sides             mesh/detail/sides mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/crowds
 mesh/detail/side_ranges       mesh/detail/sides validate/crowds
 mesh/detail/row_places        mesh/detail/row_places mesh/detail/sides validate/crowds
@@ -195,7 +203,7 @@ mutant_by_kind() {
 as_text() {
   local id=$1 test place=$work/text.$1
   mkdir -p "$place/concino/$(dirname "$header")"
-  awk -v first="$first" -v only="$id" -v header="$header" -f scripts/mutate.awk "$tree/include/concino/$header.hpp" >"$place/concino/$header.hpp"
+  awk -v first="$first" -v only="$id" -v header="$header" -f scripts/mutate.awk "$tree/include/concino/$(file_of "$header")" >"$place/concino/$(file_of "$header")"
   local verdict=survived
   for test in $tests; do
     if ! compile "$place" "$test" "$place/run" "$place/log"; then
@@ -210,7 +218,11 @@ as_text() {
   rm -rf "$place"
   echo "$id $verdict text"
 }
-export -f limited mutant mutant_by_kind as_text compile
+# file_of <header>: with its extension.
+file_of() {
+  [ -e "$tree/include/concino/$1.hpp" ] && echo "$1.hpp" || echo "$1.ipp"
+}
+export -f limited mutant mutant_by_kind as_text compile file_of
 export kinds
 
 # All wanted headers with all their mutants in them, and every test of the table compiled with those, once. Lines that do not compile so
@@ -242,7 +254,7 @@ switch() {
   for header in "${headers[@]}"; do
     first_of[$header]=$first
     awk -v first="$first" -v only=0 -v header="$header" -v list="$work/$header/list.tsv" -v unfit="$work/$header/unfit" -f scripts/mutate.awk \
-      "$tree/include/concino/$header.hpp" >"$overlay/concino/$header.hpp" || exit 1
+      "$tree/include/concino/$(file_of "$header")" >"$overlay/concino/$(file_of "$header")" || exit 1
     first=$((first + $(wc -l <"$work/$header/list.tsv")))
   done
 }
@@ -259,10 +271,10 @@ for test in "${all_tests[@]}"; do
     [ $round -eq 1 ] && cp "$work/$test.log" "$work/log" || { compile "$overlay" "$test" "$work/$test.run" "$work/log" && break; }
     changed=0
     for header in "${headers[@]}"; do
-      sed -nE "s|.*overlay/concino/$header\.hpp:([0-9]+):[0-9]+: +error: .*|\1|p" "$work/log"
+      sed -nE "s|.*overlay/concino/$header\.[hi]pp:([0-9]+):[0-9]+: +error: .*|\1|p" "$work/log"
     done | grep -q . && pattern='[0-9]+: +error: .*' || pattern='.*'
     for header in "${headers[@]}"; do
-      sed -nE "s|.*overlay/concino/$header\.hpp:([0-9]+):$pattern|\1|p" "$work/log" | sort -u - "$work/$header/unfit" >"$work/unfit"
+      sed -nE "s|.*overlay/concino/$header\.[hi]pp:([0-9]+):$pattern|\1|p" "$work/log" | sort -u - "$work/$header/unfit" >"$work/unfit"
       cmp -s "$work/unfit" "$work/$header/unfit" || { changed=1; mv "$work/unfit" "$work/$header/unfit"; }
     done
     [ $changed -eq 1 ] || [ $round -eq 1 ] || { cat "$work/log"; break; }
@@ -303,7 +315,7 @@ for header in "${headers[@]}"; do
   # Not all of those, unless asked for: evenly chosen.
   [ ! -e "$work/text.all" ] || awk -v n="$(grep -c . "$work/text.all")" -v most="$most_text" 'int(NR * most / n) != int((NR - 1) * most / n) || n <= most' "$work/text.all" >"$work/text"
   [ ! -e "$work/text" ] || while read -r id; do as_text "$id"; done <"$work/text" >>"$work/verdicts.all" 2>/dev/null
-  awk -F'\t' -v OFS='\t' 'NR == FNR { i = index($0, " "); verdict[substr($0, 1, i - 1)] = substr($0, i + 1); next } ($1 in verdict) { print $1, verdict[$1], $2 ".hpp:" $3, $5, $6 }' \
+  awk -F'\t' -v OFS='\t' 'NR == FNR { i = index($0, " "); verdict[substr($0, 1, i - 1)] = substr($0, i + 1); next } ($1 in verdict) { print $1, verdict[$1], $2 ":" $3, $5, $6 }' \
     "$work/verdicts.all" "$work/list.tsv" >"$work/result.tsv"
 
   # Lines of equivalent_mutants.txt: header, change (* for any), part of the line, reason; with tabs between. One of them that is not used
