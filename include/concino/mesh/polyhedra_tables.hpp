@@ -9,6 +9,7 @@
 #include <concino/mesh/detail/polyhedra_ranges.hpp>
 #include <concino/mesh/detail/stars.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -141,6 +142,13 @@ class basic_polyhedra_tables {
   /// Verts and edges of every poly, in the order in which its faces meet them, and polys of every vert.
   void build_corners(std::size_t vert_count, const core::flat_array<edge_id>& f2e, core::flat_array<std::uint32_t> vert_met, std::size_t poly_corners);
 };
+
+template<class Lists>
+[[gnu::noinline]] edge_id basic_polyhedra_tables<Lists>::edge_to_smaller(vert_id v, vert_id smaller) const {
+  const id_span<vert_id> near = v2v_[v.raw()];
+  const vert_id* const at = std::lower_bound(near.begin(), near.end(), smaller);
+  return at != near.end() && *at == smaller ? v2e_.begin(v.raw())[at - near.begin()] : edge_id{};
+}
 
 using polyhedra_tables = basic_polyhedra_tables<detail::rows<vert_id, 0>>;
 

@@ -169,13 +169,6 @@ std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const r
 }
 
 template<class Lists>
-[[gnu::noinline]] edge_id basic_polyhedra_tables<Lists>::edge_to_smaller(vert_id v, vert_id smaller) const {
-  const id_span<vert_id> near = v2v_[v.raw()];
-  const vert_id* const at = std::lower_bound(near.begin(), near.end(), smaller);
-  return at != near.end() && *at == smaller ? v2e_.begin(v.raw())[at - near.begin()] : edge_id{};
-}
-
-template<class Lists>
 void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const ragged<face_id>& polys, std::size_t poly_corners) {
   face_places_ = detail::row_places(f2v_);
   core::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
@@ -324,7 +317,6 @@ template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::reserve_removal(
 template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_poly(poly_id);
 template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_face(face_id);
 template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_vert(vert_id);
-template edge_id basic_polyhedra_tables<detail::rows<vert_id, 0>>::edge_to_smaller(vert_id, vert_id) const;
 #endif
 
 }  // namespace concino
