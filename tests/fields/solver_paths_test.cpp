@@ -1,9 +1,9 @@
 // Every solver through every way a problem can go.
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/bicgstab.hpp>
-#include <concino/solve/llt.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>
+#include <concino/solve/llt.hpp>
 #include <concino/solve/lu.hpp>
 #include <concino/solve/qr.hpp>
 
