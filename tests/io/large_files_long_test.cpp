@@ -12,6 +12,7 @@
 #include <csignal>
 #include <thread>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 using namespace concino;

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
 using namespace concino;
 using namespace concino::testing;
 

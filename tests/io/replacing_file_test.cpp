@@ -14,6 +14,7 @@
 
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 using namespace concino;
 using namespace concino::testing;

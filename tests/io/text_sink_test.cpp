@@ -10,6 +10,7 @@
 #include <limits>
 
 #include <fcntl.h>
+#include <unistd.h>
 
 using namespace concino;
 using namespace concino::testing;

@@ -1,3 +1,4 @@
+#include <concino/io/detail/orient.hpp>
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/polygonmesh.hpp>
