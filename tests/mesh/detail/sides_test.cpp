@@ -111,12 +111,12 @@ TEST_CASE("sides: facets with many polys, some of which meet again in other crow
   std::mt19937 random(11);
   for (int round = 0; round < 60; ++round) {
     // few facets for many polys: nearly every facet has a crowd, and crowds overlap
-    const unsigned facets = round % 3 == 0 ? 8 : round % 3 == 1 ? 60 : 400, count = 2 + static_cast<unsigned>(random() % 30);
+    const unsigned facet_count = round % 3 == 0 ? 8 : round % 3 == 1 ? 60 : 400, count = 2 + static_cast<unsigned>(random() % 30);
     std::vector<list> lists;
     for (unsigned p = 0; p < count; ++p) {
-      list all = numbers(0, facets);
+      list all = numbers(0, facet_count);
       std::shuffle(all.begin(), all.end(), random);
-      all.resize(std::min<std::size_t>(facets, 3 + random() % (round % 2 ? 6 : 90)));
+      all.resize(std::min<std::size_t>(facet_count, 3 + random() % (round % 2 ? 6 : 90)));
       lists.push_back(random() % 4 == 0 && p > 0 ? lists.back() : all);
     }
     are_right(lists);
