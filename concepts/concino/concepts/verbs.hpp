@@ -15,6 +15,12 @@
 
 namespace concino {
 
+namespace detail {
+
+template<class M> struct order_of_edges;  // in sorted_edges.hpp, which brings this header itself where it is included first
+
+}  // namespace detail
+
 /// All live elements of one kind, in an order that does not change while the mesh does not.
 inline constexpr struct verts_verb : detail::verb {
   using verb::operator();
@@ -205,7 +211,7 @@ inline constexpr struct adj_f2e_verb : detail::verb {
   template<class M>
     requires requires(const M& m, face_t<M> f) { traits<M>::adj_f2e(m, f); }
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const {
-    if constexpr (detail::sorts_edges_of_faces<M>) return detail::edges_along_ring<M, detail::edges_of_faces<M>>(m, f);
+    if constexpr (detail::order_of_edges<M>::sorts_those_of_faces) return typename detail::order_of_edges<M>::of_face(m, f);
     else return traits<M>::adj_f2e(m, f);
   }
 } adj_f2e{};
@@ -233,7 +239,7 @@ inline constexpr struct adj_p2e_verb : detail::verb {
   template<class M>
     requires requires(const M& m, poly_t<M> p) { traits<M>::adj_p2e(m, p); }
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const {
-    if constexpr (detail::sorts_edges_of_polys<M>) return typename detail::sorted_edges_of_poly<M>::type(m, p);
+    if constexpr (detail::order_of_edges<M>::sorts_those_of_polys) return typename detail::order_of_edges<M>::of_poly(m, p);
     else return traits<M>::adj_p2e(m, p);
   }
 } adj_p2e{};

@@ -8,10 +8,6 @@ namespace concino::detail {
 /// Said by a model whose lists come in an order of their own: static constexpr bool edges_in_order = false;
 template<class M> concept lists_edges_unordered = requires { requires !traits<M>::edges_in_order; };
 
-/// Of polys the order means something on surfaces and for tets, of faces always.
-template<class M> inline constexpr bool sorts_edges_of_polys = lists_edges_unordered<M> && (dimension_v<M> == 2 || (dimension_v<M> == 3 && arity_v<M> == 4));
-template<class M> inline constexpr bool sorts_edges_of_faces = lists_edges_unordered<M> && dimension_v<M> == 3;
-
 /// What is asked about polygons that are polys, and about those that are faces.
 template<class M>
 struct edges_of_polys {
@@ -173,5 +169,14 @@ class edges_of_tet {
 
 template<class M, int = dimension_v<M>> struct sorted_edges_of_poly { using type = edges_along_ring<M, edges_of_polys<M>>; };
 template<class M> struct sorted_edges_of_poly<M, 3> { using type = edges_of_tet<M>; };
+
+/// What the verbs ask. Of polys the order means something on surfaces and for tets, of faces always.
+template<class M>
+struct order_of_edges {
+  static constexpr bool sorts_those_of_polys = lists_edges_unordered<M> && (dimension_v<M> == 2 || (dimension_v<M> == 3 && arity_v<M> == 4));
+  static constexpr bool sorts_those_of_faces = lists_edges_unordered<M> && dimension_v<M> == 3;
+  using of_poly = typename sorted_edges_of_poly<M>::type;
+  using of_face = edges_along_ring<M, edges_of_faces<M>>;
+};
 
 }  // namespace concino::detail
