@@ -67,7 +67,7 @@ operators/corner_gradients  operators/corner_gradients operators/gradient_matrix
 operators/detail/de_goes   operators/de_goes
 operators/detail/poly_operator operators/mass_matrix operators/laplacian
 core/poly_chunks   core/poly_chunks operators/gradient
-operators/product       operators/product fields/smooth fields/harmonic_map
+core/detail/product     core/product fields/smooth fields/harmonic_map
 operators/simplex_gradients operators/corner_gradients operators/gradient_matrix operators/divergence_matrix
 operators/detail/simplex_weights   operators/laplacian
 operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian

@@ -110,11 +110,11 @@ std::vector<far_ends<M>> ends_of_components(const M& m) {
   return components;
 }
 
-/// Standard weights: the field does not follow the lines of the mesh. Meshes with degenerate polys have none.
+/// Virtual elements: the field does not follow the lines of the mesh. Meshes with degenerate polys have none.
 template<class M, class D>
 auto solve(const M& m, const D& values, const cn::progress& progress, std::string& weights) {
   try {
-    weights = "standard";
+    weights = "virtual elements";
     return cn::harmonic_map(m, values, {.progress = progress});
   } catch (const cn::invalid_mesh& e) {
     fmt::print(stderr, "concino_demo: {}; using uniform\n", e.what());

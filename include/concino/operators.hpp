@@ -2,6 +2,7 @@
 // virtual_refinement.hpp and de_goes.hpp.
 #pragma once
 
+#include <concino/core/product.hpp>
 #include <concino/operators/cotangent.hpp>
 #include <concino/operators/discretisation.hpp>
 #include <concino/operators/divergence.hpp>
@@ -11,7 +12,6 @@
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/poly_mass_matrix.hpp>
-#include <concino/operators/product.hpp>
 #include <concino/operators/stiffness.hpp>
 #include <concino/operators/uniform.hpp>
 #include <concino/operators/vert_gradient_matrix.hpp>

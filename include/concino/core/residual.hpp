@@ -3,6 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/product.hpp>
 #include <concino/core/system_checks.hpp>
 
 #include <Eigen/SparseCore>
@@ -65,14 +66,12 @@ class solver_ref {
   double residual() const { return functions_->residual(solver_); }
 };
 
-/// Both triangles of a symmetric matrix given by its lower one.
-Eigen::SparseMatrix<double> whole_of_lower(const Eigen::SparseMatrix<double>& lower);
-
 /// Factorises a symmetric matrix given by its lower triangle, with the other triangle for solvers that say they read it.
 template<class Solver>
 void factorize_symmetric(Solver& solver, const Eigen::SparseMatrix<double>& lower) {
   if constexpr (requires { requires Solver::reads_both_triangles; }) {
-    solver.factorize(whole_of_lower(lower));
+    Eigen::SparseMatrix<double> storage;
+    solver.factorize(with_both_triangles(compressed(lower, storage)));
   } else {
     solver.factorize(lower);
   }

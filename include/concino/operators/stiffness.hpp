@@ -1,6 +1,7 @@
 // A discretisation's part in matrices: its weights as the assembly reads them, or its matrices of polys.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
 #include <concino/core/assembly.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
 #include <concino/operators/discretisation.hpp>
@@ -45,11 +46,7 @@ struct weights_of_edges {
   template<class F>
   void for_each_neighbour(const vert_t<M>& v, F&& f) const {
     for (const edge_t<M> e : adj_v2e(m, v)) {
-      const auto& two = adj_e2v(m, e);
-      auto it = two.begin();
-      const vert_t<M> a = *it;
-      ++it;
-      const vert_t<M> b = *it;
+      const auto [a, b] = end_verts(m, e);
       f(a == v ? b : a, static_cast<double>(weight[e]));
     }
   }

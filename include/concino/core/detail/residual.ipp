@@ -66,12 +66,6 @@ CONCINO_INLINE double residual_beside_largest(const Eigen::SparseMatrix<double>&
                               " residual is ", core::number_text(error)});
 }
 
-CONCINO_INLINE Eigen::SparseMatrix<double> whole_of_lower(const Eigen::SparseMatrix<double>& lower) {
-  Eigen::SparseMatrix<double> whole;
-  whole = lower.selfadjointView<Eigen::Lower>();
-  return whole;
-}
-
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_singular_at_vert(const char* who, std::size_t vert, const char* why) {
   core::throw_joined<solver_error>({who, ": the system is singular to working precision at vert ", vert,
                               ": polys near it are too flat or too thin for double precision; remesh them, scale the mesh to more even lengths, or"

@@ -4,11 +4,11 @@
 
 #include <concino/core/number_text.hpp>
 #include <concino/core/precompiled.hpp>
+#include <concino/core/product.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
-#include <concino/operators/product.hpp>
 #include <concino/operators/stiffness.hpp>
 
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/product.hpp>
 #include <concino/operators/detail/poly_operator.hpp>
-#include <concino/operators/product.hpp>
 
 #include <Eigen/SparseCore>
 

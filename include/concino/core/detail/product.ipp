@@ -1,11 +1,7 @@
-// Products of sparse matrices, and both triangles of a symmetric one: what powers of operators are made of. Eigen's own product adds a second to
-// the compile time of every program that includes it.
+// Products of sparse matrices; see product.hpp.
 #pragma once
 
-#include <concino/core/error.hpp>
-#include <concino/core/message.hpp>
-
-#include <Eigen/SparseCore>
+#include <concino/core/product.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -23,12 +19,7 @@ inline void expect_compressed(const char* who, const Eigen::SparseMatrix<double>
 
 }  // namespace detail
 
-
-/// The symmetric matrix with this lower triangle, such as solvers that read both triangles want it.
-/// Needs:  lower: square, compressed, rows sorted within columns, no entries above the diagonal.
-/// Result: a matrix with rows sorted within columns, entries that are 0 too.      Cost: O(entries) time and memory.
-/// Errors: invalid_argument if lower is not square or not compressed; unsupported if 32-bit indices cannot count the entries.
-inline Eigen::SparseMatrix<double> with_both_triangles(const Eigen::SparseMatrix<double>& lower) {
+CONCINO_INLINE Eigen::SparseMatrix<double> with_both_triangles(const Eigen::SparseMatrix<double>& lower) {
   if (lower.rows() != lower.cols()) throw invalid_argument("with_both_triangles: the matrix is not square");
   detail::expect_compressed("with_both_triangles", lower);
   const int n = static_cast<int>(lower.cols());
@@ -62,13 +53,7 @@ inline Eigen::SparseMatrix<double> with_both_triangles(const Eigen::SparseMatrix
   return r;
 }
 
-/// a diag(d) b, such as K M^-1 K of a Laplacian and lumped masses, or with d all 1 the product of a and b.
-/// Needs:  a, b: compressed; as many columns of a, numbers in d and rows of b.
-/// Result: a matrix with rows sorted within columns. Where entries cancel, 0 is stored: its pattern depends on those of a and b alone.
-/// Cost:   O(multiplications + entries log of those in a column) time, O(entries) memory.
-/// Errors: invalid_argument if sizes do not fit or a matrix is not compressed; unsupported if 32-bit indices cannot count the entries.
-/// Source: Gustavson 1978, "Two fast algorithms for sparse matrices".
-inline Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMatrix<double>& a, const std::vector<double>& d, const Eigen::SparseMatrix<double>& b) {
+CONCINO_INLINE Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMatrix<double>& a, const std::vector<double>& d, const Eigen::SparseMatrix<double>& b) {
   if (static_cast<std::size_t>(a.cols()) != d.size() || static_cast<std::size_t>(b.rows()) != d.size())
     core::throw_joined<invalid_argument>({"scaled_product: there are ", static_cast<std::size_t>(a.cols()), " columns of a, ", d.size(), " factors and ",
                                           static_cast<std::size_t>(b.rows()), " rows of b; they have to be as many"});

@@ -1,4 +1,4 @@
-#include <concino/operators/product.hpp>
+#include <concino/core/product.hpp>
 
 #include <doctest/doctest.h>
 
