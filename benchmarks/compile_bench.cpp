@@ -1,57 +1,113 @@
-// What programs of one file take to compile: CPU seconds and peak memory of the compiler, without optimisation and with. They read a polygon
-// mesh, map it harmonically and write it, by single headers and by umbrella headers; the floor is a program that only factorises with Eigen.
+// What it takes to compile the ten lines that read a mesh and map it harmonically: CPU seconds and peak memory of the compiler, beside a program that
+// only factorises with Eigen, the floor. By each compiler, without optimisation and with: header-only, with concino::compiled, with the precompiled
+// header of concino_precompile, with a solver and with a mesh of the caller's own; and what building concino::compiled takes on one core.
+#include "support/compiler.hpp"
 #include "support/program.hpp"
 
-#include <stdexcept>
-
-#include <sys/resource.h>
-#include <sys/wait.h>
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
 
 namespace {
 
-struct compilation {
-  double seconds, megabytes;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// One work: the program and how it is compiled.
+struct variant {
+  std::string name, source;
+  std::vector<std::string> flags;
 };
 
-/// The compiler's driver waits for its children, so what is counted for it counts them too.
-compilation compile(const std::string& source, const char* optimisation, const std::string& object) {
-  const std::string path = CONCINO_COMPILE_TIME_FOLDER "/" + source + ".cpp";
-  const char* const command[] = {CONCINO_COMPILER, "-std=c++20",  optimisation, "-I" CONCINO_INCLUDE, "-I" CONCINO_CONCEPTS, "-isystem", CONCINO_EIGEN,
-                                 "-c",             path.c_str(), "-o",         object.c_str(),       nullptr};
-  const ::pid_t child = ::fork();
-  if (child < 0) throw std::runtime_error("no process for the compiler");
-  if (child == 0) {
-    ::execv(command[0], const_cast<char* const*>(command));
-    ::_exit(127);
+/// The rows of a variant are compile.<name><suffix> in seconds and compiler.<name><suffix> in megabytes. In each round every variant is compiled right
+/// after the floor, in an order that changes, and of each the least of all rounds counts: what else the machine does can only add to it.
+void compare(const bench::program& p, int rounds, const bench::compiler& by, const std::vector<std::string>& flags, const std::string& suffix,
+             std::vector<variant> variants) {
+  std::erase_if(variants, [&](const variant& v) { return !p.wants("compile." + v.name + suffix); });
+  struct measured {
+    double seconds = infinity, floor_seconds = infinity, megabytes = 0, floor_megabytes = 0;
+  };
+  std::vector<measured> all(variants.size());
+  std::vector<std::size_t> order(variants.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::mt19937 shuffle(1);
+  const auto compile = [&](const std::string& source, std::vector<std::string> more) {
+    more.insert(more.begin(), flags.begin(), flags.end());
+    return by.compile(CONCINO_COMPILE_TIME_FOLDER "/" + source + ".cpp", more, p.file("object.o"));
+  };
+  bench::compilation floor = {};
+  for (int r = 0; r < rounds; ++r) {
+    std::shuffle(order.begin(), order.end(), shuffle);
+    for (const std::size_t i : order) {
+      if (!p.data.tiny || floor.user_seconds == 0) floor = compile("floor", {});
+      const bench::compilation ours = compile(variants[i].source, variants[i].flags);
+      all[i].floor_seconds = std::min(all[i].floor_seconds, floor.user_seconds);
+      all[i].seconds = std::min(all[i].seconds, ours.user_seconds);
+      all[i].floor_megabytes = std::max(all[i].floor_megabytes, floor.megabytes);
+      all[i].megabytes = std::max(all[i].megabytes, ours.megabytes);
+    }
   }
-  int status = 0;
-  ::rusage used = {};
-  if (::wait4(child, &status, 0, &used) != child || status != 0) throw std::runtime_error(path + " does not compile");
-  const double seconds = static_cast<double>(used.ru_utime.tv_sec) + 1e-6 * static_cast<double>(used.ru_utime.tv_usec);
-  return {seconds, static_cast<double>(used.ru_maxrss) / 1024};
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const std::string name = variants[i].name + suffix;
+    const measured& x = all[i];
+    p.print({{"compile." + name, "floor", "s", x.floor_seconds, x.seconds / x.floor_seconds},
+             {"compile." + name, "concino", "s", x.seconds, 1},
+             {"compiler." + name, "floor", "MB", x.floor_megabytes, x.megabytes / x.floor_megabytes},
+             {"compiler." + name, "concino", "MB", x.megabytes, 1}});
+  }
+}
+
+/// The ten lines in all ways, by one compiler with one optimisation.
+void compare_ways(const bench::program& p, int rounds, const bench::compiler& by, const std::string& optimisation) {
+  const std::string suffix = std::string(".").append(by.name).append(".").append(optimisation, 1);
+  const std::vector<std::string> compiled = {"-DCONCINO_COMPILED"};
+  std::vector<variant> variants = {{"header-only.trimesh", "trimesh", {}},
+                                   {"header-only.polygonmesh", "polygonmesh", {}},
+                                   {"compiled.trimesh", "trimesh", compiled},
+                                   {"compiled.polygonmesh", "polygonmesh", compiled},
+                                   {"compiled.own-mesh", "own_mesh", compiled},
+                                   {"compiled.own-solver", "own_solver", compiled}};
+  if (p.wants("compile.precompiled.polygonmesh" + suffix) || p.wants("compile.precompile" + suffix)) {
+    const bench::precompiled_header header = by.precompile(CONCINO_PRECOMPILED_HEADERS, {optimisation, "-DCONCINO_COMPILED"}, p.file("precompiled.hpp"));
+    p.print({{"compile.precompile" + suffix, "concino", "s", header.cost.user_seconds, 1},
+             {"compiler.precompile" + suffix, "concino", "MB", header.cost.megabytes, 1}});
+    std::vector<std::string> flags = compiled;
+    flags.insert(flags.end(), header.flags.begin(), header.flags.end());
+    variants.push_back({"precompiled.polygonmesh", "polygonmesh", flags});
+  }
+  compare(p, rounds, by, {optimisation}, suffix, variants);
+}
+
+/// All files of concino::compiled, one after another, as CMake builds it where no build type is said.
+void build_library(const bench::program& p, const bench::compiler& by) {
+  const std::string name = "library." + by.name;
+  if (!p.wants("compile." + name)) return;
+  std::vector<std::string> files = bench::lines_of(CONCINO_LIBRARY_FILES);
+  if (p.data.tiny) files.resize(1);
+  double seconds = 0, most = 0;
+  for (const std::string& file : files) {
+    const bench::compilation c = by.compile(file, {"-O3", "-DNDEBUG", "-fPIC", "-DCONCINO_COMPILED"}, p.file("object.o"));
+    seconds += c.user_seconds + c.system_seconds;
+    most = std::max(most, c.megabytes);
+  }
+  p.print({{"compile." + name, "concino", "s", seconds, 1}, {"compiler." + name, "concino", "MB", most, 1}});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
-    const int rounds = p.rounds < 3 ? p.rounds : 3;
-    for (const char* const optimisation : {"-O0", "-O3"}) {
-      if (p.data.tiny && optimisation[2] == '3') continue;
-      for (const std::string source : {"program", "program_by_umbrellas"}) {
-        const std::string name = (source == "program" ? "single" : "umbrellas") + std::string(".") + (optimisation + 1);
-        if (!p.wants("compile." + name)) continue;
-        double most = 0, most_of_floor = 0;
-        const auto contender = [&](const std::string& what, double& peak) {
-          return [&, what] {
-            const compilation c = compile(what, optimisation, p.file("object.o"));
-            peak = std::max(peak, c.megabytes);
-            return c.seconds;
-          };
-        };
-        p.print(bench::compare("compile." + name, rounds, {{"floor", contender("floor", most_of_floor)}, {"concino", contender(source, most)}}));
-        p.print({{"compiler." + name, "floor", "MB", most_of_floor, most / most_of_floor}, {"compiler." + name, "concino", "MB", most, 1}});
-      }
+    const int rounds = std::min(p.rounds, 3);
+    std::vector<bench::compiler> compilers = bench::compilers_of(CONCINO_COMPILERS);
+    if (p.data.tiny) compilers.resize(1);
+    const std::vector<std::string> optimisations = p.data.tiny ? std::vector<std::string>{"-O0"} : std::vector<std::string>{"-O0", "-O3"};
+    for (const bench::compiler& by : compilers) {
+      for (const std::string& optimisation : optimisations) compare_ways(p, rounds, by, optimisation);
+      build_library(p, by);
     }
+    // What users include without thinking, and what writes the result too, by the compiler of this build.
+    const std::vector<variant> longer = {{"single", "program", {}}, {"umbrellas", "program_by_umbrellas", {}}};
+    for (const std::string& optimisation : optimisations) compare(p, rounds, compilers[0], {optimisation}, std::string(".").append(optimisation, 1), longer);
   });
 }

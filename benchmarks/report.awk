@@ -43,7 +43,7 @@ function slope(name, which,   k, n, x, y, sx, sy, sxx, sxy) {
 }
 
 function print_works(   i, k, n, work, name, line, best, is, met, budget, comma, missed, judged) {
-  format = "%-35s %6s %10s %10s %7s  %-20s %10s %7s  %-26s %7s  %s\n"
+  format = "%-44s %6s %10s %10s %7s  %-20s %10s %7s  %-26s %7s  %s\n"
   printf format, "work", "unit", "floor", "concino", "ratio", "best peer", "", "ratio", "budget", "is", "met"
   for (i = 1; i <= works; ++i) {
     work = order[i]; n = split(names[work], name, SUBSEP); best = ""
