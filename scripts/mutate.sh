@@ -90,6 +90,7 @@ core/detail/residual    core/residual optimize/solve_with_values fields/laplace_
 core/system_checks core/system_checks solve/ldlt solve/lu solve/qr optimize/constrained
 core/detail/system_checks core/system_checks solve/ldlt solve/lu solve/qr optimize/constrained
 validate/detail/hex_orders mesh/corner_orders validate/minimal
+validate/detail/facet_laws laws/broken_laws
 validate/detail/halfedge_laws validate/halfedge_links concepts/halfedge_kernel
 mesh/corner_orders     mesh/corner_orders
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws

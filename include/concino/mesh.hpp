@@ -4,7 +4,10 @@
 #include <concino/concepts/views.hpp>
 #include <concino/mesh/boundary.hpp>
 #include <concino/mesh/corner.hpp>
+#include <concino/mesh/corner_property.hpp>
+#include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/facet_map.hpp>
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/mesh_point.hpp>

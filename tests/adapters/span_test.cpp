@@ -40,7 +40,7 @@ template<class Case> std::string message(Case&& f) {
 }
 
 /// A point of the user's.
-struct corner {
+struct single_point {
   float at[3];
   float& operator[](int i) { return at[i]; }
   float operator[](int i) const { return at[i]; }
@@ -56,7 +56,7 @@ static_assert(models_in_all_forms<tri_of<const doubles&, ints&>>(surface | embed
 // Temporary spans are taken, temporary containers are not; nor is what holds no floats, or no indices, or rows of another length.
 static_assert(makes_tri<span<double>, span<int>> && makes_tri<const std::span<float, 12>, span<const std::int64_t>> && makes_tri<span<vec3>, ints&>);
 static_assert(!makes_tri<doubles, ints&> && !makes_tri<doubles&, ints> && !makes_tri<const doubles, ints&> && !makes_tri<std::array<double, 9>, ints&>);
-static_assert(makes_tri<std::array<double, 9>&, int (&)[3]> && makes_tri<std::vector<corner>&, std::vector<std::array<unsigned char, 3>>&>);
+static_assert(makes_tri<std::array<double, 9>&, int (&)[3]> && makes_tri<std::vector<single_point>&, std::vector<std::array<unsigned char, 3>>&>);
 static_assert(!makes_tri<ints&, ints&> && !makes_tri<doubles&, doubles&> && !makes_tri<doubles&, span<bool>> && !makes_tri<doubles&, std::vector<bool>&>);
 static_assert(!makes_tri<doubles&, span<std::array<int, 4>>> && !makes_tri<span<std::array<double, 4>>, ints&> && !makes_tri<span<std::string>, ints&>);
 static_assert(!makes_tri<std::vector<doubles>&, std::vector<ints>&>);  // rows in pieces of memory of their own
@@ -108,8 +108,8 @@ TEST_CASE("span: the coordinates are the user's") {
   xyz = doubles(9, 2.0);  // another piece of memory
   CHECK(point(m, v) == vec3{2, 2, 2});
 
-  std::vector<corner> corners{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}};
-  auto n = view_tri(span<corner>(corners), std::span(triangle));
+  std::vector<single_point> corners{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}};
+  auto n = view_tri(span<single_point>(corners), std::span(triangle));
   set_point(n, v, std::array<double, 3>{5, 6, 7.5});
   CHECK(corners[1][2] == 7.5f);
   CHECK(point(n, v) == vec3{5, 6, 7.5});

@@ -1,5 +1,8 @@
 // A small half-edge mesh, written as anybody might, is a SurfaceMesh by its links, and its rings equal those found by brute force.
 #include <concino/concepts/halfedge_kernel.hpp>
+#include <concino/concepts/views/dual.hpp>
+#include <concino/graph/bfs.hpp>
+#include <concino/graph/components.hpp>
 #include <concino/validate/check_laws.hpp>
 
 #include "../support/models.hpp"
@@ -124,6 +127,16 @@ struct own_handles : links {
 };
 struct gappy : linked {};
 
+/// Links that count how often they are asked what lies across a half-edge.
+struct counting_links : links {
+  static inline int asked = 0;
+  static int opposite(const linked&, int h) {
+    ++asked;
+    return h ^ 1;
+  }
+};
+struct counting : linked {};
+
 /// The same links as if the border had no half-edges: nothing is asked about those that it has.
 struct inner_links : links {
   static constexpr bool has_border_halfedges = false;
@@ -159,6 +172,7 @@ struct no_links {};
 template<> struct concino::mesh_traits<linked> : halfedge_kernel<linked, links> {};
 template<> struct concino::mesh_traits<gappy> : halfedge_kernel<gappy, own_handles> {};
 template<> struct concino::mesh_traits<borderless> : halfedge_kernel<borderless, inner_links> {};
+template<> struct concino::mesh_traits<counting> : halfedge_kernel<counting, counting_links> {};
 template<> struct concino::mesh_traits<hopeless> : halfedge_kernel<linked, lacking> {};
 template<> struct concino::mesh_traits<untyped> : halfedge_kernel<untyped, no_links> {};
 
@@ -280,6 +294,22 @@ TEST_CASE("a poly on both sides of an edge is no neighbour of its own") {
   int times = 0;
   neighbours.for_each_with_repeats([&](cn::poly_id q) { times += q == cn::poly_id(0); });
   CHECK(times == 2);
+}
+
+TEST_CASE("searches over polys look across each side of each poly once") {
+  // A polygon of 12 sides with a triangle at each.
+  std::vector<std::vector<int>> polygons(1);
+  for (int i = 0; i < 12; ++i) {
+    polygons[0].push_back(i);
+    polygons.push_back({(i + 1) % 12, i, 12 + i});
+  }
+  const counting m{link({points(24), polygons})};
+  counting_links::asked = 0;
+  CHECK(cn::bfs(cn::dual(m), cn::poly_id(0))[cn::poly_id(7)] == 1);
+  CHECK(counting_links::asked == 12 + 12 * 3);
+  counting_links::asked = 0;
+  CHECK(cn::connected_components(cn::dual(m)).count == 1);
+  CHECK(counting_links::asked == 12 + 12 * 3);
 }
 
 TEST_CASE("what is missing is said") { cn::explain_halfedge_links<links, linked>(); }

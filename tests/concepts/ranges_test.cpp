@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <iterator>
 #include <vector>
@@ -26,6 +27,21 @@ TEST_CASE("id_range walks what is alive, and both small ranges may be walked aga
   const unsigned char all_dead[] = {1, 1};
   const cn::id_range<cn::poly_id> none(2, all_dead);
   CHECK_FALSE(none.begin() != none.end());
+}
+
+TEST_CASE("parts of an id_range, one after another, are the range") {
+  const unsigned char dead[] = {1, 0, 1, 1, 0, 1, 0};
+  for (const unsigned char* const flags : {dead, static_cast<const unsigned char*>(nullptr)}) {
+    const cn::id_range<cn::poly_id> r(7, flags);
+    CHECK(r.index_bound() == 7);
+    for (std::size_t size = 1; size <= 7; ++size) {
+      std::vector<cn::poly_id> whole, parts;
+      for (auto p : r) whole.push_back(p);
+      for (std::size_t first = 0; first < 7; first += size)
+        for (auto p : r.part(first, std::min<std::size_t>(7, first + size))) parts.push_back(p);
+      CHECK(parts == whole);
+    }
+  }
 }
 
 TEST_CASE("id_span shows memory that is not its own") {

@@ -1,6 +1,7 @@
 // adj_p2e and adj_f2e bring edges into order where the traits say edges_in_order = false; models that are in order are not touched.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/views.hpp>
 
 #include "../support/tiny.hpp"
@@ -51,6 +52,59 @@ template<>
 struct concino::mesh_traits<in_order<tiny::surface>> : mesh_traits<tiny::surface> {
   static constexpr bool edges_in_order = true;
 };
+
+
+// Models that say edges_in_order = false and lack a member that sorting needs: asking about them answers "no".
+enum class without { nothing, adj_p2v, adj_e2v, adj_v2e, adj_e2p, adj_f2v, adj_e2f };
+template<without What, int Arity = 0> struct bare_polygons {};
+template<without What> struct bare_faces {};
+template<without What, int Arity>
+struct concino::mesh_traits<bare_polygons<What, Arity>> {
+  using M = bare_polygons<What, Arity>;
+  using vert = tiny::vertex;
+  using edge = tiny::segment;
+  using poly = tiny::cell;
+  static constexpr int dimension = Arity == 4 ? 3 : 2;
+  static constexpr int arity = Arity;
+  static constexpr bool edges_in_order = false;
+  static std::array<edge, 6> adj_p2e(const M&, poly) { return {}; }
+  static std::array<vert, 4> adj_p2v(const M&, poly) requires(What != without::adj_p2v) { return {}; }
+  static std::array<vert, 2> adj_e2v(const M&, edge) requires(What != without::adj_e2v) { return {}; }
+  static std::array<edge, 2> adj_v2e(const M&, vert) requires(What != without::adj_v2e) { return {}; }
+  static std::array<poly, 2> adj_e2p(const M&, edge) requires(What != without::adj_e2p) { return {}; }
+};
+template<without What>
+struct concino::mesh_traits<bare_faces<What>> {
+  using M = bare_faces<What>;
+  using vert = tiny::vertex;
+  using edge = tiny::segment;
+  using face = tiny::facet;
+  static constexpr int dimension = 3;
+  static constexpr bool edges_in_order = false;
+  static std::array<edge, 4> adj_f2e(const M&, face) { return {}; }
+  static std::array<vert, 4> adj_f2v(const M&, face) requires(What != without::adj_f2v) { return {}; }
+  static std::array<vert, 2> adj_e2v(const M&, edge) requires(What != without::adj_e2v) { return {}; }
+  static std::array<edge, 2> adj_v2e(const M&, vert) requires(What != without::adj_v2e) { return {}; }
+  static std::array<face, 2> adj_e2f(const M&, edge) requires(What != without::adj_e2f) { return {}; }
+};
+
+namespace {
+
+template<class M> concept lists_edges_of_polys = requires(const M& m, cn::poly_t<M> p) { cn::adj_p2e(m, p); };
+template<class M> concept lists_facets_of_polys = requires(const M& m, cn::poly_t<M> p) { cn::adj_p2facet(m, p); };
+template<class M> concept lists_edges_of_faces = requires(const M& m, cn::face_t<M> f) { cn::adj_f2e(m, f); };
+
+}  // namespace
+
+static_assert(lists_edges_of_polys<bare_polygons<without::nothing>> && lists_facets_of_polys<bare_polygons<without::nothing>>);
+static_assert(!lists_edges_of_polys<bare_polygons<without::adj_p2v>> && !lists_facets_of_polys<bare_polygons<without::adj_p2v>>);
+static_assert(!lists_edges_of_polys<bare_polygons<without::adj_e2v>> && !lists_edges_of_polys<bare_polygons<without::adj_v2e>>);
+static_assert(!lists_edges_of_polys<bare_polygons<without::adj_e2p>> && !cn::SurfaceMesh<bare_polygons<without::nothing>>);
+static_assert(lists_edges_of_polys<bare_polygons<without::nothing, 4>> && lists_edges_of_polys<bare_polygons<without::adj_v2e, 4>>);
+static_assert(!lists_edges_of_polys<bare_polygons<without::adj_p2v, 4>> && !lists_edges_of_polys<bare_polygons<without::adj_e2v, 4>>);
+static_assert(lists_edges_of_faces<bare_faces<without::nothing>> && !lists_edges_of_faces<bare_faces<without::adj_f2v>>);
+static_assert(!lists_edges_of_faces<bare_faces<without::adj_e2v>> && !lists_edges_of_faces<bare_faces<without::adj_v2e>>);
+static_assert(!lists_edges_of_faces<bare_faces<without::adj_e2f>>);
 
 static_assert(std::same_as<decltype(cn::adj_p2e(std::declval<const in_order<tiny::surface>&>(), tiny::cell())), std::vector<tiny::segment>>);
 static_assert(cn::ElementRange<decltype(cn::adj_p2e(std::declval<const tiny::surface&>(), tiny::cell())), tiny::segment>);

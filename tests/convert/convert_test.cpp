@@ -1,4 +1,5 @@
 // Converting there and back is the identity: connectivity, coordinates and properties.
+#include <concino/concepts/archetypes.hpp>
 #include <concino/convert.hpp>
 #include <concino/mesh.hpp>
 #include <concino/mesh/boundary.hpp>
@@ -209,6 +210,54 @@ TEST_CASE("empty meshes") {
 }
 
 template<class M> concept can_convert = requires(M&& m) { cn::convert<cn::polygonmesh>(static_cast<M&&>(m)); };
+TEST_CASE_TEMPLATE("the correspondence by indices names the element that each of the new mesh stands for", M, CONCINO_KINDS) {
+  M m = cn::testing::grid<M>(2);
+  cn::remove_poly(m, cn::poly_id{0});
+  const auto there = cn::convert_with_correspondence<general_of<M>>(m);
+  const cn::correspondence c = there.correspondence();
+  CHECK(c.verts.size() == cn::vert_index_bound(there.mesh));
+  CHECK(c.edges.size() == cn::edge_index_bound(there.mesh));
+  CHECK(c.polys.size() == cn::poly_index_bound(there.mesh));
+  for (const auto v : cn::verts(m)) CHECK(c.verts.only(there.vert_of(v).raw()) == v.raw());
+  for (const auto e : cn::edges(m)) CHECK(c.edges.only(there.edge_of(e).raw()) == e.raw());
+  for (const auto p : cn::polys(m)) CHECK(c.polys.only(there.poly_of(p).raw()) == p.raw());
+  if constexpr (cn::VolumeMesh<M>) {
+    CHECK(c.faces.size() == cn::face_index_bound(there.mesh));
+    for (const auto f : cn::faces(m)) CHECK(c.faces.only(there.face_of(f).raw()) == f.raw());
+  }
+  // The same edges and faces follow from the verts.
+  cn::correspondence from_verts{c.verts, {}, {}, c.polys};
+  cn::match_edges_and_faces(m, there.mesh, from_verts);
+  for (std::size_t i = 0; i < c.edges.size(); ++i) CHECK(from_verts.edges.only(i) == c.edges.only(i));
+  for (std::size_t i = 0; i < c.faces.size(); ++i) CHECK(from_verts.faces.only(i) == c.faces.only(i));
+}
+
+TEST_CASE_TEMPLATE("parts of a mesh, and a mesh at other points, keep its properties", M, CONCINO_KINDS) {
+  M m = cn::testing::grid<M>(3);
+  const auto u = cn::vert_property<double>(m, "u");
+  const auto e = cn::edge_property<int>(m, "e");
+  const auto p = cn::poly_property<std::string>(m, "p");
+  cn::set_property_rule(m, cn::element_kind::vert, "u", cn::property_rule::sum);
+  for (const auto v : cn::verts(m)) u[v] = 0.25 * v.raw();
+  for (const auto x : cn::edges(m)) e[x] = static_cast<int>(x.raw());
+  for (const auto x : cn::polys(m)) p[x] = std::to_string(x.raw());
+  const auto part = cn::submesh(m, [](const cn::poly_id x) { return x.raw() % 3 == 1; });
+  static_assert(cn::ShowsProperties<decltype(part)> && !cn::HasProperties<decltype(part)>);
+  static_assert(!cn::ShowsProperties<decltype(cn::submesh(cn::only_mesh(m), [](const auto&) { return true; }))>);
+  CHECK(cn::find_vert_property<double>(part, "u")[cn::vert_id{1}] == 0.25);
+  const auto c = cn::convert_with_correspondence<M>(part);
+  CHECK(cn::property_list(c.mesh).size() == 3);
+  CHECK(cn::property_list(c.mesh)[0].rule == cn::property_rule::sum);
+  for (const auto v : cn::verts(part)) CHECK(cn::find_vert_property<double>(c.mesh, "u")[c.vert_of(v)] == u[v]);
+  for (const auto x : cn::edges(part)) CHECK(cn::find_edge_property<int>(c.mesh, "e")[c.edge_of(x)] == e[x]);
+  for (const auto x : cn::polys(part)) CHECK(cn::find_poly_property<std::string>(c.mesh, "p")[c.poly_of(x)] == p[x]);
+
+  const auto places = cn::make_vert_map<cn::vec3>(m, cn::vec3{1, 2, 3});
+  const auto moved = cn::with_points(m, places);
+  static_assert(cn::ShowsProperties<decltype(moved)>);
+  CHECK(cn::property_list(cn::convert<M>(moved)).size() == 3);
+}
+
 template<class M> concept can_correspond = requires(M&& m) { cn::convert_with_correspondence<cn::polygonmesh>(static_cast<M&&>(m)); };
 
 TEST_CASE("convert: one call gives the mesh, of a temporary too; the correspondence needs a mesh that stays") {

@@ -1,3 +1,5 @@
+#include <concino/concepts/descriptors.hpp>
+#include <concino/concepts/ranges.hpp>
 #include <concino/core/parallel.hpp>
 
 #include <support/threads.hpp>
@@ -12,7 +14,12 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 using concino::parallel_for;
 using concino::parallel_for_each;
@@ -34,22 +41,79 @@ TEST_CASE("the number of threads is what the environment says, else as many as t
   CHECK(said("7") == 7);
   CHECK(said("100000000") == 1024);
   const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  for (const char* const text : {"", "0", "-3", "many"}) CHECK(said(text) == cores);
+  for (const char* const text : {"", "0", "-3", "many"}) {
+    CHECK(said(text) >= 1);
+    CHECK(said(text) <= cores);
+  }
 }
 
-TEST_CASE("loops do run on several threads, and on one where that is wanted") {
+#ifdef __linux__
+TEST_CASE("cores on which the process may not run do not count") {
+  std::size_t found = 0;
+  std::thread([&] {  // a thread of its own, for the others keep all cores
+    ::cpu_set_t all, one;
+    REQUIRE(::sched_getaffinity(0, sizeof all, &all) == 0);
+    CPU_ZERO(&one);
+    for (int c = 0; c < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++c)
+      if (CPU_ISSET(c, &all)) CPU_SET(c, &one);
+    REQUIRE(::sched_setaffinity(0, sizeof one, &one) == 0);
+    const with_num_threads before(1);  // puts the variable back
+    ::unsetenv("CONCINO_NUM_THREADS");
+    found = concino::core::num_threads();
+  }).join();
+  CHECK(found == 1);
+}
+#endif
+
+TEST_CASE("chunks that are worth a thread each have one from the start") {
   for (const int n : numbers_of_threads) {
     const with_num_threads now(n);
     std::atomic<int> waiting{0};
     std::vector<std::thread::id> who(static_cast<std::size_t>(n));
-    parallel_for(who.size(), [&](std::size_t i) {  // each call waits for all others, so that each needs a thread of its own
+    const auto run = [&](std::size_t c) {  // each call waits for all others, so that each needs a thread of its own
       ++waiting;
       while (waiting < n) std::this_thread::yield();
-      who[i] = std::this_thread::get_id();
-    }, 1);
+      who[c] = std::this_thread::get_id();
+    };
+    concino::core::for_each_chunk(who.size(), run);
     std::sort(who.begin(), who.end());
     CHECK(std::unique(who.begin(), who.end()) == who.end());
   }
+}
+
+TEST_CASE("long loops do run on several threads, and on one where that is wanted") {
+  const std::vector<int> range(20000);
+  for (const int n : numbers_of_threads) {
+    const with_num_threads now(n);
+    std::atomic<int> others{0};
+    const auto caller = std::this_thread::get_id();
+    const auto work = [&] {  // on the calling thread a call takes long until the others are there; they wait for one another
+      thread_local const void* known = nullptr;
+      if (std::this_thread::get_id() == caller) {
+        if (others < n - 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return;
+      }
+      if (std::exchange(known, &others) != &others) ++others;
+      while (others < n - 1) std::this_thread::yield();
+    };
+    parallel_for(range.size(), [&](std::size_t) { work(); }, 1);
+    CHECK(others == n - 1);
+    others = 0;
+    parallel_for_each(range, [&](int) { work(); }, 1);
+    CHECK(others == n - 1);
+  }
+}
+
+TEST_CASE("short loops stay on the calling thread") {
+  const with_num_threads now(16);
+  std::size_t fewest = 20;  // calls on other threads; none unless the system keeps the calling thread waiting
+  for (int repeat = 0; repeat < 100 && fewest > 0; ++repeat) {
+    const auto caller = std::this_thread::get_id();
+    std::atomic<std::size_t> elsewhere{0};
+    parallel_for(20, [&](std::size_t) { elsewhere += std::this_thread::get_id() != caller; }, 1);
+    fewest = std::min(fewest, elsewhere.load());
+  }
+  CHECK(fewest == 0);
 }
 
 TEST_CASE("parallel_for calls every index once, for any chunk and number of threads") {
@@ -124,4 +188,31 @@ TEST_CASE("parallel_for_each calls every element of a range once, and carries ou
       }
       CHECK(what == (n > 37 ? "37" : ""));
     }
+}
+
+TEST_CASE("parallel_for_each takes elements in parts where their range tells them, without deleted ones") {
+  std::vector<unsigned char> dead(5000);
+  for (std::size_t i = 0; i < dead.size(); ++i) dead[i] = i % 3 == 0 || i / 1000 == 2;
+  const concino::id_range<concino::vert_id> range(dead.size(), dead.data());
+  for (const int threads : numbers_of_threads) {
+    const with_num_threads now(threads);
+    for (const std::size_t chunk : {0u, 1u, 100u, 6000u}) {
+      std::vector<int> calls(dead.size(), 0);
+      parallel_for_each(range, [&](concino::vert_id v) { ++calls[v.raw()]; }, chunk);
+      for (std::size_t i = 0; i < dead.size(); ++i) CHECK(calls[i] == !dead[i]);
+    }
+    parallel_for_each(concino::id_range<concino::vert_id>(), [](concino::vert_id) { FAIL("there is none"); });
+  }
+}
+
+TEST_CASE("loops call what they are given, not a copy that forgets") {
+  const with_num_threads now(1);
+  int last = 0;
+  auto count = [&last, n = 0](auto) mutable { last = ++n; };
+  parallel_for(10, count, 3);
+  CHECK(last == 10);
+  parallel_for_each(std::forward_list<int>(10), count, 3);
+  CHECK(last == 20);
+  parallel_for_each(concino::id_range<concino::vert_id>(10), count, 3);
+  CHECK(last == 30);
 }

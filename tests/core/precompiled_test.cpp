@@ -9,6 +9,15 @@ namespace {
 
 struct no_mesh {};
 
+struct derived_mesh : concino::trimesh {};
+
+}  // namespace
+
+template<>
+struct concino::mesh_traits<derived_mesh> : concino::mesh_traits<concino::trimesh> {};
+
+namespace {
+
 #ifdef CONCINO_COMPILED
 constexpr bool is_compiled = true;
 #else
@@ -20,5 +29,7 @@ constexpr bool is_compiled = false;
 TEST_CASE("precompiled: meshes of the library, where the library is compiled") {
   CHECK(concino::core::is_precompiled<concino::trimesh> == is_compiled);
   CHECK(concino::core::is_precompiled<concino::tetmesh> == is_compiled);
+  CHECK(concino::core::is_precompiled<const concino::tetmesh&> == is_compiled);
   CHECK_FALSE(concino::core::is_precompiled<no_mesh>);
+  CHECK_FALSE(concino::core::is_precompiled<derived_mesh>);  // the library has no functions of that name
 }

@@ -3,6 +3,8 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/generate/grid.hpp>
 #include <concino/generate/jitter.hpp>
+#include <concino/geometry/centroid.hpp>
+#include <concino/geometry/edge_length.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <support/generated.hpp>
@@ -39,6 +41,72 @@ poly_map<M, short> all_but(const M& m, P... others) {
 }
 
 }  // namespace
+
+TEST_CASE_TEMPLATE("agglomerate: properties come along, and what became of which element is told", M, CONCINO_KINDS) {
+  M m = make_grid<M>({.cells = {4, 4, 4}});
+  jitter(m, 0.1);
+  const auto labels = quarters(m);
+  const auto density = poly_property<double>(m, "density");
+  const auto mass = poly_property<double>(m, "mass");
+  const auto cells = poly_property<int>(m, "cells");
+  const auto name = poly_property<int>(m, "name");
+  const auto place = vert_property<vec3>(m, "place");
+  const auto crease = edge_property<int>(m, "crease");
+  set_property_rule(m, element_kind::poly, "mass", property_rule::sum);
+  set_property_rule(m, element_kind::poly, "cells", property_rule::sum);
+  for (const poly_t<M> p : polys(m)) {
+    density[p] = 1 + p.raw() % 7;
+    mass[p] = density[p] * measure(m, p);
+    cells[p] = 1;
+    name[p] = labels[p];
+  }
+  for (const vert_t<M> v : verts(m)) place[v] = to_vec3(point(m, v));
+  for (const edge_t<M> e : edges(m)) crease[e] = 1 + static_cast<int>(e.raw());
+  if constexpr (VolumeMesh<M>) {
+    const auto wall = face_property<vec3>(m, "wall");
+    for (const face_t<M> f : faces(m)) wall[f] = centroid(m, f);
+  }
+  correspondence c;
+  const auto a = agglomerate(m, labels, {.correspondence = &c});
+  CHECK(property_list(a).size() == property_list(m).size());
+  const auto new_density = find_poly_property<double>(a, "density");
+  const auto new_mass = find_poly_property<double>(a, "mass");
+  const auto new_cells = find_poly_property<int>(a, "cells");
+  int all_cells = 0;
+  for (const poly_id p : polys(a)) {
+    CHECK(new_density[p] * measure(a, p) == doctest::Approx(new_mass[p]).epsilon(1e-12));
+    CHECK(static_cast<int>(c.polys[p.raw()].size()) == new_cells[p]);
+    all_cells += new_cells[p];
+    for (const origin x : c.polys[p.raw()]) {
+      CHECK(labels[poly_id{x.index}] == (find_poly_property<int>(a, "name")[p]));
+      CHECK(x.amount == doctest::Approx(measure(m, poly_id{x.index})).epsilon(1e-14));
+    }
+  }
+  CHECK(all_cells == static_cast<int>(num_polys(m)));
+  for (const vert_id v : verts(a)) CHECK(find_vert_property<vec3>(a, "place")[v] == to_vec3(point(a, v)));
+  for (const edge_id e : edges(a)) {
+    const int made_of = find_edge_property<int>(a, "crease")[e] - 1;
+    REQUIRE(made_of >= 0);
+    CHECK(c.edges.only(e.raw()) == static_cast<unsigned>(made_of));
+    const edge_id before{static_cast<unsigned>(made_of)};
+    CHECK(edge_length(a, e) == edge_length(m, before));
+  }
+  if constexpr (VolumeMesh<M>)
+    for (const face_id f : faces(a)) CHECK(norm(find_face_property<vec3>(a, "wall")[f] - centroid(a, f)) < 1e-12);
+
+  CHECK(property_list(agglomerate(m, labels, {.properties = false})).empty());
+  // Without properties, on what every mesh offers.
+  const auto bare = only_embedded_mesh(m);
+  auto bare_labels = make_poly_map<long>(bare, 0);
+  for (const auto p : polys(bare)) bare_labels[p] = labels[bare.base(p)];
+  correspondence of_bare;
+  const auto b = agglomerate(bare, bare_labels, {.correspondence = &of_bare});
+  CHECK(property_list(b).empty());
+  CHECK(of_bare.verts.size() == c.verts.size());
+  for (std::size_t i = 0; i < c.verts.size(); ++i) CHECK(of_bare.verts.only(i) == c.verts.only(i));
+  for (std::size_t i = 0; i < c.edges.size(); ++i) CHECK(of_bare.edges.only(i) == c.edges.only(i));
+  for (std::size_t i = 0; i < c.faces.size(); ++i) CHECK(of_bare.faces.only(i) == c.faces.only(i));
+}
 
 TEST_CASE_TEMPLATE("agglomerate: quarters of a jittered grid", M, CONCINO_KINDS) {
   M m = make_grid<M>({.cells = {4, 4, 4}});

@@ -88,6 +88,37 @@ TEST_CASE_TEMPLATE("cut_along: all edges leave the polys one by one", M, CONCINO
   }
 }
 
+TEST_CASE_TEMPLATE("cut_along: properties come along by the correspondence", M, CONCINO_SURFACE_KINDS) {
+  M m = grid<M>(4);
+  const auto u = vert_property<double>(m, "u");
+  const auto crease = edge_property<int>(m, "crease");
+  const auto label = poly_property<int>(m, "label");
+  const auto charge = vert_property<double>(m, "charge");
+  set_property_rule(m, element_kind::vert, "charge", property_rule::sum);
+  double total = 0;
+  for (const auto v : verts(m)) u[v] = v.raw(), total += charge[v] = 1 + v.raw();
+  for (const auto e : edges(m)) crease[e] = 1 + static_cast<int>(e.raw());
+  for (const auto p : polys(m)) label[p] = static_cast<int>(p.raw());
+  std::vector<edge_id> some;
+  for (const auto e : edges(m))
+    if (e.raw() % 3 == 0) some.push_back(e);
+  const auto cut = cut_along(m, some);
+  CHECK(cut.verts.size() > num_verts(m));
+  M c(cut.surface);
+  transfer_properties(m, c, cut.correspondence(m));
+  double parted = 0;
+  for (const auto v : verts(c)) {
+    CHECK(find_vert_property<double>(c, "u")[v] == u[cut.verts[v.raw()]]);
+    parted += find_vert_property<double>(c, "charge")[v];
+  }
+  CHECK(parted == doctest::Approx(total).epsilon(1e-14));
+  for (const auto p : polys(c)) CHECK(find_poly_property<int>(c, "label")[p] == label[cut.polys[p.raw()]]);
+  for (const auto e : edges(c)) {
+    const auto ends = end_verts(c, e);
+    CHECK(find_edge_property<int>(c, "crease")[e] == crease[edge_between(m, cut.verts[ends.first.raw()].raw(), cut.verts[ends.second.raw()].raw())]);
+  }
+}
+
 TEST_CASE_TEMPLATE("cut_along: random cuts of 1,000 random meshes join only what is joined without them", M, CONCINO_SURFACE_KINDS) {
   std::mt19937 random(11);
   for (int round = 0; round < 1000; ++round) {

@@ -40,6 +40,26 @@ TEST_CASE("file_text: text, empty text, moved; read and mapped") {
   CHECK(file_text("/proc/self/stat").text().size() > 10);  // says that it holds 0 bytes
 }
 
+// Files of this size are read in parts, by several threads.
+TEST_CASE("file_text: a text of many parts, from its beginning and from where an open file stands") {
+  const testing::temporary_folder dir;
+  std::string text(21'000'003, '\0');
+  for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(i * 2'654'435'761u >> 13);
+  testing::write_file(dir / "a", text);
+  CHECK((file_text(dir / "a").text() == text));
+
+  const int file = ::open((dir / "a").c_str(), O_RDONLY);
+  REQUIRE(::lseek(file, 1000, SEEK_SET) == 1000);
+  CHECK((file_text(file, "a", text.size() - 1000).text() == std::string_view(text).substr(1000)));
+  REQUIRE(::lseek(file, 1000, SEEK_SET) == 1000);
+  CHECK_THROWS_AS(file_text(file, "a", text.size() - 999), io_error);    // less than it said
+  REQUIRE(::lseek(file, 1000, SEEK_SET) == 1000);
+  CHECK_THROWS_AS(file_text(file, "a", text.size() - 1001), io_error);   // more
+  REQUIRE(::lseek(file, 1000, SEEK_SET) == 1000);
+  CHECK_THROWS_AS(file_text(file, "a", text.size() + 5'000'000), io_error);
+  ::close(file);
+}
+
 TEST_CASE("file_text: what was read stays, whatever becomes of the file") {
   const testing::temporary_folder dir;
   testing::write_file(dir / "a", "hello\n");
@@ -157,17 +177,19 @@ TEST_CASE("file_text: a file whose size changes all the time is read or refused"
   const testing::temporary_folder dir;
   const std::string path = dir / "a";
   testing::write_file(path, "x");
-  std::atomic<bool> stop = false;
-  std::thread other([&] {
-    for (bool large = true; !stop; large = !large) ::truncate(path.c_str(), large ? 4'000'000 : 1);
-  });
-  for (int i = 0; i < 300; ++i) {
-    try {
-      const std::size_t size = file_text(path).text().size();
-      CHECK((size == 1 || size == 4'000'000));
-    } catch (const io_error&) {
+  for (const std::size_t large : {4'000'000u, 12'000'000u}) {
+    std::atomic<bool> stop = false;
+    std::thread other([&] {
+      for (bool grow = true; !stop; grow = !grow) ::truncate(path.c_str(), grow ? static_cast<::off_t>(large) : 1);
+    });
+    for (int i = 0; i < 200; ++i) {
+      try {
+        const std::size_t size = file_text(path).text().size();
+        CHECK((size == 1 || size == large));
+      } catch (const io_error&) {
+      }
     }
+    stop = true;
+    other.join();
   }
-  stop = true;
-  other.join();
 }

@@ -1,5 +1,6 @@
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>
+#include <concino/mesh/submesh.hpp>
 
 #include <support/kinds.hpp>
 #include <support/reading.hpp>
@@ -235,6 +236,26 @@ TEST_CASE("save: labels go to .mesh (those of polys to .obj too), other properti
   poly_property<double>(odd, "label");
   save_text(odd, file_format::medit, {.report = &r});
   CHECK(r.lost.size() == 1);
+}
+
+TEST_CASE_TEMPLATE("save: a part of a mesh keeps the labels of its elements", M, trimesh, hexmesh) {
+  M m = grid<M>(3);
+  const auto of_verts = vert_property<int>(m, "label");
+  const auto of_polys = poly_property<int>(m, "label");
+  vert_property<double>(m, "heat");
+  for (const auto v : verts(m)) of_verts[v] = 100 + static_cast<int>(v.raw());
+  for (const auto p : polys(m)) of_polys[p] = 100 + static_cast<int>(p.raw());
+  const auto part = submesh(m, [](const poly_id p) { return p.raw() % 4 > 1; });
+  save_report report;
+  const std::string text = save_text(part, file_format::medit, {.report = &report});
+  CHECK(report.lost == std::vector<std::string>{"vert property \"heat\": .mesh has no place for it"});
+  const M again = load_text<M>(text, file_format::medit);
+  std::size_t n = 0;
+  for (const auto v : verts(part)) CHECK(find_vert_property<int>(again, "label")[vert_id{n++}] == of_verts[v]);
+  CHECK(n == num_verts(again));
+  n = 0;
+  for (const auto p : polys(part)) CHECK(find_poly_property<int>(again, "label")[poly_id{n++}] == of_polys[p]);
+  CHECK(n == num_polys(again));
 }
 
 TEST_CASE("save: whatever fails, the target stays as it was and nothing else remains") {

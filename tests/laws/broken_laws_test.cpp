@@ -163,6 +163,55 @@ TEST_CASE("the laws of volumes") {
 
 namespace {
 
+/// Answers that change while the mesh is read: ring number `call`, counted from 1, of `verb` at `a` is replaced.
+template<class M>
+std::vector<cn::broken_law> with_ring_at_call(const char* verb, int a, int call, std::vector<int> instead) {
+  M m = example(static_cast<M*>(nullptr));
+  int calls = 0;
+  m.ring = [&](std::string_view asked, int x, std::vector<int>& ring) { if (asked == verb && x == a && ++calls == call) ring = instead; };
+  auto found = cn::check_laws(m);
+  INFO(list(found));
+  CHECK_FALSE(found.empty());
+  return found;
+}
+/// Facet 1 has two polys in both examples: its polys are asked for first as a law of the mesh, then for FC2, by two walks for FC3, for FC4 of the facet.
+template<class M>
+void law_by_ring_at_call(const char* law, const char* witness, const char* verb, int a, int call, std::vector<int> instead) {
+  const auto found = with_ring_at_call<M>(verb, a, call, instead);
+  INFO(std::string(verb) << " " << a << " call " << call << "\n" << list(found));
+  CHECK(names(found, law, witness));
+  only(found, law);
+}
+
+/// A model that keeps what adj_p2facet and adj_facet2p return in one buffer: each is right as long as the other is not asked for.
+template<class M>
+struct one_buffer : M {
+  explicit one_buffer(const M& m) : M(m) {}
+  mutable std::vector<int> buffer;
+
+  template<class X> struct range {
+    const std::vector<int>* buffer;
+    struct iterator {
+      const std::vector<int>* buffer;
+      std::size_t i;
+      X operator*() const { return {i < buffer->size() ? (*buffer)[i] : 0}; }
+      iterator& operator++() {
+        ++i;
+        return *this;
+      }
+      bool operator!=(const range&) const { return i < buffer->size(); }
+    };
+    iterator begin() const { return {buffer, 0}; }
+    const range& end() const { return *this; }
+  };
+  template<class X>
+  range<X> kept(const std::vector<X>& list) const {
+    buffer.clear();
+    for (const X x : list) buffer.push_back(x.i);
+    return {&buffer};
+  }
+};
+
 /// A volume of tets or hexes known by type; adj_p2v in the order given.
 template<int Arity>
 struct shaped : tiny::volume {
@@ -170,6 +219,102 @@ struct shaped : tiny::volume {
 };
 
 }  // namespace
+
+template<>
+struct concino::mesh_traits<one_buffer<tiny::surface>> : mesh_traits<tiny::surface> {
+  using B = one_buffer<tiny::surface>;
+  static auto adj_p2e(const B& m, poly p) { return m.kept(mesh_traits<tiny::surface>::adj_p2e(m, p)); }
+  static auto adj_e2p(const B& m, edge e) { return m.kept(mesh_traits<tiny::surface>::adj_e2p(m, e)); }
+};
+template<>
+struct concino::mesh_traits<one_buffer<tiny::volume>> : mesh_traits<tiny::volume> {
+  using B = one_buffer<tiny::volume>;
+  static auto adj_p2f(const B& m, poly p) { return m.kept(mesh_traits<tiny::volume>::adj_p2f(m, p)); }
+  static auto adj_f2p(const B& m, face f) { return m.kept(mesh_traits<tiny::volume>::adj_f2p(m, f)); }
+};
+
+TEST_CASE("the laws of facets: answers that change while the mesh is read") {
+  law_by_ring_at_call<surface>("FC1", "", "edges", -1, 2, {0, 1, 2, 3});
+  law_by_ring_at_call<volume>("FC1", "", "faces", -1, 2, {0, 1, 2, 3});
+  law_by_ring_at_call<surface>("FC1", "e2", "edges", -1, 2, {0, 1, 2, 2, 3, 4, 5, 6, 7, 8, 9});
+  law_by_ring_at_call<surface>("FC2", "p0 e2", "adj_e2p", 2, 2, {1});
+  law_by_ring_at_call<volume>("FC2", "p0 f1", "adj_f2p", 1, 2, {1});
+  law_by_ring_at_call<surface>("FC2", "e2 p0", "adj_e2p", 2, 2, {0, 0, 1});
+  law_by_ring_at_call<volume>("FC2", "f1 v8 p0", "adj_f2v", 1, 2, {4, 5, 6, 8});
+  for (const int walk : {3, 4}) {
+    const std::string s = walk == 3 ? "p0 e2" : "p1 e2", w = walk == 3 ? "p0 f1" : "p1 f1";
+    law_by_ring_at_call<surface>("FC3", s.c_str(), "adj_e2p", 2, walk, {});
+    law_by_ring_at_call<surface>("FC3", s.c_str(), "adj_e2p", 2, walk, {0, 1, 2});
+    law_by_ring_at_call<volume>("FC3", w.c_str(), "adj_f2p", 1, walk, {});
+  }
+  law_by_ring_at_call<volume>("FC2", "f1 v0 p1", "adj_f2v", 1, 2, {4, 5, 6, 0});
+  law_by_ring_at_call<surface>("FC3", "p0 e2", "adj_e2p", 2, 3, {0, 3});
+  law_by_ring_at_call<volume>("FC3", "p0", "adj_p2f", 0, 3, {0, 1, 2, 3, 4, 5, 6});
+  law_by_ring_at_call<volume>("FC3", "p0", "adj_p2f", 0, 3, {0, 1});
+  law_by_ring_at_call<volume>("FC3", "p0", "adj_p2f", 0, 3, {1, 0, 2, 3, 4, 5});
+  law_by_ring_at_call<surface>("FC4", "e2", "adj_e2p", 2, 5, {1});
+  law_by_ring_at_call<volume>("FC4", "f1", "adj_f2p", 1, 5, {0});
+  law_by_ring_at_call<surface>("FC4", "p0", "adj_p2e", 0, 4, {2});
+  law_by_ring_at_call<volume>("FC4", "p0", "adj_p2f", 0, 4, {1});
+  law_by_ring_at_call<surface>("FC4", "v1", "adj_v2e", 1, 2, {});
+  law_by_ring_at_call<volume>("FC4", "v8", "adj_v2f", 8, 2, {});
+  law_by_ring_at_call<volume>("FC4", "e0", "adj_e2f", 0, 2, {});
+}
+
+TEST_CASE("the laws of facets: what is said of a boundary that is none, and of one that is not seen") {
+  const auto none = with_ring_at_call<surface>("adj_e2p", 2, 5, {1}), unseen = with_ring_at_call<surface>("adj_v2e", 1, 2, {});
+  REQUIRE(none.size() == 1);
+  CHECK(none[0].what == "is_boundary(e2) is true, but it has no facet of one poly");
+  REQUIRE(unseen.size() == 1);
+  CHECK(unseen[0].what == "is_boundary(v1) is false, but it has a facet of one poly");
+}
+
+TEST_CASE("the laws of facets: a wrong poly among several at a facet, followed by a right one") {
+  surface m(tiny::surface({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}));
+  CHECK(cn::check_laws(m).empty());
+  int calls = 0;
+  m.ring = [&](std::string_view asked, int x, std::vector<int>& ring) { if (asked == "adj_e2p" && x == 0 && ++calls == 3) ring = {0, 2, 2}; };
+  const auto found = cn::check_laws(m);
+  INFO(list(found));
+  CHECK(names(found, "FC3", "p0 e0"));
+}
+
+TEST_CASE("the laws of facets: the verts of an edge that is walked as a facet") {
+  surface m = example(static_cast<surface*>(nullptr));
+  int walks = 0;  // over all edges: once as edges, once as facets
+  m.ring = [&](std::string_view asked, int x, std::vector<int>& ring) {
+    if (asked == "edges") ++walks;
+    if (walks == 2 && asked == "adj_e2v" && x == 2) ring = {0, 7};
+  };
+  const auto found = cn::check_laws(m);
+  INFO(list(found));
+  CHECK(names(found, "FC2", "e2 v7 p0"));
+  only(found, "FC2");
+}
+
+TEST_CASE_TEMPLATE("the laws of facets: a model that throws when it is asked for polys at a facet again", M, surface, volume) {
+  for (const int call : {3, 5}) {
+    M m = example(static_cast<M*>(nullptr));
+    int calls = 0;
+    m.ring = [&](std::string_view asked, int x, std::vector<int>&) {
+      if (asked == (cn::dimension_v<M> == 2 ? "adj_e2p" : "adj_f2p") && x == (cn::dimension_v<M> == 2 ? 2 : 1) && ++calls == call) throw std::out_of_range("asked again");
+    };
+    const auto found = cn::check_laws(m);
+    only(found, call == 3 ? "FC3" : "FC4");
+    CHECK_FALSE(found.empty());
+  }
+}
+
+TEST_CASE("the laws of facets: one buffer for polys at facets and facets of polys breaks no other law") {
+  const one_buffer<tiny::surface> s(tiny::surface_example());
+  const one_buffer<tiny::volume> w(tiny::volume_example());
+  static_assert(cn::SurfaceMesh<one_buffer<tiny::surface>> && cn::VolumeMesh<one_buffer<tiny::volume>>);
+  const auto of_surface = cn::check_laws(s), of_volume = cn::check_laws(w);
+  CHECK(names(of_surface, "FC3", "p0"));
+  CHECK(names(of_volume, "FC3", "p0"));
+  for (const auto& b : of_surface) CHECK(b.law.starts_with("FC"));
+  for (const auto& b : of_volume) CHECK(b.law.starts_with("FC"));
+}
 
 template<int Arity>
 struct concino::mesh_traits<shaped<Arity>> : mesh_traits<tiny::volume> {

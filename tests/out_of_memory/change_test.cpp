@@ -107,6 +107,9 @@ TEST_CASE_TEMPLATE("properties and points change as a whole or not at all", M, c
   CHECK(all_or_nothing(m, [](M& x) { cn::set_point(x, cn::vert_id{0}, cn::vec3{1, 2, 3}); }) == 0);
   CHECK(all_or_nothing(m, [](M& x) { cn::jitter(x, 0.1); }) > 1);
   CHECK(all_or_nothing(m, [](M& x) { cn::grade(x, {2, 1, 1}); }) > 0);
+  const M before = with_properties<M>(2);
+  const cn::correspondence c{cn::element_origins(std::vector<std::uint32_t>(cn::num_verts(m), 1)), {}, {}, cn::element_origins(std::vector<std::uint32_t>(cn::num_polys(m), 1))};
+  CHECK(all_or_nothing(m, [&](M& x) { cn::transfer_properties(before, x, c); }) > 20);
 }
 
 TEST_CASE("an edit for which a property's default value cannot be made changes nothing") {

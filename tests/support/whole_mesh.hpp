@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>
 
 #include <vector>
@@ -13,7 +14,7 @@ struct value_with_memory {
   std::vector<int> numbers{1, 2, 3};
 };
 
-/// Gives m properties of verts, edges, faces and polys, with and without memory of their own, and other values for every element.
+/// Gives m properties of verts, edges, faces, polys and corners, with and without memory of their own, and other values for every element.
 template<class M>
 void give_properties(M& m) {
   const auto a = vert_property<double>(m, "a");
@@ -23,9 +24,12 @@ void give_properties(M& m) {
   for (const auto e : edges(m)) c[e].numbers[1] = static_cast<int>(e.raw());
   const auto d = poly_property<int>(m, "d");
   for (const auto p : polys(m)) d[p] = static_cast<int>(p.raw());
+  const auto f = corner_property<value_with_memory>(m, "f");
+  for (const auto p : polys(m))
+    for (value_with_memory& x : f.of(p)) x.numbers[0] = static_cast<int>(p.raw());
   if constexpr (VolumeMesh<M>) {
     const auto e = face_property<value_with_memory>(m, "e");
-    for (const auto f : faces(m)) e[f].numbers[2] = static_cast<int>(f.raw());
+    for (const auto x : faces(m)) e[x].numbers[2] = static_cast<int>(x.raw());
   }
 }
 
@@ -67,6 +71,10 @@ std::vector<double> whole(const M& m) {
       for (const auto f : adj_p2f(m, p)) number(face_is_outward(m, p, f));
     }
   }
+  if (const auto h = find_corner_property<value_with_memory>(m, "f"))
+    for (const auto p : polys(m))
+      for (const value_with_memory& x : h.of(p))
+        for (const int i : x.numbers) number(i);
   return all;
 }
 

@@ -23,9 +23,7 @@ template<PrimalGraph M> constexpr auto only_primal_graph(const M& m) { return ar
 template<class M> void only_primal_graph(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to PrimalGraph and Embedded.
-template<PrimalGraph M>
-  requires Embedded<M>
-constexpr auto only_embedded_graph(const M& m) { return archetypes::only<M, archetypes::primal | archetypes::points>(m); }
+template<EmbeddedGraph M> constexpr auto only_embedded_graph(const M& m) { return archetypes::only<M, archetypes::primal | archetypes::points>(m); }
 template<class M> void only_embedded_graph(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to DualGraph: polys and adj_p2p.
@@ -55,16 +53,13 @@ template<AnyMesh M> constexpr auto only_mesh(const M& m) { return archetypes::on
 template<class M> void only_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to SurfaceMesh or VolumeMesh, and Embedded.
-template<AnyMesh M>
-  requires Embedded<M>
-constexpr auto only_embedded_mesh(const M& m) { return archetypes::only<M, archetypes::mesh | archetypes::points>(m); }
+template<EmbeddedMesh M> constexpr auto only_embedded_mesh(const M& m) { return archetypes::only<M, archetypes::mesh | archetypes::points>(m); }
 template<class M> void only_embedded_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// The same, and still known to be of triangles, quads, tets or hexes: TriMesh, QuadMesh, TetMesh or HexMesh, and Embedded.
-template<AnyMesh M>
-  requires Embedded<M> &&(arity_v<M> > 0) constexpr auto only_fixed_arity_mesh(const M& m) {
-    return archetypes::only<M, archetypes::mesh | archetypes::points | archetypes::arity>(m);
-  }
+template<EmbeddedMesh M>
+  requires(arity_v<M> > 0)
+constexpr auto only_fixed_arity_mesh(const M& m) { return archetypes::only<M, archetypes::mesh | archetypes::points | archetypes::arity>(m); }
 template<class M> void only_fixed_arity_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

@@ -1,7 +1,7 @@
 // Facets: what separates polys. The edges of a surface, the faces of a volume. What algorithms on both say instead of asking for the dimension;
 // derived on every AnyMesh from what its traits have.
 //
-// Laws, which follow from those of the mesh:
+// Laws, which follow from those of the mesh as long as answers do not depend on what else is asked:
 //   FC1  index_of of facets is below facet_index_bound and differs; walking facets(m) meets num_facets(m), each once
 //   FC2  adj_facet2p mirrors adj_p2facet, nothing twice; the verts adj_facet2v(x) are verts of each poly of x
 //   FC3  other_polys(m, p, x) is adj_facet2p(x) without p, and all of them over the facets of p are adj_p2p(p)

@@ -58,6 +58,7 @@ class id_span {
 /// Elements 0 .. bound-1, without those that `dead` marks (null: none is).
 template<class Id>
 class id_range {
+  unsigned first_ = 0;
   unsigned bound_ = 0;
   const unsigned char* dead_ = nullptr;
 
@@ -88,8 +89,16 @@ class id_range {
   constexpr explicit id_range(std::size_t bound, const unsigned char* dead = nullptr)
       : bound_(static_cast<unsigned>(bound)), dead_(dead) {}
 
-  constexpr iterator begin() const { return {0, bound_, dead_}; }
+  constexpr iterator begin() const { return {first_, bound_, dead_}; }
   constexpr iterator end() const { return {bound_, bound_, nullptr}; }
+
+  /// Loops in parallel take such parts: the elements of this range from index `first` to before `last`.
+  constexpr id_range part(std::size_t first, std::size_t last) const {
+    id_range r(last, dead_);
+    r.first_ = static_cast<unsigned>(first);
+    return r;
+  }
+  constexpr std::size_t index_bound() const { return bound_; }
 };
 
 /// Elements 0 .. bound-1, without those that a function denies: what ids_where makes. Iterators live no longer than the range.

@@ -5,6 +5,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/mesh/element_origins.hpp>
 
 #include <cassert>
 #include <concepts>
@@ -36,6 +37,14 @@ class conversion {
   vert_map<From, vert_t<To>> verts_;
   poly_map<From, poly_t<To>> polys_;
   std::vector<std::uint32_t> faces_;  // by index of a face, where the new mesh has faces of its own numbers: that number
+
+  /// By index of the new elements: the index of the one that each stands for.
+  template<class R, class Of>
+  element_origins origins(const R& elements, std::size_t bound, const Of& of) const {
+    std::vector<std::uint32_t> source(bound, element_origins::none);
+    for (const auto x : elements) source[index_of(mesh, of(x))] = static_cast<std::uint32_t>(index_of(from(), x));
+    return element_origins(std::move(source));
+  }
 
  public:
   To mesh;
@@ -78,6 +87,23 @@ class conversion {
     assert(false && "every face of a mesh is a face of what it was converted to");
     return face();
   }
+
+  /// Where the elements of the new mesh come from, of one kind or of all.
+  element_origins vert_origins() const {
+    return origins(verts(from()), vert_index_bound(mesh), [&](const auto& x) { return vert_of(x); });
+  }
+  element_origins edge_origins() const {
+    return origins(edges(from()), edge_index_bound(mesh), [&](const auto& x) { return edge_of(x); });
+  }
+  element_origins face_origins() const {
+    // Surfaces have no faces.
+    if constexpr (dimension_v<From> == 3) return origins(faces(from()), face_index_bound(mesh), [&](const auto& x) { return face_of(x); });
+    else return {};
+  }
+  element_origins poly_origins() const {
+    return origins(polys(from()), poly_index_bound(mesh), [&](const auto& x) { return poly_of(x); });
+  }
+  concino::correspondence correspondence() const { return {vert_origins(), edge_origins(), face_origins(), poly_origins()}; }
 
   /// Values from one map to another: to[vert_of(v)] = from_map[v] for all verts, or for the edges, faces or polys that `from_map` has values of.
   template<class A, class B>

@@ -8,6 +8,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/edit/elements.hpp>
+#include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/property.hpp>
 
 #include <span>
@@ -32,7 +33,7 @@ template<class To> concept is_made_of_arrays = concino::detail::from_surface<To>
 template<class To> concept is_made_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To> &&
     (dimension_v<To> == 2 || arity_v<To> == 4 || arity_v<To> == 8);
 template<class To, class From>
-concept can_be_made_from = AnyMesh<To> && AnyMesh<From> && Embedded<From> && dimension_v<To> == dimension_v<From> && (is_made_of_arrays<To> || is_made_by_adding<To>);
+concept can_be_made_from = AnyMesh<To> && EmbeddedMesh<From> && dimension_v<To> == dimension_v<From> && (is_made_of_arrays<To> || is_made_by_adding<To>);
 
 }  // namespace requirement
 
@@ -101,32 +102,21 @@ conversion<To, From> make_by_adding(const From& m) {
   return {std::move(mesh), std::move(vert_names), std::move(poly_names)};
 }
 
-/// Of elements of the new mesh by index: the index of what they stand for, ~0 if nothing.
-template<class To, class From, class R, class Of>
-std::vector<std::uint32_t> sources(const conversion<To, From>& c, const R& elements, std::size_t bound, const Of& of) {
-  std::vector<std::uint32_t> source(bound, ~0u);
-  for (const auto x : elements) source[index_of(c.mesh, of(x))] = static_cast<std::uint32_t>(index_of(c.from(), x));
-  return source;
-}
-
 template<class To, class From>
 void carry_properties(conversion<To, From>& c, convert_report& report) {
-  if constexpr (HasProperties<From>) {
-    const From& m = c.from();
-    const property_set& given = traits<From>::properties(m);
+  if constexpr (ShowsProperties<From>) {
+    const property_set& given = traits<From>::properties(c.from());
     if constexpr (HasProperties<To>) {
-      property_set& taken = traits<To>::properties(c.mesh);
-      const auto take = [&](element_kind kind, const auto& elements, std::size_t bound, const auto& of) {
-        if (given.has(kind)) taken.gather(given, kind, sources(c, elements, bound, of));
-      };
-      take(element_kind::vert, verts(m), vert_index_bound(c.mesh), [&](const auto& x) { return c.vert_of(x); });
-      take(element_kind::edge, edges(m), edge_index_bound(c.mesh), [&](const auto& x) { return c.edge_of(x); });
-      // Surfaces have no faces.
-      if constexpr (dimension_v<From> == 3) take(element_kind::face, faces(m), face_index_bound(c.mesh), [&](const auto& x) { return c.face_of(x); });
-      take(element_kind::poly, polys(m), poly_index_bound(c.mesh), [&](const auto& x) { return c.poly_of(x); });
-      if (given.has(element_kind::mesh)) taken.gather(given, element_kind::mesh, {0u});
+      correspondence of;  // kinds of elements that have properties
+      if (given.has(element_kind::vert)) of.verts = c.vert_origins();
+      if (given.has(element_kind::edge)) of.edges = c.edge_origins();
+      if (given.has(element_kind::face)) of.faces = c.face_origins();
+      if (given.has(element_kind::poly)) of.polys = c.poly_origins();
+      if constexpr (NumbersCorners<From> && NumbersCorners<To>)
+        if (given.has(element_kind::corner)) of.corners = match_corners(c.from(), c.mesh, c.vert_origins(), c.poly_origins());
+      traits<To>::properties(c.mesh).transfer(given, of);
     } else {
-      for (const property_info& p : property_list(m))
+      for (const property_info& p : property_list(c.from()))
         report.lost.push_back(core::joined({to_string(p.kind), " property \"", p.name,
                                               "\": the wanted mesh holds no named properties; carry() takes values to a map"}));
     }
@@ -138,7 +128,7 @@ void carry_properties(conversion<To, From>& c, convert_report& report) {
 /// The same mesh as a To, and which of its elements stand for those of m.
 /// Needs:  as convert; m is no temporary and stays where it is as long as the result is asked about its elements.
 /// Result: c.mesh, and c.vert_of(v), c.edge_of(e), c.face_of(f), c.poly_of(p) name in it what stands for an element of m. Values of maps are taken
-///         along by c.carry(map, map_of_the_new_mesh).
+///         along by c.carry(map, map_of_the_new_mesh); c.correspondence() says it by indices.
 /// Cost:   as convert.
 /// Errors: as convert.
 template<class To, class M>
@@ -158,10 +148,10 @@ conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const 
 }
 
 /// The same mesh as a To: auto polygons = convert<polygonmesh>(m).
-/// Needs:  Embedded AnyMesh M and a To of the same dimension that is made from flat arrays (all six meshes of this library) or that can add verts
+/// Needs:  EmbeddedMesh M and a To of the same dimension that is made from flat arrays (all six meshes of this library) or that can add verts
 ///         and polys, in volumes tets or hexes (OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly).
 /// Result: a To. Verts, polys and, in a polyhedralmesh, faces are numbered as m walks them; gaps of deleted elements are closed. Named properties of
-///         this library's meshes come along under their names.
+///         this library's meshes, and of submesh() and with_points() of them, come along under their names.
 /// Cost:   O(elements) time and memory; for properties of edges or faces, times the edges or faces at a vert.
 /// Errors: unsupported that names the poly which a To cannot hold: of another size, no tet or hex, or refused by the library that To is of; m stays
 ///         as it is. cancelled.

@@ -2,53 +2,24 @@
 #pragma once
 
 #include <concino/concepts/primal_graph.hpp>
-#include <concino/core/error.hpp>
+#include <concino/core/compiled.hpp>
 #include <concino/core/parallel.hpp>
 
 #include <Eigen/SparseCore>
 
 #include <cstddef>
-#include <limits>
-#include <utility>
 
 namespace concino::core {
 
 /// Sorts a column by row. Columns are short but for the hubs of fans, so both are served.
-inline void sort_column(int* rows, double* values, std::size_t n) {
-  if (n <= 32) {
-    for (std::size_t i = 1; i < n; ++i) {
-      const int row = rows[i];
-      const double value = values[i];
-      std::size_t j = i;
-      for (; j > 0 && rows[j - 1] > row; --j) {
-        rows[j] = rows[j - 1];
-        values[j] = values[j - 1];
-      }
-      rows[j] = row;
-      values[j] = value;
-    }
-    return;
-  }
-  // a heap, because there are two arrays: the first of them sinks below those with larger rows
-  const auto sink = [&](std::size_t i, std::size_t end) {
-    const int row = rows[i];
-    const double value = values[i];
-    for (std::size_t below = 2 * i + 1; below < end; i = below, below = 2 * i + 1) {
-      if (below + 1 < end && rows[below] < rows[below + 1]) ++below;
-      if (rows[below] <= row) break;
-      rows[i] = rows[below];
-      values[i] = values[below];
-    }
-    rows[i] = row;
-    values[i] = value;
-  };
-  for (std::size_t i = n / 2; i-- > 0;) sink(i, n);
-  for (std::size_t end = n - 1; end > 0; --end) {
-    std::swap(rows[0], rows[end]);
-    std::swap(values[0], values[end]);
-    sink(0, end);
-  }
-}
+void sort_column(int* rows, double* values, std::size_t n);
+
+/// Sets up a matrix of which the places after `a.outerIndexPtr()[0]` hold the numbers of entries of the columns.
+/// Errors: unsupported if 32-bit indices cannot count the entries.
+void make_room_for_counted(Eigen::SparseMatrix<double>& a);
+
+/// Errors: unsupported if 32-bit indices cannot count the rows.
+void check_rows(std::size_t size);
 
 /// Every entry, where every vert has a column.
 struct whole_matrix {
@@ -65,11 +36,9 @@ struct lower_triangle {
 /// outside(column of v, neighbour, weight), by several threads for different v. Part says which triangle is wanted. Verts may come in any order.
 template<class Part, class M, class W, class Column, class Outside>
 Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t size, double sign, const Column& column, const Outside& outside) {
-  if (size >= static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw unsupported("assembly: the matrix would have more rows than its 32-bit indices can count");
+  check_rows(size);
   Eigen::SparseMatrix<double> a(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
   int* const begin = a.outerIndexPtr();
-  std::size_t entries = 0;
   for (const vert_t<M> v : verts(m)) {
     const int c = column(v);
     if (c < 0) continue;
@@ -82,12 +51,8 @@ Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t s
       });
     }
     begin[c + 1] = n;
-    entries += static_cast<std::size_t>(n);
   }
-  if (entries > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw unsupported("assembly: the matrix would have more entries than its 32-bit indices can count");
-  for (std::size_t c = 0; c < size; ++c) begin[c + 1] += begin[c];
-  a.resizeNonZeros(static_cast<Eigen::Index>(entries));
+  make_room_for_counted(a);
   int* const rows = a.innerIndexPtr();
   double* const values = a.valuePtr();
   parallel_for_each(verts(m), [&](const vert_t<M>& v) {  // each vert writes its own column
@@ -112,3 +77,7 @@ Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t s
 }
 
 }  // namespace concino::core
+
+#ifndef CONCINO_COMPILED
+#include <concino/core/detail/assembly.ipp>
+#endif

@@ -1,17 +1,24 @@
 // Small pieces of error messages: numbers as text, independent of any locale.
 #pragma once
 
-#include <charconv>
+#include <concino/core/compiled.hpp>
+#include <concino/core/message.hpp>
+
+#include <concepts>
 #include <string>
 
 namespace concino::core {
 
 /// The shortest text that reads back as the same number.
-template<class T>
-std::string number_text(T x) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, x).ptr;
-  return std::string(buffer, end);
+std::string number_text(double x);
+std::string number_text(float x);
+template<std::integral I>
+std::string number_text(I x) {
+  return joined({x});
 }
 
 }  // namespace concino::core
+
+#ifndef CONCINO_COMPILED
+#include <concino/core/detail/number_text.ipp>
+#endif

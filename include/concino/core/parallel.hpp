@@ -1,13 +1,14 @@
-// The one header that loops in parallel. The chunks of a loop run on all cores; as long as the calls write to different places the result is the same
-// for any number of threads. The environment variable CONCINO_NUM_THREADS says how many threads a loop takes, 1 for none beside the calling one; where
-// it is not set, as many as the process has cores.
+// The one header that loops in parallel. A loop begins on the calling thread; what is still left after a fifth of a millisecond is shared with other
+// threads, so that short loops do not pay for any. As long as the calls write to different places the result is the same for any number of threads. The
+// environment variable CONCINO_NUM_THREADS says how many threads a loop takes at most, 1 for none beside the calling one; where it is not set, as many
+// as the process has cores.
 #pragma once
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/function_ref.hpp>
 
 #include <cstddef>
-#include <vector>
+#include <type_traits>
 
 namespace concino {
 
@@ -16,26 +17,38 @@ namespace core {
 /// How many threads a loop may take.
 std::size_t num_threads();
 
-/// Calls run(c) for every c in [0, chunks), in several threads; then asks stop(fraction done), if there is one. See parallel_for.
-void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run, function_ref<bool(double)> stop);
+/// Takes part after part of some work, in several threads once it takes long. run(release) takes the next part, calls release() and works on the part; it
+/// returns whether more was left. Up to release() no other thread takes a part; release is empty while no other thread is there.
+void run_parts(function_ref<bool(function_ref<void()>)> run);
+
+/// Calls run(first, last) for indices 0 to n in chunks, in several threads once it takes long; then asks stop(fraction done), if there is one. See
+/// parallel_for.
+void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop);
+
+/// Calls run(c) for every c in [0, chunks), in several threads from the start: for chunks that each take longer than it takes to start a thread.
+void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run);
+
+/// What a loop calls instead of f: a copy where that means the same, for compilers then keep what f holds in registers.
+template<class F, class Argument>
+using loop_body = std::conditional_t<std::is_trivially_copyable_v<F> && std::is_invocable_v<const F&, Argument> && sizeof(F) <= 16 * sizeof(void*), const F, F&>;
+
+/// A range of which parts can be taken without a walk, such as the elements of the native meshes.
+template<class R> concept is_divisible = requires(const R& r, std::size_t i) { r.part(i, i); r.index_bound(); };
 
 }  // namespace core
 
 /// Calls f(i) for every i in [0, n).
 /// Needs:  calls with different i do not write to the same place; chunk > 0 neighbouring indices go to one thread together.
 /// Result: as of the plain loop, for any number of threads. `stop` is asked now and then on the calling thread; once it
-///         says true the calls not yet begun are left out.                      Cost: n calls, one atomic step per chunk.
+///         says true the calls not yet begun are left out.                      Cost: n calls; one lock per chunk once several threads work.
 /// Errors: what f throws; of several exceptions the one of the lowest chunk, as the plain loop would.
 template<class F>
 void parallel_for(std::size_t n, F&& f, std::size_t chunk, function_ref<bool(double)> stop) {
-  if (chunk == 0) chunk = 1;
-  core::for_each_chunk(
-      n / chunk + (n % chunk != 0),
-      [&](std::size_t c) {
-        const std::size_t first = c * chunk, last = n - first < chunk ? n : first + chunk;
-        for (std::size_t i = first; i < last; ++i) f(i);
-      },
-      stop);
+  const auto run = [&](std::size_t first, std::size_t last) {
+    core::loop_body<std::remove_reference_t<F>, std::size_t> body = f;
+    for (std::size_t i = first; i < last; ++i) body(i);
+  };
+  core::run_chunks(n, chunk, run, stop);
 }
 
 template<class F>
@@ -45,30 +58,34 @@ void parallel_for(std::size_t n, F&& f, std::size_t chunk = 1024) {
 
 /// Calls f(x) for every x of a range that can only be walked, such as the elements of any mesh.
 /// Needs:  calls with different x do not write to the same place; the range can be walked more than once and by several threads.
-/// Result: as of the plain loop, for any number of threads.      Cost: n calls; one walk before, which notes where the chunks begin, unless one thread is
-///         enough.                                               Errors: what f throws; of several, as parallel_for.
+/// Result: as of the plain loop, for any number of threads.      Cost: n calls; once several threads work, one lock per chunk and one walk
+///         more, none of a range that tells its parts, as those of the native meshes do.
+/// Errors: what f throws; of several, as parallel_for.
 template<class R, class F>
 void parallel_for_each(const R& range, F&& f, std::size_t chunk = 1024) {
-  const auto end = range.end();
-  if (chunk == 0) chunk = 1;
-  std::size_t few = 0;
-  auto rest = range.begin();
-  for (; few < chunk && rest != end; ++rest) ++few;
-  if (rest != end && core::num_threads() > 1) {
-    std::vector<decltype(range.begin())> starts;
-    std::size_t n = 0;
-    for (auto it = range.begin(); it != end; ++it, ++n)
-      if (n % chunk == 0) starts.push_back(it);
-    core::for_each_chunk(
-        starts.size(),
-        [&](std::size_t c) {
-          auto it = starts[c];
-          for (std::size_t k = 0; k < chunk && it != end; ++k, ++it) f(*it);
-        },
-        {});
-    return;
+  using body_type = core::loop_body<std::remove_reference_t<F>, decltype(*range.begin())>;
+  if constexpr (core::is_divisible<R>) {
+    const auto run = [&](std::size_t first, std::size_t last) {
+      body_type body = f;
+      for (const auto& x : range.part(first, last)) body(x);
+    };
+    core::run_chunks(range.index_bound(), chunk, run, {});
+  } else {
+    const auto end = range.end();
+    auto next = range.begin();
+    const std::size_t most = chunk == 0 ? 1 : chunk;
+    core::run_parts([&](function_ref<void()> release) {
+      auto it = next;
+      if (release) {  // the next part begins where this one will end
+        for (std::size_t n = 0; n < most && next != end; ++n) ++next;
+        release();
+      }
+      body_type body = f;
+      for (std::size_t n = 0; n < most && it != end; ++n, ++it) body(*it);
+      if (!release) next = it;
+      return it != end;
+    });
   }
-  for (auto it = range.begin(); it != end; ++it) f(*it);
 }
 
 }  // namespace concino

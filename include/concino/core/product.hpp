@@ -10,6 +10,12 @@
 
 #include <vector>
 
+#ifdef CONCINO_COMPILED
+/// Copies of matrices that are not compressed, as every copy and every return has to be able to make.
+extern template void Eigen::internal::assign_sparse_to_sparse<Eigen::SparseMatrix<double>, Eigen::SparseMatrix<double>>(Eigen::SparseMatrix<double>&,
+                                                                                                                        const Eigen::SparseMatrix<double>&);
+#endif
+
 namespace concino {
 
 /// The symmetric matrix with this lower triangle, such as solvers that read both triangles want it.

@@ -8,6 +8,12 @@ struct rgba {
   float r = 1, g = 1, b = 1, a = 1;
 
   friend bool operator==(const rgba&, const rgba&) = default;
+  // What interpolation asks for.
+  friend constexpr rgba operator+(const rgba& x, const rgba& y) { return {x.r + y.r, x.g + y.g, x.b + y.b, x.a + y.a}; }
+  friend constexpr rgba operator*(double t, const rgba& x) {
+    const auto f = static_cast<float>(t);
+    return {f * x.r, f * x.g, f * x.b, f * x.a};
+  }
 };
 
 /// The colour of four integers.

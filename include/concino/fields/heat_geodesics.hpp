@@ -51,6 +51,24 @@ Eigen::SparseMatrix<double> lower_stiffness_at(const views::scaled<M>& scaled, c
   }
 }
 
+/// The lower triangle of the masses plus `flow` times the stiffness a; mass(c) is that of column c.
+template<class Mass>
+Eigen::SparseMatrix<double> lower_heat_matrix(Eigen::SparseMatrix<double> a, double flow, const Mass& mass) {
+  for (int c = 0; c < a.cols(); ++c)
+    for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
+      a.valuePtr()[k] *= flow;
+      if (a.innerIndexPtr()[k] == c) a.valuePtr()[k] += mass(c);
+    }
+  return a;
+}
+
+/// The heat matrix a where these verts take up heat. It is not quite 0 there, so that it has a logarithm, and sources there warm the rest.
+inline Eigen::SparseMatrix<double> with_cold_verts(Eigen::SparseMatrix<double> a, std::span<const unsigned char> is_cold) {
+  for (int c = 0; c < a.cols(); ++c)
+    if (is_cold[static_cast<std::size_t>(c)]) a.coeffRef(c, c) *= 1e6;
+  return a;
+}
+
 }  // namespace detail
 
 /// What prepare_heat_geodesics prepares: it answers questions, from several threads too if the solver can. Copies share what was prepared.
@@ -95,14 +113,10 @@ class prepared_heat_geodesics {
     std::vector<double> own;
     if constexpr (along_edges) own = detail::lumped_masses(mesh_in, discretisation, "heat_geodesics");
     const auto heat_by = [&](Eigen::SparseMatrix<double> a) {
-      for (int c = 0; c < a.cols(); ++c) {
+      return detail::lower_heat_matrix(std::move(a), flow, [&](int c) {
         const double here = mass.values()[static_cast<std::size_t>(c)];
-        for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
-          a.valuePtr()[k] *= flow;
-          if (a.innerIndexPtr()[k] == c) a.valuePtr()[k] += along_edges && here > 0 ? mean * own[static_cast<std::size_t>(c)] : here;
-        }
-      }
-      return a;
+        return along_edges && here > 0 ? mean * own[static_cast<std::size_t>(c)] : here;
+      });
     };
     Eigen::SparseMatrix<double> heat = along_edges ? heat_by(lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
     detail::tell(options.progress, 0.1, "factorising");
@@ -116,12 +130,6 @@ class prepared_heat_geodesics {
     const auto cold = options.boundary == heat_boundary::natural ? make_vert_map<bool>(m, false) : boundary_verts(m);
     const std::span<const unsigned char> is_cold = cold.values();
     const bool has_boundary = std::find(is_cold.begin(), is_cold.end(), 1) != is_cold.end();
-    // Not quite 0 at the boundary, so that it has a logarithm, and sources there warm the rest.
-    const auto chilled = [&](Eigen::SparseMatrix<double> a) {
-      for (int c = 0; c < a.cols(); ++c)
-        if (is_cold[static_cast<std::size_t>(c)]) a.coeffRef(c, c) *= 1e6;
-      return a;
-    };
     if (!has_boundary || options.boundary != heat_boundary::cold) {
       r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
       if (!along_edges && r.system.is_heat_negative()) {
@@ -131,7 +139,7 @@ class prepared_heat_geodesics {
       }
     }
     detail::tell(options.progress, 0.7, "factorising");
-    if (has_boundary) r.system.add_heat(chilled(std::move(heat)), solver);
+    if (has_boundary) r.system.add_heat(detail::with_cold_verts(std::move(heat), is_cold), solver);
     detail::tell(options.progress, 1, "heat geodesics");
     return r;
   }
@@ -151,6 +159,11 @@ class prepared_heat_geodesics {
     q.sources.push_back({prepared_->graph.place(static_cast<std::size_t>(i)), down(distance)});
   }
 
+  static double given(const detail::distance_graph::start& s) { return s.before + s.distance; }
+  static std::size_t index(const detail::distance_graph::start& s) { return static_cast<std::size_t>(s.vert); }
+  std::size_t component(std::size_t i) const { return static_cast<std::size_t>(prepared_->system.component(static_cast<int>(i))); }
+
+  std::vector<double> log_heat(const question& q, const std::vector<double>& least) const;
   vert_map<M, double> answer(const question& q) const;
 
  public:
@@ -200,30 +213,31 @@ class prepared_heat_geodesics {
   }
 };
 
+/// The logarithm of heat. It starts as much later as a source lies further back, relative to the first of its component, which lies at `least`.
+template<class M, class Solver>
+std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const question& q, const std::vector<double>& least) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double decay = std::sqrt(prepared_->time);
+  std::vector<detail::heat_source> sources;
+  for (const auto& s : q.starts)
+    if (const double strength = std::exp((least[component(index(s))] - given(s)) / decay); strength > 0) sources.push_back({s.vert, strength});
+  std::vector<double> heat = prepared_->system.log_heat(sources);
+  bool complete = true;
+  for (std::size_t i = 0; i < least.size(); ++i) complete = complete && (heat[i] > -infinity || least[component(i)] == infinity);
+  if (!complete) detail::fill_along_edges(scaled_mesh(mesh_.get(), prepared_->exponent), decay, heat);
+  return heat;
+}
+
 template<class M, class Solver>
 vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (q.starts.empty()) throw invalid_argument("heat_geodesics: there is no source; give at least one vert");
-  const M& m = mesh_.get();
-  const auto& system = prepared_->system;
   const double decay = std::sqrt(prepared_->time);
-  auto distance_at = make_vert_map<double>(m, infinity);
+  auto distance_at = make_vert_map<double>(mesh_.get(), infinity);
   const auto size = distance_at.values().size();
-  const auto component = [&](std::size_t i) { return static_cast<std::size_t>(system.component(static_cast<int>(i))); };
-
-  // Heat starts as much later as a source lies further back, relative to the first of its component.
   std::vector<double> least(size, infinity);  // of the distances given in each component
-  const auto given = [](const auto& s) { return s.before + s.distance; };
-  const auto place_of = [](const auto& s) { return static_cast<std::size_t>(s.vert); };
-  for (const auto& s : q.starts) least[component(place_of(s))] = std::min(least[component(place_of(s))], given(s));
-  std::vector<detail::heat_source> sources;
-  for (const auto& s : q.starts)
-    if (const double strength = std::exp((least[component(place_of(s))] - given(s)) / decay); strength > 0) sources.push_back({s.vert, strength});
-  std::vector<double> heat = system.log_heat(sources);
-  bool complete = true;
-  for (std::size_t i = 0; i < size; ++i) complete = complete && (heat[i] > -infinity || least[component(i)] == infinity);
-  if (!complete) detail::fill_along_edges(scaled_mesh(m, prepared_->exponent), decay, heat);
-  const Eigen::VectorXd rise = system.rise_along(heat);
+  for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], given(s));
+  const Eigen::VectorXd rise = prepared_->system.rise_along(log_heat(q, least));
 
   // The rise is known up to a constant in each component, and at a source it is too round. It is fitted to what is known of distances not far from
   // sources, and the more so the better it is known there.
@@ -247,7 +261,7 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
     weight[c] += w;
   }
   for (const auto& s : q.starts)
-    if (const std::size_t c = component(place_of(s)); !(weight[c] > 0)) {
+    if (const std::size_t c = component(index(s)); !(weight[c] > 0)) {
       sum[c] += given(s) - rise[s.vert];
       weight[c] -= 1;
     }
@@ -259,7 +273,7 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
     distance_at.values()[i] = std::ldexp(std::max(least[c], d), prepared_->exponent);
   }
   for (const auto& s : q.starts) {
-    double& d = distance_at.values()[place_of(s)];
+    double& d = distance_at.values()[index(s)];
     d = std::min(d, std::ldexp(given(s), prepared_->exponent));
   }
   return distance_at;

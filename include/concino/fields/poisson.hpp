@@ -47,7 +47,9 @@ class poisson_problem {
   int exponent_;
 
   poisson_problem(held_system<M>&& system, Eigen::SparseMatrix<double>&& mass, int exponent)
-      : system_(std::move(system)), mass_(std::move(mass)), exponent_(exponent) {}
+      : system_(std::move(system)), exponent_(exponent) {
+    mass_.swap(mass);
+  }
 
   void enlarge(auto& sides) const {
     if (exponent_ == 0) return;

@@ -6,10 +6,13 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/generate/detail/union_border.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <span>
@@ -17,6 +20,11 @@
 #include <vector>
 
 namespace concino {
+
+struct agglomerate_options {
+  bool properties = true;                            // whether named properties come along, where m shows such
+  concino::correspondence* correspondence = nullptr;  // filled if given: which elements of m those of the result were made of
+};
 
 namespace requirement {
 
@@ -57,6 +65,53 @@ std::vector<std::uint32_t> numbered_marked(const M& m, const R& elements, std::v
   return mark;
 }
 
+/// The origins of the elements of a union of polys: copies of verts and faces, and polys by their measure.
+template<EmbeddedMesh M>
+class union_origins {
+  const M& m_;
+  const agglomerate_options& options_;
+  bool is_wanted_ = false, has_properties_ = false;
+  correspondence c_;
+  std::vector<origin> merged_;
+
+  static element_origins inverse(const std::vector<std::uint32_t>& number) {
+    std::vector<std::uint32_t> single;
+    for (std::uint32_t i = 0; i < number.size(); ++i) {
+      if (number[i] == element_origins::none) continue;
+      if (single.size() <= number[i]) single.resize(number[i] + std::size_t{1});
+      single[number[i]] = i;
+    }
+    return element_origins(std::move(single));
+  }
+
+ public:
+  union_origins(const M& m, const agglomerate_options& options) : m_(m), options_(options) {
+    if constexpr (ShowsProperties<M>) has_properties_ = options.properties && traits<M>::properties(m).size() > 0;
+    is_wanted_ = has_properties_ || options.correspondence;
+  }
+
+  void add_poly(std::span<const poly_t<M>> group) {
+    if (!is_wanted_) return;
+    merged_.clear();
+    for (const poly_t<M>& p : group) {
+      const double size = std::abs(measure(m_, p));
+      merged_.push_back({static_cast<std::uint32_t>(index_of(m_, p)), std::isfinite(size) ? size : 0});
+    }
+    c_.polys.add(merged_);
+  }
+  /// Numbers by index of m. Takes the properties of m along.
+  template<class To>
+  void finish(To& result, const std::vector<std::uint32_t>& vert_number, const std::vector<std::uint32_t>& face_number) {
+    if (!is_wanted_) return;
+    c_.verts = inverse(vert_number);
+    c_.faces = inverse(face_number);
+    match_edges_and_faces(m_, result, c_);
+    if constexpr (ShowsProperties<M>)
+      if (has_properties_) transfer_properties(m_, result, c_);
+    if (options_.correspondence) *options_.correspondence = std::move(c_);
+  }
+};
+
 template<AnyMesh M, class V>
 [[noreturn]] void throw_no_union(const M& m, V label, const poly_t<M>& p, const union_fault& fault) {
   const std::string which = ~fault.index != 0 ? core::joined({" ", fault.index}) : std::string();
@@ -68,24 +123,27 @@ template<AnyMesh M, class V>
 }  // namespace detail
 
 /// All polys of one label made one poly, convex or not.
-/// Needs:  Embedded AnyMesh; labels[p] is an integer. The polys of one label are wound alike and make a disk (surfaces) or a ball (volumes):
+/// Needs:  EmbeddedMesh; labels[p] is an integer. The polys of one label are wound alike and make a disk (surfaces) or a ball (volumes):
 ///         they hang together across edges or faces, and their border is one ring of verts, or one sphere of faces, that touches itself
 ///         nowhere.
 /// Result: a polygonmesh or polyhedralmesh with a poly for each label, numbered by ascending label. Faces and verts inside a union are left
 ///         out, and those of no poly; the others are numbered as m walks them. All verts and all faces on the border of a union stay: a polygon
-///         may have flat corners where only two polys meet, and two polyhedra may share several faces in one plane.
+///         may have flat corners where only two polys meet, and two polyhedra may share several faces in one plane. Named properties come along by
+///         their rules; what becomes one poly is weighted by its measure.
 /// Cost:   O(elements + P log P) time, O(elements) memory.
 /// Errors: invalid_mesh that names the label, one of its polys and where it is no disk or ball. A label of a single poly is taken as it is.
 /// Source: agglomerated meshes as in Bassi, Botti, Colombo, Di Pietro, Tesini 2012.
 template<SurfaceMesh M, class L>
   requires Embedded<M> && requirement::is_label_map<L, M>
-polygonmesh agglomerate(const M& m, const L& labels) {
+polygonmesh agglomerate(const M& m, const L& labels, const agglomerate_options& options = {}) {
   surface_arrays a;
   a.offsets.push_back(0);
   std::vector<std::uint32_t> used(vert_index_bound(m), ~0u);
   detail::union_border<M> border(m);
+  detail::union_origins<M> origins(m, options);
   detail::for_each_label(m, labels, [&](const auto& label, std::span<const poly_t<M>> group) {
     if (const auto fault = border.read(group)) detail::throw_no_union(m, label, group.front(), fault);
+    origins.add_poly(group);
     for (const vert_t<M>& v : border.ring()) {
       used[index_of(m, v)] = 0;
       a.verts.push_back(vert_id{index_of(m, v)});
@@ -96,19 +154,23 @@ polygonmesh agglomerate(const M& m, const L& labels) {
   for (vert_id& v : a.verts) v = vert_id{number[v.raw()]};
   for (const vert_t<M> v : verts(m))
     if (number[index_of(m, v)] != ~0u) a.points.push_back(to_vec3(point(m, v)));
-  return polygonmesh(std::move(a));
+  polygonmesh result(std::move(a));
+  origins.finish(result, number, {});
+  return result;
 }
 
 template<VolumeMesh M, class L>
   requires Embedded<M> && requirement::is_label_map<L, M>
-polyhedralmesh agglomerate(const M& m, const L& labels) {
+polyhedralmesh agglomerate(const M& m, const L& labels, const agglomerate_options& options = {}) {
   polyhedra_arrays a;
   a.face_offsets.push_back(0);
   a.poly_offsets.push_back(0);
   std::vector<std::uint32_t> used_vert(vert_index_bound(m), ~0u), used_face(face_index_bound(m), ~0u);
   detail::union_border<M> border(m);
+  detail::union_origins<M> origins(m, options);
   detail::for_each_label(m, labels, [&](const auto& label, std::span<const poly_t<M>> group) {
     if (const auto fault = border.read(group)) detail::throw_no_union(m, label, group.front(), fault);
+    origins.add_poly(group);
     for (const auto& [f, outward] : border.sides()) {
       used_face[index_of(m, f)] = 0;
       a.poly_faces.push_back(face_id{index_of(m, f)});
@@ -130,14 +192,16 @@ polyhedralmesh agglomerate(const M& m, const L& labels) {
   for (vert_id& v : a.face_verts) v = vert_id{number[v.raw()]};
   for (const vert_t<M> v : verts(m))
     if (number[index_of(m, v)] != ~0u) a.points.push_back(to_vec3(point(m, v)));
-  return polyhedralmesh(std::move(a));
+  polyhedralmesh result(std::move(a));
+  origins.finish(result, number, face_number);
+  return result;
 }
 
 // What to write instead of calls that cannot compile.
 template<class... T> void agglomerate(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void agglomerate(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_labels_at_polys>>
-  requires(AnyMesh<M> && Embedded<M> && !requirement::is_label_map<U, M>)
+  requires(EmbeddedMesh<M> && !requirement::is_label_map<U, M>)
 void agglomerate(M&&, const U&, ...) = delete;  // an int at each poly: make_poly_map<int>(m)
 
 }  // namespace concino

@@ -38,7 +38,7 @@ inline void drop_unused(std::vector<vec3>& points, std::vector<vert_id>& loops) 
 
 /// The dual mesh: a vert at the centroid of each poly, a poly for each vert, an edge between polys that share an edge (surfaces) or a face
 /// (volumes), and in volumes a face for each edge, through the polys around it, which need not be planar.
-/// Needs:  Embedded AnyMesh, manifold: at most two polys at an edge (face), the polys around each vert one disk (ball).
+/// Needs:  EmbeddedMesh, manifold: at most two polys at an edge (face), the polys around each vert one disk (ball).
 /// Result: a polygonmesh or polyhedralmesh. Poly i is the cell of the i-th vert of verts(m) that has one: of the verts of some poly all
 ///         (clipped) or the inner ones (discarded). With clipped cells vert i is the i-th poly of polys(m), others follow, and the dual
 ///         covers what m covers: it has the same measure where m lies in a plane or all boundary faces of the volume are planar. Two polys that

@@ -128,14 +128,14 @@ class poly_tree {
 };
 
 /// A tree over the polys of m.
-/// Needs:  Embedded AnyMesh, no temporary; of any shape, concave, non-planar, degenerate, open or not manifold.
+/// Needs:  EmbeddedMesh, no temporary; of any shape, concave, non-planar, degenerate, open or not manifold.
 /// Result: a poly_tree, with the queries closest, ray, ray_all, in_box, locate and is_inside. It keeps copies of the points and does not follow later
 ///         changes of m.
 /// Cost:   O(n log n) time for n triangles of a surface or polys of a volume, in parallel; some 70 bytes a triangle, 100 a tet.
 /// Errors: invalid_mesh where a vert of a poly is not finite.
 /// Source: MacDonald and Booth 1990 for the tree; the queries name theirs.
 template<class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
 poly_tree<std::remove_cvref_t<M>> bounding_tree(M&& m) {
   return poly_tree<std::remove_cvref_t<M>>(m);
 }

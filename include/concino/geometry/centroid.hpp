@@ -84,9 +84,10 @@ template<class V, class Loop, class At>
 moments polygon_moments(const Loop& loop, const At& at, const vec3& origin) {
   const vec3 normal = area_vector_through<V>(loop, at);
   moments sum;
-  for_each_fan_side_through<V>(loop, at, [&](const vec3& a, const vec3& b) {
+  const auto add = [&](const vec3& a, const vec3& b) __attribute__((always_inline)) {  // g++ would not inline it, which takes a fifth longer
     sum.add(dot(cross(a - origin, b - origin), normal), ((a - origin) + (b - origin)) / 3);
-  });
+  };
+  for_each_fan_side_through<V>(loop, at, add);
   return sum;
 }
 
@@ -146,11 +147,10 @@ template<class M>
 
 /// The centre of mass of poly p, filled with constant density. Polygons that are not planar are seen along their vector area; polyhedra
 /// have each face fanned from its mean point, as `volume` does.
-/// Needs:  Embedded AnyMesh.
+/// Needs:  EmbeddedMesh.
 /// Result: a point, in units of the mesh; the mean of the verts where p has no area or volume but rounding errors.
 /// Cost:   O(verts of the polygon or of the faces).      Errors: none.
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 vec3 centroid(const M& m, const poly_t<M>& p) {
   const vec3 origin = detail::mean_of<vert_t<M>>(adj_p2v(m, p), detail::points_by_vert(m));
   const detail::moments sum = detail::moments_of(m, p, detail::points_by_vert(m), origin);
@@ -171,9 +171,9 @@ vec3 centroid(const M& m, const face_t<M>& f) {
 }
 
 /// The centres of mass of all polys.
-/// Needs:  Embedded AnyMesh, no temporary.      Result: a map of vec3.      Cost: that of centroid for every poly; parallel.      Errors: none.
+/// Needs:  EmbeddedMesh, no temporary.      Result: a map of vec3.      Cost: that of centroid for every poly; parallel.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
 poly_map<M, vec3> centroids(M&& m) {
   poly_map<M, vec3> centre(m, poly_index_bound(m), detail::unwritten{});
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { centre[p] = centroid(m, p); });

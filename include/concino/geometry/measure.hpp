@@ -134,16 +134,15 @@ double volume(const M& m, const poly_t<M>& p) {
 }
 
 /// The area of a polygon or the volume of a polyhedron: what algorithms on surfaces and volumes alike call the size of a poly.
-/// Needs:  Embedded AnyMesh.      Result: as area and volume.      Cost: as those.      Errors: none.
-template<AnyMesh M>
-  requires Embedded<M>
+/// Needs:  EmbeddedMesh.      Result: as area and volume.      Cost: as those.      Errors: none.
+template<EmbeddedMesh M>
 double measure(const M& m, const poly_t<M>& p) {
   if constexpr (SurfaceMesh<M>) return area(m, p);  // what `measure` means
   else return volume(m, p);
 }
 
 /// The length of an edge of a surface or the area of a face of a volume: the size of a facet.
-/// Needs:  Embedded AnyMesh.      Result: as edge_length and area.      Cost: as those.      Errors: none.
+/// Needs:  EmbeddedMesh.      Result: as edge_length and area.      Cost: as those.      Errors: none.
 template<SurfaceMesh M>
   requires Embedded<M>
 double measure(const M& m, const edge_t<M>& e) { return edge_length(m, e); }
@@ -152,9 +151,9 @@ template<VolumeMesh M>
 double measure(const M& m, const face_t<M>& f) { return area(m, f); }
 
 /// The measures of all polys.
-/// Needs:  Embedded AnyMesh, no temporary.      Result: a map of double.      Cost: that of measure for every poly; parallel.      Errors: none.
+/// Needs:  EmbeddedMesh, no temporary.      Result: a map of double.      Cost: that of measure for every poly; parallel.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
 poly_map<M, double> measures(M&& m) {
   poly_map<M, double> size(m, poly_index_bound(m), detail::unwritten{});
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { size[p] = measure(m, p); });
@@ -162,10 +161,9 @@ poly_map<M, double> measures(M&& m) {
 }
 
 /// The sum of the measures of all polys: the area of a surface, the volume of a volume.
-/// Needs:  Embedded AnyMesh.
+/// Needs:  EmbeddedMesh.
 /// Result: polys that are turned inside out count negative; infinite where the sum is too large.      Cost: O(size of the mesh).      Errors: none.
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 double total_measure(const M& m) {
   double sum = 0;
   for (const poly_t<M> p : polys(m)) sum += detail::measure_through(m, p, detail::points_by_vert(m));

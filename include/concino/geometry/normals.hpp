@@ -46,11 +46,10 @@ vec3 normal(const M& m, const face_t<M>& f) {
 
 /// The direction of the sum of the vector areas around vert v: of the polys at v on a surface; in a volume of the boundary faces at v, turned
 /// outward.
-/// Needs:  Embedded AnyMesh.
+/// Needs:  EmbeddedMesh.
 /// Result: length 1; 0 where areas cancel or there are none, as inside a volume.      Cost: O(size of the polygons at v).      Errors: none.
 /// Source: weights by area, Taubin 1995, "Estimating the tensor of curvature of a surface from a polyhedral approximation".
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 vec3 vert_normal(const M& m, const vert_t<M>& v) {
   return detail::direction_of_areas(m, [&](const auto& visit) {
     for_each_outer_polygon(m, v, [&](const poly_t<M>&, const auto& loop, bool is_outward) { visit(loop, is_outward ? 1.0 : -1.0); });
@@ -114,12 +113,12 @@ void sum_areas_of_boundary(const M& m, Normals& sum) {
 }  // namespace detail
 
 /// The normals of all verts.
-/// Needs:  Embedded AnyMesh, no temporary.
+/// Needs:  EmbeddedMesh, no temporary.
 /// Result: a map of vec3, as vert_normal but for the order in which areas are summed; the same for any number of threads.
 /// Cost:   O(corners) time; every vector area is computed once, one is kept per poly of a surface. Parallel but for the sums.
 /// Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
 vert_map<M, vec3> vert_normals(M&& m) {
   auto n = make_vert_map<vec3>(m);
   if constexpr (SurfaceMesh<M>) {  // all polys count, so that areas may be kept per poly

@@ -10,7 +10,7 @@
 namespace concino {
 
 /// The vector normal to facet x that points out of its poly p and is as long as x is large.
-/// Needs:  Embedded AnyMesh; x is a facet of p.
+/// Needs:  EmbeddedMesh; x is a facet of p.
 /// Result: of a face of a volume its area_vector, turned by face_is_outward; of an edge of a surface the edge, turned by a right angle in the plane of
 ///         p, or the plane normal to the area_vector of p where it is not flat. The vectors over all facets of p sum to 0 where p is closed. Units
 ///         of measure(m, x), scales exactly; 0 for a degenerate edge or face and at edges of a poly without area; components too large for a double

@@ -98,38 +98,32 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
       }
     }
   };
-  const auto search = [&] {
-    while (!queue.empty()) {
-      const node v = queue.pop();
-      const int h = value[g.index(v)];
-      if (h >= limit) continue;
-      if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
-        if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
+  [[maybe_unused]] auto&& nodes = g.nodes();
+  [[maybe_unused]] auto root = nodes.begin();
+  const auto reach_next_root = [&] {  // of a forest
+    if constexpr (std::same_as<S, all_nodes>) {
+      for (; !is_over && root != nodes.end(); ++root) {
+        const node x = *root;
+        if (value[g.index(x)] >= 0 || (options.may_enter && !options.may_enter(x))) continue;
+        reach(x, x, 0, [] {});
+        return true;
       }
-      if constexpr (Reports && !std::is_void_v<crossed_t<G>>) {
-        if (options.crossed) {
-          for_each_step_across(g, v, options.may_enter, options.may_cross, [&](const node& w, const crossed_t<G>& x) {
-            reach(w, v, h + 1, [&] { options.crossed.put(w, x); });
-          });
-          continue;
-        }
-      }
-      for_each_step(g, v, options.may_enter, options.may_cross, [&](const node& w) { reach(w, v, h + 1, [] {}); });
     }
+    return false;
   };
 
   if (options.predecessors)
     for (const node x : g.nodes()) options.predecessors.put(x, x);
-  if constexpr (std::same_as<S, all_nodes>) {
-    for (const node x : g.nodes()) {
-      if (is_over) break;
-      if (value[g.index(x)] >= 0 || (options.may_enter && !options.may_enter(x))) continue;
-      reach(x, x, 0, [] {});
-      search();
+  if constexpr (!std::same_as<S, all_nodes>) for_each_source(g, sources, "bfs", [&](const node& s) { reach(s, s, 0, [] {}); });
+  while (!queue.empty() || reach_next_root()) {
+    const node v = queue.pop();
+    const int h = value[g.index(v)];
+    if (h >= limit) continue;
+    if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
+      if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
     }
-  } else {
-    for_each_source(g, sources, "bfs", [&](const node& s) { reach(s, s, 0, [] {}); });
-    search();
+    if constexpr (Reports) for_each_noted_step(g, v, options, [&](const node& w, const auto& put_crossed) { reach(w, v, h + 1, put_crossed); });
+    else for_each_step(g, v, options.may_enter, options.may_cross, [&](const node& w) { reach(w, v, h + 1, [] {}); });
   }
   return hops;
 }
@@ -168,14 +162,25 @@ auto bfs_forest(const G& g, const bfs_options<typename G::node, crossed_t<G>>& o
 /// Source: Moore 1959; paper section 2.1, "Architecture".
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
-auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, source, options);
 }
 
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
-auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, sources, options);
+}
+
+template<class M, class S>
+  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
+auto bfs(M&& m, const S& source) {  // without options the search with everything is not compiled
+  return detail::plain_bfs<false>(detail::graph_of<M, S>{m}, source, nullptr);
+}
+template<class M, class S>
+  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
+auto bfs(M&& m, std::initializer_list<S> sources) {
+  return detail::plain_bfs<false>(detail::graph_of<M, S>{m}, sources, nullptr);
 }
 
 /// Breadth-first trees of everything: a search from the first node, then from the first that is not reached yet, until none is left. Nodes are

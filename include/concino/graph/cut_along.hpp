@@ -6,6 +6,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/corners.hpp>
 #include <concino/mesh/arrays.hpp>
+#include <concino/mesh/correspondence.hpp>
 
 #include <initializer_list>
 
@@ -16,6 +17,9 @@ struct cut_along_result {
   surface_arrays surface;        // to make a trimesh, quadmesh or polygonmesh of
   std::vector<vert_t<M>> verts;  // verts[i]: which vert of m vert i of the surface is, or is a copy of
   std::vector<poly_t<M>> polys;  // polys[i]: which poly of m poly i of the surface is
+
+  /// The same by indices, of use for transfer_properties(m, mesh_of_surface, cut.correspondence(m)); edges follow from their verts.
+  concino::correspondence correspondence(const M& m) const { return {origins_of(m, verts), {}, {}, origins_of(m, polys)}; }
 };
 
 /// The surface m with verts copied, so that polys on either side of the given edges do not share those edges any more. A vert is copied

@@ -58,7 +58,6 @@ template<bool Full, class G, class S, class L>
 auto search_by_length(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* who) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  [[maybe_unused]] const auto may_enter = options.may_enter;
   [[maybe_unused]] const auto predecessors = options.predecessors;
   auto distance = make_node_map<double>(g, infinity);
   core::indexed_heap<node> queue(distance.values());
@@ -100,18 +99,8 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
         }
       }
     };
-    if constexpr (Full) {
-      if constexpr (!std::is_void_v<crossed_t<G>>) {
-        if (options.crossed) {
-          for_each_step_across(g, v, may_enter, options.may_cross,
-                               [&](const node& w, const crossed_t<G>& x) { relax(w, [&] { options.crossed.put(w, x); }); });
-          continue;
-        }
-      }
-      for_each_step(g, v, may_enter, options.may_cross, [&](const node& w) { relax(w, [] {}); });
-    } else {
-      for_each_in(g.neighbours(v), [&](const node& w) { relax(w, [] {}); });
-    }
+    if constexpr (Full) for_each_noted_step(g, v, options, relax);
+    else for_each_in(g.neighbours(v), [&](const node& w) { relax(w, [] {}); });
   }
   queue.forget_waiting([&]([[maybe_unused]] const node& x) {
     if constexpr (Full) {

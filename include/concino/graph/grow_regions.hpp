@@ -30,23 +30,44 @@ struct region_options {
 
 namespace detail {
 
+/// What the step from v to w costs; cost says a number or, if it returns bool, whether the step may be made.
+template<class G, class C>
+double cost_of_step(const G& g, const C& cost, const typename G::node& v, const typename G::node& w) {
+  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(cost(v, w))>, bool>) {
+    return cost(v, w) ? 1 : std::numeric_limits<double>::infinity();
+  } else {
+    const auto step = static_cast<double>(cost(v, w));
+    if (!(step >= 0)) [[unlikely]]
+      core::throw_joined<invalid_mesh>({"grow_regions: the cost from ", name_of(g, v), " to ", name_of(g, w), " is ",
+                                          step < 0 ? core::number_text(step) : std::string("not a number"), "; costs must be 0 or more, +inf for never"});
+    return step;
+  }
+}
+
+/// A node that a region may take. Claims of equal cost and label are honoured in the order in which they were made.
+template<class Node>
+struct region_claim {
+  double cost;
+  int label;
+  std::size_t number;
+  Node on;
+
+  struct is_later {
+    bool operator()(const region_claim& a, const region_claim& b) const {
+      if (a.cost != b.cost) return a.cost > b.cost;
+      return a.label != b.label ? a.label > b.label : a.number > b.number;
+    }
+  };
+};
+
 template<class G, class S, class C>
 auto grow_regions(const G& g, const S& seeds, const C& cost, const region_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!(options.max_cost >= 0)) throw invalid_argument("grow_regions: max_cost must be 0 or more");
   const bool summed = options.priority == growth::accumulated;
-  struct claim {
-    double cost;
-    int label;
-    std::size_t number;  // claims of equal cost and label are honoured in the order in which they were made
-    node on;
-  };
-  const auto later = [](const claim& a, const claim& b) {
-    if (a.cost != b.cost) return a.cost > b.cost;
-    return a.label != b.label ? a.label > b.label : a.number > b.number;
-  };
-  std::priority_queue<claim, std::vector<claim>, decltype(later)> queue(later);
+  using claim = region_claim<node>;
+  std::priority_queue<claim, std::vector<claim>, typename claim::is_later> queue;
   std::size_t number = 0;
 
   auto labels = make_node_map<int>(g, -1);
@@ -58,12 +79,7 @@ auto grow_regions(const G& g, const S& seeds, const C& cost, const region_option
     for_each_step(g, v, options.may_enter, options.may_cross, [&](const node& w) {
       const std::size_t slot = g.index(w);
       if (label[slot] >= 0) return;
-      double step;
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(cost(v, w))>, bool>) step = cost(v, w) ? 1 : infinity;
-      else step = static_cast<double>(cost(v, w));
-      if (!(step >= 0)) [[unlikely]]
-        core::throw_joined<invalid_mesh>({"grow_regions: the cost from ", name_of(g, v), " to ", name_of(g, w), " is ",
-                                            step < 0 ? core::number_text(step) : std::string("not a number"), "; costs must be 0 or more, +inf for never"});
+      const double step = cost_of_step(g, cost, v, w);
       const double total = summed ? so_far + step : step;
       if (total == infinity || total > options.max_cost) return;
       if (summed) {

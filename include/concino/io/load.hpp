@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/io/detail/load_with.hpp>
+#include <concino/io/detail/load_standard.hpp>
 #include <concino/io/formats.hpp>
 
 #ifndef CONCINO_COMPILED
@@ -28,7 +28,7 @@ namespace concino {
 ///         faces of more than 16 verts belong to very many polyhedra; cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
-  return detail::load_with<M>(path, standard_formats, options);
+  return detail::load_standard<M>(path, options);
 }
 /// `formats`: a format, which the file is then in whatever its extension, as by load_obj and its siblings; or those that the extension chooses
 /// from: standard_formats + my_format{}. No other is compiled. See <concino/io/format.hpp>.
@@ -45,15 +45,16 @@ M load(const std::string& path, F formats, const load_options& options = {}) {
 template<Loadable M, Formats F>
 M load_text(std::string_view text, F format, const load_options& options = {}, std::string_view name = "text") {
   if constexpr (detail::is_format_list<F>)
-    if (options.format == format_id()) throw invalid_argument("load_text: say which format the text is in; it has no extension");
-  return detail::load_from<M>(text, name, detail::list_of(format), detail::choose_format(detail::candidates_for({}, format, options.format), detail::rows_of(detail::list_of(format)), &text), options);
+    if (options.format == format_id()) core::throw_joined<invalid_argument>({"load_text: say which format the text is in; it has no extension"});
+  return detail::load_text_with<M>(text, name, format, options);
 }
 /// One of standard_formats, chosen when the program runs.
 template<Loadable M>
 M load_text(std::string_view text, format_id format, const load_options& options = {}, std::string_view name = "text") {
   load_options with_format = options;
   with_format.format = format;
-  return load_text<M>(text, standard_formats, with_format, name);
+  if (format == format_id()) core::throw_joined<invalid_argument>({"load_text: say which format the text is in; it has no extension"});
+  return detail::load_standard_text<M>(text, name, with_format);
 }
 
 // What to write instead of calls that cannot compile.

@@ -9,6 +9,8 @@
 #include <concino/mesh/tetmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 
+#include <string>
+#include <type_traits>
 #include <variant>
 
 namespace concino {
@@ -17,17 +19,10 @@ using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, 
 
 namespace detail {
 
-template<class Variant, Formats F>
-Variant load_any_with(const std::string& path, F formats, const load_options& options) {
-  const auto known = list_of(formats);
-  const std::uint64_t candidates = candidates_for(path, formats, options.format);
-  file_text file(path, {.map = options.map, .pipes = true});
-  load_report unheard;
-  volume_contents contents;
-  const read_context context{file.text(), path, {}, options.report ? options.report : &unheard, &options.progress, true};
-  with_format(known, format_of(file, known, candidates), [&]<Format G>(G) { read_as<G, true, true>(context, contents); });
-  const auto make = [&]<class M>(std::type_identity<M>) -> Variant { return mesh_of<M>(contents, path, options.report); };
-  file.close(path);
+/// Of the six kinds the most special that holds the contents.
+template<class Variant>
+Variant any_mesh_of(volume_contents& contents, const std::string& path, load_report* report) {
+  const auto make = [&]<class M>(std::type_identity<M>) -> Variant { return mesh_of<M>(contents, path, report); };
   if (contents.held == held_mesh::surface) {
     if (contents.surface.arity == 3) return make(std::type_identity<trimesh>{});
     if (contents.surface.arity == 4) return make(std::type_identity<quadmesh>{});
@@ -48,12 +43,16 @@ Variant load_any_with(const std::string& path, F formats, const load_options& op
 /// Errors: as load, but for kinds that do not fit: every kind does.
 template<class Variant = any_mesh>  // a template only so that programs that do not call it need not compile six meshes
 Variant load_any(const std::string& path, const load_options& options = {}) {
-  return detail::load_any_with<Variant>(path, standard_formats, options);
+  volume_contents contents;
+  detail::read_standard_file<true, true>(path, {}, options, contents);
+  return detail::any_mesh_of<Variant>(contents, path, options.report);
 }
 /// `formats` as of load.
 template<class Variant = any_mesh, Formats F>
 Variant load_any(const std::string& path, F formats, const load_options& options = {}) {
-  return detail::load_any_with<Variant>(path, formats, options);
+  volume_contents contents;
+  detail::read_file<true, true>(path, formats, {}, options, contents);
+  return detail::any_mesh_of<Variant>(contents, path, options.report);
 }
 
 }  // namespace concino

@@ -28,8 +28,7 @@ M load_medit(const std::string& path, const load_options& options = {}) {
 /// Result: as save.
 /// Cost:   as save.
 /// Errors: as save, but for extensions.
-template<class M>
-  requires(AnyMesh<M>&& Embedded<M>)
+template<EmbeddedMesh M>
 void save_medit(const M& m, const std::string& path, const save_options& options = {}) {
   detail::save_with(m, path, file_format::medit, options);
 }

@@ -28,8 +28,7 @@ M load_off(const std::string& path, const load_options& options = {}) {
 /// Result: as save.
 /// Cost:   as save.
 /// Errors: as save, but for extensions.
-template<class M>
-  requires(AnyMesh<M>&& Embedded<M>)
+template<EmbeddedMesh M>
 void save_off(const M& m, const std::string& path, const save_options& options = {}) {
   detail::save_with(m, path, file_format::off, options);
 }

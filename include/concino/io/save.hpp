@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/save_standard.hpp>
 #include <concino/io/formats.hpp>
 
 #ifndef CONCINO_COMPILED
@@ -32,15 +32,13 @@ namespace concino {
 ///         that can; invalid_mesh if a coordinate is not finite; io_error if a file cannot be written, or another program makes a library of
 ///         that name meanwhile; cancelled. The target then is as it was, and no other file has been made or changed. (With options.sync,
 ///         io_error also where the new file stands there but its folder cannot be brought to the disk.)
-template<class M>
-  requires(AnyMesh<M>&& Embedded<M>)
+template<EmbeddedMesh M>
 void save(const M& m, const std::string& path, const save_options& options = {}) {
-  detail::save_with(m, path, standard_formats, options);
+  detail::save_standard<dimension_v<M>>(detail::visitable_mesh<M>{m}, path, options);
 }
 /// `formats`: a format, which the file is then in whatever its extension, as by save_obj and its siblings; or those that the extension chooses
 /// from: standard_formats + my_format{}. No other is compiled. See <concino/io/format.hpp>.
-template<class M, Formats F>
-  requires(AnyMesh<M>&& Embedded<M>)
+template<EmbeddedMesh M, Formats F>
 void save(const M& m, const std::string& path, F formats, const save_options& options = {}) {
   detail::save_with(m, path, formats, options);
 }
@@ -50,20 +48,19 @@ void save(const M& m, const std::string& path, F formats, const save_options& op
 /// Result: the bytes of the file. Material libraries are not written.
 /// Cost:   as save, and the memory of the text.
 /// Errors: as save, but io_error; invalid_argument if no format is given.
-template<class M, Formats F>
-  requires(AnyMesh<M>&& Embedded<M>)
+template<EmbeddedMesh M, Formats F>
 std::string save_text(const M& m, F format, const save_options& options = {}) {
   if constexpr (detail::is_format_list<F>)
-    if (options.format == format_id()) throw invalid_argument("save_text: say which format to write; text has no extension");
+    if (options.format == format_id()) core::throw_joined<invalid_argument>({"save_text: say which format to write; text has no extension"});
   return detail::save_text_with(m, format, options);
 }
 /// One of standard_formats, chosen when the program runs.
-template<class M>
-  requires(AnyMesh<M>&& Embedded<M>)
+template<EmbeddedMesh M>
 std::string save_text(const M& m, format_id format, const save_options& options = {}) {
   save_options with_format = options;
   with_format.format = format;
-  return save_text(m, standard_formats, with_format);
+  if (format == format_id()) core::throw_joined<invalid_argument>({"save_text: say which format to write; text has no extension"});
+  return detail::standard_text<dimension_v<M>>(detail::visitable_mesh<M>{m}, with_format);
 }
 
 // What to write instead of calls that cannot compile.
@@ -72,10 +69,10 @@ template<class... T> void save(mistake::no_points<mistake::give_points>, ...) = 
 template<class... T> void save_text(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void save_text(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class F, class R = mistake::remedy<mistake::complete_the_format>>
-  requires(AnyMesh<M>&& Embedded<M>&& mistake::is_no_format<F>)
+  requires(EmbeddedMesh<M> && mistake::is_no_format<F>)
 void save(const M&, const std::string&, const F&, ...) = delete;  // explain_format<F>() names what is missing
 template<class M, class F, class R = mistake::remedy<mistake::complete_the_format>>
-  requires(AnyMesh<M>&& Embedded<M>&& mistake::is_no_format<F>)
+  requires(EmbeddedMesh<M> && mistake::is_no_format<F>)
 void save_text(const M&, const F&, ...) = delete;  // explain_format<F>() names what is missing
 
 }  // namespace concino

@@ -94,6 +94,10 @@ class cell_tables {
   id_span<face_id> adj_p2f(poly_id p) const { return sides_.facets(p); }
   detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
 
+  /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
+  std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
+  std::size_t corner_bound() const { return p2v_.num_values(); }
+
   /// The order of a face's verts is the one that its owner sees from outside; another poly at the face compares.
   bool face_is_outward(poly_id p, face_id f) const {
     if (sides_.owner(f).poly == p.raw()) return true;
@@ -158,6 +162,18 @@ class cell_tables {
   }
 
  private:
+  /// The edges of a poly that is to be added.
+  struct edges_of_new_poly {
+    edge_id edges[Shape::edges];             // none where there is no such edge yet
+    std::uint32_t num_polys[Shape::edges];   // at the edge, with the new one
+    std::uint32_t more = 0;                  // edges,
+    std::uint32_t more_at[Shape::verts] = {};  // and how many of them at each vert
+  };
+  edges_of_new_poly find_edges(const vert_id* corners) const;
+
+  /// Finds memory for the new poly in the lists of the edges that are crowded, and for the lists of those that may become so.
+  void reserve_crowds_at(const edges_of_new_poly& at);
+
   /// The face that side k of a poly with these corners would be, none if there is no such face yet.
   face_id face_on(std::span<const vert_id> corners, unsigned k) const;
 
@@ -178,71 +194,9 @@ class cell_tables {
 
   static constexpr unsigned valence = detail::shape_tables<Shape>::valence;
 
-  /// A face met at its smallest vert: its other verts but the smaller neighbour of that one, and the next face with the same smaller
-  /// neighbour.
-  struct met_face {
-    std::uint32_t other[Shape::face_verts - 2];
-    std::uint32_t next;
-  };
-  static constexpr std::uint32_t longest_list = 24;  // of faces at an edge that are looked through one by one
-
-  /// The other faces met at a vert where an edge has more: a hash table, so that the number of faces at an edge does not matter.
-  class further_faces {
-    struct slot {
-      std::uint32_t edge = 0, face = ~0u;
-    };
-    std::vector<slot> slots_;
-    std::size_t used_ = 0;
-
-    static std::size_t hash(std::uint32_t edge, const met_face& f) {
-      std::uint64_t x = edge;
-      for (const std::uint32_t v : f.other) {
-        x = (x + 1) * 0x9e3779b97f4a7c15u;
-        x ^= (x >> 32) ^ v;
-      }
-      x *= 0x9e3779b97f4a7c15u;
-      x ^= x >> 32;
-      return static_cast<std::size_t>(x);
-    }
-    std::size_t place(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
-      std::size_t i = hash(edge, wanted) & (slots_.size() - 1);
-      while (slots_[i].face != ~0u && !(slots_[i].edge == edge && std::equal(wanted.other, std::end(wanted.other), all[slots_[i].face].other)))
-        i = (i + 1) & (slots_.size() - 1);
-      return i;
-    }
-
-   public:
-    void clear() {
-      slots_.clear();
-      used_ = 0;
-    }
-    std::uint32_t find(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
-      return slots_.empty() ? ~0u : slots_[place(edge, wanted, all)].face;
-    }
-    /// A face that find() does not find, the last of `all`.
-    void add(std::uint32_t edge, const std::vector<met_face>& all) {
-      if (2 * ++used_ > slots_.size()) {
-        const std::vector<slot> old = std::exchange(slots_, std::vector<slot>(std::max<std::size_t>(64, 2 * slots_.size())));
-        for (const slot& s : old)
-          if (s.face != ~0u) slots_[place(s.edge, all[s.face], all)] = s;
-      }
-      slots_[place(edge, all.back(), all)] = {edge, static_cast<std::uint32_t>(all.size() - 1)};
-    }
-  };
-
-  /// How often an edge was counted that has `many` polys or more.
-  struct edge_use {
-    std::uint32_t edge, polys;
-  };
-
+  /// Builds everything from the verts of polys.
+  class builder;
   void build(std::size_t vert_count);
-
-  static bool are_distinct_verts(const vert_id* v, std::size_t vert_count);
-
-  static constexpr std::uint8_t many = 255;
-
-  /// How many polys have edge e, of which `met` were counted.
-  static std::uint32_t polys_at(std::uint32_t e, std::uint8_t met, const std::vector<edge_use>& used_often);
 
   /// Whether stepping around e comes back to the first poly before all n polys were met. Two polys share at most one face at e, so that no way
   /// round is shorter than 3, and the last steps need not be made. Where something ends at the boundary the answer is no.

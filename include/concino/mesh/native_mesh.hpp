@@ -121,13 +121,15 @@ class native_mesh {
 /// What mesh_traits says of each of the six beyond its adjacencies.
 template<class M, template<class> class Base>
 struct native_traits : Base<M> {
-  static constexpr bool is_precompiled = true;  // in concino::compiled
+  using precompiled = M;  // in concino::compiled
   static const auto& tables(const M& m) { return m.tables(); }
   static const vec3& point(const M& m, vert_id v) { return m.points()[v.raw()]; }
   template<class P>
   static void set_point(M& m, vert_id v, const P& p) { m.points()[v.raw()] = to_vec3(p); }
   static const property_set& properties(const M& m) { return m.properties(); }
   static property_set& properties(M& m) { return m.properties(); }
+  static std::size_t first_corner(const M& m, poly_id p) { return m.tables().first_corner(p); }
+  static std::size_t corner_index_bound(const M& m) { return m.tables().corner_bound(); }
 
   static vert_id add_vert(M& m, const vec3& x) {
     const vec3 place = x;  // x may be a point of m, which moves
@@ -158,7 +160,7 @@ struct native_traits : Base<M> {
  private:
   static auto growing(M& m) {
     return [&m](const index_bounds& after) {
-      index_bounds before{m.tables().verts().bound(), m.tables().edges().bound(), 0, m.tables().polys().bound()};
+      index_bounds before{m.tables().verts().bound(), m.tables().edges().bound(), 0, m.tables().polys().bound(), m.tables().corner_bound()};
       if constexpr (requires { m.tables().faces(); }) before.faces = m.tables().faces().bound();
       m.properties().grow(before, after);
     };

@@ -76,6 +76,10 @@ class basic_polyhedra_tables {
   id_span<face_id> adj_p2f(poly_id p) const { return sides_.facets(p); }
   detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
 
+  /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
+  std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
+  std::size_t corner_bound() const { return p2v_.num_values(); }
+
   bool face_is_outward(poly_id p, face_id f) const {
     const std::uint32_t k = sides_.side_of(p, f);
     return k < outward_.length(p.raw()) && outward_.begin(p.raw())[k] != 0;

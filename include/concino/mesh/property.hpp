@@ -48,10 +48,15 @@ class property_value {
   T* operator->() const { return &**this; }
 };
 
+/// A mesh that shows named properties, its own or those of the mesh that it is a view of.
 template<class M>
-concept HasProperties = requires(std::remove_cvref_t<M>& m, const std::remove_cvref_t<M>& c) {
+concept ShowsProperties = requires(const std::remove_cvref_t<M>& m) {
+  { traits<M>::properties(m) } -> std::same_as<const property_set&>;
+};
+/// A mesh that owns named properties.
+template<class M>
+concept HasProperties = ShowsProperties<M> && requires(std::remove_cvref_t<M>& m) {
   { traits<M>::properties(m) } -> std::same_as<property_set&>;
-  { traits<M>::properties(c) } -> std::same_as<const property_set&>;
 };
 
 /// The property `name` of m's verts (edges, faces, polys), made with default values if there is none.
@@ -85,39 +90,49 @@ property_value<T> mesh_property(M& m, std::string_view name) {
 }
 
 /// The property `name` of m's verts (edges, faces, polys) or of the mesh as a whole, to be read only.
-/// Needs:  a mesh of this library.
+/// Needs:  a mesh of this library, or submesh() or with_points() of one.
 /// Result: a handle as above, of const T; empty (tests false) if there is no property of that name.
 /// Cost:   O(number of properties).
 /// Errors: invalid_argument if the property exists with values of another type.
-template<class T, HasProperties M>
+template<class T, ShowsProperties M>
 property_map<vert_t<M>, const T> find_vert_property(const M& m, std::string_view name) {
   return property_map<vert_t<M>, const T>(traits<M>::properties(m).find(element_kind::vert, name, detail::values_of<T>));
 }
-template<class T, HasProperties M>
+template<class T, ShowsProperties M>
 property_map<edge_t<M>, const T> find_edge_property(const M& m, std::string_view name) {
   return property_map<edge_t<M>, const T>(traits<M>::properties(m).find(element_kind::edge, name, detail::values_of<T>));
 }
-template<class T, HasProperties M>
+template<class T, ShowsProperties M>
 property_map<face_t<M>, const T> find_face_property(const M& m, std::string_view name) {
   return property_map<face_t<M>, const T>(traits<M>::properties(m).find(element_kind::face, name, detail::values_of<T>));
 }
-template<class T, HasProperties M>
+template<class T, ShowsProperties M>
 property_map<poly_t<M>, const T> find_poly_property(const M& m, std::string_view name) {
   return property_map<poly_t<M>, const T>(traits<M>::properties(m).find(element_kind::poly, name, detail::values_of<T>));
 }
-template<class T, HasProperties M>
+template<class T, ShowsProperties M>
 property_value<const T> find_mesh_property(const M& m, std::string_view name) {
   return property_value<const T>(traits<M>::properties(m).find(element_kind::mesh, name, detail::values_of<T>));
 }
 
-/// Kind, name and type of every property of m, in the order in which they were made.
-/// Needs:  a mesh of this library.      Result: an entry each.      Cost: O(number of properties).      Errors: none.
-template<HasProperties M>
+/// Kind, name, type and rule of every property of m, in the order in which they were made.
+/// Needs:  a mesh of this library, or submesh() or with_points() of one.      Result: an entry each.      Cost: O(number of properties).      Errors: none.
+template<ShowsProperties M>
 std::vector<property_info> property_list(const M& m) {
   const property_set& all = traits<M>::properties(m);
   std::vector<property_info> list;
   for (std::size_t i = 0; i < all.size(); ++i) list.push_back(all.info(i));
   return list;
+}
+
+/// Sets what becomes of the values of a property where elements are split, merged or put between others. Until then it is `interpolate` for values that
+/// have a mean (numbers other than integers, vectors, arrays of such, colours) and `copy` for all others.
+/// Needs:  a mesh of this library.      Result: none; copies of the mesh, and meshes made of it, keep the rule.
+/// Cost:   O(number of properties).
+/// Errors: invalid_argument if there is no such property, or where its values have no mean (interpolate) or cannot be added (sum): integers can be added.
+template<HasProperties M>
+void set_property_rule(M& m, element_kind kind, std::string_view name, property_rule rule) {
+  traits<M>::properties(m).set_rule(kind, name, rule);
 }
 
 /// Takes a property out of m. Handles to it keep its values.

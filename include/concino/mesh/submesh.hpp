@@ -33,6 +33,16 @@ struct submesh_traits : partial_traits<views::submesh_view<M>, M>, fixed_arity<a
   static std::size_t index_of(const V& m, const edge& x) { return concino::index_of(m.base(), x); }
   static std::size_t index_of(const V& m, const poly& x) { return concino::index_of(m.base(), x); }
 
+  template<class B = M>
+    requires requires(const B& m) { traits<B>::properties(m); }
+  static const auto& properties(const V& m) { return traits<B>::properties(m.base()); }
+  template<class B = M>
+    requires requires(const B& m, const poly_t<B>& p) { traits<B>::first_corner(m, p); }
+  static std::size_t first_corner(const V& m, const poly_t<B>& p) { return traits<B>::first_corner(m.base(), p); }
+  template<class B = M>
+    requires requires(const B& m) { traits<B>::corner_index_bound(m); }
+  static std::size_t corner_index_bound(const V& m) { return traits<B>::corner_index_bound(m.base()); }
+
   using base::contains;
   static bool contains(const V& m, const poly& x) { return base::shows(m, m.elements().polys, x); }
 
@@ -96,7 +106,7 @@ struct mesh_traits<views::submesh_view<M>>
 /// Needs:  AnyMesh M; keep(p) says whether poly p is shown, asked once for each. A mesh that owns its elements must outlive the view, so a
 ///         temporary one is refused; of a view it keeps a copy.
 /// Result: a mesh of the same kind with the kept polys, and the verts, edges and faces that these use. Its descriptors and indices are
-///         those of m. It does not follow later changes of m.
+///         those of m, and where m has named properties it shows them. It does not follow later changes of m.
 /// Cost:   O(elements of m) time; five bits per vert, edge, face and poly, which copies of the view share.
 /// Errors: those of keep.
 template<AnyMesh M, class Keep>

@@ -76,6 +76,10 @@ class surface_tables {
   id_span<edge_id> adj_p2e(poly_id p) const { return sides_.facets(p); }
   detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
 
+  /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
+  std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
+  std::size_t corner_bound() const { return p2v_.num_values(); }
+
   // Edits find their memory first, which changes nothing, and then cannot fail: each is done as a whole or not at all. `grow` is called in
   // between, with the bounds of indices that the edit leads to; it may fail too.
 
@@ -99,6 +103,16 @@ class surface_tables {
   void check(std::size_t vert_count) const;
 
   void build(std::size_t vert_count);
+
+  /// Lists what build() finds the polys at a vert by: polys, or corners where all polygons have as many verts and where some polygon is long, in which
+  /// looking the vert up would take too long. Returns, if polygons differ and corners are listed, which poly each corner is of.
+  detail::offsets list_at_verts(core::flat_array<std::uint32_t>& scratch);
+
+  /// Vert k of `poly`, which has `size`.
+  struct place {
+    std::uint32_t poly, k, size;
+  };
+  place place_of(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const;
 };
 
 // The members that the compiled library has for the arities of its meshes.

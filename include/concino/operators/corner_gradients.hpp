@@ -2,13 +2,13 @@
 // masses are made of it.
 #pragma once
 
+#include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/geometry/measure.hpp>
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -42,21 +42,32 @@ vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
 
 }  // namespace detail
 
+/// What is known of the gradients on a poly without its mesh.
+struct gradients_at_places {
+  std::vector<vec3> place;     // of each vert, seen from the mean of the verts
+  std::vector<vec3> gradient;  // of each vert; not finite where the poly has no measure
+  vec3 mean;                   // of the verts
+  vec3 normal;                 // of a polygon: its vector area
+  double measure = 0;          // area, or volume: negative for a poly turned inside out
+
+  /// Whether the poly visited last has a measure and finite points. Not for tolerances: the thinnest poly has gradients.
+  bool has_gradients() const;
+
+ protected:
+  /// Points become places.
+  void centre();
+  void visit_polygon();
+};
+
 /// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i g_i. Used again
 /// for poly after poly, so that nothing is allocated for each.
 ///
 /// Polygons: the integral of u times the outward normal along the edges, each linear, over the area; normal to the vector area.
 /// Polyhedra: the integral of u n over the faces, each a fan of linear triangles about its mean point with the mean value, over the volume.
 /// The faces are those by which `volume` is measured, so linear functions have their gradient whether faces are planar or not.
-template<AnyMesh M>
-  requires Embedded<M>
-struct corner_gradients {
+template<EmbeddedMesh M>
+struct corner_gradients : gradients_at_places {
   std::vector<vert_t<M>> verts;
-  std::vector<vec3> place;     // of each vert, seen from the mean of the verts
-  std::vector<vec3> gradient;  // not finite where the poly has no measure
-  vec3 mean;                   // of the verts
-  vec3 normal;                 // of a polygon: its vector area
-  double measure = 0;          // area, or volume: negative for a poly turned inside out
 
   void visit(const M& m, const poly_t<M>& p) {
     verts.clear();
@@ -66,10 +77,10 @@ struct corner_gradients {
       place.push_back(to_vec3(point(m, v)));
     }
     centre();
-    gradient.assign(verts.size(), vec3{});
     if constexpr (SurfaceMesh<M>) {  // edges, or faces cut into triangles, are integrated along
       visit_polygon();
     } else {
+      gradient.assign(verts.size(), vec3{});
       measure = 0;
       sort_many(m);
       for (const face_t<M> f : adj_p2f(m, p)) add_face(m, f, face_is_outward(m, p, f) ? 1.0 : -1.0);
@@ -78,44 +89,10 @@ struct corner_gradients {
     }
   }
 
-  /// Whether the poly visited last has a measure and finite points. Not for tolerances: the thinnest poly has gradients.
-  bool has_gradients() const {
-    double sum = measure;
-    for (const vec3& g : gradient) sum += g.x + g.y + g.z;
-    return std::isfinite(sum) && measure != 0;
-  }
-
  private:
   std::vector<std::size_t> corner_;  // of one face: where its verts stand in `verts`
   std::vector<vec3> around_;         // of one face: its verts seen from its mean point
   std::vector<std::pair<std::size_t, std::size_t>> sorted_;  // of polys of many verts: by number in the mesh, where they stand
-
-  void centre() {
-    const std::size_t n = place.size();
-    if (n == 0) {
-      mean = {};
-      return;
-    }
-    const vec3 origin = place[0];  // differences first: a poly far from the origin loses no digits
-    vec3 sum;
-    for (vec3& x : place) sum += x = x - origin;
-    const vec3 middle = sum / static_cast<double>(n);
-    for (vec3& x : place) x -= middle;
-    mean = origin + middle;
-  }
-
-  void visit_polygon() {
-    const std::size_t n = place.size();
-    normal = {};
-    for (std::size_t i = 0; i < n; ++i) normal += cross(place[i], place[i + 1 < n ? i + 1 : 0]);
-    normal *= 0.5;
-    measure = norm(normal);
-    const vec3 direction = normal / measure;
-    for (std::size_t i = 0; i < n; ++i) {
-      const vec3 across = place[i + 1 < n ? i + 1 : 0] - place[i > 0 ? i - 1 : n - 1];
-      gradient[i] = 0.5 * cross(across, direction) / measure;
-    }
-  }
 
   /// Where v stands in `verts`: by looking, or, in polys of many verts, by its number.
   std::size_t corner_of(const M& m, const vert_t<M>& v) const {
@@ -156,3 +133,7 @@ struct corner_gradients {
 };
 
 }  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/operators/detail/corner_gradients.ipp>
+#endif

@@ -10,14 +10,14 @@
 namespace concino {
 
 /// The divergence of a field, integrated with the hat function of each vert: divergence_matrix(m) times the field.
-/// Needs:  Embedded AnyMesh, no temporary; field[p] of every poly, a vec3 or anything with [0], [1], [2], readable from several threads.
+/// Needs:  EmbeddedMesh, no temporary; field[p] of every poly, a vec3 or anything with [0], [1], [2], readable from several threads.
 /// Result: a map of double, see divergence_matrix; 0 at verts of no poly. Vectors that are not finite give numbers that are not, at the
 ///         verts of their polys.
 /// Cost:   O(size of the polys) time and memory, in parallel; the same for any number of threads.
 /// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
 /// Source: as divergence_matrix.
 template<class M, class Field>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_points<Field, poly_t<M>>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_points<Field, poly_t<M>>
 vert_map<M, double> divergence(M&& m, const Field& field) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_vert_map<double>(m, 0.0);
@@ -45,7 +45,7 @@ template<class... T> void divergence(mistake::no_mesh_traits<mistake::include_ad
 template<class... T> void divergence(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void divergence(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_vectors_at_polys>>
-  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_points<U, poly_t<M>>)
+  requires(EmbeddedMesh<M> && !requirement::gives_points<U, poly_t<M>>)
 void divergence(M&&, const U&, ...) = delete;  // a vector at each poly: make_poly_map<vec3>(m)
 
 }  // namespace concino

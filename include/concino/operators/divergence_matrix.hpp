@@ -21,8 +21,7 @@ namespace concino {
 /// Cost:   O(size of the polys) time and memory, in parallel; the same for any number of threads.
 /// Errors: as gradient_matrix.
 /// Source: the weak form of the finite element method; paper section 2.2, "transposing the gradient matrix".
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
   constexpr const char* who = "divergence_matrix";
   auto d = detail::empty_columns(who, vert_index_bound(m), 3 * poly_index_bound(m));

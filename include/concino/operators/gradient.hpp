@@ -24,13 +24,13 @@ vec3 gradient_of(const Local& local, const U& u) {
 }  // namespace detail
 
 /// The mean gradient of u over each poly: gradient_matrix(m) times u.
-/// Needs:  Embedded AnyMesh, no temporary; u[v] of every vert of a poly, a number, readable from several threads.
+/// Needs:  EmbeddedMesh, no temporary; u[v] of every vert of a poly, a number, readable from several threads.
 /// Result: a map of vec3, in units of u over length; see gradient_matrix. Values that are not finite give gradients that are not.
 /// Cost:   O(size of the polys) time, in parallel, O(P) memory; the same for any number of threads.
 /// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
 /// Source: as gradient_matrix.
 template<class M, class U>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers<U, vert_t<M>>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
 poly_map<M, vec3> gradient(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_poly_map<vec3>(m);
@@ -50,7 +50,7 @@ poly_map<M, vec3> gradient(M&& m, const U& u) {
 /// Cost:   as gradient, and O(V) memory.      Errors: as gradient.
 /// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes" (AGS).
 template<class M, class U>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M> && requirement::gives_numbers<U, vert_t<M>>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
 vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   struct weighted {
@@ -87,10 +87,10 @@ template<class... T> void vert_gradient(mistake::no_mesh_traits<mistake::include
 template<class... T> void vert_gradient(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void vert_gradient(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
-  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_numbers<U, vert_t<M>>)
+  requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
 void gradient(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
-  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_numbers<U, vert_t<M>>)
+  requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
 void vert_gradient(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -12,7 +12,7 @@ namespace concino {
 /// The matrix G whose rows 3p, 3p + 1, 3p + 2 give x, y and z of the mean gradient of u over poly p from the values of u at the verts: the
 /// integral of u times the outward normal over the boundary of p, divided by its area or volume. Along edges u is linear; faces of volumes
 /// are fans of triangles about their mean point, where u has the mean value.
-/// Needs:  Embedded AnyMesh; the faces of each polyhedron close up.
+/// Needs:  EmbeddedMesh; the faces of each polyhedron close up.
 /// Result: 3 poly_index_bound(m) rows, vert_index_bound(m) columns, by index_of; an entry for every vert of every poly, rows sorted in each
 ///         column; those of deleted elements and of verts of no poly are empty. Exact on linear functions a . x: the rows of a poly give a, on
 ///         surfaces a without its part along the vector area of the poly, planar or not, convex or not. Constants have gradient 0 but for
@@ -21,8 +21,7 @@ namespace concino {
 /// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite; unsupported if the matrix would be too
 ///         large for 32-bit indices.
 /// Source: Green-Gauss; on triangles and tets the gradient of piecewise linear functions; paper section 2.2.
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   constexpr const char* who = "gradient_matrix";
   auto g = detail::empty_columns(who, 3 * poly_index_bound(m), vert_index_bound(m));

@@ -32,14 +32,14 @@ template<class M>
 }  // namespace detail
 
 /// The share of each vert in the areas or volumes around it: each poly gives equal parts to its verts.
-/// Needs:  Embedded AnyMesh, no temporary.
+/// Needs:  EmbeddedMesh, no temporary.
 /// Result: a map of double; positive on verts of some poly with a measure, 0 on others; sums to the measure of the mesh. A poly turned
 ///         inside out counts by the absolute value of its volume, since a mass is positive.
 /// Cost:   O(size of the polys) time, O(V) memory.
 /// Errors: invalid_mesh if points of a poly are not finite, or so far apart that the measures sum to infinity.
 /// Source: the barycentric lumped mass of the finite element method; paper section 2.2.
 template<class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
 vert_map<M, double> vert_masses(M&& m) {
   auto mass = make_vert_map<double>(m, 0.0);
   if constexpr (TriMesh<M> || TetMesh<M>) {  // read once
@@ -85,7 +85,7 @@ struct mass_matrix_options {
 };
 
 /// The mass of functions on verts: u . M u is the integral of the square of u.
-/// Needs:  Embedded AnyMesh.
+/// Needs:  EmbeddedMesh.
 /// Result: vert_index_bound(m) rows and columns, by index_of, every diagonal entry present (0 for verts of no poly; with lumped masses for
 ///         deleted ones too); sums to the measure of the mesh. Lumped: vert_masses as a diagonal. Otherwise the hat functions of the verts are projected to
 ///         linear functions on each poly, and what the projection does not see is weighed by its squares at the verts, so that the matrix
@@ -94,8 +94,7 @@ struct mass_matrix_options {
 /// Errors: invalid_mesh as vert_masses, or, unless lumped, if a poly has points that are not finite, or no area or volume; unsupported then if the
 ///         matrix would be too large for 32-bit indices.
 /// Source: Ahmad et al. 2013, "Equivalent projectors for virtual element methods".
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& options = {}) {
   if (!options.lumped) {
     if constexpr (TriMesh<M> || TetMesh<M>) return detail::simplex_mass(m);  // faster: a formula

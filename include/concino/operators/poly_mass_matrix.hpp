@@ -24,12 +24,12 @@ double poly_mass(const char* who, const M& m, const poly_t<M>& p) {
 }  // namespace detail
 
 /// The area or volume of each poly. A poly turned inside out counts by the absolute value of its volume, since a mass is positive.
-/// Needs:  Embedded AnyMesh, no temporary.
+/// Needs:  EmbeddedMesh, no temporary.
 /// Result: a map of double, 0 or more; sums to the measure of the mesh.      Cost: O(size of the polys) time, O(P) memory.
 /// Errors: invalid_mesh that names a poly whose points, or whose area or volume, are not finite.
 /// Source: the mass matrix of piecewise constant functions; paper section 2.2.
 template<class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
 poly_map<M, double> poly_masses(M&& m) {
   using mesh = std::remove_cvref_t<M>;
   auto mass = make_poly_map<double>(m, 0.0);
@@ -38,11 +38,10 @@ poly_map<M, double> poly_masses(M&& m) {
 }
 
 /// The same as a diagonal matrix for vectors on polys, each mass three times: x^T M y is the integral of the scalar product of x and y.
-/// Needs:  Embedded AnyMesh.
+/// Needs:  EmbeddedMesh.
 /// Result: 3 poly_index_bound(m) rows and columns, the mass of poly p at 3p, 3p + 1 and 3p + 2; those of deleted polys are empty.
 /// Cost:   as poly_masses.      Errors: as poly_masses; unsupported if the matrix would be too large for 32-bit indices.
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> poly_mass_matrix(const M& m) {
   constexpr const char* who = "poly_mass_matrix";
   const std::size_t size = 3 * poly_index_bound(m);

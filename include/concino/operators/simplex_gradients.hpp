@@ -12,8 +12,8 @@ namespace concino {
 ///
 /// The gradient of corner i stands on the facet opposite to it, and its length is one over the height there: of a triangle, that edge turned by a
 /// quarter about the normal and divided by twice the area; of a tet, the cross product of two of its edges over six times the volume.
-template<AnyMesh M>
-  requires Embedded<M> && (TriMesh<M> || TetMesh<M>)
+template<EmbeddedMesh M>
+  requires(TriMesh<M> || TetMesh<M>)
 struct simplex_gradients {
   static constexpr std::size_t corners = static_cast<std::size_t>(arity_v<M>);
 

@@ -70,8 +70,7 @@ struct corner_lists {
 /// Cost:   O(sum of the squared numbers of verts of the polys) time and memory, in parallel; the same for any number of threads.
 /// Errors: as gradient_matrix.
 /// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes" (AGS).
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
   constexpr const char* who = "vert_gradient_matrix";
   const std::size_t nv = vert_index_bound(m);

@@ -10,7 +10,7 @@ namespace concino {
 /// Virtual elements of order 1: right on every polygon and polyhedron, concave and non-planar ones too; on triangles and tets the same as cotangent.
 /// Linear functions are in the kernel at interior verts of planar surfaces and of volumes, whatever the polys; polys turned inside out count as if
 /// they were not.
-/// Needs:  Embedded AnyMesh.
+/// Needs:  EmbeddedMesh.
 /// Errors: of what uses it: invalid_mesh if a poly has no area or volume or points that are not finite.
 /// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods".
 struct virtual_elements_t {

@@ -8,7 +8,7 @@
 namespace concino {
 
 /// Cotangents of the triangles or tets about one virtual point for each poly (and face), which is then eliminated. For comparison.
-/// Needs:  Embedded AnyMesh whose polys are star-shaped about that point.
+/// Needs:  EmbeddedMesh whose polys are star-shaped about that point.
 /// Errors: of what uses it: invalid_mesh if a poly has no area or volume or points that are not finite; unsupported if one is not star-shaped about
 ///         its virtual point.
 /// Source: Bunge, Herholz, Kazhdan, Botsch 2020, "Polygon Laplacian made simple".

@@ -20,14 +20,14 @@ struct ambient_occlusion_options {
 };
 
 /// For every poly the part of the sky over its outer side that the surface leaves free, weighted by the cosine to the normal.
-/// Needs:  AnyMesh and Embedded M, wound so that its normals point outward; a ray tracer, such as embree{} of its adapter.
+/// Needs:  EmbeddedMesh M, wound so that its normals point outward; a ray tracer, such as embree{} of its adapter.
 /// Result: a map of double in [0, 1], 1 for a plane that faces up; of a volume's polys the mean over their outer faces by area, 0 where
 ///         they have none. Directions start at the middles of the triangles of a polygon. The same for any number of threads.
 /// Cost:   `directions` rays for each visible polygon, at least one for each of its triangles; parallel.
 /// Errors: invalid_argument if an option is out of its range; as make_drawable; unsupported without a ray tracer; cancelled.
 /// Source: Zhukov, Iones and Kronin 1998; Malley's sampling of the cosine.
 template<class M, RayTracer T = no_ray_tracer>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && Embedded<M>
+  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
 poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& options = {}, const T& tracer = {}) {
   if (options.directions < 1) throw invalid_argument("ambient_occlusion: directions must be 1 or more");
   if (!(options.distance > 0)) throw invalid_argument("ambient_occlusion: distance must be positive");

@@ -105,22 +105,21 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
 }  // namespace detail
 
 /// The surface of a mesh for drawing: the polygons of a surface, the faces of a volume that have exactly one poly.
-/// Needs:  AnyMesh and Embedded M.      Result: in a plain colour; change `look` at will.
+/// Needs:  EmbeddedMesh M.      Result: in a plain colour; change `look` at will.
 /// Cost:   O(polygons), more where many meet in a vert.
 /// Errors: invalid_mesh if a vert that is shown has a coordinate that is not finite; invalid_argument if crease_angle is out of range.
-template<class M>
-  requires AnyMesh<M> && Embedded<M>
+template<EmbeddedMesh M>
 drawable make_drawable(const M& m, const drawable_options& options = {}) {
   return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
 }
 
 /// The same coloured by a value per vert, interpolated over each polygon.
-/// Needs:  AnyMesh and Embedded M; u: any readable map over verts, of numbers; they need not be finite.
+/// Needs:  EmbeddedMesh M; u: any readable map over verts, of numbers; they need not be finite.
 /// Result: as above; `look.scale` is linear over the finite values shown.
 /// Cost:   as above.
 /// Errors: as above.
 template<class M, class U>
-  requires AnyMesh<M> && Embedded<M> && requirement::gives_numbers<U, vert_t<M>>
+  requires EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
 drawable make_drawable(const M& m, const U& u, const drawable_options& options = {}) {
   drawable d = detail::make_drawable(m, options, true, [&](const auto& v) { return static_cast<double>(u[v]); });
   d.look.scale = value_scale::linear(d.values);
@@ -131,7 +130,7 @@ drawable make_drawable(const M& m, const U& u, const drawable_options& options =
 template<class... T> void make_drawable(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 template<class... T> void make_drawable(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
-  requires(AnyMesh<M> && Embedded<M> && !requirement::gives_numbers<U, vert_t<M>>)
+  requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
 void make_drawable(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

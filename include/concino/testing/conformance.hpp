@@ -102,7 +102,7 @@ void check_state(const M& m, const std::string& state, bool algorithms, conforma
   };
   if (!guarded("KIT2", [&](auto& log) { check_ranges(m, log); })) return;
   if (!guarded("KIT3", [&](auto& log) { check_threads(m, log); })) return;
-  if constexpr (AnyMesh<M> && Embedded<M>)
+  if constexpr (EmbeddedMesh<M>)
     if (algorithms) guarded("KIT5", [&](auto& log) { check_against_native(m, log); });
 }
 

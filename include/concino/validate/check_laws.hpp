@@ -3,6 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/validate/detail/facet_laws.hpp>
 #include <concino/validate/detail/halfedge_laws.hpp>
 #include <concino/validate/detail/hex_orders.hpp>
 #include <concino/validate/detail/surface_laws.hpp>
@@ -50,7 +51,7 @@ void check_corner_order(const M& m, law_log& log) {
 /// Result: at most four witnesses per law, in the order of the concepts. Meshes that answer nonsense (indices out of bounds, one-sided
 ///         adjacency, endless walks, exceptions) are described, not believed: nothing is asked about an element that the walks do not meet.
 ///         Where the indices of a kind of elements are at fault (PG1, DG1, SM1, VM1), or the links of half-edges (HE1 .. HE4), repair these
-///         first: what follows from them is not told.
+///         first: what follows from them is not told, nor are FC1 .. FC4 of facets, which follow from the laws of the mesh, where one of those is broken.
 /// Cost:   O(elements + adjacencies) time and memory, adjacencies as the mesh lists them: n equal triangles have n^2 neighbours.
 /// Errors: std::bad_alloc passes. All else that the mesh throws is told as a broken law.
 template<class M>
@@ -67,6 +68,7 @@ std::vector<broken_law> check_laws(const M& m) {
     const auto dual = detail::check_dual_graph(m, log);
     if constexpr (SurfaceMesh<M>) detail::check_surface_mesh(m, primal, dual, log);  // each concept has its laws
     else detail::check_volume_mesh(m, primal, dual, log);
+    if (log.empty()) detail::facet_laws<M>(m, primal, dual, log).check();
     if constexpr (Embedded<M>) detail::check_points(m, primal.nodes, log);
     if constexpr (Embedded<M> && HexMesh<M>)  // only hexes come in orders that one can mistake
       if (log.empty()) detail::check_corner_order(m, log);

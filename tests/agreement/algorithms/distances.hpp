@@ -9,7 +9,7 @@ namespace concino::agreement {
 
 struct distances {
   static constexpr const char* name = "heat_geodesics";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {

@@ -16,7 +16,7 @@ namespace concino::agreement {
 struct edits {
   static constexpr const char* name = "edits";
   template<class M> static constexpr bool runs_on =
-      AnyMesh<M> && Embedded<M> && std::is_copy_constructible_v<M> && requirement::has_add_vert<M> && requirement::has_add_poly<M> &&
+      EmbeddedMesh<M> && std::is_copy_constructible_v<M> && requirement::has_add_vert<M> && requirement::has_add_poly<M> &&
       requirement::has_remove_poly<M> && requirement::has_remove_vert<M>;
 
   template<class B, class In>

@@ -16,7 +16,7 @@ namespace concino::agreement {
 
 struct trees {
   static constexpr const char* name = "bounding_tree";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
@@ -76,7 +76,7 @@ bool expect_same_polys(const A& make_native, const B& make_other) {
 
 struct duals {
   static constexpr const char* name = "dual_mesh";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
@@ -101,7 +101,7 @@ struct labels_of_numbers {
 
 struct unions {
   static constexpr const char* name = "agglomerate";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {

@@ -17,7 +17,7 @@ namespace concino::agreement {
 /// Whether all polys are triangles or tets.
 template<class In, class M>
 bool has_cotangents(const In& in, const M& m) {
-  if constexpr (AnyMesh<M> && Embedded<M>) {
+  if constexpr (EmbeddedMesh<M>) {
     for (const auto p : polys(m)) {
       int n = 0;
       for ([[maybe_unused]] const auto v : adj_p2v(m, p)) ++n;
@@ -99,7 +99,7 @@ struct harmonic {
 struct cotangents {
   static constexpr const char* name = "cotangents";
   static constexpr bool needs_simplices = true;
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In& in) {
@@ -138,7 +138,7 @@ auto waves(const B& both, const M& m, const Number& number) {
 
 struct gradients {
   static constexpr const char* name = "gradient";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
@@ -165,7 +165,7 @@ struct gradients {
 
 struct divergences {
   static constexpr const char* name = "divergence";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {

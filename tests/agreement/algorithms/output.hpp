@@ -15,7 +15,7 @@ namespace concino::agreement {
 
 struct saving {
   static constexpr const char* name = "save";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
@@ -67,7 +67,7 @@ struct saving {
 
 struct drawing {
   static constexpr const char* name = "make_drawable";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {

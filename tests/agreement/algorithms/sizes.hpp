@@ -28,7 +28,7 @@ inline double largest_in(const box& b) {
 
 struct sizes {
   static constexpr const char* name = "measure";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
@@ -103,7 +103,7 @@ struct sizes {
 
 struct masses {
   static constexpr const char* name = "mass_matrix";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {

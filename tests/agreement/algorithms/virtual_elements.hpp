@@ -20,7 +20,7 @@ bool all_polys_have_measure(const M& m) {
 
 struct standard {
   static constexpr const char* name = "standard";
-  template<class M> static constexpr bool runs_on = AnyMesh<M> && Embedded<M>;
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In& in) {

@@ -170,13 +170,47 @@ class edges_of_tet {
 template<class M, int = dimension_v<M>> struct sorted_edges_of_poly { using type = edges_along_ring<M, edges_of_polys<M>>; };
 template<class M> struct sorted_edges_of_poly<M, 3> { using type = edges_of_tet<M>; };
 
-/// What the verbs ask. Of polys the order means something on surfaces and for tets, of faces always.
+/// What the verbs ask. Of polys the order means something on surfaces and for tets, of faces always. What is no list of edges is left as it is, so
+/// that explain_...() can say what is wrong with it.
 template<class M>
 struct order_of_edges {
-  static constexpr bool sorts_those_of_polys = lists_edges_unordered<M> && (dimension_v<M> == 2 || (dimension_v<M> == 3 && arity_v<M> == 4));
-  static constexpr bool sorts_those_of_faces = lists_edges_unordered<M> && dimension_v<M> == 3;
+  static constexpr bool sorts_those_of_polys = lists_edges_unordered<M> && (dimension_v<M> == 2 || (dimension_v<M> == 3 && arity_v<M> == 4)) &&
+      requires(const M& m, poly_t<M> p) { { traits<M>::adj_p2e(m, p) } -> ElementRange<edge_t<M>>; };
+  static constexpr bool sorts_those_of_faces = lists_edges_unordered<M> && dimension_v<M> == 3 &&
+      requires(const M& m, face_t<M> f) { { traits<M>::adj_f2e(m, f) } -> ElementRange<edge_t<M>>; };
   using of_poly = typename sorted_edges_of_poly<M>::type;
   using of_face = edges_along_ring<M, edges_of_faces<M>>;
 };
 
 }  // namespace concino::detail
+
+namespace concino::requirement {
+
+// What the verbs find edges by: their ends, of a polygon with many edges, which a tet is not, also the edges at its verts.
+template<class M>
+concept has_edges_by_ends = requires(const M& m, edge_t<M> e) { { traits<M>::adj_e2v(m, e) } -> ElementRange<vert_t<M>>; };
+template<class M>
+concept has_polys_edges_by_ends = has_edges_by_ends<M> && requires(const M& m, poly_t<M> p) { { traits<M>::adj_p2v(m, p) } -> ElementRange<vert_t<M>>; };
+template<class M>
+concept has_edges_at_verts = requires(const M& m, vert_t<M> v) { { traits<M>::adj_v2e(m, v) } -> ElementRange<edge_t<M>>; };
+
+/// The edges of polys, of faces, are listed in order, or sorting them, which edges_in_order = false asks for, has what it needs.
+template<class M>
+concept has_what_sorts_edges_of_polys = !concino::detail::order_of_edges<M>::sorts_those_of_polys || (dimension_v<M> == 3 && has_polys_edges_by_ends<M>) ||
+    (has_polys_edges_by_ends<M> && has_edges_at_verts<M> &&
+     requires(const M& m, edge_t<M> e) { { traits<M>::adj_e2p(m, e) } -> ElementRange<poly_t<M>>; });
+template<class M>
+concept has_what_sorts_edges_of_faces = !concino::detail::order_of_edges<M>::sorts_those_of_faces ||
+    (has_edges_by_ends<M> && has_edges_at_verts<M> && requires(const M& m, edge_t<M> e, face_t<M> f) {
+      { traits<M>::adj_f2v(m, f) } -> ElementRange<vert_t<M>>;
+      { traits<M>::adj_e2f(m, e) } -> ElementRange<face_t<M>>;
+    });
+
+}  // namespace concino::requirement
+
+namespace concino::mistake {
+
+inline constexpr sentence give_what_sorts_polys("mesh_traits<M> says edges_in_order = false: to sort, adj_p2e needs adj_p2v and adj_e2v, on a surface adj_v2e and adj_e2p too");
+inline constexpr sentence give_what_sorts_faces("mesh_traits<M> says edges_in_order = false: to sort, adj_f2e needs adj_f2v, adj_e2v, adj_v2e and adj_e2f");
+
+}  // namespace concino::mistake

@@ -5,12 +5,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <exception>
+#include <mutex>
 #include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 namespace concino::core {
 
@@ -18,55 +24,161 @@ CONCINO_INLINE std::size_t num_threads() {
   constexpr long most = 1024;
   if (const char* const text = std::getenv("CONCINO_NUM_THREADS"))
     if (const long n = std::strtol(text, nullptr, 10); n > 0) return static_cast<std::size_t>(std::min(n, most));
+#ifdef __linux__
+  ::cpu_set_t allowed;  // hardware_concurrency() counts cores that the process may not run on
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) return static_cast<std::size_t>(std::max(1, CPU_COUNT(&allowed)));
+#endif
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
-CONCINO_INLINE void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run, function_ref<bool(double)> stop) {
-  const std::size_t threads = chunks > 1 ? std::min(num_threads(), chunks) : 1;
-  if (threads == 1) {
-    for (std::size_t c = 0; c < chunks; ++c) {
-      run(c);
-      if (stop && stop(static_cast<double>(c + 1) / static_cast<double>(chunks))) return;
-    }
-    return;
+/// The parts of some work, for threads that each take one after another. Parts are taken in their order, so when one fails all before it have been taken
+/// and will be finished.
+class shared_parts {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  function_ref<bool(function_ref<void()>)> run_;
+  std::mutex mutex_;
+  std::size_t taken_ = 0, failed_ = none;
+  std::exception_ptr what_;  // of the lowest part that failed
+  bool is_over_ = false;
+  std::atomic<std::size_t> done_{0};
+
+ public:
+  explicit shared_parts(function_ref<bool(function_ref<void()>)> run) : run_(run) {}
+
+  std::size_t num_done() const { return done_.load(std::memory_order_relaxed); }
+
+  /// Runs the next part while there is one thread only. Returns whether more is left.
+  bool run_next_alone() {
+    const bool is_more = run_(nullptr);
+    done_.fetch_add(1, std::memory_order_relaxed);
+    return is_more;
   }
 
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
-  struct failure {
-    std::size_t chunk = none;
-    std::exception_ptr what;
-  };
-  std::atomic<std::size_t> next{0}, done{0}, first_failed{none};
-  std::atomic<bool> stopped{false};
-  const auto work = [&](failure& own, bool is_calling_thread) {
-    while (!stopped.load(std::memory_order_relaxed)) {
-      const std::size_t c = next.fetch_add(1, std::memory_order_relaxed);
-      if (c >= chunks || c > first_failed.load(std::memory_order_relaxed)) return;
-      try {
-        run(c);
-        const std::size_t finished = done.fetch_add(1, std::memory_order_relaxed) + 1;
-        if (is_calling_thread && stop && stop(static_cast<double>(finished) / static_cast<double>(chunks))) stopped = true;
-      } catch (...) {
-        own = {c, std::current_exception()};  // chunks come in order: all before c have been begun, and are finished
-        std::size_t lowest = first_failed.load();
-        while (c < lowest && !first_failed.compare_exchange_weak(lowest, c)) {}
-        return;
+  /// The same for one of several threads; exceptions are kept.
+  bool run_next() {
+    std::unique_lock<std::mutex> hold(mutex_);
+    if (is_over_) return false;
+    const std::size_t number = taken_++;
+    try {
+      const bool is_more = run_([&] { hold.unlock(); });
+      done_.fetch_add(1, std::memory_order_relaxed);
+      return is_more;
+    } catch (...) {
+      if (!hold.owns_lock()) hold.lock();
+      is_over_ = true;
+      if (number < failed_) {
+        failed_ = number;
+        what_ = std::current_exception();
       }
+      return false;
     }
-  };
-
-  std::vector<failure> failures(threads);
-  std::vector<std::thread> others;
-  others.reserve(threads - 1);
-  try {
-    while (others.size() + 1 < threads) others.emplace_back([&work, &own = failures[others.size() + 1]] { work(own, false); });
-  } catch (const std::system_error&) {  // the system has no more threads: those that there are do the work
-  } catch (const std::bad_alloc&) {
   }
-  work(failures[0], true);
-  for (std::thread& t : others) t.join();
-  for (const failure& f : failures)
-    if (f.chunk != none && f.chunk == first_failed.load()) std::rethrow_exception(f.what);
+
+  /// Leaves out the parts that nobody has taken.
+  void leave_out_rest() {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    is_over_ = true;
+  }
+
+  /// For the time after the threads.
+  void rethrow() const {
+    if (what_) std::rethrow_exception(what_);
+  }
+};
+
+/// The threads that help the calling one. However the loop is left, they are waited for.
+class part_helpers {
+  shared_parts& parts_;
+  std::vector<std::thread> threads_;
+
+ public:
+  explicit part_helpers(shared_parts& parts) : parts_(parts) {}
+  part_helpers(const part_helpers&) = delete;
+  part_helpers& operator=(const part_helpers&) = delete;
+  ~part_helpers() {
+    if (threads_.empty()) return;
+    parts_.leave_out_rest();
+    join();
+  }
+
+  std::size_t size() const { return threads_.size(); }
+
+  /// Starts up to n more. Returns false where the system or memory has no room for them: those that there are do the work.
+  bool start(std::size_t n) {
+    try {
+      threads_.reserve(threads_.size() + n);
+      for (; n > 0; --n) threads_.emplace_back([&parts = parts_] { while (parts.run_next()) {} });
+    } catch (const std::system_error&) {
+      return false;
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+    return true;
+  }
+
+  void join() {
+    for (std::thread& t : threads_) t.join();
+    threads_.clear();
+  }
+};
+
+/// run_parts of which `at_once` helpers are started before the first part, if not 0, and no other. After each part of the calling thread stop(number
+/// of parts done) is asked, if there is one.
+inline void run_shared(function_ref<bool(function_ref<void()>)> run, function_ref<bool(std::size_t)> stop, std::size_t at_once) {
+  using clock = std::chrono::steady_clock;
+  constexpr std::chrono::microseconds worth_a_thread(200);  // many times what it takes to start and join one
+  constexpr std::size_t unknown = static_cast<std::size_t>(-1);
+  shared_parts parts(run);
+  part_helpers helpers(parts);
+  std::size_t most = unknown;  // helpers; how many is asked when the first may be worth it
+  if (at_once > 0) {
+    helpers.start(at_once);
+    most = helpers.size();
+  }
+  auto since = clock::now();
+  for (bool is_more = true; is_more;) {
+    is_more = helpers.size() == 0 ? parts.run_next_alone() : parts.run_next();
+    if (stop && stop(parts.num_done())) {
+      parts.leave_out_rest();
+      break;
+    }
+    if (!is_more || helpers.size() >= most || clock::now() - since < worth_a_thread) continue;
+    if (most == unknown) most = num_threads() - 1;
+    if (!helpers.start(std::min(helpers.size() + 1, most - helpers.size()))) most = helpers.size();
+    since = clock::now();
+  }
+  helpers.join();
+  parts.rethrow();
+}
+
+/// run(first, last) for the chunks of 0 to n.
+inline void run_shared_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop,
+                              std::size_t at_once) {
+  if (n == 0) return;
+  const std::size_t chunks = n / chunk + (n % chunk != 0);
+  const auto stop_after = [&](std::size_t done) { return stop(static_cast<double>(std::min(done, chunks)) / static_cast<double>(chunks)); };
+  std::size_t next = 0;
+  run_shared(
+      [&](function_ref<void()> release) {
+        const std::size_t first = next, last = n - first < chunk ? n : first + chunk;
+        next = last;
+        if (release) release();
+        if (first < last) run(first, last);
+        return last < n;
+      },
+      stop ? function_ref<bool(std::size_t)>(stop_after) : nullptr, at_once);
+}
+
+CONCINO_INLINE void run_parts(function_ref<bool(function_ref<void()>)> run) { run_shared(run, nullptr, 0); }
+
+CONCINO_INLINE void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop) {
+  run_shared_chunks(n, chunk == 0 ? 1 : chunk, run, stop, 0);
+}
+
+CONCINO_INLINE void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run) {
+  const auto run_one = [&](std::size_t c, std::size_t) { run(c); };
+  run_shared_chunks(chunks, 1, run_one, nullptr, chunks > 1 ? std::min(num_threads(), chunks) - 1 : 0);
 }
 
 }  // namespace concino::core

@@ -9,6 +9,11 @@
 #include <limits>
 #include <vector>
 
+#ifdef CONCINO_COMPILED
+template void Eigen::internal::assign_sparse_to_sparse<Eigen::SparseMatrix<double>, Eigen::SparseMatrix<double>>(Eigen::SparseMatrix<double>&,
+                                                                                                                 const Eigen::SparseMatrix<double>&);
+#endif
+
 namespace concino {
 
 namespace detail {

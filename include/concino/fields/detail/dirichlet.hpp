@@ -3,8 +3,8 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/assembly.hpp>
-#include <concino/core/message.hpp>
-#include <concino/core/number_text.hpp>
+#include <concino/core/compiled.hpp>
+#include <concino/core/function_ref.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
@@ -72,31 +72,19 @@ right_hand_sides<T> zeros(std::size_t size) {
   return b;
 }
 
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_no_vert(const char* who, const char* what) {
-  core::throw_joined<invalid_mesh>({who, ": ", what, " something that is no vert of the mesh; take verts from verts(m)"});
-}
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_finite(const char* who, std::size_t vert) {
-  core::throw_joined<invalid_argument>({who, ": the value given at vert ", vert, " is not finite"});
-}
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_two_values(const char* who, std::size_t vert, double x, double y) {
-  core::throw_joined<invalid_argument>({who, ": two values are given at vert ", vert, ", ", core::number_text(x), " and ", core::number_text(y), "; keep one"});
-}
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_not_held(const char* who, std::size_t vert) {
-  core::throw_joined<invalid_argument>({who, ": a value is given at vert ", vert, ", which is none of those that were named when this was prepared"});
-}
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_no_value(const char* who, std::size_t vert) {
-  core::throw_joined<invalid_argument>({who, ": no value is given at vert ", vert,
-                                  ", which was named when this was prepared; give one at each of those verts"});
-}
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_nothing_given(const char* who, std::size_t vert, std::size_t component) {
-  core::throw_joined<solver_error>({who, ": singular, because the component of vert ", vert, " (", component,
-                              " verts) has no value prescribed; give one at any of its verts"});
-}
+[[noreturn, gnu::cold]] void throw_no_vert(const char* who, const char* what);
+[[noreturn, gnu::cold]] void throw_not_finite(const char* who, std::size_t vert);
+[[noreturn, gnu::cold]] void throw_two_values(const char* who, std::size_t vert, double x, double y);
+[[noreturn, gnu::cold]] void throw_not_held(const char* who, std::size_t vert);
+[[noreturn, gnu::cold]] void throw_no_value(const char* who, std::size_t vert);
+[[noreturn, gnu::cold]] void throw_nothing_given(const char* who, std::size_t vert, std::size_t component);
+
+enum : int { held_vert = -1, isolated_vert = -2 };
 
 /// The verts whose values are to be found, numbered; the others are held at given values, or are isolated: they have no edges.
 template<class M>
 struct held_verts {
-  enum : int { held = -1, isolated = -2 };
+  static constexpr int held = held_vert, isolated = isolated_vert;
   vert_map<M, int> unknown;       // number, held or isolated
   std::vector<vert_t<M>> given;   // the held ones, each once
   std::vector<int> index;         // by index_of, of each unknown
@@ -128,7 +116,7 @@ struct held_verts {
         number(m, v);
       } else if (has_edges(m, v)) {
         std::size_t component = 0;
-        const vert_map<M, int> from_v = concino::bfs(m, v);
+        const vert_map<M, int> from_v = concino::bfs(m, std::vector<vert_t<M>>{v});
         for (const vert_t<M> w : verts(m)) component += from_v[w] >= 0;
         throw_nothing_given(who, index_of(m, v), component);
       } else {
@@ -191,16 +179,33 @@ vert_map<M, T> prescribed_values(const M& m, const held_verts<M>& verts, const D
   return value;
 }
 
+/// What a held vert gives to the right-hand side of the unknowns around it.
+struct coupling {
+  int row, vert;  // number of an unknown, index of a held vert
+  double weight;  // minus the entry of the matrix
+};
+
+/// Takes the rows and columns of the unknowns from a matrix over all verts with both triangles.
+/// unknown: by index of each vert its number, held_vert or isolated_vert; index: the reverse of the numbers.
+void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole, const int* unknown, const std::vector<int>& index, Eigen::SparseMatrix<double>& lower,
+                          std::vector<coupling>& couplings);
+
+/// The solutions of as many right-hand sides as `parts`. value(k, index): part k of the value at a vert, given or to be found. load: see held_system::solve.
+/// Errors: solver_error with the reason.
+void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index, const std::vector<coupling>& couplings,
+                 std::size_t parts, function_ref<double(std::size_t k, int index)> load, function_ref<double&(std::size_t k, int index)> value, const char* who);
+
 /// A x = b for the unknowns of a symmetric system over all verts. What held verts contribute goes to the right-hand side.
 template<class M>
 struct held_system {
-  struct coupling {
-    int row, vert;  // number of an unknown, index of a held vert
-    double weight;  // minus the entry of the matrix
-  };
   held_verts<M> verts;
   Eigen::SparseMatrix<double> lower;  // triangle
   std::vector<coupling> couplings;
+
+  explicit held_system(held_verts<M>&& held) : verts(std::move(held)) {}
+  held_system(held_system&& other) noexcept : verts(std::move(other.verts)), couplings(std::move(other.couplings)) {
+    lower.swap(other.lower);  // Eigen 3.4 would copy what is moved
+  }
 
   template<class Solver>
   void factorize(Solver& solver, const progress& told, const char* who) const {
@@ -212,44 +217,20 @@ struct held_system {
   /// Puts the solution into `value`, which has the values of the held verts. load(k, index): what stands on the right of the
   /// unknown vert of that index, for part k of T.
   /// Errors: solver_error with the reason.
-  template<class T, class Solver, class Load>
-  void solve(const Solver& solver, const Load& load, vert_map<M, T>& value, const char* who) const {
+  template<class T, class Load>
+  void solve(core::solver_ref solver, const Load& load, vert_map<M, T>& value, const char* who) const {
     if (verts.unknowns == 0) return;
-    const auto n = static_cast<std::size_t>(verts.unknowns);
     T* const at = value.values().data();
-    Eigen::VectorXd b(verts.unknowns);
-    for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      for (std::size_t i = 0; i < n; ++i) b[static_cast<Eigen::Index>(i)] = load(k, verts.index[i]);
-      for (const coupling& c : couplings) b[c.row] += c.weight * part(at[c.vert], k);
-      const Eigen::VectorXd u = core::solve_and_check(solver, lower, b, who);
-      for (std::size_t i = 0; i < n; ++i) part(at[verts.index[i]], k) = u[static_cast<Eigen::Index>(i)];
-    }
+    solve_parts(solver, lower, verts.index, couplings, parts_of<T>, load, [at](std::size_t k, int index) -> double& { return part(at[index], k); }, who);
   }
 
-  /// Takes the rows and columns of the unknowns from a matrix over all verts with both triangles.
   void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole) {
-    const int n = verts.unknowns;
-    lower.resize(n, n);
-    lower.resizeNonZeros(whole.nonZeros());
-    const int* const unknown = verts.unknown.values().data();
-    int* const rows = lower.innerIndexPtr();
-    double* const entries = lower.valuePtr();
-    int at = 0;
-    for (int c = 0; c < n; ++c) {
-      const int first = at, from = verts.index[static_cast<std::size_t>(c)];
-      for (int l = whole.outerIndexPtr()[from]; l < whole.outerIndexPtr()[from + 1]; ++l) {
-        const int i = whole.innerIndexPtr()[l], row = unknown[i];
-        const double x = whole.valuePtr()[l];
-        if (row == held_verts<M>::held) couplings.push_back({c, i, -x});
-        if (row < c) continue;
-        rows[at] = row;
-        entries[at++] = x;
-      }
-      core::sort_column(rows + first, entries + first, static_cast<std::size_t>(at - first));
-      lower.outerIndexPtr()[c + 1] = at;
-    }
-    lower.resizeNonZeros(at);
+    detail::restrict_to_unknowns(whole, verts.unknown.values().data(), verts.index, lower, couplings);
   }
 };
 
 }  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/fields/detail/dirichlet.ipp>
+#endif

@@ -55,7 +55,7 @@ class implicit_system {
   /// mass and k: both triangles. Not yet factorised.
   implicit_system(const M& m, held_verts<M>&& held, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
                   const char* who)
-      : system_{std::move(held), {}, {}}, who_(who) {
+      : system_(std::move(held)), who_(who) {
     mass_.swap(mass);  // Eigen 3.4 would copy what is moved
     system_.verts.number_all(m);
     for (const vert_t<M> v : verts(m)) {

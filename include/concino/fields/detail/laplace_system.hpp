@@ -57,23 +57,22 @@ Eigen::SparseMatrix<double> minus_laplacian(const M& m, const D& discretisation)
   return a;
 }
 
-/// A (M^-1 A)^(n-1) with A minus the Laplacian and M the lumped mass; both triangles.
+/// A (M^-1 A)^(n-1); both triangles. A mass that is not positive counts as 1.
+Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& mass, int exponent);
+
+/// The same with A minus the Laplacian and M the lumped mass.
 /// Errors: as lumped_masses; unsupported where 32-bit indices do not suffice; those of laplacian.
 template<class M, class D>
 Eigen::SparseMatrix<double> polyharmonic(const M& m, const D& discretisation, int exponent, const char* who) {
+  if (exponent == 1) return minus_laplacian(m, discretisation);
   const Eigen::SparseMatrix<double> a = minus_laplacian(m, discretisation);
-  if (exponent == 1) return a;
-  std::vector<double> inverse_mass = lumped_masses(m, discretisation, who);
-  for (double& x : inverse_mass) x = x > 0 ? 1 / x : 1;
-  Eigen::SparseMatrix<double> k = scaled_product(a, inverse_mass, a);
-  for (int n = 2; n < exponent; ++n) k = scaled_product(a, inverse_mass, k);
-  return k;
+  return polyharmonic(a, lumped_masses(m, discretisation, who), exponent);
 }
 
 /// The system of the unknowns of that. m: the mesh whose verts are held, or a view of it.
 template<class At, class M, class D>
 held_system<M> laplace_system(const At& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
-  held_system<M> r{std::move(held), {}, {}};
+  held_system<M> r(std::move(held));
   if (exponent > 1) {  // of powers the verts with given values are part too
     r.restrict_to_unknowns(polyharmonic(m, discretisation, exponent, who));
     return r;
@@ -97,7 +96,7 @@ held_system<M> laplace_system(const At& m, held_verts<M>&& held, const D& discre
         return assemble_stiffness<At>(m, make_element, 1.0);
       });
   if (is_whole) r.restrict_to_unknowns(a);
-  else r.lower = std::move(a);
+  else r.lower.swap(a);
   return r;
 }
 
@@ -122,3 +121,7 @@ held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const D& discre
 }
 
 }  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/fields/detail/laplace_system.ipp>
+#endif

@@ -1,20 +1,35 @@
-// The systems of harmonic maps on the meshes of the library; see laplace_system.hpp.
+// Powers of the Laplacian, and the systems of harmonic maps on the meshes of the library; see laplace_system.hpp.
 #pragma once
 
 #include <concino/fields/detail/laplace_system.hpp>
 
-#ifdef CONCINO_COMPILED
+#include <cstddef>
+#include <utility>
+#include <vector>
 
+#ifdef CONCINO_COMPILED
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
 #include <concino/mesh/quadmesh.hpp>
 #include <concino/mesh/tetmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
-
-#include <utility>
+#endif
 
 namespace concino::detail {
+
+CONCINO_INLINE Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& mass, int exponent) {
+  std::vector<double> inverse_mass(mass.size());
+  for (std::size_t i = 0; i < mass.size(); ++i) inverse_mass[i] = mass[i] > 0 ? 1 / mass[i] : 1;
+  Eigen::SparseMatrix<double> k = scaled_product(a, inverse_mass, a);
+  for (int n = 2; n < exponent; ++n) {
+    Eigen::SparseMatrix<double> next = scaled_product(a, inverse_mass, k);
+    k.swap(next);
+  }
+  return k;
+}
+
+#ifdef CONCINO_COMPILED
 
 template<class M, class D>
 held_system<M> precompiled_laplace_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
@@ -32,6 +47,6 @@ CONCINO_DEFINE_LAPLACE_SYSTEMS(hexmesh);
 CONCINO_DEFINE_LAPLACE_SYSTEMS(polyhedralmesh);
 #undef CONCINO_DEFINE_LAPLACE_SYSTEMS
 
-}  // namespace concino::detail
-
 #endif
+
+}  // namespace concino::detail

@@ -150,8 +150,7 @@ class poly_distance {
 template<class M>
   requires Embedded<M>
 auto distances(const views::primal_view<M>& g) { return vert_distance<views::primal_view<M>>{kept_graph<views::primal_view<M>>(g)}; }
-template<class M>
-  requires AnyMesh<M> && Embedded<M>
+template<EmbeddedMesh M>
 auto distances(const views::dual_view<M>& g) { return poly_distance<views::dual_view<M>>(g); }
 template<class G>
   requires requires(const G& g) { distances(g); }

@@ -79,12 +79,29 @@ void for_each_step(const G& g, const typename G::node& v, function_ref<bool(type
                    [[maybe_unused]] const may_cross_t<crossed_t<G>>& may_cross, const F& visit) {
   if constexpr (!std::is_void_v<crossed_t<G>>) {
     if (may_cross) {
-      for_each_step_across(g, v, may_enter, may_cross, [&](const typename G::node& w, const auto&) { visit(w); });
+      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {  // not by for_each_step_across, which would slow down the loop below
+        if (may_cross(x) && (!may_enter || may_enter(w))) visit(w);
+      });
       return;
     }
   }
   for (const typename G::node w : g.neighbours(v))
     if (!may_enter || may_enter(w)) visit(w);
+}
+
+/// The same with may_enter and may_cross of a search's options: calls visit(w, put_crossed). put_crossed() notes what lies between v and w in the map
+/// options.crossed, if there is one.
+template<class G, class Options, class F>
+void for_each_noted_step(const G& g, const typename G::node& v, const Options& options, const F& visit) {
+  if constexpr (!std::is_void_v<crossed_t<G>>) {
+    if (options.crossed) {
+      for_each_step_across(g, v, options.may_enter, options.may_cross, [&](const typename G::node& w, const crossed_t<G>& x) {
+        visit(w, [&] { options.crossed.put(w, x); });
+      });
+      return;
+    }
+  }
+  for_each_step(g, v, options.may_enter, options.may_cross, [&](const typename G::node& w) { visit(w, [] {}); });
 }
 
 }  // namespace concino::detail

@@ -54,8 +54,7 @@ struct euclidean_vert_lengths {
 };
 
 /// Between the centres of polys, each computed once.
-template<class M>
-  requires AnyMesh<M> && Embedded<M>
+template<EmbeddedMesh M>
 class euclidean_poly_lengths {
   const M& m_;
   core::flat_array<vec3> centres_;
@@ -79,7 +78,7 @@ template<class M>
 auto default_lengths(const primal_graph<M>& g) { return euclidean_vert_lengths<M>{g.m}; }
 
 template<class M>
-  requires AnyMesh<mesh_behind_t<M>> && Embedded<mesh_behind_t<M>>
+  requires EmbeddedMesh<mesh_behind_t<M>>
 auto default_lengths(const dual_graph<M>& g) { return euclidean_poly_lengths<mesh_behind_t<M>>(mesh_behind(g.m)); }
 
 }  // namespace concino::detail

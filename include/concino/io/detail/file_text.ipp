@@ -3,6 +3,7 @@
 
 #include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/io/detail/io_errors.hpp>
 #include <concino/io/file_text.hpp>
 
@@ -72,6 +73,35 @@ CONCINO_INLINE file_text::~file_text() {
   if (now != old.size_) detail::throw_size_changed(path, now > old.size_);
 }
 
+namespace detail {
+
+// Reads up to `n` bytes, once; an interrupted call is repeated.
+template<class Call>
+std::size_t read_some(const std::string& path, const Call& call) {
+  for (;;) {
+    const ::ssize_t n = call();
+    if (n >= 0) return static_cast<std::size_t>(n);
+    if (errno != EINTR) throw_io_error(path, "cannot be read", errno);
+  }
+}
+
+// The next `size` bytes of a regular file that stands at `start`, in parts that several threads read. Such parts do not move the file's position.
+inline void read_parts(int fd, const std::string& path, ::off_t start, char* data, std::size_t size) {
+  constexpr std::size_t part = std::size_t{4} << 20;
+  const auto run = [&](std::size_t i) {
+    std::size_t at = i * part;
+    const std::size_t last = std::min(size, at + part);
+    while (at < last) {
+      const std::size_t n = read_some(path, [&] { return ::pread(fd, data + at, last - at, start + static_cast<::off_t>(at)); });
+      if (n == 0) throw_size_changed(path, false);
+      at += n;
+    }
+  };
+  core::for_each_chunk(size / part + (size % part != 0), run);
+}
+
+}  // namespace detail
+
 CONCINO_INLINE void file_text::read(int fd, const std::string& path, std::uint64_t size) {
   std::size_t room = 0;
   const auto make_room = [&](std::size_t n) {
@@ -83,15 +113,20 @@ CONCINO_INLINE void file_text::read(int fd, const std::string& path, std::uint64
   };
   if (size >= SIZE_MAX) throw std::bad_alloc();
   make_room(size ? static_cast<std::size_t>(size) + 1 : 1 << 16);  // one more byte, to see a file grow
+  constexpr std::uint64_t large = std::uint64_t{8} << 20;
+  if (const ::off_t start = size < large ? -1 : ::lseek(fd, 0, SEEK_CUR); start >= 0) {
+    detail::read_parts(fd, path, start, const_cast<char*>(data_), static_cast<std::size_t>(size));
+    size_ = static_cast<std::size_t>(size);
+    if (::lseek(fd, start + static_cast<::off_t>(size), SEEK_SET) < 0) detail::throw_io_error(path, "cannot be read", errno);
+  }
   for (;;) {
     if (size_ == room) {
       if (size) detail::throw_size_changed(path, true);
       make_room(2 * room);
     }
-    const ::ssize_t n = ::read(fd, const_cast<char*>(data_) + size_, std::min<std::size_t>(room - size_, 1 << 30));
+    const std::size_t n = detail::read_some(path, [&] { return ::read(fd, const_cast<char*>(data_) + size_, std::min<std::size_t>(room - size_, 1 << 30)); });
     if (n == 0) break;
-    if (n > 0) size_ += static_cast<std::size_t>(n);
-    else if (errno != EINTR) detail::throw_io_error(path, "cannot be read", errno);
+    size_ += n;
   }
   if (size_ < size) detail::throw_size_changed(path, false);
 }

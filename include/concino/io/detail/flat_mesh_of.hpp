@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/core/message.hpp>
+#include <concino/core/compiled.hpp>
 #include <concino/io/flat_mesh.hpp>
 #include <concino/mesh/property.hpp>
 
@@ -20,34 +20,17 @@ class list_collector {
   std::size_t lists_ = 0, values_ = 0, arity_ = 0;
   bool is_copy_;
 
-  void end(std::size_t length) {
-    if (lists_ == 0) arity_ = length;
-    if (offsets_.empty() && (length != arity_ || arity_ == 0))
-      for (std::size_t i = 0; i <= lists_; ++i) offsets_.push_back(i * arity_);
-    values_ += length;
-    ++lists_;
-    if (!offsets_.empty()) offsets_.push_back(values_);
-  }
+  void end(std::size_t length);
 
  public:
   explicit list_collector(bool copy) : is_copy_(copy) {}
 
-  [[gnu::noinline]] void show(const T* first, const T* last) {
-    if (!is_copy_ && values_ == 0) first_ = first;
-    if (!is_copy_ && first != last && first != first_ + values_) {
-      copies_.assign(first_, first_ + values_);
-      is_copy_ = true;
-    }
-    if (is_copy_) copies_.insert(copies_.end(), first, last);
-    end(static_cast<std::size_t>(last - first));
-  }
+  void show(const T* first, const T* last);
   void push(T x) { copies_.push_back(x); }
   /// Ends a list that was pushed.
-  [[gnu::noinline]] void end_list() { end(copies_.size() - values_); }
+  void end_list() { end(copies_.size() - values_); }
 
-  flat_lists<T> lists() const {
-    return {std::span<const T>(is_copy_ ? copies_.data() : first_, values_), std::span<const std::size_t>(offsets_), offsets_.empty() ? arity_ : 0};
-  }
+  flat_lists<T> lists() const;
 };
 
 /// Elements as they are walked: their indices, where these are not 0, 1, 2 ...; of each index the number.
@@ -69,14 +52,7 @@ struct element_numbers {
   std::uint32_t number_of(std::size_t index) const { return numbers.empty() ? static_cast<std::uint32_t>(index) : numbers[index]; }
 
  private:
-  [[gnu::noinline, gnu::cold]] void renumber(std::size_t bound) {
-    lists_hold_numbers = false;
-    numbers.resize(bound);
-    for (std::size_t i = 0; i < size; ++i) {
-      numbers[i] = static_cast<std::uint32_t>(i);
-      indices.push_back(static_cast<std::uint32_t>(i));
-    }
-  }
+  void renumber(std::size_t bound);
 };
 
 template<class M>
@@ -140,7 +116,7 @@ class flat_mesh_of final : public flat_mesh {
   explicit flat_mesh_of(const M& m) : mesh_(m), poly_verts_(true), face_verts_(true), poly_faces_(true) {
     dimension = dimension_v<M>;
     arity = static_cast<std::uint32_t>(arity_v<M>);
-    if constexpr (HasProperties<M>) properties = &traits<M>::properties(m);
+    if constexpr (ShowsProperties<M>) properties = &traits<M>::properties(m);
     for (const vert_t<M> v : verts(m)) verts_.add(v, index_of(m, v), vert_index_bound(m));
     vert_indices = verts_.indices;
     collect_points();
@@ -159,3 +135,7 @@ class flat_mesh_of final : public flat_mesh {
 };
 
 }  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/io/detail/flat_mesh_of.ipp>
+#endif

@@ -9,6 +9,11 @@
 #include <concino/mesh/face_soup.hpp>
 
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace concino {
 
@@ -65,17 +70,27 @@ M mesh_of(volume_contents& contents, std::string_view name, load_report* report)
   }
 }
 
-/// From a file if there is one, which is let go as soon as it is read; else from the text.
-template<class M, class... F>
-M load_from(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const load_options& options, file_text* file = nullptr) {
-  constexpr bool surface = from_surface<M>, volume = from_cells<M> || from_polyhedra<M>;
+/// What M can hold.
+template<class M>
+inline constexpr wanted_mesh wanted_for{from_surface<M>, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
+
+template<class M> inline constexpr bool wants_volumes = from_cells<M> || from_polyhedra<M>;
+
+template<class... F>
+constexpr bool all_read_surfaces_alone(format_list<F...>) { return (reads_surfaces_alone<F> && ...); }
+
+/// What readers of these formats fill for M.
+template<class M, Formats F>
+using contents_for = contents_of<wants_volumes<M> || !all_read_surfaces_alone(list_of(F{}))>;
+
+/// Reads a file if there is one, which is closed as soon as it is read; else the text.
+template<bool Surfaces, bool Volumes, class... F, class Contents>
+void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const wanted_mesh& wanted, const load_options& options,
+               Contents& contents, file_text* file = nullptr) {
   load_report unheard;
-  const wanted_mesh wanted{surface, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
-  contents_of<volume || !(reads_surfaces_alone<F> && ...)> contents;
   const read_context context{text, name, wanted, options.report ? options.report : &unheard, &options.progress, file != nullptr};
-  with_format(known, chosen, [&]<Format G>(G) { read_as<G, surface, volume>(context, contents); });
+  with_format(known, chosen, [&]<Format G>(G) { read_as<G, Surfaces, Volumes>(context, contents); });
   if (file) file->close(std::string(name));
-  return mesh_of<M>(contents, name, options.report);
 }
 
 /// The format of an open file, of those in the mask.
@@ -85,12 +100,28 @@ std::size_t format_of(const file_text& file, format_list<F...> known, std::uint6
   return choose_format(candidates, rows_of(known), &text);
 }
 
-template<class M, Formats F>
-M load_with(const std::string& path, F formats, const load_options& options) {
+template<bool Surfaces, bool Volumes, Formats F, class Contents>
+void read_file(const std::string& path, F formats, const wanted_mesh& wanted, const load_options& options, Contents& contents) {
   const auto known = list_of(formats);
   const std::uint64_t candidates = candidates_for(path, formats, options.format);
   file_text file(path, {.map = options.map, .pipes = true});
-  return load_from<M>(file.text(), path, known, format_of(file, known, candidates), options, &file);
+  read_text<Surfaces, Volumes>(file.text(), path, known, format_of(file, known, candidates), wanted, options, contents, &file);
+}
+
+template<class M, Formats F>
+M load_text_with(std::string_view text, std::string_view name, F formats, const load_options& options) {
+  const auto known = list_of(formats);
+  contents_for<M, F> contents;
+  const std::size_t chosen = choose_format(candidates_for({}, formats, options.format), rows_of(known), &text);
+  read_text<from_surface<M>, wants_volumes<M>>(text, name, known, chosen, wanted_for<M>, options, contents);
+  return mesh_of<M>(contents, name, options.report);
+}
+
+template<class M, Formats F>
+M load_with(const std::string& path, F formats, const load_options& options) {
+  contents_for<M, F> contents;
+  read_file<from_surface<M>, wants_volumes<M>>(path, formats, wanted_for<M>, options, contents);
+  return mesh_of<M>(contents, path, options.report);
 }
 
 }  // namespace detail

@@ -9,7 +9,7 @@ template<class Shape, class Lists>
 vert_id cell_tables<Shape, Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
   detail::stage_star(v2v_, v2e_, v2p_);
   verts_.reserve(1);
-  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound()});
+  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
   detail::add_star(v2v_, v2e_, v2p_);
   return verts_.add();
 }
@@ -22,22 +22,8 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
   detail::check_new_verts(corners, verts_, "poly", p.raw());
   vert_id c[Shape::verts];
   std::copy_n(corners.begin(), Shape::verts, c);
-  edge_id e[Shape::edges];
-  std::uint32_t polys_at_edge[Shape::edges], more_edges = 0, more_at[Shape::verts] = {}, crowds = 0;
-  std::size_t crowded = 0;
-  crowds_.loosen();
-  for (unsigned j = 0; j < Shape::edges; ++j) {
-    const unsigned a = Shape::edge_vert[j][0], b = Shape::edge_vert[j][1];
-    e[j] = detail::edge_between(v2v_, v2e_, c[a], c[b]);
-    polys_at_edge[j] = 1;
-    if (e[j].is_none()) {
-      ++more_edges, ++more_at[a], ++more_at[b];
-    } else {
-      polys_at_edge[j] += count_polys(e[j]);
-      if (is_crowded(e[j])) crowds_.reserve_in_row(crowd_number(e[j]), 1);
-      else ++crowds, crowded += polys_at_edge[j];
-    }
-  }
+  edges_of_new_poly at = find_edges(c);
+  edge_id* const e = at.edges;
   face_id* const f = sides_.stage_poly(Shape::faces);
   std::uint32_t more_faces = 0;
   for (unsigned k = 0; k < Shape::faces; ++k) {
@@ -45,19 +31,20 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
     more_faces += f[k].is_none();
   }
   for (unsigned i = 0; i < Shape::verts; ++i) {
-    detail::reserve_edges_at(v2v_, v2e_, c[i], more_at[i]);
+    detail::reserve_edges_at(v2v_, v2e_, c[i], at.more_at[i]);
     v2p_.reserve_in_row(c[i].raw(), 1);
   }
   p2v_.reserve_rows(1);
   p2e_.reserve_rows(1);
-  e2v_.reserve_rows(more_edges);
-  e2p_.room_for(more_edges);
-  if (crowds > 0) crowds_.reserve_rows(crowds, crowded);
-  edges_.reserve(more_edges);
+  e2v_.reserve_rows(at.more);
+  e2p_.room_for(at.more);
+  reserve_crowds_at(at);
+  edges_.reserve(at.more);
   faces_.reserve(more_faces);
   polys_.reserve(1);
   auto scratch = sides_.reserve_links(f, Shape::faces, more_faces);
-  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more_edges, faces_.bound() + more_faces, polys_.bound() + 1});
+  if (grow)
+    grow(detail::index_bounds{verts_.bound(), edges_.bound() + at.more, faces_.bound() + more_faces, polys_.bound() + 1, p2v_.num_values() + Shape::verts});
 
   for (unsigned j = 0; j < Shape::edges; ++j)
     if (e[j].is_none()) {
@@ -78,8 +65,34 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
   sides_.remark(p.raw(), std::move(scratch));
   for (const vert_id v : c) v2p_.push(v.raw(), p);
   const poly_id added = polys_.add();
-  for (unsigned j = 0; j < Shape::edges; ++j) refan(e[j], polys_at_edge[j]);
+  for (unsigned j = 0; j < Shape::edges; ++j) refan(e[j], at.num_polys[j]);
   return added;
+}
+
+template<class Shape, class Lists>
+auto cell_tables<Shape, Lists>::find_edges(const vert_id* corners) const -> edges_of_new_poly {
+  edges_of_new_poly at;
+  for (unsigned j = 0; j < Shape::edges; ++j) {
+    const unsigned a = Shape::edge_vert[j][0], b = Shape::edge_vert[j][1];
+    at.edges[j] = detail::edge_between(v2v_, v2e_, corners[a], corners[b]);
+    at.num_polys[j] = 1;
+    if (at.edges[j].is_none()) ++at.more, ++at.more_at[a], ++at.more_at[b];
+    else at.num_polys[j] += count_polys(at.edges[j]);
+  }
+  return at;
+}
+
+template<class Shape, class Lists>
+void cell_tables<Shape, Lists>::reserve_crowds_at(const edges_of_new_poly& at) {
+  std::uint32_t more = 0;
+  std::size_t polys = 0;
+  crowds_.loosen();
+  for (unsigned j = 0; j < Shape::edges; ++j) {
+    if (at.edges[j].is_none()) continue;
+    if (is_crowded(at.edges[j])) crowds_.reserve_in_row(crowd_number(at.edges[j]), 1);
+    else ++more, polys += at.num_polys[j];
+  }
+  if (more > 0) crowds_.reserve_rows(more, polys);
 }
 
 template<class Shape, class Lists>
@@ -167,174 +180,302 @@ void cell_tables<Shape, Lists>::refan(edge_id e, std::uint32_t n) {
   for_each_poly_at(e, [&](poly_id p) { crowds_.push(crowd, p); });
 }
 
+/// Every edge and face is met at its smallest vert, where it gets its number: verts are visited in their order, and at each the polys in theirs.
 template<class Shape, class Lists>
-void cell_tables<Shape, Lists>::build(std::size_t vert_count) {
-  constexpr unsigned nv = Shape::verts;
-  const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
-  const vert_id* const corner_vert = p2v_.begin(0);
-
-  // Corners by vert; they become the polys of the vert at the end.
-  detail::offsets counts(vert_count + 1, 0);
-  for (std::uint32_t p = 0; p < poly_count; ++p) {
-    if (!are_distinct_verts(p2v_.begin(p), vert_count)) {
-      std::vector<std::uint32_t> met;
-      detail::check_verts(p2v_[p], vert_count, "poly", p, met);
-    }
-    for (unsigned i = 0; i < nv; ++i) ++counts[p2v_.begin(p)[i].raw() + 1];
-  }
-  v2p_ = detail::make_rows<poly_id>(std::move(counts));
-  core::flat_array<std::uint32_t> edge_to(vert_count);
-  std::copy_n(v2p_.shape()->begin(), vert_count, edge_to.data());
-  poly_id* const corners = v2p_.begin(0);
-  for (std::size_t c = 0; c < p2v_.num_values(); ++c) corners[edge_to[corner_vert[c].raw()]++] = poly_id{c};
-
-  // Every edge and face is met at its smallest vert a. edge_to[b] is the edge between a and b if that was met at a already. A face is
-  // found among those of a at the same edge, the one to the smaller of its two neighbours of a.
-  p2e_ = detail::rows<edge_id, Shape::edges>(poly_count, edge_id{});
-  sides_ = {detail::rows<face_id, Shape::faces>(poly_count, face_id{}), detail::rows<detail::across, Shape::faces>(poly_count)};
-  std::fill_n(edge_to.data(), vert_count, ~0u);
-  core::flat_array<vert_id> ends, v2v;
-  core::flat_array<edge_id> v2e;
-  core::flat_array<std::uint8_t> uses;     // of each edge, by polys; `many` or more
-  std::vector<std::uint32_t> faces_to;       // per edge of a: the first of the faces met there whose smaller neighbour it leads to
-  std::vector<met_face> met_faces;
-  further_faces further;
-  std::vector<edge_use> used_often;          // sorted by edge
-  const std::size_t guess = std::min(vert_count + (Shape::faces / 2 - 1) * std::size_t{poly_count} + poly_count / 8 + 64, std::size_t{poly_count} * Shape::edges);
-  ends.reserve(2 * guess);
-  v2v.reserve(2 * guess);
-  v2e.reserve(2 * guess);
-  e2p_.reserve(guess);
-  uses.reserve(guess);
-  sides_.reserve_facets(Shape::faces / 2 * std::size_t{poly_count} + poly_count / 8 + 64);
-  detail::offsets star(vert_count + 1, 0);
-  std::uint32_t edge_count = 0, face_count = 0;
-  for (std::uint32_t a = 0; a < vert_count; ++a) {
-    const std::uint32_t first_edge = edge_count, first_face = face_count;
-    faces_to.clear();
-    met_faces.clear();
-    further.clear();
-    const std::size_t most = std::size_t{valence} * v2p_.length(a);
-    vert_id* end = ends.room_for(2 * most);
-    vert_id* near = v2v.room_for(most);
-    edge_id* near_edge = v2e.room_for(most);
-    e2p_.room_for(most);
-    uses.room_for(most);
-    for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
-      const std::uint32_t p = c->raw() / nv, i = c->raw() % nv;
-      const vert_id* const pv = p2v_.begin(p);
-      edge_id* const pe = p2e_.begin(p);
-      std::uint32_t far[valence], met[valence];  // the neighbours of a in p, and which of the edges of a leads there if they are larger
-      for (unsigned j = 0; j < valence; ++j) {
-        const std::uint32_t b = far[j] = pv[shape.vert_far[i][j]].raw();
-        edge_id& named = pe[shape.vert_edge[i][j]];
-        std::uint32_t e = edge_to[b];
-        if (b < a) {
-          if (e == named.raw()) continue;
-          e = edge_to[b] = named.raw();
-        } else if (e - first_edge < edge_count - first_edge) {
-          met[j] = e - first_edge;
-          named = edge_id{e};
-          uses.data()[e] += uses.data()[e] < many;
-          continue;
-        } else {
-          e = edge_to[b] = edge_count++;
-          met[j] = e - first_edge;
-          named = edge_id{e};
-          *end++ = vert_id{a};
-          *end++ = vert_id{b};
-          e2p_.data()[e] = p;
-          uses.data()[e] = 1;
-          faces_to.push_back(~0u);
-        }
-        *near++ = vert_id{b};
-        *near_edge++ = edge_id{e};
-      }
-      for (unsigned k = 0; k < valence; ++k) {
-        // The neighbours of a in the face, the smaller first, and what lies between them: the same for every poly at the face.
-        const std::uint8_t* const along = shape.vert_face_vert[i][k];
-        unsigned x = shape.vert_face_edge[i][k][0], y = shape.vert_face_edge[i][k][1];
-        if (far[x] < a || far[y] < a) continue;
-        if constexpr (Shape::face_verts == 4)
-          if (pv[along[1]].raw() < a) continue;
-        if (far[x] > far[y]) std::swap(x, y);
-        met_face wanted;
-        wanted.other[0] = far[y];
-        if constexpr (Shape::face_verts == 4) wanted.other[1] = pv[along[1]].raw();
-        std::uint32_t& first = faces_to[met[x]];
-        std::uint32_t f = first, listed = 0;
-        for (; f != ~0u && !std::equal(wanted.other, std::end(wanted.other), met_faces[f].other); ++listed) f = met_faces[f].next;
-        if (f == ~0u && listed == longest_list) f = further.find(met[x], wanted, met_faces);
-        if (f == ~0u) {
-          wanted.next = first;
-          if (listed < longest_list) first = static_cast<std::uint32_t>(met_faces.size());
-          met_faces.push_back(wanted);
-          if (listed == longest_list) further.add(met[x], met_faces);
-          sides_.add_facet(p, shape.vert_face[i][k], face_id{face_count++});
-        } else {
-          sides_.link(p, shape.vert_face[i][k], face_id{first_face + f});
-        }
-      }
-      *c = poly_id{p};
-    }
-    ends.resize(2 * std::size_t{edge_count});
-    e2p_.resize(edge_count);
-    uses.resize(edge_count);
-    v2v.resize(static_cast<std::size_t>(near - v2v.data()));
-    v2e.resize(v2v.size());
-    if (v2v.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
-    star[a + 1] = static_cast<std::uint32_t>(v2v.size());
-    // All faces at these edges are linked by now, since a is the smallest vert of each or was passed before.
-    if (std::find(uses.begin() + first_edge, uses.end(), many) != uses.end()) {
-      std::vector<std::uint32_t> polys(edge_count - first_edge);
-      for (const poly_id p : v2p_[a])
-        for (const edge_id e : adj_p2e(p))
-          if (e.raw() - first_edge < polys.size()) ++polys[e.raw() - first_edge];
-      for (std::uint32_t e = first_edge; e < edge_count; ++e)
-        if (uses[e] == many) used_often.push_back({e, polys[e - first_edge]});
-    }
-    for (std::uint32_t e = first_edge; e < edge_count; ++e)
-      if (uses[e] > 5 && closes_early(edge_id{e}, polys_at(e, uses[e], used_often))) e2p_[e] = detail::across::special;
-  }
-  ends.give_back_spare_room();
-  v2v.give_back_spare_room();
-  v2e.give_back_spare_room();
-  e2p_.give_back_spare_room();
-  e2v_ = detail::rows<vert_id, 2>(std::move(ends));
-  v2v_ = {std::make_shared<const detail::offsets>(std::move(star)), std::move(v2v)};
-  v2e_ = {v2v_.shape(), std::move(v2e)};
-  verts_ = detail::live<vert_id>(vert_count);
-  edges_ = detail::live<edge_id>(edge_count);
-  faces_ = detail::live<face_id>(face_count);
-  polys_ = detail::live<poly_id>(poly_count);
-
-  // What closes_early() takes for granted does not hold at the boundary, in crowds, and of polys that share two faces.
-  // Each edge is checked once, though each of its many faces comes by.
-  const auto check = [&](edge_id e) {
-    const std::uint8_t met = std::exchange(uses.data()[e.raw()], 0);
-    if (met > 0 && !is_crowded(e)) check_fan(e, polys_at(e.raw(), met, used_often));
+class cell_tables<Shape, Lists>::builder {
+  /// A face met at its smallest vert: its other verts but the smaller neighbour of that one, and the next face with the same smaller
+  /// neighbour.
+  struct met_face {
+    std::uint32_t other[Shape::face_verts - 2];
+    std::uint32_t next;
   };
-  sides_.finish();
-  for (std::uint32_t f = 0; f < face_count; ++f)
-    if (!sides_.has_two_polys_once(face_id{f}))
-      for (const edge_id e : adj_f2e(face_id{f})) check(e);
-  crowd_edges();
-}
+  static constexpr std::uint32_t longest_list = 24;  // of faces at an edge that are looked through one by one
 
-template<class Shape, class Lists>
-bool cell_tables<Shape, Lists>::are_distinct_verts(const vert_id* v, std::size_t vert_count) {
-  bool good = v[0].raw() < vert_count;
-  for (unsigned i = 1; i < Shape::verts; ++i) {
-    good &= v[i].raw() < vert_count;
-    for (unsigned j = 0; j < i; ++j) good &= v[i] != v[j];
+  /// The other faces met at a vert where an edge has more: a hash table, so that the number of faces at an edge does not matter.
+  class further_faces {
+    struct slot {
+      std::uint32_t edge = 0, face = ~0u;
+    };
+    std::vector<slot> slots_;
+    std::size_t used_ = 0;
+
+    static std::size_t hash(std::uint32_t edge, const met_face& f) {
+      std::uint64_t x = edge;
+      for (const std::uint32_t v : f.other) {
+        x = (x + 1) * 0x9e3779b97f4a7c15u;
+        x ^= (x >> 32) ^ v;
+      }
+      x *= 0x9e3779b97f4a7c15u;
+      x ^= x >> 32;
+      return static_cast<std::size_t>(x);
+    }
+    std::size_t place(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
+      std::size_t i = hash(edge, wanted) & (slots_.size() - 1);
+      while (slots_[i].face != ~0u && !(slots_[i].edge == edge && std::equal(wanted.other, std::end(wanted.other), all[slots_[i].face].other)))
+        i = (i + 1) & (slots_.size() - 1);
+      return i;
+    }
+
+   public:
+    void clear() {
+      slots_.clear();
+      used_ = 0;
+    }
+    std::uint32_t find(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
+      return slots_.empty() ? ~0u : slots_[place(edge, wanted, all)].face;
+    }
+    /// A face that find() does not find, the last of `all`.
+    void add(std::uint32_t edge, const std::vector<met_face>& all) {
+      if (2 * ++used_ > slots_.size()) {
+        const std::vector<slot> old = std::exchange(slots_, std::vector<slot>(std::max<std::size_t>(64, 2 * slots_.size())));
+        for (const slot& s : old)
+          if (s.face != ~0u) slots_[place(s.edge, all[s.face], all)] = s;
+      }
+      slots_[place(edge, all.back(), all)] = {edge, static_cast<std::uint32_t>(all.size() - 1)};
+    }
+  };
+
+  /// How often an edge was counted that has `many` polys or more.
+  struct edge_use {
+    std::uint32_t edge, polys;
+  };
+
+  static constexpr std::uint8_t many = 255;
+
+  cell_tables& t_;
+  const std::size_t vert_count_;
+  const std::uint32_t poly_count_ = static_cast<std::uint32_t>(t_.p2v_.size());
+  std::uint32_t edge_count_ = 0, face_count_ = 0;
+  core::flat_array<std::uint32_t> edge_to_;  // at vert a: [b] is the edge between a and b if it was met at a already
+  core::flat_array<vert_id> ends_, v2v_;
+  core::flat_array<edge_id> v2e_;
+  core::flat_array<std::uint8_t> uses_;  // of each edge, by polys; `many` or more
+  std::vector<edge_use> used_often_;     // sorted by edge
+  detail::offsets star_;
+  std::vector<std::uint32_t> faces_to_;  // per edge of a: the first of the faces met there whose smaller neighbour it leads to
+  std::vector<met_face> met_faces_;      // at a
+  further_faces further_;                // at a
+
+  /// Where the next edge of a and its next neighbour are written.
+  struct cursor {
+    vert_id* end;
+    vert_id* near;
+    edge_id* near_edge;
+    std::uint32_t edge_count;
+  };
+
+  /// Corner i of a poly, at a: the neighbours of a in the poly, and which of the edges of a leads there if they are larger.
+  struct corner {
+    std::uint32_t poly, i;
+    std::uint32_t far[valence], met[valence];
+  };
+
+  void list_corners();
+  void reserve();
+  void visit(std::uint32_t a);
+  void meet_edges(std::uint32_t a, std::uint32_t first_edge, corner& x, cursor& at);
+  void meet_faces(std::uint32_t a, std::uint32_t first_face, const corner& x);
+  void mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a);
+  void hand_over();
+  void check_fans();
+
+  static bool are_distinct_verts(const vert_id* v, std::size_t vert_count) {
+    bool good = v[0].raw() < vert_count;
+    for (unsigned i = 1; i < Shape::verts; ++i) {
+      good &= v[i].raw() < vert_count;
+      for (unsigned j = 0; j < i; ++j) good &= v[i] != v[j];
+    }
+    return good;
   }
-  return good;
+
+  /// How many polys have edge e, of which `met` were counted.
+  std::uint32_t polys_at(std::uint32_t e, std::uint8_t met) const {
+    if (met != many) return met;
+    return std::lower_bound(used_often_.begin(), used_often_.end(), e, [](const edge_use& x, std::uint32_t y) { return x.edge < y; })->polys;
+  }
+
+ public:
+  builder(cell_tables& t, std::size_t vert_count) : t_(t), vert_count_(vert_count), edge_to_(vert_count), star_(vert_count + 1, 0) {}
+
+  void run() {
+    list_corners();
+    reserve();
+    for (std::uint32_t a = 0; a < vert_count_; ++a) visit(a);
+    hand_over();
+    check_fans();
+    t_.crowd_edges();
+  }
+};
+
+template<class Shape, class Lists>
+void cell_tables<Shape, Lists>::build(std::size_t vert_count) { builder(*this, vert_count).run(); }
+
+/// Corners by vert; visit() makes the polys of the vert of them.
+template<class Shape, class Lists>
+void cell_tables<Shape, Lists>::builder::list_corners() {
+  const vert_id* const corner_vert = t_.p2v_.begin(0);
+  detail::offsets counts(vert_count_ + 1, 0);
+  for (std::uint32_t p = 0; p < poly_count_; ++p) {
+    if (!are_distinct_verts(t_.p2v_.begin(p), vert_count_)) {
+      std::vector<std::uint32_t> met;
+      detail::check_verts(t_.p2v_[p], vert_count_, "poly", p, met);
+    }
+    for (unsigned i = 0; i < Shape::verts; ++i) ++counts[t_.p2v_.begin(p)[i].raw() + 1];
+  }
+  t_.v2p_ = detail::make_rows<poly_id>(std::move(counts));
+  std::uint32_t* const next = edge_to_.data();
+  std::copy_n(t_.v2p_.shape()->begin(), vert_count_, next);
+  poly_id* const corners = t_.v2p_.begin(0);
+  for (std::size_t c = 0; c < t_.p2v_.num_values(); ++c) corners[next[corner_vert[c].raw()]++] = poly_id{c};
 }
 
 template<class Shape, class Lists>
-std::uint32_t cell_tables<Shape, Lists>::polys_at(std::uint32_t e, std::uint8_t met, const std::vector<edge_use>& used_often) {
-  if (met != many) return met;
-  return std::lower_bound(used_often.begin(), used_often.end(), e, [](const edge_use& x, std::uint32_t y) { return x.edge < y; })->polys;
+void cell_tables<Shape, Lists>::builder::reserve() {
+  const std::size_t n = poly_count_;
+  t_.p2e_ = detail::rows<edge_id, Shape::edges>(poly_count_, edge_id{});
+  t_.sides_ = {detail::rows<face_id, Shape::faces>(poly_count_, face_id{}), detail::rows<detail::across, Shape::faces>(poly_count_)};
+  std::fill_n(edge_to_.data(), vert_count_, ~0u);
+  const std::size_t guess = std::min(vert_count_ + (Shape::faces / 2 - 1) * n + n / 8 + 64, n * Shape::edges);
+  ends_.reserve(2 * guess);
+  v2v_.reserve(2 * guess);
+  v2e_.reserve(2 * guess);
+  t_.e2p_.reserve(guess);
+  uses_.reserve(guess);
+  t_.sides_.reserve_facets(Shape::faces / 2 * n + n / 8 + 64);
+}
+
+template<class Shape, class Lists>
+void cell_tables<Shape, Lists>::builder::visit(std::uint32_t a) {
+  const std::uint32_t first_edge = edge_count_, first_face = face_count_;
+  faces_to_.clear();
+  met_faces_.clear();
+  further_.clear();
+  const std::size_t most = std::size_t{valence} * t_.v2p_.length(a);
+  cursor at{ends_.room_for(2 * most), v2v_.room_for(most), v2e_.room_for(most), edge_count_};
+  t_.e2p_.room_for(most);
+  uses_.room_for(most);
+  for (poly_id *c = t_.v2p_.begin(a), *last = c + t_.v2p_.length(a); c != last; ++c) {
+    corner x{c->raw() / Shape::verts, c->raw() % Shape::verts, {}, {}};
+    meet_edges(a, first_edge, x, at);
+    meet_faces(a, first_face, x);
+    *c = poly_id{x.poly};
+  }
+  edge_count_ = at.edge_count;
+  ends_.resize(2 * std::size_t{edge_count_});
+  t_.e2p_.resize(edge_count_);
+  uses_.resize(edge_count_);
+  v2v_.resize(static_cast<std::size_t>(at.near - v2v_.data()));
+  v2e_.resize(v2v_.size());
+  if (v2v_.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+  star_[a + 1] = static_cast<std::uint32_t>(v2v_.size());
+  mark_edges_met_since(first_edge, a);
+}
+
+template<class Shape, class Lists>
+[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::builder::meet_edges(std::uint32_t a, std::uint32_t first_edge, corner& x, cursor& at) {
+  const vert_id* const pv = t_.p2v_.begin(x.poly);
+  edge_id* const pe = t_.p2e_.begin(x.poly);
+  for (unsigned j = 0; j < valence; ++j) {
+    const std::uint32_t b = x.far[j] = pv[shape.vert_far[x.i][j]].raw();
+    edge_id& named = pe[shape.vert_edge[x.i][j]];
+    std::uint32_t e = edge_to_[b];
+    if (b < a) {
+      if (e == named.raw()) continue;
+      e = edge_to_[b] = named.raw();
+    } else if (e - first_edge < at.edge_count - first_edge) {
+      x.met[j] = e - first_edge;
+      named = edge_id{e};
+      uses_.data()[e] += uses_.data()[e] < many;
+      continue;
+    } else {
+      e = edge_to_[b] = at.edge_count++;
+      x.met[j] = e - first_edge;
+      named = edge_id{e};
+      *at.end++ = vert_id{a};
+      *at.end++ = vert_id{b};
+      t_.e2p_.data()[e] = x.poly;
+      uses_.data()[e] = 1;
+      faces_to_.push_back(~0u);
+    }
+    *at.near++ = vert_id{b};
+    *at.near_edge++ = edge_id{e};
+  }
+}
+
+/// A face is found among those of a at the same edge, the one to the smaller of its two neighbours of a.
+template<class Shape, class Lists>
+[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std::uint32_t first_face, const corner& at) {
+  const vert_id* const pv = t_.p2v_.begin(at.poly);
+  for (unsigned k = 0; k < valence; ++k) {
+    // The neighbours of a in the face, the smaller first, and what lies between them: the same for every poly at the face.
+    const std::uint8_t* const along = shape.vert_face_vert[at.i][k];
+    unsigned x = shape.vert_face_edge[at.i][k][0], y = shape.vert_face_edge[at.i][k][1];
+    if (at.far[x] < a || at.far[y] < a) continue;
+    if constexpr (Shape::face_verts == 4)
+      if (pv[along[1]].raw() < a) continue;
+    if (at.far[x] > at.far[y]) std::swap(x, y);
+    met_face wanted;
+    wanted.other[0] = at.far[y];
+    if constexpr (Shape::face_verts == 4) wanted.other[1] = pv[along[1]].raw();
+    std::uint32_t& first = faces_to_[at.met[x]];
+    std::uint32_t f = first, listed = 0;
+    for (; f != ~0u && !std::equal(wanted.other, std::end(wanted.other), met_faces_[f].other); ++listed) f = met_faces_[f].next;
+    if (f == ~0u && listed == longest_list) f = further_.find(at.met[x], wanted, met_faces_);
+    if (f == ~0u) {
+      wanted.next = first;
+      if (listed < longest_list) first = static_cast<std::uint32_t>(met_faces_.size());
+      met_faces_.push_back(wanted);
+      if (listed == longest_list) further_.add(at.met[x], met_faces_);
+      t_.sides_.add_facet(at.poly, shape.vert_face[at.i][k], face_id{face_count_++});
+    } else {
+      t_.sides_.link(at.poly, shape.vert_face[at.i][k], face_id{first_face + f});
+    }
+  }
+}
+
+/// Marks those edges of a, met since `first_edge`, around which stepping would not meet all polys. All faces at these edges are linked by now, since a is
+/// the smallest vert of each or was passed before.
+template<class Shape, class Lists>
+[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::builder::mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a) {
+  if (std::find(uses_.begin() + first_edge, uses_.end(), many) != uses_.end()) {
+    std::vector<std::uint32_t> uses_since(edge_count_ - first_edge);
+    for (const poly_id p : t_.v2p_[a])
+      for (const edge_id e : t_.adj_p2e(p))
+        if (e.raw() - first_edge < uses_since.size()) ++uses_since[e.raw() - first_edge];
+    for (std::uint32_t e = first_edge; e < edge_count_; ++e)
+      if (uses_[e] == many) used_often_.push_back({e, uses_since[e - first_edge]});
+  }
+  for (std::uint32_t e = first_edge; e < edge_count_; ++e)
+    if (uses_[e] > 5 && t_.closes_early(edge_id{e}, polys_at(e, uses_[e]))) t_.e2p_[e] = detail::across::special;
+}
+
+template<class Shape, class Lists>
+void cell_tables<Shape, Lists>::builder::hand_over() {
+  ends_.give_back_spare_room();
+  v2v_.give_back_spare_room();
+  v2e_.give_back_spare_room();
+  t_.e2p_.give_back_spare_room();
+  t_.e2v_ = detail::rows<vert_id, 2>(std::move(ends_));
+  t_.v2v_ = {std::make_shared<const detail::offsets>(std::move(star_)), std::move(v2v_)};
+  t_.v2e_ = {t_.v2v_.shape(), std::move(v2e_)};
+  t_.verts_ = detail::live<vert_id>(vert_count_);
+  t_.edges_ = detail::live<edge_id>(edge_count_);
+  t_.faces_ = detail::live<face_id>(face_count_);
+  t_.polys_ = detail::live<poly_id>(poly_count_);
+}
+
+/// What closes_early() takes for granted does not hold at the boundary, in crowds, and of polys that share two faces. Each edge is checked once, though
+/// each of its many faces comes by.
+template<class Shape, class Lists>
+void cell_tables<Shape, Lists>::builder::check_fans() {
+  const auto check = [&](edge_id e) {
+    const std::uint8_t met = std::exchange(uses_.data()[e.raw()], 0);
+    if (met > 0 && !t_.is_crowded(e)) t_.check_fan(e, polys_at(e.raw(), met));
+  };
+  t_.sides_.finish();
+  for (std::uint32_t f = 0; f < face_count_; ++f)
+    if (!t_.sides_.has_two_polys_once(face_id{f}))
+      for (const edge_id e : t_.adj_f2e(face_id{f})) check(e);
 }
 
 template<class Shape, class Lists>

@@ -19,7 +19,7 @@ void reserve_more(std::vector<T>& v, std::size_t n) {
 
 /// One more than the largest index of each kind of elements; 0 for faces where there are none.
 struct index_bounds {
-  std::size_t verts = 0, edges = 0, faces = 0, polys = 0;
+  std::size_t verts = 0, edges = 0, faces = 0, polys = 0, corners = 0;
 };
 
 /// Edits of tables call a function with the bounds that they lead to, after they found all memory and before they change anything: others

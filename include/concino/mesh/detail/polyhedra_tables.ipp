@@ -23,7 +23,7 @@ template<class Lists>
 vert_id basic_polyhedra_tables<Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
   detail::stage_star(v2v_, v2e_, v2p_);
   verts_.reserve(1);
-  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound()});
+  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
   detail::add_star(v2v_, v2e_, v2p_);
   return verts_.add();
 }
@@ -50,7 +50,7 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
   edges_.reserve(more);
   faces_.reserve(1);
   sides_.reserve_links(nullptr, 0, 1);
-  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, faces_.bound() + 1, polys_.bound()});
+  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, faces_.bound() + 1, polys_.bound(), p2v_.num_values()});
 
   f2v_.commit_row(n);
   sides_.add_facet();
@@ -91,7 +91,7 @@ poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, s
   for (const vert_id v : corners) v2p_.reserve_in_row(v.raw(), 1);
   polys_.reserve(1);
   auto scratch = sides_.reserve_links(faces, n, 0);
-  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound(), faces_.bound(), polys_.bound() + 1});
+  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound(), faces_.bound(), polys_.bound() + 1, p2v_.num_values() + corners.size()});
 
   sides_.commit_poly(n);
   outward_.commit_row(n);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/message.hpp>
+#include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/property_set.hpp>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ CONCINO_INLINE column::column(const value_type& type, std::size_t n) : column(ty
 }
 
 [[gnu::noinline]] CONCINO_INLINE column::column(const column& o) : column(*o.type_) {
+  rule_ = o.rule_;
   make_room(o.size_);
   if (type_->copy) {
     for (; size_ < o.size_; ++size_) type_->copy(at(size_), o.at(size_));
@@ -39,14 +41,90 @@ CONCINO_INLINE column::column(const value_type& type, std::size_t n) : column(ty
   }
 }
 
-CONCINO_INLINE column::column(const column& o, const std::vector<std::uint32_t>& source) : column(*o.type_) {
-  make_room(source.size());
-  for (; size_ < source.size(); ++size_) {
-    const std::uint32_t from = source[size_];
-    if (from == ~0u) type_->make(at(size_));
-    else if (type_->copy) type_->copy(at(size_), o.at(from));
-    else std::memcpy(at(size_), o.at(from), type_->size);
+CONCINO_INLINE void column::copy_value(const column& o, std::size_t from) {
+  if (type_->copy) type_->copy(at(size_), o.at(from));
+  else std::memcpy(at(size_), o.at(from), type_->size);
+  ++size_;
+}
+
+/// Which of the origins of one element has most in common with it, the first of several.
+CONCINO_INLINE std::uint32_t largest_origin(const element_origins::range& origins) {
+  origin largest = origins[0];
+  for (const origin x : origins)
+    if (x.amount > largest.amount) largest = x;
+  return largest.index;
+}
+
+CONCINO_INLINE void column::copy_largest(const column& o, const element_origins& from) {
+  while (size_ < from.size()) {
+    const auto origins = from[size_];
+    if (!origins.empty()) copy_value(o, largest_origin(origins));
+    else type_->make(at(size_)), ++size_;
   }
+}
+
+CONCINO_INLINE void column::interpolate(const column& o, const element_origins& from) {
+  while (size_ < from.size()) {
+    const auto origins = from[size_];
+    if (origins.empty()) {
+      type_->make(at(size_)), ++size_;
+      continue;
+    }
+    if (origins.size() == 1) {
+      copy_value(o, origins[0].index);
+      continue;
+    }
+    double total = 0;
+    for (const origin x : origins) total += x.amount;
+    const auto weight = [&](const origin& x) { return total > 0 ? x.amount / total : 1 / static_cast<double>(origins.size()); };
+    const std::size_t here = size_;
+    type_->scale(at(here), o.at(origins[0].index), weight(origins[0]));
+    ++size_;
+    for (std::size_t k = 1; k < origins.size(); ++k) type_->add(at(here), o.at(origins[k].index), weight(origins[k]));
+  }
+}
+
+/// Each value before is parted among the elements that name it, by their amounts. One that cannot be parted goes to the one with the largest, as a whole.
+CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
+  struct parts {
+    double total = 0, largest = -1;
+    std::size_t count = 0, owner = 0;
+  };
+  std::vector<parts> all(o.size_);
+  for (std::size_t i = 0; i < from.size(); ++i)
+    for (const origin x : from[i]) {
+      parts& p = all[x.index];
+      p.total += x.amount;
+      ++p.count;
+      if (x.amount > p.largest) p.largest = x.amount, p.owner = i;
+    }
+  const bool can_be_parted = type_->scale != nullptr;
+  while (size_ < from.size()) {
+    const std::size_t here = size_;
+    for (const origin x : from[here]) {
+      const parts& p = all[x.index];
+      if (!can_be_parted && p.owner != here) continue;
+      const double part = !can_be_parted || p.count == 1 ? 1 : p.total > 0 ? x.amount / p.total : 1 / static_cast<double>(p.count);
+      if (size_ > here) type_->add(at(here), o.at(x.index), part);
+      else if (part == 1) copy_value(o, x.index);
+      else type_->scale(at(here), o.at(x.index), part), ++size_;
+    }
+    if (size_ == here) type_->make(at(here)), ++size_;
+  }
+}
+
+CONCINO_INLINE column::column(const column& o, const element_origins& from) : column(*o.type_) {
+  rule_ = o.rule_;
+  make_room(from.size());
+  if (rule_ == property_rule::interpolate) interpolate(o, from);
+  else if (rule_ == property_rule::sum) sum(o, from);
+  else copy_largest(o, from);
+}
+
+CONCINO_INLINE bool column::set_rule(property_rule rule) {
+  const bool is_possible = rule == property_rule::copy || (rule == property_rule::interpolate ? type_->scale != nullptr : type_->add != nullptr);
+  if (is_possible) rule_ = rule;
+  return is_possible;
 }
 
 [[gnu::noinline]] CONCINO_INLINE column::~column() {
@@ -124,15 +202,34 @@ CONCINO_INLINE bool property_set::has(element_kind kind) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const entry& e) { return e.kind == kind; });
 }
 
-CONCINO_INLINE void property_set::gather(const property_set& given, element_kind kind, const std::vector<std::uint32_t>& source) {
-  for (const entry& e : given.entries_)
-    if (e.kind == kind) entries_.push_back({kind, e.name, std::make_shared<detail::column>(*e.values, source)});
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE void property_set::set_rule(element_kind kind, std::string_view name, property_rule rule) {
+  for (const entry& e : entries_) {
+    if (e.kind != kind || e.name != name) continue;
+    if (!e.values->set_rule(rule))
+      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" cannot be taken along by the rule `", to_string(rule), "`: its values, of type ",
+                                            e.values->type().name(), rule == property_rule::sum ? ", cannot be added" : ", have no mean"});
+    return;
+  }
+  core::throw_joined<invalid_argument>({"the mesh has no ", to_string(kind), " property \"", name, "\""});
+}
+
+CONCINO_INLINE void property_set::transfer(const property_set& given, const correspondence& c) {
+  const element_origins the_mesh(std::vector<std::uint32_t>{0u});
+  const element_origins* const origins[] = {&c.verts, &c.edges, &c.faces, &c.polys, &the_mesh, &c.corners};
+  std::vector<entry> all = entries_;
+  for (const entry& e : given.entries_) {
+    auto values = std::make_shared<detail::column>(*e.values, *origins[static_cast<unsigned>(e.kind)]);
+    const auto same = std::find_if(all.begin(), all.end(), [&](const entry& x) { return x.kind == e.kind && x.name == e.name; });
+    if (same != all.end()) same->values = std::move(values);
+    else all.push_back({e.kind, e.name, std::move(values)});
+  }
+  entries_.swap(all);
 }
 
 CONCINO_INLINE void property_set::grow(const detail::index_bounds& before, const detail::index_bounds& after) {
   if (entries_.empty()) return;
   const auto resize = [&](const detail::index_bounds& to) {
-    const std::size_t sizes[] = {to.verts, to.edges, to.faces, to.polys, 1};
+    const std::size_t sizes[] = {to.verts, to.edges, to.faces, to.polys, 1, to.corners};
     for (entry& e : entries_) e.values->resize(sizes[static_cast<unsigned>(e.kind)]);
   };
   try {
@@ -143,6 +240,6 @@ CONCINO_INLINE void property_set::grow(const detail::index_bounds& before, const
   }
 }
 
-CONCINO_INLINE property_info property_set::info(std::size_t i) const { return {entries_[i].kind, entries_[i].name, &entries_[i].values->type()}; }
+CONCINO_INLINE property_info property_set::info(std::size_t i) const { return {entries_[i].kind, entries_[i].name, &entries_[i].values->type(), entries_[i].values->rule()}; }
 
 }  // namespace concino

@@ -49,6 +49,8 @@ class rows {
   rows(std::size_t n, const T& value) : data_(n * N, value) {}
 
   std::size_t size() const { return data_.size() / N; }
+  /// Where row i begins, of all values.
+  std::size_t first(std::size_t i) const { return i * N; }
   const T* begin(std::size_t i) const { return data_.data() + i * N; }
   const T* end(std::size_t i) const { return data_.data() + i * N + N; }
   T* begin(std::size_t i) { return data_.data() + i * N; }
@@ -146,12 +148,14 @@ class rows<T, 0> {
   }
 
   std::size_t size() const { return size_; }
+  /// Where row i begins, of all values. Stays what it is while no row grows but by commit_row().
+  std::size_t first(std::size_t i) const { return first_[i]; }
   const T* begin(std::size_t i) const { return data_.data() + first_[i]; }
   const T* end(std::size_t i) const { return data_.data() + last_[i]; }
   T* begin(std::size_t i) { return data_.data() + first_[i]; }
   id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
   std::uint32_t length(std::size_t i) const { return last_[i] - first_[i]; }
-  /// Of rows that were not edited.
+  /// All that first() and lengths lead to; what edits left unused counts too.
   std::size_t num_values() const { return data_.size(); }
 
   /// The offsets that other rows of the same lengths may share; null once a row was edited.

@@ -9,7 +9,7 @@ template<unsigned Arity, class Lists>
 vert_id surface_tables<Arity, Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
   detail::stage_star(v2v_, v2e_, v2p_);
   verts_.reserve(1);
-  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), 0, polys_.bound()});
+  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), 0, polys_.bound(), p2v_.num_values()});
   detail::add_star(v2v_, v2e_, v2p_);
   return verts_.add();
 }
@@ -37,7 +37,7 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   edges_.reserve(more);
   polys_.reserve(1);
   auto scratch = sides_.reserve_links(e, n, more);
-  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, 0, polys_.bound() + 1});
+  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, 0, polys_.bound() + 1, p2v_.num_values() + n});
 
   p2v_.commit_row(n);
   sides_.commit_poly(n);
@@ -90,13 +90,10 @@ void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
 }
 
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
+detail::offsets surface_tables<Arity, Lists>::list_at_verts(core::flat_array<std::uint32_t>& scratch) {
+  const std::size_t vert_count = scratch.size(), corner_count = p2v_.num_values();
   const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
-  const std::size_t corner_count = p2v_.num_values();
   const vert_id* const corner_vert = p2v_.begin(0);
-
-  // Polys by vert, in which the vert is looked up later; but where some polygon is long, that would take too long: then corners by vert
-  // (as always where all polygons have as many), and poly_of says which poly a corner is of.
   detail::offsets poly_of;
   if constexpr (Arity == 0) {
     std::uint32_t longest = 0;
@@ -109,7 +106,7 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   detail::offsets counts(vert_count + 1, 0);
   for (std::size_t c = 0; c < corner_count; ++c) ++counts[corner_vert[c].raw() + 1];
   v2p_ = detail::make_rows<poly_id>(std::move(counts));
-  core::flat_array<std::uint32_t> fill(vert_count);
+  std::uint32_t* const fill = scratch.data();
   for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p_.begin(v) - v2p_.begin(0));
   poly_id* const corners = v2p_.begin(0);
   if (Arity > 0 || !poly_of.empty()) {
@@ -118,11 +115,35 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
     for (std::uint32_t p = 0; p < poly_count; ++p)
       for (const vert_id v : p2v_[p]) corners[fill[v.raw()]++] = poly_id{p};
   }
+  return poly_of;
+}
+
+template<unsigned Arity, class Lists>
+[[gnu::always_inline]] inline auto surface_tables<Arity, Lists>::place_of(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const -> place {
+  if constexpr (Arity > 0) {
+    return {listed.raw() / Arity, listed.raw() % Arity, Arity};
+  } else if (poly_of.empty()) {
+    const std::uint32_t p = listed.raw();
+    std::uint32_t k = 0;
+    for (const vert_id* v = p2v_.begin(p); v[k].raw() != vert;) ++k;
+    return {p, k, p2v_.length(p)};
+  } else {
+    const std::uint32_t p = poly_of[listed.raw()];
+    return {p, listed.raw() - static_cast<std::uint32_t>(p2v_.begin(p) - p2v_.begin(0)), p2v_.length(p)};
+  }
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
+  const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
+  const std::size_t corner_count = p2v_.num_values();
+  core::flat_array<std::uint32_t> scratch(vert_count);
+  const detail::offsets poly_of = list_at_verts(scratch);
 
   // Every edge is met at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
   if constexpr (Arity == 0) sides_ = {{p2v_.shape(), core::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shape(), core::flat_array<detail::across>(corner_count)}};
   else sides_ = {per_poly<edge_id>(poly_count, edge_id{}), per_poly<detail::across>(poly_count)};
-  core::flat_array<std::uint32_t>& edge_to = fill;
+  core::flat_array<std::uint32_t>& edge_to = scratch;
   std::fill_n(edge_to.data(), vert_count, ~0u);
   core::flat_array<vert_id> ends;
   const std::size_t guess = vert_count + poly_count + poly_count / 64 + 16;
@@ -151,19 +172,7 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
     const std::uint32_t first_edge = edge_count;
     met_first.clear();
     for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
-      std::uint32_t p = 0, k = 0, n = Arity;
-      if constexpr (Arity > 0) {
-        p = c->raw() / Arity;
-        k = c->raw() % Arity;
-      } else if (poly_of.empty()) {
-        p = c->raw();
-        n = p2v_.length(p);
-        for (const vert_id* v = p2v_.begin(p); v[k].raw() != a;) ++k;
-      } else {
-        p = poly_of[c->raw()];
-        n = p2v_.length(p);
-        k = c->raw() - static_cast<std::uint32_t>(p2v_.begin(p) - corner_vert);
-      }
+      const auto [p, k, n] = place_of(*c, a, poly_of);
       const vert_id* const pv = p2v_.begin(p);
       const std::uint32_t next = k + 1 == n ? 0 : k + 1, previous = k == 0 ? n - 1 : k - 1;
       visit(a, pv[next], first_edge, p, k);
@@ -175,7 +184,7 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   ends.give_back_spare_room();
   e2v_ = detail::rows<vert_id, 2>(std::move(ends));
 
-  detail::fill_stars(std::move(degrees), e2v_, fill, v2v_, v2e_);
+  detail::fill_stars(std::move(degrees), e2v_, scratch, v2v_, v2e_);
   if (*v2p_.shape() == *v2v_.shape()) v2p_.share_shape(v2v_);
   verts_ = detail::live<vert_id>(vert_count);
   edges_ = detail::live<edge_id>(edge_count);

@@ -16,7 +16,7 @@
 
 namespace concino::detail {
 
-/// The map of an Embedded AnyMesh of triangles or tets.
+/// The map of an EmbeddedMesh of triangles or tets.
 template<EmbeddedMesh M>
 class cotangent_weights {
   static constexpr int dimension = dimension_v<M>;

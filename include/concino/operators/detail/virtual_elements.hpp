@@ -1,6 +1,7 @@
 // Virtual elements of order 1: stiffness and mass of one poly of any shape, by projecting functions known at its verts to linear ones.
 #pragma once
 
+#include <concino/core/compiled.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/operators/corner_gradients.hpp>
 #include <concino/operators/discretisation.hpp>
@@ -51,60 +52,20 @@ struct thin_places {
   bool is_regular = false;  // there is an extent along every axis
 
   /// normal: of unit length, of a polygon; 0 of a polyhedron.
-  void find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension) {
-    const auto longest = [&](auto&& part) {
-      vec3 best;
-      for (const vec3& y : place)
-        if (const vec3 x = part(y); dot(x, x) > dot(best, best)) best = x;
-      return best / norm(best);
-    };
-    const auto without = [](const vec3& x, const vec3& a) { return x - dot(a, x) * a; };
-    axis[0] = longest([&](const vec3& y) { return without(y, normal); });
-    if (dimension == 2) {
-      axis[1] = cross(normal, axis[0]);
-    } else {
-      axis[1] = longest([&](const vec3& y) { return without(without(y, axis[0]), axis[0]); });
-      axis[2] = cross(axis[0], axis[1]);
-    }
-    q.assign(place.size(), vec3{});
-    is_regular = true;
-    const double n = static_cast<double>(place.size());
-    for (std::size_t k = 0; k < dimension; ++k) {
-      for (std::size_t i = 0; i < q.size(); ++i) q[i][k] = dot(axis[k], place[i]);
-      for (auto& row : r) row[k] = 0;
-      for (int round = 0; round < 2; ++round) {  // Gram and Schmidt's method, twice for the digits
-        double mean = 0;
-        for (const vec3& x : q) mean += x[k] / n;
-        for (vec3& x : q) x[k] -= mean;
-        for (std::size_t l = 0; l < k; ++l) {
-          double along = 0;
-          for (const vec3& x : q) along += x[l] * x[k];
-          for (vec3& x : q) x[k] -= along * x[l];
-          r[l][k] += along;
-        }
-      }
-      double squares = 0;
-      for (const vec3& x : q) squares += x[k] * x[k];
-      r[k][k] = std::sqrt(squares);
-      is_regular &= r[k][k] > 0 && std::isfinite(r[k][k]);
-      for (vec3& x : q) x[k] /= r[k][k];
-    }
-  }
+  void find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension);
 
   /// R^-1 a, the gradient in these coordinates of what has the values Q a.
-  vec3 solve(vec3 a, std::size_t dimension) const {
-    for (std::size_t k = dimension; k-- > 0;) {
-      for (std::size_t l = k + 1; l < dimension; ++l) a[k] -= r[k][l] * a[l];
-      a[k] /= r[k][k];
-    }
-    return a;
-  }
+  vec3 solve(vec3 a, std::size_t dimension) const;
 };
+
+/// What both matrices have in common, the lower triangle row by row. form: of both gradients; factor: of the squares of u - P u at the verts; constant:
+/// is added everywhere; image: scratch.
+void fill_projected(const gradients_at_places& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
+                    std::vector<double>& entries);
 
 /// The projection of a poly's functions to linear ones, P u (x) = mean of u + (sum of u_i g_i) . (x - mean of the verts), and the form
 /// that both matrices have: the exact one on P u, and a multiple of the sum of squares of u - P u at the verts, which P does not see.
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 class virtual_element {
  protected:
   static constexpr std::size_t dimension = static_cast<std::size_t>(dimension_v<M>);
@@ -112,7 +73,6 @@ class virtual_element {
   const M* m_;
   const char* who_;
   corner_gradients<M> poly_;
-  std::vector<vec3> image_;  // of each corner's gradient, by the quadratic form
 
   virtual_element(const M& m, const char* who) : m_(&m), who_(who) {}
 
@@ -124,22 +84,7 @@ class virtual_element {
 
   bool is_simplex() const { return poly_.verts.size() == dimension + 1; }
 
-  /// entry(i, j) = g_i . form g_j + factor (delta_ij - 1/n - y_i . g_j - y_j . g_i), where `form` already has factor times the sum of y y^T:
-  /// what the squares of u - P u come to.
-  void fill(local_matrix<vert_t<M>>& out, const symmetric3& form, double factor, double constant) {
-    const std::size_t n = poly_.verts.size();
-    out.verts.assign(poly_.verts.begin(), poly_.verts.end());
-    out.entries.resize(n * (n + 1) / 2);
-    image_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) image_[i] = form * poly_.gradient[i];
-    constant -= factor / static_cast<double>(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      double* const row = &out.at(i, 0);
-      for (std::size_t j = 0; j <= i; ++j)
-        row[j] = dot(image_[i], poly_.gradient[j]) - factor * (dot(poly_.place[i], poly_.gradient[j]) + dot(poly_.place[j], poly_.gradient[i])) + constant;
-      row[i] += factor;
-    }
-  }
+  void name_verts(local_matrix<vert_t<M>>& out) const { out.verts.assign(poly_.verts.begin(), poly_.verts.end()); }
 };
 
 /// The stiffness: u . K u is the integral of the squared gradient of P u, plus the squares of u - P u times a factor that makes rectangles and
@@ -148,97 +93,38 @@ class virtual_element {
 /// make it too stiff. Of all g_i that are exact on linear functions those with least squares are Y^-1 y_i, with Y the sum of y y^T, and come to
 /// the trace of Y^-1: the same on boxes, and what counts for polyhedra.
 /// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods"; 2014, "The hitchhiker's guide to the virtual element method".
-template<AnyMesh M>
-  requires Embedded<M>
+template<std::size_t Dimension>
+class stiffness_of_poly {
+  thin_places thin_;
+  std::vector<vec3> image_, gradient_, unseen_;  // the last two of fill_thin
+
+  static double stiffening(double n) { return Dimension == 2 ? n / 12 : std::sqrt(n / 162); }
+  bool fill_thin(const gradients_at_places& poly, double size, std::vector<double>& entries);
+
+ public:
+  /// The lower triangle row by row.
+  void fill(const gradients_at_places& poly, std::vector<double>& entries);
+};
+
+template<EmbeddedMesh M>
 class virtual_stiffness : virtual_element<M> {
   using base = virtual_element<M>;
+  stiffness_of_poly<base::dimension> of_poly_;
 
  public:
   explicit virtual_stiffness(const M& m) : base(m, "virtual elements") {}
 
   void operator()(const poly_t<M>& p, local_matrix<vert_t<M>>& out) {
     this->visit(p);
-    const corner_gradients<M>& poly = this->poly_;
-    const double size = std::abs(poly.measure);
-    double factor = 0;
-    symmetric3 form{size, 0, 0, size, 0, size};
-    if (!this->is_simplex()) {
-      const auto n = static_cast<double>(poly.verts.size());
-      double squares = 0;
-      for (const vec3& g : poly.gradient) squares += dot(g, g);
-      symmetric3 spread;
-      for (const vec3& y : poly.place) spread.add(1, y);
-      if (squares * spread.trace() > thin && fill_thin(out, size)) [[unlikely]] return;
-      if constexpr (base::dimension == 3) {  // of polygons the spread across them is 0
-        const double least = spread.trace_of_inverse();
-        if (least > 0 && least < squares) squares = least;  // rounding has the last word on polys next to flat
-      }
-      factor = size * squares * stiffening(n);
-      form.add(factor, spread);
-    }
-    this->fill(out, form, factor, 0);
-  }
-
- private:
-  thin_places thin_;
-  std::vector<vec3> gradient_, unseen_;  // of fill_thin
-
-  /// The square of some hundred times as long as thick.
-  static constexpr double thin = 0x1p16;
-
-  static double stiffening(double n) { return base::dimension == 2 ? n / 12 : std::sqrt(n / 162); }
-
-  /// The same of thin polys, where y . g is a difference of numbers far larger than itself. With y = Q R and h_i = R (g_i - R^-1 q_i) without what
-  /// constants and linear functions have of it, which are rounding errors, the sum of squares of u - P u is that of u - Q Q^T u - mean and of the
-  /// sum of u_i h_i. A sum of squares term by term, it is not negative.
-  bool fill_thin(local_matrix<vert_t<M>>& out, double size) {
-    constexpr std::size_t d = base::dimension;
-    const corner_gradients<M>& poly = this->poly_;
-    const std::size_t n = poly.verts.size();
-    thin_.find(poly.place, d == 2 ? poly.normal / norm(poly.normal) : vec3{}, d);
-    if (!thin_.is_regular) return false;
-    gradient_.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = 0; k < 3; ++k) gradient_[i][k] = k < d ? dot(thin_.axis[k], poly.gradient[i]) : 0.0;
-    for (int round = 0; round < 2; ++round) {
-      vec3 mean, seen[3];
-      for (std::size_t i = 0; i < n; ++i) {
-        mean += gradient_[i] / static_cast<double>(n);
-        for (std::size_t k = 0; k < d; ++k) seen[k] += thin_.q[i][k] * gradient_[i];
-      }
-      for (std::size_t i = 0; i < n; ++i) {
-        gradient_[i] -= mean;
-        for (std::size_t k = 0; k < d; ++k) gradient_[i] -= thin_.q[i][k] * seen[k];
-      }
-    }
-    unseen_.assign(n, vec3{});
-    double squares = 0, least = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = 0; k < d; ++k)
-        for (std::size_t l = k; l < d; ++l) unseen_[i][k] += thin_.r[k][l] * gradient_[i][l];
-      const vec3 linear = thin_.solve(thin_.q[i], d);
-      gradient_[i] += linear;
-      squares += dot(gradient_[i], gradient_[i]);
-      least += dot(linear, linear);
-    }
-    const double factor = size * (d == 2 ? squares : least) * stiffening(static_cast<double>(n)), constant = factor / static_cast<double>(n);
-    out.verts.assign(poly.verts.begin(), poly.verts.end());
-    out.entries.resize(n * (n + 1) / 2);
-    for (std::size_t i = 0; i < n; ++i) {
-      double* const row = &out.at(i, 0);
-      for (std::size_t j = 0; j <= i; ++j)
-        row[j] = size * dot(gradient_[i], gradient_[j]) + factor * (dot(unseen_[i], unseen_[j]) - dot(thin_.q[i], thin_.q[j])) - constant;
-      row[i] += factor;
-    }
-    return true;
+    this->name_verts(out);
+    of_poly_.fill(this->poly_, out.entries);
   }
 };
 
 /// The mass: u . M u is the integral of the square of P u, exact over the poly as it is measured, plus the squares of u - P u times the factor by
 /// which rectangles are bilinear elements. Simplices have the mass of linear elements.
 /// Source: Ahmad et al. 2013, "Equivalent projectors for virtual element methods".
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 class virtual_mass : virtual_element<M> {
   using base = virtual_element<M>;
 
@@ -256,7 +142,8 @@ class virtual_mass : virtual_element<M> {
     const double factor = this->is_simplex() ? 0 : size / (9 * n);
     if (factor > 0)
       for (const vec3& y : poly.place) moments_.add(factor, y);
-    this->fill(out, moments_, factor, size / (n * n));
+    this->name_verts(out);
+    fill_projected(poly, moments_, factor, size / (n * n), image_, out.entries);
     for (std::size_t i = 0; i < poly.verts.size(); ++i) {  // the mean of the verts is not the centre of mass
       const double ci = dot(poly.gradient[i], first_) / n;
       for (std::size_t j = 0; j <= i; ++j) out.at(i, j) += ci + dot(poly.gradient[j], first_) / n;
@@ -264,6 +151,7 @@ class virtual_mass : virtual_element<M> {
   }
 
  private:
+  std::vector<vec3> image_;
   symmetric3 moments_;  // the integral of y y^T, y seen from the mean of the verts
   vec3 first_;          // the integral of y
 
@@ -297,3 +185,7 @@ class virtual_mass : virtual_element<M> {
 };
 
 }  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/operators/detail/virtual_elements.ipp>
+#endif

@@ -53,12 +53,11 @@ struct sum_of_squares {
 /// the squared areas of the triangles to the edges least; of the weights that give this point those with the least squares are taken. Polyhedra
 /// have such a vert in each face that is no triangle, and one within for which the squared volumes of the tets to the triangles on its faces
 /// count. K is the cotangent matrix of these triangles or tets, P gives virtual verts their values. A triangle or tet has no virtual vert.
-/// Needs:  Embedded AnyMesh.      Cost: O(n^2) for a polygon of n verts, O(n^3) for a polyhedron; no allocation but for the largest poly.
+/// Needs:  EmbeddedMesh.      Cost: O(n^2) for a polygon of n verts, O(n^3) for a polyhedron; no allocation but for the largest poly.
 /// Errors: invalid_mesh if the poly has no area or volume or a point is not finite; unsupported if it is not star-shaped about its virtual
 ///         vert: a virtual triangle or tet then has no measure, or is turned against the poly.
 /// Source: Bunge, Herholz, Kazhdan, Botsch 2020, "Polygon Laplacian made simple".
-template<AnyMesh M>
-  requires Embedded<M>
+template<EmbeddedMesh M>
 class virtual_refinement_element {
   static constexpr int dimension = dimension_v<M>;
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;

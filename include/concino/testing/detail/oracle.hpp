@@ -22,8 +22,7 @@ namespace concino::testing::detail {
 inline bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-9 * (1 + std::abs(a) + std::abs(b)); }
 
 /// KIT5.
-template<class M>
-  requires AnyMesh<M> && Embedded<M>
+template<EmbeddedMesh M>
 void check_against_native(const M& m, concino::detail::law_log& log) {
   using native = std::conditional_t<dimension_v<M> == 2, polygonmesh, polyhedralmesh>;
   const auto c = convert_with_correspondence<native>(m, {.properties = false});

@@ -40,13 +40,84 @@ struct element_table {
   }
 };
 
+/// Fills the table of one kind of elements, and logs what is at fault: the law `indices` where index_of is, `counting` where the walk is.
+template<class D, class M>
+class element_reader {
+  const M& m_;
+  element_table<D>& table_;
+  const std::string kind_ = table_.kind();
+  const std::size_t num_, bound_;
+  const char* const indices_;
+  const char* const counting_;
+  law_log& log_;
+  std::size_t walked_ = 0, faults_ = 0;
+
+  void fault(const char* law, std::string what, std::size_t i) {
+    log_.add(law, std::move(what), core::joined({table_.letter, i}));
+    table_.sound = false;
+    ++faults_;
+  }
+
+  void read(const D& x) {
+    auto& t = table_;
+    const std::size_t i = index_of(m_, x);
+    if (i >= bound_) {
+      fault(indices_, core::joined({"index_of gives ", i, ", which is not below ", t.index_bound(), ", ", bound_}), i);
+    } else if (i / 1024 > walked_ + 65536) {
+      fault(indices_, core::joined({"index_of gives ", i, " for one of the first ", walked_ + 1, " ", kind_, "s: too sparse for arrays"}), i);
+    } else if (i < t.slot.size() && t.slot[i] != no_position) {
+      const bool again = t.items[t.slot[i]] == x;
+      fault(again ? counting_ : indices_,
+            again ? core::joined({"walking the ", kind_, "s meets this one twice"})
+                  : core::joined({"index_of gives ", i, " for two different ", kind_, "s"}),
+            i);
+    } else {
+      if (i >= t.slot.size()) t.slot.resize(std::max(i + 1, std::min(bound_, 2 * t.slot.size())), no_position);
+      t.items.push_back(x);
+      t.index.push_back(i);
+      t.slot[i] = t.size() - 1;  // last: a slot names an item that is there, even where copying x throws
+      if constexpr (requires { traits<M>::contains(m_, x); })
+        if (!traits<M>::contains(m_, x)) fault(counting_, core::joined({"contains denies a ", kind_, " that the walk meets"}), i);
+    }
+  }
+
+ public:
+  element_reader(const M& m, element_table<D>& table, std::size_t num, std::size_t bound, const char* indices, const char* counting, law_log& log)
+      : m_(m), table_(table), num_(num), bound_(bound), indices_(indices), counting_(counting), log_(log) {}
+
+  /// A walk that does not end meets an index for the second time, or leaves the count far behind.
+  template<class R>
+  void walk(R&& range) {
+    auto it = range.begin();
+    for (; faults_ < 16 && (walked_ <= 1024 || walked_ / 2 <= num_) && it != range.end(); ++it, ++walked_) {
+      const D x = *it;
+      read(x);
+    }
+    const bool ended = !(it != range.end());
+    if (walked_ != num_ && faults_ == 0)
+      log_.add(counting_, core::joined({"walking the ", kind_, "s meets ", walked_, ended ? "" : " or more", ", but num_", kind_, "s is ", num_}), "");
+    if (!ended) table_.sound = false;
+  }
+
+  /// Ranges are multi-pass, and keep their order while the mesh does not change.
+  template<class R>
+  void walk_again(R&& range) {
+    if (!table_.sound) return;
+    position i = 0;
+    bool same = true;
+    for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
+      same = i < table_.size() && table_.items[i] == static_cast<D>(*again);
+    if (!same || i != table_.size()) log_.add(counting_, core::joined({"walking the ", kind_, "s a second time meets others than the first time"}), "");
+  }
+};
+
 /// Reads all elements of a kind; breaks `indices` where index_of is at fault and `counting` where the walk is.
 template<class D, class M, class Walk, class Num, class Bound>
 element_table<D> read_elements(const M& m, char letter, const Walk& walk, const Num& num_of, const Bound& bound_of, const char* indices,
                                const char* counting, law_log& log) {
   element_table<D> t{letter, {}, {}, {}, true};
   const std::string kind = t.kind();
-  std::size_t num = 0, bound = 0, walked = 0, faults = 0;
+  std::size_t num = 0, bound = 0;
   try {
     num = num_of(m);
     bound = bound_of(m);
@@ -57,53 +128,11 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
     t.sound = false;
     return t;
   }
-  const auto fault = [&](const char* law, std::string what, std::size_t i) {
-    log.add(law, std::move(what), core::joined({letter, i}));
-    t.sound = false;
-    ++faults;
-  };
   try {
     auto&& range = walk(m);
-    // A walk that does not end meets an index for the second time, or leaves the count far behind.
-    auto it = range.begin();
-    for (; faults < 16 && (walked <= 1024 || walked / 2 <= num) && it != range.end(); ++it, ++walked) {
-      const D x = *it;
-      const std::size_t i = index_of(m, x);
-      if (i >= bound) {
-        fault(indices, core::joined({"index_of gives ", i, ", which is not below ", t.index_bound(), ", ", bound}), i);
-      } else if (i / 1024 > walked + 65536) {
-        fault(indices,
-              core::joined({"index_of gives ", i, " for one of the first ", walked + 1, " ", kind, "s: too sparse for arrays"}),
-              i);
-      } else if (i < t.slot.size() && t.slot[i] != no_position) {
-        const bool again = t.items[t.slot[i]] == x;
-        fault(again ? counting : indices,
-              again ? core::joined({"walking the ", kind, "s meets this one twice"})
-                    : core::joined({"index_of gives ", i, " for two different ", kind, "s"}),
-              i);
-      } else {
-        if (i >= t.slot.size()) t.slot.resize(std::max(i + 1, std::min(bound, 2 * t.slot.size())), no_position);
-        t.items.push_back(x);
-        t.index.push_back(i);
-        t.slot[i] = t.size() - 1;  // last: a slot names an item that is there, even where copying x throws
-        if constexpr (requires { traits<M>::contains(m, x); })
-          if (!traits<M>::contains(m, x)) fault(counting, core::joined({"contains denies a ", kind, " that the walk meets"}), i);
-      }
-    }
-    const bool ended = !(it != range.end());
-    if (walked != num && faults == 0)
-      log.add(counting,
-              core::joined({"walking the ", kind, "s meets ", walked, ended ? "" : " or more", ", but num_", kind, "s is ", num}),
-              "");
-    if (!ended) t.sound = false;
-    // Ranges are multi-pass, and keep their order while the mesh does not change.
-    position i = 0;
-    bool same = true;
-    if (t.sound)
-      for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
-        same = i < t.size() && t.items[i] == static_cast<D>(*again);
-    if (t.sound && (!same || i != t.size()))
-      log.add(counting, core::joined({"walking the ", kind, "s a second time meets others than the first time"}), "");
+    element_reader<D, M> reader(m, t, num, bound, indices, counting, log);
+    reader.walk(range);
+    reader.walk_again(range);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {

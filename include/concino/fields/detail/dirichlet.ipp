@@ -1,0 +1,71 @@
+// Systems of unknowns beside prescribed values; see dirichlet.hpp.
+#pragma once
+
+#include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/fields/detail/dirichlet.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace concino::detail {
+
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_vert(const char* who, const char* what) {
+  core::throw_joined<invalid_mesh>({who, ": ", what, " something that is no vert of the mesh; take verts from verts(m)"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_finite(const char* who, std::size_t vert) {
+  core::throw_joined<invalid_argument>({who, ": the value given at vert ", vert, " is not finite"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_two_values(const char* who, std::size_t vert, double x, double y) {
+  core::throw_joined<invalid_argument>({who, ": two values are given at vert ", vert, ", ", core::number_text(x), " and ", core::number_text(y), "; keep one"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_held(const char* who, std::size_t vert) {
+  core::throw_joined<invalid_argument>({who, ": a value is given at vert ", vert, ", which is none of those that were named when this was prepared"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_value(const char* who, std::size_t vert) {
+  core::throw_joined<invalid_argument>({who, ": no value is given at vert ", vert,
+                                  ", which was named when this was prepared; give one at each of those verts"});
+}
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_nothing_given(const char* who, std::size_t vert, std::size_t component) {
+  core::throw_joined<solver_error>({who, ": singular, because the component of vert ", vert, " (", component,
+                              " verts) has no value prescribed; give one at any of its verts"});
+}
+
+CONCINO_INLINE void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole, const int* unknown, const std::vector<int>& index,
+                                         Eigen::SparseMatrix<double>& lower, std::vector<coupling>& couplings) {
+  const int n = static_cast<int>(index.size());
+  lower.resize(n, n);
+  lower.resizeNonZeros(whole.nonZeros());
+  int* const rows = lower.innerIndexPtr();
+  double* const entries = lower.valuePtr();
+  int at = 0;
+  for (int c = 0; c < n; ++c) {
+    const int first = at, from = index[static_cast<std::size_t>(c)];
+    for (int l = whole.outerIndexPtr()[from]; l < whole.outerIndexPtr()[from + 1]; ++l) {
+      const int i = whole.innerIndexPtr()[l], row = unknown[i];
+      const double x = whole.valuePtr()[l];
+      if (row == held_vert) couplings.push_back({c, i, -x});
+      if (row < c) continue;
+      rows[at] = row;
+      entries[at++] = x;
+    }
+    core::sort_column(rows + first, entries + first, static_cast<std::size_t>(at - first));
+    lower.outerIndexPtr()[c + 1] = at;
+  }
+  lower.resizeNonZeros(at);
+}
+
+CONCINO_INLINE void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index,
+                                const std::vector<coupling>& couplings, std::size_t parts, function_ref<double(std::size_t k, int index)> load,
+                                function_ref<double&(std::size_t k, int index)> value, const char* who) {
+  const std::size_t n = index.size();
+  Eigen::VectorXd b(static_cast<Eigen::Index>(n));
+  for (std::size_t k = 0; k < parts; ++k) {
+    for (std::size_t i = 0; i < n; ++i) b[static_cast<Eigen::Index>(i)] = load(k, index[i]);
+    for (const coupling& c : couplings) b[c.row] += c.weight * value(k, c.vert);
+    const Eigen::VectorXd u = core::solve_and_check(solver, lower, b, who);
+    for (std::size_t i = 0; i < n; ++i) value(k, index[i]) = u[static_cast<Eigen::Index>(i)];
+  }
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,59 @@
+// What is checked before a mesh is written and reported afterwards, and the flat arrays of the meshes of the library; see save_with.hpp.
+#pragma once
+
+#include <concino/io/detail/save_with.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#ifdef CONCINO_COMPILED
+#include <concino/mesh/hexmesh.hpp>
+#include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/polyhedralmesh.hpp>
+#include <concino/mesh/quadmesh.hpp>
+#include <concino/mesh/tetmesh.hpp>
+#include <concino/mesh/trimesh.hpp>
+#endif
+
+namespace concino::detail {
+
+/// Says which properties a format drops: all but those in `kept`.
+[[gnu::cold]] CONCINO_INLINE void tell_of_lost_properties(const property_set& all, const std::vector<write_context::kept_property>& kept,
+                                                                 std::string_view format, std::vector<std::string>& lost) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const property_info p = all.info(i);
+    bool is_kept = false;
+    for (const write_context::kept_property& k : kept) is_kept = is_kept || (p.kind == k.kind && k.name == p.name && *p.type == *k.type);
+    if (!is_kept) lost.push_back(core::joined({to_string(p.kind), " property \"", p.name, "\": ", format, " has no place for it"}));
+  }
+}
+
+CONCINO_INLINE void check_points(std::string_view name, const flat_mesh& m) {
+  for (std::size_t v = 0; v < m.points.size(); ++v)
+    if (!is_finite(m.points[v]))
+      core::throw_joined<invalid_mesh>({name, ": vert ", m.vert_index(v), " has a coordinate that is not a finite number; no file can hold it"});
+}
+
+CONCINO_INLINE void tell_of_lost(const write_context& c, const flat_mesh& m, std::string_view format) {
+  if (m.properties) tell_of_lost_properties(*m.properties, c.kept, format, c.report.lost);
+  if (c.num_not_finite)
+    c.report.lost.push_back(core::joined({c.num_not_finite, " numbers of colours and the like that are not finite: written as 0"}));
+}
+
+#ifdef CONCINO_COMPILED
+template<class M>
+void visit_precompiled_flat_mesh(const M& m, function_ref<void(flat_mesh&)> f) {
+  flat_mesh_of<M> flat(m);
+  f(flat);
+}
+template void visit_precompiled_flat_mesh(const trimesh&, function_ref<void(flat_mesh&)>);
+template void visit_precompiled_flat_mesh(const quadmesh&, function_ref<void(flat_mesh&)>);
+template void visit_precompiled_flat_mesh(const polygonmesh&, function_ref<void(flat_mesh&)>);
+template void visit_precompiled_flat_mesh(const tetmesh&, function_ref<void(flat_mesh&)>);
+template void visit_precompiled_flat_mesh(const hexmesh&, function_ref<void(flat_mesh&)>);
+template void visit_precompiled_flat_mesh(const polyhedralmesh&, function_ref<void(flat_mesh&)>);
+#endif
+
+}  // namespace concino::detail

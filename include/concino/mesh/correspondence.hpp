@@ -1,0 +1,228 @@
+// What values and properties become in a mesh that was made of another one, by the correspondence of their elements.
+#pragma once
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/mesh.hpp>
+#include <concino/core/message.hpp>
+#include <concino/mesh/corner_property.hpp>
+#include <concino/mesh/element_origins.hpp>
+#include <concino/mesh/property.hpp>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace concino {
+
+/// The origins of elements that are copies: the n-th of the new mesh is the n-th of `sources`, elements of the mesh before.
+/// Needs:  index_of(before, x) for each of them.      Result: one origin for each.      Cost: O(sources).      Errors: none.
+template<class M, class X>
+element_origins origins_of(const M& before, const std::vector<X>& sources) {
+  std::vector<std::uint32_t> single;
+  single.reserve(sources.size());
+  for (const X& x : sources) single.push_back(static_cast<std::uint32_t>(index_of(before, x)));
+  return element_origins(std::move(single));
+}
+
+namespace detail {
+
+/// The old verts that some new verts were made of, each once; with how much of each vert comes from them.
+struct joint_origins {
+  std::vector<std::uint32_t> verts;
+
+  void add(const element_origins::range& origins) {
+    for (const origin x : origins)
+      if (std::find(verts.begin(), verts.end(), x.index) == verts.end()) verts.push_back(x.index);
+  }
+};
+
+inline double part_of(const element_origins::range& origins, std::uint32_t i) {
+  double total = 0, part = 0;
+  for (const origin x : origins) {
+    total += x.amount;
+    if (x.index == i) part += x.amount;
+  }
+  return total > 0 ? part / total : 0;
+}
+
+template<class M>
+std::vector<vert_t<M>> verts_by_index(const M& m) {
+  std::vector<vert_t<M>> all(vert_index_bound(m));
+  for (const vert_t<M> v : verts(m)) all[index_of(m, v)] = v;
+  return all;
+}
+
+/// The edge of m between the verts with the indices a and b; `none` if there is none.
+template<class M>
+std::uint32_t edge_between(const M& m, const std::vector<vert_t<M>>& by_index, std::uint32_t a, std::uint32_t b) {
+  for (const edge_t<M> e : adj_v2e(m, by_index[a])) {
+    const auto ends = end_verts(m, e);
+    if (index_of(m, ends.first) == b || index_of(m, ends.second) == b) return static_cast<std::uint32_t>(index_of(m, e));
+  }
+  return element_origins::none;
+}
+
+/// The face of m that has all of these verts, one with no others if there is one.
+template<class M>
+std::uint32_t face_around(const M& m, const std::vector<vert_t<M>>& by_index, const std::vector<std::uint32_t>& wanted) {
+  std::uint32_t found = element_origins::none;
+  for (const face_t<M> f : adj_v2f(m, by_index[wanted[0]])) {
+    std::size_t size = 0, met = 0;
+    for (const vert_t<M> v : adj_f2v(m, f)) {
+      ++size;
+      met += std::find(wanted.begin(), wanted.end(), index_of(m, v)) != wanted.end();
+    }
+    if (met != wanted.size()) continue;
+    if (size == met) return static_cast<std::uint32_t>(index_of(m, f));
+    if (found == element_origins::none) found = static_cast<std::uint32_t>(index_of(m, f));
+  }
+  return found;
+}
+
+template<class From, class To>
+element_origins match_edges(const From& before, const To& m, const element_origins& of_verts, const std::vector<vert_t<From>>& by_index) {
+  std::vector<origin> found(edge_index_bound(m), origin{element_origins::none, 0});
+  for (const edge_t<To> e : edges(m)) {
+    const auto ends = end_verts(m, e);
+    const auto first = of_verts[index_of(m, ends.first)], second = of_verts[index_of(m, ends.second)];
+    joint_origins joint;
+    joint.add(first), joint.add(second);
+    if (first.empty() || second.empty() || joint.verts.size() != 2) continue;
+    const std::uint32_t a = joint.verts[0], b = joint.verts[1];
+    const double length = part_of(first, a) - part_of(second, a);  // of the old edge, as a part of it
+    found[index_of(m, e)] = {edge_between(before, by_index, a, b), length < 0 ? -length : length};
+  }
+  element_origins origins;
+  for (const origin& x : found) {
+    if (x.index == element_origins::none || x.amount == 1) origins.add(x.index);
+    else origins.add({x});
+  }
+  return origins;
+}
+
+template<class From, class To>
+element_origins match_faces(const From& before, const To& m, const element_origins& of_verts, const std::vector<vert_t<From>>& by_index) {
+  std::vector<std::uint32_t> found(face_index_bound(m), element_origins::none);
+  for (const face_t<To> f : faces(m)) {
+    joint_origins joint;
+    bool is_known = true;
+    for (const vert_t<To> v : adj_f2v(m, f)) {
+      const auto origins = of_verts[index_of(m, v)];
+      is_known = is_known && !origins.empty();
+      joint.add(origins);
+    }
+    if (is_known && !joint.verts.empty()) found[index_of(m, f)] = face_around(before, by_index, joint.verts);
+  }
+  return element_origins(std::move(found));
+}
+
+/// A corner comes from the corners of the polys that its poly was made of, at the verts that its vert was made of.
+template<NumbersCorners From, NumbersCorners To>
+element_origins match_corners(const From& before, const To& m, const element_origins& of_verts, const element_origins& of_polys) {
+  std::vector<poly_t<From>> by_index(poly_index_bound(before));
+  for (const poly_t<From> p : polys(before)) by_index[index_of(before, p)] = p;
+  std::vector<std::size_t> first, last;  // of the origins of each corner by its number, in `found`
+  first.resize(traits<To>::corner_index_bound(m)), last.resize(first.size());
+  std::vector<origin> found;
+  for (const poly_t<To> p : polys(m)) {
+    std::size_t corner = traits<To>::first_corner(m, p);
+    for (const vert_t<To> v : adj_p2v(m, p)) {
+      first[corner] = found.size();
+      for (const origin of_poly : of_polys[index_of(m, p)]) {
+        std::size_t number = traits<From>::first_corner(before, by_index[of_poly.index]);
+        for (const vert_t<From> w : adj_p2v(before, by_index[of_poly.index])) {
+          for (const origin of_vert : of_verts[index_of(m, v)])
+            if (of_vert.index == index_of(before, w)) found.push_back({static_cast<std::uint32_t>(number), of_poly.amount * of_vert.amount});
+          ++number;
+        }
+      }
+      last[corner++] = found.size();
+    }
+  }
+  element_origins origins;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const std::span<const origin> of(found.data() + first[i], found.data() + last[i]);
+    if (of.empty() || (of.size() == 1 && of[0].amount == 1)) origins.add(of.empty() ? element_origins::none : of[0].index);
+    else origins.add(of);
+  }
+  return origins;
+}
+
+void check_origins(element_kind kind, const element_origins& origins, std::size_t bound_before, std::size_t bound_after);
+void check_origins(const correspondence& c, const property_set& properties, const index_bounds& before, const index_bounds& after);
+
+}  // namespace detail
+
+/// Finds the origins of edges and faces from those of their verts, where c has none of them: of an edge the one between the two verts that its ends were
+/// made of, of a face the one around all that its verts were made of. Half an edge has half of it; parts of a face have equal parts of it.
+/// Needs:  AnyMesh both, of the same dimension; c.verts for each vert of m.
+/// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces inside of old polys have no origin.
+/// Cost:   O(elements), times the edges or faces at a vert.
+/// Errors: invalid_argument if c.verts is of another number of verts, or names one that the mesh before cannot have.
+template<AnyMesh From, AnyMesh To>
+  requires(dimension_v<From> == dimension_v<To>)
+void match_edges_and_faces(const From& before, const To& m, correspondence& c) {
+  detail::check_origins(element_kind::vert, c.verts, vert_index_bound(before), vert_index_bound(m));
+  const std::vector<vert_t<From>> by_index = detail::verts_by_index(before);
+  if (c.edges.size() == 0) c.edges = detail::match_edges(before, m, c.verts, by_index);
+  if constexpr (dimension_v<To> == 3)  // surfaces have no faces
+    if (c.faces.size() == 0) c.faces = detail::match_faces(before, m, c.verts, by_index);
+}
+
+/// Values at the elements of the mesh before, taken to those of the new mesh by a rule: heat_of_new = transfer_values(c.verts, heat.values(), property_rule::interpolate).
+/// Needs:  from[i] of every origin i; T with a mean (interpolate), with a sum (sum), as properties need.
+/// Result: a value for each element of the new mesh by index, T() for those without origin.
+/// Cost:   O(elements and origins).
+/// Errors: invalid_argument if an origin has no value, or T does not allow the rule.
+template<class T>
+std::vector<std::remove_const_t<T>> transfer_values(const element_origins& origins, std::span<T> from, property_rule rule) {
+  using value = std::remove_const_t<T>;
+  detail::column given(detail::values_of<value>, from.size());
+  std::copy(from.begin(), from.end(), static_cast<value*>(given.data()));
+  if (!given.set_rule(rule)) core::throw_joined<invalid_argument>({"transfer_values: values of this type do not allow the rule `", to_string(rule), "`"});
+  for (std::size_t i = 0; i < origins.size(); ++i)
+    for (const origin x : origins[i])
+      if (x.index >= from.size()) core::throw_joined<invalid_argument>({"transfer_values: element ", i, " was made of element ", x.index, ", but there are ", from.size(), " values"});
+  const detail::column taken(given, origins);
+  const value* const first = static_cast<const value*>(taken.data());
+  return {first, first + taken.size()};
+}
+
+/// Takes all named properties of one mesh along to another that was made of it, each by its rule (set_property_rule), and those of the mesh as a whole.
+/// Needs:  a mesh of this library, or a view of one that shows its properties; m, of the same dimension, of this library; c says what m was made of.
+///         Edges and faces may be left out of it: they follow from the verts. So may corners: each comes from the corners, at the verts that its vert was
+///         made of, of the polys that its poly was made of.
+/// Result: m has these properties; one of the same kind and name is replaced. Elements without origin have a default value.
+/// Cost:   O(elements and origins) for each property; that of match_edges_and_faces where there are properties of edges or faces.
+/// Errors: invalid_argument if c does not fit the meshes; m is unchanged then.
+template<ShowsProperties From, HasProperties To>
+  requires AnyMesh<From> && AnyMesh<To> && (dimension_v<From> == dimension_v<To>)
+void transfer_properties(const From& before, To& m, const correspondence& c) {
+  const property_set& given = traits<From>::properties(before);
+  correspondence complete;
+  const auto lacks = [&](element_kind kind, const element_origins& origins) { return given.has(kind) && origins.size() == 0; };
+  const bool lacks_corners = lacks(element_kind::corner, c.corners);
+  const bool has_all = !lacks_corners && !lacks(element_kind::edge, c.edges) && !lacks(element_kind::face, c.faces);
+  if (!has_all) {
+    complete = c;
+    match_edges_and_faces(before, m, complete);
+    if constexpr (NumbersCorners<From> && NumbersCorners<To>)
+      if (lacks_corners) {
+        detail::check_origins(element_kind::poly, c.polys, poly_index_bound(before), poly_index_bound(m));
+        complete.corners = detail::match_corners(before, m, c.verts, c.polys);
+      }
+  }
+  const correspondence& used = has_all ? c : complete;
+  detail::index_bounds from{vert_index_bound(before), edge_index_bound(before), 0, poly_index_bound(before)};
+  detail::index_bounds to{vert_index_bound(m), edge_index_bound(m), 0, poly_index_bound(m)};
+  if constexpr (NumbersCorners<From> && NumbersCorners<To>) from.corners = traits<From>::corner_index_bound(before), to.corners = traits<To>::corner_index_bound(m);
+  if constexpr (dimension_v<To> == 3) from.faces = face_index_bound(before), to.faces = face_index_bound(m);  // surfaces have no faces
+  detail::check_origins(used, given, from, to);
+  traits<To>::properties(m).transfer(given, used);
+}
+
+}  // namespace concino
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/correspondence.ipp>
+#endif

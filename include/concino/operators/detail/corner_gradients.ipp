@@ -1,0 +1,45 @@
+// Gradients on a poly by its places; see corner_gradients.hpp.
+#pragma once
+
+#include <concino/operators/corner_gradients.hpp>
+
+#include <cmath>
+#include <cstddef>
+
+namespace concino {
+
+CONCINO_INLINE bool gradients_at_places::has_gradients() const {
+  double sum = measure;
+  for (const vec3& g : gradient) sum += g.x + g.y + g.z;
+  return std::isfinite(sum) && measure != 0;
+}
+
+CONCINO_INLINE void gradients_at_places::centre() {
+  const std::size_t n = place.size();
+  if (n == 0) {
+    mean = {};
+    return;
+  }
+  const vec3 origin = place[0];  // differences first: a poly far from the origin loses no digits
+  vec3 sum;
+  for (vec3& x : place) sum += x = x - origin;
+  const vec3 middle = sum / static_cast<double>(n);
+  for (vec3& x : place) x -= middle;
+  mean = origin + middle;
+}
+
+CONCINO_INLINE void gradients_at_places::visit_polygon() {
+  const std::size_t n = place.size();
+  normal = {};
+  for (std::size_t i = 0; i < n; ++i) normal += cross(place[i], place[i + 1 < n ? i + 1 : 0]);
+  normal *= 0.5;
+  measure = norm(normal);
+  gradient.resize(n);
+  const vec3 direction = normal / measure;
+  for (std::size_t i = 0; i < n; ++i) {
+    const vec3 across = place[i + 1 < n ? i + 1 : 0] - place[i > 0 ? i - 1 : n - 1];
+    gradient[i] = 0.5 * cross(across, direction) / measure;
+  }
+}
+
+}  // namespace concino

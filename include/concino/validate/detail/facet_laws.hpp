@@ -1,0 +1,144 @@
+// The laws of facets (FC1 .. FC4). They follow from those of the mesh, so that they are checked where these hold. What breaks them then is an answer
+// that depends on what else is asked meanwhile: here ranges are walked within one another, as algorithms do.
+#pragma once
+
+#include <concino/concepts/facets.hpp>
+#include <concino/core/message.hpp>
+#include <concino/validate/detail/mesh_laws.hpp>
+
+#include <cstdint>
+#include <new>
+
+namespace concino::detail {
+
+template<AnyMesh M>
+class facet_laws {
+  using facet = facet_t<M>;
+  using poly = poly_t<M>;
+
+  const M& m_;
+  const element_table<vert_t<M>>& vs_;
+  const element_table<poly>& ps_;
+  const rings& p2p_;
+  law_log& log_;
+  element_table<facet> xs_;
+  rings x2p_, p2x_, x2v_;
+
+  /// What the mesh throws within check(a) breaks `law`.
+  template<class A, class Check>
+  void for_each(const element_table<A>& as, const char* law, const char* verb, const Check& check) {
+    for (position a = 0; a < as.size() && !log_.full(law); ++a) {
+      try {
+        check(a);
+      } catch (const std::bad_alloc&) {
+        throw;
+      } catch (const std::exception& e) {
+        log_.add(law, core::joined({verb, " throws at ", as.name(a), ": ", e.what()}), as.name(a));
+      }
+    }
+  }
+
+  /// FC2: the verts of a facet are verts of each of its polys.
+  void check_verts() {
+    const rings p2v = read_rings(m_, ps_, vs_, adj_p2v, "FC2", "adj_p2v", log_);
+    std::vector<position> of(vs_.size(), no_position);
+    for (position p = 0; p < ps_.size() && !log_.full("FC2"); ++p) {
+      for (const position v : p2v[p]) of[v] = p;
+      for (const position x : p2x_[p])
+        for (const position v : x2v_[x])
+          if (of[v] != p)
+            log_.add("FC2", core::joined({"adj_facet2v(", xs_.name(x), ") holds ", vs_.name(v), ", which is no vert of ", ps_.name(p)}),
+                     core::joined({xs_.name(x), " ", vs_.name(v), " ", ps_.name(p)}));
+    }
+  }
+
+  /// FC3: what other_polys shows of x is what adj_facet2p lists, but for p. `across[q] == p` of what it shows.
+  void check_other_polys(position p, position x, std::vector<position>& across) {
+    const auto listed = x2p_[x];
+    const auto call = [&] { return core::joined({"other_polys(", ps_.name(p), ", ", xs_.name(x), ")"}); };
+    std::size_t i = 0;
+    bool is_same = true;
+    const auto skip = [&] { while (i < listed.size() && listed[i] == p) ++i; };
+    const auto& others = other_polys(m_, ps_.items[p], xs_.items[x]);
+    auto it = others.begin();
+    for (; is_same && it != others.end(); ++it) {
+      skip();
+      const position q = ps_.find(m_, *it);
+      is_same = i < listed.size() && q == listed[i++];
+      if (is_same) across[q] = p;
+    }
+    skip();
+    if (!is_same || i != listed.size())
+      log_.add("FC3", core::joined({call(), " is not adj_facet2p(", xs_.name(x), ") without ", ps_.name(p)}), core::joined({ps_.name(p), " ", xs_.name(x)}));
+  }
+
+  /// FC3: over all facets of p these are adj_p2p(p).
+  void check_across() {
+    std::vector<position> across(ps_.size(), no_position);
+    for_each(ps_, "FC3", "other_polys", [&](position p) {
+      std::size_t walked = 0;
+      for (const facet x : adj_p2facet(m_, ps_.items[p])) {
+        const position at = walked++ < p2x_[p].size() ? xs_.find(m_, x) : no_position;
+        if (at == no_position || at != p2x_[p][walked - 1]) {
+          log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") changes while other_polys is walked"}), ps_.name(p));
+          return;
+        }
+        check_other_polys(p, at, across);
+      }
+      if (walked != p2x_[p].size())
+        log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") ends early while other_polys is walked"}), ps_.name(p));
+      for (const position q : p2p_[p])
+        if (across[q] != p)
+          log_.add("FC3", core::joined({"adj_p2p(", ps_.name(p), ") holds ", ps_.name(q), ", which is across none of its facets"}),
+                   core::joined({ps_.name(p), " ", ps_.name(q)}));
+    });
+  }
+
+  bool has_one_poly(position x) const { return x2p_[x].size() == 1; }
+
+  /// FC4: is_boundary of elements that have facets.
+  template<class A>
+  void check_boundary(const element_table<A>& as, const std::vector<bool>& expected) {
+    for_each(as, "FC4", "is_boundary", [&](position a) {
+      if (is_boundary(m_, as.items[a]) == expected[a]) return;
+      log_.add("FC4", core::joined({"is_boundary(", as.name(a), ") is ", expected[a] ? "false" : "true", ", but it has ", expected[a] ? "a" : "no", " facet of one poly"}),
+               as.name(a));
+    });
+  }
+  template<class A>
+  void check_boundary(const element_table<A>& as, const rings& facets_of) {
+    std::vector<bool> expected(as.size());
+    for (position a = 0; a < as.size(); ++a)
+      for (const position x : facets_of[a]) expected[a] = expected[a] || has_one_poly(x);
+    check_boundary(as, expected);
+  }
+
+ public:
+  facet_laws(const M& m, const graph_tables<vert_t<M>>& primal, const graph_tables<poly>& dual, law_log& log)
+      : m_(m), vs_(primal.nodes), ps_(dual.nodes), p2p_(dual.next), log_(log),
+        xs_(read_elements<facet>(m, dimension_v<M> == 2 ? 'e' : 'f', facets, num_facets, facet_index_bound, "FC1", "FC1", log)) {}
+
+  void check() {
+    if (!log_.empty()) return;  // what follows would say the same again
+    x2p_ = read_rings(m_, xs_, ps_, adj_facet2p, "FC2", "adj_facet2p", log_);
+    p2x_ = read_rings(m_, ps_, xs_, adj_p2facet, "FC2", "adj_p2facet", log_);
+    x2v_ = read_rings(m_, xs_, vs_, adj_facet2v, "FC2", "adj_facet2v", log_);
+    check_mirror(xs_, ps_, x2p_, p2x_, "FC2", "adj_facet2p", "adj_p2facet", log_);
+    check_verts();
+    if (!log_.empty()) return;
+    check_across();
+    std::vector<bool> single(xs_.size());
+    for (position x = 0; x < xs_.size(); ++x) single[x] = has_one_poly(x);
+    check_boundary(xs_, single);
+    check_boundary(ps_, p2x_);
+    check_boundary(vs_, transposed(x2v_, vs_.size()));
+    if constexpr (VolumeMesh<M>) {  // the edges of a surface are its facets
+      law_log again;  // faults of the edges themselves have been found before
+      const auto es = read_elements<edge_t<M>>(m_, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", again);
+      const rings x2e = read_rings(m_, xs_, es, adj_f2e, "VM2", "adj_f2e", again);
+      if (again.empty()) check_boundary(es, transposed(x2e, es.size()));
+    }
+  }
+};
+
+}  // namespace concino::detail
