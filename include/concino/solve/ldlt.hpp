@@ -4,9 +4,10 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/system_checks.hpp>
 #include <concino/solve/detail/ordered.hpp>
+#include <concino/solve/detail/sparse_factor.hpp>
 #include <concino/solve/detail/supernodes.hpp>
 
-#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 
 #include <cstdint>
 #include <limits>
@@ -19,18 +20,20 @@ namespace concino {
 /// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular (the row
 ///         is named); from solve if nothing was factorised, or the right-hand side has another size or is not finite, or the solution is not.
 ///         A failed factorize leaves nothing to solve with.
-/// Source: Eigen's SimplicialLDLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996); substitution by supernodes, Ng, Peyton 1993.
+/// Source: approximate minimum degree ordering, Amestoy, Davis, Duff 1996; factorisation, Davis 2005 (Algorithm 849); substitution by supernodes, Ng,
+///         Peyton 1993.
 class ldlt {
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> factors_;  // of the reordered matrix
   detail::elimination_order order_;
+  detail::sparse_factor factors_;  // of the reordered matrix
   detail::supernodes supernodes_;
-  Eigen::VectorXd pivots_;
   core::sparsity_pattern pattern_;  // that the order was found for
   bool is_analysed_ = false;          // factors_ knows the pattern too
   Eigen::Index size_ = -1;
 
  public:
   ldlt();
+  ldlt(const ldlt&) = delete;
+  ldlt& operator=(const ldlt&) = delete;
   ~ldlt();
 
   static constexpr std::int64_t any_number = std::numeric_limits<std::int64_t>::max();

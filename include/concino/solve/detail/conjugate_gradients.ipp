@@ -53,7 +53,7 @@ CONCINO_INLINE Eigen::VectorXd conjugate_gradients::solve(const Eigen::VectorXd&
   if (!(largest > 0)) return Eigen::VectorXd::Zero(size_);
   const double b_scale = core::power_of_two_to_scale(largest);
   Eigen::VectorXd b(size_), x(size_);
-  const int* const row = order_.row.indices().data();
+  const int* const row = order_.row.data();
   for (Eigen::Index i = 0; i < size_; ++i) b[i] = given[row[i]] * b_scale;
   iterate(b, x);
   if (!has_converged_ && !options_.accept_missed_tolerance) throw_missed();

@@ -22,22 +22,23 @@ CONCINO_INLINE bool ldlt::factorize_within(const Eigen::SparseMatrix<double>& ma
     return true;
   }
   const bool has_order = pattern_.is_of(a);
-  if (has_order && is_analysed_) {
-    factors_.factorize(order_(a));
-  } else {
-    is_analysed_ = false;
-    if (!has_order) {
-      pattern_.forget();
-      order_.find(a);
-    }
-    const Eigen::SparseMatrix<double> upper = order_(a);
-    if (const std::int64_t n = a.cols(); n * (n - 1) / 2 > most && detail::factor_entries(upper, most) > most) return false;
-    factors_.compute(upper);
-    is_analysed_ = true;
-    if (!has_order) pattern_.remember(a);
+  if (!has_order) {
+    pattern_.forget();
+    order_.find(a);
   }
+  const Eigen::SparseMatrix<double> upper = order_(a);
+  if (!has_order || !is_analysed_) {
+    is_analysed_ = false;
+    if (!factors_.analyse(upper, most)) {
+      if (most == any_number) throw unsupported("ldlt: the factor would have more entries than 32-bit indices can count; use conjugate_gradients");
+      return false;
+    }
+    is_analysed_ = true;
+  }
+  factors_.factorize(upper);
+  if (!has_order) pattern_.remember(a);
   check_pivots(a);
-  supernodes_.find(factors_.matrixL().nestedExpression());
+  supernodes_.find(factors_.lower());
   size_ = a.rows();
   return true;
 }
@@ -54,24 +55,26 @@ CONCINO_INLINE void ldlt::use_order_of(const ldlt& other) {
 CONCINO_INLINE Eigen::VectorXd ldlt::solve(const Eigen::VectorXd& b) const {
   core::check_right_hand_side("ldlt", b, size_);
   if (size_ == 0) return Eigen::VectorXd(0);
-  Eigen::VectorXd x = order_.place * b;
-  const Eigen::SparseMatrix<double>& l = factors_.matrixL().nestedExpression();
-  supernodes_.solve_lower(l, x);
-  for (Eigen::Index i = 0; i < x.size(); ++i) x[i] /= pivots_[i];
-  supernodes_.solve_upper(l, x);
-  x = order_.row * x;
+  const double* const pivot = factors_.pivots().data();
+  const int* const row = order_.row.data();
+  Eigen::VectorXd x(size_), y(size_);
+  for (Eigen::Index i = 0; i < size_; ++i) y[i] = b[row[i]];
+  supernodes_.solve_lower(factors_.lower(), y);
+  for (Eigen::Index i = 0; i < size_; ++i) y[i] /= pivot[i];
+  supernodes_.solve_upper(factors_.lower(), y);
+  for (Eigen::Index i = 0; i < size_; ++i) x[row[i]] = y[i];
   core::check_solution("ldlt", x);
   return x;
 }
 
 CONCINO_INLINE void ldlt::check_pivots(const Eigen::SparseMatrix<double>& a) {
   const std::vector<double> given = core::diagonal(a);
-  pivots_ = factors_.vectorD();
-  const auto& row = order_.row.indices();
-  for (Eigen::Index k = 0; k < pivots_.size(); ++k) {  // elimination stops at the first 0
-    const double diagonal = given[static_cast<std::size_t>(row[k])];
-    if (!(std::abs(pivots_[k]) > 1e-15 * std::abs(diagonal) && std::abs(pivots_[k]) < std::numeric_limits<double>::infinity()))
-      core::throw_bad_pivot("ldlt", "singular to working precision", row[k], diagonal, pivots_[k]);
+  const double* const pivots = factors_.pivots().data();
+  for (std::size_t k = 0; k < given.size(); ++k) {  // elimination stops at the first 0
+    const int row = order_.row[k];
+    const double diagonal = given[static_cast<std::size_t>(row)];
+    if (!(std::abs(pivots[k]) > 1e-15 * std::abs(diagonal) && std::abs(pivots[k]) < std::numeric_limits<double>::infinity()))
+      core::throw_bad_pivot("ldlt", "singular to working precision", row, diagonal, pivots[k]);
   }
 }
 

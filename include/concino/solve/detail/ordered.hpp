@@ -1,4 +1,4 @@
-// A symmetric matrix in an order of elimination that keeps its factor small, and how large that factor is.
+// A symmetric matrix in an order of elimination that keeps its factor small.
 #pragma once
 
 #include <Eigen/OrderingMethods>
@@ -6,42 +6,38 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
 
-/// Orders by approximate minimum degree (Amestoy, Davis, Duff 1996) and keeps the order for further matrices of that pattern.
+/// Orders by approximate minimum degree (Amestoy, Davis, Duff 1996) and keeps the order for further matrices of that pattern. Loops, because Eigen's
+/// expressions take long to compile.
 struct elimination_order {
-  using permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
-  permutation place;  // of each row
-  permutation row;    // at each place
-
-  // Eigen frees a vector before it finds memory for one of another size, and frees it once more where there is none: hence new ones, swapped in.
+  std::vector<int> place;  // of each row
+  std::vector<int> row;    // at each place
 
   /// row_at: the row at each place.
-  void keep(const std::vector<int>& row_at) {
-    permutation new_row(static_cast<Eigen::Index>(row_at.size())), new_place(new_row.size());
-    for (std::size_t i = 0; i < row_at.size(); ++i) {
-      new_row.indices()[static_cast<Eigen::Index>(i)] = row_at[i];
-      new_place.indices()[row_at[i]] = static_cast<int>(i);
-    }
-    take(new_row, new_place);
+  void keep(std::vector<int> row_at) {
+    std::vector<int> new_place(row_at.size());
+    for (std::size_t i = 0; i < row_at.size(); ++i) new_place[static_cast<std::size_t>(row_at[i])] = static_cast<int>(i);
+    row.swap(row_at);
+    place.swap(new_place);
   }
 
-  /// The order depends on where a has entries, in either triangle.
+  /// The order depends on where a, which is compressed, has entries, in either triangle.
   void find(const Eigen::SparseMatrix<double>& a) {
-    Eigen::AMDOrdering<int> order;
-    permutation new_row;
-    order(a, new_row);
-    permutation new_place(new_row.inverse());
-    take(new_row, new_place);
+    Eigen::SparseMatrix<double> pattern;
+    make_symmetric_pattern(a, pattern);
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    Eigen::internal::minimum_degree_ordering(pattern, order);
+    const int* const row_at = order.indices().data();
+    keep(std::vector<int>(row_at, row_at + a.cols()));
   }
 
-  /// The upper triangle of the reordered matrix, from the lower one of a, which is compressed. Loops, because
-  /// Eigen's expressions take long to compile.
+  /// The upper triangle of the reordered matrix, from the lower one of a, which is compressed.
   Eigen::SparseMatrix<double> operator()(const Eigen::SparseMatrix<double>& a) const {
-    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = place.indices().data();
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = place.data();
     const auto n = static_cast<int>(a.cols());
     Eigen::SparseMatrix<double> upper(n, n);
     int* const next = upper.outerIndexPtr();  // of column c at c + 1, first how many, then where the next goes, in the end where it ends
@@ -62,29 +58,31 @@ struct elimination_order {
   }
 
  private:
-  void take(permutation& new_row, permutation& new_place) {
-    row.indices().swap(new_row.indices());
-    place.indices().swap(new_place.indices());
+  /// Entries, of any value, wherever a or its transpose has one.
+  static void make_symmetric_pattern(const Eigen::SparseMatrix<double>& a, Eigen::SparseMatrix<double>& pattern) {
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), n = static_cast<int>(a.cols());
+    std::vector<int> across(static_cast<std::size_t>(n) + 1), column(static_cast<std::size_t>(a.nonZeros()));  // the transpose
+    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) ++across[static_cast<std::size_t>(rows[k]) + 1];
+    for (std::size_t i = 1; i < across.size(); ++i) across[i] += across[i - 1];
+    std::vector<int> next(across.begin(), across.end() - 1);
+    for (int c = 0; c < n; ++c)
+      for (int k = starts[c]; k < starts[c + 1]; ++k) column[static_cast<std::size_t>(next[static_cast<std::size_t>(rows[k])]++)] = c;
+    pattern.resize(n, n);
+    pattern.resizeNonZeros(2 * a.nonZeros());
+    int *const begin = pattern.outerIndexPtr(), *const to = pattern.innerIndexPtr(), at = 0;
+    for (int c = 0; c < n; ++c) {  // both are sorted, and are merged
+      const int *up = column.data() + across[static_cast<std::size_t>(c)], *const up_end = column.data() + across[static_cast<std::size_t>(c) + 1];
+      const int *down = rows + starts[c], *const down_end = rows + starts[c + 1];
+      while (up != up_end || down != down_end) {
+        const int row = up == up_end ? *down : down == down_end ? *up : std::min(*up, *down);
+        if (up != up_end && *up == row) ++up;
+        if (down != down_end && *down == row) ++down;
+        to[at++] = row;
+      }
+      begin[c + 1] = at;
+    }
+    pattern.resizeNonZeros(at);
   }
 };
-
-/// Entries below the diagonal of the factor of a symmetric matrix given by its upper triangle, in its own order; counting ends beyond `most`.
-/// Cost:   as many steps as it counts, a small part of a factorisation.
-/// Source: Davis, Algorithm 849, 2005.
-inline std::int64_t factor_entries(const Eigen::SparseMatrix<double>& upper, std::int64_t most) {
-  const auto n = static_cast<std::size_t>(upper.cols());
-  std::vector<int> parent(n, -1), seen(n, -1);
-  std::int64_t entries = 0;
-  for (int c = 0; c < upper.cols() && entries <= most; ++c) {
-    seen[static_cast<std::size_t>(c)] = c;
-    for (int k = upper.outerIndexPtr()[c]; k < upper.outerIndexPtr()[c + 1]; ++k)
-      for (int i = upper.innerIndexPtr()[k]; seen[static_cast<std::size_t>(i)] != c; i = parent[static_cast<std::size_t>(i)]) {
-        if (parent[static_cast<std::size_t>(i)] < 0) parent[static_cast<std::size_t>(i)] = c;
-        seen[static_cast<std::size_t>(i)] = c;
-        ++entries;
-      }
-  }
-  return entries;
-}
 
 }  // namespace concino::detail
