@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the tests need, builds and runs them with both compilers. The last line says how many passed, failed and were skipped.
 #   ./test.sh          everything that must hold
-#   ./test.sh --long   also clang-tidy, the reference, mutations, benchmarks on tiny data, long fuzzing and runs of many steps
+#   ./test.sh --long   all of it with both compilers, and clang-tidy, the reference, mutations, benchmarks on tiny data, runs of many steps
 #   ./test.sh --quick  g++ only, without sanitizers and consumers: while developing
 # Environment: CONCINO_CORPUS (folder of real mesh files; default ../shared/data), CONCINO_TEST_BUILD (default build/test), CONCINO_JOBS (2).
 set -u
@@ -19,7 +19,6 @@ done
 
 build=${CONCINO_TEST_BUILD:-build/test}
 jobs=${CONCINO_JOBS:-2}
-sanitized='mesh|io|edit|validate'   # the modules where a slip is a read out of bounds
 mkdir -p "$build" || exit 1
 passed=0 failed=0 finished=0
 skipped_names=$build/skipped.txt
@@ -96,31 +95,35 @@ if [ $long -eq 1 ]; then
 fi
 [ $quick -eq 0 ] || selection+=(-E '^consumers/')
 
-# whole <folder> <preset> <compiler> [option...]: everything with one compiler.
+# whole <folder> <preset> <compiler> [option...]: builds and runs all that the options leave.
 whole() {
   configure "$@" || return
-  make "$1" "$3: build"
-  # What a header forgets to include, one compiler finds: the one that takes less time.
-  if [ $quick -eq 1 ] || [ "$3" != "$gcc" ] || [ $long -eq 1 ]; then
-    make "$1" "$3: every header alone" all_verify_interface_header_sets && passed=$((passed + 1))
-  fi
-  check "$1" "$3: run" "${selection[@]}"
+  make "$1" "$3: build ($2)"
+  check "$1" "$3: run ($2)" "${selection[@]}"
 }
 
-# g++ takes more than twice as long as clang++. The matrix of algorithms and models is a question of templates, which one compiler answers; all
-# else is built by both, by g++ in one file of each folder for all kinds of mesh, by clang++ in all files, what runs with sanitizers with these.
-if [ $quick -eq 1 ] || [ $long -eq 1 ]; then
+# headers <folder> <compiler> [option...]: every header compiles alone. What one forgets to include, either compiler finds.
+headers() {
+  configure "$1" dev-clang "$2" -D CONCINO_BUILD_TESTS=OFF -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF -D CONCINO_BUILD_COMPILED=OFF "${@:3}" || return
+  make "$1" "$2: every header alone" all_verify_interface_header_sets && passed=$((passed + 1))
+}
+
+# All tests are built once with g++ and once with clang++ and sanitizers, a batch of files at a time. g++, which takes more than twice as long,
+# builds most tests of every kind of mesh for two kinds, and not the matrix of algorithms and models, which is a question of templates.
+batches=(-D CONCINO_TEST_BATCHES=ON)
+fewer=(-D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON -D CONCINO_BUILD_EXAMPLES=OFF)
+if [ $long -eq 1 ]; then
   whole gcc dev-gcc "$gcc"
+  whole clang dev-clang "$clang"
+  headers headers_gcc "$gcc" -D CONCINO_VERIFY_DETAILS=ON
+  headers headers_clang "$clang" -D CONCINO_VERIFY_DETAILS=ON
+  whole asan asan "$clang" "${batches[@]}"
 else
-  whole gcc dev-gcc "$gcc" -D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON
-fi
-if [ $quick -eq 0 ]; then
-  whole clang dev-clang "$clang" -D CONCINO_TEST_WITHOUT="${sanitized//|/;}"
-  if configure asan asan "$clang" -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF; then
-    targets=$(cmake --build "$build/asan" --target help | grep -oE "\btests_($sanitized)\b" | sort -u)
-    # shellcheck disable=SC2086
-    [ -z "$targets" ] || make asan "$clang: build with sanitizers" $targets
-    check asan "$clang: run with sanitizers" -R "^($sanitized)/" "${selection[@]}"
+  whole gcc dev-gcc "$gcc" "${batches[@]}" "${fewer[@]}"
+  if [ $quick -eq 0 ]; then
+    headers headers "$clang"
+    selection+=(-E '^consumers/')
+    whole sanitized sanitized "$clang" "${batches[@]}"
   fi
 fi
 if [ $long -eq 1 ]; then

@@ -18,7 +18,9 @@ function(concino_find_all missing calls)
   set(${missing} "${absent}" PARENT_SCOPE)
 endfunction()
 
-# All headers of one root as the file set of target concino_<name>, plus what it links to.
+option(CONCINO_VERIFY_DETAILS "Let all_verify_interface_header_sets compile the headers of detail/ alone too" OFF)
+
+# All headers of one root as file sets of target concino_<name>, those of detail/ as one of their own, plus what it links to.
 function(concino_make_target name)
   cmake_parse_arguments(arg "" "ROOT" "FILES;LINK;FIND;DEBIAN" ${ARGN})
   set(target concino_${name})
@@ -31,7 +33,15 @@ function(concino_make_target name)
   target_compile_features(${target} INTERFACE cxx_std_20)
   target_link_libraries(${target} INTERFACE ${arg_LINK})
   if(arg_FILES)
-    target_sources(${target} INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/${arg_ROOT} FILES ${arg_FILES})
+    set(public ${arg_FILES})
+    set(details ${arg_FILES})
+    list(FILTER public EXCLUDE REGEX "/detail/")
+    list(FILTER details INCLUDE REGEX "/detail/")
+    target_sources(${target} INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/${arg_ROOT} FILES ${public}
+      FILE_SET details TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/${arg_ROOT} FILES ${details})
+    if(NOT CONCINO_VERIFY_DETAILS)
+      set_target_properties(${target} PROPERTIES INTERFACE_HEADER_SETS_TO_VERIFY HEADERS)
+    endif()
   endif()
   set_property(GLOBAL APPEND PROPERTY concino_components ${name})
   set_property(GLOBAL PROPERTY concino_target_${name} ${target})

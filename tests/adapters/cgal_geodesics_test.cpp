@@ -61,5 +61,5 @@ TEST_CASE("exact_geodesics: as CGAL's, between spikes, where most verts are sadd
 }
 
 TEST_CASE("exact_geodesics: as CGAL's, on a closed surface") {
-  compare(jittered(detail::quartered_on_sphere(detail::quartered_on_sphere(detail::icosahedron())), 0.1), {0, 50, 120});
+  compare(jittered(concino::detail::quartered_on_sphere(concino::detail::quartered_on_sphere(concino::detail::icosahedron())), 0.1), {0, 50, 120});
 }

@@ -2,8 +2,8 @@
 
 #include <concino/solve/llt.hpp>
 
-#include "support/solver_paths.hpp"
-#include "support/systems.hpp"
+#include <support/solver_paths.hpp>
+#include <support/systems.hpp>
 
 using namespace concino;
 using namespace systems;

@@ -1,7 +1,7 @@
 // Archetypes model exactly the concept they are named after, give the same answers as the mesh they show, and offer no more.
 #include <concino/concepts/archetypes.hpp>
 
-#include "../support/tiny.hpp"
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

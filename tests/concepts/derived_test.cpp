@@ -2,7 +2,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/derived.hpp>
 
-#include "../support/tiny.hpp"
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

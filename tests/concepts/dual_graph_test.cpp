@@ -1,7 +1,7 @@
 // Polys alone are a graph too.
 #include <concino/concepts/dual_graph.hpp>
 
-#include "../support/models.hpp"
+#include <support/models.hpp>
 
 #include <doctest/doctest.h>
 

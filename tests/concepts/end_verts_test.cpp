@@ -2,7 +2,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/end_verts.hpp>
 
-#include "../support/tiny.hpp"
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/facets.hpp>
 
-#include "../support/tiny.hpp"
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

@@ -5,8 +5,8 @@
 #include <concino/graph/components.hpp>
 #include <concino/validate/check_laws.hpp>
 
-#include "../support/models.hpp"
-#include "../support/tiny.hpp"
+#include <support/models.hpp>
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

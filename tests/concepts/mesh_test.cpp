@@ -1,7 +1,7 @@
 // Embedded, AnyMesh, MutablePoints and the verb contains.
 #include <concino/concepts/mesh.hpp>
 
-#include "../support/tiny.hpp"
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

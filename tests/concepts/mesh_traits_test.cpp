@@ -1,8 +1,8 @@
 // Types that nobody has adapted are no meshes: a plain "no", whatever they are.
 #include <concino/concepts/mesh_traits.hpp>
 
-#include "../support/models.hpp"
-#include "../support/tiny.hpp"
+#include <support/models.hpp>
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/oriented_edges.hpp>
 
-#include "../support/tiny.hpp"
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // A graph is a struct of six members. Nothing else is one, and asking is never an error.
 #include <concino/concepts/primal_graph.hpp>
 
-#include "../support/models.hpp"
+#include <support/models.hpp>
 
 #include <doctest/doctest.h>
 

@@ -4,7 +4,7 @@
 #include <concino/concepts/facets.hpp>
 #include <concino/concepts/views.hpp>
 
-#include "../support/tiny.hpp"
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // Surfaces: models, non-models, and the choice among overloads.
 #include <concino/concepts/surface_mesh.hpp>
 
-#include "../support/models.hpp"
-#include "../support/tiny.hpp"
+#include <support/models.hpp>
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

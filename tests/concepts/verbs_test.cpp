@@ -1,7 +1,7 @@
 // Verbs answer what the traits answer, and vanish where these say nothing.
 #include <concino/concepts/verbs.hpp>
 
-#include "../support/tiny.hpp"
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // Volumes: models and non-models.
 #include <concino/concepts/volume_mesh.hpp>
 
-#include "../support/models.hpp"
-#include "../support/tiny.hpp"
+#include <support/models.hpp>
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include <concino/core/equilibrate.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include <concino/core/system_checks.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <limits>
 #include <string>

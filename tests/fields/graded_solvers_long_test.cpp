@@ -1,5 +1,5 @@
 // Harmonic maps by iteration on large grids graded by x^3, against linear functions, which all of these meshes have exactly.
-#include "support/graded_solvers.hpp"
+#include <support/graded_solvers.hpp>
 
 using namespace graded_solvers;
 

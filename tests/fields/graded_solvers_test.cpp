@@ -2,7 +2,7 @@
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/solve/ldlt.hpp>
 
-#include "support/graded_solvers.hpp"
+#include <support/graded_solvers.hpp>
 
 #include <string>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <concino/solve/lu.hpp>
 #include <concino/solve/qr.hpp>
 
-#include "support/solver_paths.hpp"
+#include <support/solver_paths.hpp>
 
 using namespace solver_paths;
 

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/kinds.hpp"
-#include "support/meshes.hpp"
+#include <support/kinds.hpp>
+#include <support/meshes.hpp>
 
 using namespace concino;
 

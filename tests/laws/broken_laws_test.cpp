@@ -7,8 +7,8 @@
 #include <concino/mesh/trimesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
-#include "../support/liar.hpp"
-#include "../support/meshes.hpp"
+#include <support/liar.hpp>
+#include <support/meshes.hpp>
 
 #include <doctest/doctest.h>
 

@@ -4,8 +4,8 @@
 #include <concino/mesh/submesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
-#include "../support/models.hpp"
-#include "../support/tiny.hpp"
+#include <support/models.hpp>
+#include <support/tiny.hpp>
 #include <support/kinds.hpp>
 #include <support/soups.hpp>
 

@@ -3,7 +3,7 @@
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/lu.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <Eigen/Dense>
 

@@ -4,7 +4,7 @@
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/qr.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <cmath>
 #include <utility>

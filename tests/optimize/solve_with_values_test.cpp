@@ -8,7 +8,7 @@
 #include <concino/solve/lu.hpp>
 #include <concino/solve/qr.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <utility>
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/SparseCholesky>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 using namespace concino;
 using namespace systems;

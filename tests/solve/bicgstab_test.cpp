@@ -1,6 +1,6 @@
 #include <concino/solve/bicgstab.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include <concino/solve/conjugate_gradients.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <random>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 using namespace concino;
 

@@ -1,6 +1,6 @@
 #include <concino/solve/llt.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 using namespace concino;
 using namespace systems;

@@ -1,6 +1,6 @@
 #include <concino/solve/lu.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 #include <concino/solve/qr.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 #include <Eigen/Dense>
 

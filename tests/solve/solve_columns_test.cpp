@@ -2,7 +2,7 @@
 
 #include <concino/solve/ldlt.hpp>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 using namespace concino;
 using namespace systems;

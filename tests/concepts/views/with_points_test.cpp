@@ -3,8 +3,8 @@
 #include <concino/concepts/views/with_points.hpp>
 #include <concino/validate/check_laws.hpp>
 
-#include "../../support/models.hpp"
-#include "../../support/tiny.hpp"
+#include <support/models.hpp>
+#include <support/tiny.hpp>
 
 #include <doctest/doctest.h>
 
