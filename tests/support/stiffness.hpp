@@ -34,7 +34,7 @@ Eigen::MatrixXd stiffness(const M& m) {
 
 /// The verts strictly inside the unit square or cube, pushed about by less than 0.05.
 template<class M>
-std::vector<vert_t<M>> interior_verts(const M& m) {
+std::vector<vert_t<M>> verts_in_unit_box(const M& m) {
   std::vector<vert_t<M>> r;
   for (const auto v : verts(m)) {
     const vec3 x = to_vec3(point(m, v));
@@ -53,7 +53,7 @@ double residual_of_coordinates(const M& m, const Eigen::MatrixXd& k) {
     for (int c = 0; c < dimension_v<M>; ++c) x(static_cast<Eigen::Index>(index_of(m, v)), c) = to_vec3(point(m, v))[static_cast<std::size_t>(c)];
   const Eigen::MatrixXd kx = k * x;
   double largest = 0;
-  for (const auto v : interior_verts(m)) largest = std::max(largest, kx.row(static_cast<Eigen::Index>(index_of(m, v))).cwiseAbs().maxCoeff());
+  for (const auto v : verts_in_unit_box(m)) largest = std::max(largest, kx.row(static_cast<Eigen::Index>(index_of(m, v))).cwiseAbs().maxCoeff());
   return largest;
 }
 

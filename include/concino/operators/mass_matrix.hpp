@@ -4,6 +4,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/product.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
