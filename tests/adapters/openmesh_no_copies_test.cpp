@@ -2,6 +2,7 @@
 // a mesh that cannot be copied.
 #include <support/allocations.hpp>
 #include <support/openmesh.hpp>
+#include <support/threads.hpp>
 
 #include <concino/concepts/views.hpp>
 #include <concino/edit.hpp>
@@ -74,6 +75,7 @@ TEST_CASE_TEMPLATE("walking allocates nothing, algorithms what they do on a nati
   trimesh native(arrays);
   M m;
   fill(m, arrays);
+  const testing::with_num_threads alone(1);  // helpers of a loop allocate, and start where it takes long
   const auto compare = [&] {
     // Where assertions are on, OpenMesh allocates a string for each look at a property: too many of them for the points, which are read through
     // a map therefore, and a few, known by their size, for the status attributes.

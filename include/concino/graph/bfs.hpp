@@ -162,6 +162,17 @@ auto bfs_forest(const G& g, const bfs_options<typename G::node, crossed_t<G>>& o
 /// Source: Moore 1959; paper section 2.1, "Architecture".
 template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
+auto bfs(M&& m, const S& source) {  // without options the search with everything is not compiled
+  return detail::plain_bfs<false>(detail::graph_of<M, S>{m}, source, nullptr);
+}
+template<class M, class S>
+  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
+auto bfs(M&& m, std::initializer_list<S> sources) {
+  return detail::plain_bfs<false>(detail::graph_of<M, S>{m}, sources, nullptr);
+}
+
+template<class M, class S>
+  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
 auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, source, options);
 }
@@ -170,17 +181,6 @@ template<class M, class S>
   requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
 auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, sources, options);
-}
-
-template<class M, class S>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
-auto bfs(M&& m, const S& source) {  // without options the search with everything is not compiled
-  return detail::plain_bfs<false>(detail::graph_of<M, S>{m}, source, nullptr);
-}
-template<class M, class S>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
-auto bfs(M&& m, std::initializer_list<S> sources) {
-  return detail::plain_bfs<false>(detail::graph_of<M, S>{m}, sources, nullptr);
 }
 
 /// Breadth-first trees of everything: a search from the first node, then from the first that is not reached yet, until none is left. Nodes are
