@@ -9,7 +9,7 @@
 
 #include <limits>
 
-#include "support/systems.hpp"
+#include <support/systems.hpp>
 
 using namespace concino;
 using namespace systems;
