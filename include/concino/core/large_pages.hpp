@@ -36,7 +36,7 @@ template<class T>
 std::vector<T> large_vector(std::size_t n, const T& value) {
   std::vector<T> v;
   reserve_large(v, n);
-  v.resize(n, value);
+  v.assign(n, value);
   return v;
 }
 

@@ -39,7 +39,7 @@ template<bool Asks, class G, class S>
 auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(typename G::node)> may_enter) {
   using node = typename G::node;
   auto hops = make_node_map<int>(g, -1);
-  int* const value = hops.values().data();
+  int* const value = hops.data();
   once_queue<node> queue(g.bound());
 
   for_each_source(g, sources, "bfs", [&](const node& s) {
@@ -74,7 +74,7 @@ template<bool Reports, class G, class S>
 auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
   auto hops = make_node_map<int>(g, -1);
-  int* const value = hops.values().data();
+  int* const value = hops.data();
   once_queue<node> queue(g.bound());
   target_set targets(g, options.targets, options.nearest_target, "bfs");
   int limit = options.max_hops;  // no step beyond this; -1 when visit has ended the search

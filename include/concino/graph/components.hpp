@@ -53,7 +53,7 @@ template<class G>
 auto connected_components(const G& g, const component_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
   auto labels = make_node_map<int>(g, -1);
-  int* const label = labels.values().data();
+  int* const label = labels.data();
   const auto may_enter = options.may_enter;
   disjoint_sets sets(g.bound());
 

@@ -71,7 +71,7 @@ auto grow_regions(const G& g, const S& seeds, const C& cost, const region_option
   std::size_t number = 0;
 
   auto labels = make_node_map<int>(g, -1);
-  int* const label = labels.values().data();
+  int* const label = labels.data();
   struct offer { double cost; int label; };
   auto best = std::vector<offer>(summed ? g.bound() : 0, offer{infinity, 0});  // made on nodes that wait
 

@@ -28,9 +28,9 @@ struct material_table {
   bool empty() const { return materials.empty() && libraries.empty() && unread.empty() && head.empty(); }
   /// The first of that name, or null.      Cost: O(number of materials).
   const material* find(std::string_view name) const {
-    const auto found =
-        std::find_if(materials.begin(), materials.end(), [&](const material& m) { return std::string_view(m.name) == name; });
-    return found == materials.end() ? nullptr : &*found;
+    for (const material& m : materials)
+      if (std::string_view(m.name) == name) return &m;
+    return nullptr;
   }
 
   friend bool operator==(const material_table&, const material_table&) = default;

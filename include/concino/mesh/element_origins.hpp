@@ -62,7 +62,7 @@ class element_origins {
     };
 
     explicit range(std::uint32_t single) : list_(nullptr), size_(single != none), single_{single} {}
-    explicit range(std::span<const origin> list) : list_(list.data()), size_(list.size()), single_{none} {}
+    range(const origin* list, std::size_t size) : list_(list), size_(size), single_{none} {}
 
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
@@ -83,7 +83,7 @@ class element_origins {
   range operator[](std::size_t i) const {
     assert(i < size());
     if (first_.empty()) return range(single_[i]);
-    return range(std::span<const origin>(list_.data() + first_[i], list_.data() + first_[i + 1]));
+    return range(list_.data() + first_[i], first_[i + 1] - first_[i]);
   }
   /// The origin of an element that has exactly one, else `none`.
   std::uint32_t only(std::size_t i) const {

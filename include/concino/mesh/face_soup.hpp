@@ -102,9 +102,8 @@ struct face_soup {
         out.poly_faces[f] = out.poly_faces[twin[f]];
       }
     }
-    face_verts.resize(corners);
-    face_verts.shrink_to_fit();
-    out.face_verts = std::move(face_verts);
+    out.face_verts.assign(face_verts.data(), face_verts.data() + corners);
+    std::vector<vert_id>().swap(face_verts);
     return out;
   }
 

@@ -94,7 +94,8 @@ inline bool make_volume_positive(cell_shape s, vert_id* v, const std::vector<vec
 /// Result: 1 if they are walked the same way, -1 opposite ways, 0 if they are not one cycle.      Cost: O(n).
 /// Errors: none.
 inline int compare_cycles(const vert_id* a, const vert_id* b, std::size_t n) {
-  const auto k = static_cast<std::size_t>(std::find(b, b + n, a[0]) - b);
+  std::size_t k = 0;
+  while (k < n && b[k] != a[0]) ++k;
   if (k == n) return 0;
   bool same = true, opposite = true;
   for (std::size_t i = 0; i < n && (same || opposite); ++i) {

@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 namespace concino {
 
@@ -60,20 +59,20 @@ vert_map<M, double> vert_masses(M&& m) {
       for (const vert_t<M> v : adj_p2v(m, p)) mass[v] += part;
     }
   }
-  for (const double x : mass.values())
-    if (!std::isfinite(x)) detail::throw_infinite_mass(m);
+  for (std::size_t i = 0; i < vert_index_bound(m); ++i)
+    if (!std::isfinite(mass.data()[i])) detail::throw_infinite_mass(m);
   return mass;
 }
 
 namespace detail {
 
-inline Eigen::SparseMatrix<double> diagonal_matrix(std::span<const double> x) {
-  const auto n = static_cast<Eigen::Index>(x.size());
+inline Eigen::SparseMatrix<double> diagonal_matrix(const double* x, std::size_t size) {
+  const auto n = static_cast<Eigen::Index>(size);
   Eigen::SparseMatrix<double> a(n, n);
   a.resizeNonZeros(n);
   for (int i = 0; i < n; ++i) {
     a.outerIndexPtr()[i] = a.innerIndexPtr()[i] = i;
-    a.valuePtr()[i] = x[static_cast<std::size_t>(i)];
+    a.valuePtr()[i] = x[i];
   }
   a.outerIndexPtr()[n] = static_cast<int>(n);
   return a;
@@ -102,7 +101,7 @@ Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& o
     else return with_both_triangles(detail::assemble_elements<M>(m, [&] { return detail::poly_operator_of<M>([&] { return detail::virtual_mass<M>(m); }); }));
   }
   const auto mass = vert_masses(m);
-  return detail::diagonal_matrix(mass.values());
+  return detail::diagonal_matrix(mass.data(), vert_index_bound(m));
 }
 
 // What to write instead of calls that cannot compile.

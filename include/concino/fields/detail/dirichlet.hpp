@@ -220,12 +220,12 @@ struct held_system {
   template<class T, class Load>
   void solve(core::solver_ref solver, const Load& load, vert_map<M, T>& value, const char* who) const {
     if (verts.unknowns == 0) return;
-    T* const at = value.values().data();
+    T* const at = value.data();
     solve_parts(solver, lower, verts.index, couplings, parts_of<T>, load, [at](std::size_t k, int index) -> double& { return part(at[index], k); }, who);
   }
 
   void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole) {
-    detail::restrict_to_unknowns(whole, verts.unknown.values().data(), verts.index, lower, couplings);
+    detail::restrict_to_unknowns(whole, verts.unknown.data(), verts.index, lower, couplings);
   }
 };
 

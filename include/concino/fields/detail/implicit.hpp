@@ -42,7 +42,8 @@ template<class M, class D>
 Eigen::SparseMatrix<double> mass_beside(const M& m, const D& discretisation, bool lumped, const char* who) {
   if constexpr (!requirement::has_masses<D, M>)
     if (!lumped) return mass_matrix(m, {.lumped = false});
-  return diagonal_matrix(lumped_masses(m, discretisation, who));
+  const std::vector<double> mass = lumped_masses(m, discretisation, who);
+  return diagonal_matrix(mass.data(), mass.size());
 }
 
 template<class M>
@@ -90,7 +91,7 @@ class implicit_system {
   /// Errors: solver_error.
   template<class T, class Solver>
   void apply(const Solver& solver, vert_map<M, T>& f) const {
-    const T* const at = f.values().data();
+    const T* const at = f.data();
     const int *const begin = mass_.outerIndexPtr(), *const row = mass_.innerIndexPtr();
     const double* const entry = mass_.valuePtr();
     const auto load = [&](std::size_t k, int c) {

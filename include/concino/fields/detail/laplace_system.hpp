@@ -39,7 +39,7 @@ std::vector<double> lumped_masses(const M& m, const D& discretisation, const cha
     }
   } else {
     const auto mass = vert_masses(m);
-    for (std::size_t i = 0; i < r.size(); ++i) r[i] = mass.values()[i];
+    for (std::size_t i = 0; i < r.size(); ++i) r[i] = mass.data()[i];
     for (const vert_t<M> v : verts(m))
       if (!(mass[v] > 0) && has_edges(v))
         core::throw_joined<invalid_mesh>({who, ": vert ", index_of(m, v),

@@ -33,7 +33,7 @@ class off_cursor : protected text_cursor {
     const char* const from = at;
     while (at != end() && !is_space(*at) && *at != '#') ++at;
     std::string_view word{from, static_cast<std::size_t>(at - from)};
-    if (std::all_of(word.begin(), word.end(), is_digit)) {
+    if (word.find_first_not_of("0123456789") == word.npos) {
       at = from;
       return;
     }

@@ -116,10 +116,11 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
 
 /// A material that says a colour in numbers and nothing else.
 [[gnu::noinline, gnu::cold]] inline bool says_only_color(const material& m) {
-  return std::all_of(m.lines.begin(), m.lines.end(), [](const std::string& line) {
+  for (const std::string& line : m.lines) {
     const std::size_t keyword = line.starts_with("Kd ") ? 3 : line.starts_with("d ") ? 2 : line.size();
-    return keyword < line.size() && line.find_first_not_of("0123456789+-.eE ", keyword) == line.npos;
-  });
+    if (keyword == line.size() || line.find_first_not_of("0123456789+-.eE ", keyword) != line.npos) return false;
+  }
+  return true;
 }
 
 /// Where the library of that name is, if it is beside the file `of`, or, where this is a link, beside the file that it names; else empty.

@@ -19,7 +19,7 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
   const poly_id p{polys_.bound()};
   if (corners.size() != Shape::verts)
     core::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Shape::verts});
-  detail::check_new_verts(corners, verts_, "poly", p.raw());
+  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "poly", p.raw());
   vert_id c[Shape::verts];
   std::copy_n(corners.begin(), Shape::verts, c);
   edges_of_new_poly at = find_edges(c);

@@ -7,8 +7,6 @@
 #include <concino/mesh/detail/sides.hpp>
 #include <concino/mesh/limits.hpp>
 
-#include <span>
-
 namespace concino::detail {
 
 /// Lists of N, or of any lengths; refuses arrays that are no such lists.
@@ -33,10 +31,10 @@ rows<T, 0> checked_rows(offsets first, std::vector<T> values, const char* what) 
 }
 
 /// Refuses a list of verts that no polygon can have.
-void check_verts(std::span<const vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met);
+void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met);
 
 /// The same for a new poly or face of a mesh some of whose verts may be deleted.
-void check_new_verts(std::span<const vert_id> list, const live<vert_id>& all, const char* what, std::size_t which);
+void check_new_verts(id_span<vert_id> list, const live<vert_id>& all, const char* what, std::size_t which);
 
 void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count);
 

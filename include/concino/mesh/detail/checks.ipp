@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE void check_verts(std::span<const vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met) {
+CONCINO_INLINE void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met) {
   const auto name = [&] { return core::joined({what, " ", which}); };
   if (verts.size() < 3) core::throw_joined<invalid_mesh>({name(), " has ", verts.size(), " verts; it needs at least 3"});
   for (const vert_id v : verts)
@@ -20,7 +20,7 @@ CONCINO_INLINE void check_verts(std::span<const vert_id> verts, std::size_t vert
       for (std::size_t j = 0; j < i; ++j)
         if (verts[i] == verts[j]) twice = i;
   } else {
-    if (met.size() < vert_count) met.resize(vert_count, ~0u);
+    if (met.size() < vert_count) met.assign(vert_count, ~0u);
     for (std::size_t i = 0; i < verts.size(); ++i) {
       if (met[verts[i].raw()] == which) twice = i;
       met[verts[i].raw()] = static_cast<std::uint32_t>(which);
@@ -29,7 +29,7 @@ CONCINO_INLINE void check_verts(std::span<const vert_id> verts, std::size_t vert
   if (twice != verts.size()) core::throw_joined<invalid_mesh>({name(), " has vert ", verts[twice].raw(), " twice; its verts must differ"});
 }
 
-CONCINO_INLINE void check_new_verts(std::span<const vert_id> list, const live<vert_id>& all, const char* what, std::size_t which) {
+CONCINO_INLINE void check_new_verts(id_span<vert_id> list, const live<vert_id>& all, const char* what, std::size_t which) {
   std::vector<std::uint32_t> met;
   check_verts(list, all.bound(), what, which, met);
   for (const vert_id v : list)

@@ -66,7 +66,7 @@ class live {
   }
   void remove(Id x) {
     if (!contains(x)) return;
-    if (dead_.empty()) dead_.resize(bound_, 0);
+    if (dead_.empty()) dead_.assign(bound_, 0);
     dead_[x.raw()] = 1;
     ++deleted_;
   }

@@ -31,7 +31,7 @@ vert_id basic_polyhedra_tables<Lists>::add_vert(function_ref<void(const detail::
 template<class Lists>
 face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow) {
   const face_id f{faces_.bound()};
-  detail::check_new_verts(corners, verts_, "face", f.raw());
+  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "face", f.raw());
   const std::size_t n = corners.size();
   const vert_id* const c = f2v_.stage_row(corners.data(), n);  // corners may have lain in a row that moved
   const auto next = [&](std::size_t i) { return c[i + 1 == n ? 0 : i + 1]; };

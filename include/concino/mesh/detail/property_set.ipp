@@ -199,7 +199,9 @@ CONCINO_INLINE bool property_set::remove(element_kind kind, std::string_view nam
 }
 
 CONCINO_INLINE bool property_set::has(element_kind kind) const {
-  return std::any_of(entries_.begin(), entries_.end(), [&](const entry& e) { return e.kind == kind; });
+  for (const entry& e : entries_)
+    if (e.kind == kind) return true;
+  return false;
 }
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE void property_set::set_rule(element_kind kind, std::string_view name, property_rule rule) {
@@ -219,8 +221,9 @@ CONCINO_INLINE void property_set::transfer(const property_set& given, const corr
   std::vector<entry> all = entries_;
   for (const entry& e : given.entries_) {
     auto values = std::make_shared<detail::column>(*e.values, *origins[static_cast<unsigned>(e.kind)]);
-    const auto same = std::find_if(all.begin(), all.end(), [&](const entry& x) { return x.kind == e.kind && x.name == e.name; });
-    if (same != all.end()) same->values = std::move(values);
+    std::size_t same = 0;
+    while (same < all.size() && !(all[same].kind == e.kind && all[same].name == e.name)) ++same;
+    if (same < all.size()) all[same].values = std::move(values);
     else all.push_back({e.kind, e.name, std::move(values)});
   }
   entries_.swap(all);

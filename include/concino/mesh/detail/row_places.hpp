@@ -34,7 +34,7 @@ class row_places {
       std::sort(order_.end() - n, order_.end(), [&](std::uint32_t a, std::uint32_t b) { return row[a] < row[b]; });
     }
     first_.push_back(static_cast<std::uint32_t>(order_.size()));
-    order_.shrink_to_fit();
+    drop_spare_room(order_);
   }
 
   /// The place of a value that a row of more than `longest_scan` holds once; the length of the row if it does not hold it.

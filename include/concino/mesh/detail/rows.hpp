@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,10 +22,17 @@ namespace concino::detail {
 
 using offsets = std::vector<std::uint32_t>;
 
-/// Gives back the room that a growing vector has left over, unless that is little.
+/// Gives back the room that a growing vector has left over, unless that is little, or there is no memory for a copy. No shrink_to_fit(), which takes
+/// longer to compile.
 template<class T>
 void drop_spare_room(std::vector<T>& v) {
-  if (v.capacity() > v.size() + v.size() / 64) v.shrink_to_fit();
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (v.capacity() <= v.size() + v.size() / 64) return;
+  try {
+    std::vector<T>(v).swap(v);
+  } catch (const std::bad_alloc&) {
+    return;
+  }
 }
 
 /// Turns counts[i + 1] = size of row i into where each row begins.
@@ -231,9 +240,10 @@ class rows<T, 0> {
   void remove(std::size_t i, const T& value) {
     loosen();
     T* const e = data_.data() + loose_last_[i];
-    T* const at = std::find(begin(i), e, value);
+    T* at = begin(i);
+    while (at != e && !(*at == value)) ++at;
     if (at == e) return;
-    std::move(at + 1, e, at);
+    for (; at + 1 != e; ++at) *at = at[1];
     --loose_last_[i];
   }
   void clear_row(std::size_t i) {

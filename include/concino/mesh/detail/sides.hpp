@@ -221,7 +221,7 @@ class sides {
       mark_among_few(p);
       return mark_in_crowds(p);
     }
-    if (met.size() < num_polys()) met.resize(num_polys(), ~0u);
+    if (met.size() < num_polys()) met.assign(num_polys(), ~0u);
     std::size_t different = 0;
     bool crowded = false;
     for (std::uint32_t k = 0; k < n; ++k) {

@@ -19,7 +19,7 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   const poly_id p{polys_.bound()};
   if (Arity > 0 && corners.size() != Arity)
     core::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
-  detail::check_new_verts(corners, verts_, "poly", p.raw());
+  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "poly", p.raw());
   const auto n = static_cast<std::uint32_t>(corners.size());
   const vert_id* const c = p2v_.stage_row(corners.data(), n);  // corners may have lain in a row that moved
   edge_id* const e = sides_.stage_poly(n);
@@ -100,7 +100,8 @@ detail::offsets surface_tables<Arity, Lists>::list_at_verts(core::flat_array<std
     for (std::uint32_t p = 0; p < poly_count; ++p) longest = std::max(longest, p2v_.length(p));
     if (longest > 32) {
       poly_of.reserve(corner_count);
-      for (std::uint32_t p = 0; p < poly_count; ++p) poly_of.insert(poly_of.end(), p2v_.length(p), p);
+      for (std::uint32_t p = 0; p < poly_count; ++p)
+        for (std::uint32_t k = 0; k < p2v_.length(p); ++k) poly_of.push_back(p);
     }
   }
   detail::offsets counts(vert_count + 1, 0);

@@ -50,9 +50,12 @@ CONCINO_INLINE Eigen::VectorXd conjugate_gradients::solve(const Eigen::VectorXd&
   has_converged_ = true;
   double largest = 0;
   for (Eigen::Index i = 0; i < given.size(); ++i) largest = std::max(largest, std::abs(given[i]));
-  if (!(largest > 0)) return Eigen::VectorXd::Zero(size_);
-  const double b_scale = core::power_of_two_to_scale(largest);
   Eigen::VectorXd b(size_), x(size_);
+  if (!(largest > 0)) {
+    for (Eigen::Index i = 0; i < size_; ++i) x[i] = 0;
+    return x;
+  }
+  const double b_scale = core::power_of_two_to_scale(largest);
   const int* const row = order_.row.data();
   for (Eigen::Index i = 0; i < size_; ++i) b[i] = given[row[i]] * b_scale;
   iterate(b, x);
@@ -122,7 +125,7 @@ CONCINO_INLINE void conjugate_gradients::iterate(const Eigen::VectorXd& b, Eigen
   const std::int64_t most = options_.max_iterations > 0 ? options_.max_iterations : 2 * static_cast<std::int64_t>(size_);
   const std::int64_t patience = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(size_)));
   Eigen::VectorXd r = b, z(size_), p(size_), q(size_);
-  x.setZero();
+  for (Eigen::Index i = 0; i < size_; ++i) x[i] = 0;
   detail::energy_gains gained;
   near_a_.solve(a_, r, z);
   double along = dot(r, z);  // |r|^2 as the preconditioner measures it
