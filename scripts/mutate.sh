@@ -28,6 +28,7 @@ io/detail/write_mtl           io/detail/write_mtl io/detail/library_file
 io/detail/library_file        io/detail/library_file io/killed_save io/detail/write_mtl
 core/hash_bytes      core/hash_bytes
 io/detail/choose_format   io/format io/load
+io/detail/name_runs       io/detail/read_obj io/detail/read_mtl io/load
 io/detail/load_with       io/format io/load io/load_any
 io/detail/save_with       io/format io/save
 io/detail/flat_mesh_of    io/flat_mesh io/save
@@ -107,6 +108,7 @@ mesh/detail/rows              mesh/detail/rows mesh/native_mesh edit/elements
 mesh/detail/stars             mesh/native_mesh edit/elements
 mesh/detail/checks            mesh/native_mesh edit/elements
 mesh/face_soup         mesh/face_soup io/load io/detail/read_medit validate/crowds
+mesh/detail/to_polyhedra mesh/face_soup io/load
 graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path
 graph/bfs              graph/bfs graph/predecessors
 core/indexed_heap    core/indexed_heap graph/dijkstra

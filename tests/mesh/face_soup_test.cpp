@@ -1,5 +1,7 @@
 #include <concino/mesh/face_soup.hpp>
 
+#include <concino/mesh/to_polyhedra.hpp>
+
 #include <support/meshes.hpp>
 
 #include <doctest/doctest.h>

@@ -3,7 +3,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/geometry/measure.hpp>
-#include <concino/mesh/face_soup.hpp>
+#include <concino/mesh/to_polyhedra.hpp>
 
 #include <support/kinds.hpp>
 #include <support/tiny.hpp>

@@ -1,6 +1,8 @@
 // Meshes of any size in which much comes together at one place: many polys on an edge, a face or a vert, polys of very many sides, equal polys.
 #pragma once
 
+#include <concino/mesh/to_polyhedra.hpp>
+
 #include <support/kinds.hpp>
 
 #include <cmath>

@@ -4,8 +4,11 @@
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
+#include <algorithm>
 #include <concepts>
-#include <numeric>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace concino {
 
@@ -62,11 +65,12 @@ struct face_soup {
 
   /// The faces in the order of their smallest verts. where: zeros, one more than there are verts; afterwards it says of each vert where
   /// the faces end that it is the smallest of.
-  std::vector<entry> sort_by_smallest_vert(std::vector<std::uint32_t>& where) {
+  template<std::same_as<std::uint32_t> Index>
+  std::vector<entry> sort_by_smallest_vert(std::vector<Index>& where) {
     const std::size_t n = face_offsets.size() - 1;
     const auto smallest = [&](std::size_t f) { return std::min_element(first(f), first(f) + size(f))->raw(); };
     for (std::size_t f = 0; f < n; ++f) ++where[smallest(f) + 1];
-    std::partial_sum(where.begin(), where.end(), where.begin());
+    for (std::size_t v = 1; v < where.size(); ++v) where[v] += where[v - 1];
     std::vector<entry> entries(n);
     for (std::size_t f = 0; f < n; ++f) {
       std::uint32_t low[3] = {~0u, ~0u, ~0u};
@@ -82,7 +86,8 @@ struct face_soup {
   }
 
   /// Result: polyhedra of the faces that are their own twins; the others are seen from their second side.
-  polyhedra_arrays keep_first_faces(std::vector<vec3>&& points, const std::vector<std::uint32_t>& twin, std::vector<std::uint8_t>&& outward) {
+  template<std::same_as<vec3> Point>
+  polyhedra_arrays keep_first_faces(std::vector<Point>&& points, const std::vector<std::uint32_t>& twin, std::vector<std::uint8_t>&& outward) {
     const std::size_t n = twin.size();
     polyhedra_arrays out;
     out.points = std::move(points);
@@ -153,23 +158,5 @@ struct face_soup {
     return keep_first_faces(std::move(points), twin, std::move(outward));
   }
 };
-
-/// The same volume as general polyhedra; polys keep their order.
-/// Needs:  cells in the standard order; their verts are given up.
-/// Result: faces numbered as they are first met.                                   Cost: O(n), but for sorting faces of equal smallest vert.
-/// Errors: none but std::bad_alloc.
-template<std::same_as<cell_arrays> Cells>
-polyhedra_arrays to_polyhedra(Cells&& cells) {
-  const cell_shape s = cells.arity == 4 ? cell_shape::tet : cell_shape::hex;
-  const standard_cell& t = standard_cell_of(s);
-  const std::size_t n = cells.num_polys();
-  face_soup soup;
-  soup.face_offsets.reserve(n * t.num_faces + 1);
-  soup.face_verts.reserve(n * (s == cell_shape::tet ? 12 : 24));
-  soup.poly_offsets.reserve(n + 1);
-  for (std::size_t c = 0; c < n; ++c) soup.add_cell(s, cells.verts.data() + c * t.num_verts);
-  std::vector<vert_id>().swap(cells.verts);
-  return std::move(soup).unite(std::move(cells.points));
-}
 
 }  // namespace concino

@@ -1,6 +1,6 @@
 #include <concino/io/detail/orient.hpp>
 
-#include <concino/mesh/face_soup.hpp>
+#include <concino/mesh/to_polyhedra.hpp>
 
 #include <support/meshes.hpp>
 

@@ -1,14 +1,12 @@
 // Which of the formats that a call knows a file is in.
 #pragma once
 
-#include <concino/core/message.hpp>
-#include <concino/io/detail/paths.hpp>
+#include <concino/core/compiled.hpp>
 #include <concino/io/format.hpp>
 
 #include <array>
-#include <bit>
+#include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace concino::detail {
@@ -49,49 +47,12 @@ struct all_format_rows {
 template<class... F>
 constexpr format_rows rows_of(format_list<F...>) { return {all_format_rows<F...>::rows.data(), sizeof...(F)}; }
 
-/// Upper and lower case mean the same; `extension` is in lower case.
-inline bool has_extension(std::string_view path, std::string_view extension) {
-  if (path.size() <= extension.size()) return false;
-  const std::string_view tail = path.substr(path.size() - extension.size());
-  for (std::size_t i = 0; i < tail.size(); ++i)
-    if ((tail[i] >= 'A' && tail[i] <= 'Z' ? static_cast<char>(tail[i] + ('a' - 'A')) : tail[i]) != extension[i]) return false;
-  return true;
-}
-
 /// A bit for each format that has the extension of a path, or for the one that is asked for.
 /// Errors: as check_path; unsupported if there is none, naming those that are known.
-[[gnu::noinline, gnu::cold]] inline std::uint64_t formats_for(std::string_view path, format_id asked, format_rows known) {
-  check_path(path);
-  std::uint64_t found = 0;
-  std::string all;
-  const bool by_extension = asked == format_id();
-  for (std::size_t i = 0; i < known.size; ++i) {
-    const format_row& row = known.rows[i];
-    if (!by_extension) {
-      if (row.name == asked.name()) found |= std::uint64_t{1} << i;
-      all = core::joined({all, all.empty() ? "" : ", ", row.name});
-    } else {
-      for (std::size_t k = 0; k < row.num_extensions; ++k) {
-        if (has_extension(path, row.extensions[k])) found |= std::uint64_t{1} << i;
-        all = core::joined({all, all.empty() ? "" : ", ", row.extensions[k]});
-      }
-    }
-  }
-  if (found != 0) return found;
-  if (by_extension) core::throw_joined<unsupported>({path, ": the extension names no format known here; known are ", all});
-  core::throw_joined<unsupported>({path, ": this call does not know the format ", asked.name(), "; known are ", all});
-}
+std::uint64_t formats_for(std::string_view path, format_id asked, format_rows known);
 
 /// Of formats for one extension: the last whose signature the text has, else the last that has none, else the last. Without a text: the last.
-[[gnu::noinline, gnu::cold]] inline std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text) {
-  const auto last = static_cast<std::size_t>(63 - std::countl_zero(candidates));
-  if (!text || (candidates & (candidates - 1)) == 0) return last;
-  for (std::size_t i = last + 1; i-- > 0;)
-    if ((candidates >> i & 1) != 0 && known.rows[i].has_signature && known.rows[i].has_signature(*text)) return i;
-  for (std::size_t i = last + 1; i-- > 0;)
-    if ((candidates >> i & 1) != 0 && !known.rows[i].has_signature) return i;
-  return last;
-}
+std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text);
 
 /// The formats that come into question for a path, of those that a call knows.
 template<Formats F>
@@ -116,3 +77,7 @@ void with_format(format_list<F...>, [[maybe_unused]] std::size_t chosen, [[maybe
 }
 
 }  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/io/detail/choose_format.ipp>
+#endif

@@ -3,6 +3,8 @@
 // with.
 #pragma once
 
+#include <concino/core/hash_bytes.hpp>
+#include <concino/io/detail/io_errors.hpp>
 #include <concino/io/detail/paths.hpp>
 #include <concino/io/detail/read_mtl.hpp>
 #include <concino/io/replacing_file.hpp>

@@ -6,7 +6,7 @@
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/properties.hpp>
 #include <concino/io/file_text.hpp>
-#include <concino/mesh/face_soup.hpp>
+#include <concino/mesh/to_polyhedra.hpp>
 
 #include <concepts>
 #include <cstddef>

@@ -3,6 +3,7 @@
 
 #include <concino/core/hash_bytes.hpp>
 #include <concino/core/message.hpp>
+#include <concino/io/detail/io_errors.hpp>
 #include <concino/io/detail/paths.hpp>
 #include <concino/io/replacing_file.hpp>
 

@@ -1,0 +1,55 @@
+// By what a format is chosen; see choose_format.hpp.
+#pragma once
+
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+#include <concino/io/detail/choose_format.hpp>
+#include <concino/io/detail/paths.hpp>
+
+#include <bit>
+#include <string>
+
+namespace concino::detail {
+
+/// Upper and lower case mean the same; `extension` is in lower case.
+inline bool has_extension(std::string_view path, std::string_view extension) {
+  if (path.size() <= extension.size()) return false;
+  const std::string_view tail = path.substr(path.size() - extension.size());
+  for (std::size_t i = 0; i < tail.size(); ++i)
+    if ((tail[i] >= 'A' && tail[i] <= 'Z' ? static_cast<char>(tail[i] + ('a' - 'A')) : tail[i]) != extension[i]) return false;
+  return true;
+}
+
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::uint64_t formats_for(std::string_view path, format_id asked, format_rows known) {
+  check_path(path);
+  std::uint64_t found = 0;
+  std::string all;
+  const bool by_extension = asked == format_id();
+  for (std::size_t i = 0; i < known.size; ++i) {
+    const format_row& row = known.rows[i];
+    if (!by_extension) {
+      if (row.name == asked.name()) found |= std::uint64_t{1} << i;
+      all = core::joined({all, all.empty() ? "" : ", ", row.name});
+    } else {
+      for (std::size_t k = 0; k < row.num_extensions; ++k) {
+        if (has_extension(path, row.extensions[k])) found |= std::uint64_t{1} << i;
+        all = core::joined({all, all.empty() ? "" : ", ", row.extensions[k]});
+      }
+    }
+  }
+  if (found != 0) return found;
+  if (by_extension) core::throw_joined<unsupported>({path, ": the extension names no format known here; known are ", all});
+  core::throw_joined<unsupported>({path, ": this call does not know the format ", asked.name(), "; known are ", all});
+}
+
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text) {
+  const auto last = static_cast<std::size_t>(63 - std::countl_zero(candidates));
+  if (!text || (candidates & (candidates - 1)) == 0) return last;
+  for (std::size_t i = last + 1; i-- > 0;)
+    if ((candidates >> i & 1) != 0 && known.rows[i].has_signature && known.rows[i].has_signature(*text)) return i;
+  for (std::size_t i = last + 1; i-- > 0;)
+    if ((candidates >> i & 1) != 0 && !known.rows[i].has_signature) return i;
+  return last;
+}
+
+}  // namespace concino::detail
