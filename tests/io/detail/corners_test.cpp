@@ -8,7 +8,8 @@ using namespace concino;
 using namespace concino::detail;
 
 TEST_CASE("first_repeated: few and many") {
-  std::vector<vert_id> v, scratch;
+  std::vector<vert_id> v;
+  std::vector<std::uint64_t> scratch;
   for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});
   for (const std::size_t n : {5u, 32u, 33u, 100u}) CHECK(first_repeated(v.data(), n, scratch) == n);
   v[20] = vert_id{3};
@@ -21,7 +22,8 @@ TEST_CASE("first_repeated: few and many") {
 TEST_CASE("first_repeated: any number of verts, whatever their numbers") {
   for (const std::uint32_t n : {33u, 64u, 65u, 128u, 200u, 1000u})
     for (const std::uint32_t step : {1u, 2u, 64u, 65536u, 0x9e3779b1u}) {
-      std::vector<vert_id> v, scratch;
+      std::vector<vert_id> v;
+      std::vector<std::uint64_t> scratch;
       for (std::uint32_t i = 0; i < n; ++i) v.push_back(vert_id{i * step});
       CHECK(first_repeated(v.data(), n, scratch) == n);
       v.push_back(v[n / 2]);
@@ -30,7 +32,8 @@ TEST_CASE("first_repeated: any number of verts, whatever their numbers") {
 }
 
 TEST_CASE("first_repeated: neighbours, among few and many") {
-  std::vector<vert_id> v, scratch;
+  std::vector<vert_id> v;
+  std::vector<std::uint64_t> scratch;
   for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});
   v[1] = v[0];
   CHECK(first_repeated(v.data(), 5, scratch) == 1);

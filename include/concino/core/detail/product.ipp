@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/product.hpp>
+#include <concino/core/sort_numbers.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -87,15 +88,15 @@ CONCINO_INLINE Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMat
     }
     if (rows.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
       throw unsupported("product of sparse matrices: more entries than 32-bit indices can count; use a smaller exponent");
-    std::sort(rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.end());
+    core::sort_numbers(rows.data() + begin, rows.data() + rows.size());
     for (std::size_t k = begin; k < rows.size(); ++k) values.push_back(sum[static_cast<std::size_t>(rows[k])]);
     first.push_back(static_cast<int>(rows.size()));
   }
   Eigen::SparseMatrix<double> r(a.rows(), b.cols());
   r.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-  std::copy(first.begin(), first.end(), r.outerIndexPtr());
-  std::copy(rows.begin(), rows.end(), r.innerIndexPtr());
-  std::copy(values.begin(), values.end(), r.valuePtr());
+  std::copy_n(first.data(), first.size(), r.outerIndexPtr());
+  std::copy_n(rows.data(), rows.size(), r.innerIndexPtr());
+  std::copy_n(values.data(), values.size(), r.valuePtr());
   return r;
 }
 

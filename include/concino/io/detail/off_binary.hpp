@@ -35,7 +35,7 @@ struct off_header {
 
 /// Adds the poly whose corners begin at `first`, found at `place`. Errors: parse_error if a vert is twice in it or it does not fit the
 /// wanted mesh.
-inline void check_poly(const text_cursor& in, const char* place, std::size_t first, std::vector<vert_id>& scratch,
+inline void check_poly(const text_cursor& in, const char* place, std::size_t first, std::vector<std::uint64_t>& scratch,
                        const wanted_mesh& wanted, surface_arrays& out, std::uint32_t& arity) {
   const std::size_t size = out.verts.size() - first;
   const vert_id* const corners = out.verts.data() + first;
@@ -85,7 +85,7 @@ class off_binary_reader {
       }
       in_.tell();
     }
-    std::vector<vert_id> scratch;
+    std::vector<std::uint64_t> scratch;
     for (std::uint64_t f = 0; f < polys; ++f) {
       poly(out, arity, scratch);
       attributes(extra, f);
@@ -180,7 +180,7 @@ class off_binary_reader {
     return p;
   }
 
-  void poly(surface_arrays& out, std::uint32_t& arity, std::vector<vert_id>& scratch) {
+  void poly(surface_arrays& out, std::uint32_t& arity, std::vector<std::uint64_t>& scratch) {
     const std::uint64_t size = count("the number of verts of a poly", 4);
     if (size < 3) fail(in_.at - 4, "a poly of at least three verts");
     const std::size_t first = out.verts.size();

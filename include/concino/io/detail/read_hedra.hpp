@@ -62,7 +62,7 @@ class hedra_reader : token_cursor {
   }
 
   void faces(std::uint64_t n) {
-    std::vector<vert_id> scratch;
+    std::vector<std::uint64_t> scratch;
     core::reserve_large(out_.face_offsets, room(n, 8) + 1);
     out_.face_offsets.push_back(0);
     for (std::uint64_t f = 0; f < n; ++f) {

@@ -168,7 +168,7 @@ class medit_reader : token_cursor {
       for (std::size_t p = 0; p <= polys_; ++p) poly_begin_.push_back(static_cast<std::uint32_t>(p * only_->arity));
     }
     core::reserve_large(verts_, verts_.size() + room(all.count, 2 * s.arity + 2) * s.arity);
-    std::vector<vert_id> scratch;
+    std::vector<std::uint64_t> scratch;
     for (std::uint64_t i = 0; i < all.count; ++i) {
       skip();
       const char* const from = at;

@@ -21,7 +21,7 @@ class obj_reader : text_cursor {
   std::size_t first_other_ = 0;
   std::string other_;
   std::uint32_t arity_ = 0;
-  std::vector<vert_id> scratch_;
+  std::vector<std::uint64_t> scratch_;
   static constexpr std::size_t max_name = 1000;  // bytes of the names that polys get
 
  public:

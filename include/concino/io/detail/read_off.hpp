@@ -13,7 +13,7 @@ class off_reader : off_cursor {
   file_contents& extra_;
   surface_arrays& out_;
   std::uint32_t arity_ = 0;
-  std::vector<vert_id> scratch_;
+  std::vector<std::uint64_t> scratch_;
   bool colors_of_polys_ = true;              // what follows the corners on a line is a colour
   bool wraps_ = false;                       // polys go on in the next line
   std::vector<std::uint32_t> whole_colors_;  // verts with colours of integers, all 0 or 1

@@ -1,11 +1,11 @@
 // Where a value stands in a row: found by looking through the row, or, where that would take long, by bisection.
 #pragma once
 
+#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/rows.hpp>
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace concino::detail {
@@ -23,15 +23,17 @@ class row_places {
   row_places() = default;
   template<class Rows>
   explicit row_places(const Rows& all) {
+    std::vector<std::uint64_t> sorted;  // what stands in a row, and where
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::uint32_t n = all.length(i);
       if (n <= longest_scan) continue;
       const auto row = all[i];
+      sorted.clear();
+      for (std::uint32_t k = 0; k < n; ++k) sorted.push_back(std::uint64_t{row[k].raw()} << 32 | k);
+      core::sort_numbers(sorted.data(), sorted.data() + n);
       rows_.push_back(static_cast<std::uint32_t>(i));
       first_.push_back(static_cast<std::uint32_t>(order_.size()));
-      order_.resize(order_.size() + n);
-      std::iota(order_.end() - n, order_.end(), 0u);
-      std::sort(order_.end() - n, order_.end(), [&](std::uint32_t a, std::uint32_t b) { return row[a] < row[b]; });
+      for (const std::uint64_t x : sorted) order_.push_back(static_cast<std::uint32_t>(x));
     }
     first_.push_back(static_cast<std::uint32_t>(order_.size()));
     drop_spare_room(order_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
+#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/rows.hpp>
 
 #include <algorithm>
@@ -81,11 +82,12 @@ class crowd_lists : private rows<poly_id, 0> {
 
   /// Replaces the last crowds that were listed.
   void unite(std::size_t from) {
-    const auto first = static_cast<std::ptrdiff_t>(united_.size());
+    std::vector<std::uint64_t> all;
     for (std::size_t i = from; i < crowds_.size(); ++i)
-      for (const poly_id q : (*this)[crowds_[i]]) united_.push_back(q);
-    std::sort(united_.begin() + first, united_.end());
-    united_.erase(std::unique(united_.begin() + first, united_.end()), united_.end());
+      for (const poly_id q : (*this)[crowds_[i]]) all.push_back(q.raw());
+    core::sort_numbers(all.data(), all.data() + all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (i == 0 || all[i] != all[i - 1]) united_.push_back(poly_id{all[i]});
     crowds_.resize(from);
     crowds_.push_back(static_cast<std::uint32_t>(size() + united_first_.size() - 1));
     united_first_.push_back(static_cast<std::uint32_t>(united_.size()));

@@ -2,6 +2,7 @@
 // faces of a volume; the table is the same for both, and it is what the dual graph is walked on.
 #pragma once
 
+#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/row_places.hpp>
 #include <concino/mesh/detail/side_ranges.hpp>
 
@@ -156,7 +157,7 @@ class sides {
     } else {
       for (std::uint32_t k = 0; k < n; ++k)
         if (!s[k].is_none() && !s[k].is_crowd()) scratch.push_back(std::uint64_t{s[k].poly()} << 32 | k);
-      std::sort(scratch.begin(), scratch.end());
+      core::sort_numbers(scratch.data(), scratch.data() + scratch.size());
       for (std::size_t i = 1; i < scratch.size(); ++i)
         if (scratch[i] >> 32 == scratch[i - 1] >> 32) s[static_cast<std::uint32_t>(scratch[i])].raw |= across::special;
     }

@@ -3,6 +3,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/product.hpp>
+#include <concino/core/sort_numbers.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ CONCINO_INLINE void pattern_builder::add_new(int row) {
 
 CONCINO_INLINE void pattern_builder::end_column() {
   const auto i = static_cast<std::size_t>(column_);
-  std::sort(rows_.begin() + static_cast<std::ptrdiff_t>(begin_[i]), rows_.end());
+  core::sort_numbers(rows_.data() + begin_[i], rows_.data() + rows_.size());
   end_[i] = rows_.size();
 }
 

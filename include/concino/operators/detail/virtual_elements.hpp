@@ -52,7 +52,7 @@ struct thin_places {
   bool is_regular = false;  // there is an extent along every axis
 
   /// normal: of unit length, of a polygon; 0 of a polyhedron.
-  void find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension);
+  [[gnu::cold]] void find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension);
 
   /// R^-1 a, the gradient in these coordinates of what has the values Q a.
   vec3 solve(vec3 a, std::size_t dimension) const;
@@ -99,7 +99,7 @@ class stiffness_of_poly {
   std::vector<vec3> image_, gradient_, unseen_;  // the last two of fill_thin
 
   static double stiffening(double n) { return Dimension == 2 ? n / 12 : std::sqrt(n / 162); }
-  bool fill_thin(const gradients_at_places& poly, double size, std::vector<double>& entries);
+  [[gnu::cold]] bool fill_thin(const gradients_at_places& poly, double size, std::vector<double>& entries);
 
  public:
   /// The lower triangle row by row.
