@@ -25,7 +25,7 @@ template<u32 K>
 auto dual_rows(const floors::surface<K>& f) { return floors::rows<K>{f.p_off.data(), f.p2p.data(), f.num_polys()}; }
 template<class S>
 auto dual_rows(const floors::cells<S>& f) { return floors::rows<S::faces>{nullptr, f.p2p.data(), f.num_polys()}; }
-inline auto dual_rows(const floors::polyhedra& f) { return floors::rows<0>{f.p_off.data(), f.p2p.data(), f.num_polys()}; }
+[[maybe_unused]] auto dual_rows(const floors::polyhedra& f) { return floors::rows<0>{f.p_off.data(), f.p2p.data(), f.num_polys()}; }
 
 template<u32 K>
   requires(K > 0)

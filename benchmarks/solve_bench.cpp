@@ -8,6 +8,8 @@
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/ldlt.hpp>
 
+#include <Eigen/SparseCholesky>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -26,7 +28,7 @@ sparse system_of(const M& m) {
 /// make(n) gives a mesh of about n polys.
 template<class Make>
 void grow(const bench::program& p, const std::string& kind, const char* by, double last, const char* model, const char* memory_model,
-          std::int64_t most_factor_entries, const Make& make) {
+          std::int64_t max_factor_entries, const Make& make) {
   const std::string work = "scaling.solve." + std::string(by) + "." + kind, memory = "scaling.memory.solve." + std::string(by) + "." + kind;
   if (!p.wants(work) && !p.wants(memory)) return;
   for (double exponent = 4; exponent <= last; exponent += 0.5) {
@@ -40,11 +42,11 @@ void grow(const bench::program& p, const std::string& kind, const char* by, doub
     const std::size_t before = bench::heap::live;
     bench::heap::peak = before;
     const auto solve = [&] {
-      concino::auto_solver solver({.most_factor_entries = most_factor_entries});
+      concino::auto_solver solver({.max_factor_entries = max_factor_entries});
       solver.factorize(a);
       x = solver.solve(b);
       iterations = solver.iterations();
-      if (solver.iterates() != (most_factor_entries == 0)) throw std::runtime_error(work + ": another solver is measured than is meant");
+      if (solver.is_iterative() != (max_factor_entries == 0)) throw std::runtime_error(work + ": another solver is measured than is meant");
       return 0;
     };
     solve();

@@ -23,9 +23,9 @@ io/detail/off_binary          io/detail/read_off
 io/detail/read_medit          io/detail/read_medit io/load
 io/detail/read_hedra          io/detail/read_hedra io/load
 io/detail/orient              io/detail/orient io/detail/read_hedra io/load
-io/detail/read_mtl            io/detail/read_mtl io/detail/library_file io/detail/write_mtl
-io/detail/write_mtl           io/detail/write_mtl io/detail/library_file
-io/detail/library_file        io/detail/library_file io/killed_save io/detail/write_mtl
+io/detail/read_mtl            io/detail/read_mtl io/detail/material_library_file io/detail/write_mtl
+io/detail/write_mtl           io/detail/write_mtl io/detail/material_library_file
+io/detail/material_library_file        io/detail/material_library_file io/killed_save io/detail/write_mtl
 core/hash_bytes      core/hash_bytes
 io/detail/choose_format   io/format io/load
 io/detail/name_runs       io/detail/read_obj io/detail/read_mtl io/load
@@ -48,7 +48,7 @@ fields/detail/laplace_system   fields/laplace_system fields/smooth fields/poisso
 fields/detail/distance_bounds  fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
 fields/detail/distance_graph   fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
 fields/detail/scaled_mesh  fields/heat_geodesics_scale fields/heat_geodesics
-fields/detail/straight_distance    fields/heat_geodesics_sources fields/heat_geodesics
+fields/detail/euclidean_distance    fields/heat_geodesics_sources fields/heat_geodesics
 fields/detail/masses   fields/poisson fields/poisson_fluxes
 fields/detail/neumann  fields/poisson_fluxes
 operators/detail/cotangent_weights operators/cotangent operators/laplacian
@@ -84,7 +84,7 @@ optimize/qp               optimize/qp
 solve/qr               solve/qr optimize/least_squares
 solve/solve_columns    solve/solve_columns
 optimize/solve_with_values    optimize/solve_with_values
-optimize/detail/conditions    optimize/solve_with_values optimize/least_squares
+optimize/detail/known_values    optimize/solve_with_values optimize/least_squares
 solve/detail/energy_gains  solve/detail/energy_gains
 core/equilibrate   core/equilibrate solve/qr
 core/residual  core/residual optimize/solve_with_values fields/laplace_system fields/harmonic_map
@@ -97,17 +97,17 @@ validate/detail/halfedge_laws validate/halfedge_links concepts/halfedge_kernel
 mesh/corner_orders     mesh/corner_orders
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
 mesh/detail/surface_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
-mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/crowds
-mesh/detail/cell_tables mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/crowds
-mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/crowds
-mesh/detail/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/crowds
-mesh/detail/sides             mesh/detail/sides mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/crowds
-mesh/detail/side_ranges       mesh/detail/sides validate/crowds
-mesh/detail/row_places        mesh/detail/row_places mesh/detail/sides validate/crowds
-mesh/detail/rows              mesh/detail/rows mesh/native_mesh edit/elements
-mesh/detail/stars             mesh/native_mesh edit/elements
+mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/cell_tables mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
+mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
+mesh/detail/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
+mesh/detail/facet_adjacency             mesh/detail/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes
+mesh/detail/facet_adjacency_ranges       mesh/detail/facet_adjacency validate/dense_meshes
+mesh/detail/row_lookup        mesh/detail/row_lookup mesh/detail/facet_adjacency validate/dense_meshes
+mesh/detail/jagged_array              mesh/detail/jagged_array mesh/native_mesh edit/elements
+mesh/detail/vertex_incidence             mesh/native_mesh edit/elements
 mesh/detail/checks            mesh/native_mesh edit/elements
-mesh/face_soup         mesh/face_soup io/load io/detail/read_medit validate/crowds
+mesh/face_soup         mesh/face_soup io/load io/detail/read_medit validate/dense_meshes
 mesh/detail/to_polyhedra mesh/face_soup io/load
 graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path
 graph/bfs              graph/bfs graph/predecessors
@@ -115,8 +115,8 @@ core/indexed_heap    core/indexed_heap graph/dijkstra
 graph/detail/lengths   graph/dijkstra
 graph/detail/targets   graph/bfs graph/dijkstra
 graph/detail/crossings graph/bfs graph/dijkstra graph/predecessors
-graph/detail/once_queue    graph/bfs
-graph/detail/steps     graph/boost
+graph/detail/bounded_fifo    graph/bfs
+graph/detail/any_iterator     graph/boost
 graph/detail/edge_numbers  graph/boost
 graph/detail/corners   graph/cut_along graph/boundary_loops
 graph/disjoint_sets   graph/disjoint_sets graph/spanning_tree

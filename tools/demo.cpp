@@ -126,7 +126,7 @@ auto solve(const M& m, const D& values, const cn::progress& progress, std::strin
 /// One number a line, in the order of the verts of the file.
 template<class M, class U>
 void write_field(const M& m, const U& u, const std::string& path) {
-  cn::replacing_file file(path);
+  cn::atomic_file file(path);
   fmt::memory_buffer text;
   for (const auto v : cn::verts(m)) fmt::format_to(std::back_inserter(text), "{}\n", u[v]);
   cn::text_sink out(file.descriptor(), path);

@@ -60,7 +60,7 @@ class buffer {
 };
 
 /// Turns counts per row, stored at offsets[row + 1], into offsets.
-inline void sum_up(buffer<u32>& offsets) {
+inline void prefix_sum(buffer<u32>& offsets) {
   for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
 }
 

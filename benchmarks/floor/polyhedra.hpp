@@ -35,7 +35,7 @@ inline void build(polyhedra& m) {
   // The corners of the faces by vert, only while building.
   buffer<u32> vf_off(nv + 1, 0), v2f(m.f2v.size());
   for (u32 v : m.f2v) ++vf_off[v + 1];
-  sum_up(vf_off);
+  prefix_sum(vf_off);
   {
     buffer<u32> at(nv);
     std::memcpy(at.data(), vf_off.data(), nv * sizeof(u32));
@@ -119,7 +119,7 @@ inline void build(polyhedra& m) {
 
   m.vp_off = buffer<u32>(nv + 1, 0);
   for (u32 v : m.p2v) ++m.vp_off[v + 1];
-  sum_up(m.vp_off);
+  prefix_sum(m.vp_off);
   m.v2p.resize(m.p2v.size());
   std::memcpy(seen_v.data(), m.vp_off.data(), nv * sizeof(u32));
   for (u32 p = 0; p < np; ++p)

@@ -38,7 +38,7 @@ void build(surface<K>& m) {
 
   m.vp_off = buffer<u32>(nv + 1, 0);
   for (u32 v : m.p2v) ++m.vp_off[v + 1];
-  sum_up(m.vp_off);
+  prefix_sum(m.vp_off);
   m.v2p.resize(corners);
   {
     buffer<u32> at(nv);

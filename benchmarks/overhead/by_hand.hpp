@@ -70,7 +70,7 @@ template<class L, class Node, class At>
 std::vector<double> dijkstra(const L& l, Node source, std::size_t n, At at) {
   std::vector<double> distance(n, std::numeric_limits<double>::infinity());
   concino::core::indexed_heap<Node> queue(distance);
-  queue.lower(source, l.index(source), 0);
+  queue.decrease_key(source, l.index(source), 0);
   while (!queue.empty()) {
     const auto [v, slot, d] = queue.pop();
     l.around(v, [&, far = d, from = at(v)](Node w) {
@@ -78,7 +78,7 @@ std::vector<double> dijkstra(const L& l, Node source, std::size_t n, At at) {
       const double known = queue.key(i);
       if (known - far <= 0) return;
       const double length = concino::detail::distance_below(from, at(w), known - far);
-      if (far + length < known) queue.lower(w, i, far + length);
+      if (far + length < known) queue.decrease_key(w, i, far + length);
     });
   }
   return distance;
@@ -175,7 +175,7 @@ std::vector<double> harmonic_map(const L& l) {
   const auto a = assemble<true>(l, cotangents(l), column, unknowns, 1, &b, &u);
   concino::ldlt solver;
   solver.factorize(a);
-  const Eigen::VectorXd x = concino::detail::solve_and_check(solver, a, b, "by hand");
+  const Eigen::VectorXd x = concino::core::solve_and_check(solver, a, b, "by hand");
   for (std::size_t i = 1; i + 1 < u.size(); ++i) u[i] = x[column[i]];
   return u;
 }

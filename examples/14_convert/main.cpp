@@ -48,10 +48,10 @@ int main() {
              cn::find_poly_property<std::string>(general.mesh, "material")[general.poly_of(last)]);
   fmt::print("and back: {} hexes\n", cn::num_polys(cn::convert<cn::hexmesh>(general.mesh)));
 
-  // A view is a mesh too. Its properties are those of the volume behind it; carry() takes the values of any map along.
+  // A view is a mesh too. Its properties are those of the volume behind it; transfer() takes the values of any map along.
   const auto skin = cn::convert_with_correspondence<drawing>(cn::boundary(hexes));
   auto warm = cn::make_vert_map<double>(skin.mesh);
-  skin.carry(heat, warm);
+  skin.transfer(heat, warm);
   double hottest = 0;
   for (const auto v : cn::verts(skin.mesh)) hottest = std::max(hottest, warm[v]);
   fmt::print("the skin has {} quads and {} verts, the hottest at {} degrees\n", cn::num_polys(skin.mesh), cn::num_verts(skin.mesh), hottest);

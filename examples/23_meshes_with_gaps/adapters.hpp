@@ -2,7 +2,7 @@
 // and hexes in lexicographic order.
 #pragma once
 
-#include "../15_prove_your_own_mesh/corner_table.hpp"
+#include "../15_test_your_own_mesh/corner_table.hpp"
 #include "student.hpp"
 
 //! [half-edges]

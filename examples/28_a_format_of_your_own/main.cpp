@@ -22,7 +22,7 @@ struct triangle_list {
     out.surface.arity = 3;
   }
   static void write(cn::write_context& context, cn::flat_mesh& m) {
-    if (m.poly_verts.arity != 3) context.cannot_hold(".tri", {"polygons of other sizes"}, ".off");
+    if (m.poly_verts.arity != 3) context.throw_cannot_hold(".tri", {"polygons of other sizes"}, ".off");
     context.out << m.points.size() << ' ' << m.num_polys << '\n';
     for (const cn::vec3& p : m.points) context.out << p.x << ' ' << p.y << ' ' << p.z << '\n';
     for (std::size_t k = 0; k < m.poly_verts.values.size(); ++k) context.out << m.poly_verts.values[k].raw() + 1 << (k % 3 == 2 ? '\n' : ' ');

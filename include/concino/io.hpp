@@ -1,6 +1,7 @@
 // Reading and writing files: OBJ, OFF, MEDIT .mesh, .hedra; functions on verts as text.
 #pragma once
 
+#include <concino/io/atomic_file.hpp>
 #include <concino/io/file_text.hpp>
 #include <concino/io/format.hpp>
 #include <concino/io/formats.hpp>
@@ -12,7 +13,6 @@
 #include <concino/io/numbers.hpp>
 #include <concino/io/obj.hpp>
 #include <concino/io/off.hpp>
-#include <concino/io/replacing_file.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/scalar_field.hpp>
 #include <concino/io/text_cursor.hpp>

@@ -4,7 +4,7 @@
 #include <concino/adapters/span.hpp>
 
 #include <support/allocations.hpp>
-#include <support/given_arrays.hpp>
+#include <support/input_arrays.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Operators on meshes of plain arrays: real and generated surfaces and volumes.
 #include <concino/adapters/span.hpp>
 
-#include <support/given_arrays.hpp>
+#include <support/input_arrays.hpp>
 #include <support/operator_laws.hpp>
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include <concino/adapters/span.hpp>
 
-#include <support/given_arrays.hpp>
+#include <support/input_arrays.hpp>
 #include <support/models.hpp>
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // Archetypes model exactly the concept they are named after, give the same answers as the mesh they show, and offer no more.
 #include <concino/concepts/archetypes.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -13,8 +13,8 @@ namespace cn = concino;
 namespace {
 
 template<class T> using made = std::remove_cvref_t<T>;
-const tiny::surface& s = *new tiny::surface(tiny::surface_example());
-const tiny::volume& w = *new tiny::volume(tiny::volume_example());
+const user_mesh::surface& s = *new user_mesh::surface(user_mesh::surface_example());
+const user_mesh::volume& w = *new user_mesh::volume(user_mesh::volume_example());
 
 template<class A, bool Primal, bool Dual, int Dimension, bool Points>
 constexpr bool models_exactly() {
@@ -41,13 +41,13 @@ static_assert(in_all_forms<decltype(cn::only_mesh(s)), true, true, 2, false>);
 static_assert(in_all_forms<decltype(cn::only_embedded_mesh(s)), true, true, 2, true>);
 static_assert(in_all_forms<decltype(cn::only_embedded_mesh(w)), true, true, 3, true>);
 // An archetype of an archetype.
-static_assert(in_all_forms<cn::archetypes::only<decltype(cn::only_mesh(w)), cn::archetypes::primal>, true, false, 0, false>);
+static_assert(in_all_forms<cn::archetypes::archetype<decltype(cn::only_mesh(w)), cn::archetypes::primal>, true, false, 0, false>);
 
 template<class M> concept strips_temporary = requires { cn::only_primal_graph(made<M>()); };
 template<class M> concept strips_lvalue = requires(const M& m) { cn::only_primal_graph(m); };
-static_assert(strips_lvalue<tiny::surface> && !strips_temporary<tiny::surface>);
+static_assert(strips_lvalue<user_mesh::surface> && !strips_temporary<user_mesh::surface>);
 template<class M> concept strips_to_volume = requires(const M& m) { cn::only_volume_mesh(m); };
-static_assert(strips_to_volume<tiny::volume> && !strips_to_volume<tiny::surface>);
+static_assert(strips_to_volume<user_mesh::volume> && !strips_to_volume<user_mesh::surface>);
 
 // What concepts do not promise is not there.
 template<class T> concept less_than = requires(const T& a) { a < a; };
@@ -63,7 +63,7 @@ using ring = decltype(cn::adj_v2v(std::declval<graph>(), std::declval<vert>()));
 using step = decltype(std::declval<const ring&>().begin());
 static_assert(std::regular<vert> && !less_than<vert> && !hashed<vert>);
 static_assert(!std::convertible_to<vert, int> && !std::convertible_to<int, vert> && !std::constructible_from<vert, int>);
-static_assert(!std::constructible_from<vert, tiny::vertex> && !compared<vert, tiny::vertex>);
+static_assert(!std::constructible_from<vert, user_mesh::vertex> && !compared<vert, user_mesh::vertex>);
 static_assert(!compared<vert, cn::poly_t<decltype(cn::only_dual_graph(s))>>);
 static_assert(!std::copyable<ring> && !std::movable<ring> && !has_size<ring> && !has_subscript<ring>);
 static_assert(!std::same_as<step, decltype(std::declval<const ring&>().end())>);
@@ -137,6 +137,6 @@ TEST_CASE("an archetype that owns can be used in place but not copied") {
   for (auto v : cn::verts(g))
     for (auto u : cn::adj_v2v(g, v)) degrees += u == v ? 0u : 1u;
   CHECK(degrees == 2 * cn::num_edges(s));
-  CHECK(cn::contains(g, g.vert(tiny::vertex{7})));
-  CHECK_FALSE(cn::contains(g, g.vert(tiny::vertex{8})));
+  CHECK(cn::contains(g, g.vert(user_mesh::vertex{7})));
+  CHECK_FALSE(cn::contains(g, g.vert(user_mesh::vertex{8})));
 }

@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
   print_map("triangles", cn::trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1}, {2, 1, 1}}, {{0, 1, 2}, {2, 1, 3}, {1, 4, 3}}));
   print_map("uniform", house, {}, cn::uniform);
   print_map("biharmonic", house, {.exponent = 2});
-  cn::auto_solver iterating({.most_factor_entries = 0});
+  cn::auto_solver iterating({.max_factor_entries = 0});
   const auto u = cn::harmonic_map(quads, {{cn::vert_id{0}, 0.0}, {cn::vert_id{3}, 1.0}}, {}, iterating);
   std::printf("%d: %a\n", iterating.iterations(), u[cn::vert_id{40}]);
   print_file(folder, "house.obj", house);

@@ -2,7 +2,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/derived.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -41,7 +41,7 @@ void check_edges(const M& m) {
   const auto plain = [](auto x) { return x.i; };
   const auto a = cn::only_mesh(m);
   const auto base = [&](auto x) { return a.base(x).i; };
-  static_assert(cn::ElementRange<decltype(cn::adj_e2e(m, tiny::segment())), tiny::segment>);
+  static_assert(cn::ElementRange<decltype(cn::adj_e2e(m, user_mesh::segment())), user_mesh::segment>);
   for (auto e : cn::edges(m)) {
     const auto expected = sharing(e, cn::edges(m), [&](auto x) { return cn::adj_e2v(m, x); });
     CHECK(numbers(cn::adj_e2e(m, e), plain) == expected);
@@ -49,11 +49,11 @@ void check_edges(const M& m) {
   }
 }
 
-void check_faces(const tiny::volume& m) {
+void check_faces(const user_mesh::volume& m) {
   const auto plain = [](auto x) { return x.i; };
   const auto a = cn::only_mesh(m);
   const auto base = [&](auto x) { return a.base(x).i; };
-  static_assert(cn::ElementRange<decltype(cn::adj_f2f(m, tiny::facet())), tiny::facet>);
+  static_assert(cn::ElementRange<decltype(cn::adj_f2f(m, user_mesh::facet())), user_mesh::facet>);
   for (auto f : cn::faces(m)) {
     const auto expected = sharing(f, cn::faces(m), [&](auto x) { return cn::adj_f2e(m, x); });
     CHECK(numbers(cn::adj_f2f(m, f), plain) == expected);
@@ -62,50 +62,50 @@ void check_faces(const tiny::volume& m) {
 }
 
 // Traits with their own are believed.
-struct knows_better : tiny::surface {};
+struct knows_better : user_mesh::surface {};
 
 template<class M> concept has_f2f = requires(const M& m) { cn::adj_f2f(m, cn::face_t<M>()); };
-static_assert(has_f2f<tiny::volume> && !has_f2f<tiny::surface>);
+static_assert(has_f2f<user_mesh::volume> && !has_f2f<user_mesh::surface>);
 template<class M> concept has_e2e = requires(const M& m) { cn::adj_e2e(m, cn::edge_t<M>()); };
-static_assert(has_e2e<tiny::surface> && !has_e2e<int>);
+static_assert(has_e2e<user_mesh::surface> && !has_e2e<int>);
 
 }  // namespace
 template<>
-struct concino::mesh_traits<knows_better> : mesh_traits<tiny::surface> {
+struct concino::mesh_traits<knows_better> : mesh_traits<user_mesh::surface> {
   static std::vector<edge> adj_e2e(const knows_better&, edge e) { return {e, e, e}; }
 };
 
 TEST_CASE("edges that share a vert") {
-  check_edges(tiny::surface_example());
-  check_edges(tiny::volume_example());
+  check_edges(user_mesh::surface_example());
+  check_edges(user_mesh::volume_example());
   // One edge alone on a polygon of two verts' worth of points, and two edges between the same verts.
-  tiny::surface twice({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  user_mesh::surface twice({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   twice.es.push_back(twice.es[0]);
   check_edges(twice);
 }
 
 TEST_CASE("faces that share an edge, some of them more than one") {
-  check_faces(tiny::volume_example());
+  check_faces(user_mesh::volume_example());
   // Two faces on the same verts: they share three edges.
-  check_faces(tiny::volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}}, {{{0, true}, {1, true}}}));
+  check_faces(user_mesh::volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}}, {{{0, true}, {1, true}}}));
 }
 
 TEST_CASE("random faces over few verts") {
   std::mt19937 random(5);
   for (int round = 0; round < 20; ++round) {
-    std::vector<tiny::polygon> facets;
+    std::vector<user_mesh::polygon> facets;
     std::vector<int> verts{0, 1, 2, 3, 4, 5};
     for (int f = 0; f < 6; ++f) {
       std::shuffle(verts.begin(), verts.end(), random);
       facets.emplace_back(verts.begin(), verts.begin() + 3 + f % 3);
     }
-    const tiny::volume m(std::vector<std::array<double, 3>>(6), facets, {});
+    const user_mesh::volume m(std::vector<std::array<double, 3>>(6), facets, {});
     check_edges(m);
     check_faces(m);
   }
 }
 
 TEST_CASE("the traits' own are used where there are any") {
-  const knows_better m{tiny::surface_example()};
-  CHECK(cn::adj_e2e(m, tiny::segment{2}).size() == 3);
+  const knows_better m{user_mesh::surface_example()};
+  CHECK(cn::adj_e2e(m, user_mesh::segment{2}).size() == 3);
 }

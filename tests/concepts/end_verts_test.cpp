@@ -2,7 +2,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/end_verts.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,8 @@ namespace cn = concino;
 namespace {
 
 template<class M> concept has_end_verts = requires(const M& m, cn::edge_t<M> e) { cn::end_verts(m, e); };
-static_assert(has_end_verts<tiny::surface> && has_end_verts<tiny::volume> && !has_end_verts<int>);
-using graph = decltype(cn::only_primal_graph(std::declval<const tiny::surface&>()));
+static_assert(has_end_verts<user_mesh::surface> && has_end_verts<user_mesh::volume> && !has_end_verts<int>);
+using graph = decltype(cn::only_primal_graph(std::declval<const user_mesh::surface&>()));
 static_assert(!has_end_verts<graph>);
 
 template<class M>
@@ -31,8 +31,8 @@ void names_both(const M& m) {
 }  // namespace
 
 TEST_CASE("end_verts") {
-  const auto s = tiny::surface_example();
-  const auto w = tiny::volume_example();
+  const auto s = user_mesh::surface_example();
+  const auto w = user_mesh::volume_example();
   names_both(s);
   names_both(w);
   names_both(cn::only_mesh(s));

@@ -3,7 +3,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/facets.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -20,18 +20,18 @@ template<class M> concept has_facets = requires(const M& m, cn::facet_t<M> x, cn
 };
 template<class M, class X> concept knows_boundary = requires(const M& m, X x) { cn::is_boundary(m, x); };
 
-static_assert(has_facets<tiny::surface> && has_facets<tiny::volume>);
+static_assert(has_facets<user_mesh::surface> && has_facets<user_mesh::volume>);
 static_assert(!has_facets<int> && !knows_boundary<int, int>);
-static_assert(std::same_as<cn::facet_t<tiny::surface>, tiny::segment> && std::same_as<cn::facet_t<const tiny::volume&>, tiny::facet>);
-static_assert(knows_boundary<tiny::surface, tiny::vertex> && knows_boundary<tiny::surface, tiny::segment> && knows_boundary<tiny::surface, tiny::cell>);
-static_assert(knows_boundary<tiny::volume, tiny::segment> && knows_boundary<tiny::volume, tiny::facet>);
-static_assert(!knows_boundary<tiny::surface, tiny::facet> && !knows_boundary<tiny::surface, int>);
+static_assert(std::same_as<cn::facet_t<user_mesh::surface>, user_mesh::segment> && std::same_as<cn::facet_t<const user_mesh::volume&>, user_mesh::facet>);
+static_assert(knows_boundary<user_mesh::surface, user_mesh::vertex> && knows_boundary<user_mesh::surface, user_mesh::segment> && knows_boundary<user_mesh::surface, user_mesh::cell>);
+static_assert(knows_boundary<user_mesh::volume, user_mesh::segment> && knows_boundary<user_mesh::volume, user_mesh::facet>);
+static_assert(!knows_boundary<user_mesh::surface, user_mesh::facet> && !knows_boundary<user_mesh::surface, int>);
 
-using graph = decltype(cn::only_primal_graph(std::declval<const tiny::surface&>()));
+using graph = decltype(cn::only_primal_graph(std::declval<const user_mesh::surface&>()));
 template<class M> concept lists_facets = requires(const M& m) { cn::facets(m); };
-static_assert(!has_facets<graph> && !lists_facets<graph> && lists_facets<const tiny::volume>);
+static_assert(!has_facets<graph> && !lists_facets<graph> && lists_facets<const user_mesh::volume>);
 
-static_assert(cn::ElementRange<decltype(cn::other_polys(std::declval<const tiny::volume&>(), tiny::cell(), tiny::facet())), tiny::cell>);
+static_assert(cn::ElementRange<decltype(cn::other_polys(std::declval<const user_mesh::volume&>(), user_mesh::cell(), user_mesh::facet())), user_mesh::cell>);
 
 template<class R, class X>
 bool holds(const R& range, const X& x) {
@@ -105,42 +105,42 @@ void keeps_the_laws_stripped(const M& m) {
 }  // namespace
 
 TEST_CASE("facets: of a surface with a border and a vert of no poly") {
-  const auto m = tiny::surface_example();
+  const auto m = user_mesh::surface_example();
   keeps_the_laws_stripped(m);
   CHECK(cn::num_facets(m) == cn::num_edges(m));
-  CHECK(cn::is_boundary(m, tiny::vertex{0}));
-  CHECK_FALSE(cn::is_boundary(m, tiny::vertex{7}));
-  CHECK(cn::is_boundary(m, tiny::cell{3}));
+  CHECK(cn::is_boundary(m, user_mesh::vertex{0}));
+  CHECK_FALSE(cn::is_boundary(m, user_mesh::vertex{7}));
+  CHECK(cn::is_boundary(m, user_mesh::cell{3}));
 }
 
 TEST_CASE("facets: of a volume with two polys") {
-  const auto m = tiny::volume_example();
+  const auto m = user_mesh::volume_example();
   keeps_the_laws_stripped(m);
   CHECK(cn::num_facets(m) == 10);
-  CHECK_FALSE(cn::is_boundary(m, tiny::facet{1}));
-  CHECK(cn::is_boundary(m, tiny::facet{0}));
-  const auto across = cn::other_polys(m, tiny::cell{0}, tiny::facet{1});
+  CHECK_FALSE(cn::is_boundary(m, user_mesh::facet{1}));
+  CHECK(cn::is_boundary(m, user_mesh::facet{0}));
+  const auto across = cn::other_polys(m, user_mesh::cell{0}, user_mesh::facet{1});
   REQUIRE(across.begin() != across.end());
-  CHECK(*across.begin() == tiny::cell{1});
-  const auto outside = cn::other_polys(m, tiny::cell{0}, tiny::facet{0});
+  CHECK(*across.begin() == user_mesh::cell{1});
+  const auto outside = cn::other_polys(m, user_mesh::cell{0}, user_mesh::facet{0});
   CHECK_FALSE(outside.begin() != outside.end());
 }
 
 TEST_CASE("facets: three polys at an edge are no boundary there, an edge of no poly is none either") {
-  tiny::surface book({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
+  user_mesh::surface book({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
   book.es.push_back({2, 3});
-  const tiny::segment spine{0}, alone{static_cast<int>(book.es.size()) - 1};
+  const user_mesh::segment spine{0}, alone{static_cast<int>(book.es.size()) - 1};
   CHECK_FALSE(cn::is_boundary(book, spine));
   CHECK_FALSE(cn::is_boundary(book, alone));
-  CHECK(listed<tiny::cell>(cn::other_polys(book, tiny::cell{1}, spine)) == std::vector{tiny::cell{0}, tiny::cell{2}});
+  CHECK(listed<user_mesh::cell>(cn::other_polys(book, user_mesh::cell{1}, spine)) == std::vector{user_mesh::cell{0}, user_mesh::cell{2}});
   keeps_the_laws_stripped(book);
 }
 
 TEST_CASE("facets: a closed surface and a closed pair of volumes have no boundary but that of space") {
-  const tiny::surface tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  const user_mesh::surface tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
   keeps_the_laws_stripped(tet);
   for (const auto v : cn::verts(tet)) CHECK_FALSE(cn::is_boundary(tet, v));
   for (const auto p : cn::polys(tet)) CHECK_FALSE(cn::is_boundary(tet, p));
-  keeps_the_laws_stripped(tiny::surface());
-  keeps_the_laws_stripped(tiny::volume());
+  keeps_the_laws_stripped(user_mesh::surface());
+  keeps_the_laws_stripped(user_mesh::volume());
 }

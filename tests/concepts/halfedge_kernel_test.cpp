@@ -6,7 +6,7 @@
 #include <concino/validate/check_laws.hpp>
 
 #include <support/models.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -24,7 +24,7 @@ struct linked {
 };
 
 /// The links of a surface whose polys agree in orientation. Border half-edges are linked so that all fans of a vert are in one round.
-linked link(const tiny::surface& s) {
+linked link(const user_mesh::surface& s) {
   linked m;
   const std::size_t n = 2 * s.es.size();
   m.next.assign(n, -1);
@@ -209,12 +209,12 @@ void same_loop(const R& r) {
 }
 
 template<class M>
-void same_rings_of(const M& m, const tiny::surface& s) {
+void same_rings_of(const M& m, const user_mesh::surface& s) {
   for (const auto& b : cn::check_laws(m)) MESSAGE(b.law << ": " << b.what);
   CHECK(cn::check_laws(m).empty());
   for (int i = 0; i < static_cast<int>(s.points.size()); ++i) {
     const cn::vert_id v(i);
-    const tiny::vertex w{i};
+    const user_mesh::vertex w{i};
     CHECK(numbers(cn::adj_v2v(m, v)) == numbers(cn::adj_v2v(s, w)));
     CHECK(numbers(cn::adj_v2e(m, v)) == numbers(cn::adj_v2e(s, w)));
     CHECK(numbers(cn::adj_v2p(m, v)) == numbers(cn::adj_v2p(s, w)));
@@ -223,14 +223,14 @@ void same_rings_of(const M& m, const tiny::surface& s) {
     same_loop(cn::adj_v2p(m, v));
   }
   for (int i = 0; i < static_cast<int>(s.es.size()); ++i) {
-    CHECK(numbers(cn::adj_e2v(m, cn::edge_id(i))) == numbers(cn::adj_e2v(s, tiny::segment{i})));
-    CHECK(numbers(cn::adj_e2p(m, cn::edge_id(i))) == numbers(cn::adj_e2p(s, tiny::segment{i})));
+    CHECK(numbers(cn::adj_e2v(m, cn::edge_id(i))) == numbers(cn::adj_e2v(s, user_mesh::segment{i})));
+    CHECK(numbers(cn::adj_e2p(m, cn::edge_id(i))) == numbers(cn::adj_e2p(s, user_mesh::segment{i})));
   }
   for (int i = 0; i < static_cast<int>(s.polygons.size()); ++i) {
     const cn::poly_id p(i);
-    CHECK(numbers(cn::adj_p2v(m, p)) == numbers(cn::adj_p2v(s, tiny::cell{i})));
-    CHECK(numbers(cn::adj_p2e(m, p)) == numbers(cn::adj_p2e(s, tiny::cell{i})));
-    CHECK(numbers(cn::adj_p2p(m, p)) == numbers(cn::adj_p2p(s, tiny::cell{i})));
+    CHECK(numbers(cn::adj_p2v(m, p)) == numbers(cn::adj_p2v(s, user_mesh::cell{i})));
+    CHECK(numbers(cn::adj_p2e(m, p)) == numbers(cn::adj_p2e(s, user_mesh::cell{i})));
+    CHECK(numbers(cn::adj_p2p(m, p)) == numbers(cn::adj_p2p(s, user_mesh::cell{i})));
     same_loop(cn::adj_p2v(m, p));
     same_loop(cn::adj_p2e(m, p));
     same_loop(cn::adj_p2p(m, p));
@@ -242,14 +242,14 @@ void same_rings_of(const M& m, const tiny::surface& s) {
 }
 
 /// `fans`: some vert has several fans, which only border half-edges can link.
-void same_rings(const tiny::surface& s, bool fans = false) {
+void same_rings(const user_mesh::surface& s, bool fans = false) {
   const linked m = link(s);
   const gappy g{m};
   same_rings_of(m, s);
   if (!fans) same_rings_of(borderless{m}, s);
   CHECK(cn::check_laws(g).empty());
   for (int i = 0; i < static_cast<int>(s.points.size()); ++i)
-    CHECK(numbers(cn::adj_v2v(g, own_handles::vert(i))) == numbers(cn::adj_v2v(s, tiny::vertex{i})));
+    CHECK(numbers(cn::adj_v2v(g, own_handles::vert(i))) == numbers(cn::adj_v2v(s, user_mesh::vertex{i})));
 }
 
 using points = std::vector<std::array<double, 3>>;
@@ -257,10 +257,10 @@ using points = std::vector<std::array<double, 3>>;
 }  // namespace
 
 TEST_CASE("open, closed, in pieces, with isolated verts") {
-  same_rings(tiny::surface_example());
+  same_rings(user_mesh::surface_example());
   same_rings({points(4), {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
   same_rings({points(9), {{0, 1, 2}, {3, 4, 5, 6}}});
-  same_rings(tiny::surface());
+  same_rings(user_mesh::surface());
 }
 
 TEST_CASE("fans that touch in a vert") {

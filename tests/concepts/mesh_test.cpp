@@ -1,44 +1,44 @@
 // Embedded, AnyMesh, MutablePoints and the verb contains.
 #include <concino/concepts/mesh.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
 namespace cn = concino;
 
 namespace {
-struct movable : tiny::surface {};
+struct movable : user_mesh::surface {};
 }  // namespace
 template<>
-struct concino::mesh_traits<movable> : mesh_traits<tiny::surface> {
+struct concino::mesh_traits<movable> : mesh_traits<user_mesh::surface> {
   template<class X> static void set_point(movable& m, vert v, const X& x) { m.points[static_cast<std::size_t>(v.i)] = {x[0], x[1], x[2]}; }
 };
-static_assert(cn::MutablePoints<movable> && cn::MutablePoints<const movable&> && !cn::MutablePoints<tiny::surface>);
+static_assert(cn::MutablePoints<movable> && cn::MutablePoints<const movable&> && !cn::MutablePoints<user_mesh::surface>);
 
 TEST_CASE("explain says nothing about models") {
-  cn::explain_embedded<tiny::volume>();
-  cn::explain_any_mesh<const tiny::volume&>();
-  cn::explain_any_mesh<tiny::surface>();
+  cn::explain_embedded<user_mesh::volume>();
+  cn::explain_any_mesh<const user_mesh::volume&>();
+  cn::explain_any_mesh<user_mesh::surface>();
   cn::explain_mutable_points<movable>();
-  cn::explain_embedded_mesh<tiny::volume>();
-  cn::explain_embedded_graph<const tiny::surface&>();
+  cn::explain_embedded_mesh<user_mesh::volume>();
+  cn::explain_embedded_graph<const user_mesh::surface&>();
 }
 
 TEST_CASE("set_point moves a vert") {
-  movable m{tiny::surface_example()};
-  cn::set_point(m, tiny::vertex{1}, std::array<double, 3>{3, 4, 5});
-  CHECK(cn::point(m, tiny::vertex{1})[2] == 5);
+  movable m{user_mesh::surface_example()};
+  cn::set_point(m, user_mesh::vertex{1}, std::array<double, 3>{3, 4, 5});
+  CHECK(cn::point(m, user_mesh::vertex{1})[2] == 5);
 }
 
 TEST_CASE("contains is answered for meshes whose traits do not offer it") {
-  const auto s = tiny::surface_example();
-  CHECK(cn::contains(s, tiny::vertex{7}));
-  CHECK_FALSE(cn::contains(s, tiny::vertex{8}));
-  CHECK_FALSE(cn::contains(s, tiny::vertex{}));
-  CHECK(cn::contains(s, tiny::segment{0}));
-  CHECK(cn::contains(s, tiny::cell{3}));
-  CHECK_FALSE(cn::contains(s, tiny::cell{4}));
-  CHECK(cn::contains(tiny::volume_example(), tiny::facet{9}));
-  CHECK_FALSE(cn::contains(tiny::volume_example(), tiny::facet{10}));
+  const auto s = user_mesh::surface_example();
+  CHECK(cn::contains(s, user_mesh::vertex{7}));
+  CHECK_FALSE(cn::contains(s, user_mesh::vertex{8}));
+  CHECK_FALSE(cn::contains(s, user_mesh::vertex{}));
+  CHECK(cn::contains(s, user_mesh::segment{0}));
+  CHECK(cn::contains(s, user_mesh::cell{3}));
+  CHECK_FALSE(cn::contains(s, user_mesh::cell{4}));
+  CHECK(cn::contains(user_mesh::volume_example(), user_mesh::facet{9}));
+  CHECK_FALSE(cn::contains(user_mesh::volume_example(), user_mesh::facet{10}));
 }

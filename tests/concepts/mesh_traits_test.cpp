@@ -2,7 +2,7 @@
 #include <concino/concepts/mesh_traits.hpp>
 
 #include <support/models.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -20,30 +20,30 @@ struct abstract { virtual ~abstract() = 0; };
 static_assert(!cn::PrimalGraph<int> && !cn::SurfaceMesh<std::string>);
 static_assert(models_in_all_forms<int>(0) && models_in_all_forms<std::string>(0) && models_in_all_forms<std::vector<std::vector<int>>>(0));
 static_assert(models_in_all_forms<abstract>(0) && models_in_all_forms<incomplete>(0));
-static_assert(models_in_all_forms<std::unique_ptr<tiny::surface>>(0) && models_in_all_forms<tiny::surface*>(0));
+static_assert(models_in_all_forms<std::unique_ptr<user_mesh::surface>>(0) && models_in_all_forms<user_mesh::surface*>(0));
 static_assert(cn::testing::models<void>() == 0 && cn::testing::models<int[3]>() == 0 && cn::testing::models<int(int)>() == 0);
 
 // A class derived from a model is not one by that: its author opts in.
-struct derived : tiny::surface {};
+struct derived : user_mesh::surface {};
 static_assert(models_in_all_forms<derived>(0));
-struct opted_in : tiny::surface {};
+struct opted_in : user_mesh::surface {};
 
 }  // namespace
 
 template<>
-struct concino::mesh_traits<opted_in> : mesh_traits<tiny::surface> {
+struct concino::mesh_traits<opted_in> : mesh_traits<user_mesh::surface> {
   static constexpr bool is_view = true;
   static constexpr int arity = 4;
 };
 
 TEST_CASE("what the traits say about a type, and what is taken where they are silent") {
-  CHECK(cn::dimension_v<tiny::surface> == 2);
-  CHECK(cn::dimension_v<const tiny::volume&> == 3);
+  CHECK(cn::dimension_v<user_mesh::surface> == 2);
+  CHECK(cn::dimension_v<const user_mesh::volume&> == 3);
   CHECK(cn::dimension_v<int> == 0);
-  CHECK(cn::arity_v<tiny::surface> == 0);
+  CHECK(cn::arity_v<user_mesh::surface> == 0);
   CHECK(cn::arity_v<opted_in> == 4);
   CHECK(cn::QuadMesh<opted_in>);
   CHECK(cn::is_view_v<const opted_in&>);
-  CHECK_FALSE(cn::is_view_v<tiny::surface>);
+  CHECK_FALSE(cn::is_view_v<user_mesh::surface>);
   CHECK_FALSE(cn::is_view_v<int>);
 }

@@ -3,7 +3,7 @@
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/oriented_edges.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -12,9 +12,9 @@ namespace cn = concino;
 namespace {
 
 template<class M, class X> concept is_walked = requires(const M& m, X x) { cn::oriented_edges(m, x); };
-static_assert(is_walked<tiny::surface, tiny::cell> && !is_walked<tiny::surface, tiny::facet> && !is_walked<int, int>);
-static_assert(is_walked<tiny::volume, tiny::facet> && !is_walked<tiny::volume, tiny::cell>);
-static_assert(cn::ElementRange<decltype(cn::oriented_edges(std::declval<const tiny::surface&>(), tiny::cell())), cn::oriented_edge<tiny::surface>>);
+static_assert(is_walked<user_mesh::surface, user_mesh::cell> && !is_walked<user_mesh::surface, user_mesh::facet> && !is_walked<int, int>);
+static_assert(is_walked<user_mesh::volume, user_mesh::facet> && !is_walked<user_mesh::volume, user_mesh::cell>);
+static_assert(cn::ElementRange<decltype(cn::oriented_edges(std::declval<const user_mesh::surface&>(), user_mesh::cell())), cn::oriented_edge<user_mesh::surface>>);
 
 template<class M, class Loop, class Walk>
 void follows(const M& m, const Loop& loop, const Walk& walk) {
@@ -45,8 +45,8 @@ void all_faces(const M& m) {
 }  // namespace
 
 TEST_CASE("oriented_edges: of the polys of a surface and the faces of a volume") {
-  const auto s = tiny::surface_example();
-  const auto w = tiny::volume_example();
+  const auto s = user_mesh::surface_example();
+  const auto w = user_mesh::volume_example();
   all_polys(s);
   all_polys(cn::only_mesh(s));
   all_faces(w);
@@ -54,7 +54,7 @@ TEST_CASE("oriented_edges: of the polys of a surface and the faces of a volume")
 }
 
 TEST_CASE("oriented_edges: as many as there are edges where a law is broken") {
-  tiny::surface s = tiny::surface_example();
+  user_mesh::surface s = user_mesh::surface_example();
   s.polygons.push_back({});
-  for (const auto& [e, from, to] : cn::oriented_edges(s, tiny::cell{4})) CHECK(e == tiny::segment{});
+  for (const auto& [e, from, to] : cn::oriented_edges(s, user_mesh::cell{4})) CHECK(e == user_mesh::segment{});
 }

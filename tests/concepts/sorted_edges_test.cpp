@@ -4,7 +4,7 @@
 #include <concino/concepts/facets.hpp>
 #include <concino/concepts/views.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -24,7 +24,7 @@ struct shuffled : M {
   unsigned seed = 0;
 };
 
-struct tet_volume : tiny::volume {
+struct tet_volume : user_mesh::volume {
   using volume::volume;
 };
 template<class M> struct in_order : M {};
@@ -39,17 +39,17 @@ std::vector<X> shuffle(std::vector<X> r, unsigned seed) {
 }  // namespace
 
 template<>
-struct concino::mesh_traits<tet_volume> : mesh_traits<tiny::volume> {
+struct concino::mesh_traits<tet_volume> : mesh_traits<user_mesh::volume> {
   static constexpr int arity = 4;
 };
 template<class M>
 struct concino::mesh_traits<shuffled<M>> : mesh_traits<M> {
   using T = mesh_traits<M>;
   static auto adj_p2e(const shuffled<M>& m, typename T::poly p) { return shuffle(T::adj_p2e(m, p), m.seed); }
-  static auto adj_f2e(const shuffled<M>& m, tiny::facet f) { return shuffle(T::adj_f2e(m, f), m.seed); }
+  static auto adj_f2e(const shuffled<M>& m, user_mesh::facet f) { return shuffle(T::adj_f2e(m, f), m.seed); }
 };
 template<>
-struct concino::mesh_traits<in_order<tiny::surface>> : mesh_traits<tiny::surface> {
+struct concino::mesh_traits<in_order<user_mesh::surface>> : mesh_traits<user_mesh::surface> {
   static constexpr bool edges_in_order = true;
 };
 
@@ -61,9 +61,9 @@ template<without What> struct bare_faces {};
 template<without What, int Arity>
 struct concino::mesh_traits<bare_polygons<What, Arity>> {
   using M = bare_polygons<What, Arity>;
-  using vert = tiny::vertex;
-  using edge = tiny::segment;
-  using poly = tiny::cell;
+  using vert = user_mesh::vertex;
+  using edge = user_mesh::segment;
+  using poly = user_mesh::cell;
   static constexpr int dimension = Arity == 4 ? 3 : 2;
   static constexpr int arity = Arity;
   static constexpr bool edges_in_order = false;
@@ -76,9 +76,9 @@ struct concino::mesh_traits<bare_polygons<What, Arity>> {
 template<without What>
 struct concino::mesh_traits<bare_faces<What>> {
   using M = bare_faces<What>;
-  using vert = tiny::vertex;
-  using edge = tiny::segment;
-  using face = tiny::facet;
+  using vert = user_mesh::vertex;
+  using edge = user_mesh::segment;
+  using face = user_mesh::facet;
   static constexpr int dimension = 3;
   static constexpr bool edges_in_order = false;
   static std::array<edge, 4> adj_f2e(const M&, face) { return {}; }
@@ -106,11 +106,11 @@ static_assert(lists_edges_of_faces<bare_faces<without::nothing>> && !lists_edges
 static_assert(!lists_edges_of_faces<bare_faces<without::adj_e2v>> && !lists_edges_of_faces<bare_faces<without::adj_v2e>>);
 static_assert(!lists_edges_of_faces<bare_faces<without::adj_e2f>>);
 
-static_assert(std::same_as<decltype(cn::adj_p2e(std::declval<const in_order<tiny::surface>&>(), tiny::cell())), std::vector<tiny::segment>>);
-static_assert(cn::ElementRange<decltype(cn::adj_p2e(std::declval<const tiny::surface&>(), tiny::cell())), tiny::segment>);
-static_assert(cn::ElementRange<decltype(cn::adj_f2e(std::declval<const tiny::volume&>(), tiny::facet())), tiny::segment>);
-static_assert(cn::ElementRange<decltype(cn::adj_p2e(std::declval<const tet_volume&>(), tiny::cell())), tiny::segment>);
-static_assert(cn::SurfaceMesh<shuffled<tiny::surface>> && cn::VolumeMesh<shuffled<tiny::volume>> && cn::TetMesh<shuffled<tet_volume>>);
+static_assert(std::same_as<decltype(cn::adj_p2e(std::declval<const in_order<user_mesh::surface>&>(), user_mesh::cell())), std::vector<user_mesh::segment>>);
+static_assert(cn::ElementRange<decltype(cn::adj_p2e(std::declval<const user_mesh::surface&>(), user_mesh::cell())), user_mesh::segment>);
+static_assert(cn::ElementRange<decltype(cn::adj_f2e(std::declval<const user_mesh::volume&>(), user_mesh::facet())), user_mesh::segment>);
+static_assert(cn::ElementRange<decltype(cn::adj_p2e(std::declval<const tet_volume&>(), user_mesh::cell())), user_mesh::segment>);
+static_assert(cn::SurfaceMesh<shuffled<user_mesh::surface>> && cn::VolumeMesh<shuffled<user_mesh::volume>> && cn::TetMesh<shuffled<tet_volume>>);
 
 namespace {
 
@@ -158,14 +158,14 @@ void tets_in_order(const M& m) {
 }
 
 struct points_of {
-  const tiny::surface* m;
-  const std::array<double, 3>& operator[](tiny::vertex v) const { return m->points[static_cast<std::size_t>(v.i)]; }
+  const user_mesh::surface* m;
+  const std::array<double, 3>& operator[](user_mesh::vertex v) const { return m->points[static_cast<std::size_t>(v.i)]; }
 };
 
 /// A polygon of n verts, and a triangle at one of its edges.
-tiny::surface long_polygon(int n) {
+user_mesh::surface long_polygon(int n) {
   std::vector<std::array<double, 3>> x;
-  tiny::polygon ring, fan;
+  user_mesh::polygon ring, fan;
   for (int i = 0; i < n; ++i) x.push_back({std::cos(i * 6.28 / n), std::sin(i * 6.28 / n), 0}), ring.push_back(n - 1 - i);
   x.push_back({0, 0, 1});
   return {x, {ring, {0, 1, n}}};
@@ -175,20 +175,20 @@ tiny::surface long_polygon(int n) {
 
 TEST_CASE("sorted edges: of polygons, short and long, and through views") {
   for (unsigned seed = 0; seed < 6; ++seed) {
-    const shuffled<tiny::surface> s{tiny::surface_example(), seed};
+    const shuffled<user_mesh::surface> s{user_mesh::surface_example(), seed};
     polys_in_order(s);
     polys_in_order(cn::only_mesh(s));
     const points_of points{&s};
     polys_in_order(cn::with_points(s, points));
-    for (const int n : {7, 8, 9, 10, 20}) polys_in_order(shuffled<tiny::surface>{long_polygon(n), seed});
+    for (const int n : {7, 8, 9, 10, 20}) polys_in_order(shuffled<user_mesh::surface>{long_polygon(n), seed});
   }
-  const auto twice = in_order<tiny::surface>{tiny::surface_example()};
-  CHECK(cn::adj_p2e(twice, tiny::cell{0}).size() == 3);
+  const auto twice = in_order<user_mesh::surface>{user_mesh::surface_example()};
+  CHECK(cn::adj_p2e(twice, user_mesh::cell{0}).size() == 3);
 }
 
 TEST_CASE("sorted edges: of faces and of tets") {
   for (unsigned seed = 0; seed < 6; ++seed) {
-    const shuffled<tiny::volume> w{tiny::volume_example(), seed};
+    const shuffled<user_mesh::volume> w{user_mesh::volume_example(), seed};
     faces_in_order(w);
     faces_in_order(cn::only_mesh(w));
     const shuffled<tet_volume> two{tet_volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}},
@@ -202,9 +202,9 @@ TEST_CASE("sorted edges: of faces and of tets") {
 }
 
 TEST_CASE("sorted edges: a list that lacks an edge breaks a law, but no bound") {
-  tiny::surface s = tiny::surface_example();
+  user_mesh::surface s = user_mesh::surface_example();
   s.es.erase(s.es.begin() + 1);  // edges are numbered by place, so that those of poly 0 are too few
   std::size_t met = 0;
-  for ([[maybe_unused]] const auto e : cn::adj_p2e(s, tiny::cell{0})) ++met;
+  for ([[maybe_unused]] const auto e : cn::adj_p2e(s, user_mesh::cell{0})) ++met;
   CHECK(met == 3);
 }

@@ -2,7 +2,7 @@
 #include <concino/concepts/surface_mesh.hpp>
 
 #include <support/models.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -11,17 +11,17 @@ using cn::testing::models_in_all_forms;
 
 namespace {
 
-static_assert(models_in_all_forms<tiny::surface>(cn::testing::surface | cn::testing::embedded));
-struct triangles : tiny::surface {};
-struct one_descriptor : tiny::surface {};
+static_assert(models_in_all_forms<user_mesh::surface>(cn::testing::surface | cn::testing::embedded));
+struct triangles : user_mesh::surface {};
+struct one_descriptor : user_mesh::surface {};
 
 }  // namespace
 template<>
-struct concino::mesh_traits<triangles> : mesh_traits<tiny::surface> {
+struct concino::mesh_traits<triangles> : mesh_traits<user_mesh::surface> {
   static constexpr int arity = 3;
 };
 template<>
-struct concino::mesh_traits<one_descriptor> : mesh_traits<tiny::surface> {
+struct concino::mesh_traits<one_descriptor> : mesh_traits<user_mesh::surface> {
   using edge = vert;
 };
 namespace {
@@ -39,8 +39,8 @@ constexpr int pick(const cn::TriMesh auto&) { return 4; }
 }  // namespace
 
 TEST_CASE("overloads are chosen by the most particular concept") {
-  cn::explain_surface_mesh<const tiny::surface>();
-  CHECK(pick(tiny::volume()) == 2);
-  CHECK(pick(tiny::surface()) == 3);
+  cn::explain_surface_mesh<const user_mesh::surface>();
+  CHECK(pick(user_mesh::volume()) == 2);
+  CHECK(pick(user_mesh::surface()) == 3);
   CHECK(pick(triangles()) == 4);
 }

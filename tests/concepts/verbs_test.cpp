@@ -1,7 +1,7 @@
 // Verbs answer what the traits answer, and vanish where these say nothing.
 #include <concino/concepts/verbs.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -12,31 +12,31 @@ namespace {
 template<class M> concept walks = requires(const M& m) { cn::verts(m); };
 template<class M> concept has_points = requires(const M& m) { cn::point(m, cn::vert_t<M>()); };
 template<class M> concept has_faces = requires(const M& m) { cn::faces(m); };
-static_assert(walks<tiny::surface> && has_points<tiny::surface> && !has_faces<tiny::surface> && has_faces<tiny::volume>);
+static_assert(walks<user_mesh::surface> && has_points<user_mesh::surface> && !has_faces<user_mesh::surface> && has_faces<user_mesh::volume>);
 static_assert(!walks<int> && !has_points<int>);
 
 // A function of the same name beside the mesh is never picked up.
-struct greedy : tiny::surface {};
+struct greedy : user_mesh::surface {};
 [[maybe_unused]] int verts(const greedy&) { return -1; }
 [[maybe_unused]] int num_verts(const greedy&) { return -1; }
 
 }  // namespace
 template<>
-struct concino::mesh_traits<greedy> : mesh_traits<tiny::surface> {};
+struct concino::mesh_traits<greedy> : mesh_traits<user_mesh::surface> {};
 
 TEST_CASE("numbers come as std::size_t, whatever the traits return") {
-  const auto s = tiny::surface_example();
+  const auto s = user_mesh::surface_example();
   static_assert(std::same_as<decltype(cn::num_verts(s)), std::size_t> &&
-                std::same_as<decltype(cn::index_of(s, tiny::vertex{2})), std::size_t>);
+                std::same_as<decltype(cn::index_of(s, user_mesh::vertex{2})), std::size_t>);
   CHECK(cn::num_verts(s) == 8);
   CHECK(cn::num_edges(s) == 10);
   CHECK(cn::num_polys(s) == 4);
-  CHECK(cn::index_of(s, tiny::vertex{2}) == 2);
+  CHECK(cn::index_of(s, user_mesh::vertex{2}) == 2);
 }
 
 TEST_CASE("no function of another namespace is called instead of a verb") {
   using namespace concino;
   greedy g;
-  static_cast<tiny::surface&>(g) = tiny::surface_example();
+  static_cast<user_mesh::surface&>(g) = user_mesh::surface_example();
   CHECK(cn::num_verts(g) == 8);
 }

@@ -173,12 +173,12 @@ TEST_CASE("values go from map to map") {
   auto from = cn::make_poly_map<int>(m);
   auto to = cn::make_poly_map<int>(c.mesh, -1);
   for (const auto p : cn::polys(m)) from[p] = static_cast<int>(p.raw());
-  c.carry(from, to);
+  c.transfer(from, to);
   for (const auto p : cn::polys(m)) CHECK(to[c.poly_of(p)] == from[p]);
   auto walls = cn::make_face_map<int>(m);
   auto taken = cn::make_face_map<int>(c.mesh, -1);
   for (const auto f : cn::faces(m)) walls[f] = static_cast<int>(f.raw());
-  c.carry(walls, taken);
+  c.transfer(walls, taken);
   for (const auto f : cn::faces(m)) CHECK(taken[c.face_of(f)] == walls[f]);
 }
 

@@ -26,7 +26,7 @@ TEST_CASE("random steps agree with std::vector") {
         break;
       }
       case 1:
-        a.give_back_spare_room();
+        a.shrink_to_fit();
         break;
       case 2:
         if (!oracle.empty()) {
@@ -79,7 +79,7 @@ TEST_CASE("copies are independent") {
 TEST_CASE("empty arrays") {
   flat_array<int> a(std::vector<int>{});
   CHECK(a.size() == 0);
-  a.give_back_spare_room();
+  a.shrink_to_fit();
   flat_array<int> b = a;
   b.append(b.data(), 0);
   CHECK(b.size() == 0);
@@ -92,7 +92,7 @@ TEST_CASE("more than memory can hold is refused") { CHECK_THROWS_AS(flat_array<i
 TEST_CASE("large arrays: the advice to the system changes nothing that is written") {
   flat_array<int> a(3 << 20, 5);
   a.resize(1 << 20);
-  a.give_back_spare_room();
+  a.shrink_to_fit();
   a.push_back(6);
   CHECK(a[(1 << 20) - 1] == 5);
   CHECK(a[1 << 20] == 6);

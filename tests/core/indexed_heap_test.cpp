@@ -27,14 +27,14 @@ TEST_CASE("indexed_heap: the least of random keys, lowered while they wait, agai
       if (random() % 3 > 0) {
         if (expected[i] < inf && !waits[i]) continue;  // popped
         if (!(key < heap.key(i))) continue;
-        heap.lower(static_cast<int>(i), i, key);
+        heap.decrease_key(static_cast<int>(i), i, key);
         expected[i] = key;
         waits[i] = 1;
       } else if (!heap.empty()) {
         double least = inf;
         for (std::size_t k = 0; k < n; ++k)
           if (waits[k] && expected[k] < least) least = expected[k];
-        REQUIRE(heap.least() == least);
+        REQUIRE(heap.min_key() == least);
         REQUIRE(waits[static_cast<std::size_t>(heap.front())]);
         const auto [node, slot, popped] = heap.pop();
         REQUIRE(static_cast<std::size_t>(node) == slot);
@@ -49,7 +49,7 @@ TEST_CASE("indexed_heap: the least of random keys, lowered while they wait, agai
     REQUIRE(keys == expected);
     std::size_t waiting = 0, forgotten = 0;
     for (const unsigned char w : waits) waiting += w;
-    heap.forget_waiting([&](int node) {
+    heap.discard_waiting([&](int node) {
       REQUIRE(waits[static_cast<std::size_t>(node)]);
       ++forgotten;
     });

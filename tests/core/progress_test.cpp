@@ -3,11 +3,11 @@
 #include <doctest/doctest.h>
 
 TEST_CASE("progress: nobody need listen; false cancels and says during what") {
-  concino::detail::tell({}, 0.5, "thinking");
+  concino::detail::report_progress({}, 0.5, "thinking");
   double heard = -1;
   const auto go_on = [&](double f, const char*) { heard = f; return true; };
-  concino::detail::tell(go_on, 0.25, "thinking");
+  concino::detail::report_progress(go_on, 0.25, "thinking");
   CHECK(heard == 0.25);
   const auto stop = [](double, const char*) { return false; };
-  CHECK_THROWS_WITH_AS(concino::detail::tell(stop, 0.5, "thinking"), "stopped by the progress callback while thinking", concino::cancelled);
+  CHECK_THROWS_WITH_AS(concino::detail::report_progress(stop, 0.5, "thinking"), "stopped by the progress callback while thinking", concino::cancelled);
 }

@@ -23,7 +23,7 @@ struct wrong_solver {
   }
 };
 struct wrong_iteration : wrong_solver {
-  bool iterates() const { return true; }
+  bool is_iterative() const { return true; }
 };
 struct wrong_iteration_that_tells : wrong_iteration {
   double told = 0;
@@ -83,10 +83,10 @@ TEST_CASE("residual: rows of zeros are solved by anything, and what is not a num
 }
 
 TEST_CASE("core::solve_and_check: which solvers iterate") {
-  CHECK(!core::iterates(ldlt()));
-  CHECK(core::iterates(conjugate_gradients()));
-  CHECK(!core::iterates(wrong_solver()));
-  CHECK(core::iterates(wrong_iteration()));
+  CHECK(!core::is_iterative(ldlt()));
+  CHECK(core::is_iterative(conjugate_gradients()));
+  CHECK(!core::is_iterative(wrong_solver()));
+  CHECK(core::is_iterative(wrong_iteration()));
 }
 
 TEST_CASE("core::solve_and_check: corrects until nothing is left, three times at most") {

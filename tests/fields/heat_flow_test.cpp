@@ -162,7 +162,7 @@ TEST_CASE_TEMPLATE("heat_flow: verts without edges keep what they have and are c
   u[alone] = NAN;
   const auto check = [&](const auto& which) {
     const auto flow = prepare_heat_flow(m, 0.1, which);
-    CHECK(flow.isolated() == 1);
+    CHECK(flow.num_isolated() == 1);
     const auto x = flow.advance(u);
     CHECK(std::isnan(x[alone]));
     for (const auto v : verts(m)) CHECK((v == alone || std::abs(x[v] - 1) < 1e-12));

@@ -59,7 +59,7 @@ TEST_CASE("heat_geodesics: long strips, graded grids and short times, where heat
   const trimesh strip(a);
   CHECK(heat_geodesics(strip, vert_id{0})[vert_id{2 * length}] == doctest::Approx(length).epsilon(1e-3));
   CHECK(heat_geodesics(strip, vert_id{0}, {.time = 0.01})[vert_id{2 * length}] == doctest::Approx(length).epsilon(1e-3));
-  CHECK(heat_geodesics(strip, vert_id{0}, {.boundary = heat_boundary::cold})[vert_id{2 * length}] > 0.5 * length);
+  CHECK(heat_geodesics(strip, vert_id{0}, {.boundary = heat_boundary::dirichlet})[vert_id{2 * length}] > 0.5 * length);
   const auto sudden = heat_geodesics(strip, vert_id{0}, {.time = 1e-300});  // no heat at all: ways along edges
   CHECK(sudden[vert_id{2 * length}] == doctest::Approx(length).epsilon(0.1));
 
@@ -88,9 +88,9 @@ TEST_CASE("heat_geodesics: options") {
   const auto quads = square_or_cube<quadmesh>(16);
   const vert_id middle = nearest(m, {0.5, 0.5, 0});
   const double averaged = error_from(prepare_heat_geodesics(m, {.clamp = false}), middle);
-  CHECK(averaged < error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::natural, .clamp = false}), middle));
-  CHECK(averaged < error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::cold, .clamp = false}), middle));
-  CHECK(error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::cold, .clamp = false}), vert_id{0}) < 0.12);
+  CHECK(averaged < error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::neumann, .clamp = false}), middle));
+  CHECK(averaged < error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::dirichlet, .clamp = false}), middle));
+  CHECK(error_from(prepare_heat_geodesics(m, {.boundary = heat_boundary::dirichlet, .clamp = false}), vert_id{0}) < 0.12);
   CHECK(error_from(prepare_heat_geodesics(m, uniform, {.clamp = false}), middle) < 0.1);
   CHECK(error_from(prepare_heat_geodesics(quads, virtual_refinement, {.clamp = false}), middle) < 0.02);
   CHECK(error_from(prepare_heat_geodesics(m, cotangent, {.clamp = false}), middle) == doctest::Approx(averaged));

@@ -2,7 +2,7 @@
 
 #include <concino/fields/harmonic_map.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -14,25 +14,25 @@ using namespace concino;
 namespace {
 
 /// Walks its verts from the last to the first.
-struct downwards : tiny::surface {};
+struct downwards : user_mesh::surface {};
 
 }  // namespace
 
 template<>
-struct concino::mesh_traits<downwards> : concino::mesh_traits<tiny::surface> {
-  static std::vector<vert> verts(const tiny::surface& m) {
-    auto r = tiny::all<vert>(m.points.size());
+struct concino::mesh_traits<downwards> : concino::mesh_traits<user_mesh::surface> {
+  static std::vector<vert> verts(const user_mesh::surface& m) {
+    auto r = user_mesh::all<vert>(m.points.size());
     std::reverse(r.begin(), r.end());
     return r;
   }
 };
 
 TEST_CASE("systems of unknowns: whatever the order in which verts come") {
-  tiny::surface m = tiny::surface_example();
+  user_mesh::surface m = user_mesh::surface_example();
   m.points[0] = {0.1, 0.05, 0};
   m.points[5] = {-1.2, -0.9, 0.1};
   const downwards turned{m};
-  const tiny::vertex a{2}, b{6};
+  const user_mesh::vertex a{2}, b{6};
   for (const int n : {1, 2}) {
     const auto u = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = n});
     const auto w = harmonic_map(turned, {{a, 0.0}, {b, 1.0}}, {.exponent = n});
@@ -41,8 +41,8 @@ TEST_CASE("systems of unknowns: whatever the order in which verts come") {
 }
 
 TEST_CASE("harmonic_map: higher exponents need a mass at every vert with edges") {
-  auto m = tiny::surface_example();  // of which vert 7 has no edges
-  const tiny::vertex a{0}, b{5}, c{7};
+  auto m = user_mesh::surface_example();  // of which vert 7 has no edges
+  const user_mesh::vertex a{0}, b{5}, c{7};
   CHECK(harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2})[c] == 0);
   m.es.push_back({0, 7});
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2}),
@@ -50,7 +50,7 @@ TEST_CASE("harmonic_map: higher exponents need a mass at every vert with edges")
 }
 
 TEST_CASE("lumped masses: 1 with uniform, which knows no lengths, else those of the mesh") {
-  const tiny::surface m = tiny::surface_example();
+  const user_mesh::surface m = user_mesh::surface_example();
   CHECK(detail::lumped_masses(m, uniform, "masses") == std::vector<double>(8, 1.0));
   const auto mass = vert_masses(m);
   CHECK(detail::lumped_masses(m, virtual_elements, "masses") == std::vector<double>(mass.values().begin(), mass.values().end()));

@@ -49,8 +49,8 @@ TEST_CASE_TEMPLATE("prepared problems: elements removed and not renumbered", M, 
     for ([[maybe_unused]] const auto w : adj_v2v(m, v)) any = true;
     isolated += !any;
   }
-  CHECK(h.isolated() == isolated);
-  CHECK(prepare_smooth(m, 1).isolated() == isolated);
+  CHECK(h.num_isolated() == isolated);
+  CHECK(prepare_smooth(m, 1).num_isolated() == isolated);
   const auto two = make_vert_map<double>(m, 0.0);
   const auto flat = poisson(m, two, {.values = {{a, 2.0}}, .isolated_value = 2});
   for (const auto v : verts(m)) CHECK(flat[v] == doctest::Approx(2).epsilon(1e-12));

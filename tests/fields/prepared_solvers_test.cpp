@@ -34,7 +34,7 @@ TEST_CASE("prepared problems: the same fields by every solver") {
   check(lu{});
   check(conjugate_gradients{});
   check(auto_solver{});
-  const auto_solver small({.most_factor_entries = 10});
+  const auto_solver small({.max_factor_entries = 10});
   check(small);
   CHECK(prepare_harmonic_map(m, {a}, {}, small).solver().used() == solver_used::conjugate_gradients);
   CHECK(prepare_poisson(m, {a}, {}, small).solver().used() == solver_used::conjugate_gradients);

@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("prepare_harmonic_map: the same bits as harmonic_map, one fac
     const auto h = prepare_harmonic_map(m, {a, b, c, a}, options, counting(factorised));
     const auto copy = h;
     CHECK(&h.mesh() == &m);
-    CHECK(h.isolated() == 0);
+    CHECK(h.num_isolated() == 0);
     for (const double x : {-3.0, 0.25, 7.0}) {
       const values given{{a, 0}, {b, x}, {c, 1}};
       CHECK(same_bits(copy.with_values({{a, 0.0}, {b, x}, {c, 1.0}}), harmonic_map(m, given, options)));
@@ -108,14 +108,14 @@ TEST_CASE_TEMPLATE("prepared problems: verts without edges are counted", M, poly
   const M m = two_grids<M>(1);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) / 2)}, alone{static_cast<unsigned>(num_verts(m) - 1)};
   const auto h = prepare_harmonic_map(m, {a, b}, {.isolated_value = -3});
-  CHECK(h.isolated() == 1);
+  CHECK(h.num_isolated() == 1);
   CHECK(h.with_values({{a, 0}, {b, 1}})[alone] == -3);
   CHECK(h.template with_values<vec3>({{a, {0, 0, 0}}, {b, {1, 1, 1}}})[alone] == vec3{-3, -3, -3});
   const auto all = prepare_harmonic_map(m, {a, b, alone});
-  CHECK(all.isolated() == 0);
+  CHECK(all.num_isolated() == 0);
   CHECK(all.with_values({{a, 0}, {b, 1}, {alone, 7}})[alone] == 7);
   const auto p = prepare_poisson(m, {a, b});
-  CHECK(p.isolated() == 1);
+  CHECK(p.num_isolated() == 1);
   CHECK(std::isnan(p.solve(constant{1}, {.values = {{a, 0}, {b, 1}}, .isolated_value = NAN})[alone]));
 }
 

@@ -184,13 +184,13 @@ TEST_CASE_TEMPLATE("smooth: verts without edges keep what they have and are coun
   f[alone] = NAN;
   for (const int n : {1, 2}) {
     const auto s = prepare_smooth(m, 0.1, {.exponent = n});
-    CHECK(s.isolated() == 1);
+    CHECK(s.num_isolated() == 1);
     CHECK(std::isnan(s.apply(f)[alone]));
     CHECK(s.apply(f)[vert_id{0}] == doctest::Approx(1));
   }
   CHECK_THROWS_AS(smooth(m, f, 0.1, {.fixed = {alone}}), invalid_argument);
   f[alone] = 3;
-  CHECK(prepare_smooth(m, 0.1, {.fixed = {alone}}).isolated() == 0);
+  CHECK(prepare_smooth(m, 0.1, {.fixed = {alone}}).num_isolated() == 0);
   CHECK(smooth(m, f, 0.1)[alone] == 3);
   const M none;
   CHECK(smooth(none, make_vert_map<double>(none), 1).values().empty());

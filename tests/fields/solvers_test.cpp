@@ -34,12 +34,12 @@ TEST_CASE("harmonic_map: the same by every solver, used again for another proble
   check(conjugate_gradients{});
   check(bicgstab{});
   check(auto_solver{});
-  check(auto_solver{{.most_factor_entries = 0}});
+  check(auto_solver{{.max_factor_entries = 0}});
 }
 
 TEST_CASE("problems say by what they were solved") {
   const trimesh m(testing::triangle_grid(12));
-  auto_solver solver, small({.most_factor_entries = 10});
+  auto_solver solver, small({.max_factor_entries = 10});
   harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{100}, 1.0}}, {}, solver);
   CHECK(solver.used() == solver_used::ldlt);
   harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{100}, 1.0}}, {}, small);
@@ -52,7 +52,7 @@ TEST_CASE("problems say by what they were solved") {
 TEST_CASE("heat_geodesics: by iteration, where little heat has no correct digits, the same distances") {
   const auto check = [](const auto& m, const auto& sources, double allowed) {
     const auto expected = heat_geodesics(m, sources);
-    const auto d = heat_geodesics(m, sources, {}, auto_solver({.most_factor_entries = 0}));
+    const auto d = heat_geodesics(m, sources, {}, auto_solver({.max_factor_entries = 0}));
     double worst = 0, most = 0;
     for (const auto v : verts(m)) {
       worst = std::max(worst, std::abs(d[v] - expected[v]));

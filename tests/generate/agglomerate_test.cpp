@@ -9,7 +9,7 @@
 
 #include <support/generated.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -79,16 +79,16 @@ TEST_CASE_TEMPLATE("agglomerate: properties come along, and what became of which
     all_cells += new_cells[p];
     for (const origin x : c.polys[p.raw()]) {
       CHECK(labels[poly_id{x.index}] == (find_poly_property<int>(a, "name")[p]));
-      CHECK(x.amount == doctest::Approx(measure(m, poly_id{x.index})).epsilon(1e-14));
+      CHECK(x.weight == doctest::Approx(measure(m, poly_id{x.index})).epsilon(1e-14));
     }
   }
   CHECK(all_cells == static_cast<int>(num_polys(m)));
   for (const vert_id v : verts(a)) CHECK(find_vert_property<vec3>(a, "place")[v] == to_vec3(point(a, v)));
   for (const edge_id e : edges(a)) {
-    const int made_of = find_edge_property<int>(a, "crease")[e] - 1;
-    REQUIRE(made_of >= 0);
-    CHECK(c.edges.only(e.raw()) == static_cast<unsigned>(made_of));
-    const edge_id before{static_cast<unsigned>(made_of)};
+    const int construct_from_arrays = find_edge_property<int>(a, "crease")[e] - 1;
+    REQUIRE(construct_from_arrays >= 0);
+    CHECK(c.edges.only(e.raw()) == static_cast<unsigned>(construct_from_arrays));
+    const edge_id before{static_cast<unsigned>(construct_from_arrays)};
     CHECK(edge_length(a, e) == edge_length(m, before));
   }
   if constexpr (VolumeMesh<M>)
@@ -157,12 +157,12 @@ TEST_CASE("agglomerate: verts inside are dropped, flat corners stay") {
 }
 
 TEST_CASE("agglomerate: a mesh of a stranger") {
-  const tiny::surface s = tiny::surface_example();
+  const user_mesh::surface s = user_mesh::surface_example();
   auto labels = make_poly_map<int>(s, 1);
   const auto a = agglomerate(s, labels);
   CHECK(num_polys(a) == 1);
   CHECK(num_verts(a) == 7);
-  const tiny::volume w = tiny::volume_example();
+  const user_mesh::volume w = user_mesh::volume_example();
   const auto b = agglomerate(w, make_poly_map<int>(w, 1));
   CHECK(num_polys(b) == 1);
   CHECK(num_faces(b) == 9);

@@ -5,7 +5,7 @@
 
 #include <support/generated.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -18,9 +18,9 @@ using namespace concino::testing;
 namespace concino {
 
 /// A stranger's surface whose points can be moved.
-struct movable : tiny::surface {};
+struct movable : user_mesh::surface {};
 template<>
-struct mesh_traits<movable> : mesh_traits<tiny::surface> {
+struct mesh_traits<movable> : mesh_traits<user_mesh::surface> {
   template<class P> static void set_point(movable& m, vert v, const P& x) { m.points[static_cast<std::size_t>(v.i)] = {x[0], x[1], x[2]}; }
 };
 
@@ -82,7 +82,7 @@ TEST_CASE("jitter: a surface in any plane stays there, meshes of strangers too, 
   jitter(m, 0.3, {.keep_boundary = false});
   for (const vert_id v : verts(m)) CHECK(dot(point(m, v), n) == doctest::Approx(5).epsilon(1e-14));
 
-  movable s{tiny::surface_example()};
+  movable s{user_mesh::surface_example()};
   const auto points = s.points;
   jitter(s, 0.1, {.keep_boundary = false});
   for (std::size_t i = 0; i < points.size(); ++i) CHECK((s.points[i] == points[i]) == (i == 7));

@@ -7,7 +7,7 @@
 using namespace concino;
 
 namespace {
-box made_of(vec3 low, vec3 high) {
+box construct_from_arrays(vec3 low, vec3 high) {
   box b;
   b.min = low;
   b.max = high;
@@ -16,7 +16,7 @@ box made_of(vec3 low, vec3 high) {
 }  // namespace
 
 TEST_CASE("random_points: in the box, spread over it, the same for the same seed") {
-  const box b = made_of({-1, 5, 100}, {1, 5, 1100});
+  const box b = construct_from_arrays({-1, 5, 100}, {1, 5, 1100});
   const auto points = random_points(4000, b, 7);
   CHECK(points == random_points(4000, b, 7));
   CHECK(!(points == random_points(4000, b, 8)));
@@ -41,8 +41,8 @@ TEST_CASE("random_points: the stream of SplitMix64") {
 }
 
 TEST_CASE("random_points: what is refused") {
-  CHECK(random_points(0, made_of({0, 0, 0}, {0, 0, 0})).empty());
+  CHECK(random_points(0, construct_from_arrays({0, 0, 0}, {0, 0, 0})).empty());
   CHECK_THROWS_AS(random_points(1, box()), invalid_argument);
-  CHECK_THROWS_AS(random_points(1, made_of({0, 0, 0}, {1, 1, std::numeric_limits<double>::infinity()})), invalid_argument);
-  CHECK_THROWS_AS(random_points(1, made_of({-1.7e308, 0, 0}, {1.7e308, 1, 1})), invalid_argument);
+  CHECK_THROWS_AS(random_points(1, construct_from_arrays({0, 0, 0}, {1, 1, std::numeric_limits<double>::infinity()})), invalid_argument);
+  CHECK_THROWS_AS(random_points(1, construct_from_arrays({-1.7e308, 0, 0}, {1.7e308, 1, 1})), invalid_argument);
 }

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-box made_of(vec3 low, vec3 high) {
+box construct_from_arrays(vec3 low, vec3 high) {
   box b;
   b.min = low;
   b.max = high;
   return b;
 }
-const box unit_cube = made_of({0, 0, 0}, {1, 1, 1});
+const box unit_cube = construct_from_arrays({0, 0, 0}, {1, 1, 1});
 
 /// How far x lies beyond a face of convex poly p.
 double outside(const polyhedralmesh& m, poly_id p, const vec3& x) {
@@ -87,7 +87,7 @@ std::vector<vec3> grid_of_sites(unsigned n, double offset, double scale) {
 
 TEST_CASE("voronoi_polyhedra: random sites, each point lies in the cell of the nearest") {
   for (const std::size_t n : {1u, 2u, 3u, 10u, 200u}) {
-    const box b = made_of({-3, 10, 2}, {5, 11, 7});
+    const box b = construct_from_arrays({-3, 10, 2}, {5, 11, 7});
     const auto sites = random_points(n, b, n);
     const polyhedralmesh m = voronoi_polyhedra(sites, b);
     check_sound(m, n, b);
@@ -149,12 +149,12 @@ TEST_CASE("voronoi_polyhedra: sites on a sphere, in a plane, on a line, in a clu
   check_sound(voronoi_polyhedra(in_plane, unit_cube), 40, unit_cube);
   check_sound(voronoi_polyhedra(on_line, unit_cube), 40, unit_cube);
 
-  auto cluster = random_points(60, made_of({0.3, 0.3, 0.3}, {0.3 + 1e-5, 0.3 + 1e-5, 0.3 + 1e-5}), 4);
+  auto cluster = random_points(60, construct_from_arrays({0.3, 0.3, 0.3}, {0.3 + 1e-5, 0.3 + 1e-5, 0.3 + 1e-5}), 4);
   for (const vec3& x : random_points(20, unit_cube, 5)) cluster.push_back(x);
   const polyhedralmesh c = voronoi_polyhedra(cluster, unit_cube);
   check_sound(c, 80, unit_cube);
   for (const vec3& x : random_points(300, unit_cube, 7)) CHECK(outside(c, poly_id{nearest(cluster, x)}, x) < 1e-12);
-  const box flat = made_of({0, 0, 0}, {100, 100, 1e-2});
+  const box flat = construct_from_arrays({0, 0, 0}, {100, 100, 1e-2});
   check_sound(voronoi_polyhedra(random_points(100, flat, 6), flat), 100, flat);
 }
 
@@ -178,7 +178,7 @@ TEST_CASE("voronoi_polyhedra: scales exactly") {
   for (const double scale : {0x1p-300, 0x1p-20, 0x1p20, 0x1p300}) {
     auto scaled = sites;
     for (vec3& x : scaled) x *= scale;
-    const polyhedralmesh s = voronoi_polyhedra(scaled, made_of({0, 0, 0}, {scale, scale, scale}));
+    const polyhedralmesh s = voronoi_polyhedra(scaled, construct_from_arrays({0, 0, 0}, {scale, scale, scale}));
     REQUIRE(num_verts(s) == num_verts(m));
     for (const auto v : verts(m)) CHECK(point(s, v) == scale * point(m, v));
   }
@@ -226,6 +226,6 @@ TEST_CASE("voronoi_polyhedra: braces, and what is refused") {
   refused({{0.5, 0.5, 0.5}, {0.5, 0.5, 1.5}}, unit_cube, "site 1 ");
   refused({{0.5, 0.5, -infinity}}, unit_cube, "site 0 ");
   refused({{0.1, 0.1, 0}, {0.5, 0.5, 0}, {0.7, 0.7, 0}, {0.5, 0.5, 0}}, unit_cube, "sites 1 and 3 ");
-  refused({{0, 0, 0}}, made_of({0, 0, 0}, {1, 1, 0}), "box");
+  refused({{0, 0, 0}}, construct_from_arrays({0, 0, 0}, {1, 1, 0}), "box");
   refused({{0.5, 0.5, 0.5}, {0.5 + 0x1p-45, 0.5, 0.5}, {0.5 + 0x1p-44, 0.5, 0.5}}, unit_cube, "site 1 ");
 }

@@ -6,7 +6,7 @@
 #include <support/kinds.hpp>
 #include <support/motions.hpp>
 #include <support/random_meshes.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -161,11 +161,11 @@ TEST_CASE("angle_defects: they sum to 2 pi times the Euler characteristic, whate
 }
 
 TEST_CASE("angle_defects: of a stranger's mesh; a vert of no poly has none") {
-  const tiny::surface s = tiny::surface_example();
+  const user_mesh::surface s = user_mesh::surface_example();
   const auto defect = angle_defects(s);
   CHECK(std::abs(total(s, defect) - 2 * pi) < 1e-12);
-  CHECK(defect[tiny::vertex{0}] == doctest::Approx(-pi / 2));
-  CHECK(defect[tiny::vertex{7}] == 0);
+  CHECK(defect[user_mesh::vertex{0}] == doctest::Approx(-pi / 2));
+  CHECK(defect[user_mesh::vertex{7}] == 0);
 }
 
 TEST_CASE("corpus: angle defects sum to 2 pi times the Euler characteristic, and their extremes are those of an independent program") {

@@ -8,7 +8,7 @@
 #include <support/corpus_meshes.hpp>
 #include <support/kinds.hpp>
 #include <support/motions.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -153,12 +153,12 @@ TEST_CASE("dihedral_angle: an edge of another poly is refused") {
 }
 
 TEST_CASE("dihedral_angle: of a stranger's volume") {
-  const tiny::volume v = tiny::volume_example();
-  for (const auto e : adj_p2e(v, tiny::cell{0})) CHECK(dihedral_angle(v, tiny::cell{0}, e) == doctest::Approx(pi / 2));
+  const user_mesh::volume v = user_mesh::volume_example();
+  for (const auto e : adj_p2e(v, user_mesh::cell{0})) CHECK(dihedral_angle(v, user_mesh::cell{0}, e) == doctest::Approx(pi / 2));
   double base = 0, ridge = 0;
-  for (const auto e : adj_p2e(v, tiny::cell{1})) {
+  for (const auto e : adj_p2e(v, user_mesh::cell{1})) {
     const auto ends = adj_e2v(v, e);
-    (ends[1] == tiny::vertex{8} ? ridge : base) += dihedral_angle(v, tiny::cell{1}, e);
+    (ends[1] == user_mesh::vertex{8} ? ridge : base) += dihedral_angle(v, user_mesh::cell{1}, e);
   }
   CHECK(base == doctest::Approx(4 * std::atan(2.0)));
   CHECK(ridge == doctest::Approx(4 * std::acos(-0.2)));

@@ -9,7 +9,7 @@
 #include <support/kinds.hpp>
 #include <support/motions.hpp>
 #include <support/threads.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -185,16 +185,16 @@ TEST_CASE("normals: points that are not finite spoil only what is around them") 
 }
 
 TEST_CASE("normals: of a stranger's meshes") {
-  const tiny::surface s = tiny::surface_example();
+  const user_mesh::surface s = user_mesh::surface_example();
   const auto n = surface_normals(s);
   for (const auto p : polys(s)) CHECK(n.polys[p] == vec3{0, 0, 1});
-  CHECK(n.verts[tiny::vertex{0}] == vec3{0, 0, 1});
-  CHECK(n.verts[tiny::vertex{7}] == vec3{});
-  const tiny::volume v = tiny::volume_example();
+  CHECK(n.verts[user_mesh::vertex{0}] == vec3{0, 0, 1});
+  CHECK(n.verts[user_mesh::vertex{7}] == vec3{});
+  const user_mesh::volume v = user_mesh::volume_example();
   const auto around = vert_normals(v);
-  CHECK(off(around[tiny::vertex{0}], vec3{-1, -1, -1} / std::sqrt(3.0)) < 1e-15);
-  CHECK(off(around[tiny::vertex{8}], vec3{0, 0, 1}) < 1e-15);
-  CHECK(around[tiny::vertex{9}] == vec3{});
+  CHECK(off(around[user_mesh::vertex{0}], vec3{-1, -1, -1} / std::sqrt(3.0)) < 1e-15);
+  CHECK(off(around[user_mesh::vertex{8}], vec3{0, 0, 1}) < 1e-15);
+  CHECK(around[user_mesh::vertex{9}] == vec3{});
 }
 
 TEST_CASE_TEMPLATE("normals: the same for any number of threads, and on an empty mesh", M, CONCINO_KINDS) {

@@ -5,7 +5,7 @@
 
 #include <support/kinds.hpp>
 #include <support/motions.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -88,13 +88,13 @@ TEST_CASE_TEMPLATE("outward_vector: turns with the mesh, scales exactly, is the 
 }
 
 TEST_CASE("outward_vector: known ones, of a foreign surface and a foreign volume") {
-  const auto s = tiny::surface_example();  // poly 0: (0,0) (1,0) (1,1)
-  CHECK(difference(outward_vector(s, tiny::cell{0}, tiny::segment{0}), {0, -1, 0}) < 1e-15);
-  CHECK(difference(outward_vector(s, tiny::cell{0}, tiny::segment{1}), {1, 0, 0}) < 1e-15);
-  const auto w = tiny::volume_example();  // a cube under a pyramid
-  CHECK(outward_vector(w, tiny::cell{0}, tiny::facet{0}) == vec3{0, 0, -1});
-  CHECK(outward_vector(w, tiny::cell{0}, tiny::facet{1}) == vec3{0, 0, 1});
-  CHECK(outward_vector(w, tiny::cell{1}, tiny::facet{1}) == vec3{0, 0, -1});
+  const auto s = user_mesh::surface_example();  // poly 0: (0,0) (1,0) (1,1)
+  CHECK(difference(outward_vector(s, user_mesh::cell{0}, user_mesh::segment{0}), {0, -1, 0}) < 1e-15);
+  CHECK(difference(outward_vector(s, user_mesh::cell{0}, user_mesh::segment{1}), {1, 0, 0}) < 1e-15);
+  const auto w = user_mesh::volume_example();  // a cube under a pyramid
+  CHECK(outward_vector(w, user_mesh::cell{0}, user_mesh::facet{0}) == vec3{0, 0, -1});
+  CHECK(outward_vector(w, user_mesh::cell{0}, user_mesh::facet{1}) == vec3{0, 0, 1});
+  CHECK(outward_vector(w, user_mesh::cell{1}, user_mesh::facet{1}) == vec3{0, 0, -1});
 }
 
 TEST_CASE("outward_vector: degenerate and very large polys") {

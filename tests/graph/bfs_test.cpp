@@ -4,7 +4,7 @@
 
 #include <support/boost_graph.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 

@@ -12,7 +12,7 @@
 #include <concino/graph/dijkstra.hpp>
 
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <concino/graph/boost.hpp>
 
@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("boost: straight distances where no weights are given", M, cn
 }
 
 TEST_CASE("boost: algorithms need no more than an archetype has") {
-  const auto w = tiny::volume_example();
+  const auto w = user_mesh::volume_example();
   const auto p = cn::only_primal_graph(w);
   const auto d = cn::only_dual_graph(w);
   CHECK(check_components(cn::primal(p)) == 2);

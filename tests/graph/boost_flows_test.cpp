@@ -5,7 +5,7 @@
 #include <concino/graph/boost.hpp>
 
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <boost/graph/betweenness_centrality.hpp>
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
@@ -77,7 +77,7 @@ TEST_CASE_TEMPLATE("boost: flows of Boykov and Kolmogorov, of Edmonds and Karp, 
 }
 
 TEST_CASE("boost: flows need no more than an archetype has") {
-  const auto w = tiny::volume_example();
+  const auto w = user_mesh::volume_example();
   const auto p = cn::only_primal_graph(w);
   const auto d = cn::only_dual_graph(w);
   check_flow(cn::primal(p));

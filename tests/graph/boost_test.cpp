@@ -10,7 +10,7 @@
 #include <concino/mesh/submesh.hpp>
 
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/filtered_graph.hpp>
@@ -64,7 +64,7 @@ constexpr bool kind_models = models_with_arcs<primal_of<M>> && models_with_arcs<
                              weighted<dual_of<M>>() && weighted<cn::views::directed_view<dual_of<M>>>();
 static_assert(kind_models<cn::trimesh> && kind_models<cn::quadmesh> && kind_models<cn::polygonmesh>);
 static_assert(kind_models<cn::tetmesh> && kind_models<cn::hexmesh> && kind_models<cn::polyhedralmesh>);
-static_assert(kind_models<tiny::surface> && kind_models<tiny::volume>);
+static_assert(kind_models<user_mesh::surface> && kind_models<user_mesh::volume>);
 static_assert(kind_models<decltype(cn::boundary(std::declval<const cn::hexmesh&>()))>);
 
 using weak_primal = decltype(cn::only_primal_graph(std::declval<const cn::tetmesh&>()));
@@ -86,7 +86,7 @@ auto ends(const G& g, const Range& range) {
 /// What walks over g say is what adj_v2v or adj_p2p say. The first that does not, by name; else nothing.
 template<class G>
 std::string wrong_walk(const G& g) {
-  const auto shown = cn::detail::graph_shown(g);
+  const auto shown = cn::detail::base_graph(g);
   const auto index = get(boost::vertex_index, g);
   const bool directed = boost::is_directed(g);
   std::set<std::pair<std::size_t, std::size_t>> arcs;
@@ -211,8 +211,8 @@ TEST_CASE_TEMPLATE("boost: walks and numbers of edges are those of the mesh", M,
 }
 
 TEST_CASE("boost: walks over foreign meshes, views and archetypes") {
-  const auto s = tiny::surface_example();
-  const auto w = tiny::volume_example();
+  const auto s = user_mesh::surface_example();
+  const auto w = user_mesh::volume_example();
   CHECK(wrong_walk(cn::primal(s)) == "");
   CHECK(wrong_walk(cn::directed(cn::dual(w))) == "");
   const auto g = cn::only_primal_graph(s);

@@ -7,7 +7,7 @@
 #include <support/closed_surfaces.hpp>
 #include <support/corpus_meshes.hpp>
 #include <support/random_meshes.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE("boundary_loops: uses nothing but a surface, and runs on fore
 }
 
 TEST_CASE("boundary_loops: a stranger's mesh, and the skin of a volume, which is closed") {
-  check_borders(tiny::surface_example());
+  check_borders(user_mesh::surface_example());
   const hexmesh cube = grid<hexmesh>(2);
   CHECK(boundary_loops(boundary(cube)).count == 0);
 }

@@ -7,7 +7,7 @@
 #include <support/closed_surfaces.hpp>
 #include <support/disk.hpp>
 #include <support/random_meshes.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -192,7 +192,7 @@ TEST_CASE_TEMPLATE("cut_along: uses nothing but a surface with points", M, CONCI
   const auto cut = cut_along(s, all);
   check_same_polys(s, cut);
   CHECK(cut.surface.arity == 0);
-  check_same_polys(tiny::surface_example(), cut_along(tiny::surface_example(), {}));
+  check_same_polys(user_mesh::surface_example(), cut_along(user_mesh::surface_example(), {}));
 }
 
 TEST_CASE("cut_along: a strange edge is refused") {

@@ -6,7 +6,7 @@
 
 #include <support/boost_graph.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -238,15 +238,15 @@ TEST_CASE_TEMPLATE("dijkstra, bfs: on a mesh with elements removed and not renum
 }
 
 TEST_CASE("dijkstra: a mesh of a stranger, with coordinates that are no numbers") {
-  tiny::surface m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 2}});
-  const auto d = dijkstra(m, tiny::vertex{0});
-  CHECK(d[tiny::vertex{4}] == 2);
-  CHECK(dijkstra(m, {tiny::cell{0}})[tiny::cell{1}] == doctest::Approx(std::hypot(4.0 / 3 - 0.5, 1.0 / 3 - 0.5)));
+  user_mesh::surface m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 2}});
+  const auto d = dijkstra(m, user_mesh::vertex{0});
+  CHECK(d[user_mesh::vertex{4}] == 2);
+  CHECK(dijkstra(m, {user_mesh::cell{0}})[user_mesh::cell{1}] == doctest::Approx(std::hypot(4.0 / 3 - 0.5, 1.0 / 3 - 0.5)));
   m.points[4][1] = std::nan("");
   for (const auto v : verts(m)) CHECK_THROWS_WITH_AS(dijkstra(m, v), doctest::Contains("is not a number"), invalid_mesh);
   for (const auto p : polys(m)) CHECK_THROWS_WITH_AS(dijkstra(m, p), doctest::Contains("is not a number"), invalid_mesh);
   m.points[4][1] = inf;
-  CHECK(dijkstra(m, tiny::vertex{0})[tiny::vertex{4}] == inf);
+  CHECK(dijkstra(m, user_mesh::vertex{0})[user_mesh::vertex{4}] == inf);
 }
 
 TEST_CASE("dijkstra: comparing squares loses no length that is less, at any scale") {

@@ -18,7 +18,7 @@ TEST_CASE_TEMPLATE("random meshes: open and not, manifold and not, in pieces and
   const int all = 300;
   for (int i = 0; i < all; ++i) {
     const M m = random_mesh<M>(random);
-    const auto r = validate(m, {.most_per_kind = 0});
+    const auto r = validate(m, {.max_per_kind = 0});
     closed += r.facts.closed;
     manifold += r.facts.manifold;
     connected += r.facts.components == 1;

@@ -3,7 +3,7 @@
 #include <concino/concepts/archetypes.hpp>
 
 #include <support/barred_graph.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -125,7 +125,7 @@ TEST_CASE("shortest_path: errors") {
 TEST_CASE("shortest_path: is offered exactly where it can run; a foreign mesh") {
   static_assert(requirement::is_target<trimesh, vert_id, vert_id> && requirement::is_target<trimesh, poly_id, std::vector<poly_id>>);
   static_assert(!requirement::is_target<trimesh, vert_id, poly_id> && !requirement::is_target<int, vert_id, vert_id>);
-  const auto m = tiny::surface_example();
-  CHECK(shortest_path(m, tiny::vertex{1}, tiny::vertex{5}) == std::vector{tiny::vertex{1}, tiny::vertex{0}, tiny::vertex{6}, tiny::vertex{5}});
-  CHECK(shortest_path(m, tiny::cell{0}, tiny::cell{3}, {.may_cross = [](tiny::segment) { return false; }}).empty());
+  const auto m = user_mesh::surface_example();
+  CHECK(shortest_path(m, user_mesh::vertex{1}, user_mesh::vertex{5}) == std::vector{user_mesh::vertex{1}, user_mesh::vertex{0}, user_mesh::vertex{6}, user_mesh::vertex{5}});
+  CHECK(shortest_path(m, user_mesh::cell{0}, user_mesh::cell{3}, {.may_cross = [](user_mesh::segment) { return false; }}).empty());
 }

@@ -8,7 +8,7 @@
 #include <support/disk.hpp>
 #include <support/glued_surfaces.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -126,7 +126,7 @@ TEST_CASE_TEMPLATE("tree_cotree: uses nothing but a surface, and finds the same 
 TEST_CASE("tree_cotree: the skin of a volume, and a mesh of a stranger") {
   const hexmesh block = grid<hexmesh>(2);
   check_decomposition(boundary(block));
-  check_decomposition(tiny::surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
+  check_decomposition(user_mesh::surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
 }
 
 TEST_CASE("tree_cotree: what is open or not manifold is refused by name") {

@@ -29,7 +29,7 @@ struct soup_format {
     }
   }
   static void write(write_context& out, flat_mesh& m) {
-    for (std::size_t p = 0; p < m.num_polys; ++p, out.tell())
+    for (std::size_t p = 0; p < m.num_polys; ++p, out.report_progress())
       for (const vert_id v : m.poly_verts[p]) out.out << m.points[v.raw()].x << ' ' << m.points[v.raw()].y << ' ' << m.points[v.raw()].z << '\n';
   }
 };
@@ -46,7 +46,7 @@ struct both_format {
     const auto dimension = words.next_integer("2 or 3");
     const std::vector<vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     if (dimension == 3) {
-      out.held = held_mesh::cells;
+      out.filled = arrays_kind::cells;
       out.cells = {points, {vert_id{0}, vert_id{1}, vert_id{2}, vert_id{3}}, 4};
     } else {
       out.surface = {points, {0, 3, 6}, {vert_id{0}, vert_id{1}, vert_id{2}, vert_id{1}, vert_id{3}, vert_id{2}}, 0};
@@ -55,7 +55,7 @@ struct both_format {
   }
   static void write(write_context& out, flat_mesh& m) {
     out.out << "both " << m.dimension << (out.options.binary ? " binary" : "") << '\n';
-    if (m.dimension == 3) out.cannot_hold(".soup", {"volumes yet"}, ".mesh");
+    if (m.dimension == 3) out.throw_cannot_hold(".soup", {"volumes yet"}, ".mesh");
   }
 };
 

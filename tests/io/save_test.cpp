@@ -5,7 +5,7 @@
 #include <support/kinds.hpp>
 #include <support/reading.hpp>
 #include <support/temporary.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -185,7 +185,7 @@ TEST_CASE("save: a format that cannot hold the mesh names the first poly and whe
 TEST_CASE("save: coordinates that are not finite are refused") {
   auto m = grid<trimesh>(1);
   for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    auto points = tiny::surface_example();
+    auto points = user_mesh::surface_example();
     points.points[3][1] = x;
     for (const format_id f : std::initializer_list<format_id>{file_format::obj, file_format::off, file_format::medit})
       CHECK_THROWS_WITH_AS(save_text(points, f), "text: vert 3 has a coordinate that is not a finite number; no file can hold it",
@@ -194,15 +194,15 @@ TEST_CASE("save: coordinates that are not finite are refused") {
 }
 
 TEST_CASE("save: meshes of strangers") {
-  const auto s = load_text<polygonmesh>(save_text(tiny::surface_example(), file_format::obj), file_format::obj);
+  const auto s = load_text<polygonmesh>(save_text(user_mesh::surface_example(), file_format::obj), file_format::obj);
   CHECK(said(s) == std::vector<std::vector<unsigned>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5, 6}});
   CHECK(num_verts(s) == 8);
-  const auto v = load_text<polyhedralmesh>(save_text(tiny::volume_example(), file_format::hedra), file_format::hedra);
+  const auto v = load_text<polyhedralmesh>(save_text(user_mesh::volume_example(), file_format::hedra), file_format::hedra);
   CHECK(num_polys(v) == 2);
   CHECK(num_faces(v) == 10);
   CHECK(num_verts(v) == 10);
   load_report r;
-  const auto cells = load_text<polyhedralmesh>(save_text(tiny::volume_example(), file_format::medit), file_format::medit, {.report = &r});
+  const auto cells = load_text<polyhedralmesh>(save_text(user_mesh::volume_example(), file_format::medit), file_format::medit, {.report = &r});
   CHECK(num_faces(cells) == 10);
   CHECK(r.reoriented_polys == 0);
 }

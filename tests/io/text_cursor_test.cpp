@@ -63,7 +63,7 @@ TEST_CASE("token_cursor: counts are not believed, indices are checked") {
   token_cursor in("1000000000000 -1 3 0", "t", nullptr, 0);
   const auto n = in.next_count("how many", 2);
   CHECK(n == 1000000000000);
-  CHECK(in.room(n, 2) < 6);
+  CHECK(in.reservable(n, 2) < 6);
   CHECK_THROWS_AS(in.next_count("how many", 2), parse_error);
   CHECK(in.next_index(3, "an index") == 2);
   CHECK_THROWS_WITH_AS(in.next_index(3, "an index"), "t:1: expected an index from 1 to 3, found '0'", parse_error);
@@ -81,7 +81,7 @@ TEST_CASE("text_cursor: progress rises to the end of the text and can stop") {
   text_cursor in(text, "t", &p);
   const auto read = [&] {
     while (!in.at_end()) {
-      in.tell();
+      in.report_progress();
       ++in.at;
     }
   };
@@ -135,9 +135,9 @@ TEST_CASE("text_cursor: numbers end where a blank or a comment begins, which # d
 }
 
 TEST_CASE("token_cursor: room for as many elements as fit, the last without an end") {
-  CHECK(token_cursor("12345", "t", nullptr, 0).room(100, 2) == 3);
-  CHECK(token_cursor("123456", "t", nullptr, 0).room(100, 2) == 3);
-  CHECK(token_cursor("123456", "t", nullptr, 0).room(2, 2) == 2);
+  CHECK(token_cursor("12345", "t", nullptr, 0).reservable(100, 2) == 3);
+  CHECK(token_cursor("123456", "t", nullptr, 0).reservable(100, 2) == 3);
+  CHECK(token_cursor("123456", "t", nullptr, 0).reservable(2, 2) == 2);
 }
 
 TEST_CASE("text_cursor: progress is told about a hundred times, and not without anyone to hear") {
@@ -147,7 +147,7 @@ TEST_CASE("text_cursor: progress is told about a hundred times, and not without 
     const concino::progress p = hear;
     const std::string text(size, ' ');
     text_cursor in(text, "t", &p);
-    for (in.tell(); !in.at_end(); in.tell()) ++in.at;
+    for (in.report_progress(); !in.at_end(); in.report_progress()) ++in.at;
     const std::size_t step = size / 100 + 1, times = (size + step - 1) / step;
     REQUIRE(told.size() == times);
     for (std::size_t i = 0; i < times; ++i) CHECK(told[i] == static_cast<double>(i * step) / static_cast<double>(size));
@@ -155,11 +155,11 @@ TEST_CASE("text_cursor: progress is told about a hundred times, and not without 
   const concino::progress nobody = nullptr;
   text_cursor deaf("  ", "t", &nobody), alone("  ", "t");
   for (; !deaf.at_end(); ++deaf.at, ++alone.at) {
-    deaf.tell();
-    alone.tell();
+    deaf.report_progress();
+    alone.report_progress();
   }
-  deaf.tell();
-  alone.tell();
+  deaf.report_progress();
+  alone.report_progress();
 }
 
 TEST_CASE("text_cursor: lines of places in any order") {

@@ -1,6 +1,6 @@
 #include <concino/io/text_sink.hpp>
 
-#include <concino/io/replacing_file.hpp>
+#include <concino/io/atomic_file.hpp>
 
 #include <support/temporary.hpp>
 
@@ -14,14 +14,14 @@
 
 using namespace concino;
 using namespace concino::testing;
-using concino::replacing_file;
+using concino::atomic_file;
 using concino::text_sink;
 
 TEST_CASE("text_sink: characters, texts and numbers, kept") {
   text_sink out;
   out << 'a' << " b " << std::string_view("c\n") << 0.1 << ' ' << -0.0 << ' ' << 1e300 << ' ' << 5e-324 << ' ' << std::size_t{7} << ' ' << -12;
-  CHECK(std::move(out).take() == "a b c\n0.1 -0 1e+300 5e-324 7 -12");
-  CHECK(text_sink().take().empty());
+  CHECK(std::move(out).release() == "a b c\n0.1 -0 1e+300 5e-324 7 -12");
+  CHECK(text_sink().release().empty());
 }
 
 TEST_CASE("text_sink: more than its buffer holds, in one piece and in many") {
@@ -29,12 +29,12 @@ TEST_CASE("text_sink: more than its buffer holds, in one piece and in many") {
   text_sink kept;
   kept << 'a' << large;
   for (int i = 0; i < 100000; ++i) kept << i << '\n';
-  const std::string text = std::move(kept).take();
+  const std::string text = std::move(kept).release();
   CHECK(text.substr(0, 700001) == "a" + large);
   CHECK(text.ends_with("99998\n99999\n"));
 
   const temporary_folder dir;
-  replacing_file file(dir / "f");
+  atomic_file file(dir / "f");
   text_sink written(file.descriptor(), dir / "f");
   written << 'a' << large;
   for (int i = 0; i < 100000; ++i) written << i << '\n';

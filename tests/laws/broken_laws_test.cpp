@@ -7,7 +7,7 @@
 #include <concino/mesh/trimesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
-#include <support/liar.hpp>
+#include <support/faulty_mesh.hpp>
 #include <support/meshes.hpp>
 
 #include <doctest/doctest.h>
@@ -20,12 +20,12 @@ namespace cn = concino;
 
 namespace {
 
-using surface = tiny::liar<tiny::surface>;
-using volume = tiny::liar<tiny::volume>;
+using surface = user_mesh::faulty_mesh<user_mesh::surface>;
+using volume = user_mesh::faulty_mesh<user_mesh::volume>;
 static_assert(cn::SurfaceMesh<surface> && !cn::VolumeMesh<surface> && cn::VolumeMesh<volume> && cn::Embedded<volume>);
 
-surface example(const surface*) { return surface(tiny::surface_example()); }
-volume example(const volume*) { return volume(tiny::volume_example()); }
+surface example(const surface*) { return surface(user_mesh::surface_example()); }
+volume example(const volume*) { return volume(user_mesh::volume_example()); }
 
 std::string list(const std::vector<cn::broken_law>& found) {
   std::string s;
@@ -78,12 +78,12 @@ void only(const std::vector<cn::broken_law>& found, std::string_view law) {
 }  // namespace
 
 TEST_CASE("honest meshes and their archetypes break no law") {
-  const surface s(tiny::surface_example());
-  const volume w(tiny::volume_example());
+  const surface s(user_mesh::surface_example());
+  const volume w(user_mesh::volume_example());
   CHECK(cn::check_laws(s).empty());
   CHECK(cn::check_laws(w).empty());
-  CHECK(cn::check_laws(tiny::surface()).empty());
-  CHECK(cn::check_laws(tiny::volume()).empty());
+  CHECK(cn::check_laws(user_mesh::surface()).empty());
+  CHECK(cn::check_laws(user_mesh::volume()).empty());
   CHECK(cn::check_laws(cn::only_primal_graph(w)).empty());
   CHECK(cn::check_laws(cn::only_embedded_graph(s)).empty());
   CHECK(cn::check_laws(cn::only_dual_graph(w)).empty());
@@ -214,23 +214,23 @@ struct one_buffer : M {
 
 /// A volume of tets or hexes known by type; adj_p2v in the order given.
 template<int Arity>
-struct shaped : tiny::volume {
+struct shaped : user_mesh::volume {
   std::vector<int> order;
 };
 
 }  // namespace
 
 template<>
-struct concino::mesh_traits<one_buffer<tiny::surface>> : mesh_traits<tiny::surface> {
-  using B = one_buffer<tiny::surface>;
-  static auto adj_p2e(const B& m, poly p) { return m.kept(mesh_traits<tiny::surface>::adj_p2e(m, p)); }
-  static auto adj_e2p(const B& m, edge e) { return m.kept(mesh_traits<tiny::surface>::adj_e2p(m, e)); }
+struct concino::mesh_traits<one_buffer<user_mesh::surface>> : mesh_traits<user_mesh::surface> {
+  using B = one_buffer<user_mesh::surface>;
+  static auto adj_p2e(const B& m, poly p) { return m.kept(mesh_traits<user_mesh::surface>::adj_p2e(m, p)); }
+  static auto adj_e2p(const B& m, edge e) { return m.kept(mesh_traits<user_mesh::surface>::adj_e2p(m, e)); }
 };
 template<>
-struct concino::mesh_traits<one_buffer<tiny::volume>> : mesh_traits<tiny::volume> {
-  using B = one_buffer<tiny::volume>;
-  static auto adj_p2f(const B& m, poly p) { return m.kept(mesh_traits<tiny::volume>::adj_p2f(m, p)); }
-  static auto adj_f2p(const B& m, face f) { return m.kept(mesh_traits<tiny::volume>::adj_f2p(m, f)); }
+struct concino::mesh_traits<one_buffer<user_mesh::volume>> : mesh_traits<user_mesh::volume> {
+  using B = one_buffer<user_mesh::volume>;
+  static auto adj_p2f(const B& m, poly p) { return m.kept(mesh_traits<user_mesh::volume>::adj_p2f(m, p)); }
+  static auto adj_f2p(const B& m, face f) { return m.kept(mesh_traits<user_mesh::volume>::adj_f2p(m, f)); }
 };
 
 TEST_CASE("the laws of facets: answers that change while the mesh is read") {
@@ -270,7 +270,7 @@ TEST_CASE("the laws of facets: what is said of a boundary that is none, and of o
 }
 
 TEST_CASE("the laws of facets: a wrong poly among several at a facet, followed by a right one") {
-  surface m(tiny::surface({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}));
+  surface m(user_mesh::surface({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}));
   CHECK(cn::check_laws(m).empty());
   int calls = 0;
   m.ring = [&](std::string_view asked, int x, std::vector<int>& ring) { if (asked == "adj_e2p" && x == 0 && ++calls == 3) ring = {0, 2, 2}; };
@@ -306,9 +306,9 @@ TEST_CASE_TEMPLATE("the laws of facets: a model that throws when it is asked for
 }
 
 TEST_CASE("the laws of facets: one buffer for polys at facets and facets of polys breaks no other law") {
-  const one_buffer<tiny::surface> s(tiny::surface_example());
-  const one_buffer<tiny::volume> w(tiny::volume_example());
-  static_assert(cn::SurfaceMesh<one_buffer<tiny::surface>> && cn::VolumeMesh<one_buffer<tiny::volume>>);
+  const one_buffer<user_mesh::surface> s(user_mesh::surface_example());
+  const one_buffer<user_mesh::volume> w(user_mesh::volume_example());
+  static_assert(cn::SurfaceMesh<one_buffer<user_mesh::surface>> && cn::VolumeMesh<one_buffer<user_mesh::volume>>);
   const auto of_surface = cn::check_laws(s), of_volume = cn::check_laws(w);
   CHECK(names(of_surface, "FC3", "p0"));
   CHECK(names(of_volume, "FC3", "p0"));
@@ -317,7 +317,7 @@ TEST_CASE("the laws of facets: one buffer for polys at facets and facets of poly
 }
 
 template<int Arity>
-struct concino::mesh_traits<shaped<Arity>> : mesh_traits<tiny::volume> {
+struct concino::mesh_traits<shaped<Arity>> : mesh_traits<user_mesh::volume> {
   static constexpr int arity = Arity;
   static std::vector<vert> adj_p2v(const shaped<Arity>& m, poly) {
     std::vector<vert> r;
@@ -327,9 +327,9 @@ struct concino::mesh_traits<shaped<Arity>> : mesh_traits<tiny::volume> {
 };
 
 TEST_CASE("the standard order of tets and hexes") {
-  const tiny::volume one_tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {2, 3, 0}, {1, 2, 3}},
+  const user_mesh::volume one_tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {2, 3, 0}, {1, 2, 3}},
                              {{{0, true}, {1, true}, {2, false}, {3, true}}});
-  tiny::volume tet(one_tet);
+  user_mesh::volume tet(one_tet);
   tet.facets[2] = {0, 2, 3};  // stored inward
   static_assert(cn::TetMesh<shaped<4>> && cn::HexMesh<shaped<8>>);
   CHECK(cn::check_laws(shaped<4>{tet, {0, 1, 2, 3}}).empty());
@@ -337,7 +337,7 @@ TEST_CASE("the standard order of tets and hexes") {
   for (const std::vector<int>& order : {std::vector<int>{0, 1, 3, 2}, {1, 0, 2, 3}, {0, 1, 2}})
     CHECK(names(cn::check_laws(shaped<4>{tet, order}), "VM7", "p0"));
 
-  const tiny::volume hex({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+  const user_mesh::volume hex({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                          {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}},
                          {{{0, true}, {1, true}, {2, true}, {3, true}, {4, true}, {5, true}}});
   CHECK(cn::check_laws(shaped<8>{hex, {0, 1, 2, 3, 4, 5, 6, 7}}).empty());
@@ -348,15 +348,15 @@ TEST_CASE("the standard order of tets and hexes") {
 
 namespace {
 /// A surface that says it is of triangles.
-struct so_called_triangles : tiny::surface {};
+struct so_called_triangles : user_mesh::surface {};
 }  // namespace
 template<>
-struct concino::mesh_traits<so_called_triangles> : mesh_traits<tiny::surface> {
+struct concino::mesh_traits<so_called_triangles> : mesh_traits<user_mesh::surface> {
   static constexpr int arity = 3;
 };
 
 TEST_CASE("the arity of a surface") {
-  const auto found = cn::check_laws(so_called_triangles{tiny::surface_example()});
+  const auto found = cn::check_laws(so_called_triangles{user_mesh::surface_example()});
   CHECK(found.size() == 1);
   CHECK(names(found, "SM6", "p3"));
 }
@@ -469,7 +469,7 @@ TEST_CASE_TEMPLATE("whatever one ring holds too much, too little or wrongly is f
 }
 
 TEST_CASE("every single face turned the wrong way is found") {
-  volume m(tiny::volume_example());
+  volume m(user_mesh::volume_example());
   for (auto p : cn::polys(m))
     for (auto f : cn::adj_p2f(m, p)) {
       m.number = [=](std::string_view verb, int a, int b, std::size_t n) {
@@ -493,7 +493,7 @@ struct endless_range {
   struct iterator {
     const endless* m;
     int i;
-    tiny::vertex operator*() const { return {i % 5}; }
+    user_mesh::vertex operator*() const { return {i % 5}; }
     iterator& operator++() { ++i; return *this; }
     bool operator!=(no_end) const { return true; }
   };
@@ -503,7 +503,7 @@ struct endless_range {
 }  // namespace
 template<>
 struct concino::mesh_traits<endless> {
-  using vert = tiny::vertex;
+  using vert = user_mesh::vertex;
   static endless_range verts(const endless& m) { return {&m}; }
   static std::size_t num_verts(const endless&) { return 5; }
   static std::size_t vert_index_bound(const endless&) { return 5; }

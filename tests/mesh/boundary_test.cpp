@@ -5,7 +5,7 @@
 #include <concino/validate/check_laws.hpp>
 
 #include <support/models.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 #include <support/kinds.hpp>
 #include <support/soups.hpp>
 
@@ -36,15 +36,15 @@ double inside(const S& s) {
   return six / 6;
 }
 
-const tiny::volume w = tiny::volume_example();
+const user_mesh::volume w = user_mesh::volume_example();
 using cn::testing::models_in_all_forms;
 static_assert(models_in_all_forms<decltype(cn::boundary(w))>(cn::testing::surface | cn::testing::embedded));
 static_assert(models_in_all_forms<decltype(cn::boundary(cn::only_mesh(w)))>(cn::testing::surface));
 static_assert(cn::TriMesh<decltype(cn::boundary(std::declval<const cn::tetmesh&>()))> &&
               cn::QuadMesh<decltype(cn::boundary(std::declval<const cn::hexmesh&>()))>);
-static_assert(std::same_as<cn::poly_t<decltype(cn::boundary(w))>, tiny::facet>);
+static_assert(std::same_as<cn::poly_t<decltype(cn::boundary(w))>, user_mesh::facet>);
 template<class M> concept takes_temporary = requires(M&& m) { cn::boundary(static_cast<M&&>(m)); };
-static_assert(!takes_temporary<tiny::volume> && takes_temporary<const tiny::volume&> && !takes_temporary<const tiny::surface&>);
+static_assert(!takes_temporary<user_mesh::volume> && takes_temporary<const user_mesh::volume&> && !takes_temporary<const user_mesh::surface&>);
 
 }  // namespace
 
@@ -54,16 +54,16 @@ TEST_CASE("a cube under a pyramid") {
   CHECK(cn::num_polys(b) == 9);
   CHECK(cn::num_verts(b) == 9);
   CHECK(cn::num_edges(b) == 16);
-  CHECK_FALSE(cn::contains(b, tiny::facet{1}));
-  CHECK_FALSE(cn::contains(b, tiny::vertex{9}));
+  CHECK_FALSE(cn::contains(b, user_mesh::facet{1}));
+  CHECK_FALSE(cn::contains(b, user_mesh::vertex{9}));
   CHECK(inside(b) == doctest::Approx(1 + 1.0 / 3));
 }
 
 TEST_CASE("faces that the mesh lists clockwise are turned") {
-  tiny::volume turned = w;
+  user_mesh::volume turned = w;
   for (int f : {0, 3, 7}) {
     auto& ring = turned.facets[std::size_t(f)];
-    ring = tiny::polygon(ring.rbegin(), ring.rend());
+    ring = user_mesh::polygon(ring.rbegin(), ring.rend());
     for (auto& c : turned.cells)
       for (auto& [face, outward] : c) if (face == f) outward = !outward;
   }

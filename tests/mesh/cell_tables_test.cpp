@@ -56,7 +56,7 @@ void edges_are_right(const Tables& t) {
     for (const poly_id p : t.adj_e2p(e)) around.push_back(p);
     std::sort(around.begin(), around.end());
     CHECK(around == at[e.raw()]);
-    CHECK(t.is_crowded(e) == (reached_around(t, e, around) != around.size()));
+    CHECK(t.is_non_manifold(e) == (reached_around(t, e, around) != around.size()));
   }
 }
 

@@ -224,7 +224,7 @@ TEST_CASE("correspondence: sums stay what they are, means lie between, whatever 
       double low = 1e9, high = -1e9, largest = -1, expected = 0;
       for (const origin& x : list[i]) {
         low = std::min(low, mass[x.index]), high = std::max(high, mass[x.index]);
-        if (x.amount > largest) largest = x.amount, expected = mass[x.index];
+        if (x.weight > largest) largest = x.weight, expected = mass[x.index];
       }
       CHECK(means[i] >= low - 1e-9);
       CHECK(means[i] <= high + 1e-9);

@@ -298,8 +298,8 @@ TEST_CASE_TEMPLATE("what is not there, or stands twice, is refused, whichever po
 
 TEST_CASE("more polys, verts or corners than can be numbered are refused") {
   using cn::detail::check_counts;
-  CHECK_NOTHROW(check_counts(0xFFFFFFFEu, cn::detail::across::mask - 1, 0xFFFFFFFEu));
-  CHECK_THROWS_AS(check_counts(0, cn::detail::across::mask, 0), cn::unsupported);
+  CHECK_NOTHROW(check_counts(0xFFFFFFFEu, cn::detail::encoded_neighbour::mask - 1, 0xFFFFFFFEu));
+  CHECK_THROWS_AS(check_counts(0, cn::detail::encoded_neighbour::mask, 0), cn::unsupported);
   CHECK_THROWS_AS(check_counts(0xFFFFFFFFu, 0, 0), cn::unsupported);
   CHECK_THROWS_AS(check_counts(0, 0, 0xFFFFFFFFu), cn::unsupported);
 }

@@ -5,7 +5,7 @@
 #include <concino/validate/check_laws.hpp>
 
 #include <support/models.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 #include <support/kinds.hpp>
 #include <support/soups.hpp>
 
@@ -38,8 +38,8 @@ void keeps_laws_of(const M& m, const V& part) {
   }
 }
 
-const tiny::surface s = tiny::surface_example();
-const tiny::volume w = tiny::volume_example();
+const user_mesh::surface s = user_mesh::surface_example();
+const user_mesh::volume w = user_mesh::volume_example();
 constexpr auto all = [](auto) { return true; };
 constexpr auto none = [](auto) { return false; };
 
@@ -50,28 +50,28 @@ static_assert(models_in_all_forms<decltype(cn::submesh(cn::only_mesh(s), all))>(
 static_assert(cn::HexMesh<decltype(cn::submesh(std::declval<const cn::hexmesh&>(), all))>);
 static_assert(std::copyable<decltype(cn::submesh(s, all))> && cn::is_view_v<decltype(cn::submesh(s, all))>);
 template<class M> concept takes_temporary = requires(M&& m) { cn::submesh(static_cast<M&&>(m), all); };
-static_assert(!takes_temporary<tiny::surface> && takes_temporary<const tiny::surface&> && takes_temporary<decltype(cn::submesh(w, all))>);
+static_assert(!takes_temporary<user_mesh::surface> && takes_temporary<const user_mesh::surface&> && takes_temporary<decltype(cn::submesh(w, all))>);
 
 }  // namespace
 
 TEST_CASE("a part of a surface") {
-  const auto part = cn::submesh(s, [](tiny::cell p) { return p.i == 0 || p.i == 3; });
+  const auto part = cn::submesh(s, [](user_mesh::cell p) { return p.i == 0 || p.i == 3; });
   keeps_all_laws(part);
   CHECK(cn::num_polys(part) == 2);
   CHECK(cn::num_verts(part) == 6);
   CHECK(cn::num_edges(part) == 7);
-  CHECK(cn::contains(part, tiny::vertex{2}));
-  CHECK_FALSE(cn::contains(part, tiny::vertex{3}));
-  CHECK_FALSE(cn::contains(part, tiny::vertex{100}));
+  CHECK(cn::contains(part, user_mesh::vertex{2}));
+  CHECK_FALSE(cn::contains(part, user_mesh::vertex{3}));
+  CHECK_FALSE(cn::contains(part, user_mesh::vertex{100}));
   // v0 keeps its edges to v1, v2, v4, v6, and the two polys are no neighbours.
   std::set<int> next;
-  for (auto v : cn::adj_v2v(part, tiny::vertex{0})) next.insert(v.i);
+  for (auto v : cn::adj_v2v(part, user_mesh::vertex{0})) next.insert(v.i);
   CHECK(next == std::set<int>{1, 2, 4, 6});
-  CHECK_FALSE(cn::adj_p2p(part, tiny::cell{0}).begin() != cn::adj_p2p(part, tiny::cell{0}).end());
+  CHECK_FALSE(cn::adj_p2p(part, user_mesh::cell{0}).begin() != cn::adj_p2p(part, user_mesh::cell{0}).end());
 }
 
 TEST_CASE("a part of a volume") {
-  const auto top = cn::submesh(w, [](tiny::cell p) { return p.i == 1; });
+  const auto top = cn::submesh(w, [](user_mesh::cell p) { return p.i == 1; });
   keeps_all_laws(top);
   CHECK(cn::num_polys(top) == 1);
   CHECK(cn::num_verts(top) == 5);

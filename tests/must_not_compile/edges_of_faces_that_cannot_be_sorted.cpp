@@ -23,6 +23,6 @@ struct concino::mesh_traits<drawing> {
   static list<corner> adj_e2v(const drawing&, line);
   static list<line> adj_v2e(const drawing&, corner);
 };
-static_assert(!concino::requirement::has_what_sorts_edges_of_faces<drawing>);
+static_assert(!concino::requirement::can_sort_edges_of_faces<drawing>);
 
 auto refused(const drawing& m, area f) { return concino::adj_f2e(m, f); }

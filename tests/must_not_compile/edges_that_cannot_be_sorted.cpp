@@ -20,6 +20,6 @@ struct concino::mesh_traits<drawing> {
   static constexpr bool edges_in_order = false;
   static list<line> adj_p2e(const drawing&, area);
 };
-static_assert(!concino::requirement::has_what_sorts_edges_of_polys<drawing>);
+static_assert(!concino::requirement::can_sort_edges_of_polys<drawing>);
 
 auto refused(const drawing& m, area p) { return concino::adj_p2e(m, p); }

@@ -3,7 +3,7 @@
 #include <concino/operators/simplex_gradients.hpp>
 
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -120,10 +120,10 @@ TEST_CASE("corner_gradients: polys without measure and points that are no number
 }
 
 TEST_CASE("corner_gradients: a polygon without verts has none; neither has a triangle whose height is too small for its inverse") {
-  tiny::surface m;
+  user_mesh::surface m;
   m.polygons = {{}};
-  corner_gradients<tiny::surface> none;
-  none.visit(m, tiny::cell{0});
+  corner_gradients<user_mesh::surface> none;
+  none.visit(m, user_mesh::cell{0});
   CHECK(!none.has_gradients());
   // the area is a number, and the heights over the short edges have inverses
   const double length = 0x1p20, height = 5e-309;
@@ -137,9 +137,9 @@ TEST_CASE("corner_gradients: a polygon without verts has none; neither has a tri
 }
 
 TEST_CASE("corner_gradients: pyramids of a stranger") {
-  const auto m = tiny::volume_example();
-  corner_gradients<tiny::volume> local;
-  local.visit(m, tiny::cell{1});
+  const auto m = user_mesh::volume_example();
+  corner_gradients<user_mesh::volume> local;
+  local.visit(m, user_mesh::cell{1});
   CHECK(local.measure == doctest::Approx(1.0 / 3));
   vec3 sum;
   for (std::size_t i = 0; i < local.verts.size(); ++i) sum += point(m, local.verts[i])[2] * local.gradient[i];

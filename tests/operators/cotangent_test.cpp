@@ -3,7 +3,7 @@
 #include <concino/operators/laplacian.hpp>
 
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -17,7 +17,7 @@ using namespace concino::testing;
 namespace {
 
 /// A mesh that names the edges of a poly as it is walked, from any of them on; half-edges that name their targets begin with the last.
-struct spun : tiny::surface {
+struct spun : user_mesh::surface {
   std::size_t turn = 0;
   bool back = false;
 };
@@ -25,9 +25,9 @@ struct spun : tiny::surface {
 }  // namespace
 
 template<>
-struct concino::mesh_traits<spun> : concino::mesh_traits<tiny::surface> {
+struct concino::mesh_traits<spun> : concino::mesh_traits<user_mesh::surface> {
   static std::vector<edge> adj_p2e(const spun& m, poly p) {
-    const tiny::polygon& ring = at(m, p);
+    const user_mesh::polygon& ring = at(m, p);
     std::vector<edge> r;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const int a = ring[(i + m.turn) % ring.size()], b = ring[(i + m.turn + 1) % ring.size()];
@@ -41,8 +41,8 @@ struct concino::mesh_traits<spun> : concino::mesh_traits<tiny::surface> {
 
 TEST_CASE("cotangent weights: whichever edge a poly names first") {
   const std::vector<std::array<double, 3>> x = {{0, 0, 0}, {2, 0.1, 0}, {2.3, 1.5, 0.2}, {-0.3, 1.1, 0.4}};
-  const std::vector<tiny::polygon> triangles = {{0, 1, 2}, {0, 2, 3}};
-  const Eigen::MatrixXd expected = laplacian(tiny::surface(x, triangles), cotangent);
+  const std::vector<user_mesh::polygon> triangles = {{0, 1, 2}, {0, 2, 3}};
+  const Eigen::MatrixXd expected = laplacian(user_mesh::surface(x, triangles), cotangent);
   for (const std::size_t turn : {0u, 1u, 2u})
     for (const bool back : {false, true}) {
       const spun m{{x, triangles}, turn, back};

@@ -5,7 +5,7 @@
 
 #include <support/kinds.hpp>
 #include <support/stiffness.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -72,7 +72,7 @@ TEST_CASE("de Goes of the unit square, and of a letter C that no one point sees"
 }
 
 TEST_CASE("de Goes on a mesh of other making") {
-  const auto values = spectrum(matrix_of(tiny::surface_example()));
+  const auto values = spectrum(matrix_of(user_mesh::surface_example()));
   CHECK(std::abs(values[1]) < 1e-13);  // the constants of the mesh and of the vert that nothing uses
   CHECK(values[2] > 1e-3);
 }

@@ -15,7 +15,7 @@
 
 #include <support/kinds.hpp>
 #include <support/stiffness.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 

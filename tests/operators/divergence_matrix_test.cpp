@@ -11,7 +11,7 @@
 
 #include <support/fields.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("divergence_matrix: scales exactly", M, CONCINO_KINDS) {
 }
 
 TEST_CASE("divergence_matrix: a stranger's mesh; errors name the poly") {
-  check_is_adjoint(tiny::volume_example());
+  check_is_adjoint(user_mesh::volume_example());
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
   CHECK_THROWS_WITH_AS(divergence_matrix(flat), doctest::Contains("divergence_matrix: poly 1 has no area"), invalid_mesh);
 }

@@ -6,7 +6,7 @@
 
 #include <support/fields.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -63,7 +63,7 @@ TEST_CASE("divergence: of gradients, sums to 0; strangers, empty meshes, errors,
   const auto div = divergence(m, gradient(m, u));
   for (const auto v : verts(m)) sum += div[v];
   CHECK(std::abs(sum) < 1e-13);
-  check_as_matrix(tiny::volume_example());
+  check_as_matrix(user_mesh::volume_example());
   const hexmesh none;
   CHECK(divergence(none, make_poly_map<vec3>(none)).values().empty());
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});

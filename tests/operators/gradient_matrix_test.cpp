@@ -6,7 +6,7 @@
 
 #include <support/fields.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -28,28 +28,28 @@ void check_linear(const M& m) {
 }
 
 /// Walks its polys from the last to the first, but for the last two of four.
-struct backwards : tiny::surface {
-  using tiny::surface::surface;
+struct backwards : user_mesh::surface {
+  using user_mesh::surface::surface;
 };
 /// Numbers its polys as if there had been very many.
-struct sparsely_numbered : tiny::surface {
-  using tiny::surface::surface;
+struct sparsely_numbered : user_mesh::surface {
+  using user_mesh::surface::surface;
 };
 
 }  // namespace
 
 template<>
-struct concino::mesh_traits<backwards> : concino::mesh_traits<tiny::surface> {
-  static auto polys(const tiny::surface& m) {
-    auto r = tiny::all<tiny::cell>(m.polygons.size());
+struct concino::mesh_traits<backwards> : concino::mesh_traits<user_mesh::surface> {
+  static auto polys(const user_mesh::surface& m) {
+    auto r = user_mesh::all<user_mesh::cell>(m.polygons.size());
     std::reverse(r.begin(), r.end());
     if (r.size() == 4) std::swap(r[2], r[3]);
     return r;
   }
 };
 template<>
-struct concino::mesh_traits<sparsely_numbered> : concino::mesh_traits<tiny::surface> {
-  static std::size_t poly_index_bound(const tiny::surface&) { return std::size_t{1} << 30; }
+struct concino::mesh_traits<sparsely_numbered> : concino::mesh_traits<user_mesh::surface> {
+  static std::size_t poly_index_bound(const user_mesh::surface&) { return std::size_t{1} << 30; }
 };
 
 TEST_CASE_TEMPLATE("gradient_matrix: exact on linear functions, planar or not, concave or not, far from the origin too", M, CONCINO_KINDS) {
@@ -66,7 +66,7 @@ TEST_CASE("gradient_matrix: exact on more polys than one thread takes at once") 
 
 TEST_CASE("gradient_matrix: exact on prisms, on a pyramid and on a polygon of a hundred verts") {
   check_linear(polyhedralmesh(jittered(extrude(triangle_grid(2), 2), 0.05)));
-  check_linear(tiny::volume_example());
+  check_linear(user_mesh::volume_example());
   surface_arrays wheel;
   wheel.offsets = {0, 100};
   for (unsigned i = 0; i < 100; ++i) {
@@ -143,10 +143,10 @@ TEST_CASE("gradient_matrix: polyhedra turned inside out have the same gradients"
 
 TEST_CASE("gradient_matrix: columns are sorted whatever the order of the walk") {
   const std::vector<std::array<double, 3>> x = {{0, 0, 0}, {1, 0.2, 0.1}, {0.3, 1, 0}, {-1, 0.4, 0}, {0.1, -1, 0.5}};
-  for (const auto& p : {std::vector<tiny::polygon>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}}) {
+  for (const auto& p : {std::vector<user_mesh::polygon>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}}) {
     const auto g = gradient_matrix(backwards(x, p));
     check_compressed(g);
-    CHECK(same_entries(g, gradient_matrix(tiny::surface(x, p))));
+    CHECK(same_entries(g, gradient_matrix(user_mesh::surface(x, p))));
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include <support/fields.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -77,7 +77,7 @@ TEST_CASE("gradient: values that are no numbers spoil the polys that have them a
 }
 
 TEST_CASE("gradient, vert_gradient: on a stranger's mesh with a pyramid; empty meshes; no maps of temporaries") {
-  check_as_matrices(tiny::volume_example());
+  check_as_matrices(user_mesh::volume_example());
   const polyhedralmesh none;
   CHECK(gradient(none, make_vert_map<double>(none)).values().empty());
   CHECK(vert_gradient(none, make_vert_map<double>(none)).values().empty());

@@ -6,7 +6,7 @@
 #include <concino/mesh/to_polyhedra.hpp>
 
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -328,7 +328,7 @@ TEST_CASE("laplacian: a fan of a thousand triangles, three of them at one edge")
 }
 
 TEST_CASE("laplacian, cotangent: a mesh of a stranger; coordinates that are no numbers are refused, not passed on") {
-  tiny::surface m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  user_mesh::surface m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const auto l = laplacian(m, cotangent);
   CHECK(l.coeff(1, 2) == doctest::Approx(0));
   CHECK(l.coeff(0, 1) == doctest::Approx(0.5));

@@ -6,7 +6,7 @@
 
 #include <support/fields.hpp>
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -75,7 +75,7 @@ TEST_CASE("vert_gradient_matrix: of more polys than one thread takes at a time, 
 }
 
 TEST_CASE("vert_gradient_matrix: cubes and pyramids of a stranger; errors name the poly") {
-  check_is_mean(tiny::volume_example());
+  check_is_mean(user_mesh::volume_example());
   const tetmesh pressed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});
   CHECK_THROWS_WITH_AS(vert_gradient_matrix(pressed), doctest::Contains("vert_gradient_matrix: poly 0 has no volume"), invalid_mesh);
 }

@@ -5,7 +5,7 @@
 
 #include <support/kinds.hpp>
 #include <support/stiffness.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -193,7 +193,7 @@ TEST_CASE("virtual refinement of a bipyramid and of a pyramid: as it is defined"
 }
 
 TEST_CASE("virtual refinement on a mesh of other making, and of a polyhedron with more verts than are looked for one by one") {
-  const auto volume = tiny::volume_example();
+  const auto volume = user_mesh::volume_example();
   const Eigen::MatrixXd k = refined(volume);
   CHECK(k.row(9).cwiseAbs().maxCoeff() == 0);
   CHECK(std::abs(spectrum(k)[1]) < 1e-13);  // the constants of the mesh and of the vert that nothing uses

@@ -67,7 +67,7 @@ TEST_CASE("solve_with_values: every solver, small and large, whichever unknowns 
       check(lu{});
       check(qr{});
     }
-    check_conditions(a, b, some, solve_with_values(a, b, some, auto_solver({.most_factor_entries = 0})));
+    check_conditions(a, b, some, solve_with_values(a, b, some, auto_solver({.max_factor_entries = 0})));
     check_conditions(a, b, some, solve_with_values(a, b, some, bicgstab{}));
   }
 }
@@ -132,15 +132,15 @@ TEST_CASE("solve_with_values: given unknowns stand in a unit of the matrix, and 
       for (int i = 0; i < 4; ++i) entries.emplace_back(i, i, (i == largest ? -12.0 : 0.5 + i / 4.0) * unit);
       const sparse a = from(4, 4, entries);
       for (int given = 0; given < 4; ++given) {
-        const detail::conditions problem("x", 4, values{{given, 7.0}});
-        for (int i = 0; i < 4; ++i) CHECK(detail::without_given(problem, a).coeff(i, i) == (i == given ? 8 * unit : a.coeff(i, i)));
+        const detail::known_values problem("x", 4, values{{given, 7.0}});
+        for (int i = 0; i < 4; ++i) CHECK(detail::without_known_values(problem, a).coeff(i, i) == (i == given ? 8 * unit : a.coeff(i, i)));
       }
     }
   const sparse a = grid(2);
   const Eigen::VectorXd b = Eigen::Vector4d(1, 2, 3, 4);
   for (int first = 0; first < 4; ++first)
     for (int second = 0; second < 4; ++second) {
-      const detail::conditions problem("x", 4, values{{first, 2.0}, {second, 2.0}});
+      const detail::known_values problem("x", 4, values{{first, 2.0}, {second, 2.0}});
       Eigen::VectorXd expected = b - a * problem.x;
       expected[first] = expected[second] = 0;
       CHECK(detail::load_of_unknowns(problem, a, b) == expected);

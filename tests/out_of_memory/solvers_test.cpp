@@ -24,7 +24,7 @@ Eigen::SparseMatrix<double> grid_matrix(int n) {
 
 template<class S>
 S solver_of_most(std::int64_t most) {
-  if constexpr (std::same_as<S, cn::auto_solver>) return S({.most_factor_entries = most});
+  if constexpr (std::same_as<S, cn::auto_solver>) return S({.max_factor_entries = most});
   else return S();
 }
 

@@ -13,10 +13,10 @@ void check_rays_and_projection(const camera& c) {
   CHECK(dot(c.right, c.up) == doctest::Approx(0));
   CHECK(dot(c.right, c.back) == doctest::Approx(0));
   CHECK(norm(cross(c.right, c.up) - c.back) == doctest::Approx(0));
-  for (const film_point f : {film_point{0, 0}, {1, 1}, {-0.3, 0.7}}) {
-    const sight s = c.through(f);
+  for (const image_point f : {image_point{0, 0}, {1, 1}, {-0.3, 0.7}}) {
+    const view_ray s = c.ray_through(f);
     CHECK(norm(s.direction) == doctest::Approx(1));
-    const film_point g = c.project(s.origin + s.direction * 3.0);
+    const image_point g = c.project(s.origin + s.direction * 3.0);
     CHECK(g.x == doctest::Approx(f.x));
     CHECK(g.y == doctest::Approx(f.y));
   }
@@ -50,12 +50,12 @@ TEST_CASE("framing: every point within the margin, two opposite margins touched,
           for (int i = 0; i < 200; ++i)
             points.push_back(vec3{unit(random) * stretch.x + 7, unit(random) * stretch.y, unit(random) * stretch.z} * scale);
           framing f(aspect, {.angle = angle, .margin = 0.1});
-          f.show(points);
+          f.add_points(points);
           const camera c = f.best();
           double x0 = 9, x1 = -9, y0 = 9, y1 = -9;
           for (const vec3& p : points) {
             CHECK(dot(p - c.eye, c.back) < 0);  // in front
-            const film_point q = c.project(p);
+            const image_point q = c.project(p);
             x0 = std::min(x0, q.x), x1 = std::max(x1, q.x), y0 = std::min(y0, q.y), y1 = std::max(y1, q.y);
           }
           const double margin = 0.9;
@@ -73,12 +73,12 @@ TEST_CASE("framing nothing, a point, a line of sight") {
   CHECK_NOTHROW(framing(1.0).best());
   for (const double angle : {0.0, 30.0}) {
     framing single(1.0, {.angle = angle});
-    single.show(std::vector<vec3>{{5, 5, 5}});
+    single.add_points(std::vector<vec3>{{5, 5, 5}});
     const camera c = single.best();
     CHECK(dot(vec3{5, 5, 5} - c.eye, c.back) < 0);
     CHECK(c.project({5, 5, 5}).x == doctest::Approx(0));
     framing line(1.0, {.towards = {0, 0, 1}, .angle = angle});
-    line.show(std::vector<vec3>{{0, 0, 0}, {0, 0, 3}});
+    line.add_points(std::vector<vec3>{{0, 0, 0}, {0, 0, 3}});
     const camera d = line.best();
     CHECK(dot(vec3{0, 0, 3} - d.eye, d.back) < 0);
   }

@@ -11,7 +11,7 @@ using namespace concino;
 using namespace systems;
 
 TEST_CASE("auto_solver: solves, and says what it cannot, by either way") {
-  auto_solver direct, iterative({.most_factor_entries = 0});
+  auto_solver direct, iterative({.max_factor_entries = 0});
   check_solver(direct, 30);
   check_solver(iterative, 30);
 }
@@ -19,7 +19,7 @@ TEST_CASE("auto_solver: solves, and says what it cannot, by either way") {
 TEST_CASE("auto_solver: takes the factorisation up to the limit, and tells") {
   const sparse path = from(3, 3, {{0, 0, 2.0}, {1, 0, -1.0}, {0, 1, -1.0}, {1, 1, 2.0}, {2, 1, -1.0}, {1, 2, -1.0}, {2, 2, 2.0}});  // no fill
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(3);
-  auto_solver at({.most_factor_entries = 2}), below({.most_factor_entries = 1});
+  auto_solver at({.max_factor_entries = 2}), below({.max_factor_entries = 1});
   CHECK(at.used() == solver_used::none);
   at.factorize(path);
   CHECK(at.used() == solver_used::ldlt);
@@ -36,13 +36,13 @@ TEST_CASE("auto_solver: takes the factorisation up to the limit, and tells") {
   CHECK(below.iterations() == 0);
   CHECK_THROWS_AS(at.factorize(sparse(2, 3)), solver_error);
   CHECK(at.used() == solver_used::none);
-  CHECK_THROWS_AS(auto_solver({.most_factor_entries = -1}), invalid_argument);
+  CHECK_THROWS_AS(auto_solver({.max_factor_entries = -1}), invalid_argument);
 }
 
 TEST_CASE("auto_solver: another one like it, and other values in the pattern of before, by either way") {
-  auto_solver solver({.most_factor_entries = 100, .iteration = {.tolerance = 1e-9}});
+  auto_solver solver({.max_factor_entries = 100, .iteration = {.tolerance = 1e-9}});
   const auto_solver another(solver.options());
-  CHECK(another.options().most_factor_entries == 100);
+  CHECK(another.options().max_factor_entries == 100);
   CHECK(another.options().iteration.tolerance == 1e-9);
   CHECK_THROWS_AS(auto_solver({.iteration = {.tolerance = 2}}), invalid_argument);
   for (const int n : {3, 20, 20, 3, 3, 20})
@@ -70,7 +70,7 @@ TEST_CASE("auto_solver: counts the entries that the factor has") {
 TEST_CASE("auto_solver: an order taken over from another counts only within its own limit") {
   const sparse a = grid(10);
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(a.rows());
-  auto_solver first, second, small({.most_factor_entries = 100});
+  auto_solver first, second, small({.max_factor_entries = 100});
   first.factorize(a);
   for (auto_solver* s : {&second, &small}) {
     s->use_order_of(first);
@@ -83,7 +83,7 @@ TEST_CASE("auto_solver: an order taken over from another counts only within its 
 }
 
 TEST_CASE("auto_solver: what it says of an iteration, and nothing of one before a factorisation") {
-  auto_solver solver({.most_factor_entries = 0, .iteration = {.max_iterations = 1, .accept_missed_tolerance = true}});
+  auto_solver solver({.max_factor_entries = 0, .iteration = {.max_iterations = 1, .accept_missed_tolerance = true}});
   conjugate_gradients same(solver.options().iteration);
   solver.factorize(grid(10));
   same.factorize(grid(10));
@@ -91,16 +91,16 @@ TEST_CASE("auto_solver: what it says of an iteration, and nothing of one before 
   CHECK(solver.iterations() == 1);
   CHECK((solver.error() > 0 && solver.error() == same.error()));
   CHECK((solver.residual() > 0 && solver.residual() == same.residual()));
-  CHECK_FALSE(solver.converged());
+  CHECK_FALSE(solver.has_converged());
   solver.factorize(from(2, 2, {{0, 0, 1.0}, {1, 1, 4.0}}));
   CHECK(solver.used() == solver_used::ldlt);
   CHECK(solver.iterations() == 0);
   CHECK(solver.error() == 0);
   CHECK(solver.residual() == 0);
-  CHECK(solver.converged());
-  auto_solver enough({.most_factor_entries = 0});
+  CHECK(solver.has_converged());
+  auto_solver enough({.max_factor_entries = 0});
   enough.factorize(grid(10));
   enough.solve(random_vector(100));
-  CHECK(enough.iterates());
-  CHECK(enough.converged());
+  CHECK(enough.is_iterative());
+  CHECK(enough.has_converged());
 }

@@ -64,7 +64,7 @@ TEST_CASE("conjugate_gradients: iterations, error and residual of the last solve
   CHECK(coarse.residual() <= 1e-3);
   CHECK(coarse.error() <= 1e-3);
   CHECK(coarse.error() > 1e-8);
-  CHECK((fine.converged() && coarse.converged()));
+  CHECK((fine.has_converged() && coarse.has_converged()));
   CHECK(coarse.iterations() < fine.iterations());
   fine.solve(Eigen::VectorXd::Zero(900));
   CHECK(fine.iterations() == 0);
@@ -133,16 +133,16 @@ TEST_CASE("conjugate_gradients: a missed tolerance is an error, or by option a f
   few.factorize(a);
   flagged.factorize(a);
   CHECK_THROWS_WITH_AS(few.solve(b), doctest::Contains("not converged after 20 iterations: the error is estimated as "), solver_error);
-  CHECK_FALSE(few.converged());
+  CHECK_FALSE(few.has_converged());
   const Eigen::VectorXd x = flagged.solve(b);
-  CHECK_FALSE(flagged.converged());
+  CHECK_FALSE(flagged.has_converged());
   CHECK(flagged.iterations() == 20);
   CHECK(flagged.error() == few.error());
   CHECK(flagged.error() > 1e-12);
   CHECK(flagged.error() < 1);
   CHECK(largest_residual(a, b, x) == doctest::Approx(flagged.residual()));
   flagged.solve(Eigen::VectorXd::Zero(900));
-  CHECK(flagged.converged());
+  CHECK(flagged.has_converged());
 }
 
 TEST_CASE("conjugate_gradients: singular systems are solved if they are consistent, and given up soon if not") {

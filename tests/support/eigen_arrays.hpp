@@ -1,7 +1,7 @@
 // Eigen's matrices and vectors made of plain numbers.
 #pragma once
 
-#include <support/given_arrays.hpp>
+#include <support/input_arrays.hpp>
 
 #include <Eigen/Core>
 

@@ -61,7 +61,7 @@ void conversions_of_half_edge_meshes() {
   auto values = make_vert_map<double>(m);
   for (const auto v : verts(m)) values[v] = 0.25 * v.raw();
   auto taken = make_vert_map<double>(c.mesh, -1);
-  c.carry(values, taken);
+  c.transfer(values, taken);
   for (const auto v : verts(m)) CHECK(taken[c.vert_of(v)] == values[v]);
 }
 

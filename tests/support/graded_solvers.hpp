@@ -51,10 +51,10 @@ std::vector<std::pair<vert_t<M>, double>> values_at_sides(const M& m, bool all, 
 template<class M>
 double difference(const M& m, bool all) {
   const auto values = values_at_sides(m, all, [](const vec3& p) { return std::exp(p.x) * std::cos(p.y) + p.z; });
-  auto_solver iteration({.most_factor_entries = 0});
+  auto_solver iteration({.max_factor_entries = 0});
   const auto u = harmonic_map(m, values, {}, ldlt{}), w = harmonic_map(m, values, {}, iteration);
   CHECK(iteration.used() == solver_used::conjugate_gradients);
-  CHECK(iteration.converged());
+  CHECK(iteration.has_converged());
   double worst = 0, largest = 0;
   for (const auto v : verts(m)) {
     worst = std::max(worst, std::abs(u[v] - w[v]));
@@ -67,7 +67,7 @@ double difference(const M& m, bool all) {
 template<class M>
 double distance_from_linear(const M& m, bool all) {
   const auto linear = [&](const vec3& p) { return 1 + 2 * p.x + (all ? 3 * p.y - p.z : 0); };
-  auto_solver iteration({.most_factor_entries = 0});
+  auto_solver iteration({.max_factor_entries = 0});
   const auto u = harmonic_map(m, values_at_sides(m, all, linear), {}, iteration);
   double worst = 0, largest = 0;
   for (const auto v : verts(m)) {

@@ -8,22 +8,22 @@
 #define CONCINO_TEST_TABLES(EXTERN, ...) \
   EXTERN template class __VA_ARGS__;     \
   EXTERN template class concino::detail::native_mesh<__VA_ARGS__>
-#define CONCINO_TEST_SIDES(EXTERN, facet, arity) EXTERN template class concino::detail::sides<facet, arity>
+#define CONCINO_TEST_FACET_ADJACENCY(EXTERN, facet, arity) EXTERN template class concino::detail::facet_adjacency<facet, arity>
 
 #define CONCINO_TEST_NATIVE_TABLES(EXTERN)                                                                 \
-  CONCINO_TEST_SIDES(EXTERN, concino::edge_id, 0);                                                         \
-  CONCINO_TEST_SIDES(EXTERN, concino::edge_id, 3);                                                         \
-  CONCINO_TEST_SIDES(EXTERN, concino::edge_id, 4);                                                         \
-  CONCINO_TEST_SIDES(EXTERN, concino::face_id, 0);                                                         \
-  CONCINO_TEST_SIDES(EXTERN, concino::face_id, 4);                                                         \
-  CONCINO_TEST_SIDES(EXTERN, concino::face_id, 6);                                                         \
-  EXTERN template class concino::detail::rows<concino::vert_id, 0>;                                        \
+  CONCINO_TEST_FACET_ADJACENCY(EXTERN, concino::edge_id, 0);                                                         \
+  CONCINO_TEST_FACET_ADJACENCY(EXTERN, concino::edge_id, 3);                                                         \
+  CONCINO_TEST_FACET_ADJACENCY(EXTERN, concino::edge_id, 4);                                                         \
+  CONCINO_TEST_FACET_ADJACENCY(EXTERN, concino::face_id, 0);                                                         \
+  CONCINO_TEST_FACET_ADJACENCY(EXTERN, concino::face_id, 4);                                                         \
+  CONCINO_TEST_FACET_ADJACENCY(EXTERN, concino::face_id, 6);                                                         \
+  EXTERN template class concino::detail::jagged_array<concino::vert_id, 0>;                                        \
   CONCINO_TEST_TABLES(EXTERN, concino::surface_tables<0>);                                                 \
   CONCINO_TEST_TABLES(EXTERN, concino::surface_tables<3>);                                                 \
   CONCINO_TEST_TABLES(EXTERN, concino::surface_tables<4>);                                                 \
   CONCINO_TEST_TABLES(EXTERN, concino::cell_tables<concino::detail::tet_shape>);                           \
   CONCINO_TEST_TABLES(EXTERN, concino::cell_tables<concino::detail::hex_shape>);                           \
-  CONCINO_TEST_TABLES(EXTERN, concino::basic_polyhedra_tables<concino::detail::rows<concino::vert_id, 0>>)
+  CONCINO_TEST_TABLES(EXTERN, concino::basic_polyhedra_tables<concino::detail::jagged_array<concino::vert_id, 0>>)
 
 #ifndef __clang__
 CONCINO_TEST_NATIVE_TABLES(extern);

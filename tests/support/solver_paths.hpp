@@ -28,7 +28,7 @@ class any_solver {
     virtual ~base() = default;
     virtual void factorize(const systems::sparse& a) = 0;
     virtual Eigen::VectorXd solve(const Eigen::VectorXd& b) const = 0;
-    virtual bool iterates() const = 0;
+    virtual bool is_iterative() const = 0;
   };
   template<class Solver>
   struct of final : base {
@@ -36,7 +36,7 @@ class any_solver {
     explicit of(const auto&... options) : solver(options...) {}
     void factorize(const systems::sparse& a) override { solver.factorize(a); }
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const override { return solver.solve(b); }
-    bool iterates() const override { return core::iterates(solver); }
+    bool is_iterative() const override { return core::is_iterative(solver); }
   };
   using maker = std::function<std::unique_ptr<base>()>;
   maker make_;
@@ -52,7 +52,7 @@ class any_solver {
   const maker& options() const { return make_; }
   void factorize(const systems::sparse& a) { solver_->factorize(a); }
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return solver_->solve(b); }
-  bool iterates() const { return solver_->iterates(); }
+  bool is_iterative() const { return solver_->is_iterative(); }
 };
 
 /// What a solver says of an indefinite matrix.

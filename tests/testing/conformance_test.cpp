@@ -8,7 +8,7 @@
 #include <concino/testing/conformance.hpp>
 
 #include <support/soups.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 namespace cn = concino;
 
@@ -22,9 +22,9 @@ TEST_CASE_TEMPLATE("grids and soups of every kind conform", M, CONCINO_KINDS) {
 }
 
 TEST_CASE("meshes that others wrote, and what is stripped to one concept") {
-  cn::check_conformance([] { return tiny::surface_example(); });
-  cn::check_conformance([] { return tiny::volume_example(); });
-  const auto volume = tiny::volume_example();
+  cn::check_conformance([] { return user_mesh::surface_example(); });
+  cn::check_conformance([] { return user_mesh::volume_example(); });
+  const auto volume = user_mesh::volume_example();
   const auto report = cn::conformance([&] { return cn::only_primal_graph(volume); });
   CHECK_MESSAGE(report.ok(), report.text());
   CHECK(report.models == std::vector<std::string>{"PrimalGraph"});

@@ -54,6 +54,11 @@ struct planted {
   mutable std::vector<cn::vert_id> buffer;
   mutable int asked = 0;
   std::vector<std::vector<cn::poly_id>> across_as_made;
+
+  void keep_in_buffer(const std::vector<cn::vert_id>& ring) const {
+    buffer.reserve(1000);  // so that ranges stay in memory that is there, with other values
+    buffer.assign(ring.begin(), ring.end());
+  }
 };
 
 template<class R>
@@ -151,11 +156,11 @@ struct planted_traits {
   }
   static cn::id_span<vert> adj_p2v(const M& m, poly p) {
     if (m.mistake == bug::one_buffer_for_all_ranges) {
-      m.buffer = copied(T::adj_p2v(m.inner, p));
+      m.keep_in_buffer(copied(T::adj_p2v(m.inner, p)));
       return {m.buffer.data(), m.buffer.data() + m.buffer.size()};
     }
     if (p.raw() == 0 && (m.mistake == bug::corners_not_in_cyclic_order || m.mistake == bug::cells_in_another_order)) {
-      m.buffer = copied(T::adj_p2v(m.inner, p));
+      m.keep_in_buffer(copied(T::adj_p2v(m.inner, p)));
       std::swap(m.buffer[1], m.buffer[2]);
       return {m.buffer.data(), m.buffer.data() + m.buffer.size()};
     }

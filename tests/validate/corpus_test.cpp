@@ -24,7 +24,7 @@ TEST_CASE("corpus: facts and numbers of defects are those of the index") {
     const auto at = [&](const char* name) { return row.column.at(name); };
     std::visit(
         [&]<class M>(const M& m) {
-          const auto r = validate(m, {.most_per_kind = 0});
+          const auto r = validate(m, {.max_per_kind = 0});
           CHECK(r.size() == 0);
           const mesh_facts& f = r.facts;
           CHECK((f.manifold ? "yes" : "no") == at("manifold"));

@@ -63,7 +63,7 @@ TEST_CASE("a polygon of 30,000 sides, and one polyhedron of 2,000 faces") {
   for (unsigned i = 0; i < many; ++i) ring[0].push_back(i);
   x.resize(many);
   const auto flat = validate(polygonmesh(x, ring));
-  CHECK(flat.clean());
+  CHECK(flat.is_clean());
   CHECK(flat.facts.boundary_loops == 1);
 
   std::vector<std::vector<std::pair<unsigned, bool>>> cell(1);
@@ -79,11 +79,11 @@ TEST_CASE("30,000 tets around one edge, closed to a ring and open by one") {
   for (unsigned i = 0; i < many; ++i) tets.push_back({i, (i + 1) % many, many, many + 1});
   for (auto& t : tets) std::swap(t[2], t[3]);
   const auto whole = validate(tetmesh(wheel(many), tets), {.kinds = defect_kinds().without({defect_kind::inverted_cell})});
-  CHECK(whole.clean());
+  CHECK(whole.is_clean());
   CHECK(whole.facts.components == 1);
   CHECK(whole.facts.euler_characteristic == 1);
   tets.pop_back();
   const auto cut = validate(tetmesh(wheel(many), tets), {.kinds = defect_kinds().without({defect_kind::inverted_cell})});
-  CHECK(cut.clean());
+  CHECK(cut.is_clean());
   CHECK(cut.facts.genus == std::optional<std::size_t>(0));
 }

@@ -128,7 +128,7 @@ TEST_CASE("validate: the report has its records in `defects` and everything in w
   const auto all = validate(lonely);
   REQUIRE(all.defects.size() == 3);
   CHECK(all.text() == "3 defects\nisolated vert: " + all.defects[0].what + "\nisolated vert: " + all.defects[1].what + "\nisolated vert: " + all.defects[2].what + "\n");
-  const auto some_of_them = validate(lonely, {.most_per_kind = 1});
+  const auto some_of_them = validate(lonely, {.max_per_kind = 1});
   CHECK(some_of_them.defects.size() == 1);
   CHECK(some_of_them.text() == "3 defects\nisolated vert: " + all.defects[0].what + "\nisolated vert: 2 more\n");
 }

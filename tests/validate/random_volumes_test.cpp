@@ -157,7 +157,7 @@ TEST_CASE_TEMPLATE("random volumes: the same is found by looking at everything, 
   for (int round = 0; round < 1000; ++round) {
     const M m = random_mesh<M>(random);
     const volume_facts f = look_at(m);
-    const auto r = validate(m, {.most_per_kind = 0});
+    const auto r = validate(m, {.max_per_kind = 0});
     REQUIRE(r.count(defect_kind::non_manifold_face) == f.crowded_faces);
     REQUIRE(r.count(defect_kind::unreferenced_face) == f.unreferenced);
     REQUIRE(r.count(defect_kind::isolated_vert) == f.isolated);

@@ -3,7 +3,7 @@
 #include <concino/validate/validate.hpp>
 
 #include <support/kinds.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -44,12 +44,12 @@ const polygons tet_faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 }  // namespace
 
 TEST_CASE_TEMPLATE("grids, pieces and empty meshes have no defect", M, CONCINO_KINDS) {
-  CHECK(validate(M()).clean());
+  CHECK(validate(M()).is_clean());
   for (const unsigned n : {1u, 2u, 4u}) {
     const M m = grid<M>(n);
     const auto r = validate(m);
     for (const auto& d : r) FAIL_CHECK(d.what);
-    CHECK(r.clean());
+    CHECK(r.is_clean());
     CHECK(r.facts.manifold);
     CHECK(r.facts.orientable);
     CHECK(r.facts.components == 1);
@@ -65,15 +65,15 @@ TEST_CASE_TEMPLATE("grids, pieces and empty meshes have no defect", M, CONCINO_K
 }
 
 TEST_CASE("meshes of strangers") {
-  shows(tiny::surface_example(), defect_kind::isolated_vert, tiny::vertex{7});
-  shows(tiny::volume_example(), defect_kind::isolated_vert, tiny::vertex{9});
-  CHECK(validate(tiny::volume_example()).facts.genus == std::optional<std::size_t>(0));
+  shows(user_mesh::surface_example(), defect_kind::isolated_vert, user_mesh::vertex{7});
+  shows(user_mesh::volume_example(), defect_kind::isolated_vert, user_mesh::vertex{9});
+  CHECK(validate(user_mesh::volume_example()).facts.genus == std::optional<std::size_t>(0));
   // What the library's own meshes refuse.
-  const tiny::surface twice({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 1}});
+  const user_mesh::surface twice({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 1}});
   CHECK(validate(twice).count(defect_kind::degenerate_element) == 1);
-  const tiny::surface digon({{0, 0, 0}, {1, 0, 0}}, {{0, 1}});
+  const user_mesh::surface digon({{0, 0, 0}, {1, 0, 0}}, {{0, 1}});
   CHECK(validate(digon).count(defect_kind::degenerate_element) == 1);
-  const tiny::surface loop({{0, 0, 0}}, {{0}});
+  const user_mesh::surface loop({{0, 0, 0}}, {{0}});
   CHECK(validate(loop).count(defect_kind::degenerate_element) == 2);  // the poly and its edge
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("surfaces: sizes and shapes") {
   shows(polygonmesh({{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}, {{0, 1, 2}}), defect_kind::zero_size, edge_id{0}, 4);
 
   shows(polygonmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}}, {{0, 1, 2, 3}}), defect_kind::non_planar, poly_id{0});
-  CHECK(validate(polygonmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}}, {{0, 1, 2, 3}})).clean());
+  CHECK(validate(polygonmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}}, {{0, 1, 2, 3}})).is_clean());
 
   const std::vector<std::vector<vec3>> crossing = {
       {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},                                // a bow tie: its area cancels out
@@ -154,7 +154,7 @@ TEST_CASE("surfaces: sizes and shapes") {
       shows(polygonmesh(x, polygons{ring}), defect_kind::self_touching, poly_id{0});
       for (vec3& p : x) p = {p.z + 5, p.x + 0.5 * p.y, p.y};  // and elsewhere
     }
-  CHECK(validate(polygonmesh(polygon_grid(3))).clean());
+  CHECK(validate(polygonmesh(polygon_grid(3))).is_clean());
   // Many corners: a comb whose last tooth is or is not too long.
   for (const bool too_long : {false, true}) {
     std::vector<vec3> x = {{0, -1, 0}, {4000, -1, 0}};
@@ -166,7 +166,7 @@ TEST_CASE("surfaces: sizes and shapes") {
     for (std::size_t i = 0; i < x.size(); ++i) ring.push_back(static_cast<int>(i));
     const polygonmesh comb(x, polygons{ring});
     if (too_long) shows(comb, defect_kind::self_touching, poly_id{0});
-    else CHECK(validate(comb).clean());
+    else CHECK(validate(comb).is_clean());
   }
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("volumes: how polys meet") {
   // Joined straight they are a solid torus.
   const hexmesh torus(x, std::vector<std::array<int, 8>>{{0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}, {8, 9, 10, 11, 0, 1, 2, 3}});
   const auto good = validate(only_mesh(torus));
-  CHECK(good.clean());
+  CHECK(good.is_clean());
   CHECK(good.facts.genus == std::optional<std::size_t>(1));
 
   const auto twice = validate(tetmesh(some, tets{{0, 1, 2, 3}, {0, 1, 2, 3}}), {.kinds = {defect_kind::duplicated_element}});
@@ -227,7 +227,7 @@ TEST_CASE("volumes: how polys meet") {
 TEST_CASE("volumes: polys and faces") {
   const std::vector<vec3> four(some.begin(), some.begin() + 4), five(some.begin(), some.begin() + 5);
   const auto tet = cells{{{0, true}, {1, true}, {2, true}, {3, true}}};
-  CHECK(validate(polyhedralmesh(four, tet_faces, tet)).clean());
+  CHECK(validate(polyhedralmesh(four, tet_faces, tet)).is_clean());
   polygons more = tet_faces;
   more.push_back({0, 1, 2, 3});
   shows(polyhedralmesh(four, more, tet), defect_kind::unreferenced_face, face_id{4}, 1, {.kinds = defect_kinds().without({defect_kind::duplicated_element, defect_kind::non_planar})});
@@ -274,20 +274,20 @@ TEST_CASE("options: kinds, how many, tolerances, progress") {
   for (int i = 0; i < 30; ++i) x.push_back({i, i * i, 0});
   const trimesh loose(x, tris{{0, 1, 2}});
   CHECK(validate(loose).size() == 27);
-  const auto few = validate(loose, {.most_per_kind = 4});
+  const auto few = validate(loose, {.max_per_kind = 4});
   CHECK(few.size() == 4);
   CHECK(few.count(defect_kind::isolated_vert) == 27);
   CHECK(few.count() == 27);
-  CHECK_FALSE(few.clean());
-  CHECK(validate(loose, {.kinds = {defect_kind::zero_size}}).clean());
+  CHECK_FALSE(few.is_clean());
+  CHECK(validate(loose, {.kinds = {defect_kind::zero_size}}).is_clean());
 
   const trimesh sliver({{0, 0, 0}, {1, 0, 0}, {0.5, 0.001, 0}}, {{0, 1, 2}});
-  CHECK(validate(sliver).clean());
+  CHECK(validate(sliver).is_clean());
   shows(sliver, defect_kind::zero_size, poly_id{0}, 1, {.size_tolerance = 0.001});
   const trimesh narrow({{0, 0, 0}, {1, 0, 0}, {1, 0.01, 0}}, {{0, 1, 2}});
   shows(narrow, defect_kind::zero_size, edge_id{2}, 1, {.length_tolerance = 0.02});
   const tetmesh thin({{0, 0, 0}, {1, 0, 0}, {0.2, 1, 0}, {1, 1, 0.001}}, {{0, 1, 2, 3}});
-  CHECK(validate(thin).clean());
+  CHECK(validate(thin).is_clean());
   shows(thin, defect_kind::zero_size, poly_id{0}, 1, {.size_tolerance = 0.001});
   const quadmesh bent({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}}, {{0, 1, 2, 3}});
   shows(bent, defect_kind::non_planar, poly_id{0}, 1, {.planarity_tolerance = 0.01});

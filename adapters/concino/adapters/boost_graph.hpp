@@ -27,16 +27,16 @@ namespace concino::detail {
 
 /// Graphs whose vertex_descriptors are the numbers 0 .. num_vertices - 1, and classes derived from them.
 template<class D, class V, class E, class P, class I, class J>
-std::true_type numbers_its_verts(const boost::compressed_sparse_row_graph<D, V, E, P, I, J>&);
+std::true_type has_integer_verts(const boost::compressed_sparse_row_graph<D, V, E, P, I, J>&);
 template<class O, class D, class V, class E, class P, class L>
-std::true_type numbers_its_verts(const boost::adjacency_list<O, boost::vecS, D, V, E, P, L>&);
-template<class G> concept numbered_graph = requires(const G& g) { detail::numbers_its_verts(g); };
+std::true_type has_integer_verts(const boost::adjacency_list<O, boost::vecS, D, V, E, P, L>&);
+template<class G> concept numbered_graph = requires(const G& g) { detail::has_integer_verts(g); };
 
 /// Lists whose vertex_index Boost does not have and may not even be asked for.
 template<class O, class S, class D, class V, class E, class P, class L>
   requires(!std::same_as<S, boost::vecS> && !boost::lookup_one_property<V, boost::vertex_index_t>::found)
-std::true_type lacks_index(const boost::adjacency_list<O, S, D, V, E, P, L>&);
-template<class G> concept unnumbered_graph = requires(const G& g) { detail::lacks_index(g); };
+std::true_type has_no_vertex_index(const boost::adjacency_list<O, S, D, V, E, P, L>&);
+template<class G> concept unnumbered_graph = requires(const G& g) { detail::has_no_vertex_index(g); };
 
 template<class G> using boost_vert = typename boost::graph_traits<G>::vertex_descriptor;
 
@@ -74,7 +74,7 @@ class boost_range {
   iterator end() const { return {last_, at_}; }
 };
 
-struct itself {
+struct identity {
   template<class V>
   V operator()(const V& v) const { return v; }
 };
@@ -85,17 +85,17 @@ struct target_in {
   boost_vert<G> operator()(const Arc& a) const { return target(a, *g); }
 };
 
-template<class Vert, class Base, class At = itself>
-boost_range<Vert, Base, At> walk(std::pair<Base, Base> both, At at = {}) { return {std::move(both), at}; }
+template<class Vert, class Base, class At = identity>
+boost_range<Vert, Base, At> make_boost_range(std::pair<Base, Base> both, At at = {}) { return {std::move(both), at}; }
 
 /// The verts of any graph, and what each leads to.
 template<class G>
-struct boost_walks {
+struct boost_ranges {
   using vert = boost_vert<G>;
-  static auto verts_of(const G& g) { return detail::walk<vert>(std::pair(vertices(g))); }
+  static auto verts_of(const G& g) { return detail::make_boost_range<vert>(std::pair(vertices(g))); }
   static auto neighbours(const G& g, const vert& v) {
-    if constexpr (lists_neighbours<G>) return detail::walk<vert>(std::pair(adjacent_vertices(v, g)));
-    else return detail::walk<vert>(std::pair(out_edges(v, g)), target_in<G>{&g});
+    if constexpr (lists_neighbours<G>) return detail::make_boost_range<vert>(std::pair(adjacent_vertices(v, g)));
+    else return detail::make_boost_range<vert>(std::pair(out_edges(v, g)), target_in<G>{&g});
   }
 };
 
@@ -120,12 +120,12 @@ template<class G> concept has_vertex_index = is_boost_graph<G> && !concino::deta
 template<detail::numbered_graph G>
 struct mesh_traits<G> {
   using vert = detail::boost_vert<G>;
-  static auto verts(const G& g) { return detail::boost_walks<G>::verts_of(g); }
+  static auto verts(const G& g) { return detail::boost_ranges<G>::verts_of(g); }
   static std::size_t num_verts(const G& g) { return num_vertices(g); }
   static std::size_t vert_index_bound(const G& g) { return num_vertices(g); }
   static std::size_t index_of(const G&, vert v) { return v; }
   static bool contains(const G& g, vert v) { return v < num_vertices(g); }
-  static auto adj_v2v(const G& g, vert v) { return detail::boost_walks<G>::neighbours(g, v); }
+  static auto adj_v2v(const G& g, vert v) { return detail::boost_ranges<G>::neighbours(g, v); }
 };
 
 namespace views {
@@ -139,7 +139,7 @@ class foreign_graph {
 
  public:
   foreign_graph(const G& g, Index index) : g_(&g), index_(std::move(index)) {
-    for (const auto v : detail::boost_walks<G>::verts_of(g)) {
+    for (const auto v : detail::boost_ranges<G>::verts_of(g)) {
       ++count_;
       bound_ = std::max(bound_, index_of(v) + 1);
     }
@@ -157,11 +157,11 @@ struct mesh_traits<views::foreign_graph<G, Index>> {
   using view = views::foreign_graph<G, Index>;
   using vert = detail::boost_vert<G>;
   static constexpr bool is_view = true;
-  static auto verts(const view& g) { return detail::boost_walks<G>::verts_of(g.base()); }
+  static auto verts(const view& g) { return detail::boost_ranges<G>::verts_of(g.base()); }
   static std::size_t num_verts(const view& g) { return g.count(); }
   static std::size_t vert_index_bound(const view& g) { return g.bound(); }
   static std::size_t index_of(const view& g, const vert& v) { return g.index_of(v); }
-  static auto adj_v2v(const view& g, const vert& v) { return detail::boost_walks<G>::neighbours(g.base(), v); }
+  static auto adj_v2v(const view& g, const vert& v) { return detail::boost_ranges<G>::neighbours(g.base(), v); }
 };
 
 /// A graph of Boost's as a PrimalGraph whose verts are Boost's vertex_descriptors.

@@ -7,10 +7,10 @@
 // Stored: nothing. Cost: every ring in time proportional to its length, as CGAL walks it; neighbours, ends and indices in constant time.
 // Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, and index bounds count them.
 // Property maps of the mesh are maps: map[v] reads and writes. add_vert and add_poly add; what CGAL cannot link is refused.
-// point(m, v) gives the coordinates of CGAL's points as doubles: those of inexact kernels as they are, those of exact ones by
-// CGAL::to_double (numbers that are doubles exactly, others of lazy kernels to the relative precision set there, 1e-5 unless told otherwise;
-// that may evaluate them, which is as safe from several threads as the kernel is). Points in the plane have z = 0. Other types
-// of points are given as they are, by reference, if they have p[0], p[1], p[2]; a mesh over anything else has no points.
+// point(m, v) gives the coordinates of CGAL's points as doubles. Those of inexact kernels are copied, those of exact kernels go through
+// CGAL::to_double. That is exact for numbers that are doubles; for others a lazy kernel's relative precision holds, 1e-5 by default.
+// CGAL::to_double may evaluate lazy numbers, which is as safe from several threads as the kernel is. Points in the plane have z = 0.
+// Other types of points are returned by reference if they have p[0], p[1], p[2]; a mesh over anything else has no points.
 // Needs: CGAL 5.5 (Debian: libcgal-dev).
 //        Connectivity that CGAL calls valid, in which no two edges join the same two verts. Euler operations can make such; check_laws finds it.
 //

@@ -65,9 +65,9 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
 /// Only the lower triangle of the matrix is read. A matrix with the pattern of the one factorised before, explicit zeros included, is
 /// factorised in the order found then. How fast it is depends on the BLAS it runs on: with OpenBLAS (Debian: libopenblas0-serial) some 6 times
 /// Eigen's speed at 200,000 unknowns, with the reference BLAS far less.
-/// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, is not positive definite
-///         (the row is named), or the factor is too large; from solve if nothing was factorised, or the right-hand side has another size or
-///         is not finite, or the solution is not. A failed factorize leaves nothing to solve with.
+/// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite or is not positive
+///         definite (the row is named), or if the factor is too large. solve throws it if nothing was factorised, the right-hand side has
+///         another size, or an entry of it or of the solution is not finite. A failed factorize leaves nothing to solve with.
 /// Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887, 2008, through Eigen's CholmodSupport; nested dissection: Karypis, Kumar 1998, METIS. The
 ///         supernodal module is under the GPL.
 class cholmod {

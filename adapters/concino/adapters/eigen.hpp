@@ -42,15 +42,15 @@ constexpr std::ptrdiff_t eigen_step(int at_compile_time) { return at_compile_tim
 /// Where the numbers of an array lie. X is what Eigen knows it as, T the type of its numbers, const if they may not be written. Flat: a
 /// vector, lying or standing, whose numbers are meant one after another.
 template<class X, class T, bool Flat>
-class eigen_place {
+class eigen_layout {
   static constexpr std::ptrdiff_t inner = eigen_step(X::InnerStrideAtCompileTime), outer = eigen_step(X::OuterStrideAtCompileTime);
-  static constexpr std::ptrdiff_t down = X::IsRowMajor ? outer : inner, across = X::IsRowMajor ? inner : outer;
+  static constexpr std::ptrdiff_t inner_row_stride = X::IsRowMajor ? outer : inner, inner_column_stride = X::IsRowMajor ? inner : outer;
   using matrix = std::conditional_t<std::is_const_v<T>, const X, X>;
   struct place {
     T* start;
     Eigen::Index num_rows, num_columns;
-    step_of<down> row_step;
-    step_of<across> column_step;
+    step_of<inner_row_stride> row_step;
+    step_of<inner_column_stride> column_step;
     T* data() const { return start; }
     Eigen::Index rows() const { return num_rows; }
     Eigen::Index cols() const { return num_columns; }
@@ -65,19 +65,19 @@ class eigen_place {
     else return (kept_);
   }
   // Steps as the type says, where it does, so that the compiler may count on them.
-  step_of<down> row_step() const { return at().rowStride(); }
-  step_of<across> column_step() const { return at().colStride(); }
+  step_of<inner_row_stride> row_step() const { return at().rowStride(); }
+  step_of<inner_column_stride> column_step() const { return at().colStride(); }
 
  public:
   static constexpr int columns = X::ColsAtCompileTime == Eigen::Dynamic ? 0 : X::ColsAtCompileTime;
 
   template<class A>
     requires by_address
-  explicit eigen_place(A& a) : kept_(&a) {}
+  explicit eigen_layout(A& a) : kept_(&a) {}
   template<class A>
-  explicit eigen_place(A& a) : kept_{a.data(), a.rows(), a.cols(), a.rowStride(), a.colStride()} {}
+  explicit eigen_layout(A& a) : kept_{a.data(), a.rows(), a.cols(), a.rowStride(), a.colStride()} {}
 
-  std::string misfit(unsigned wanted) const {
+  std::string shape_error(unsigned wanted) const {
     if (at().rows() == 0 || at().cols() == static_cast<Eigen::Index>(wanted)) return {};
     return core::joined({"has ", at().cols(), " columns; it needs ", wanted,
                    wanted == 3 && at().cols() == 2 ? ", or a type with 2 columns such as Eigen::MatrixX2d" : ""});
@@ -86,13 +86,13 @@ class eigen_place {
   auto row(std::size_t i) const
     requires(!Flat)
   {
-    return strided<T, across>(at().data() + static_cast<std::ptrdiff_t>(i) * row_step(), column_step());
+    return strided<T, inner_column_stride>(at().data() + static_cast<std::ptrdiff_t>(i) * row_step(), column_step());
   }
   auto numbers() const
     requires Flat
   {
-    if constexpr (X::ColsAtCompileTime == 1) return strided<T, down>(at().data(), row_step());
-    else return strided<T, across>(at().data(), column_step());
+    if constexpr (X::ColsAtCompileTime == 1) return strided<T, inner_row_stride>(at().data(), row_step());
+    else return strided<T, inner_column_stride>(at().data(), column_step());
   }
 };
 
@@ -112,7 +112,7 @@ struct array_source<A> {
   static auto place(T& a) {
     constexpr bool is_const = std::is_const_v<T> || !(X::Flags & Eigen::LvalueBit);
     using number = typename X::Scalar;
-    return eigen_place<X, std::conditional_t<is_const, const number, number>, Flat>(a);
+    return eigen_layout<X, std::conditional_t<is_const, const number, number>, Flat>(a);
   }
 };
 

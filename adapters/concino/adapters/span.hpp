@@ -34,11 +34,11 @@ template<class A> concept spannable = !requires { typename A::PlainObject; } && 
 
 /// An array; A is const where it may not be written. A container is kept by address, a span as it is.
 template<class A>
-class kept_span {
+class span_storage {
   std::conditional_t<is_span<std::remove_const_t<A>>, std::remove_const_t<A>, A*> kept_;
 
  public:
-  explicit kept_span(A& a) : kept_([&] { if constexpr (is_span<std::remove_const_t<A>>) return a; else return &a; }()) {}
+  explicit span_storage(A& a) : kept_([&] { if constexpr (is_span<std::remove_const_t<A>>) return a; else return &a; }()) {}
   auto get() const {
     if constexpr (is_span<std::remove_const_t<A>>) return kept_;
     else return std::span(*kept_);
@@ -48,13 +48,13 @@ class kept_span {
 
 /// Numbers one after another, N of them a row.
 template<class A, unsigned N>
-class rows_of_numbers : kept_span<A> {
+class rows_of_numbers : span_storage<A> {
  public:
   static constexpr unsigned columns = N;
-  using kept_span<A>::kept_span;
+  using span_storage<A>::span_storage;
   std::size_t size() const { return this->get().size() / N; }
   auto row(std::size_t i) const { return strided(this->get().data() + i * N); }
-  std::string misfit(unsigned) const {
+  std::string shape_error(unsigned) const {
     const std::size_t n = this->get().size();
     if (n % N == 0) return {};
     return core::joined({"has ", n, " numbers; it needs ", N, " for each"});
@@ -68,23 +68,23 @@ class rows_of_numbers : kept_span<A> {
 
 /// Objects, each of them a row.
 template<class A>
-class rows_of_objects : kept_span<A> {
-  using object = std::remove_const_t<typename kept_span<A>::element>;
+class rows_of_objects : span_storage<A> {
+  using object = std::remove_const_t<typename span_storage<A>::element>;
 
  public:
   static constexpr std::size_t columns = array_size<object> ? array_size<object> : 3;
-  using kept_span<A>::kept_span;
+  using span_storage<A>::span_storage;
   std::size_t size() const { return this->get().size(); }
   decltype(auto) row(std::size_t i) const {
     if constexpr (array_size<object> > 0) return strided(this->get()[i].data());
     else return this->get()[i];
   }
-  std::string misfit(unsigned) const { return {}; }
+  std::string shape_error(unsigned) const { return {}; }
 };
 
 template<spannable A>
 struct array_source<A> {
-  using number_or_object = std::remove_const_t<typename kept_span<A>::element>;
+  using number_or_object = std::remove_const_t<typename span_storage<A>::element>;
   static constexpr bool is_view = is_span<A>;
 
   template<unsigned N, class T>

@@ -155,9 +155,9 @@ struct eigenproblem {
 ///         by powers of 2 scales values exactly, and so vectors where that of M is one of 4.
 /// Cost:   one factorisation and, for each pair, some 3 to 11 solves; O(rows count) memory. All at once, O(rows^3), where rows < 2 count + 1
 ///         or there are no more than 32.
-/// Errors: invalid_argument if count or an option is out of its range, or the matrices are not of one size; solver_error if a matrix has entries
-///         that are not finite, a row has no mass, M is not positive definite, or not all have converged, how many and with which residual; those
-///         of the solver.
+/// Errors: invalid_argument if count or an option is out of its range, or the matrices differ in size. solver_error if a matrix has entries that
+///         are not finite, a row has no mass, or M is not positive definite. solver_error if not all pairs have converged: it names how many have,
+///         and the residual. Those of the solver.
 /// Source: Lehoucq, Sorensen 1996, "Deflation techniques for an implicitly restarted Arnoldi iteration", in Spectra; paper section 2.2.
 template<class Solver = ldlt>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -208,13 +208,13 @@ struct eigenfunctions_result {
 /// Source: Vallet, Levy 2008, "Spectral geometry processing with manifold harmonics"; Reuter, Wolter, Peinecke 2006, "Laplace-Beltrami spectra as
 ///         Shape-DNA"; Kac 1966, "Can one hear the shape of a drum?".
 template<class M, class Solver = ldlt>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const eigenfunctions_options& options = {},
                                                              Solver&& solver = {}) {
   return eigenfunctions(m, count, virtual_elements, options, solver);
 }
 template<class M, class D, class Solver = ldlt>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const D& discretisation,
                                                              const eigenfunctions_options& options = {}, Solver&& solver = {}) {
   const Eigen::SparseMatrix<double> k = -laplacian(m, discretisation);

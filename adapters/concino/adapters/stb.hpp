@@ -3,8 +3,8 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/io/atomic_file.hpp>
 #include <concino/io/options.hpp>
-#include <concino/io/replacing_file.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/render/image.hpp>
 
@@ -160,7 +160,7 @@ namespace concino {
   if ((3 * picture.width() + 1) * picture.height() > std::size_t{1} << 30)
     core::throw_joined<unsupported>({"write_png: ", path, ": ", picture.width(), " x ", picture.height(), " pixels are more than 1 GiB"});
   const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());
-  replacing_file file(path, {.sync = options.sync});
+  atomic_file file(path, {.sync = options.sync});
   const std::vector<std::uint8_t> pixels = srgb_bytes(picture);
   const detail::stb_memory memory;
   int length = 0;

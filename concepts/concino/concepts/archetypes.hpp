@@ -19,47 +19,47 @@
 namespace concino {
 
 /// m stripped to PrimalGraph: verts and adj_v2v.
-template<PrimalGraph M> constexpr auto only_primal_graph(const M& m) { return archetypes::only<M, archetypes::primal>(m); }
+template<PrimalGraph M> constexpr auto only_primal_graph(const M& m) { return archetypes::archetype<M, archetypes::primal>(m); }
 template<class M> void only_primal_graph(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to PrimalGraph and Embedded.
-template<EmbeddedGraph M> constexpr auto only_embedded_graph(const M& m) { return archetypes::only<M, archetypes::primal | archetypes::points>(m); }
+template<EmbeddedGraph M> constexpr auto only_embedded_graph(const M& m) { return archetypes::archetype<M, archetypes::primal | archetypes::points>(m); }
 template<class M> void only_embedded_graph(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to DualGraph: polys and adj_p2p.
-template<DualGraph M> constexpr auto only_dual_graph(const M& m) { return archetypes::only<M, archetypes::dual>(m); }
+template<DualGraph M> constexpr auto only_dual_graph(const M& m) { return archetypes::archetype<M, archetypes::dual>(m); }
 template<class M> void only_dual_graph(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to PrimalGraph and DualGraph: no edges or faces, nothing from verts to polys.
 template<PrimalGraph M>
   requires DualGraph<M>
-constexpr auto only_graphs(const M& m) { return archetypes::only<M, archetypes::primal | archetypes::dual>(m); }
+constexpr auto only_graphs(const M& m) { return archetypes::archetype<M, archetypes::primal | archetypes::dual>(m); }
 template<class M> void only_graphs(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to Embedded: a point per vert, no way to find the verts.
-template<Embedded M> constexpr auto only_embedded(const M& m) { return archetypes::only<M, archetypes::points>(m); }
+template<Embedded M> constexpr auto only_embedded(const M& m) { return archetypes::archetype<M, archetypes::points>(m); }
 template<class M> void only_embedded(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to SurfaceMesh: polygons of any arity, no points.
-template<SurfaceMesh M> constexpr auto only_surface_mesh(const M& m) { return archetypes::only<M, archetypes::mesh>(m); }
+template<SurfaceMesh M> constexpr auto only_surface_mesh(const M& m) { return archetypes::archetype<M, archetypes::mesh>(m); }
 template<class M> void only_surface_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to VolumeMesh: polyhedra of any shape, no points.
-template<VolumeMesh M> constexpr auto only_volume_mesh(const M& m) { return archetypes::only<M, archetypes::mesh>(m); }
+template<VolumeMesh M> constexpr auto only_volume_mesh(const M& m) { return archetypes::archetype<M, archetypes::mesh>(m); }
 template<class M> void only_volume_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to SurfaceMesh or VolumeMesh, whichever it is, without points.
-template<AnyMesh M> constexpr auto only_mesh(const M& m) { return archetypes::only<M, archetypes::mesh>(m); }
+template<AnyMesh M> constexpr auto only_mesh(const M& m) { return archetypes::archetype<M, archetypes::mesh>(m); }
 template<class M> void only_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// m stripped to SurfaceMesh or VolumeMesh, and Embedded.
-template<EmbeddedMesh M> constexpr auto only_embedded_mesh(const M& m) { return archetypes::only<M, archetypes::mesh | archetypes::points>(m); }
+template<EmbeddedMesh M> constexpr auto only_embedded_mesh(const M& m) { return archetypes::archetype<M, archetypes::mesh | archetypes::points>(m); }
 template<class M> void only_embedded_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 /// The same, and still known to be of triangles, quads, tets or hexes: TriMesh, QuadMesh, TetMesh or HexMesh, and Embedded.
 template<EmbeddedMesh M>
   requires(arity_v<M> > 0)
-constexpr auto only_fixed_arity_mesh(const M& m) { return archetypes::only<M, archetypes::mesh | archetypes::points | archetypes::arity>(m); }
+constexpr auto only_fixed_arity_mesh(const M& m) { return archetypes::archetype<M, archetypes::mesh | archetypes::points | archetypes::arity>(m); }
 template<class M> void only_fixed_arity_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

@@ -8,7 +8,7 @@ namespace concino {
 
 namespace detail {
 
-struct walk_end {};
+struct end_sentinel {};
 
 /// The edges at one end of an edge, then those at the other, without the edge itself and without those that were at the first end too.
 template<class M>
@@ -16,7 +16,7 @@ class edges_of_edge {
   using edge = edge_t<M>;
   using vert = vert_t<M>;
   using ring = decltype(adj_v2e(std::declval<const M&>(), std::declval<vert>()));
-  using step = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
+  using base_iterator = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
 
   const M* m_;
   edge e_;
@@ -34,7 +34,7 @@ class edges_of_edge {
  public:
   class iterator {
     const edges_of_edge* r_;
-    step a_, b_;
+    base_iterator a_, b_;
 
     void skip() {
       while (a_ != r_->at_a_.end() && *a_ == r_->e_) ++a_;
@@ -51,7 +51,7 @@ class edges_of_edge {
       skip();
       return *this;
     }
-    bool operator!=(walk_end) const { return a_ != r_->at_a_.end() || b_ != r_->at_b_.end(); }
+    bool operator!=(end_sentinel) const { return a_ != r_->at_a_.end() || b_ != r_->at_b_.end(); }
   };
 
   edges_of_edge(const M& m, const edge& e)
@@ -59,7 +59,7 @@ class edges_of_edge {
   edges_of_edge(const edges_of_edge&) = delete;
 
   iterator begin() const { return iterator(*this); }
-  walk_end end() const { return {}; }
+  end_sentinel end() const { return {}; }
 };
 
 /// The faces at one edge of a face after the other, without the face itself and without those that an earlier edge has shown. Remembers
@@ -69,11 +69,11 @@ class faces_of_face {
   using edge = edge_t<M>;
   using face = face_t<M>;
   using ring = decltype(adj_f2e(std::declval<const M&>(), std::declval<face>()));
-  using step = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
+  using base_iterator = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
 
   const M* m_;
   face f_;
-  ring rim_;
+  ring face_edges_;
 
   bool is_at(const face& x, const edge& e) const {
     auto&& rim = adj_f2e(*m_, x);
@@ -85,25 +85,25 @@ class faces_of_face {
  public:
   class iterator {
     const faces_of_face* r_;
-    step e_;
+    base_iterator e_;
     std::size_t edges_ = 0, faces_ = 0;  // edges behind e_, and faces behind x_ at e_
     face x_{};
 
-    bool shown(const face& x) const {
-      auto it = r_->rim_.begin();
+    bool is_repeated(const face& x) const {
+      auto it = r_->face_edges_.begin();
       for (std::size_t i = 0; i < edges_; ++i, ++it)
         if (r_->is_at(x, *it)) return true;
       return false;
     }
     /// The first face from number faces_ on at this or a later edge that is to be shown.
     void find() {
-      for (; e_ != r_->rim_.end(); ++e_, ++edges_, faces_ = 0) {
+      for (; e_ != r_->face_edges_.end(); ++e_, ++edges_, faces_ = 0) {
         auto&& fan = adj_e2f(*r_->m_, *e_);
         std::size_t i = 0;
         for (auto it = fan.begin(); it != fan.end(); ++it, ++i) {
           if (i < faces_) continue;
           x_ = *it;
-          if (x_ == r_->f_ || shown(x_)) continue;
+          if (x_ == r_->f_ || is_repeated(x_)) continue;
           faces_ = i;
           return;
         }
@@ -111,21 +111,21 @@ class faces_of_face {
     }
 
    public:
-    explicit iterator(const faces_of_face& r) : r_(&r), e_(r.rim_.begin()) { find(); }
+    explicit iterator(const faces_of_face& r) : r_(&r), e_(r.face_edges_.begin()) { find(); }
     face operator*() const { return x_; }
     iterator& operator++() {
       ++faces_;
       find();
       return *this;
     }
-    bool operator!=(walk_end) const { return e_ != r_->rim_.end(); }
+    bool operator!=(end_sentinel) const { return e_ != r_->face_edges_.end(); }
   };
 
-  faces_of_face(const M& m, const face& f) : m_(&m), f_(f), rim_(adj_f2e(m, f)) {}
+  faces_of_face(const M& m, const face& f) : m_(&m), f_(f), face_edges_(adj_f2e(m, f)) {}
   faces_of_face(const faces_of_face&) = delete;
 
   iterator begin() const { return iterator(*this); }
-  walk_end end() const { return {}; }
+  end_sentinel end() const { return {}; }
 };
 
 }  // namespace detail

@@ -120,7 +120,7 @@ template<class M>
 class polys_without {
   using poly = poly_t<M>;
   using ring = decltype(adj_facet2p(std::declval<const M&>(), std::declval<facet_t<M>>()));
-  using step = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
+  using base_iterator = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
   using last = decltype(std::declval<const std::remove_reference_t<ring>&>().end());
 
   ring polys_;
@@ -134,7 +134,7 @@ class polys_without {
   };
   class iterator {
     const polys_without* r_;
-    step it_;
+    base_iterator it_;
     constexpr bool is_left_out() const {
       const poly p = *it_;
       return p == r_->left_out_;

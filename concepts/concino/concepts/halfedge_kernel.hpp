@@ -59,7 +59,7 @@ struct halfedge_kernel : K {
  private:
   using L = halfedge_links;
   template<class X, class Tag> static constexpr bool is_id = std::same_as<X, id<Tag>>;
-  template<detail::around Ring> using ring = detail::halfedge_ring<M, L, Ring>;
+  template<detail::ring_kind Ring> using ring = detail::halfedge_ring<M, L, Ring>;
 
  public:
   static decltype(auto) verts(const M& m) requires(requires { K::verts(m); } || (is_id<vert, vert_tag> && requirement::has_number_of_verts<K, M>)) {
@@ -93,11 +93,11 @@ struct halfedge_kernel : K {
     else return x.raw();
   }
 
-  static auto adj_v2v(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::around::v2v>::of(m, v); }
-  static auto adj_v2e(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::around::v2e>::of(m, v); }
-  static auto adj_v2p(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::around::v2p>::of(m, v); }
-  static auto adj_p2v(const M& m, poly p) requires HalfedgeLinks<K, M> { return ring<detail::around::p2v>::of(m, p); }
-  static auto adj_p2e(const M& m, poly p) requires HalfedgeLinks<K, M> { return ring<detail::around::p2e>::of(m, p); }
+  static auto adj_v2v(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::ring_kind::v2v>::of(m, v); }
+  static auto adj_v2e(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::ring_kind::v2e>::of(m, v); }
+  static auto adj_v2p(const M& m, vert v) requires HalfedgeLinks<K, M> { return ring<detail::ring_kind::v2p>::of(m, v); }
+  static auto adj_p2v(const M& m, poly p) requires HalfedgeLinks<K, M> { return ring<detail::ring_kind::p2v>::of(m, p); }
+  static auto adj_p2e(const M& m, poly p) requires HalfedgeLinks<K, M> { return ring<detail::ring_kind::p2e>::of(m, p); }
   static auto adj_p2p(const M& m, poly p) requires HalfedgeLinks<K, M> { return detail::halfedge_neighbours<M, L>(m, p); }
   static auto adj_e2v(const M& m, edge e) requires HalfedgeLinks<K, M> {
     const typename L::halfedge h = L::halfedge_of(m, e);

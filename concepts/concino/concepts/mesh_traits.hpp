@@ -97,7 +97,7 @@ namespace requirement {
 
 /// What a result may refer to after the call: a mesh with a name, or a view, which is copied. A function that returns a map asks for
 /// this of its argument, so that handing it a temporary mesh does not compile instead of leaving a dangling pointer.
-template<class M> concept is_no_temporary = std::is_lvalue_reference_v<M> || is_view_v<M>;
+template<class M> concept is_lvalue_or_view = std::is_lvalue_reference_v<M> || is_view_v<M>;
 
 }  // namespace requirement
 
@@ -127,7 +127,7 @@ inline constexpr sentence include_adapter("include the adapter of the mesh's lib
 template<sentence Remedy>
 struct temporary_mesh {
   template<class M>
-    requires(requirement::is_adapted<M> && !requirement::is_no_temporary<M>)
+    requires(requirement::is_adapted<M> && !requirement::is_lvalue_or_view<M>)
   temporary_mesh(M&&);
 };
 inline constexpr sentence name_the_mesh("the result refers to the mesh, which must not be a temporary: give it a name, auto m = ...;");

@@ -20,8 +20,8 @@ class oriented_ring {
   using vert = vert_t<M>;
   using vert_ring = decltype(std::declval<const Verts&>()(std::declval<const M&>(), std::declval<const X&>()));
   using edge_ring = decltype(std::declval<const Edges&>()(std::declval<const M&>(), std::declval<const X&>()));
-  using vert_step = decltype(std::declval<const std::remove_reference_t<vert_ring>&>().begin());
-  using edge_step = decltype(std::declval<const std::remove_reference_t<edge_ring>&>().begin());
+  using vert_iterator = decltype(std::declval<const std::remove_reference_t<vert_ring>&>().begin());
+  using edge_iterator = decltype(std::declval<const std::remove_reference_t<edge_ring>&>().begin());
 
   vert_ring verts_;
   edge_ring edges_;
@@ -30,8 +30,8 @@ class oriented_ring {
   struct sentinel {};
   class iterator {
     const oriented_ring* r_;
-    edge_step edge_;
-    vert_step next_;
+    edge_iterator edge_;
+    vert_iterator next_;
     vert first_{}, from_{};
 
     void step() {

@@ -8,7 +8,7 @@
 // What a solver may have besides, and problems ask for:
 //   static constexpr bool reads_both_triangles = true    symmetric matrices come whole; otherwise as their lower triangle
 //   static constexpr bool solves_least_squares = true    factorises matrices with more rows than columns, and solves for the nearest
-//   bool iterates() const                                solves to a tolerance: values far smaller than the largest have no correct digits
+//   bool is_iterative() const                                solves to a tolerance: values far smaller than the largest have no correct digits
 //   double residual() const                              of solvers that iterate: of the last solve, which may miss its tolerance if that was allowed
 //   options() const                                      what makes another solver like it; otherwise others are made by default, or as copies
 //   void use_order_of(const S&)                          takes over the order that another has found, for matrices of the same pattern

@@ -209,13 +209,13 @@ inline constexpr struct adj_f2v_verb : detail::verb {
 inline constexpr struct adj_f2e_verb : detail::verb {
   using verb::operator();
   template<class M>
-    requires requires(const M& m, face_t<M> f) { traits<M>::adj_f2e(m, f); } && requirement::has_what_sorts_edges_of_faces<M>
+    requires requires(const M& m, face_t<M> f) { traits<M>::adj_f2e(m, f); } && requirement::can_sort_edges_of_faces<M>
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const {
     if constexpr (detail::order_of_edges<M>::sorts_those_of_faces) return typename detail::order_of_edges<M>::of_face(m, f);
     else return traits<M>::adj_f2e(m, f);
   }
-  template<class M, class R = mistake::remedy<mistake::give_what_sorts_faces>>
-    requires(!requirement::has_what_sorts_edges_of_faces<M>)
+  template<class M, class R = mistake::remedy<mistake::give_edge_order_of_faces>>
+    requires(!requirement::can_sort_edges_of_faces<M>)
   void operator()(const M& m, face_t<M> f) const = delete;  // edges_in_order = false: to sort, adj_f2e needs adj_f2v, adj_e2v, adj_v2e and adj_e2f
 } adj_f2e{};
 
@@ -240,13 +240,13 @@ inline constexpr struct adj_p2v_verb : detail::verb {
 inline constexpr struct adj_p2e_verb : detail::verb {
   using verb::operator();
   template<class M>
-    requires requires(const M& m, poly_t<M> p) { traits<M>::adj_p2e(m, p); } && requirement::has_what_sorts_edges_of_polys<M>
+    requires requires(const M& m, poly_t<M> p) { traits<M>::adj_p2e(m, p); } && requirement::can_sort_edges_of_polys<M>
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const {
     if constexpr (detail::order_of_edges<M>::sorts_those_of_polys) return typename detail::order_of_edges<M>::of_poly(m, p);
     else return traits<M>::adj_p2e(m, p);
   }
-  template<class M, class R = mistake::remedy<mistake::give_what_sorts_polys>>
-    requires(!requirement::has_what_sorts_edges_of_polys<M>)
+  template<class M, class R = mistake::remedy<mistake::give_edge_order_of_polys>>
+    requires(!requirement::can_sort_edges_of_polys<M>)
   void operator()(const M& m, poly_t<M> p) const = delete;  // edges_in_order = false: to sort, adj_p2e needs adj_p2v and adj_e2v, on a surface adj_v2e and adj_e2p too
 } adj_p2e{};
 

@@ -31,7 +31,7 @@ struct face_if_any<M> { using type = face_t<M>; };
 /// Names of elements hold while neither mesh is changed. The mesh that was converted has to stay where it is; of a view a copy is kept.
 template<class To, class From>
 class conversion {
-  using given_face = typename detail::face_if_any<From>::type;
+  using source_face = typename detail::face_if_any<From>::type;
   using face = typename detail::face_if_any<To>::type;
 
   vert_map<From, vert_t<To>> verts_;
@@ -69,7 +69,7 @@ class conversion {
   }
 
   /// Found at one of its verts, by all of them, unless the new mesh numbers faces as they were given.      Cost: the faces there.
-  face face_of(const given_face& f) const
+  face face_of(const source_face& f) const
     requires(dimension_v<From> == 3)
   {
     if constexpr (std::constructible_from<face, std::uint32_t>)
@@ -108,22 +108,22 @@ class conversion {
   /// Values from one map to another: to[vert_of(v)] = from_map[v] for all verts, or for the edges, faces or polys that `from_map` has values of.
   template<class A, class B>
     requires(ReadableMap<A, vert_t<From>>)
-  void carry(const A& from_map, B&& to) const {
+  void transfer(const A& from_map, B&& to) const {
     for (const vert_t<From> v : verts(from())) to[vert_of(v)] = from_map[v];
   }
   template<class A, class B>
     requires(ReadableMap<A, edge_t<From>>)
-  void carry(const A& from_map, B&& to) const {
+  void transfer(const A& from_map, B&& to) const {
     for (const edge_t<From> e : edges(from())) to[edge_of(e)] = from_map[e];
   }
   template<class A, class B>
-    requires(ReadableMap<A, given_face>)
-  void carry(const A& from_map, B&& to) const {
-    for (const given_face f : faces(from())) to[face_of(f)] = from_map[f];
+    requires(ReadableMap<A, source_face>)
+  void transfer(const A& from_map, B&& to) const {
+    for (const source_face f : faces(from())) to[face_of(f)] = from_map[f];
   }
   template<class A, class B>
     requires(ReadableMap<A, poly_t<From>>)
-  void carry(const A& from_map, B&& to) const {
+  void transfer(const A& from_map, B&& to) const {
     for (const poly_t<From> p : polys(from())) to[poly_of(p)] = from_map[p];
   }
 };

@@ -29,11 +29,11 @@ struct convert_options {
 namespace requirement {
 
 /// A mesh that can be made: from flat arrays, or by adding vert after vert and poly after poly.
-template<class To> concept is_made_of_arrays = concino::detail::from_surface<To> || concino::detail::from_cells<To> || concino::detail::from_polyhedra<To>;
-template<class To> concept is_made_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To> &&
+template<class To> concept is_constructible_from_arrays = concino::detail::from_surface<To> || concino::detail::from_cells<To> || concino::detail::from_polyhedra<To>;
+template<class To> concept is_built_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To> &&
     (dimension_v<To> == 2 || arity_v<To> == 4 || arity_v<To> == 8);
 template<class To, class From>
-concept can_be_made_from = AnyMesh<To> && EmbeddedMesh<From> && dimension_v<To> == dimension_v<From> && (is_made_of_arrays<To> || is_made_by_adding<To>);
+concept can_be_converted_from = AnyMesh<To> && EmbeddedMesh<From> && dimension_v<To> == dimension_v<From> && (is_constructible_from_arrays<To> || is_built_by_adding<To>);
 
 }  // namespace requirement
 
@@ -48,7 +48,7 @@ Map numbered_as_walked(Map names, const R& elements) {
 }
 
 template<class To, class From>
-conversion<To, From> make_of_arrays(const From& m) {
+conversion<To, From> convert_by_arrays(const From& m) {
   const std::vector<std::uint32_t> vert_number = numbered(m, verts(m), vert_index_bound(m));
   std::vector<std::uint32_t> face_number;
   const auto made = [&]() -> To {
@@ -71,7 +71,7 @@ conversion<To, From> make_of_arrays(const From& m) {
 }
 
 template<class To, class From>
-conversion<To, From> make_by_adding(const From& m) {
+conversion<To, From> convert_by_adding(const From& m) {
   To mesh;
   auto vert_names = make_vert_map<vert_t<To>>(m);
   auto poly_names = make_poly_map<poly_t<To>>(m);
@@ -103,7 +103,7 @@ conversion<To, From> make_by_adding(const From& m) {
 }
 
 template<class To, class From>
-void carry_properties(conversion<To, From>& c, convert_report& report) {
+void convert_properties(conversion<To, From>& c, convert_report& report) {
   if constexpr (ShowsProperties<From>) {
     const property_set& given = traits<From>::properties(c.from());
     if constexpr (HasProperties<To>) {
@@ -118,7 +118,7 @@ void carry_properties(conversion<To, From>& c, convert_report& report) {
     } else {
       for (const property_info& p : property_list(c.from()))
         report.lost.push_back(core::joined({to_string(p.kind), " property \"", p.name,
-                                              "\": the wanted mesh holds no named properties; carry() takes values to a map"}));
+                                              "\": the wanted mesh holds no named properties; transfer() takes values to a map"}));
     }
   }
 }
@@ -128,35 +128,35 @@ void carry_properties(conversion<To, From>& c, convert_report& report) {
 /// The same mesh as a To, and which of its elements stand for those of m.
 /// Needs:  as convert; m is no temporary and stays where it is as long as the result is asked about its elements.
 /// Result: c.mesh, and c.vert_of(v), c.edge_of(e), c.face_of(f), c.poly_of(p) name in it what stands for an element of m. Values of maps are taken
-///         along by c.carry(map, map_of_the_new_mesh); c.correspondence() says it by indices.
+///         along by c.transfer(map, map_of_the_new_mesh); c.correspondence() says it by indices.
 /// Cost:   as convert.
 /// Errors: as convert.
 template<class To, class M>
-  requires requirement::is_no_temporary<M> && requirement::can_be_made_from<To, std::remove_cvref_t<M>>
+  requires requirement::is_lvalue_or_view<M> && requirement::can_be_converted_from<To, std::remove_cvref_t<M>>
 conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const convert_options& options = {}) {
-  detail::tell(options.progress, 0, "converting");
-  convert_report unheard, &report = options.report ? *options.report : unheard;
+  detail::report_progress(options.progress, 0, "converting");
+  convert_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};
   auto c = [&] {
-    if constexpr (requirement::is_made_of_arrays<To>) return detail::make_of_arrays<To>(std::as_const(m));
-    else return detail::make_by_adding<To>(std::as_const(m));
+    if constexpr (requirement::is_constructible_from_arrays<To>) return detail::convert_by_arrays<To>(std::as_const(m));
+    else return detail::convert_by_adding<To>(std::as_const(m));
   }();
-  detail::tell(options.progress, 0.8, "converting");
-  if (options.properties) detail::carry_properties(c, report);
-  detail::tell(options.progress, 1, "converting");
+  detail::report_progress(options.progress, 0.8, "converting");
+  if (options.properties) detail::convert_properties(c, report);
+  detail::report_progress(options.progress, 1, "converting");
   return c;
 }
 
 /// The same mesh as a To: auto polygons = convert<polygonmesh>(m).
-/// Needs:  EmbeddedMesh M and a To of the same dimension that is made from flat arrays (all six meshes of this library) or that can add verts
-///         and polys, in volumes tets or hexes (OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly).
+/// Needs:  EmbeddedMesh M and a To of the same dimension. To is one of the six meshes of this library, which are made from flat arrays, or can
+///         add verts and polys (in volumes tets or hexes): OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly.
 /// Result: a To. Verts, polys and, in a polyhedralmesh, faces are numbered as m walks them; gaps of deleted elements are closed. Named properties of
 ///         this library's meshes, and of submesh() and with_points() of them, come along under their names.
 /// Cost:   O(elements) time and memory; for properties of edges or faces, times the edges or faces at a vert.
 /// Errors: unsupported that names the poly which a To cannot hold: of another size, no tet or hex, or refused by the library that To is of; m stays
 ///         as it is. cancelled.
 template<class To, class M>
-  requires requirement::can_be_made_from<To, M>
+  requires requirement::can_be_converted_from<To, M>
 To convert(const M& m, const convert_options& options = {}) {
   return std::move(convert_with_correspondence<To>(m, options).mesh);
 }

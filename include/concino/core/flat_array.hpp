@@ -22,16 +22,16 @@ class flat_array {
 
   T* data_ = nullptr;
   std::size_t size_ = 0, capacity_ = 0;
-  std::vector<T> given_;  // not empty: data_ is its memory
+  std::vector<T> adopted_;  // not empty: data_ is its memory
 
   void reallocate(std::size_t n) {
     if (n > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_alloc();
-    const bool was_given = !given_.empty();
-    void* const p = std::realloc(was_given ? nullptr : static_cast<void*>(data_), n * sizeof(T));
+    const bool was_adopted = !adopted_.empty();
+    void* const p = std::realloc(was_adopted ? nullptr : static_cast<void*>(data_), n * sizeof(T));
     if (!p) throw std::bad_alloc();
-    if (was_given) {
+    if (was_adopted) {
       std::memcpy(p, static_cast<const void*>(data_), size_ * sizeof(T));
-      std::vector<T>().swap(given_);
+      std::vector<T>().swap(adopted_);
     }
     if (n > capacity_) prefer_large_pages(p, n * sizeof(T));
     data_ = static_cast<T*>(p);
@@ -43,9 +43,9 @@ class flat_array {
   /// n entries that the caller is about to write.
   explicit flat_array(std::size_t n) { resize(n); }
   flat_array(std::size_t n, const T& value) : flat_array(n) { std::fill_n(data_, n, value); }
-  explicit flat_array(std::vector<T> given) : given_(std::move(given)) {
-    data_ = given_.data();
-    size_ = capacity_ = given_.size();
+  explicit flat_array(std::vector<T> given) : adopted_(std::move(given)) {
+    data_ = adopted_.data();
+    size_ = capacity_ = adopted_.size();
   }
   flat_array(const flat_array& o) : flat_array(o.size_) { std::copy_n(o.data_, o.size_, data_); }
   flat_array(flat_array&& o) noexcept { swap(o); }
@@ -54,13 +54,13 @@ class flat_array {
     return *this;
   }
   ~flat_array() {
-    if (given_.empty()) std::free(data_);
+    if (adopted_.empty()) std::free(data_);
   }
   void swap(flat_array& o) noexcept {
     std::swap(data_, o.data_);
     std::swap(size_, o.size_);
     std::swap(capacity_, o.capacity_);
-    given_.swap(o.given_);
+    adopted_.swap(o.adopted_);
   }
 
   T* data() { return data_; }
@@ -89,7 +89,7 @@ class flat_array {
     }
   }
   /// Room for n more; what is written there counts after resize().
-  T* room_for(std::size_t n) {
+  T* reserve_back(std::size_t n) {
     if (size_ + n > capacity_) reallocate(std::max(size_ + n, size_ + size_ / 2));
     return data_ + size_;
   }
@@ -110,7 +110,7 @@ class flat_array {
     stage(first, n, n);
     size_ += n;
   }
-  void give_back_spare_room() {
+  void shrink_to_fit() {
     if (size_ == capacity_) return;
     if (size_ == 0) *this = {};
     else reallocate(size_);

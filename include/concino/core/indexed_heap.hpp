@@ -32,7 +32,7 @@ class indexed_heap {
     heap_[i] = e;
     places_[e.slot] = static_cast<std::uint32_t>(i);
   }
-  void rise(std::size_t i, const entry& e) {
+  void sift_up(std::size_t i, const entry& e) {
     while (i > 0) {
       const std::size_t parent = (i - 1) / arity;
       if (!(e.key < heap_[parent].key)) break;
@@ -49,19 +49,19 @@ class indexed_heap {
 
   bool empty() const { return heap_.empty(); }
   const Node& front() const { return heap_.front().node; }
-  void fetch_key(std::size_t slot) const { __builtin_prefetch(keys_ + slot); }
-  double least() const { return heap_.front().key; }
+  void prefetch_key(std::size_t slot) const { __builtin_prefetch(keys_ + slot); }
+  double min_key() const { return heap_.front().key; }
   /// The lowest distance set so far, +inf if none was.
   double key(std::size_t slot) const { return keys_[slot]; }
 
   /// Needs: key < this->key(slot).
-  void lower(const Node& node, std::size_t slot, double key) {
+  void decrease_key(const Node& node, std::size_t slot, double key) {
     const entry e{key, node, static_cast<std::uint32_t>(slot)};
     std::size_t i = heap_.size();
     if (keys_[slot] == std::numeric_limits<double>::infinity()) heap_.push_back(e);
     else i = places_[slot];
     keys_[slot] = key;
-    rise(i, e);
+    sift_up(i, e);
   }
 
   struct popped { Node node; std::size_t slot; double key; };
@@ -83,14 +83,14 @@ class indexed_heap {
         put(hole, heap_[best]);
         hole = best;
       }
-      rise(hole, last);
+      sift_up(hole, last);
     }
     return {top.node, top.slot, top.key};
   }
 
   /// Takes back the distances of the nodes that still wait, and tells forgotten(node) which those are.
   template<class F>
-  void forget_waiting(const F& forgotten) {
+  void discard_waiting(const F& forgotten) {
     for (const entry& e : heap_) {
       keys_[e.slot] = std::numeric_limits<double>::infinity();
       forgotten(e.node);

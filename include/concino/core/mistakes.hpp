@@ -18,7 +18,7 @@ namespace concino::mistake {
 template<sentence Remedy>
 struct no_points {
   template<class M>
-    requires(requirement::is_adapted<M> && requirement::is_no_temporary<const M&> && requirement::has_vert<M> && !requirement::has_point<M>)
+    requires(requirement::is_adapted<M> && requirement::is_lvalue_or_view<const M&> && requirement::has_vert<M> && !requirement::has_point<M>)
   no_points(const M&);
 };
 inline constexpr sentence give_points("needs an Embedded mesh: write mesh_traits<M>::point(m, v), or call with with_points(m, map)");
@@ -27,7 +27,7 @@ inline constexpr sentence give_points("needs an Embedded mesh: write mesh_traits
 template<sentence Remedy>
 struct bare_graph {
   template<class M>
-    requires(PrimalGraph<M> && requirement::is_no_temporary<const M&> && !EmbeddedMesh<M>)
+    requires(PrimalGraph<M> && requirement::is_lvalue_or_view<const M&> && !EmbeddedMesh<M>)
   bare_graph(const M&);
 };
 inline constexpr sentence name_discretisation("a graph without polys or points has no default discretisation: name one, as in laplacian(m, uniform) or harmonic_map(m, values, uniform)");
@@ -36,7 +36,7 @@ inline constexpr sentence name_discretisation("a graph without polys or points h
 template<sentence Remedy>
 struct polys_alone {
   template<class M>
-    requires(DualGraph<M> && requirement::is_no_temporary<const M&> && !requirement::has_vert<M>)
+    requires(DualGraph<M> && requirement::is_lvalue_or_view<const M&> && !requirement::has_vert<M>)
   polys_alone(const M&);
 };
 inline constexpr sentence name_dual("the graph has polys and no verts: say that polys are meant by dual(m), as in connected_components(dual(m))");

@@ -14,7 +14,7 @@ using progress = function_ref<bool(double fraction, const char* label)>;
 
 namespace detail {
 
-inline void tell(const progress& p, double fraction, const char* label) {
+inline void report_progress(const progress& p, double fraction, const char* label) {
   if (p && !p(fraction, label)) core::throw_joined<cancelled>({"stopped by the progress callback while ", label});
 }
 

@@ -25,13 +25,13 @@ double residual(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, 
 double residual_beside_largest(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b, const Eigen::VectorXd& r,
                                       bool is_lower_triangle);
 
-[[noreturn, gnu::cold]] void throw_not_solved(const char* who, double error);
+[[noreturn, gnu::cold]] void throw_not_solved(const char* caller, double error);
 
 /// Whether the matrix factorised last is solved by iteration, to a residual that the solver measures itself, beside the largest values of the solution:
 /// parts that are far smaller than others have no correct digits.
 template<class Solver>
-bool iterates([[maybe_unused]] const Solver& solver) {
-  if constexpr (requires { { solver.iterates() } -> std::convertible_to<bool>; }) return solver.iterates();
+bool is_iterative([[maybe_unused]] const Solver& solver) {
+  if constexpr (requires { { solver.is_iterative() } -> std::convertible_to<bool>; }) return solver.is_iterative();
   else return false;
 }
 
@@ -39,13 +39,13 @@ bool iterates([[maybe_unused]] const Solver& solver) {
 class solver_ref {
   struct functions {
     Eigen::VectorXd (*solve)(const void*, const Eigen::VectorXd&);
-    bool (*iterates)(const void*);
+    bool (*is_iterative)(const void*);
     double (*residual)(const void*);
   };
   template<class Solver>
   static constexpr functions functions_of = {
       [](const void* s, const Eigen::VectorXd& b) -> Eigen::VectorXd { return static_cast<const Solver*>(s)->solve(b); },
-      [](const void* s) { return core::iterates(*static_cast<const Solver*>(s)); },
+      [](const void* s) { return core::is_iterative(*static_cast<const Solver*>(s)); },
       []([[maybe_unused]] const void* s) -> double {
         if constexpr (requires(const Solver& solver) { { solver.residual() } -> std::convertible_to<double>; }) return static_cast<const Solver*>(s)->residual();
         else return 0;
@@ -60,8 +60,8 @@ class solver_ref {
   solver_ref(const Solver& solver) : solver_(std::addressof(solver)), functions_(&functions_of<Solver>) {}
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return functions_->solve(solver_, b); }
-  /// As core::iterates.
-  bool iterates() const { return functions_->iterates(solver_); }
+  /// As core::is_iterative.
+  bool is_iterative() const { return functions_->is_iterative(solver_); }
   /// What the solver says of its last solve; 0 of those that say nothing.
   double residual() const { return functions_->residual(solver_); }
 };
@@ -78,23 +78,23 @@ void factorize_symmetric(Solver& solver, const Eigen::SparseMatrix<double>& lowe
 }
 
 /// Errors: solver_error, always: what a singular matrix over verts says.
-[[noreturn, gnu::cold]] void throw_singular_at_vert(const char* who, std::size_t vert, const char* why);
+[[noreturn, gnu::cold]] void throw_singular_at_vert(const char* caller, std::size_t vert, const char* why);
 
 /// The same for a system over verts. vert_of(row): the index of a vert.
 /// Errors: solver_error that names the problem, the vert at which the matrix is singular, and what helps.
 template<class Solver, class VertOf>
-void factorize_over_verts(Solver& solver, const Eigen::SparseMatrix<double>& lower, const char* who, const VertOf& vert_of) {
+void factorize_over_verts(Solver& solver, const Eigen::SparseMatrix<double>& lower, const char* caller, const VertOf& vert_of) {
   try {
     factorize_symmetric(solver, lower);
   } catch (const singular_row& e) {
-    throw_singular_at_vert(who, static_cast<std::size_t>(vert_of(e.row)), e.what());
+    throw_singular_at_vert(caller, static_cast<std::size_t>(vert_of(e.row)), e.what());
   }
 }
 
 /// Solves with a factorised matrix, here compressed or its lower triangle, and makes up for rounding errors while that helps.
 /// Errors: solver_error if what is left is more than 1e-8; of solvers that iterate, beside the largest values, more than 1e-5 and than ten times what the
 ///         solver says itself, as where the matrix is not what the solver took it for.
-Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b, const char* who,
+Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b, const char* caller,
                                 bool is_lower_triangle = true);
 
 }  // namespace concino::core

@@ -15,15 +15,15 @@ namespace concino::core {
 /// The matrix itself if it is compressed, or a compressed copy in `storage`.
 const Eigen::SparseMatrix<double>& compressed(const Eigen::SparseMatrix<double>& a, Eigen::SparseMatrix<double>& storage);
 
-void check_square(const char* who, const Eigen::SparseMatrix<double>& a);
+void check_square(const char* caller, const Eigen::SparseMatrix<double>& a);
 
 /// a: compressed.
-void check_entries(const char* who, const Eigen::SparseMatrix<double>& a);
+void check_entries(const char* caller, const Eigen::SparseMatrix<double>& a);
 
 /// rows: of the matrix factorised last; -1: none.
-void check_right_hand_side(const char* who, const Eigen::VectorXd& b, Eigen::Index rows);
+void check_right_hand_side(const char* caller, const Eigen::VectorXd& b, Eigen::Index rows);
 
-void check_solution(const char* who, const Eigen::VectorXd& x);
+void check_solution(const char* caller, const Eigen::VectorXd& x);
 
 /// A solver_error that says in which row elimination stopped, for those who know what stands there.
 struct singular_row : solver_error {
@@ -32,7 +32,7 @@ struct singular_row : solver_error {
 };
 
 /// `given`: the diagonal entry, or what else the pivot would be compared with.
-[[noreturn, gnu::cold]] void throw_bad_pivot(const char* who, const char* what, Eigen::Index row, double given, double pivot);
+[[noreturn, gnu::cold]] void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double given, double pivot);
 
 /// The diagonal of a compressed matrix; 0 where it has no entry.
 std::vector<double> diagonal(const Eigen::SparseMatrix<double>& a);

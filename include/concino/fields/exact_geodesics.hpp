@@ -32,7 +32,7 @@ template<SurfaceMesh M>
 exact_preparation prepare_exact(const M& m) {
   exact_preparation prepared;
   prepared.triangle_of.resize(poly_index_bound(m));
-  flat_triangles& r = prepared.triangles;
+  unfolded_triangles& r = prepared.triangles;
   double largest = 0;
   for (const poly_t<M> p : polys(m))
     for (const vert_t<M> v : adj_p2v(m, p)) {
@@ -87,7 +87,7 @@ class prepared_exact_geodesics {
   detail::mesh_ref<M> mesh_;
   std::shared_ptr<const detail::exact_preparation> prepared_;
 
-  const detail::flat_triangles& triangles() const { return prepared_->triangles; }
+  const detail::unfolded_triangles& triangles() const { return prepared_->triangles; }
 
   struct start {
     int vert;
@@ -211,8 +211,9 @@ vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, 
 
 /// Prepares exact distances and shortest paths over a surface of triangles, for many questions: auto exact = prepare_exact_geodesics(m);
 /// auto d = exact.distance_from(v); d[w] is the length of a shortest path over the surface, to rounding; exact.path_between(v, w) is the path.
-/// Needs:  Embedded SurfaceMesh, no temporary, that stays as it is, of triangles whatever the type says; it may have a boundary, which paths may run
-///         along, edges of more than two triangles, where they pass from each to each other, verts where several fans meet, and need not be oriented.
+/// Needs:  Embedded SurfaceMesh of triangles, by type or in fact; not a temporary, and not changed later. It may have a boundary, and paths may run
+///         along it. It need not be oriented or manifold: at an edge of more than two triangles paths pass from each to every other, and several
+///         fans may meet at a vert.
 /// Result: an object that answers distance_from(...), paths_from(...) and path_between(...). It knows lengths of edges only, which rounding
 ///         changes by parts in 10^16: triangles with angles a, in radians, leave some 10^-16 / a of a length in doubt.
 /// Cost:   O(n) to prepare, for n triangles. A question: O(n^2 log n) at worst where no edge has more than two, on surfaces in use about n^1.7:
@@ -222,7 +223,7 @@ vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, 
 /// Source: Mitchell, Mount, Papadimitriou 1987; windows and their order: Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe 2005, "Fast exact and
 ///         approximate geodesics on meshes"; which of them are dropped: Chen and Han 1990, Xin and Wang 2009.
 template<class M>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M>
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 prepared_exact_geodesics<std::remove_cvref_t<M>> prepare_exact_geodesics(M&& m) {
   return prepared_exact_geodesics<std::remove_cvref_t<M>>(m);
 }
@@ -234,18 +235,18 @@ prepared_exact_geodesics<std::remove_cvref_t<M>> prepare_exact_geodesics(M&& m) 
 /// Errors: as prepare_exact_geodesics and its distance_from.
 /// Source: as prepare_exact_geodesics.
 template<class M, class S = std::initializer_list<vert_t<M>>>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M> &&
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> &&
            (detail::gives_verts<std::remove_cvref_t<M>, S> || detail::gives_distances<std::remove_cvref_t<M>, S>)
 vert_map<std::remove_cvref_t<M>, double> exact_geodesics(M&& m, const S& sources) {
   return prepare_exact_geodesics(m).distance_from(sources);
 }
 template<class M>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M>
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 vert_map<std::remove_cvref_t<M>, double> exact_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources) {
   return prepare_exact_geodesics(m).distance_from(sources);
 }
 template<class M>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_no_temporary<M>
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 vert_map<std::remove_cvref_t<M>, double> exact_geodesics(M&& m, const poly_t<M>& p, const vec3& x) {
   return prepare_exact_geodesics(m).distance_from(p, x);
 }

@@ -5,8 +5,8 @@
 #include <concino/concepts/surface_mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/fields/detail/flat_triangles.hpp>
 #include <concino/fields/detail/path_tree.hpp>
+#include <concino/fields/detail/unfolded_triangles.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/mesh_point.hpp>
 
@@ -24,7 +24,7 @@ namespace concino {
 namespace detail {
 
 struct exact_preparation {
-  flat_triangles triangles;
+  unfolded_triangles triangles;
   std::vector<int> triangle_of;  // each poly
 };
 
@@ -81,7 +81,7 @@ class exact_paths {
     if (!contains(m, v)) throw invalid_mesh("exact_paths: the target is no vert of the mesh; take it from verts(m)");
     geodesic_path<M> path;
     if (distances_[v] == std::numeric_limits<double>::infinity()) return path;
-    const detail::flat_triangles& t = contents_->prepared->triangles;
+    const detail::unfolded_triangles& t = contents_->prepared->triangles;
     for (const detail::path_tree::stop& s : contents_->tree.path_to(t, static_cast<int>(index_of(m, v)))) path.points.push_back(point_at(m, t, s));
     const double unit = std::ldexp(1.0, -t.exponent);  // so that no square overflows
     double length = 0;
@@ -91,7 +91,7 @@ class exact_paths {
   }
 
  private:
-  mesh_point<M> point_at(const M& m, const detail::flat_triangles& t, const detail::path_tree::stop& s) const {
+  mesh_point<M> point_at(const M& m, const detail::unfolded_triangles& t, const detail::path_tree::stop& s) const {
     if (s.vert >= 0) {
       const vert_t<M> v = contents_->vert[static_cast<std::size_t>(s.vert)];
       return {v, to_vec3(point(m, v))};

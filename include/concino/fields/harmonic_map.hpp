@@ -5,9 +5,9 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
+#include <concino/fields/detail/make_similar_solver.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cstddef>
@@ -29,17 +29,17 @@ namespace detail {
 /// The unknowns and their system, with values at some verts: what a call and a preparation share.
 template<class M>
 class harmonic_problem {
-  static constexpr const char* who = "harmonic_map";
-  held_system<M> system_;
+  static constexpr const char* caller = "harmonic_map";
+  constrained_system<M> system_;
   double isolated_value_;
 
   template<class V, class D>
-  static held_system<M> make_system(const M& m, const V& fixed, const D& discretisation, const harmonic_map_options& options) {
-    if (options.exponent < 1) core::throw_joined<invalid_argument>({who, ": exponent is ", core::number_text(options.exponent), "; it must be 1 or more"});
-    tell(options.progress, 0, "harmonic map");
-    held_verts<M> held(m);
-    held.hold(m, fixed, who);
-    return harmonic_system(m, std::move(held), discretisation, options.exponent, who);
+  static constrained_system<M> make_system(const M& m, const V& fixed, const D& discretisation, const harmonic_map_options& options) {
+    if (options.exponent < 1) core::throw_joined<invalid_argument>({caller, ": exponent is ", core::number_text(options.exponent), "; it must be 1 or more"});
+    report_progress(options.progress, 0, "harmonic map");
+    constrained_verts<M> constrained(m);
+    constrained.constrain(m, fixed, caller);
+    return harmonic_system(m, std::move(constrained), discretisation, options.exponent, caller);
   }
 
  public:
@@ -51,17 +51,17 @@ class harmonic_problem {
   std::size_t num_isolated() const { return system_.verts.num_isolated; }
 
   template<class Solver>
-  void factorize(Solver& solver, const progress& told) const { system_.factorize(solver, told, who); }
+  void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller); }
 
   /// A map with these values at their verts, and isolated_value.
   template<class T, class V>
   vert_map<M, T> prescribe(const M& m, const V& values) const {
-    return prescribed_values<T>(m, system_.verts, values, isolated_value_, who);
+    return prescribed_values<T>(m, system_.verts, values, isolated_value_, caller);
   }
   /// The unknowns of that map.
   template<class T, class Solver>
   void solve(const Solver& solver, vert_map<M, T>& u) const {
-    system_.template solve<T>(solver, [](std::size_t, int) { return 0.0; }, u, who);
+    system_.template solve<T>(solver, [](std::size_t, int) { return 0.0; }, u, caller);
   }
 };
 
@@ -81,17 +81,17 @@ class prepared_harmonic_map {
  public:
   template<class V, class D>
   prepared_harmonic_map(const M& m, const V& fixed, const D& discretisation, const harmonic_map_options& options, const Solver& solver) : mesh_(m) {
-    auto own = detail::another_solver(solver);
+    auto own = detail::make_similar_solver(solver);
     detail::harmonic_problem<M> problem(m, fixed, discretisation, options);
     problem.factorize(*own, options.progress);
     prepared_ = std::make_shared<const preparation>(preparation{std::move(problem), std::move(own)});
-    detail::tell(options.progress, 1, "harmonic map");
+    detail::report_progress(options.progress, 1, "harmonic map");
   }
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
   /// How many verts have no edges and no value prescribed: they get isolated_value.
-  std::size_t isolated() const { return prepared_->problem.num_isolated(); }
+  std::size_t num_isolated() const { return prepared_->problem.num_isolated(); }
 
   /// The harmonic map with these values at the verts that were named before, with_values<vec3> part by part to space.
   /// Needs:  pairs of a vert and a value, in braces or any container, one at least for each of those verts and none elsewhere. The mesh is as it
@@ -115,11 +115,11 @@ class prepared_harmonic_map {
 /// auto u = h.with_values({{a, 0.0}, {b, 1.0}}).
 /// Needs:  as harmonic_map; the mesh stays as it is. `fixed`: verts in braces or any container. solver: one like it is kept, made of its options()
 ///         where it has them.
-/// Result: an object that answers with_values(...), and tells by isolated() how many verts got isolated_value.
+/// Result: an object that answers with_values(...); num_isolated() is the number of verts that got isolated_value.
 /// Cost:   that of harmonic_map, but for the back-substitution.
 /// Errors: as harmonic_map, but for those about values; invalid_mesh if a vert to be fixed is no vert of m.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && detail::names_elements<V, vert_t<M>> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed,
                                                                                                 const harmonic_map_options& options = {},
@@ -127,7 +127,7 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
   return {m, fixed, virtual_elements, options, solver};
 }
 template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed, const D& discretisation,
                                                                                                 const harmonic_map_options& options = {},
@@ -135,9 +135,9 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
   return {m, fixed, discretisation, options, solver};
 }
 
-/// The function u on the verts with the given values that is harmonic everywhere else: L u = 0, or L (M^-1 L)^(n-1) u = 0 for exponent n, with L
-/// the Laplacian and M the masses of the discretisation, after the values: harmonic_map(m, values, uniform). Without one it is that of
-/// virtual_elements. harmonic_map<vec3> maps to space, part by part.
+/// The function u on the verts that has the given values and is harmonic everywhere else: L u = 0. With exponent n it is polyharmonic:
+/// L (M^-1 L)^(n-1) u = 0. L is the Laplacian and M the mass matrix of the discretisation, which stands after the values:
+/// harmonic_map(m, values, uniform). The default is virtual_elements. harmonic_map<vec3> maps to space, coordinate by coordinate.
 /// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. `values`: verts and numbers (or points), in braces
 ///         ({{a, 0.0}, {b, 1.0}}) or any container of pairs; the same vert twice is fine if the value is the same.
 ///         T: double or vec3. solver: a SparseSolver for symmetric positive definite matrices; the default factorises, or, where the factor would be
@@ -146,28 +146,28 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 ///         them. With virtual_elements linear functions of planar surfaces and of volumes are harmonic, whatever the polys; with uniform
 ///         and exponent 1 every value lies between the extrema of those given in its component.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
-/// Errors: invalid_mesh if a value is given at what is no vert of m, or if exponent > 1 and a vert has edges and no
-///         mass; invalid_argument if a value is not finite, a vert gets two, or exponent < 1; solver_error if
-///         a component that has edges has no value prescribed (one of its verts is named), or if the system cannot be solved in double
-///         precision; those of `laplacian` with this discretisation; cancelled.
+/// Errors: invalid_mesh if a value is given at what is no vert of m, or if exponent > 1 and a vert has edges and no mass.
+///         invalid_argument if a value is not finite, a vert gets two values, or exponent < 1. solver_error if a component that has edges has no
+///         value prescribed (one of its verts is named), or if the system cannot be solved in double precision. Those of `laplacian` with this
+///         discretisation. cancelled.
 /// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
 template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> harmonic_map(M&& m, const V& values, const harmonic_map_options& options = {}, Solver&& solver = {}) {
   return harmonic_map<T>(m, values, virtual_elements, options, solver);
 }
 template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> harmonic_map(M&& m, const V& values, const D& discretisation, const harmonic_map_options& options = {}, Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
   const detail::harmonic_problem<std::remove_cvref_t<M>> problem(mesh_in, values, discretisation, options);
   auto u = problem.template prescribe<T>(mesh_in, values);
   problem.factorize(solver, options.progress);
-  detail::tell(options.progress, 0.9, "solving");
+  detail::report_progress(options.progress, 0.9, "solving");
   problem.template solve<T>(solver, u);
-  detail::tell(options.progress, 1, "harmonic map");
+  detail::report_progress(options.progress, 1, "harmonic map");
   return u;
 }
 

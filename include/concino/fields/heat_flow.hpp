@@ -6,8 +6,8 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/implicit.hpp>
+#include <concino/fields/detail/make_similar_solver.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/solve/auto_solver.hpp>
 
@@ -41,17 +41,17 @@ inline constexpr double alexander_gamma = 0.29289321881345247560;
 
 template<class M, class D>
 implicit_system<M> heat_flow_system(const M& m, double time, const D& discretisation, const heat_flow_options<M>& options) {
-  const char* const who = "heat_flow";
+  const char* const caller = "heat_flow";
   if (!(time >= 0 && std::isfinite(time)))
-    core::throw_joined<invalid_argument>({who, ": time is ", core::number_text(time), "; it must be finite and 0 or more"});
-  if (options.steps < 1) core::throw_joined<invalid_argument>({who, ": steps is ", core::number_text(options.steps), "; it must be 1 or more"});
-  tell(options.progress, 0, "heat flow");
-  held_verts<M> held(m);
-  held.hold(m, options.fixed, who);
+    core::throw_joined<invalid_argument>({caller, ": time is ", core::number_text(time), "; it must be finite and 0 or more"});
+  if (options.steps < 1) core::throw_joined<invalid_argument>({caller, ": steps is ", core::number_text(options.steps), "; it must be 1 or more"});
+  report_progress(options.progress, 0, "heat flow");
+  constrained_verts<M> constrained(m);
+  constrained.constrain(m, options.fixed, caller);
   const double step = (options.scheme == heat_scheme::second_order ? alexander_gamma : 1) * (time / options.steps);
   return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> implicit_system<M> {
-    auto mass = mass_beside(at, discretisation, options.lumped, who);
-    return {m, std::move(held), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, discretisation), who};
+    auto mass = mass_beside(at, discretisation, options.lumped, caller);
+    return {m, std::move(constrained), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, discretisation), caller};
   });
 }
 
@@ -59,22 +59,22 @@ implicit_system<M> heat_flow_system(const M& m, double time, const D& discretisa
 /// no more than A^-1 M is needed; w is u one step later.
 template<class T, class M, class Solver>
 void flow(const implicit_system<M>& system, const Solver& solver, const heat_flow_options<M>& options, vert_map<M, T>& u,
-          const progress& told) {
+          const progress& on_progress) {
   constexpr double forward = (1 - alexander_gamma) / alexander_gamma;
   for (int i = 0; i < options.steps; ++i) {
-    tell(told, static_cast<double>(i) / options.steps, "heat flow");
+    report_progress(on_progress, static_cast<double>(i) / options.steps, "heat flow");
     if (options.scheme == heat_scheme::second_order) {
       vert_map<M, T> stage = u;
       system.template apply<T>(solver, stage);
       const auto from = stage.values(), to = u.values();
-      for (const int index : system.held().index) {
+      for (const int index : system.constrained().index) {
         const auto k = static_cast<std::size_t>(index);
         to[k] = to[k] + forward * (from[k] - to[k]);
       }
     }
     system.template apply<T>(solver, u);
   }
-  tell(told, 1, "heat flow");
+  report_progress(on_progress, 1, "heat flow");
 }
 
 }  // namespace detail
@@ -96,12 +96,12 @@ class prepared_heat_flow {
   template<class D>
   prepared_heat_flow(const M& m, double time, const D& discretisation, const heat_flow_options<M>& options, const Solver& solver) : mesh_(m) {
     auto system = detail::heat_flow_system(m, time, discretisation, options);
-    auto own = detail::another_solver(solver);
+    auto own = detail::make_similar_solver(solver);
     system.factorize(*own, options.progress);
     preparation p{std::move(system), std::move(own), options, time};
     p.options.progress = nullptr;  // the caller's callable may be gone by then
     prepared_ = std::make_shared<const preparation>(std::move(p));
-    detail::tell(options.progress, 1, "heat flow");
+    detail::report_progress(options.progress, 1, "heat flow");
   }
 
   const M& mesh() const { return mesh_.get(); }
@@ -109,7 +109,7 @@ class prepared_heat_flow {
   /// For how long heat flows.
   double time() const { return prepared_->time; }
   /// How many verts have no edges and are not fixed: they keep their values.
-  std::size_t isolated() const { return prepared_->system.held().num_isolated; }
+  std::size_t num_isolated() const { return prepared_->system.constrained().num_isolated; }
 
   /// What has become of the values u after the time that was prepared; call it again with the result to go on.
   /// Needs:  u as for heat_flow; the mesh is as it was prepared.
@@ -117,21 +117,21 @@ class prepared_heat_flow {
   /// Errors: as heat_flow about u; solver_error; cancelled.
   template<class F, class T = detail::field_value_at<F, vert_t<M>>>
     requires requirement::gives_numbers_or_points<F, vert_t<M>>
-  vert_map<M, T> advance(const F& u, const progress& told = nullptr) const {
+  vert_map<M, T> advance(const F& u, const progress& on_progress = nullptr) const {
     const M& m = mesh_.get();
     auto r = prepared_->system.template values_of<T>(m, u);
-    detail::flow<T>(prepared_->system, *prepared_->solver, prepared_->options, r, told);
+    detail::flow<T>(prepared_->system, *prepared_->solver, prepared_->options, r, on_progress);
     return r;
   }
 };
 
 /// Prepares heat flow over the same time, for many fields and for one that goes on: auto h = prepare_heat_flow(m, time); u = h.advance(u).
 /// Needs:  as heat_flow; the mesh stays as it is. solver: one like it is kept, made of its options() where it has them.
-/// Result: an object that answers advance(u), and tells by isolated() how many verts have no edges.
+/// Result: an object that answers advance(u); num_isolated() is the number of verts that have no edges.
 /// Cost:   as heat_flow, but for the steps.
 /// Errors: as heat_flow, but for what is about values.
 template<class M, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time,
                                                                                           const heat_flow_options<std::remove_cvref_t<M>>& options = {},
@@ -139,7 +139,7 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
   return {m, time, virtual_elements, options, solver};
 }
 template<class M, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> &&
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const D& discretisation,
                                                                                           const heat_flow_options<std::remove_cvref_t<M>>& options = {},
@@ -147,27 +147,28 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
   return {m, time, discretisation, options, solver};
 }
 
-/// What has become of the values `initial` after `time` by the equation u_t = Laplacian of u, that of the discretisation, which stands after the
-/// time, or of virtual_elements. Fixed verts keep their value; where none are fixed on the boundary, no heat crosses it.
+/// Solves the heat equation u_t = Laplacian of u: returns the values at `time` that begin as `initial` at time 0. The Laplacian is that of the
+/// discretisation, which stands after the time; the default is virtual_elements. Fixed verts keep their value; where none are fixed on the
+/// boundary, no heat crosses it.
 /// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. initial: any readable map over verts, of numbers,
 ///         or of points for vectors, whose parts flow on their own. time: finite, 0 or more, in units of length^2; with `uniform`, where M is the
 ///         identity, without unit. solver as for harmonic_map.
-/// Result: a map of double or vec3. Where nothing is fixed the heat, the sum of M u, stays what it is, the sum of u times M u never grows, and
-///         in the end there is one mean value in each component; with fixed values the harmonic map through them. Verts without edges keep
-///         what they have; prepare_heat_flow counts them.
+/// Result: a map of double or vec3. Where nothing is fixed, the total heat, the sum of M u, is constant, and the sum of u times M u never grows.
+///         The limit for long times is then the mean value in each component; with fixed values it is the harmonic map through them. Verts without
+///         edges keep their value; prepare_heat_flow counts them.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find, and two back-substitutions a step, or one, see heat_scheme.
-/// Errors: invalid_argument if time or steps is out of its range or a value is not finite at a vert that has edges or is fixed; invalid_mesh if what
-///         is to be fixed is no vert of m, or if a vert has edges and no mass; those of `laplacian` with this discretisation and of
-///         mass_matrix; solver_error; cancelled.
+/// Errors: invalid_argument if time or steps is out of its range, or a value is not finite at a vert that has edges or is fixed. invalid_mesh if a
+///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation and of mass_matrix.
+///         solver_error. cancelled.
 /// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   return heat_flow(m, initial, time, virtual_elements, options, solver);
 }
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const D& discretisation,
                          const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {

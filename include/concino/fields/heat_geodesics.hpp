@@ -8,7 +8,7 @@
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/detail/heat_preparation.hpp>
-#include <concino/fields/detail/straight_distance.hpp>
+#include <concino/fields/detail/euclidean_distance.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/operators/virtual_elements.hpp>
@@ -25,10 +25,10 @@
 
 namespace concino {
 
-/// natural:  no heat crosses the boundary (Neumann): distances come out too round where they meet it.
-/// cold:     the boundary takes up all heat (Dirichlet), which bends them the other way.
-/// averaged: the sum of both kinds of heat: the best, at the price of one factorisation and one back-substitution more, if there is a boundary.
-enum class heat_boundary { averaged, natural, cold };
+/// averaged:  the sum of both kinds of heat: the best, at the cost of one more factorisation and back-substitution if there is a boundary.
+/// neumann:   no heat crosses the boundary: distances come out too round where they meet it.
+/// dirichlet: the boundary absorbs all heat, which bends distances the other way.
+enum class heat_boundary { averaged, neumann, dirichlet };
 
 struct heat_geodesics_options {
   double time = 0;                                        // how long heat flows, in units of length^2, finite; 0: see heat_geodesics
@@ -63,9 +63,9 @@ Eigen::SparseMatrix<double> lower_heat_matrix(Eigen::SparseMatrix<double> a, dou
 }
 
 /// The heat matrix a where these verts take up heat. It is not quite 0 there, so that it has a logarithm, and sources there warm the rest.
-inline Eigen::SparseMatrix<double> with_cold_verts(Eigen::SparseMatrix<double> a, std::span<const unsigned char> is_cold) {
+inline Eigen::SparseMatrix<double> with_dirichlet_verts(Eigen::SparseMatrix<double> a, std::span<const unsigned char> is_dirichlet) {
   for (int c = 0; c < a.cols(); ++c)
-    if (is_cold[static_cast<std::size_t>(c)]) a.coeffRef(c, c) *= 1e6;
+    if (is_dirichlet[static_cast<std::size_t>(c)]) a.coeffRef(c, c) *= 1e6;
   return a;
 }
 
@@ -83,7 +83,7 @@ class prepared_heat_geodesics {
     int exponent;
     bool clamp;
   };
-  struct question {
+  struct query {
     std::vector<detail::distance_source> sources;
     std::vector<detail::distance_graph::start> starts;
   };
@@ -95,7 +95,7 @@ class prepared_heat_geodesics {
   static preparation prepare(const M& mesh_in, const D& discretisation, const heat_geodesics_options& options, const Solver& solver) {
     if (!(options.time >= 0 && options.time <= std::numeric_limits<double>::max()))
       core::throw_joined<invalid_argument>({"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});
-    detail::tell(options.progress, 0, "heat geodesics");
+    detail::report_progress(options.progress, 0, "heat geodesics");
     const scaled_mesh m = detail::scaled_to_unit(mesh_in);
     detail::corner_fluxes corners = detail::fluxes_of(m);
     const double edge = detail::mean_edge_length(m);
@@ -119,18 +119,18 @@ class prepared_heat_geodesics {
       });
     };
     Eigen::SparseMatrix<double> heat = along_edges ? heat_by(lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
-    detail::tell(options.progress, 0.1, "factorising");
+    detail::report_progress(options.progress, 0.1, "factorising");
     preparation r{{std::move(stiffness), std::move(corners), mean, solver},
                   detail::distance_graph_of(m),
                   {mass.values().begin(), mass.values().end()},
                   time,
                   m.exponent(),
                   options.clamp};
-    detail::tell(options.progress, 0.4, "factorising");
-    const auto cold = options.boundary == heat_boundary::natural ? make_vert_map<bool>(m, false) : boundary_verts(m);
-    const std::span<const unsigned char> is_cold = cold.values();
-    const bool has_boundary = std::find(is_cold.begin(), is_cold.end(), 1) != is_cold.end();
-    if (!has_boundary || options.boundary != heat_boundary::cold) {
+    detail::report_progress(options.progress, 0.4, "factorising");
+    const auto is_dirichlet_vert = options.boundary == heat_boundary::neumann ? make_vert_map<bool>(m, false) : boundary_verts(m);
+    const std::span<const unsigned char> is_dirichlet = is_dirichlet_vert.values();
+    const bool has_boundary = std::find(is_dirichlet.begin(), is_dirichlet.end(), 1) != is_dirichlet.end();
+    if (!has_boundary || options.boundary != heat_boundary::dirichlet) {
       r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
       if (!along_edges && r.system.is_heat_negative()) {
         r.system.forget_heat();
@@ -138,33 +138,33 @@ class prepared_heat_geodesics {
         r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
       }
     }
-    detail::tell(options.progress, 0.7, "factorising");
-    if (has_boundary) r.system.add_heat(detail::with_cold_verts(std::move(heat), is_cold), solver);
-    detail::tell(options.progress, 1, "heat geodesics");
+    detail::report_progress(options.progress, 0.7, "factorising");
+    if (has_boundary) r.system.add_heat(detail::with_dirichlet_verts(std::move(heat), is_dirichlet), solver);
+    detail::report_progress(options.progress, 1, "heat geodesics");
     return r;
   }
 
   int number(const vert_t<M>& v) const { return static_cast<int>(index_of(mesh_.get(), v)); }
 
-  double down(double length) const { return std::ldexp(length, -prepared_->exponent); }
+  double scale_down(double length) const { return std::ldexp(length, -prepared_->exponent); }
 
-  void add_source(question& q, const vert_t<M>& v, double distance) const {
+  void add_source(query& q, const vert_t<M>& v, double distance) const {
     if (!contains(mesh_.get(), v))
       throw invalid_mesh("heat_geodesics: a source is no vert of the mesh; take it from verts(m)");
     if (!std::isfinite(distance))
       core::throw_joined<invalid_argument>(
           {"heat_geodesics: the initial distance at vert ", index_of(mesh_.get(), v), " is not finite"});
     const int i = number(v);
-    q.starts.push_back({i, static_cast<int>(q.sources.size()), 0, down(distance)});
-    q.sources.push_back({prepared_->graph.place(static_cast<std::size_t>(i)), down(distance)});
+    q.starts.push_back({i, static_cast<int>(q.sources.size()), 0, scale_down(distance)});
+    q.sources.push_back({prepared_->graph.place(static_cast<std::size_t>(i)), scale_down(distance)});
   }
 
-  static double given(const detail::distance_graph::start& s) { return s.before + s.distance; }
+  static double path_length_at_source(const detail::distance_graph::start& s) { return s.before + s.distance; }
   static std::size_t index(const detail::distance_graph::start& s) { return static_cast<std::size_t>(s.vert); }
   std::size_t component(std::size_t i) const { return static_cast<std::size_t>(prepared_->system.component(static_cast<int>(i))); }
 
-  std::vector<double> log_heat(const question& q, const std::vector<double>& least) const;
-  vert_map<M, double> answer(const question& q) const;
+  std::vector<double> log_heat(const query& q, const std::vector<double>& least) const;
+  vert_map<M, double> answer(const query& q) const;
 
  public:
   template<class D>
@@ -183,7 +183,7 @@ class prepared_heat_geodesics {
   template<class S>
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   vert_map<M, double> distance_from(const S& sources) const {
-    question q;
+    query q;
     detail::for_each_source<M>(sources, [&](const vert_t<M>& v, double d) { add_source(q, v, d); });
     return answer(q);
   }
@@ -203,8 +203,8 @@ class prepared_heat_geodesics {
     const M& m = mesh_.get();
     if (!contains(m, p)) throw invalid_mesh("heat_geodesics: the poly of a source is no poly of the mesh; take it from polys(m)");
     if (!is_finite(x)) throw invalid_argument("heat_geodesics: the point of a source is not finite");
-    question q;
-    q.sources.push_back({vec3{down(x.x), down(x.y), down(x.z)}, 0});
+    query q;
+    q.sources.push_back({vec3{scale_down(x.x), scale_down(x.y), scale_down(x.z)}, 0});
     for (const vert_t<M> v : adj_p2v(m, p)) {
       const int i = number(v);
       q.starts.push_back({i, 0, distance(q.sources[0].place, prepared_->graph.place(static_cast<std::size_t>(i))), 0});
@@ -215,12 +215,12 @@ class prepared_heat_geodesics {
 
 /// The logarithm of heat. It starts as much later as a source lies further back, relative to the first of its component, which lies at `least`.
 template<class M, class Solver>
-std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const question& q, const std::vector<double>& least) const {
+std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const query& q, const std::vector<double>& least) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double decay = std::sqrt(prepared_->time);
   std::vector<detail::heat_source> sources;
   for (const auto& s : q.starts)
-    if (const double strength = std::exp((least[component(index(s))] - given(s)) / decay); strength > 0) sources.push_back({s.vert, strength});
+    if (const double strength = std::exp((least[component(index(s))] - path_length_at_source(s)) / decay); strength > 0) sources.push_back({s.vert, strength});
   std::vector<double> heat = prepared_->system.log_heat(sources);
   bool complete = true;
   for (std::size_t i = 0; i < least.size(); ++i) complete = complete && (heat[i] > -infinity || least[component(i)] == infinity);
@@ -229,40 +229,40 @@ std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const question&
 }
 
 template<class M, class Solver>
-vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q) const {
+vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (q.starts.empty()) throw invalid_argument("heat_geodesics: there is no source; give at least one vert");
   const double decay = std::sqrt(prepared_->time);
   auto distance_at = make_vert_map<double>(mesh_.get(), infinity);
   const auto size = distance_at.values().size();
   std::vector<double> least(size, infinity);  // of the distances given in each component
-  for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], given(s));
-  const Eigen::VectorXd rise = prepared_->system.rise_along(log_heat(q, least));
+  for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
+  const Eigen::VectorXd rise = prepared_->system.integrate_gradient(log_heat(q, least));
 
   // The rise is known up to a constant in each component, and at a source it is too round. It is fitted to what is known of distances not far from
   // sources, and the more so the better it is known there.
   constexpr double near = 2;          // verts are used up to this times `decay` from a source,
-  constexpr double most_doubt = 0.2;  // where the way over the mesh is longer than the straight line by at most this part of it
+  constexpr double max_doubt = 0.2;  // where the way over the mesh is longer than the straight line by at most this part of it
   // Without clamp, longer ways than those are not needed.
   double first = -infinity;
   for (const double x : least)
     if (x < infinity) first = std::max(first, x);
-  const std::vector<double> longest = prepared_->graph.ways_from(q.starts, prepared_->clamp ? infinity : first + (1 + most_doubt) * near * decay);
-  const detail::straight_distance straight(q.sources);
+  const std::vector<double> longest = prepared_->graph.path_lengths_from(q.starts, prepared_->clamp ? infinity : first + (1 + max_doubt) * near * decay);
+  const detail::euclidean_distance straight(q.sources);
   std::vector<double> shortest(size), sum(size), weight(size);
   for (std::size_t i = 0; i < size; ++i) {
     if (!(longest[i] < infinity)) continue;
     shortest[i] = straight(prepared_->graph.place(i));
     const std::size_t c = component(i);
     const double off = shortest[i] - least[c], doubt = longest[i] - shortest[i];
-    if (!(off > 0 && off <= near * decay && doubt <= most_doubt * off)) continue;
+    if (!(off > 0 && off <= near * decay && doubt <= max_doubt * off)) continue;
     const double trust = off / (doubt + 0.01 * off), w = prepared_->mass[i] * trust * trust;
     sum[c] += w * (shortest[i] + doubt / 2 - rise[static_cast<Eigen::Index>(i)]);
     weight[c] += w;
   }
   for (const auto& s : q.starts)
     if (const std::size_t c = component(index(s)); !(weight[c] > 0)) {
-      sum[c] += given(s) - rise[s.vert];
+      sum[c] += path_length_at_source(s) - rise[s.vert];
       weight[c] -= 1;
     }
   for (std::size_t i = 0; i < size; ++i) {
@@ -274,7 +274,7 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
   }
   for (const auto& s : q.starts) {
     double& d = distance_at.values()[index(s)];
-    d = std::min(d, std::ldexp(given(s), prepared_->exponent));
+    d = std::min(d, std::ldexp(path_length_at_source(s), prepared_->exponent));
   }
   return distance_at;
 }
@@ -286,79 +286,81 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const question& q
 /// Cost:   as heat_geodesics, but for the question.
 /// Errors: as heat_geodesics, but for what is about sources.
 template<class M, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const heat_geodesics_options& options = {},
                                                                                                     Solver&& solver = {}) {
   return {m, virtual_elements, options, solver};
 }
 template<class M, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const D& discretisation,
                                                                                                     const heat_geodesics_options& options = {},
                                                                                                     Solver&& solver = {}) {
   return {m, discretisation, options, solver};
 }
 
-/// How far away every vert is, over the surface or through the volume, from one vert, from the nearest of several, or, where pairs of a vert and a
-/// number are given, from the source for which the number plus the way from there is least: auto d = heat_geodesics(m, v); d[w] is a length.
+/// Geodesic distances of all verts by the heat method, over a surface or through a volume: auto d = heat_geodesics(m, v); d[w] is a length.
+/// They are distances from one vert or from the nearest of several. Sources may be pairs of a vert and an initial distance: then d[w] is the
+/// minimum over all sources of the initial distance plus the distance from there.
 /// Needs:  EmbeddedMesh M, no temporary. sources: a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}.
-///         A discretisation of the Laplacian may stand after them; with one that has masses of its own, as `uniform`, heat only flows along
+///         A discretisation of the Laplacian may stand after them. With one that has masses of its own, as `uniform`, heat only flows along
 ///         edges, and gradients and lengths stay those of the mesh. solver: a SparseSolver for symmetric positive definite matrices; two or three of
 ///         its type are made, of its options() where it has them.
-/// Result: a map of double, in units of length; 0 (or the number given, where no other source is nearer) at sources, never less than at the
-///         least of the sources of the component; +inf in components of polys without a source and at verts of no poly that are no source.
-///         Distances are approximate. On the meshes of docs/convergence.md the mean error is 0.3 edges at most, mostly below 0.1; largest errors are below
-///         two edges, but where agglomerates stand round a corner or polygons are squeezed. They are no longer than ways along edges and straight across
-///         triangles or tets inside the polys, nor shorter than straight lines through space; .clamp = false leaves that out, so that they
-///         are as smooth as heat is, and off by some edges where surfaces bend; a question then takes down to a third of the time. Distances
-///         scale exactly with the mesh by powers of two.
+/// Result: a map of double, in units of length. A source has distance 0, or its initial distance where no other source is nearer. No vert has
+///         less than the smallest initial distance in its component. +inf in components of polys without a source, and at verts of no poly that
+///         are no source.
+///         Distances are approximate. On the meshes of docs/convergence.md the mean error is at most 0.3 edges, mostly below 0.1. The largest error is
+///         below two edges, except for agglomerates round a corner and squeezed polygons.
+///         Distances are clamped: at most the shortest path along edges and straight across triangles or tets inside the polys, at least the
+///         straight line through space. With .clamp = false they are as smooth as heat is, and off by some edges where surfaces bend; a
+///         query then takes as little as a third of the time. Distances scale exactly with the mesh by powers of two.
 ///         The default time is twice the squared width of polys, averaged by their measure, over their dimension: two squared edges in grids of
-///         squares and of cubes. Heat shows directions where it has crossed about a poly, and rounds off what is finer; the polys that most
-///         places lie in say how far that is, not the many in a corner of a graded mesh, nor the short edges of an interlocking polygon. A
-///         longer time makes distances smoother, and rounder near the boundary.
-///         Heat is kept as its logarithm, whose gradient is as steep far away as near by, and is carried on where
-///         it is too little for double precision, so that distances are right over any number of edges; each 1250 sqrt(time) of distance
-///         cost another back-substitution. Laplacians with negative weights may make it negative, where polys are very long and thin: then
-///         it flows by positive weights along edges instead, and where it still is, shortest ways along edges take its place.
-/// Cost:   two sparse factorisations of as many unknowns as there are verts, three where there is a boundary, see heat_boundary; one
-///         more where heat has to flow along edges; then two or three back-substitutions and a search for shortest ways, O(n log n) for n
-///         elements. For several questions prepare_heat_geodesics factorises once.
-/// Errors: invalid_argument if time is out of its range, there is no source or its number is not finite; invalid_mesh if a source is no vert
-///         of the mesh, or if a poly has no area or volume or points that are not finite; unsupported as laplacian; solver_error; cancelled.
+///         squares and of cubes. Heat resolves directions over a distance of about one poly, and rounds off finer details. The average by measure
+///         sets that distance by the polys that cover most of the mesh. The many small polys in a corner of a graded mesh do not set it, nor do the
+///         short edges of an interlocking polygon. A longer time makes distances smoother, and rounder near the boundary.
+///         Heat is stored as its logarithm, whose gradient does not decay with distance. Where heat underflows double precision, it is continued
+///         from there, so that distances are right over any number of edges; each 1250 sqrt(time) of distance costs another back-substitution.
+///         Where polys are very long and thin, a Laplacian with negative weights may make heat negative. Then heat flows along edges by positive
+///         weights instead, and where it still is negative, shortest paths along edges replace it.
+/// Cost:   two sparse factorisations of as many unknowns as there are verts, three where there is a boundary (see heat_boundary), one
+///         more where heat has to flow along edges. Then two or three back-substitutions and a search for shortest paths, O(n log n) for n
+///         elements. For several queries prepare_heat_geodesics factorises once.
+/// Errors: invalid_argument if time is out of its range, there is no source, or an initial distance is not finite. invalid_mesh if a source is no
+///         vert of the mesh, or if a poly has no area or volume or points that are not finite. unsupported as laplacian. solver_error. cancelled.
 /// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; ways across triangles: Novotni, Klein 2002, "Computing
 ///         geodesic distances on triangular meshes"; paper section 2.2, "Distances and paths".
 template<class M, class S, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const S& sources, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
 template<class M, class S, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const S& sources, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
 }
 template<class M, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
 template<class M, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
 }
 template<class M, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(sources);
 }
 template<class M, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
@@ -370,13 +372,13 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
 /// Cost:   as above.
 /// Errors: as above, and invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
 template<class M, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, options, solver).distance_from(p, x);
 }
 template<class M, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const D& discretisation, const heat_geodesics_options& options = {},
                                    Solver&& solver = {}) {
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(p, x);

@@ -5,9 +5,9 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/dirichlet.hpp>
 #include <concino/fields/detail/laplace_system.hpp>
+#include <concino/fields/detail/make_similar_solver.hpp>
 #include <concino/fields/detail/masses.hpp>
 #include <concino/fields/detail/neumann.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
@@ -41,19 +41,19 @@ namespace detail {
 /// 2^-exponent as large.
 template<class M>
 class poisson_problem {
-  static constexpr const char* who = "poisson";
-  held_system<M> system_;
+  static constexpr const char* caller = "poisson";
+  constrained_system<M> system_;
   Eigen::SparseMatrix<double> mass_;
   int exponent_;
 
-  poisson_problem(held_system<M>&& system, Eigen::SparseMatrix<double>&& mass, int exponent)
+  poisson_problem(constrained_system<M>&& system, Eigen::SparseMatrix<double>&& mass, int exponent)
       : system_(std::move(system)), exponent_(exponent) {
     mass_.swap(mass);
   }
 
-  void enlarge(auto& sides) const {
+  void enlarge(auto& rhs) const {
     if (exponent_ == 0) return;
-    for (auto& side : sides)
+    for (auto& side : rhs)
       for (Eigen::Index i = 0; i < side.size(); ++i) side[i] = std::ldexp(side[i], exponent_);
   }
 
@@ -62,7 +62,7 @@ class poisson_problem {
   right_hand_sides<T> load(const M& m, const F& f, const poisson_options<M, T>& options) const {
     auto sum = mass_times<T>(m, mass_, f, "poisson: the load f");
     enlarge(sum);
-    add_fluxes<T>(views::scaled<M>(m, exponent_), options.fluxes, sum, who);
+    add_fluxes<T>(views::scaled<M>(m, exponent_), options.fluxes, sum, caller);
     enlarge(sum);
     return sum;
   }
@@ -70,13 +70,13 @@ class poisson_problem {
  public:
   /// fixed: verts, or pairs of a vert and a value.
   template<class V, class D>
-  static poisson_problem make(const M& m, const V& fixed, const D& discretisation, const progress& told) {
-    tell(told, 0, "Poisson's equation");
-    held_verts<M> held(m);
-    held.hold(m, fixed, who);
-    held.number_reached(m, who);
+  static poisson_problem make(const M& m, const V& fixed, const D& discretisation, const progress& on_progress) {
+    report_progress(on_progress, 0, "Poisson's equation");
+    constrained_verts<M> constrained(m);
+    constrained.constrain(m, fixed, caller);
+    constrained.number_reached(m, caller);
     return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> poisson_problem {
-      auto system = laplace_system(at, std::move(held), discretisation, 1, who);
+      auto system = laplace_system(at, std::move(constrained), discretisation, 1, caller);
       return {std::move(system), mass_matrix(at, {.lumped = false}), exponent};
     });
   }
@@ -84,25 +84,25 @@ class poisson_problem {
   std::size_t num_isolated() const { return system_.verts.num_isolated; }
 
   template<class Solver>
-  void factorize(Solver& solver, const progress& told) const { system_.factorize(solver, told, who); }
+  void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller); }
 
   /// What is known of one solution.
   template<class T>
-  struct question {
+  struct query {
     vert_map<M, T> u;  // prescribed values, and isolated_value
-    right_hand_sides<T> sides;
+    right_hand_sides<T> rhs;
   };
   template<class T, class F>
-  question<T> ask(const M& m, const F& f, const poisson_options<M, T>& options) const {
-    auto u = prescribed_values<T>(m, system_.verts, options.values, options.isolated_value, who);
+  query<T> make_query(const M& m, const F& f, const poisson_options<M, T>& options) const {
+    auto u = prescribed_values<T>(m, system_.verts, options.values, options.isolated_value, caller);
     return {std::move(u), load<T>(m, f, options)};
   }
 
   template<class T, class Solver>
-  vert_map<M, T> solve(const Solver& solver, question<T>&& q, const progress& told) const {
-    tell(told, 0.9, "solving");
-    system_.template solve<T>(solver, [&](std::size_t k, int i) { return q.sides[k][i]; }, q.u, who);
-    tell(told, 1, "Poisson's equation");
+  vert_map<M, T> solve(const Solver& solver, query<T>&& q, const progress& on_progress) const {
+    report_progress(on_progress, 0.9, "solving");
+    system_.template solve<T>(solver, [&](std::size_t k, int i) { return q.rhs[k][i]; }, q.u, caller);
+    report_progress(on_progress, 1, "Poisson's equation");
     return std::move(q.u);
   }
 };
@@ -123,17 +123,17 @@ class prepared_poisson {
  public:
   template<class V, class D>
   prepared_poisson(const M& m, const V& fixed, const D& discretisation, const prepare_poisson_options& options, const Solver& solver) : mesh_(m) {
-    auto own = detail::another_solver(solver);
+    auto own = detail::make_similar_solver(solver);
     auto problem = detail::poisson_problem<M>::make(m, fixed, discretisation, options.progress);
     problem.factorize(*own, options.progress);
     prepared_ = std::make_shared<const preparation>(preparation{std::move(problem), std::move(own)});
-    detail::tell(options.progress, 1, "Poisson's equation");
+    detail::report_progress(options.progress, 1, "Poisson's equation");
   }
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
   /// How many verts have no edges and no value prescribed: they get isolated_value.
-  std::size_t isolated() const { return prepared_->problem.num_isolated(); }
+  std::size_t num_isolated() const { return prepared_->problem.num_isolated(); }
 
   /// The function with the load f, values at the verts that were named before, and outward derivatives on the boundary.
   /// Needs:  f and options as for poisson; values: one at least for each of those verts and none elsewhere. The mesh is as it was prepared.
@@ -143,7 +143,7 @@ class prepared_poisson {
   template<class F, class T = detail::field_value_at<F, vert_t<M>>>
     requires requirement::gives_numbers_or_points<F, vert_t<M>>
   vert_map<M, T> solve(const F& f, const poisson_options<M, std::type_identity_t<T>>& options = {}) const {
-    auto q = prepared_->problem.template ask<T>(mesh_.get(), f, options);
+    auto q = prepared_->problem.template make_query<T>(mesh_.get(), f, options);
     return prepared_->problem.template solve<T>(*prepared_->solver, std::move(q), options.progress);
   }
 };
@@ -152,27 +152,27 @@ class prepared_poisson {
 /// auto u = p.solve(f, {.values = {{b, 0.0}}}).
 /// Needs:  as poisson; the mesh stays as it is. `fixed`: verts in braces or any container. solver: one like it is kept, made of its options()
 ///         where it has them.
-/// Result: an object that answers solve(...), and tells by isolated() how many verts get isolated_value.
+/// Result: an object that answers solve(...); num_isolated() is the number of verts that get isolated_value.
 /// Cost:   that of poisson, but for the back-substitution.
 /// Errors: as poisson, but for those about values, loads and fluxes; invalid_mesh if a vert to be fixed is no vert of m.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && detail::names_elements<V, vert_t<M>> &&
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed,
                                                                                       const prepare_poisson_options& options = {}, Solver&& solver = {}) {
   return {m, fixed, virtual_elements, options, solver};
 }
 template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const D& discretisation,
                                                                                       const prepare_poisson_options& options = {}, Solver&& solver = {}) {
   return {m, fixed, discretisation, options, solver};
 }
 
-/// The function u on the verts with -L u = M f + S, the weak form of -(Laplacian of u) = f, the values of the options at some verts, and their outward
-/// derivatives du/dn on some of the boundary: poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 1.0}}}). Where neither is given there, the
-/// derivative across it is 0. L is the Laplacian of the discretisation, after the load, or that of virtual_elements.
+/// Solves Poisson's equation -(Laplacian of u) = f for a function u on the verts, in its weak form -L u = M f + S. The options prescribe values of u at
+/// some verts and outward derivatives du/dn on some of the boundary: poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 1.0}}}). Where the
+/// boundary has neither, du/dn is 0. L is the Laplacian of the discretisation, which stands after the load; the default is virtual_elements.
 /// Needs:  EmbeddedMesh M, with a Discretisation also what that needs. f: any readable map over verts, f[v], in units of u over length^2;
 ///         numbers, or points for vectors, which are solved for part by part: then values and fluxes are points too. Values: one at least in each
 ///         component. Fluxes: edges of a surface or faces of a volume on the boundary and the derivative in the direction out of the mesh, constant on
@@ -183,24 +183,24 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 ///         volume with planar faces on the boundary. Verts without edges get isolated_value unless a value is given; prepare_poisson counts
 ///         them; f is not read at verts of no poly.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
-/// Errors: as harmonic_map with the same discretisation; invalid_argument if f is not finite at a vert of a poly, or a flux is not finite or given
-///         twice differently; invalid_mesh if a poly has no area or volume, or points that are not finite, or if a flux is given at what is no
-///         edge or face of m or has not exactly one poly.
+/// Errors: as harmonic_map with the same discretisation. invalid_argument if f is not finite at a vert of a poly, or a flux is not finite or given
+///         twice with different values. invalid_mesh if a poly has no area or volume or has points that are not finite. invalid_mesh if a flux is
+///         given at what is no edge or face of m, or at one that does not have exactly one poly.
 /// Source: Beirao da Veiga et al. 2013, Ahmad et al. 2013 (the load); paper section 2.2.
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {}, Solver&& solver = {}) {
   return poisson(m, f, virtual_elements, options, solver);
 }
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_no_temporary<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && Discretisation<D, M> &&
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && Discretisation<D, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const D& discretisation, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {},
                        Solver&& solver = {}) {
   const std::remove_cvref_t<M>& mesh_in = m;
   const auto problem = detail::poisson_problem<std::remove_cvref_t<M>>::make(mesh_in, options.values, discretisation, options.progress);
-  auto q = problem.template ask<T>(mesh_in, f, options);
+  auto q = problem.template make_query<T>(mesh_in, f, options);
   problem.factorize(solver, options.progress);
   return problem.template solve<T>(solver, std::move(q), options.progress);
 }

@@ -6,8 +6,8 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/another_solver.hpp>
 #include <concino/fields/detail/implicit.hpp>
+#include <concino/fields/detail/make_similar_solver.hpp>
 #include <concino/fields/detail/scaled_mesh.hpp>
 #include <concino/solve/auto_solver.hpp>
 
@@ -31,17 +31,17 @@ namespace detail {
 
 template<class M, class D>
 implicit_system<M> smoothing_system(const M& m, double amount, const D& discretisation, const smooth_options<M>& options) {
-  const char* const who = "smooth";
+  const char* const caller = "smooth";
   if (!(amount >= 0 && std::isfinite(amount)))
-    core::throw_joined<invalid_argument>({who, ": amount is ", core::number_text(amount), "; it must be finite and 0 or more"});
-  if (options.exponent < 1) core::throw_joined<invalid_argument>({who, ": exponent is ", core::number_text(options.exponent), "; it must be 1 or more"});
-  tell(options.progress, 0, "smoothing");
-  held_verts<M> held(m);
-  held.hold(m, options.fixed, who);
+    core::throw_joined<invalid_argument>({caller, ": amount is ", core::number_text(amount), "; it must be finite and 0 or more"});
+  if (options.exponent < 1) core::throw_joined<invalid_argument>({caller, ": exponent is ", core::number_text(options.exponent), "; it must be 1 or more"});
+  report_progress(options.progress, 0, "smoothing");
+  constrained_verts<M> constrained(m);
+  constrained.constrain(m, options.fixed, caller);
   return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> implicit_system<M> {
-    auto mass = mass_beside(at, discretisation, true, who);
-    return {m, std::move(held), std::move(mass), std::ldexp(amount, -2 * options.exponent * exponent),
-            polyharmonic(at, discretisation, options.exponent, who), who};
+    auto mass = mass_beside(at, discretisation, true, caller);
+    return {m, std::move(constrained), std::move(mass), std::ldexp(amount, -2 * options.exponent * exponent),
+            polyharmonic(at, discretisation, options.exponent, caller), caller};
   });
 }
 
@@ -62,16 +62,16 @@ class prepared_smooth {
   template<class D>
   prepared_smooth(const M& m, double amount, const D& discretisation, const smooth_options<M>& options, const Solver& solver) : mesh_(m) {
     auto system = detail::smoothing_system(m, amount, discretisation, options);
-    auto own = detail::another_solver(solver);
+    auto own = detail::make_similar_solver(solver);
     system.factorize(*own, options.progress);
     prepared_ = std::make_shared<const preparation>(preparation{std::move(system), std::move(own)});
-    detail::tell(options.progress, 1, "smoothing");
+    detail::report_progress(options.progress, 1, "smoothing");
   }
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
   /// How many verts have no edges and are not fixed: they keep their values.
-  std::size_t isolated() const { return prepared_->system.held().num_isolated; }
+  std::size_t num_isolated() const { return prepared_->system.constrained().num_isolated; }
 
   /// The smoothed f.
   /// Needs:  f as for smooth; the mesh is as it was prepared.
@@ -89,11 +89,11 @@ class prepared_smooth {
 
 /// Prepares smoothing by the same amount, for many fields: auto s = prepare_smooth(m, amount); auto u = s.apply(f).
 /// Needs:  as smooth; the mesh stays as it is. solver: one like it is kept, made of its options() where it has them.
-/// Result: an object that answers apply(f), and tells by isolated() how many verts have no edges.
+/// Result: an object that answers apply(f); num_isolated() is the number of verts that have no edges.
 /// Cost:   as smooth, but for the back-substitution.
 /// Errors: as smooth, but for what is about f.
 template<class M, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount,
                                                                                     const smooth_options<std::remove_cvref_t<M>>& options = {},
@@ -101,7 +101,7 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
   return {m, amount, virtual_elements, options, solver};
 }
 template<class M, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> &&
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount, const D& discretisation,
                                                                                     const smooth_options<std::remove_cvref_t<M>>& options = {},
@@ -109,9 +109,9 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
   return {m, amount, discretisation, options, solver};
 }
 
-/// The u for which the sum of mass times |u - f|^2 plus amount times the energy of u is least: (M + amount L') u = M f, with L' minus the Laplacian
-/// or, for exponent n, its power L' (M^-1 L')^(n-1), and M the lumped mass or that of the discretisation, which stands after the amount: smooth(m, f,
-/// amount, uniform), with M the identity. Without one it is that of virtual_elements. Fixed verts keep their value.
+/// Smooths values on verts: minimises the sum of mass times |u - f|^2 plus amount times the energy of u, that is, solves (M + amount L') u = M f.
+/// L' is minus the Laplacian or, for exponent n, its power L' (M^-1 L')^(n-1). M is the lumped mass, or that of the discretisation, which stands
+/// after the amount; in smooth(m, f, amount, uniform) it is the identity. The default is virtual_elements. Fixed verts keep their value.
 /// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. f: any readable map over verts, of numbers, or of
 ///         points for vectors, which are smoothed part by part with one factorisation. amount: finite, 0 or more, in units of
 ///         length^(2 exponent), without unit with `uniform`: features narrower than its (2 exponent)-th root go. solver as for harmonic_map.
@@ -120,19 +120,18 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 ///         there. With `uniform` and exponent 1, values stay between the extrema of f; so they do with others as long as no weight
 ///         is negative.
 /// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
-/// Errors: invalid_argument if amount or exponent is out of its range or f is not finite at a vert that has edges or is fixed; invalid_mesh if what
-///         is to be fixed is no vert of m, or if a vert has edges and no mass; those of `laplacian` with this discretisation;
-///         solver_error; cancelled.
+/// Errors: invalid_argument if amount or exponent is out of its range, or f is not finite at a vert that has edges or is fixed. invalid_mesh if a
+///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation. solver_error. cancelled.
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature
 ///         flow".
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const smooth_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   return smooth(m, f, amount, virtual_elements, options, solver);
 }
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
-  requires requirement::is_no_temporary<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const D& discretisation, const smooth_options<std::remove_cvref_t<M>>& options = {},
                       Solver&& solver = {}) {
@@ -140,9 +139,9 @@ vert_map<M, T> smooth(M&& m, const F& f, double amount, const D& discretisation,
   const auto system = detail::smoothing_system(mesh_in, amount, discretisation, options);
   auto u = system.template values_of<T>(mesh_in, f);
   system.factorize(solver, options.progress);
-  detail::tell(options.progress, 0.9, "solving");
+  detail::report_progress(options.progress, 0.9, "solving");
   system.template apply<T>(solver, u);
-  detail::tell(options.progress, 1, "smoothing");
+  detail::report_progress(options.progress, 1, "smoothing");
   return u;
 }
 

@@ -5,7 +5,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/generate/detail/union_border.hpp>
+#include <concino/generate/detail/merged_boundary.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/polygonmesh.hpp>
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> numbered_marked(const M& m, const R& elements, std::v
 
 /// The origins of the elements of a union of polys: copies of verts and faces, and polys by their measure.
 template<EmbeddedMesh M>
-class union_origins {
+class merge_origins {
   const M& m_;
   const agglomerate_options& options_;
   bool is_wanted_ = false, has_properties_ = false;
@@ -85,7 +85,7 @@ class union_origins {
   }
 
  public:
-  union_origins(const M& m, const agglomerate_options& options) : m_(m), options_(options) {
+  merge_origins(const M& m, const agglomerate_options& options) : m_(m), options_(options) {
     if constexpr (ShowsProperties<M>) has_properties_ = options.properties && traits<M>::properties(m).size() > 0;
     is_wanted_ = has_properties_ || options.correspondence;
   }
@@ -113,7 +113,7 @@ class union_origins {
 };
 
 template<AnyMesh M, class V>
-[[noreturn]] void throw_no_union(const M& m, V label, const poly_t<M>& p, const union_fault& fault) {
+[[noreturn]] void throw_not_mergeable(const M& m, V label, const poly_t<M>& p, const merge_fault& fault) {
   const std::string which = ~fault.index != 0 ? core::joined({" ", fault.index}) : std::string();
   core::throw_joined<invalid_mesh>({"agglomerate: the polys with label ", core::number_text(static_cast<long long>(label)), ", poly ", index_of(m, p),
                               " among them, are no ", std::string(SurfaceMesh<M> ? "disk: " : "ball: "), fault.text, which,
@@ -122,10 +122,9 @@ template<AnyMesh M, class V>
 
 }  // namespace detail
 
-/// All polys of one label made one poly, convex or not.
-/// Needs:  EmbeddedMesh; labels[p] is an integer. The polys of one label are wound alike and make a disk (surfaces) or a ball (volumes):
-///         they hang together across edges or faces, and their border is one ring of verts, or one sphere of faces, that touches itself
-///         nowhere.
+/// Merges all polys of one label into one poly, convex or not.
+/// Needs:  EmbeddedMesh; labels[p] is an integer. The polys of one label are wound alike and make a disk (surfaces) or a ball (volumes). They
+///         are connected through edges or faces, and their border is one ring of verts, or one sphere of faces, that nowhere touches itself.
 /// Result: a polygonmesh or polyhedralmesh with a poly for each label, numbered by ascending label. Faces and verts inside a union are left
 ///         out, and those of no poly; the others are numbered as m walks them. All verts and all faces on the border of a union stay: a polygon
 ///         may have flat corners where only two polys meet, and two polyhedra may share several faces in one plane. Named properties come along by
@@ -139,10 +138,10 @@ polygonmesh agglomerate(const M& m, const L& labels, const agglomerate_options& 
   surface_arrays a;
   a.offsets.push_back(0);
   std::vector<std::uint32_t> used(vert_index_bound(m), ~0u);
-  detail::union_border<M> border(m);
-  detail::union_origins<M> origins(m, options);
+  detail::merged_boundary<M> border(m);
+  detail::merge_origins<M> origins(m, options);
   detail::for_each_label(m, labels, [&](const auto& label, std::span<const poly_t<M>> group) {
-    if (const auto fault = border.read(group)) detail::throw_no_union(m, label, group.front(), fault);
+    if (const auto fault = border.read(group)) detail::throw_not_mergeable(m, label, group.front(), fault);
     origins.add_poly(group);
     for (const vert_t<M>& v : border.ring()) {
       used[index_of(m, v)] = 0;
@@ -166,12 +165,12 @@ polyhedralmesh agglomerate(const M& m, const L& labels, const agglomerate_option
   a.face_offsets.push_back(0);
   a.poly_offsets.push_back(0);
   std::vector<std::uint32_t> used_vert(vert_index_bound(m), ~0u), used_face(face_index_bound(m), ~0u);
-  detail::union_border<M> border(m);
-  detail::union_origins<M> origins(m, options);
+  detail::merged_boundary<M> border(m);
+  detail::merge_origins<M> origins(m, options);
   detail::for_each_label(m, labels, [&](const auto& label, std::span<const poly_t<M>> group) {
-    if (const auto fault = border.read(group)) detail::throw_no_union(m, label, group.front(), fault);
+    if (const auto fault = border.read(group)) detail::throw_not_mergeable(m, label, group.front(), fault);
     origins.add_poly(group);
-    for (const auto& [f, outward] : border.sides()) {
+    for (const auto& [f, outward] : border.boundary_faces()) {
       used_face[index_of(m, f)] = 0;
       a.poly_faces.push_back(face_id{index_of(m, f)});
       a.outward.push_back(outward);

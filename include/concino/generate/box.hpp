@@ -1,7 +1,7 @@
 // The surface of a box, and the box itself: make_box<M>().
 #pragma once
 
-#include <concino/generate/detail/box_skin.hpp>
+#include <concino/generate/detail/box_surface.hpp>
 #include <concino/generate/grid.hpp>
 
 namespace concino {
@@ -11,7 +11,7 @@ namespace concino {
 /// Result: on each side a grid of quads, cells[0] x cells[1] on those across z and so on; two triangles a quad where M is of triangles.
 /// Cost:   O(cells) time and memory.
 /// Errors: as make_grid.
-template<requirement::can_be_made M>
+template<requirement::can_be_generated M>
 M make_box(const grid_options& options = {}) {
   if constexpr (dimension_v<M> == 3) {  // a solid box; of a surface its six sides
     return make_grid<M>(options);
@@ -19,10 +19,10 @@ M make_box(const grid_options& options = {}) {
     detail::check_grid("make_box", options, 3);
     const auto [nx, ny, nz] = options.cells;
     const double i = static_cast<double>(nx), j = static_cast<double>(ny), k = static_cast<double>(nz), quads = 2 * (i * j + j * k + k * i);
-    detail::check_room<M>("make_box", "cells", quads + 2, quads);
+    detail::check_element_counts<M>("make_box", "cells", quads + 2, quads);
     const detail::spaced x("make_box", "x", options.min.x, options.max.x, nx), y("make_box", "y", options.min.y, options.max.y, ny),
         z("make_box", "z", options.min.z, options.max.z, nz);
-    const detail::box_skin skin(options.cells);
+    const detail::box_surface skin(options.cells);
     surface_arrays a{{}, {}, {}, 4};
     a.points.reserve(skin.num_verts());
     a.verts.reserve(4 * skin.num_quads());
@@ -30,7 +30,7 @@ M make_box(const grid_options& options = {}) {
     skin.for_each_quad([&](const std::array<detail::lattice_place, 4>& quad) {
       for (const detail::lattice_place& at : quad) a.verts.push_back(vert_id{skin.number(at)});
     });
-    return detail::made_of_quads<M>(std::move(a));
+    return detail::construct_from_quads<M>(std::move(a));
   }
 }
 

@@ -36,8 +36,8 @@ inline void drop_unused(std::vector<vec3>& points, std::vector<vert_id>& loops) 
 
 }  // namespace detail
 
-/// The dual mesh: a vert at the centroid of each poly, a poly for each vert, an edge between polys that share an edge (surfaces) or a face
-/// (volumes), and in volumes a face for each edge, through the polys around it, which need not be planar.
+/// The dual mesh: a vert at the centroid of each poly, a poly for each vert, and an edge between polys that share an edge (surfaces) or a face
+/// (volumes). In volumes it has a face for each edge, through the polys around it; that face need not be planar.
 /// Needs:  EmbeddedMesh, manifold: at most two polys at an edge (face), the polys around each vert one disk (ball).
 /// Result: a polygonmesh or polyhedralmesh. Poly i is the cell of the i-th vert of verts(m) that has one: of the verts of some poly all
 ///         (clipped) or the inner ones (discarded). With clipped cells vert i is the i-th poly of polys(m), others follow, and the dual
@@ -61,7 +61,7 @@ polygonmesh dual_mesh(const M& m, const dual_mesh_options& options = {}) {
     const std::size_t i = index_of(m, v);
     if (!parts.has_polys(i)) continue;
     std::uint32_t own = parts.none;
-    if (parts.is_border_hub(i)) {
+    if (parts.is_border_centre(i)) {
       if (!clipped) continue;
       own = parts.add_vert(to_vec3(point(m, v)));
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/message.hpp>
-#include <concino/generate/detail/made.hpp>
+#include <concino/generate/detail/construct_from_arrays.hpp>
 
 #include <algorithm>
 #include <array>
@@ -124,19 +124,19 @@ inline cell_arrays hex_grid(const grid_options& o) {
 /// Errors: invalid_argument that names the field: no cells, more than 32-bit descriptors can tell apart, a box that is not finite, is empty or
 ///         so thin that its cells cannot be told apart. unsupported if a mesh of another library refuses a poly.
 /// Source: Kuhn 1960 (six tets).
-template<requirement::can_be_made M>
+template<requirement::can_be_generated M>
 M make_grid(const grid_options& options = {}) {
   detail::check_grid("make_grid", options, dimension_v<M>);
   const double x = static_cast<double>(options.cells[0]), y = static_cast<double>(options.cells[1]), z = static_cast<double>(options.cells[2]);
   if constexpr (dimension_v<M> == 3) {  // what is built of cubes or of squares
-    detail::check_room<M>("make_grid", "cells", (x + 1) * (y + 1) * (z + 1), x * y * z);
-    return detail::made_of_hexes<M>(detail::hex_grid(options));
+    detail::check_element_counts<M>("make_grid", "cells", (x + 1) * (y + 1) * (z + 1), x * y * z);
+    return detail::construct_from_hexes<M>(detail::hex_grid(options));
   } else if constexpr (arity_v<M> > 0) {  // triangles and quads; general polygons are hexagons
-    detail::check_room<M>("make_grid", "cells", (x + 1) * (y + 1), x * y);
-    return detail::made_of_quads<M>(detail::quad_grid(options));
+    detail::check_element_counts<M>("make_grid", "cells", (x + 1) * (y + 1), x * y);
+    return detail::construct_from_quads<M>(detail::quad_grid(options));
   } else {
-    detail::check_room<M>("make_grid", "cells", (2 * x + 1) * (y + 1), (x + 1) * y);
-    return detail::made_of<M>(detail::honeycomb(options));
+    detail::check_element_counts<M>("make_grid", "cells", (2 * x + 1) * (y + 1), (x + 1) * y);
+    return detail::construct_from_arrays<M>(detail::honeycomb(options));
   }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/oriented_edges.hpp>
-#include <concino/generate/detail/made.hpp>
+#include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 namespace concino {

@@ -3,8 +3,8 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/generate/detail/merged_boundary.hpp>
 #include <concino/generate/detail/random.hpp>
-#include <concino/generate/detail/union_border.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -19,11 +19,11 @@ namespace detail {
 
 /// Whether a poly may join a disk or ball so that it stays one: what the two share has to be a path of edges, or a disk of faces.
 template<AnyMesh M>
-class joining {
+class link_condition {
   const M& m_;
   const int* label_;  // by index of a poly
-  stamped<std::uint32_t> side_of_;
-  stamped<unsigned char> shared_vert_;
+  stamped_array<std::uint32_t> side_of_;
+  stamped_array<unsigned char> shared_vert_;
   disjoint_sets sets_;  // of shared faces that hang together across edges
 
   template<class R>
@@ -34,7 +34,7 @@ class joining {
   }
 
  public:
-  joining(const M& m, const int* label)
+  link_condition(const M& m, const int* label)
       : m_(m), label_(label), side_of_(dimension_v<M> == 3 ? edge_index_bound(m) : 0), shared_vert_(vert_index_bound(m)) {}
 
   bool operator()(const poly_t<M>& p, int label) {
@@ -84,7 +84,7 @@ class joining {
 /// Errors: invalid_argument if size is 0.
 /// Source: first-passage percolation: Eden 1961; Hammersley, Welsh 1965.
 template<class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M>
+  requires requirement::is_lvalue_or_view<M> && AnyMesh<M>
 poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) {
   using mesh = std::remove_cvref_t<M>;
   using poly = poly_t<mesh>;
@@ -113,7 +113,7 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
     for (const poly q : adj_p2p(m, p))
       if (label[index_of(m, q)] < 0) queue.push({time + random.unit(), number++, l, q});
   };
-  detail::joining<mesh> may_join(m, label);
+  detail::link_condition<mesh> may_join(m, label);
   const auto grow = [&] {
     while (!queue.empty()) {
       const claim c = queue.top();
@@ -135,7 +135,7 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
   }
 
   // What the local test could not see, on meshes that are no manifolds.
-  detail::union_border<mesh> border(m);
+  detail::merged_boundary<mesh> border(m);
   for (std::size_t l = 0, grown = pieces.size(); l < grown; ++l) {
     if (!border.read(pieces[l])) continue;
     for (std::size_t k = 1; k < pieces[l].size(); ++k) {

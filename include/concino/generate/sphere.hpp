@@ -1,8 +1,8 @@
 // Spheres and balls: make_sphere<M>().
 #pragma once
 
-#include <concino/generate/detail/box_skin.hpp>
-#include <concino/generate/detail/made.hpp>
+#include <concino/generate/detail/box_surface.hpp>
+#include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/generate/detail/round.hpp>
 
 namespace concino {
@@ -19,11 +19,11 @@ inline vec3 in_even_cube(const lattice_place& at, std::size_t n) { return {even_
 
 /// The surface of a cube, seen from its centre on the unit sphere.
 inline surface_arrays cube_sphere(std::size_t n) {
-  const box_skin skin({n, n, n});
+  const box_surface skin({n, n, n});
   surface_arrays a{{}, {}, {}, 4};
   a.points.reserve(skin.num_verts());
   a.verts.reserve(4 * skin.num_quads());
-  skin.for_each_vert([&](const lattice_place& at) { a.points.push_back(on_round_rim(in_even_cube(at, n))); });
+  skin.for_each_vert([&](const lattice_place& at) { a.points.push_back(on_round_boundary(in_even_cube(at, n))); });
   skin.for_each_quad([&](const std::array<lattice_place, 4>& quad) {
     for (const lattice_place& at : quad) a.verts.push_back(vert_id{skin.number(at)});
   });
@@ -32,7 +32,7 @@ inline surface_arrays cube_sphere(std::size_t n) {
 
 /// A core of n^3 hexes in layers of hexes.
 inline cell_arrays hex_ball(std::size_t n) {
-  const box_skin skin({n, n, n});
+  const box_surface skin({n, n, n});
   const std::size_t layers = layers_around(n), row = n + 1, core = row * row * row;
   cell_arrays a{{}, {}, 8};
   a.points.reserve(core + layers * skin.num_verts());
@@ -43,7 +43,7 @@ inline cell_arrays hex_ball(std::size_t n) {
       for (std::size_t i = 0; i < row; ++i) a.points.push_back(in_round_core(in_even_cube({i, j, k}, n)));
   for (std::size_t l = 1; l <= layers; ++l)
     skin.for_each_vert([&](const lattice_place& at) {
-      const vec3 u = in_even_cube(at, n), inner = in_round_core(u), outer = on_round_rim(u);
+      const vec3 u = in_even_cube(at, n), inner = in_round_core(u), outer = on_round_boundary(u);
       a.points.push_back(l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
     });
   for (std::size_t k = 0; k < n; ++k)
@@ -79,28 +79,28 @@ Arrays placed(Arrays a, double radius, const vec3& centre) {
 /// Errors: invalid_argument that names the field: no cells or more than 32-bit descriptors can tell apart, a radius that is not finite and above
 ///         0, a centre that is not finite. unsupported if a mesh of another library refuses a poly.
 /// Source: the equiangular cubed sphere of Ronchi, Iacono, Paolucci 1996; tets by Dompierre et al. 1999.
-template<requirement::can_be_made M>
+template<requirement::can_be_generated M>
 M make_sphere(const sphere_options& options = {}) {
   detail::check_at_least("make_sphere", "cells", options.cells, 1);
   detail::check_positive("make_sphere", "radius", options.radius);
   detail::check_finite("make_sphere", "centre", options.centre);
   const double n = static_cast<double>(options.cells), skin = 6 * n * n;
   if constexpr (dimension_v<M> == 3) {  // a ball; of a surface its skin
-    detail::check_room<M>("make_sphere", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (skin + 2), n * n * n + (n + 1) / 2 * skin);
-    return detail::made_of_hexes<M>(detail::placed(detail::hex_ball(options.cells), options.radius, options.centre));
+    detail::check_element_counts<M>("make_sphere", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (skin + 2), n * n * n + (n + 1) / 2 * skin);
+    return detail::construct_from_hexes<M>(detail::placed(detail::hex_ball(options.cells), options.radius, options.centre));
   } else {
-    detail::check_room<M>("make_sphere", "cells", 2 * skin, skin);
+    detail::check_element_counts<M>("make_sphere", "cells", 2 * skin, skin);
     surface_arrays quads = detail::cube_sphere(options.cells);
     if constexpr (arity_v<M> == 0) {  // general polygons are the dual of triangles
       const surface_arrays triangles = detail::cut_quads(std::move(quads));
       quads = detail::dual_of_triangles(triangles, [&](std::size_t t) {
         vec3 sum;
         for (const std::size_t k : {0u, 1u, 2u}) sum += triangles.points[triangles.verts[3 * t + k].raw()];
-        return detail::on_round_rim(sum);
+        return detail::on_round_boundary(sum);
       });
-      return detail::made_of<M>(detail::placed(std::move(quads), options.radius, options.centre));
+      return detail::construct_from_arrays<M>(detail::placed(std::move(quads), options.radius, options.centre));
     } else {
-      return detail::made_of_quads<M>(detail::placed(std::move(quads), options.radius, options.centre));
+      return detail::construct_from_quads<M>(detail::placed(std::move(quads), options.radius, options.centre));
     }
   }
 }

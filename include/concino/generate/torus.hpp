@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/message.hpp>
-#include <concino/generate/detail/box_skin.hpp>
-#include <concino/generate/detail/made.hpp>
+#include <concino/generate/detail/box_surface.hpp>
+#include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/generate/detail/round.hpp>
 
 namespace concino {
@@ -26,14 +26,14 @@ inline surface_arrays quad_disk(std::size_t n) {
   for (std::size_t j = 0; j < row; ++j)
     for (std::size_t i = 0; i < row; ++i) {
       a.points.push_back(in_round_core(square({i, j, 0})));
-      if (i == 0 || i == n || j == 0 || j == n) around[rim_number(i, j, n, n)] = {i, j, 0};
+      if (i == 0 || i == n || j == 0 || j == n) around[boundary_cycle_number(i, j, n, n)] = {i, j, 0};
       if (i == n || j == n) continue;
       for (const std::size_t step : {std::size_t{0}, std::size_t{1}, row + 1, row}) a.verts.push_back(vert_id{j * row + i + step});
     }
   const auto number = [&](std::size_t layer, std::size_t k) { return layer == 0 ? around[k][1] * row + around[k][0] : core + (layer - 1) * rim + k; };
   for (std::size_t l = 1; l <= layers; ++l)
     for (std::size_t k = 0; k < rim; ++k) {
-      const vec3 u = square(around[k]), inner = in_round_core(u), outer = on_round_rim(u);
+      const vec3 u = square(around[k]), inner = in_round_core(u), outer = on_round_boundary(u);
       a.points.push_back(l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
       const std::size_t next = (k + 1) % rim;
       for (const std::size_t v : {number(l - 1, k), number(l, k), number(l, next), number(l - 1, next)}) a.verts.push_back(vert_id{v});
@@ -89,10 +89,11 @@ inline cell_arrays hex_torus(const torus_options& o) {
 ///         planar. Volumes: cells[0] slices, each of a disk with a core of n x n hexes, n = cells[1] / 4 rounded up, and (n + 1) / 2 layers of
 ///         4 n around it; tets, six a hex; or the hexes as polyhedra. All verts of the boundary lie on the torus.
 /// Cost:   O(verts) time and memory.
-/// Errors: invalid_argument that names the field: less than 3 cells or more than 32-bit descriptors can tell apart, a radius that is not finite
-///         and above 0, a tube as thick as the ring or thicker, a centre that is not finite. unsupported if a mesh of another library refuses a poly.
+/// Errors: invalid_argument, which names the field, if there are fewer than 3 cells or more than 32-bit descriptors can tell apart. The same if a
+///         radius is not finite and above 0, the tube is as thick as the ring or thicker, or the centre is not finite. unsupported if a mesh of
+///         another library refuses a poly.
 /// Source: tets by Dompierre et al. 1999.
-template<requirement::can_be_made M>
+template<requirement::can_be_generated M>
 M make_torus(const torus_options& options = {}) {
   for (const std::size_t k : {0u, 1u}) detail::check_at_least("make_torus", core::joined({"cells[", k, "]"}), options.cells[k], 3);
   detail::check_positive("make_torus", "radius", options.radius);
@@ -104,19 +105,19 @@ M make_torus(const torus_options& options = {}) {
   const double n = static_cast<double>(options.cells[0]), k = static_cast<double>(options.cells[1]);
   if constexpr (dimension_v<M> == 3) {  // a solid torus; of a surface its skin
     const double core = (k + 3) / 4 + 1, around = 4 * core * (core / 2 + 1);
-    detail::check_room<M>("make_torus", "cells", n * (core * core + around), n * (core * core + around));
-    return detail::made_of_hexes<M>(detail::hex_torus(options));
+    detail::check_element_counts<M>("make_torus", "cells", n * (core * core + around), n * (core * core + around));
+    return detail::construct_from_hexes<M>(detail::hex_torus(options));
   } else {
-    detail::check_room<M>("make_torus", "cells", 2 * n * k, n * k);
+    detail::check_element_counts<M>("make_torus", "cells", 2 * n * k, n * k);
     surface_arrays quads = detail::quad_torus(options);
     if constexpr (arity_v<M> == 0) {  // general polygons are the dual of triangles
       const auto place = [&](std::size_t t) {  // in the middle of the triangle, by angle: the quad's lower right half, then its upper left one
         const double right = t % 2 ? 1 / 3.0 : 2 / 3.0, up = 1 - right;
         return detail::on_torus(options, static_cast<double>(t / 2 % options.cells[0]) + right, static_cast<double>(t / 2 / options.cells[0]) + up);
       };
-      return detail::made_of<M>(detail::dual_of_triangles(detail::cut_quads(std::move(quads)), place));
+      return detail::construct_from_arrays<M>(detail::dual_of_triangles(detail::cut_quads(std::move(quads)), place));
     } else {
-      return detail::made_of_quads<M>(std::move(quads));
+      return detail::construct_from_quads<M>(std::move(quads));
     }
   }
 }

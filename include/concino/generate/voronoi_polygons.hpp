@@ -19,8 +19,9 @@ struct voronoi_options {
 ///         more sites lie on one circle, as in a grid, their cells share one vert. Verts closer than 2^-39 of the longest side become one,
 ///         and sites are read to 2^-49 of it. Scales exactly with powers of 2; the same for any number of threads.
 /// Cost:   O(n) time and memory for sites of about even density, in parallel.
-/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding; where
-///         there is no site; where the rectangle is empty, min.z or it is not finite, or it is more than 2^32 times as long as wide.
+/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding.
+///         invalid_argument if there is no site, or if the rectangle is empty, is more than 2^32 times as long as wide, or is not finite, min.z
+///         included.
 /// Source: Ray, Sokolov, Lefebvre and Levy 2018; Lloyd 1982.
 template<class Sites = std::initializer_list<vec3>>
   requires detail::PointRange<Sites>

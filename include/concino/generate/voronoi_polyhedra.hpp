@@ -12,8 +12,8 @@ namespace concino {
 ///         sphere, as in a grid, their cells share one vert, and faces and edges without size are left out. Verts closer than 2^-39 of the
 ///         longest side become one, and sites are read to 2^-49 of it. Scales exactly with powers of 2; the same for any number of threads.
 /// Cost:   O(n) time and memory for sites of about even density, in parallel.
-/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding; where
-///         there is no site; where the box is empty, not finite, or more than 2^32 times as long as wide.
+/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding.
+///         invalid_argument if there is no site, or if the box is empty, not finite, or more than 2^32 times as long as wide.
 /// Source: as voronoi_polygons.
 template<class Sites = std::initializer_list<vec3>>
   requires detail::PointRange<Sites>

@@ -105,8 +105,8 @@ class poly_tree {
   std::optional<poly_t<M>> locate(const vec3& x) const {
     require_finite(x, "locate");
     const vec3 y = pieces_.to_tree(x);
-    auto found = detail::holder(pieces_, boxes_, facts_.axis, y, detail::place::moved);
-    if (!found) found = detail::holder(pieces_, boxes_, facts_.axis, y, detail::place::as_it_is);
+    auto found = detail::containing_piece(pieces_, boxes_, facts_.axis, y, detail::point_location::perturbed);
+    if (!found) found = detail::containing_piece(pieces_, boxes_, facts_.axis, y, detail::point_location::unperturbed);
     return found ? std::optional<poly_t<M>>(pieces_.poly(*found)) : std::nullopt;
   }
 
@@ -135,7 +135,7 @@ class poly_tree {
 /// Errors: invalid_mesh where a vert of a poly is not finite.
 /// Source: MacDonald and Booth 1990 for the tree; the queries name theirs.
 template<class M>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_tree<std::remove_cvref_t<M>> bounding_tree(M&& m) {
   return poly_tree<std::remove_cvref_t<M>>(m);
 }

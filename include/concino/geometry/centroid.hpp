@@ -173,7 +173,7 @@ vec3 centroid(const M& m, const face_t<M>& f) {
 /// The centres of mass of all polys.
 /// Needs:  EmbeddedMesh, no temporary.      Result: a map of vec3.      Cost: that of centroid for every poly; parallel.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, vec3> centroids(M&& m) {
   poly_map<M, vec3> centre(m, poly_index_bound(m), detail::unwritten{});
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { centre[p] = centroid(m, p); });

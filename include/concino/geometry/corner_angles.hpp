@@ -104,15 +104,15 @@ double corner_angle(const M& m, const face_t<M>& f, const vert_t<M>& v) {
   return detail::angle_in_loop(m, adj_f2v(m, f), v, "face", index_of(m, f));
 }
 
-/// By how much the surface is bent at each vert: what the angles of the corners there lack to a full turn, or at the border to half a one.
+/// The angle defect at each vert, a discrete Gaussian curvature: a full turn, or half a turn at the border, minus the corner angles there.
 /// Needs:  Embedded SurfaceMesh, no temporary.
 /// Result: a map of double, in radians: 2 pi - the sum of angles inside, pi - the sum at the border. In general each edge at v with k polys
-///         counts (k - 2) pi / 2 more than in the first, so that where polys are planar the sum over all verts is 2 pi times the Euler
-///         characteristic (verts of no poly left out: they have 0), whatever meets at edges and verts.
+///         adds (k - 2) pi / 2 to the first. So where polys are planar, the sum over all verts is 2 pi times the Euler characteristic, on
+///         non-manifold surfaces too. Verts of no poly have 0 and do not count in it.
 /// Cost:   O(corners + edges of verts), parallel but for the sums; the same for any number of threads.      Errors: none.
 /// Source: Descartes' theorem; Gauss-Bonnet for polyhedral surfaces, Banchoff 1967, "Critical points and curvature for embedded polyhedra".
 template<class M>
-  requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
+  requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 vert_map<M, double> angle_defects(M&& m) {
   auto defect = make_vert_map<double>(m, 0.0);
   std::vector<std::size_t> first(poly_index_bound(m));

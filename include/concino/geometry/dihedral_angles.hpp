@@ -30,7 +30,7 @@ struct directed_edge {
 
   /// 1 if the loop walks along the edge, -1 if it comes the other way, 0 if neither.
   template<class Loop>
-  int way_of(const Loop& loop) const {
+  int traversal_sign(const Loop& loop) const {
     bool from_first = false, to_first = false, at_from = false, at_to = false, any = false;
     for (const vert_t<M> v : loop) {
       const bool is_from = v == from, is_to = v == to;
@@ -51,16 +51,16 @@ struct directed_edge {
 /// A polygon at an edge: the direction from the edge into it, at right angles to both the edge and its normal.
 struct polygon_at_edge {
   vec3 inward;
-  int way = 0;  // of its walk along the edge, as seen from the side of its outward normal
+  int sign = 0;  // of its walk along the edge, as seen from the side of its outward normal
 
   polygon_at_edge() = default;
-  polygon_at_edge(const vec3& normal, const vec3& direction, int loop_way, bool outward)
-      : inward(static_cast<double>(loop_way) * cross(normal, direction)), way(outward ? loop_way : -loop_way) {}
+  polygon_at_edge(const vec3& normal, const vec3& direction, int loop_sign, bool outward)
+      : inward(static_cast<double>(loop_sign) * cross(normal, direction)), sign(outward ? loop_sign : -loop_sign) {}
 };
 
 /// The angle from a to b, on the side that a's normal points away from.
 inline double interior_angle(const polygon_at_edge& a, const polygon_at_edge& b, const vec3& direction) {
-  const double cosine = dot(a.inward, b.inward), sine = -static_cast<double>(a.way) * dot(cross(a.inward, b.inward), direction);
+  const double cosine = dot(a.inward, b.inward), sine = -static_cast<double>(a.sign) * dot(cross(a.inward, b.inward), direction);
   if (cosine == 0 && sine == 0) return std::numbers::pi;
   const double angle = std::atan2(sine, cosine);
   if (!(angle < 0)) return angle + 0.0;  // never the negative 0
@@ -76,7 +76,7 @@ double dihedral_angle_with(const M& m, const edge_t<M>& e, const Normal& normal_
   int n = 0;
   for (const poly_t<M> p : adj_e2p(m, e)) {
     if (n == 2) return std::numbers::pi;
-    two[n++] = {normal_of(p), edge.direction, edge.way_of(adj_p2v(m, p)), true};
+    two[n++] = {normal_of(p), edge.direction, edge.traversal_sign(adj_p2v(m, p)), true};
   }
   return n == 2 ? interior_angle(two[0], two[1], edge.direction) : std::numbers::pi;
 }
@@ -109,9 +109,9 @@ double dihedral_angle(const M& m, const poly_t<M>& p, const edge_t<M>& e) {
   const detail::directed_edge<M> edge(m, e);
   int n = 0;
   for (const face_t<M> f : adj_p2f(m, p)) {
-    const int way = edge.way_of(adj_f2v(m, f));
-    if (way == 0) continue;
-    if (n < 2) two[n] = {normal(m, f), edge.direction, way, face_is_outward(m, p, f)};
+    const int sign = edge.traversal_sign(adj_f2v(m, f));
+    if (sign == 0) continue;
+    if (n < 2) two[n] = {normal(m, f), edge.direction, sign, face_is_outward(m, p, f)};
     ++n;
   }
   if (n == 0)
@@ -124,7 +124,7 @@ double dihedral_angle(const M& m, const poly_t<M>& p, const edge_t<M>& e) {
 /// Needs:  Embedded SurfaceMesh, no temporary.      Result: a map of double, as dihedral_angle.
 /// Cost:   O(corners), every normal computed once, times the verts of polys where these are many; parallel.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
+  requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 edge_map<M, double> dihedral_angles(M&& m) {
   edge_map<M, double> angle(m, edge_index_bound(m), detail::unwritten{});
   const auto normals = poly_normals(m);

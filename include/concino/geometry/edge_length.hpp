@@ -22,7 +22,7 @@ double edge_length(const M& m, const edge_t<M>& e) {
 /// The lengths of all edges.
 /// Needs:  EmbeddedMesh, no temporary.      Result: a map of double.      Cost: O(E), parallel.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 edge_map<M, double> edge_lengths(M&& m) {
   edge_map<M, double> length(m, edge_index_bound(m), detail::unwritten{});
   parallel_for_each(edges(m), [&](const edge_t<M>& e) { length[e] = edge_length(m, e); });

@@ -153,7 +153,7 @@ double measure(const M& m, const face_t<M>& f) { return area(m, f); }
 /// The measures of all polys.
 /// Needs:  EmbeddedMesh, no temporary.      Result: a map of double.      Cost: that of measure for every poly; parallel.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, double> measures(M&& m) {
   poly_map<M, double> size(m, poly_index_bound(m), detail::unwritten{});
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { size[p] = measure(m, p); });

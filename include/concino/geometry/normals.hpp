@@ -59,7 +59,7 @@ vec3 vert_normal(const M& m, const vert_t<M>& v) {
 /// The normals of all polys of a surface.
 /// Needs:  Embedded SurfaceMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
+  requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 poly_map<M, vec3> poly_normals(M&& m) {
   poly_map<M, vec3> n(m, poly_index_bound(m), detail::unwritten{});
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { n[p] = normal(m, p); });
@@ -69,7 +69,7 @@ poly_map<M, vec3> poly_normals(M&& m) {
 /// The normals of all faces of a volume, each as adj_f2v walks it.
 /// Needs:  Embedded VolumeMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && VolumeMesh<M> && Embedded<M>
+  requires requirement::is_lvalue_or_view<M> && VolumeMesh<M> && Embedded<M>
 face_map<M, vec3> face_normals(M&& m) {
   face_map<M, vec3> n(m, face_index_bound(m), detail::unwritten{});
   parallel_for_each(faces(m), [&](const face_t<M>& f) { n[f] = normal(m, f); });
@@ -118,7 +118,7 @@ void sum_areas_of_boundary(const M& m, Normals& sum) {
 /// Cost:   O(corners) time; every vector area is computed once, one is kept per poly of a surface. Parallel but for the sums.
 /// Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 vert_map<M, vec3> vert_normals(M&& m) {
   auto n = make_vert_map<vec3>(m);
   if constexpr (SurfaceMesh<M>) {  // all polys count, so that areas may be kept per poly
@@ -141,7 +141,7 @@ struct surface_normals_of {
 /// Needs:  Embedded SurfaceMesh, no temporary.      Result: the maps that poly_normals and vert_normals return.
 /// Cost:   O(corners); parallel but for the sums at verts.      Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && SurfaceMesh<M> && Embedded<M>
+  requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 surface_normals_of<std::remove_cvref_t<M>> surface_normals(M&& m) {
   surface_normals_of<std::remove_cvref_t<M>> n{{m, poly_index_bound(m), detail::unwritten{}}, make_vert_map<vec3>(m)};
   detail::sum_areas_of_polys(m, n.polys, n.verts);

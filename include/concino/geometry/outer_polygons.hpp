@@ -20,8 +20,8 @@ void visit_outer_faces(const M& m, const R& some, const Visit& visit) {
 
 }  // namespace detail
 
-/// Calls visit(p, loop, is_outward) for each polygon of m that is seen from outside, or of those at vert v: p is the poly that it is, or belongs to,
-/// loop the range of its verts, and is_outward whether they run counter-clockwise seen from outside.
+/// Calls visit(p, loop, is_outward) for each polygon of m that is seen from outside, or for those at vert v. In a surface p is the polygon, in a
+/// volume the poly that it belongs to. loop is the range of its verts; is_outward says whether they run counter-clockwise seen from outside.
 /// Needs:  AnyMesh; visit takes poly_t<M>, a range of verts that lives as long as the call, and bool.
 /// Result: none; of a surface all polys, of a volume the faces with exactly one poly, as the mesh lists them.
 /// Cost:   O(polys) of a surface, O(faces) of a volume; those at v.      Errors: those of visit.

@@ -9,10 +9,10 @@
 
 namespace concino {
 
-/// The vector normal to facet x that points out of its poly p and is as long as x is large.
+/// The outward normal of poly p on its facet x, as long as the measure of x.
 /// Needs:  EmbeddedMesh; x is a facet of p.
-/// Result: of a face of a volume its area_vector, turned by face_is_outward; of an edge of a surface the edge, turned by a right angle in the plane of
-///         p, or the plane normal to the area_vector of p where it is not flat. The vectors over all facets of p sum to 0 where p is closed. Units
+/// Result: for a face of a volume its area_vector, turned by face_is_outward. For an edge of a surface the edge, turned by a right angle in the plane
+///         of p; where p is not flat, in the plane normal to its area_vector. The vectors over all facets of p sum to 0 where p is closed. Units
 ///         of measure(m, x), scales exactly; 0 for a degenerate edge or face and at edges of a poly without area; components too large for a double
 ///         are infinite.
 /// Cost:   O(verts of p) of a surface, O(verts of x) in a volume.      Errors: none.

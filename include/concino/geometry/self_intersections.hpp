@@ -37,11 +37,11 @@ inline std::size_t widest_axis(const triangle_points& t) {
 }
 
 /// Whether a line through corner i of s, which is corner j of t, and along a side of s parts the rest of both as seen along axis k.
-inline bool are_parted_at_corner(const triangle_points& s, std::size_t i, const triangle_points& t, std::size_t j, std::size_t k) {
-  const vec3 corner = seen_along(s[i], k), d = seen_along(t[(j + 1) % 3], k), e = seen_along(t[(j + 2) % 3], k);
+inline bool are_separated_at_corner(const triangle_points& s, std::size_t i, const triangle_points& t, std::size_t j, std::size_t k) {
+  const vec3 corner = project_along(s[i], k), d = project_along(t[(j + 1) % 3], k), e = project_along(t[(j + 2) % 3], k);
   for (const std::size_t side : {1u, 2u}) {
-    const vec3 along = seen_along(s[(i + side) % 3], k);
-    const int here = orient2d(corner, along, seen_along(s[(i + 3 - side) % 3], k));
+    const vec3 along = project_along(s[(i + side) % 3], k);
+    const int here = orient2d(corner, along, project_along(s[(i + 3 - side) % 3], k));
     if (here != 0 && orient2d(corner, along, d) == -here && orient2d(corner, along, e) == -here) return true;
   }
   return false;
@@ -67,7 +67,7 @@ bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_
   // neighbours in or near one plane are the rule: seen from above they are told apart with little work
   const std::size_t axis = widest_axis(s);
   if (shared == 1) {  // a common point other than the corner lies in the way of the side across the corner of one of the two
-    if (are_parted_at_corner(s, own, t, other, axis) || are_parted_at_corner(t, other, s, own, axis)) return false;
+    if (are_separated_at_corner(s, own, t, other, axis) || are_separated_at_corner(t, other, s, own, axis)) return false;
     const auto across = [](const triangle_points& x, std::size_t corner, const triangle_points& y) {
       const vec3 &p = x[(corner + 1) % 3], &q = x[(corner + 2) % 3];
       return segment_meets_triangle(p, orient3d(y[0], y[1], y[2], p), q, orient3d(y[0], y[1], y[2], q), y);
@@ -77,9 +77,9 @@ bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_
   const std::size_t third = 3 - sum, other_third = 3 - other_sum, from = (third + 1) % 3;
   if (!s_rim(from) || !t_rim((other_third + 1) % 3)) return true;  // the common side is a diagonal of one poly: it runs through that
   for (const std::size_t k : {axis, (axis + 1) % 3, (axis + 2) % 3}) {  // do both lie on the same side of the common edge, and in one plane?
-    const vec3 p = seen_along(s[from], k), q = seen_along(s[(from + 1) % 3], k);
-    const int here = orient2d(p, q, seen_along(s[third], k));
-    if (here != 0) return orient2d(p, q, seen_along(t[other_third], k)) == here && orient3d(s[0], s[1], s[2], t[other_third]) == 0;
+    const vec3 p = project_along(s[from], k), q = project_along(s[(from + 1) % 3], k);
+    const int here = orient2d(p, q, project_along(s[third], k));
+    if (here != 0) return orient2d(p, q, project_along(t[other_third], k)) == here && orient3d(s[0], s[1], s[2], t[other_third]) == 0;
   }
   return false;
 }
@@ -112,7 +112,7 @@ std::vector<std::pair<poly_t<M>, poly_t<M>>> self_intersections(const M& m) {
     if (first == second || flat[i] || flat[j]) return;
     const detail::triangle_points s = pieces.triangle(i), t = pieces.triangle(j);
     if (detail::are_apart(s, t)) return;
-    if (detail::meet_elsewhere(s, t, [&](std::size_t k) { return pieces.is_rim(i, k); }, [&](std::size_t k) { return pieces.is_rim(j, k); }))
+    if (detail::meet_elsewhere(s, t, [&](std::size_t k) { return pieces.is_polygon_edge(i, k); }, [&](std::size_t k) { return pieces.is_polygon_edge(j, k); }))
       found[part].push_back({std::min(first, second), std::max(first, second)});
   });
 

@@ -4,10 +4,10 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/graph/detail/bounded_fifo.hpp>
 #include <concino/graph/detail/crossings.hpp>
-#include <concino/graph/detail/fetch.hpp>
-#include <concino/graph/detail/for_each_in.hpp>
-#include <concino/graph/detail/once_queue.hpp>
+#include <concino/graph/detail/for_each.hpp>
+#include <concino/graph/detail/prefetch.hpp>
 #include <concino/graph/detail/targets.hpp>
 #include <concino/graph/predecessors.hpp>
 
@@ -40,7 +40,7 @@ auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(
   using node = typename G::node;
   auto hops = make_node_map<int>(g, -1);
   int* const value = hops.data();
-  once_queue<node> queue(g.bound());
+  bounded_fifo<node> queue(g.bound());
 
   for_each_source(g, sources, "bfs", [&](const node& s) {
     if (int& h = value[g.index(s)]; h < 0) {
@@ -51,10 +51,10 @@ auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(
   while (!queue.empty()) {
     const node v = queue.pop();
     const int next = value[g.index(v)] + 1;
-    if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
-      if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
+    if constexpr (is_contiguous<decltype(g.neighbours(v))>) {
+      if (const node* const later = queue.peek(4)) prefetch(row_address(g.neighbours(*later)));
     }
-    for_each_with_repeats_in(g.neighbours(v), [&](const node& w) {
+    for_each_with_repeats(g.neighbours(v), [&](const node& w) {
       int& h = value[g.index(w)];
       if (h >= 0) return;
       if constexpr (Asks)
@@ -75,7 +75,7 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
   using node = typename G::node;
   auto hops = make_node_map<int>(g, -1);
   int* const value = hops.data();
-  once_queue<node> queue(g.bound());
+  bounded_fifo<node> queue(g.bound());
   target_set targets(g, options.targets, options.nearest_target, "bfs");
   int limit = options.max_hops;  // no step beyond this; -1 when visit has ended the search
   bool is_over = false;
@@ -119,18 +119,18 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
     const node v = queue.pop();
     const int h = value[g.index(v)];
     if (h >= limit) continue;
-    if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
-      if (const node* const later = queue.ahead(4)) fetch(row_of(g.neighbours(*later)));
+    if constexpr (is_contiguous<decltype(g.neighbours(v))>) {
+      if (const node* const later = queue.peek(4)) prefetch(row_address(g.neighbours(*later)));
     }
-    if constexpr (Reports) for_each_noted_step(g, v, options, [&](const node& w, const auto& put_crossed) { reach(w, v, h + 1, put_crossed); });
-    else for_each_step(g, v, options.may_enter, options.may_cross, [&](const node& w) { reach(w, v, h + 1, [] {}); });
+    if constexpr (Reports) for_each_recorded_neighbour(g, v, options, [&](const node& w, const auto& put_crossed) { reach(w, v, h + 1, put_crossed); });
+    else for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const node& w) { reach(w, v, h + 1, [] {}); });
   }
   return hops;
 }
 
 template<class Node, class Crossed>
-void check_bfs(const bfs_options<Node, Crossed>& options, const char* who) {
-  if (options.max_hops < 0) core::throw_joined<invalid_argument>({who, ": max_hops is ", core::number_text(options.max_hops), "; it must be 0 or more"});
+void check_bfs(const bfs_options<Node, Crossed>& options, const char* caller) {
+  if (options.max_hops < 0) core::throw_joined<invalid_argument>({caller, ": max_hops is ", core::number_text(options.max_hops), "; it must be 0 or more"});
 }
 
 template<class G, class S>
@@ -155,30 +155,31 @@ auto bfs_forest(const G& g, const bfs_options<typename G::node, crossed_t<G>>& o
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; may_cross and crossed need the edges or faces of an AnyMesh.
 /// Result: a map of int: hops[x], 0 at the sources, -1 where unreached. With targets, it is complete up to the farthest target, or with
 ///         nearest_target up to the nearest, and -1 beyond. The predecessor of a node is the first among those one step nearer that was
-///         reached; sources are reached in their order, the neighbours of a node in that of the mesh (where `crossed` or may_cross is given,
-///         in that of the edges or faces around it). When visit(x, hops) returns false, the nodes that it was called with are all that is reached.
+///         reached. Sources are reached in their order. The neighbours of a node are reached in the order of the mesh, or in that of the edges
+///         or faces around it if `crossed` or may_cross is given. When visit(x, hops) returns false, only the nodes that it was called with count
+///         as reached.
 /// Cost:   O(V + E) time, O(V) memory.
 /// Errors: invalid_mesh if a source or target is not an element of m; invalid_argument if there is no source or max_hops < 0.
 /// Source: Moore 1959; paper section 2.1, "Architecture".
 template<class M, class S>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
 auto bfs(M&& m, const S& source) {  // without options the search with everything is not compiled
   return detail::plain_bfs<false>(detail::graph_of<M, S>{m}, source, nullptr);
 }
 template<class M, class S>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
 auto bfs(M&& m, std::initializer_list<S> sources) {
   return detail::plain_bfs<false>(detail::graph_of<M, S>{m}, sources, nullptr);
 }
 
 template<class M, class S>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
 auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, source, options);
 }
 
 template<class M, class S>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S>
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
 auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs(detail::graph_of<M, S>{m}, sources, options);
 }
@@ -193,7 +194,7 @@ auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node
 /// Errors: invalid_mesh if a target is not an element of m; invalid_argument if max_hops < 0.
 /// Source: Moore 1959.
 template<class M>
-  requires requirement::is_no_temporary<M> && requirement::is_graph<M>
+  requires requirement::is_lvalue_or_view<M> && requirement::is_graph<M>
 auto bfs_forest(M&& m, const bfs_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   return detail::bfs_forest(detail::default_graph_of<M>{m}, options);
 }

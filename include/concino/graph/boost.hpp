@@ -75,7 +75,7 @@ auto boost_edge_map(const G& g, const I& init = I()) {
 template<class G>
   requires detail::is_undirected<G>
 auto directed(const G& g) {
-  const auto shown = detail::graph_shown(g);
+  const auto shown = detail::base_graph(g);
   if constexpr (!std::is_arithmetic_v<detail::node_in<G>>) {
     for (const detail::node_in<G> v : shown.nodes())
       if (v == detail::node_in<G>())

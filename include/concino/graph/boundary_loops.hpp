@@ -24,19 +24,19 @@ namespace detail {
 template<class M>
 class border_edges {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  struct side {
+  struct boundary_edge {
     edge_t<M> edge;
     vert_t<M> from, to;
     std::uint32_t next_out = none, next_in = none;
     bool taken = false;
   };
   const M& m_;
-  std::vector<side> sides_;
-  std::vector<std::uint32_t> out_, in_;  // by vert: the first side that leaves or enters it; lists go on in next_out, next_in
-  std::vector<std::uint32_t> degree_;    // by vert: sides there that are not taken
+  std::vector<boundary_edge> edges_;
+  std::vector<std::uint32_t> out_, in_;  // by vert: the first edge that leaves or enters it; lists go on in next_out, next_in
+  std::vector<std::uint32_t> degree_;    // by vert: edges there that are not taken
 
-  void pass_taken(std::uint32_t& i, std::uint32_t side::*next) {
-    while (i != none && sides_[i].taken) i = sides_[i].*next;
+  void pass_taken(std::uint32_t& i, std::uint32_t boundary_edge::*next) {
+    while (i != none && edges_[i].taken) i = edges_[i].*next;
   }
 
  public:
@@ -54,38 +54,38 @@ class border_edges {
       for (const edge_t<M> e : adj_p2e(m, p)) here = here || on_border[index_of(m, e)];
       if (!here) continue;
       for (const auto& [e, from, to] : oriented_edges(m, p))
-        if (on_border[index_of(m, e)]) sides_.push_back({e, from, to});
+        if (on_border[index_of(m, e)]) edges_.push_back({e, from, to});
     }
     out_.assign(vert_index_bound(m), none);
     in_ = out_;
     degree_.assign(out_.size(), 0);
-    for (std::size_t i = sides_.size(); i-- > 0;) {  // backwards, so that lists run forwards
-      sides_[i].next_out = std::exchange(out_[index_of(m, sides_[i].from)], static_cast<std::uint32_t>(i));
-      sides_[i].next_in = std::exchange(in_[index_of(m, sides_[i].to)], static_cast<std::uint32_t>(i));
-      ++degree_[index_of(m, sides_[i].from)];
-      ++degree_[index_of(m, sides_[i].to)];
+    for (std::size_t i = edges_.size(); i-- > 0;) {  // backwards, so that lists run forwards
+      edges_[i].next_out = std::exchange(out_[index_of(m, edges_[i].from)], static_cast<std::uint32_t>(i));
+      edges_[i].next_in = std::exchange(in_[index_of(m, edges_[i].to)], static_cast<std::uint32_t>(i));
+      ++degree_[index_of(m, edges_[i].from)];
+      ++degree_[index_of(m, edges_[i].to)];
     }
   }
 
-  std::size_t size() const { return sides_.size(); }
-  bool is_taken(std::size_t i) const { return sides_[i].taken; }
-  const vert_t<M>& from(std::size_t i) const { return sides_[i].from; }
-  const vert_t<M>& to(std::size_t i) const { return sides_[i].to; }
+  std::size_t size() const { return edges_.size(); }
+  bool is_taken(std::size_t i) const { return edges_[i].taken; }
+  const vert_t<M>& from(std::size_t i) const { return edges_[i].from; }
+  const vert_t<M>& to(std::size_t i) const { return edges_[i].to; }
   bool is_odd(const vert_t<M>& v) const { return degree_[index_of(m_, v)] % 2; }
 
   /// Takes an edge that waits at v and goes along it, forwards if one leaves v. False if none waits.
   bool step(vert_t<M>& v, edge_t<M>& e) {
     const std::size_t slot = index_of(m_, v);
-    pass_taken(out_[slot], &side::next_out);
+    pass_taken(out_[slot], &boundary_edge::next_out);
     const bool forwards = out_[slot] != none;
-    if (!forwards) pass_taken(in_[slot], &side::next_in);
+    if (!forwards) pass_taken(in_[slot], &boundary_edge::next_in);
     const std::uint32_t i = forwards ? out_[slot] : in_[slot];
     if (i == none) return false;
-    sides_[i].taken = true;
-    --degree_[index_of(m_, sides_[i].from)];
-    --degree_[index_of(m_, sides_[i].to)];
-    e = sides_[i].edge;
-    v = forwards ? sides_[i].to : sides_[i].from;
+    edges_[i].taken = true;
+    --degree_[index_of(m_, edges_[i].from)];
+    --degree_[index_of(m_, edges_[i].to)];
+    e = edges_[i].edge;
+    v = forwards ? edges_[i].to : edges_[i].from;
     return true;
   }
 
@@ -93,7 +93,7 @@ class border_edges {
     disjoint_sets sets(out_.size());
     std::vector<unsigned char> used(out_.size());
     std::size_t n = 0;
-    for (const side& s : sides_) {
+    for (const boundary_edge& s : edges_) {
       const std::size_t a = index_of(m_, s.from), b = index_of(m_, s.to);
       n += !std::exchange(used[a], static_cast<unsigned char>(1));
       n += !std::exchange(used[b], static_cast<unsigned char>(1));

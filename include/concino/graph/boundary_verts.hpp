@@ -12,7 +12,7 @@ namespace concino {
 /// Result: a map of bool.                                                          Cost: O(verts of all facets) time, a byte per vert.
 /// Errors: none.
 template<class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M>
+  requires requirement::is_lvalue_or_view<M> && AnyMesh<M>
 vert_map<M, bool> boundary_verts(M&& m) {
   auto on_boundary = make_vert_map<bool>(m, false);
   for (const facet_t<M> x : facets(m)) {

@@ -5,7 +5,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/disjoint_sets.hpp>
-#include <concino/graph/detail/for_each_in.hpp>
+#include <concino/graph/detail/for_each.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -15,7 +15,7 @@ namespace concino {
 
 /// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
 template<class Node, class Crossed = void>
-struct component_options {
+struct connected_components_options {
   function_ref<bool(Node)> may_enter = nullptr;      // false: the node belongs to no component (empty: all do)
   detail::may_cross_t<Crossed> may_cross = nullptr;  // false: this edge or face does not join what lies on its sides (empty: all do)
 };
@@ -41,7 +41,7 @@ template<class G>
   for (const auto v : g.nodes()) {
     const std::size_t i = g.index(v);
     std::size_t mine = sets.root(i);
-    for_each_with_repeats_in(g.neighbours(v), [&](const typename G::node& w) {
+    for_each_with_repeats(g.neighbours(v), [&](const typename G::node& w) {
       const std::size_t j = g.index(w);
       if (j >= i) return;
       if (const std::size_t theirs = sets.root(j); theirs != mine) mine = sets.unite_roots(mine, theirs);
@@ -50,7 +50,7 @@ template<class G>
 }
 
 template<class G>
-auto connected_components(const G& g, const component_options<typename G::node, crossed_t<G>>& options) {
+auto connected_components(const G& g, const connected_components_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
   auto labels = make_node_map<int>(g, -1);
   int* const label = labels.data();
@@ -63,7 +63,7 @@ auto connected_components(const G& g, const component_options<typename G::node, 
       if (may_enter && !may_enter(v)) continue;
       const std::size_t i = g.index(v);
       label[i] = 0;  // to be entered
-      for_each_step(g, v, nullptr, options.may_cross, [&](const node& w) {
+      for_each_open_neighbour(g, v, nullptr, options.may_cross, [&](const node& w) {
         if (const std::size_t j = g.index(w); label[j] == 0) sets.unite(i, j);
       });
     }
@@ -94,8 +94,8 @@ auto connected_components(const G& g, const component_options<typename G::node, 
 /// Errors: none of its own.
 /// Source: Galler, Fisher 1964; paper section 2.1, "Architecture".
 template<class M>
-  requires requirement::is_no_temporary<M> && requirement::is_graph<M>
-auto connected_components(M&& m, const component_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+  requires requirement::is_lvalue_or_view<M> && requirement::is_graph<M>
+auto connected_components(M&& m, const connected_components_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::connected_components(detail::default_graph_of<M>{m}, options);
 }
 

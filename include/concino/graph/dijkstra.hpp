@@ -5,10 +5,10 @@
 #include <concino/core/indexed_heap.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/graph/detail/fetch.hpp>
-#include <concino/graph/detail/for_each_in.hpp>
+#include <concino/graph/detail/for_each.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 #include <concino/graph/detail/lengths.hpp>
+#include <concino/graph/detail/prefetch.hpp>
 #include <concino/graph/detail/targets.hpp>
 #include <concino/graph/predecessors.hpp>
 
@@ -37,72 +37,72 @@ namespace detail {
 
 template<class G>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_bad_length(const G& g, const typename G::node& from, const typename G::node& to, double length,
-                                                             const char* who) {
-  core::throw_joined<invalid_mesh>({who, ": the length from ", name_of(g, from), " to ", name_of(g, to), " is ",
+                                                             const char* caller) {
+  core::throw_joined<invalid_mesh>({caller, ": the length from ", name_of(g, from), " to ", name_of(g, to), " is ",
                                       length < 0 ? core::number_text(length) : std::string("not a number"), "; lengths must be 0 or more"});
 }
 
 /// What a source begins with.
 /// Errors: invalid_argument if that is not a number or -inf.
 template<class Options, class G>
-double initial_distance_of(const Options& options, const G& g, const typename G::node& source, const char* who) {
+double initial_distance_of(const Options& options, const G& g, const typename G::node& source, const char* caller) {
   if (!options.initial_distance) return 0;
   const double d = options.initial_distance(source);
   if (d > -std::numeric_limits<double>::infinity()) return d;
-  core::throw_joined<invalid_argument>({who, ": the initial distance of ", name_of(g, source), " is ", d < 0 ? "-inf" : "not a number",
+  core::throw_joined<invalid_argument>({caller, ": the initial distance of ", name_of(g, source), " is ", d < 0 ? "-inf" : "not a number",
                                         "; give a number, or +inf for no source"});
 }
 
 /// Full: with may_enter, may_cross, predecessors, crossed and visit, which are not even asked for otherwise.
 template<bool Full, class G, class S, class L>
-auto search_by_length(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* who) {
+auto search_by_length(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* caller) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   [[maybe_unused]] const auto predecessors = options.predecessors;
   auto distance = make_node_map<double>(g, infinity);
   core::indexed_heap<node> queue(distance.values());
-  for_each_source(g, sources, who, [&](const node& s) {
-    const double d = initial_distance_of(options, g, s, who);
-    if (const auto slot = g.index(s); d < queue.key(slot)) queue.lower(s, slot, d);
+  for_each_source(g, sources, caller, [&](const node& s) {
+    const double d = initial_distance_of(options, g, s, caller);
+    if (const auto slot = g.index(s); d < queue.key(slot)) queue.decrease_key(s, slot, d);
   });
-  target_set targets(g, options.targets, options.nearest_target, who);
+  target_set targets(g, options.targets, options.nearest_target, caller);
   if constexpr (Full) {
     if (predecessors)
       for (const node x : g.nodes()) predecessors.put(x, x);
   }
 
   double limit = options.max_distance;
-  while (!queue.empty() && queue.least() <= limit) {
+  while (!queue.empty() && queue.min_key() <= limit) {
     const auto [v, v_slot, d] = queue.pop();
     if (targets.meet(v_slot)) limit = d;
     if constexpr (Full) {
       if (options.visit && !options.visit(v, d)) break;
     }
     const auto length_to = lengths.from(v);
-    if constexpr (lies_in_memory<decltype(g.neighbours(v))>) {
-      if (!queue.empty()) fetch(row_of(g.neighbours(queue.front())));
+    if constexpr (is_contiguous<decltype(g.neighbours(v))>) {
+      if (!queue.empty()) prefetch(row_address(g.neighbours(queue.front())));
       for (const node w : g.neighbours(v)) {
-        queue.fetch_key(g.index(w));
-        lengths.fetch(w);
+        queue.prefetch_key(g.index(w));
+        lengths.prefetch(w);
       }
     }
     const auto relax = [&, from = v, far = d](const node& w, [[maybe_unused]] const auto& put_crossed) {
       const auto w_slot = g.index(w);
       const double known = queue.key(w_slot);
       const double length = length_to(w, known - far);
-      if (!(length >= 0)) [[unlikely]] throw_bad_length(g, from, w, length, who);
+      if (!(length >= 0)) [[unlikely]] throw_bad_length(g, from, w, length, caller);
       if (far + length < known) {
-        queue.lower(w, w_slot, far + length);
+        queue.decrease_key(w, w_slot, far + length);
         if constexpr (Full) {
           if (predecessors) predecessors.put(w, from);
           put_crossed();
         }
       }
     };
-    if constexpr (Full) for_each_noted_step(g, v, options, relax);
-    else for_each_in(g.neighbours(v), [&](const node& w) { relax(w, [] {}); });
+    if constexpr (Full) for_each_recorded_neighbour(g, v, options, relax);
+    else detail::for_each(g.neighbours(v), [&](const node& w) { relax(w, [] {}); });
   }
-  queue.forget_waiting([&]([[maybe_unused]] const node& x) {
+  queue.discard_waiting([&]([[maybe_unused]] const node& x) {
     if constexpr (Full) {
       if (predecessors) predecessors.put(x, x);
     }
@@ -112,10 +112,10 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
 
 template<class G, class S, class L>
 auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options,
-              const char* who = "dijkstra") {
-  if (!(options.max_distance >= 0)) core::throw_joined<invalid_argument>({who, ": max_distance must be 0 or more"});
+              const char* caller = "dijkstra") {
+  if (!(options.max_distance >= 0)) core::throw_joined<invalid_argument>({caller, ": max_distance must be 0 or more"});
   const bool full = options.may_enter || options.may_cross || options.predecessors || options.crossed || options.visit;
-  return full ? search_by_length<true>(g, sources, lengths, options, who) : search_by_length<false>(g, sources, lengths, options, who);
+  return full ? search_by_length<true>(g, sources, lengths, options, caller) : search_by_length<false>(g, sources, lengths, options, caller);
 }
 
 }  // namespace detail
@@ -131,33 +131,33 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
 ///         is the same in every run. With initial distances, a source that is reached from another on a shorter way is no beginning any more.
 ///         When visit(x, distance) returns false, the nodes that it was called with are all that is reached.
 /// Cost:   O(E log V) time, O(V) memory.
-/// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number;
+/// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number.
 ///         invalid_argument if there is no source, max_distance is negative or not a number, or an initial distance is not a number or -inf.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S>
-  requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
+  requires requirement::is_lvalue_or_view<M> && requirement::has_lengths<M, S>
 auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, source, detail::default_lengths(g), options);
 }
 
 template<class M, class S, class L>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
 auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-  return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::given_lengths<L>{length}, options);
+  return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::input_lengths<L>{length}, options);
 }
 
 template<class M, class S>
-  requires requirement::is_no_temporary<M> && requirement::has_lengths<M, S>
+  requires requirement::is_lvalue_or_view<M> && requirement::has_lengths<M, S>
 auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, sources, detail::default_lengths(g), options);
 }
 
 template<class M, class S, class L>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
 auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-  return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::given_lengths<L>{length}, options);
+  return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::input_lengths<L>{length}, options);
 }
 
 // What to write instead of calls that cannot compile.

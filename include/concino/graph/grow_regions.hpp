@@ -21,7 +21,7 @@ enum class growth {
 
 /// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
 template<class Node, class Crossed = void>
-struct region_options {
+struct grow_regions_options {
   growth priority = growth::accumulated;             // what is conquered next
   function_ref<bool(Node)> may_enter = nullptr;      // false: belongs to no region (empty: any may). Seeds are exempt.
   detail::may_cross_t<Crossed> may_cross = nullptr;  // false: no region grows across this edge or face (empty: across all)
@@ -61,7 +61,7 @@ struct region_claim {
 };
 
 template<class G, class S, class C>
-auto grow_regions(const G& g, const S& seeds, const C& cost, const region_options<typename G::node, crossed_t<G>>& options) {
+auto grow_regions(const G& g, const S& seeds, const C& cost, const grow_regions_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!(options.max_cost >= 0)) throw invalid_argument("grow_regions: max_cost must be 0 or more");
@@ -76,7 +76,7 @@ auto grow_regions(const G& g, const S& seeds, const C& cost, const region_option
   auto best = std::vector<offer>(summed ? g.bound() : 0, offer{infinity, 0});  // made on nodes that wait
 
   const auto conquer = [&](const node& v, int l, double so_far) {
-    for_each_step(g, v, options.may_enter, options.may_cross, [&](const node& w) {
+    for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const node& w) {
       const std::size_t slot = g.index(w);
       if (label[slot] >= 0) return;
       const double step = cost_of_step(g, cost, v, w);
@@ -136,14 +136,14 @@ template<class C, class N> concept is_cost = is_length<C, N>;
 ///         there is no seed, or max_cost is negative or not a number.
 /// Source: Adams, Bischof 1994 (growth::step); Erwig 2000, graph Voronoi diagrams (growth::accumulated); paper section 2.1, "Architecture".
 template<class M, class S, class C>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
-auto grow_regions(M&& m, const S& seeds, const C& cost, const region_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
+auto grow_regions(M&& m, const S& seeds, const C& cost, const grow_regions_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
 }
 
 template<class M, class S, class C>
-  requires requirement::is_no_temporary<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
-auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost, const region_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
+auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost, const grow_regions_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
   return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
 }
 

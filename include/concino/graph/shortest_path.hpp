@@ -58,7 +58,7 @@ auto shortest_path(const G& g, const S& source, const T& target, const L& length
 ///         Of targets equally near the first is taken, of equally short paths the one that dijkstra's predecessors show: the same in
 ///         every run.
 /// Cost:   O(E log V) time, O(V) memory; the search stops at the nearest target.
-/// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number;
+/// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number.
 ///         invalid_argument if there is no source or no target, or max_distance is negative or not a number.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S, class T = std::initializer_list<detail::node_of<M, S>>>
@@ -73,7 +73,7 @@ template<class M, class S, class L, class T = std::initializer_list<detail::node
   requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
 auto shortest_path(const M& m, const S& source, const T& target, const L& length,  // may_cross: not of a bare graph, which has no edges or faces to cross
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
-  return detail::shortest_path(detail::graph_of<M, S>{m}, source, target, detail::given_lengths<L>{length}, options);
+  return detail::shortest_path(detail::graph_of<M, S>{m}, source, target, detail::input_lengths<L>{length}, options);
 }
 
 template<class M, class S, class T = std::initializer_list<S>>
@@ -88,7 +88,7 @@ template<class M, class S, class L, class T = std::initializer_list<S>>
   requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
 auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target, const L& length,  // may_cross: not of a bare graph, which has no edges or faces to cross
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
-  return detail::shortest_path(detail::graph_of<M, S>{m}, sources, target, detail::given_lengths<L>{length}, options);
+  return detail::shortest_path(detail::graph_of<M, S>{m}, sources, target, detail::input_lengths<L>{length}, options);
 }
 
 // What to write instead of calls that cannot compile.

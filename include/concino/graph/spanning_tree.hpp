@@ -33,13 +33,13 @@ struct spanning_tree_options {
 
 /// What spanning_tree finds. `edges`, the mesh edge of each arc, is there for the primal graph of a mesh that has edges.
 template<class Node, class Edge = void>
-struct spanning_arcs {
+struct spanning_tree_result {
   std::vector<std::pair<Node, Node>> arcs;
   std::vector<Edge> edges;
   double weight = 0;  // the sum of the lengths
 };
 template<class Node>
-struct spanning_arcs<Node, void> {
+struct spanning_tree_result<Node, void> {
   std::vector<std::pair<Node, Node>> arcs;
   double weight = 0;
 };
@@ -55,19 +55,19 @@ class tree_builder {
   using node = typename G::node;
   using edge = typename tree_edge<G>::type;
   static constexpr bool has_edges = !std::is_void_v<edge>;
-  using kept_edge = std::conditional_t<has_edges, edge, no_edge>;
+  using stored_edge = std::conditional_t<has_edges, edge, no_edge>;
 
   struct candidate {
     double length;
     std::size_t low, high;
     std::pair<node, node> ends;  // of lower and of higher index
     bool upward;                 // found on the way from the lower to the higher
-    kept_edge via;
+    stored_edge via;
   };
 
   const G& g_;
   const spanning_tree_options<node, crossed_t<G>>& options_;
-  spanning_arcs<node, edge> tree_;
+  spanning_tree_result<node, edge> tree_;
 
   /// A total order, so that there is one least tree: of arcs that count alike, first the one of lesser indices.
   bool less(const candidate& a, const candidate& b) const {
@@ -85,7 +85,7 @@ class tree_builder {
   template<class L, class F>
   void for_each_candidate(const L& lengths, const node& v, bool only_upward, const F& visit) const {
     const std::size_t i = g_.index(v);
-    const auto consider = [&](const node& w, const kept_edge& via) {
+    const auto consider = [&](const node& w, const stored_edge& via) {
       const std::size_t j = g_.index(w);
       const bool upward = i < j;
       if (only_upward && !upward) return;
@@ -102,7 +102,7 @@ class tree_builder {
         if ((!options_.may_cross || options_.may_cross(e)) && may_enter(w)) consider(w, e);
       });
     } else {
-      for_each_step(g_, v, options_.may_enter, options_.may_cross, [&](const node& w) { consider(w, no_edge{}); });
+      for_each_open_neighbour(g_, v, options_.may_enter, options_.may_cross, [&](const node& w) { consider(w, no_edge{}); });
     }
   }
 
@@ -164,8 +164,8 @@ auto spanning_tree(const G& g, const L& lengths, const spanning_tree_options<typ
 namespace requirement {
 
 template<class M>
-concept has_default_lengths = Embedded<concino::detail::mesh_behind_t<std::remove_cvref_t<M>>> &&
-                              (AnyMesh<concino::detail::mesh_behind_t<std::remove_cvref_t<M>>> || PrimalGraph<M>);
+concept has_default_lengths = Embedded<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> &&
+                              (AnyMesh<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> || PrimalGraph<M>);
 
 }  // namespace requirement
 
@@ -191,7 +191,7 @@ template<class M, class L>
   requires requirement::is_graph<M> && requirement::is_length<L, detail::default_node_of<M>>
 auto spanning_tree(const M& m, const L& length,  // may_cross: not of a bare graph, which has no edges or faces to cross
                    const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
-  return detail::spanning_tree(detail::default_graph_of<M>{m}, detail::given_lengths<L>{length}, options);
+  return detail::spanning_tree(detail::default_graph_of<M>{m}, detail::input_lengths<L>{length}, options);
 }
 
 // What to write instead of calls that cannot compile.

@@ -4,8 +4,8 @@
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/graph/detail/bounded_fifo.hpp>
 #include <concino/graph/detail/corners.hpp>
-#include <concino/graph/detail/once_queue.hpp>
 
 #include <algorithm>
 #include <string>
@@ -23,8 +23,8 @@ struct tree_cotree_result {
 namespace detail {
 
 template<SurfaceMesh M>
-void expect_closed_manifold(const M& m, const char* who) {
-  const auto refuse = [&](const std::string& what) { core::throw_joined<invalid_mesh>({who, ": ", what}); };
+void expect_closed_manifold(const M& m, const char* caller) {
+  const auto refuse = [&](const std::string& what) { core::throw_joined<invalid_mesh>({caller, ": ", what}); };
   for (const edge_t<M> e : edges(m)) {
     const std::size_t n = num_elements(adj_e2p(m, e));
     if (n == 2) continue;
@@ -56,8 +56,8 @@ struct tree_cotree_tables : tree_cotree_result<M> {
   std::vector<edge_t<M>> up_edge;              // by vert: the way to the root
   std::vector<vert_t<M>> up_vert;
 
-  tree_cotree_tables(const M& m, const char* who) {
-    expect_closed_manifold(m, who);
+  tree_cotree_tables(const M& m, const char* caller) {
+    expect_closed_manifold(m, caller);
     grow_tree(m);
     grow_cotree(m);
   }
@@ -81,7 +81,7 @@ struct tree_cotree_tables : tree_cotree_result<M> {
     up_edge.resize(bound);
     up_vert.resize(bound);
     in_tree_.assign(edge_index_bound(m), 0);
-    once_queue<vert_t<M>> queue(bound);
+    bounded_fifo<vert_t<M>> queue(bound);
     std::uint32_t roots = 0;
     for (const vert_t<M> root : verts(m)) {
       if (hops[index_of(m, root)] != unreached) continue;

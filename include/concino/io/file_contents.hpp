@@ -43,11 +43,11 @@ class element_values {
 };
 
 /// Which of the arrays a reader has filled.
-enum class held_mesh : std::uint8_t { surface, cells, polyhedra };
+enum class arrays_kind : std::uint8_t { surface, cells, polyhedra };
 
 /// A surface, and what a file says of its elements. Readers of surfaces fill this, in the order of the file; what they need not is empty.
 struct file_contents {
-  held_mesh held = held_mesh::surface;
+  arrays_kind filled = arrays_kind::surface;
   surface_arrays surface;
   std::vector<int> vert_labels;  // empty, like all that follows, where the file has none
   std::vector<int> poly_labels;

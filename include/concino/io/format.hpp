@@ -52,9 +52,9 @@ struct extensions_requirement {
   }
 };
 
-template<class F> concept says_what_it_holds = requires { { F::holds_surfaces } -> std::convertible_to<bool>; { F::holds_volumes } -> std::convertible_to<bool>; requires F::holds_surfaces || F::holds_volumes; };
+template<class F> concept declares_mesh_kinds = requires { { F::holds_surfaces } -> std::convertible_to<bool>; { F::holds_volumes } -> std::convertible_to<bool>; requires F::holds_surfaces || F::holds_volumes; };
 struct holds_requirement {
-  template<class F> static constexpr bool holds = says_what_it_holds<F>;
+  template<class F> static constexpr bool holds = declares_mesh_kinds<F>;
   template<class F> static consteval void explain() {
     static_assert(detail::missing<F>, "concino: Format needs holds_surfaces and holds_volumes: static constexpr bool holds_surfaces = true, holds_volumes = false; not both false");
   }
@@ -83,7 +83,7 @@ using format_requirements = list<format_name_requirement, extensions_requirement
 }  // namespace requirement
 
 template<class F>
-concept Format = requirement::has_format_name<F> && requirement::has_extensions<F> && requirement::says_what_it_holds<F> && requirement::has_reader<F> &&
+concept Format = requirement::has_format_name<F> && requirement::has_extensions<F> && requirement::declares_mesh_kinds<F> && requirement::has_reader<F> &&
                  requirement::has_writer<F>;
 
 /// Fails to compile with one sentence that names the first thing F lacks to be a Format and what to write.

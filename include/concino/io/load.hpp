@@ -18,14 +18,15 @@ namespace concino {
 /// Reads a mesh from a file; which of standard_formats it is in follows from the extension: .obj, .off, .mesh, .hedra, in any case.
 /// Needs:  Loadable M.
 /// Result: the mesh, elements in the order of the file. Any volume becomes a polyhedralmesh, any surface a polygonmesh; the other kinds
-///         take only what they can hold. What the file says of its elements becomes properties, which are made only where it says any:
-///         "label" (int) and "color" (rgba) of verts and polys; "normal" (vec3) and "texture" (std::array<double, 2>) of verts from .off;
-///         "object", "group" and "material" (std::string) of polys from .obj, with colours from the .mtl files beside it, of which the mesh
-///         property "materials" (material_table) keeps all lines. What was skipped, turned or worth a remark is in options.report.
+///         take only what they can hold. Values in the file become properties of the mesh; the mesh has only those that the file has.
+///         From every format: "label" (int) and "color" (rgba) of verts and polys. From .off: "normal" (vec3) and "texture"
+///         (std::array<double, 2>) of verts. From .obj: "object", "group" and "material" (std::string) of polys, with colours from the .mtl
+///         files beside it; the mesh property "materials" (material_table) has all their lines. options.report lists what was skipped, turned
+///         or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are handed over to the mesh.
-/// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile; parse_error with the line if it breaks its format or holds a
-///         poly that M cannot; unsupported if the extension is not known, or the file holds a volume and M is a surface, or the reverse, or
-///         faces of more than 16 verts belong to very many polyhedra; cancelled.
+/// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks its format or holds a
+///         poly that M cannot. unsupported if the extension is not known, if the file holds a volume and M is a surface or the reverse, or if
+///         faces of more than 16 verts belong to very many polyhedra. cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   return detail::load_standard<M>(path, options);

@@ -23,12 +23,12 @@ namespace detail {
 template<class Variant>
 Variant any_mesh_of(volume_contents& contents, const std::string& path, load_report* report) {
   const auto make = [&]<class M>(std::type_identity<M>) -> Variant { return mesh_of<M>(contents, path, report); };
-  if (contents.held == held_mesh::surface) {
+  if (contents.filled == arrays_kind::surface) {
     if (contents.surface.arity == 3) return make(std::type_identity<trimesh>{});
     if (contents.surface.arity == 4) return make(std::type_identity<quadmesh>{});
     return make(std::type_identity<polygonmesh>{});
   }
-  if (contents.held == held_mesh::cells)
+  if (contents.filled == arrays_kind::cells)
     return contents.cells.arity == 4 ? make(std::type_identity<tetmesh>{}) : make(std::type_identity<hexmesh>{});
   return make(std::type_identity<polyhedralmesh>{});
 }

@@ -19,19 +19,21 @@ namespace concino {
 /// tets, hexes, prisms and pyramids, which are told by their faces; .hedra for volumes.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the file, complete, in the place of what was there; coordinates read back as the same numbers. Verts (and faces) are numbered as
-///         they are walked. Properties "label" (int) of verts and polys go to .mesh; "color" (rgba) and "label" of polys, of which .off
-///         holds one, and "color" of verts to .obj and .off; "normal" (vec3) and "texture" (std::array<double, 2>) of verts to .off;
-///         "object", "group" and "material" (std::string) of polys to .obj, with all lines of the mesh property "materials". Colours and
-///         materials are in the libraries that the mesh's file named, where these are beside the new one and hold the same; else in a new one
-///         beside the .obj, of the same name, .mtl, or _1.mtl and so on: no library that is there is changed, but those that earlier saves
-///         made for this file are removed. Both files change or neither does; killed at any moment, the .obj that is there finds its
-///         materials. Whatever is lost, changed or called otherwise is named in options.report.
-/// Cost:   O(size of the mesh) time. Memory: what lies in the mesh as the format wants it, as in those of the library while nothing has been
-///         removed, is not copied, else O(corners); O(corners) for .mesh, O(polys) for .obj with colours or materials.
-/// Errors: unsupported if the extension is not known, or the format cannot hold the mesh, naming the first poly that it cannot and formats
-///         that can; invalid_mesh if a coordinate is not finite; io_error if a file cannot be written, or another program makes a library of
-///         that name meanwhile; cancelled. The target then is as it was, and no other file has been made or changed. (With options.sync,
-///         io_error also where the new file stands there but its folder cannot be brought to the disk.)
+///         they are walked. These properties are written:
+///         - to .mesh: "label" (int) of verts and polys;
+///         - to .obj and .off: "color" (rgba) of verts, "color" and "label" of polys, of which .off holds one;
+///         - to .off: "normal" (vec3) and "texture" (std::array<double, 2>) of verts;
+///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials".
+///         An .obj uses the material libraries that the mesh's file named, if they are beside the new file and hold the same colours and
+///         materials. Otherwise a new library is written beside it, with the same name and .mtl, or _1.mtl and so on. Existing libraries are
+///         not changed, but those that earlier saves made for this file are removed. Both files change or neither does; even if the program
+///         is killed, the .obj on disk finds its materials. options.report names whatever is lost, changed or renamed.
+/// Cost:   O(size of the mesh) time. Memory: O(corners), or none for arrays that the mesh stores as the format needs them, as those of the library
+///         do until something is removed. O(corners) for .mesh, O(polys) for .obj with colours or materials.
+/// Errors: unsupported if the extension is not known, or if the format cannot hold the mesh: it names the first poly that does not fit, and
+///         formats that can hold it. invalid_mesh if a coordinate is not finite. io_error if a file cannot be written, or another program makes a
+///         library of that name meanwhile. cancelled. The target is then as it was, and no other file has been made or changed. (With
+///         options.sync, io_error also where the new file stands there but its folder cannot be brought to the disk.)
 template<EmbeddedMesh M>
 void save(const M& m, const std::string& path, const save_options& options = {}) {
   detail::save_standard<dimension_v<M>>(detail::visitable_mesh<M>{m}, path, options);

@@ -8,7 +8,7 @@
 #include <concino/io/file_text.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/options.hpp>
-#include <concino/io/replacing_file.hpp>
+#include <concino/io/atomic_file.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -22,7 +22,7 @@ namespace concino {
 template<class M, class U>
   requires requirement::has_verts<M> && requirement::has_num_verts<M> && requirement::gives_numbers<U, vert_t<M>>
 void save_field(const M& m, const U& u, const std::string& path, const file_options& options = {}) {
-  replacing_file file(path, {.sync = options.sync});
+  atomic_file file(path, {.sync = options.sync});
   text_sink out(file.descriptor(), path);
   out << "SCALAR_FIELD " << static_cast<std::uint64_t>(num_verts(m)) << '\n';
   for (const vert_t<M> v : verts(m)) out << static_cast<double>(u[v]) << '\n';
@@ -35,7 +35,7 @@ void save_field(const M& m, const U& u, const std::string& path, const file_opti
 /// Result: a map of double.      Cost: O(V + size of the file).
 /// Errors: io_error; parse_error with the line, also if the file does not hold one number per vert.
 template<class M>
-  requires requirement::is_no_temporary<M> && requirement::has_verts<M> && requirement::has_num_verts<M>
+  requires requirement::is_lvalue_or_view<M> && requirement::has_verts<M> && requirement::has_num_verts<M>
 vert_map<M, double> load_field(M&& m, const std::string& path) {
   detail::check_path(path);
   const file_text file(path);

@@ -21,7 +21,7 @@ namespace concino {
 ///   const auto n = in.next_count("the number of verts", 6);
 ///   for (std::uint64_t i = 0; i < n; ++i) points.push_back({in.next_real("x"), in.next_real("y"), in.next_real("z")});
 ///
-/// The text has to stay where it is. Errors: parse_error by fail() and by all that read numbers; cancelled by tell().
+/// The text has to stay where it is. Errors: parse_error by fail() and by all that read numbers; cancelled by report_progress().
 class text_cursor {
  public:
   const char* at;
@@ -29,7 +29,7 @@ class text_cursor {
  private:
   const char* begin_;
   const char* end_;
-  const char* next_tell_;
+  const char* next_report_;
   std::string_view name_;
   const concino::progress* progress_;
   mutable const char* counted_;  // lines up to here, so that many complaints in a row cost one walk
@@ -38,9 +38,9 @@ class text_cursor {
  public:
   /// `name` appears in errors. A byte order mark is skipped.
   text_cursor(std::string_view text, std::string_view name, const concino::progress* on_progress = nullptr)
-      : at(text.data()), begin_(at), end_(at + text.size()), next_tell_(end_), name_(name), progress_(on_progress), counted_(begin_) {
+      : at(text.data()), begin_(at), end_(at + text.size()), next_report_(end_), name_(name), progress_(on_progress), counted_(begin_) {
     if (text.substr(0, 3) == "\xEF\xBB\xBF") at += 3;
-    if (progress_ && *progress_) next_tell_ = at;
+    if (progress_ && *progress_) next_report_ = at;
   }
 
   const char* begin() const { return begin_; }
@@ -50,14 +50,14 @@ class text_cursor {
   std::uint64_t left() const { return static_cast<std::uint64_t>(end_ - at); }
 
   /// Says how far it is, about a hundred times a file.
-  void tell() {
-    if (at >= next_tell_ && next_tell_ != end_) [[unlikely]] tell_now();
+  void report_progress() {
+    if (at >= next_report_ && next_report_ != end_) [[unlikely]] report_progress_now();
   }
 
  private:
-  [[gnu::noinline, gnu::cold]] void tell_now() {
-    detail::tell(*progress_, static_cast<double>(at - begin_) / static_cast<double>(end_ - begin_), "reading");
-    next_tell_ = static_cast<std::size_t>(end_ - at) > 1 ? at + std::min<std::ptrdiff_t>(end_ - at, (end_ - begin_) / 100 + 1) : end_;
+  [[gnu::noinline, gnu::cold]] void report_progress_now() {
+    detail::report_progress(*progress_, static_cast<double>(at - begin_) / static_cast<double>(end_ - begin_), "reading");
+    next_report_ = static_cast<std::size_t>(end_ - at) > 1 ? at + std::min<std::ptrdiff_t>(end_ - at, (end_ - begin_) / 100 + 1) : end_;
   }
 
  public:
@@ -170,18 +170,18 @@ struct token_cursor : text_cursor {
     skip();
     return integer(expected, comment);
   }
-  /// A number of elements that take at least `bytes` each. What a file announces is not believed: reserve no more than room() says, and
+  /// A number of elements that take at least `bytes` each. What a file announces is not believed: reserve no more than reservable() says, and
   /// read until the elements or the file end.
   std::uint64_t next_count(const char* what, std::uint64_t bytes) {
     skip();
     const char* const from = at;
     const std::int64_t n = integer(what, comment);
     if (n < 0) fail(from, what);
-    if (static_cast<std::uint64_t>(n) > max_count && room(max_count + 1, bytes) > max_count) fail_to_count("elements of one kind");
+    if (static_cast<std::uint64_t>(n) > max_count && reservable(max_count + 1, bytes) > max_count) fail_to_count("elements of one kind");
     return static_cast<std::uint64_t>(n);
   }
   /// How many of n announced elements the rest of the file can hold; the last needs no line end.
-  std::size_t room(std::uint64_t n, std::uint64_t bytes) const { return static_cast<std::size_t>(std::min(n, (left() + 1) / bytes)); }
+  std::size_t reservable(std::uint64_t n, std::uint64_t bytes) const { return static_cast<std::size_t>(std::min(n, (left() + 1) / bytes)); }
   /// An index from 1 to `bound`, made to count from 0.
   std::uint32_t next_index(std::uint64_t bound, const char* what) {
     skip();

@@ -17,7 +17,7 @@ namespace concino {
 
 /// Text goes to a file descriptor in large pieces, or with none is kept.
 ///
-///   replacing_file file(path);
+///   atomic_file file(path);
 ///   text_sink out(file.descriptor(), path);
 ///   out << "verts " << 3 << '\n' << 0.5;
 ///   out.flush();
@@ -31,16 +31,16 @@ class text_sink {
   int file_ = -1;
   std::string path_;
 
-  char* room(std::size_t n) {
-    if (text_.size() - used_ < n) make_room(n);
+  char* reserve(std::size_t n) {
+    if (text_.size() - used_ < n) grow(n);
     return text_.data() + used_;
   }
-  [[gnu::noinline]] void make_room(std::size_t n) {
+  [[gnu::noinline]] void grow(std::size_t n) {
     if (file_ >= 0) flush();
     if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, file_ < 0 ? 2 * text_.size() : 0}));
   }
   [[gnu::noinline]] text_sink& put(std::uint64_t i) {
-    char* const p = room(24);
+    char* const p = reserve(24);
     used_ += static_cast<std::size_t>(std::to_chars(p, p + 24, i).ptr - p);
     return *this;
   }
@@ -50,19 +50,19 @@ class text_sink {
   text_sink(int file, std::string path) : file_(file), path_(std::move(path)) {}
 
   [[gnu::noinline]] text_sink& operator<<(char c) {  // there are many, and the numbers between them take longer
-    *room(1) = c;
+    *reserve(1) = c;
     ++used_;
     return *this;
   }
   [[gnu::noinline]] text_sink& operator<<(std::string_view s) {
-    std::memcpy(room(s.size()), s.data(), s.size());
+    std::memcpy(reserve(s.size()), s.data(), s.size());
     used_ += s.size();
     return *this;
   }
   text_sink& operator<<(const char* s) { return *this << std::string_view(s); }
   /// The shortest digits that read back as the same number.
   [[gnu::noinline]] text_sink& operator<<(double x) {
-    char* const p = room(32);
+    char* const p = reserve(32);
     used_ += static_cast<std::size_t>(std::to_chars(p, p + 32, x).ptr - p);
     return *this;
   }
@@ -83,7 +83,7 @@ class text_sink {
   }
 
   /// All that was written. Needs: no descriptor.
-  std::string take() && {
+  std::string release() && {
     text_.resize(used_);
     return std::move(text_);
   }

@@ -16,19 +16,19 @@
 
 namespace concino {
 
-class replacing_file;
+class atomic_file;
 
 /// Other files that belong to the one that is written, as a material library does.
 struct companion_files {
   virtual ~companion_files() = default;
   /// Gives them and the file their names, all or none: calls file.commit().
-  virtual void commit_with(replacing_file& file) = 0;
+  virtual void commit_with(atomic_file& file) = 0;
 };
 
 /// Where the text goes, what was asked for, and what is reported.
 struct write_context {
   /// A property that the file holds.
-  struct kept_property {
+  struct stored_property {
     element_kind kind;
     std::string_view name;
     const std::type_info* type;
@@ -39,20 +39,20 @@ struct write_context {
   std::string_view path;       // of the file; empty where a text is asked for, which has no files beside it
   const save_options& options;
   save_report& report;
-  std::vector<kept_property> kept = {};
+  std::vector<stored_property> stored = {};
   std::unique_ptr<companion_files> companions = {};  // made by the writer, if there are any
-  std::size_t num_elements = 0, num_told = 0;        // verts and polys
+  std::size_t num_elements = 0, num_written = 0;        // verts and polys
   std::size_t num_not_finite = 0;
 
   /// Once for every vert and poly: tells options.progress now and then. Errors: cancelled.
-  void tell() {
-    if (num_told++ % 4096 == 0)
-      detail::tell(options.progress, std::min(1.0, static_cast<double>(num_told) / static_cast<double>(num_elements + 1)), "writing");
+  void report_progress() {
+    if (num_written++ % 4096 == 0)
+      detail::report_progress(options.progress, std::min(1.0, static_cast<double>(num_written) / static_cast<double>(num_elements + 1)), "writing");
   }
 
   /// Says that the file holds the property of that name with values of type T. All others are reported as lost.
   template<class T>
-  void keep(element_kind kind, std::string_view property) { kept.push_back({kind, property, &typeid(T)}); }
+  void declare_stored(element_kind kind, std::string_view property) { stored.push_back({kind, property, &typeid(T)}); }
 
   /// A number that is no coordinate: files cannot hold those that are not finite, so they become 0, which is reported.
   double finite(double x) {
@@ -63,7 +63,7 @@ struct write_context {
   float finite(float x) { return static_cast<float>(finite(static_cast<double>(x))); }
 
   /// Errors: unsupported, "<name>: <format> cannot hold <what>; save it as <instead>".
-  [[noreturn, gnu::noinline, gnu::cold]] void cannot_hold(std::string_view format, core::message what, std::string_view instead) const {
+  [[noreturn, gnu::noinline, gnu::cold]] void throw_cannot_hold(std::string_view format, core::message what, std::string_view instead) const {
     core::throw_joined<unsupported>({name, ": ", format, " cannot hold ", core::joined(what), "; save it as ", instead});
   }
 };

@@ -14,7 +14,7 @@ namespace views {
 
 /// Shows faces of M as polys. Those that M lists clockwise, seen from outside, are kept here the other way round, edges too.
 template<VolumeMesh M>
-class boundary_view : public partial<M> {
+class boundary_view : public partial_view<M> {
  public:
   struct turned_faces {
     std::vector<vert_t<M>> verts;
@@ -22,8 +22,8 @@ class boundary_view : public partial<M> {
     std::vector<std::size_t> first;  // by face index, one more than the bound; empty where no face is turned
   };
 
-  boundary_view(const M& m, std::shared_ptr<const detail::shown_elements> elements, std::shared_ptr<const turned_faces> turned)
-      : partial<M>(m, std::move(elements)), turned_(std::move(turned)) {}
+  boundary_view(const M& m, std::shared_ptr<const detail::visible_elements> elements, std::shared_ptr<const turned_faces> turned)
+      : partial_view<M>(m, std::move(elements)), turned_(std::move(turned)) {}
   const turned_faces& turned() const { return *turned_; }
 
  private:
@@ -38,7 +38,7 @@ namespace detail {
 template<class M, class X, class Verb>
 class outward_ring {
   using ring = decltype(std::declval<const Verb&>()(std::declval<const M&>(), std::declval<face_t<M>>()));
-  using step = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
+  using base_iterator = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
 
   ring listed_;
   const X* first_ = nullptr;
@@ -48,7 +48,7 @@ class outward_ring {
   struct sentinel {};
   class iterator {
     const outward_ring* r_;
-    step listed_;
+    base_iterator listed_;
     const X* turned_;
 
    public:
@@ -78,12 +78,12 @@ class outward_ring {
 }  // namespace detail
 
 template<class M>
-struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boundary_view<M>, M>,
+struct mesh_traits<views::boundary_view<M>> : detail::partial_view_traits<views::boundary_view<M>, M>,
                                               detail::fixed_arity<arity_v<M> == 4   ? 3
                                                                   : arity_v<M> == 8 ? 4
                                                                                     : 0> {
   using V = views::boundary_view<M>;
-  using base = detail::partial_traits<V, M>;
+  using base = detail::partial_view_traits<V, M>;
   using vert = vert_t<M>;
   using edge = edge_t<M>;
   using poly = face_t<M>;
@@ -96,19 +96,19 @@ struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boun
   static std::size_t index_of(const V& m, const poly& x) { return concino::index_of(m.base(), x); }
 
   using base::contains;
-  static bool contains(const V& m, const poly& x) { return base::shows(m, m.elements().faces, x); }
+  static bool contains(const V& m, const poly& x) { return base::is_visible(m, m.elements().faces, x); }
 
   static auto polys(const V& m) {
-    return detail::filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::shown_in(m, m.elements().faces));
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::visible_in(m, m.elements().faces));
   }
   static auto adj_v2p(const V& m, const vert& v) {
-    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::shown_in(m, m.elements().faces));
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::visible_in(m, m.elements().faces));
   }
   static auto adj_e2p(const V& m, const edge& e) {
-    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); }, base::shown_in(m, m.elements().faces));
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); }, base::visible_in(m, m.elements().faces));
   }
   static auto adj_p2p(const V& m, const poly& p) {
-    return detail::filtered([&]() -> decltype(auto) { return adj_f2f(m.base(), p); }, base::shown_in(m, m.elements().faces));
+    return detail::filtered([&]() -> decltype(auto) { return adj_f2f(m.base(), p); }, base::visible_in(m, m.elements().faces));
   }
   static auto adj_p2v(const V& m, const poly& p) { return detail::outward_ring<M, vert, adj_f2v_verb>(m, p, adj_f2v, m.turned().verts); }
   static auto adj_p2e(const V& m, const poly& p) { return detail::outward_ring<M, edge, adj_f2e_verb>(m, p, adj_f2e, m.turned().edges); }
@@ -122,7 +122,7 @@ struct mesh_traits<views::boundary_view<M>> : detail::partial_traits<views::boun
 /// Errors: none of its own.
 template<VolumeMesh M>
 auto boundary(const M& m) {
-  auto s = std::make_shared<detail::shown_elements>(detail::shown_elements{
+  auto s = std::make_shared<detail::visible_elements>(detail::visible_elements{
       detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(face_index_bound(m)),
       detail::element_mask(0), detail::element_mask(vert_index_bound(m))});
   auto turned = std::make_shared<typename views::boundary_view<M>::turned_faces>();

@@ -9,30 +9,30 @@
 #include <concino/mesh/corner_orders.hpp>
 #include <concino/mesh/detail/cell_ranges.hpp>
 #include <concino/mesh/detail/checks.hpp>
-#include <concino/mesh/detail/stars.hpp>
+#include <concino/mesh/detail/vertex_incidence.hpp>
 
 namespace concino {
 
 /// Lists: where the verts of polys are read; rows of these tables' own, which can be edited, or lists in somebody else's array.
-template<class Shape, class Lists = detail::rows<vert_id, Shape::verts>>
+template<class Shape, class Lists = detail::jagged_array<vert_id, Shape::verts>>
 class cell_tables {
   template<class, class> friend class cell_tables;
-  template<class T> using ragged = detail::rows<T, 0>;
+  template<class T> using jagged = detail::jagged_array<T, 0>;
   static constexpr const auto& shape = detail::shape_v<Shape>;
 
-  detail::live<vert_id> verts_;
-  detail::live<edge_id> edges_;
-  detail::live<face_id> faces_;
-  detail::live<poly_id> polys_;
+  detail::alive_elements<vert_id> verts_;
+  detail::alive_elements<edge_id> edges_;
+  detail::alive_elements<face_id> faces_;
+  detail::alive_elements<poly_id> polys_;
   Lists p2v_;
-  detail::rows<edge_id, Shape::edges> p2e_;
-  detail::sides<face_id, Shape::faces> sides_;
-  detail::rows<vert_id, 2> e2v_;
+  detail::jagged_array<edge_id, Shape::edges> p2e_;
+  detail::facet_adjacency<face_id, Shape::faces> facet_adjacency_;
+  detail::jagged_array<vert_id, 2> e2v_;
   core::flat_array<std::uint32_t> e2p_;  // one poly at the edge, or `special` and the crowd
-  ragged<poly_id> crowds_;
-  ragged<vert_id> v2v_;
-  ragged<edge_id> v2e_;
-  ragged<poly_id> v2p_;
+  jagged<poly_id> poly_lists_;
+  jagged<vert_id> v2v_;
+  jagged<edge_id> v2e_;
+  jagged<poly_id> v2p_;
 
  public:
   static constexpr unsigned arity = Shape::verts;
@@ -45,7 +45,7 @@ class cell_tables {
 
   /// From the verts of every poly in the standard order. Linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
-  cell_tables(std::size_t vert_count, std::vector<vert_id> polys) : p2v_(detail::checked_rows<Shape::verts>(std::move(polys), "poly")) {
+  cell_tables(std::size_t vert_count, std::vector<vert_id> polys) : p2v_(detail::checked_lists<Shape::verts>(std::move(polys), "poly")) {
     detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
     build(vert_count);
   }
@@ -56,16 +56,16 @@ class cell_tables {
       : cell_tables(vert_count, detail::to_standard_order(std::move(polys), order)) {}
   /// The same for polys that are listed elsewhere, with what was built of a copy of those lists.
   cell_tables(cell_tables<Shape>&& built, Lists elsewhere)
-    requires(!std::same_as<Lists, detail::rows<vert_id, Shape::verts>>)
+    requires(!std::same_as<Lists, detail::jagged_array<vert_id, Shape::verts>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
-        p2v_(std::move(elsewhere)), p2e_(std::move(built.p2e_)), sides_(std::move(built.sides_)), e2v_(std::move(built.e2v_)),
-        e2p_(std::move(built.e2p_)), crowds_(std::move(built.crowds_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
+        p2v_(std::move(elsewhere)), p2e_(std::move(built.p2e_)), facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)),
+        e2p_(std::move(built.e2p_)), poly_lists_(std::move(built.poly_lists_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
         v2p_(std::move(built.v2p_)) {}
 
-  const detail::live<vert_id>& verts() const { return verts_; }
-  const detail::live<edge_id>& edges() const { return edges_; }
-  const detail::live<face_id>& faces() const { return faces_; }
-  const detail::live<poly_id>& polys() const { return polys_; }
+  const detail::alive_elements<vert_id>& verts() const { return verts_; }
+  const detail::alive_elements<edge_id>& edges() const { return edges_; }
+  const detail::alive_elements<face_id>& faces() const { return faces_; }
+  const detail::alive_elements<poly_id>& polys() const { return polys_; }
 
   id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
   id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
@@ -74,25 +74,25 @@ class cell_tables {
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
   auto adj_e2f(edge_id e) const { return detail::owned_faces<cell_tables, detail::polys_around_edge<cell_tables>, detail::faces_at_edge, 2>(this, adj_e2p(e), {e}); }
   detail::polys_around_edge<cell_tables> adj_e2p(edge_id e) const { return {this, e}; }
-  detail::few<vert_id, Shape::face_verts> adj_f2v(face_id f) const {
-    const auto [p, k] = sides_.owner(f);
+  detail::inline_array<vert_id, Shape::face_verts> adj_f2v(face_id f) const {
+    const auto [p, k] = facet_adjacency_.owner(f);
     const auto v = p2v_[p];
-    detail::few<vert_id, Shape::face_verts> all;
+    detail::inline_array<vert_id, Shape::face_verts> all;
     for (unsigned i = 0; i < Shape::face_verts; ++i) all[i] = v[Shape::face_vert[k][i]];
     return all;
   }
-  detail::few<edge_id, Shape::face_verts> adj_f2e(face_id f) const {
-    const auto [p, k] = sides_.owner(f);
+  detail::inline_array<edge_id, Shape::face_verts> adj_f2e(face_id f) const {
+    const auto [p, k] = facet_adjacency_.owner(f);
     const edge_id* const e = p2e_.begin(p);
-    detail::few<edge_id, Shape::face_verts> all;
+    detail::inline_array<edge_id, Shape::face_verts> all;
     for (unsigned i = 0; i < Shape::face_verts; ++i) all[i] = e[shape.face_edge[k][i]];
     return all;
   }
-  detail::polys_of_facet adj_f2p(face_id f) const { return sides_.polys_of(f); }
+  detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
   auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
-  id_span<face_id> adj_p2f(poly_id p) const { return sides_.facets(p); }
-  detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
+  id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
+  detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
   /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
@@ -100,7 +100,7 @@ class cell_tables {
 
   /// The order of a face's verts is the one that its owner sees from outside; another poly at the face compares.
   bool face_is_outward(poly_id p, face_id f) const {
-    if (sides_.owner(f).poly == p.raw()) return true;
+    if (facet_adjacency_.owner(f).poly == p.raw()) return true;
     const auto verts = adj_f2v(f);
     const id_span<face_id> faces = adj_p2f(p);
     for (unsigned k = 0; k < Shape::faces; ++k) {
@@ -132,31 +132,31 @@ class cell_tables {
   void remove_vert(vert_id v);
 
   // What the ranges of cell_ranges.hpp step with.
-  poly_id across(poly_id p, std::uint32_t k) const {
-    const detail::across x = sides_.across_sides(p)[k];
-    return x.is_none() || x.is_crowd() ? poly_id{} : poly_id{x.poly()};
+  poly_id neighbour_at_face(poly_id p, std::uint32_t k) const {
+    const detail::encoded_neighbour x = facet_adjacency_.neighbours_of(p)[k];
+    return x.is_none() || x.is_non_manifold() ? poly_id{} : poly_id{x.poly()};
   }
   poly_id first_poly(edge_id e) const { return poly_id{e2p_[e.raw()]}; }
-  bool is_crowded(edge_id e) const { return e2p_[e.raw()] & detail::across::special; }
-  id_span<poly_id> crowd(edge_id e) const { return crowds_[crowd_number(e)]; }
+  bool is_non_manifold(edge_id e) const { return e2p_[e.raw()] & detail::encoded_neighbour::special; }
+  id_span<poly_id> poly_list(edge_id e) const { return poly_lists_[poly_list_number(e)]; }
   bool owns(poly_id p, std::uint32_t k) const {
-    const auto s = sides_.owner(sides_.facets(p)[k]);
+    const auto s = facet_adjacency_.owner(facet_adjacency_.facets(p)[k]);
     return s.poly == p.raw() && s.k == k;
   }
-  detail::few<std::uint8_t, 2> faces_at(poly_id p, edge_id e) const {
+  detail::inline_array<std::uint8_t, 2> faces_at(poly_id p, edge_id e) const {
     const edge_id* const all = p2e_.begin(p.raw());
     unsigned i = 0;
     while (i + 1 < Shape::edges && all[i] != e) ++i;
-    detail::few<std::uint8_t, 2> two;
+    detail::inline_array<std::uint8_t, 2> two;
     two[0] = shape.edge_face[i][0];
     two[1] = shape.edge_face[i][1];
     return two;
   }
-  detail::few<std::uint8_t, detail::shape_tables<Shape>::valence> faces_at(poly_id p, vert_id v) const {
+  detail::inline_array<std::uint8_t, detail::shape_tables<Shape>::valence> faces_at(poly_id p, vert_id v) const {
     const auto all = p2v_[p.raw()];
     unsigned i = 0;
     while (i + 1 < Shape::verts && all[i] != v) ++i;
-    detail::few<std::uint8_t, detail::shape_tables<Shape>::valence> faces;
+    detail::inline_array<std::uint8_t, detail::shape_tables<Shape>::valence> faces;
     for (unsigned k = 0; k < faces.size(); ++k) faces[k] = shape.vert_face[i][k];
     return faces;
   }
@@ -172,12 +172,12 @@ class cell_tables {
   edges_of_new_poly find_edges(const vert_id* corners) const;
 
   /// Finds memory for the new poly in the lists of the edges that are crowded, and for the lists of those that may become so.
-  void reserve_crowds_at(const edges_of_new_poly& at);
+  void reserve_poly_lists_at(const edges_of_new_poly& at);
 
   /// The face that side k of a poly with these corners would be, none if there is no such face yet.
   face_id face_on(std::span<const vert_id> corners, unsigned k) const;
 
-  std::size_t crowd_number(edge_id e) const { return e2p_[e.raw()] & ~detail::across::special; }
+  std::size_t poly_list_number(edge_id e) const { return e2p_[e.raw()] & ~detail::encoded_neighbour::special; }
 
   /// Calls f(p) for every poly at e, in the order in which its first vert lists them.
   template<class F>
@@ -190,7 +190,7 @@ class cell_tables {
 
   /// After polys at e came or went, so that there are n: where stepping around e begins, or who crowds it, or that e is gone. There is room for
   /// them in the crowd of e, or for a new one if n > 1.
-  void refan(edge_id e, std::uint32_t n);
+  void update_fan(edge_id e, std::uint32_t n);
 
   static constexpr unsigned valence = detail::shape_tables<Shape>::valence;
 
@@ -206,7 +206,7 @@ class cell_tables {
   void check_fan(edge_id e, std::uint32_t uses);
 
   /// Lists the polys of the edges that are marked as crowded.
-  void crowd_edges();
+  void list_polys_of_edges();
 };
 
 using tet_tables = cell_tables<detail::tet_shape>;

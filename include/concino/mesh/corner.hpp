@@ -31,8 +31,8 @@ vert_t<M> vert_at(const M& m, const corner<M>& c) {
   return *it;
 }
 
-/// A value of type T for every corner of the polys that a mesh had when the map was made, in one array: what a vert has on one poly and not on
-/// another, such as texture coordinates and normals at creases.
+/// A value of type T for every corner of the polys that a mesh had when the map was made, in one array. Corner values differ from poly to poly at
+/// one vert, as texture coordinates and normals at creases do.
 /// Needs:  an AnyMesh that stays where it is as long as the map is used; of a view the map keeps a copy.
 /// Result: map[c] is a reference, map.of(p) the values of all corners of p in the order of adj_p2v.
 /// Cost:   one array of values, one number per poly.
@@ -73,7 +73,7 @@ class corner_map {
 /// Needs:  AnyMesh, no temporary (views may be); T other than bool (take unsigned char).      Result: a map[corner] of T.
 /// Cost:   O(corners) time and memory.                                   Errors: none.
 template<class T, class M>
-  requires requirement::is_no_temporary<M> && AnyMesh<M> && (!std::is_same_v<T, bool>)
+  requires requirement::is_lvalue_or_view<M> && AnyMesh<M> && (!std::is_same_v<T, bool>)
 corner_map<std::remove_cvref_t<M>, T> make_corner_map(M&& m, const T& init = T()) {
   return {m, init};
 }

@@ -68,7 +68,7 @@ corner_property_map<M, T> corner_property(M& m, std::string_view name) {
 /// Cost:   O(number of properties).
 /// Errors: invalid_argument if the property exists with values of another type.
 template<class T, class M>
-  requires requirement::is_no_temporary<M> && ShowsProperties<M> && NumbersCorners<M>
+  requires requirement::is_lvalue_or_view<M> && ShowsProperties<M> && NumbersCorners<M>
 corner_property_map<std::remove_cvref_t<M>, const T> find_corner_property(M&& m, std::string_view name) {
   return {m, traits<M>::properties(std::as_const(m)).find(element_kind::corner, name, detail::values_of<T>)};
 }

@@ -39,8 +39,8 @@ struct joint_origins {
 inline double part_of(const element_origins::range& origins, std::uint32_t i) {
   double total = 0, part = 0;
   for (const origin x : origins) {
-    total += x.amount;
-    if (x.index == i) part += x.amount;
+    total += x.weight;
+    if (x.index == i) part += x.weight;
   }
   return total > 0 ? part / total : 0;
 }
@@ -94,7 +94,7 @@ element_origins match_edges(const From& before, const To& m, const element_origi
   }
   element_origins origins;
   for (const origin& x : found) {
-    if (x.index == element_origins::none || x.amount == 1) origins.add(x.index);
+    if (x.index == element_origins::none || x.weight == 1) origins.add(x.index);
     else origins.add({x});
   }
   return origins;
@@ -132,7 +132,7 @@ element_origins match_corners(const From& before, const To& m, const element_ori
         std::size_t number = traits<From>::first_corner(before, by_index[of_poly.index]);
         for (const vert_t<From> w : adj_p2v(before, by_index[of_poly.index])) {
           for (const origin of_vert : of_verts[index_of(m, v)])
-            if (of_vert.index == index_of(before, w)) found.push_back({static_cast<std::uint32_t>(number), of_poly.amount * of_vert.amount});
+            if (of_vert.index == index_of(before, w)) found.push_back({static_cast<std::uint32_t>(number), of_poly.weight * of_vert.weight});
           ++number;
         }
       }
@@ -142,7 +142,7 @@ element_origins match_corners(const From& before, const To& m, const element_ori
   element_origins origins;
   for (std::size_t i = 0; i < first.size(); ++i) {
     const std::span<const origin> of(found.data() + first[i], found.data() + last[i]);
-    if (of.empty() || (of.size() == 1 && of[0].amount == 1)) origins.add(of.empty() ? element_origins::none : of[0].index);
+    if (of.empty() || (of.size() == 1 && of[0].weight == 1)) origins.add(of.empty() ? element_origins::none : of[0].index);
     else origins.add(of);
   }
   return origins;
@@ -153,8 +153,8 @@ void check_origins(const correspondence& c, const property_set& properties, cons
 
 }  // namespace detail
 
-/// Finds the origins of edges and faces from those of their verts, where c has none of them: of an edge the one between the two verts that its ends were
-/// made of, of a face the one around all that its verts were made of. Half an edge has half of it; parts of a face have equal parts of it.
+/// Finds the origins of edges and faces from those of their verts, where c has none of them. The origin of an edge is the edge between the origins of
+/// its ends, that of a face the face around the origins of its verts. Half an edge has half of it; parts of a face have equal parts of it.
 /// Needs:  AnyMesh both, of the same dimension; c.verts for each vert of m.
 /// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces inside of old polys have no origin.
 /// Cost:   O(elements), times the edges or faces at a vert.

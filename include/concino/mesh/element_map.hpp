@@ -112,22 +112,22 @@ template<class M, class T> using poly_map = element_map<std::remove_cvref_t<M>, 
 /// Needs:  index_of and the index bound of that kind of element; m is no temporary mesh (views may be).
 /// Result: a map[x] of T.      Cost: O(index bound) time and memory.      Errors: those of the index bound.
 template<class T, class M>
-  requires requirement::is_no_temporary<M> && requires(const M& m) { vert_index_bound(m); }
+  requires requirement::is_lvalue_or_view<M> && requires(const M& m) { vert_index_bound(m); }
 vert_map<M, T> make_vert_map(M&& m, const T& init = T()) {
   return {m, vert_index_bound(m), init};
 }
 template<class T, class M>
-  requires requirement::is_no_temporary<M> && requires(const M& m) { edge_index_bound(m); }
+  requires requirement::is_lvalue_or_view<M> && requires(const M& m) { edge_index_bound(m); }
 edge_map<M, T> make_edge_map(M&& m, const T& init = T()) {
   return {m, edge_index_bound(m), init};
 }
 template<class T, class M>
-  requires requirement::is_no_temporary<M> && requires(const M& m) { face_index_bound(m); }
+  requires requirement::is_lvalue_or_view<M> && requires(const M& m) { face_index_bound(m); }
 face_map<M, T> make_face_map(M&& m, const T& init = T()) {
   return {m, face_index_bound(m), init};
 }
 template<class T, class M>
-  requires requirement::is_no_temporary<M> && requires(const M& m) { poly_index_bound(m); }
+  requires requirement::is_lvalue_or_view<M> && requires(const M& m) { poly_index_bound(m); }
 poly_map<M, T> make_poly_map(M&& m, const T& init = T()) {
   return {m, poly_index_bound(m), init};
 }

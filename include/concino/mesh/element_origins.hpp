@@ -14,7 +14,7 @@ namespace concino {
 /// An element of the mesh before, and how much of it is in the element of the new mesh.
 struct origin {
   std::uint32_t index;  // index_of in the mesh before
-  double amount = 1;    // >= 0, finite: what both have in common, such as an area, or a weight of interpolation; only ratios count
+  double weight = 1;    // >= 0, finite: what both have in common, such as an area, or a weight of interpolation; only ratios count
 
   friend bool operator==(const origin&, const origin&) = default;
 };

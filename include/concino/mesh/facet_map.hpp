@@ -12,7 +12,7 @@ template<class M, class T> using facet_map = element_map<std::remove_cvref_t<M>,
 /// Needs:  an AnyMesh, no temporary (views may be).
 /// Result: a map[x] of T: an edge_map or a face_map.      Cost: O(index bound) time and memory.      Errors: those of the index bound.
 template<class T, class M>
-  requires requirement::is_no_temporary<M> && requires(const M& m) { facet_index_bound(m); }
+  requires requirement::is_lvalue_or_view<M> && requires(const M& m) { facet_index_bound(m); }
 facet_map<M, T> make_facet_map(M&& m, const T& init = T()) {
   return {m, facet_index_bound(m), init};
 }

@@ -7,7 +7,7 @@
 #include <concino/core/message.hpp>
 #include <concino/mesh/detail/checks.hpp>
 #include <concino/mesh/detail/polyhedra_ranges.hpp>
-#include <concino/mesh/detail/stars.hpp>
+#include <concino/mesh/detail/vertex_incidence.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -20,21 +20,21 @@ namespace concino {
 template<class Lists>
 class basic_polyhedra_tables {
   template<class> friend class basic_polyhedra_tables;
-  template<class T> using ragged = detail::rows<T, 0>;
+  template<class T> using jagged = detail::jagged_array<T, 0>;
 
-  detail::live<vert_id> verts_;
-  detail::live<edge_id> edges_;
-  detail::live<face_id> faces_;
-  detail::live<poly_id> polys_;
+  detail::alive_elements<vert_id> verts_;
+  detail::alive_elements<edge_id> edges_;
+  detail::alive_elements<face_id> faces_;
+  detail::alive_elements<poly_id> polys_;
   Lists f2v_;
-  ragged<vert_id> p2v_, v2v_;
-  ragged<edge_id> v2e_, p2e_;
-  ragged<face_id> e2f_;
-  ragged<poly_id> v2p_;
-  detail::sides<face_id, 0> sides_;
-  detail::row_places face_places_;  // of verts in faces of many
-  ragged<std::uint8_t> outward_;  // parallel to the faces of each poly
-  detail::rows<vert_id, 2> e2v_;
+  jagged<vert_id> p2v_, v2v_;
+  jagged<edge_id> v2e_, p2e_;
+  jagged<face_id> e2f_;
+  jagged<poly_id> v2p_;
+  detail::facet_adjacency<face_id, 0> facet_adjacency_;
+  detail::row_lookup face_places_;  // of verts in faces of many
+  jagged<std::uint8_t> outward_;  // parallel to the faces of each poly
+  detail::jagged_array<vert_id, 2> e2v_;
 
  public:
   basic_polyhedra_tables() = default;
@@ -49,17 +49,17 @@ class basic_polyhedra_tables {
   basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
                          std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward);
   /// The same for faces that are listed elsewhere, with what was built of a copy of those lists.
-  basic_polyhedra_tables(basic_polyhedra_tables<ragged<vert_id>>&& built, Lists elsewhere)
-    requires(!std::same_as<Lists, ragged<vert_id>>)
+  basic_polyhedra_tables(basic_polyhedra_tables<jagged<vert_id>>&& built, Lists elsewhere)
+    requires(!std::same_as<Lists, jagged<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
         f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
-        p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)), v2p_(std::move(built.v2p_)), sides_(std::move(built.sides_)),
+        p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)), v2p_(std::move(built.v2p_)), facet_adjacency_(std::move(built.facet_adjacency_)),
         face_places_(std::move(built.face_places_)), outward_(std::move(built.outward_)), e2v_(std::move(built.e2v_)) {}
 
-  const detail::live<vert_id>& verts() const { return verts_; }
-  const detail::live<edge_id>& edges() const { return edges_; }
-  const detail::live<face_id>& faces() const { return faces_; }
-  const detail::live<poly_id>& polys() const { return polys_; }
+  const detail::alive_elements<vert_id>& verts() const { return verts_; }
+  const detail::alive_elements<edge_id>& edges() const { return edges_; }
+  const detail::alive_elements<face_id>& faces() const { return faces_; }
+  const detail::alive_elements<poly_id>& polys() const { return polys_; }
 
   id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
   id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
@@ -70,18 +70,18 @@ class basic_polyhedra_tables {
   detail::polys_of_faces<basic_polyhedra_tables> adj_e2p(edge_id e) const { return {this, adj_e2f(e)}; }
   auto adj_f2v(face_id f) const { return f2v_[f.raw()]; }
   auto adj_f2e(face_id f) const { return detail::edges_between(this, adj_f2v(f)); }
-  detail::polys_of_facet adj_f2p(face_id f) const { return sides_.polys_of(f); }
+  detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
   id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
-  id_span<face_id> adj_p2f(poly_id p) const { return sides_.facets(p); }
-  detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
+  id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
+  detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
   /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }
 
   bool face_is_outward(poly_id p, face_id f) const {
-    const std::uint32_t k = sides_.side_of(p, f);
+    const std::uint32_t k = facet_adjacency_.position_of(p, f);
     return k < outward_.length(p.raw()) && outward_.begin(p.raw())[k] != 0;
   }
 
@@ -115,7 +115,7 @@ class basic_polyhedra_tables {
   // What the ranges above look up with.
   edge_id edge_between(vert_id a, vert_id b) const {
     const auto [smaller, larger] = std::minmax({a, b});
-    if (v2v_.length(larger.raw()) > detail::row_places::longest_scan) [[unlikely]]
+    if (v2v_.length(larger.raw()) > detail::row_lookup::longest_scan) [[unlikely]]
       if (const edge_id e = edge_to_smaller(larger, smaller); !e.is_none()) return e;
     return detail::edge_between(v2v_, v2e_, larger, smaller);
   }
@@ -123,7 +123,7 @@ class basic_polyhedra_tables {
     const auto corners = adj_f2v(f);
     const std::size_t n = corners.size();
     std::size_t i = 0;
-    if (n > detail::row_places::longest_scan) [[unlikely]] i = face_places_.find(f.raw(), corners, v);
+    if (n > detail::row_lookup::longest_scan) [[unlikely]] i = face_places_.find(f.raw(), corners, v);
     else
       while (i < n && corners[i] != v) ++i;
     return i == n ? vert_id{} : corners[i + 1 == n ? 0 : i + 1];
@@ -133,12 +133,12 @@ class basic_polyhedra_tables {
   static constexpr std::size_t faces_of_new_edge = 4;  // what there is room for
 
   /// Result: the verts of the faces of all polys, a face counted for every poly that has it.
-  std::size_t check(std::size_t vert_count, const ragged<face_id>& polys) const;
+  std::size_t check(std::size_t vert_count, const jagged<face_id>& polys) const;
 
   /// The smaller neighbours of a vert come before the larger, and ascend, until edges are added or removed there.
   edge_id edge_to_smaller(vert_id v, vert_id smaller) const;
 
-  void build(std::size_t vert_count, const ragged<face_id>& polys, std::size_t poly_corners);
+  void build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners);
 
   /// Edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner. Returns scratch of one number a vert.
   core::flat_array<std::uint32_t> build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e);
@@ -154,7 +154,7 @@ template<class Lists>
   return at != near.end() && *at == smaller ? v2e_.begin(v.raw())[at - near.begin()] : edge_id{};
 }
 
-using polyhedra_tables = basic_polyhedra_tables<detail::rows<vert_id, 0>>;
+using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>;
 
 }  // namespace concino
 

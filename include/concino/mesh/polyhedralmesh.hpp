@@ -18,9 +18,9 @@ class polyhedralmesh : public detail::native_mesh<polyhedra_tables> {
 
   /// From flat arrays, taken over without a copy.
   /// Cost:   linear in time and memory.
-  /// Errors: invalid_mesh that names the face with fewer than 3 verts, or with a vert out of range or twice, the poly with no face, or with a
-  ///         face out of range or twice, or arrays that do not fit each other; unsupported if faces of more than 16 verts belong to so many
-  ///         polys, always more than 16, that the adjacencies would be far longer than the arrays.
+  /// Errors: invalid_mesh that names a face with fewer than 3 verts, or with a vert out of range or twice. The same for a poly with no face, or
+  ///         with a face out of range or twice, and for arrays that do not fit each other. unsupported if faces of more than 16 verts belong to so
+  ///         many polys (always more than 16) that the adjacencies would be far longer than the arrays.
   explicit polyhedralmesh(polyhedra_arrays a);
 
   /// From points, lists of verts and lists of {face, outward?}, in braces or in containers.

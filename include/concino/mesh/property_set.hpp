@@ -4,7 +4,7 @@
 #include <concino/concepts/descriptors.hpp>
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
-#include <concino/mesh/detail/live.hpp>
+#include <concino/mesh/detail/alive_elements.hpp>
 
 #include <array>
 #include <concepts>

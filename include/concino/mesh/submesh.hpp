@@ -9,9 +9,9 @@ namespace concino {
 namespace views {
 
 template<AnyMesh M>
-class submesh_view : public partial<M> {
+class submesh_view : public partial_view<M> {
  public:
-  using partial<M>::partial;
+  using partial_view<M>::partial_view;
 };
 
 }  // namespace views
@@ -19,9 +19,9 @@ class submesh_view : public partial<M> {
 namespace detail {
 
 template<class M>
-struct submesh_traits : partial_traits<views::submesh_view<M>, M>, fixed_arity<arity_v<M>> {
+struct submesh_traits : partial_view_traits<views::submesh_view<M>, M>, fixed_arity<arity_v<M>> {
   using V = views::submesh_view<M>;
-  using base = partial_traits<V, M>;
+  using base = partial_view_traits<V, M>;
   using vert = vert_t<M>;
   using edge = edge_t<M>;
   using poly = poly_t<M>;
@@ -44,19 +44,19 @@ struct submesh_traits : partial_traits<views::submesh_view<M>, M>, fixed_arity<a
   static std::size_t corner_index_bound(const V& m) { return traits<B>::corner_index_bound(m.base()); }
 
   using base::contains;
-  static bool contains(const V& m, const poly& x) { return base::shows(m, m.elements().polys, x); }
+  static bool contains(const V& m, const poly& x) { return base::is_visible(m, m.elements().polys, x); }
 
   static auto polys(const V& m) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::polys(m.base()); }, base::shown_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::polys(m.base()); }, base::visible_in(m, m.elements().polys));
   }
   static auto adj_v2p(const V& m, const vert& v) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2p(m.base(), v); }, base::shown_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2p(m.base(), v); }, base::visible_in(m, m.elements().polys));
   }
   static auto adj_e2p(const V& m, const edge& e) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_e2p(m.base(), e); }, base::shown_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_e2p(m.base(), e); }, base::visible_in(m, m.elements().polys));
   }
   static auto adj_p2p(const V& m, const poly& p) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_p2p(m.base(), p); }, base::shown_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_p2p(m.base(), p); }, base::visible_in(m, m.elements().polys));
   }
   static decltype(auto) adj_p2v(const V& m, const poly& p) { return traits<M>::adj_p2v(m.base(), p); }
   static decltype(auto) adj_p2e(const V& m, const poly& p) { return concino::adj_p2e(m.base(), p); }
@@ -77,19 +77,19 @@ struct submesh_volume_traits : submesh_traits<M> {
   static std::size_t index_of(const V& m, const face& x) { return concino::index_of(m.base(), x); }
 
   using base::contains;
-  static bool contains(const V& m, const face& x) { return base::shows(m, m.elements().faces, x); }
+  static bool contains(const V& m, const face& x) { return base::is_visible(m, m.elements().faces, x); }
 
   static auto faces(const V& m) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::shown_in(m, m.elements().faces));
+    return filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::visible_in(m, m.elements().faces));
   }
   static auto adj_v2f(const V& m, const vert& v) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::shown_in(m, m.elements().faces));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::visible_in(m, m.elements().faces));
   }
   static auto adj_e2f(const V& m, const edge& e) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); }, base::shown_in(m, m.elements().faces));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); }, base::visible_in(m, m.elements().faces));
   }
   static auto adj_f2p(const V& m, const face& f) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_f2p(m.base(), f); }, base::shown_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_f2p(m.base(), f); }, base::visible_in(m, m.elements().polys));
   }
   static decltype(auto) adj_f2v(const V& m, const face& f) { return traits<M>::adj_f2v(m.base(), f); }
   static decltype(auto) adj_f2e(const V& m, const face& f) { return concino::adj_f2e(m.base(), f); }
@@ -112,8 +112,8 @@ struct mesh_traits<views::submesh_view<M>>
 template<AnyMesh M, class Keep>
   requires requires(const Keep& keep, const poly_t<M>& p) { { keep(p) } -> std::convertible_to<bool>; }
 auto submesh(const M& m, const Keep& keep) {
-  auto s = std::make_shared<detail::shown_elements>(
-      detail::shown_elements{detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(0),
+  auto s = std::make_shared<detail::visible_elements>(
+      detail::visible_elements{detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(0),
                              detail::element_mask(poly_index_bound(m)), detail::element_mask(vert_index_bound(m))});
   if constexpr (VolumeMesh<M>) s->faces = detail::element_mask(face_index_bound(m));  // surfaces have no faces
   for (const auto p : polys(m)) {

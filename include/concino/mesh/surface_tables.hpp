@@ -5,30 +5,30 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
+#include <concino/mesh/detail/alive_elements.hpp>
 #include <concino/mesh/detail/checks.hpp>
-#include <concino/mesh/detail/live.hpp>
-#include <concino/mesh/detail/sides.hpp>
-#include <concino/mesh/detail/stars.hpp>
+#include <concino/mesh/detail/facet_adjacency.hpp>
+#include <concino/mesh/detail/vertex_incidence.hpp>
 
 namespace concino {
 
 /// Arity: verts of every polygon, or 0 where polygons differ. Lists: where the verts of polygons are read; rows of these tables' own, which
 /// can be edited, or lists in somebody else's array.
-template<unsigned Arity, class Lists = detail::rows<vert_id, Arity>>
+template<unsigned Arity, class Lists = detail::jagged_array<vert_id, Arity>>
 class surface_tables {
   template<unsigned, class> friend class surface_tables;
-  template<class T> using per_poly = detail::rows<T, Arity>;
-  template<class T> using ragged = detail::rows<T, 0>;
+  template<class T> using per_poly = detail::jagged_array<T, Arity>;
+  template<class T> using jagged = detail::jagged_array<T, 0>;
 
-  detail::live<vert_id> verts_;
-  detail::live<edge_id> edges_;
-  detail::live<poly_id> polys_;
+  detail::alive_elements<vert_id> verts_;
+  detail::alive_elements<edge_id> edges_;
+  detail::alive_elements<poly_id> polys_;
   Lists p2v_;
-  detail::sides<edge_id, Arity> sides_;
-  detail::rows<vert_id, 2> e2v_;
-  ragged<vert_id> v2v_;
-  ragged<edge_id> v2e_;
-  ragged<poly_id> v2p_;
+  detail::facet_adjacency<edge_id, Arity> facet_adjacency_;
+  detail::jagged_array<vert_id, 2> e2v_;
+  jagged<vert_id> v2v_;
+  jagged<edge_id> v2e_;
+  jagged<poly_id> v2p_;
 
  public:
   static constexpr unsigned arity = Arity;
@@ -43,14 +43,14 @@ class surface_tables {
   /// Errors: invalid_mesh that names the polygon with a bad vert, a repeated vert or fewer than 3.
   surface_tables(std::size_t vert_count, std::vector<vert_id> polys)
     requires(Arity > 0)
-      : p2v_(detail::checked_rows<Arity>(std::move(polys), "poly")) {
+      : p2v_(detail::checked_lists<Arity>(std::move(polys), "poly")) {
     check(vert_count);
     build(vert_count);
   }
   /// The same for polygons of any size: poly p's verts are verts[first[p]] .. verts[first[p+1]-1].
   surface_tables(std::size_t vert_count, std::vector<std::uint32_t> first, std::vector<vert_id> verts)
     requires(Arity == 0)
-      : p2v_(detail::checked_rows(std::move(first), std::move(verts), "poly")) {
+      : p2v_(detail::checked_lists(std::move(first), std::move(verts), "poly")) {
     check(vert_count);
     build(vert_count);
   }
@@ -58,23 +58,23 @@ class surface_tables {
   surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, per_poly<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)),
-        sides_(std::move(built.sides_)), e2v_(std::move(built.e2v_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
+        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
         v2p_(std::move(built.v2p_)) {
-    if constexpr (Arity == 0) p2v_.share_shape(built.p2v_);
+    if constexpr (Arity == 0) p2v_.share_offsets(built.p2v_);
   }
 
-  const detail::live<vert_id>& verts() const { return verts_; }
-  const detail::live<edge_id>& edges() const { return edges_; }
-  const detail::live<poly_id>& polys() const { return polys_; }
+  const detail::alive_elements<vert_id>& verts() const { return verts_; }
+  const detail::alive_elements<edge_id>& edges() const { return edges_; }
+  const detail::alive_elements<poly_id>& polys() const { return polys_; }
 
   id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
   id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
   id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
-  detail::polys_of_facet adj_e2p(edge_id e) const { return sides_.polys_of(e); }
+  detail::polys_of_facet adj_e2p(edge_id e) const { return facet_adjacency_.polys_of(e); }
   auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
-  id_span<edge_id> adj_p2e(poly_id p) const { return sides_.facets(p); }
-  detail::polys_across adj_p2p(poly_id p) const { return sides_.polys(p); }
+  id_span<edge_id> adj_p2e(poly_id p) const { return facet_adjacency_.facets(p); }
+  detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
   /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }

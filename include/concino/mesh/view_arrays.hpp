@@ -7,21 +7,21 @@
 // as the view is used, and keep its size.
 #pragma once
 
-#include <concino/mesh/detail/given_arrays.hpp>
+#include <concino/mesh/detail/input_arrays.hpp>
 
 namespace concino {
 
 namespace requirement {
 
 /// What a view may read later: an array with a name, or an object that only points to one (a span, an Eigen::Map).
-template<class A> concept is_no_temporary_array = std::is_lvalue_reference_v<A> || concino::detail::source_of<A>::is_view;
+template<class A> concept is_lvalue_or_view_array = std::is_lvalue_reference_v<A> || concino::detail::source_of<A>::is_view;
 /// Points in rows of 3 (or 2) numbers; lists of N indices in rows; numbers one after another. An adapter header says how each is read.
-template<class A> concept is_point_array = concino::detail::holds_points<A> && is_no_temporary_array<A>;
-template<class A, unsigned N> concept is_list_array = concino::detail::holds_lists<A, N> && is_no_temporary_array<A>;
-template<class A> concept is_index_array = concino::detail::holds_indices<A> && is_no_temporary_array<A>;
+template<class A> concept is_point_array = concino::detail::holds_points<A> && is_lvalue_or_view_array<A>;
+template<class A, unsigned N> concept is_list_array = concino::detail::holds_lists<A, N> && is_lvalue_or_view_array<A>;
+template<class A> concept is_index_array = concino::detail::holds_indices<A> && is_lvalue_or_view_array<A>;
 template<class A>
 concept is_temporary_array = (concino::detail::holds_points<A> || concino::detail::holds_lists<A, 3> || concino::detail::holds_lists<A, 4> ||
-                              concino::detail::holds_lists<A, 8> || concino::detail::holds_indices<A>) && !is_no_temporary_array<A>;
+                              concino::detail::holds_lists<A, 8> || concino::detail::holds_indices<A>) && !is_lvalue_or_view_array<A>;
 template<class A> concept is_signed_index_array = is_index_array<A> && std::signed_integral<concino::detail::number_in<A>>;
 
 }  // namespace requirement

@@ -18,8 +18,8 @@ namespace concino {
 namespace detail {
 
 template<class M>
-[[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* who, const M& m, const poly_t<M>& p) {
-  core::throw_joined<invalid_mesh>({who, ": poly ", index_of(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
+[[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* caller, const M& m, const poly_t<M>& p) {
+  core::throw_joined<invalid_mesh>({caller, ": poly ", index_of(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
                               ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
 }
 
@@ -43,7 +43,7 @@ vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
 }  // namespace detail
 
 /// What is known of the gradients on a poly without its mesh.
-struct gradients_at_places {
+struct corner_gradient_arrays {
   std::vector<vec3> place;     // of each vert, seen from the mean of the verts
   std::vector<vec3> gradient;  // of each vert; not finite where the poly has no measure
   vec3 mean;                   // of the verts
@@ -66,7 +66,7 @@ struct gradients_at_places {
 /// Polyhedra: the integral of u n over the faces, each a fan of linear triangles about its mean point with the mean value, over the volume.
 /// The faces are those by which `volume` is measured, so linear functions have their gradient whether faces are planar or not.
 template<EmbeddedMesh M>
-struct corner_gradients : gradients_at_places {
+struct corner_gradients : corner_gradient_arrays {
   std::vector<vert_t<M>> verts;
 
   void visit(const M& m, const poly_t<M>& p) {

@@ -12,9 +12,10 @@ template<class M> concept may_have_simplices = AnyMesh<M> && (arity_v<M> == 0 ||
 
 }  // namespace requirement
 
-/// Minus the measure of each triangle or tet times the scalar product of the gradients of the hat functions of the edge's ends, summed: half the
-/// cotangents of the angles opposite the edge on surfaces, a sixth of the lengths of the opposite edges times the cotangents of the dihedral
-/// angles there in volumes. Negative weights are kept: they are what makes linear functions harmonic.
+/// Linear finite elements on triangles and tets. The weight of an edge is the sum over its polys of minus the measure times the scalar product of the
+/// gradients of the hat functions of its ends. On surfaces that is half the cotangents of the angles opposite the edge. In volumes it is a sixth of
+/// the lengths of the opposite edges times the cotangents of the dihedral angles there. Negative weights are kept: with them linear functions
+/// are harmonic.
 /// Needs:  EmbeddedMesh of triangles or tets: by type, or, where polys have any number of verts, by the polys that there are.
 /// Errors: of what uses it: unsupported if some poly is no triangle or tet, invalid_mesh if one is degenerate.
 /// Source: Pinkall, Polthier 1993 (triangles); Crane 2019, "The n-dimensional cotangent formula" (tets).

@@ -91,9 +91,9 @@ using discretisation_requirements = list<graph_requirement, weights_or_matrices_
 /// Without masses, those of the mesh are used: the discretisation is integrated, in units of length to the dimension minus 2. With masses, weights
 /// and masses are taken as they are: where they have no unit, as those of `uniform`, times and amounts have none.
 ///
-/// The members are asked about the mesh as it is. One that takes any M, and whose entries on the mesh times s are s to the dimension minus 2 times as
-/// large, may say so by `static constexpr bool scales_with_mesh = true;`: then they are given a view of the mesh at a size near 1, so that problems are
-/// solved as well for very small and very large meshes. What depends on places, as a conductivity may, must not say so.
+/// The members get the mesh as it is. A discretisation that takes any M may set `static constexpr bool scales_with_mesh = true;` if its entries grow
+/// with the scale s of the mesh as s to the dimension minus 2. Its members then get a view of the mesh at a size near 1, so that problems on very small
+/// and very large meshes are solved as accurately. What depends on positions, as a conductivity may, must not set it.
 ///
 /// explain_discretisation<D, M>() names what is missing.
 template<class D, class M>

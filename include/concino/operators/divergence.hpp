@@ -17,7 +17,7 @@ namespace concino {
 /// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
 /// Source: as divergence_matrix.
 template<class M, class Field>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_points<Field, poly_t<M>>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_points<Field, poly_t<M>>
 vert_map<M, double> divergence(M&& m, const Field& field) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_vert_map<double>(m, 0.0);

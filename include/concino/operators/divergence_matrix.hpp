@@ -23,8 +23,8 @@ namespace concino {
 /// Source: the weak form of the finite element method; paper section 2.2, "transposing the gradient matrix".
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
-  constexpr const char* who = "divergence_matrix";
-  auto d = detail::empty_columns(who, vert_index_bound(m), 3 * poly_index_bound(m));
+  constexpr const char* caller = "divergence_matrix";
+  auto d = detail::empty_columns(caller, vert_index_bound(m), 3 * poly_index_bound(m));
   int* const begin = d.outerIndexPtr();
   const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
     int n = 0;
@@ -33,10 +33,10 @@ Eigen::SparseMatrix<double> divergence_matrix(const M& m) {
     begin[c + 1] = begin[c + 2] = begin[c + 3] = n;
     return n;
   });
-  detail::make_room(who, d);
+  detail::make_room(caller, d);
   chunks.template for_each<poly_gradients<M>>([&](auto& local, const poly_t<M>& p, std::size_t) {
     local.visit(m, p);
-    if (!local.has_gradients()) detail::throw_no_measure(who, m, p);
+    if (!local.has_gradients()) detail::throw_no_measure(caller, m, p);
     const double size = -std::abs(local.measure);
     const std::size_t n = local.verts.size();
     for (std::size_t k = 0; k < 3; ++k) {

@@ -30,7 +30,7 @@ vec3 gradient_of(const Local& local, const U& u) {
 /// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
 /// Source: as gradient_matrix.
 template<class M, class U>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
 poly_map<M, vec3> gradient(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_poly_map<vec3>(m);
@@ -50,7 +50,7 @@ poly_map<M, vec3> gradient(M&& m, const U& u) {
 /// Cost:   as gradient, and O(V) memory.      Errors: as gradient.
 /// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes" (AGS).
 template<class M, class U>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
 vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   struct weighted {

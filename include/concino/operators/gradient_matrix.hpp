@@ -9,9 +9,9 @@
 
 namespace concino {
 
-/// The matrix G whose rows 3p, 3p + 1, 3p + 2 give x, y and z of the mean gradient of u over poly p from the values of u at the verts: the
-/// integral of u times the outward normal over the boundary of p, divided by its area or volume. Along edges u is linear; faces of volumes
-/// are fans of triangles about their mean point, where u has the mean value.
+/// The gradient matrix G: rows 3p, 3p + 1, 3p + 2 of G u are x, y and z of the mean gradient over poly p of the function with values u at the
+/// verts. That is the integral of u times the outward normal over the boundary of p, divided by its area or volume. Along edges u is linear;
+/// faces of volumes are fans of triangles about their mean point, where u has the mean value.
 /// Needs:  EmbeddedMesh; the faces of each polyhedron close up.
 /// Result: 3 poly_index_bound(m) rows, vert_index_bound(m) columns, by index_of; an entry for every vert of every poly, rows sorted in each
 ///         column; those of deleted elements and of verts of no poly are empty. Exact on linear functions a . x: the rows of a poly give a, on
@@ -23,8 +23,8 @@ namespace concino {
 /// Source: Green-Gauss; on triangles and tets the gradient of piecewise linear functions; paper section 2.2.
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
-  constexpr const char* who = "gradient_matrix";
-  auto g = detail::empty_columns(who, 3 * poly_index_bound(m), vert_index_bound(m));
+  constexpr const char* caller = "gradient_matrix";
+  auto g = detail::empty_columns(caller, 3 * poly_index_bound(m), vert_index_bound(m));
   int* const begin = g.outerIndexPtr();
   std::vector<int> place;  // of each corner: how many polys met its vert before
   if constexpr (arity_v<M> > 0) core::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * num_polys(m));  // the number of corners is known
@@ -37,12 +37,12 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
     for (const vert_t<M> v : adj_p2v(m, p)) place.push_back(begin[index_of(m, v) + 1]++);
     return place.size() - before;
   });
-  detail::make_room(who, g, 3);
+  detail::make_room(caller, g, 3);
   int* const rows = g.innerIndexPtr();
   double* const values = g.valuePtr();
   chunks.template for_each<poly_gradients<M>>([&](auto& local, const poly_t<M>& p, std::size_t corner) {
     local.visit(m, p);
-    if (!local.has_gradients()) detail::throw_no_measure(who, m, p);
+    if (!local.has_gradients()) detail::throw_no_measure(caller, m, p);
     const int row = 3 * static_cast<int>(index_of(m, p));
     const std::size_t n = local.verts.size();
     for (std::size_t i = 0; i < n; ++i) {

@@ -10,9 +10,9 @@
 
 namespace concino {
 
-/// The matrix L of the Laplacian, integrated: u . L u is minus the integral of the squared gradient of u (with `uniform` minus the sum of the
-/// squared differences along edges), and off the diagonal stand the weights by which L u compares u at a vert with others. Without a
-/// discretisation that of virtual_elements, which on triangles and tets are cotangents.
+/// The integrated Laplacian as a matrix L: u . L u is minus the integral of the squared gradient of u; with `uniform`, minus the sum of the
+/// squared differences along edges. Off the diagonal are the weights of the differences between u at a vert and at others. The default
+/// discretisation is virtual_elements, which gives the cotangent weights on triangles and tets.
 /// Needs:  EmbeddedMesh M, or a discretisation: laplacian(m, uniform) of any PrimalGraph, laplacian(m, cotangent) of triangles or tets, those of
 ///         <concino/operators/virtual_refinement.hpp> and <concino/operators/de_goes.hpp>, or your own, see Discretisation.
 /// Result: vert_index_bound(m) rows and columns, by index_of; symmetric to the last bit, negative semidefinite, the constants of each component

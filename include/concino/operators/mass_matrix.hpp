@@ -39,7 +39,7 @@ template<class M>
 /// Errors: invalid_mesh if points of a poly are not finite, or so far apart that the measures sum to infinity.
 /// Source: the barycentric lumped mass of the finite element method; paper section 2.2.
 template<class M>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 vert_map<M, double> vert_masses(M&& m) {
   auto mass = make_vert_map<double>(m, 0.0);
   if constexpr (TriMesh<M> || TetMesh<M>) {  // read once
@@ -88,8 +88,8 @@ struct mass_matrix_options {
 /// Needs:  EmbeddedMesh.
 /// Result: vert_index_bound(m) rows and columns, by index_of, every diagonal entry present (0 for verts of no poly; with lumped masses for
 ///         deleted ones too); sums to the measure of the mesh. Lumped: vert_masses as a diagonal. Otherwise the hat functions of the verts are projected to
-///         linear functions on each poly, and what the projection does not see is weighed by its squares at the verts, so that the matrix
-///         is positive definite on the verts of polys that do not intersect themselves; on triangles and tets it is the mass of linear elements.
+///         linear functions on each poly, and the rest is weighed by its squares at the verts. The matrix is then positive definite on the
+///         verts of polys that do not intersect themselves. On triangles and tets it is the mass matrix of linear elements.
 /// Cost:   lumped as vert_masses, otherwise as laplacian.
 /// Errors: invalid_mesh as vert_masses, or, unless lumped, if a poly has points that are not finite, or no area or volume; unsupported then if the
 ///         matrix would be too large for 32-bit indices.

@@ -13,10 +13,10 @@ namespace concino {
 namespace detail {
 
 template<class M>
-double poly_mass(const char* who, const M& m, const poly_t<M>& p) {
+double poly_mass(const char* caller, const M& m, const poly_t<M>& p) {
   const double mass = std::abs(measure(m, p));
   if (!std::isfinite(mass))
-    core::throw_joined<invalid_mesh>({who, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ", index_of(m, p),
+    core::throw_joined<invalid_mesh>({caller, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ", index_of(m, p),
                                 " is not a finite number; look at the points of its verts"});
   return mass;
 }
@@ -29,7 +29,7 @@ double poly_mass(const char* who, const M& m, const poly_t<M>& p) {
 /// Errors: invalid_mesh that names a poly whose points, or whose area or volume, are not finite.
 /// Source: the mass matrix of piecewise constant functions; paper section 2.2.
 template<class M>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, double> poly_masses(M&& m) {
   using mesh = std::remove_cvref_t<M>;
   auto mass = make_poly_map<double>(m, 0.0);
@@ -43,15 +43,15 @@ poly_map<M, double> poly_masses(M&& m) {
 /// Cost:   as poly_masses.      Errors: as poly_masses; unsupported if the matrix would be too large for 32-bit indices.
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> poly_mass_matrix(const M& m) {
-  constexpr const char* who = "poly_mass_matrix";
+  constexpr const char* caller = "poly_mass_matrix";
   const std::size_t size = 3 * poly_index_bound(m);
-  auto a = detail::empty_columns(who, size, size);
+  auto a = detail::empty_columns(caller, size, size);
   int* const begin = a.outerIndexPtr();
   for (const poly_t<M> p : polys(m))
     for (std::size_t k = 1; k <= 3; ++k) begin[3 * index_of(m, p) + k] = 1;
-  detail::make_room(who, a);
+  detail::make_room(caller, a);
   for (const poly_t<M> p : polys(m)) {
-    const double mass = detail::poly_mass(who, m, p);
+    const double mass = detail::poly_mass(caller, m, p);
     const std::size_t first = 3 * index_of(m, p);
     for (std::size_t c = first; c < first + 3; ++c) {
       a.innerIndexPtr()[begin[c]] = static_cast<int>(c);

@@ -10,8 +10,8 @@ namespace concino {
 
 /// As corner_gradients, for one triangle or tet after another.
 ///
-/// The gradient of corner i stands on the facet opposite to it, and its length is one over the height there: of a triangle, that edge turned by a
-/// quarter about the normal and divided by twice the area; of a tet, the cross product of two of its edges over six times the volume.
+/// The gradient of corner i is normal to the facet opposite to it, and its length is one over the height there. In a triangle it is that edge, turned
+/// by a quarter about the normal and divided by twice the area. In a tet it is the cross product of two edges of that facet over six times the volume.
 template<EmbeddedMesh M>
   requires(TriMesh<M> || TetMesh<M>)
 struct simplex_gradients {

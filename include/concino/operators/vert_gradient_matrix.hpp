@@ -24,7 +24,7 @@ struct corner_lists {
   std::vector<corner_at> around;
 
   template<class M>
-  corner_lists(const char* who, const M& m, std::vector<double>& size_around)
+  corner_lists(const char* caller, const M& m, std::vector<double>& size_around)
       : first{0}, first_at(vert_index_bound(m) + 1) {
     const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
       for (const vert_t<M> v : adj_p2v(m, p)) {
@@ -39,7 +39,7 @@ struct corner_lists {
     std::vector<double> size(vert.size());
     chunks.template for_each<poly_gradients<M>>([&](auto& local, const poly_t<M>& p, std::size_t corner) {
       local.visit(m, p);
-      if (!local.has_gradients()) throw_no_measure(who, m, p);
+      if (!local.has_gradients()) throw_no_measure(caller, m, p);
       const std::size_t n = local.verts.size();
       for (std::size_t i = 0; i < n; ++i) {
         size[corner + i] = std::abs(local.measure);
@@ -72,11 +72,11 @@ struct corner_lists {
 /// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes" (AGS).
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
-  constexpr const char* who = "vert_gradient_matrix";
+  constexpr const char* caller = "vert_gradient_matrix";
   const std::size_t nv = vert_index_bound(m);
-  auto g = detail::empty_columns(who, 3 * nv, nv);
+  auto g = detail::empty_columns(caller, 3 * nv, nv);
   std::vector<double> size_around;
-  const detail::corner_lists lists(who, m, size_around);
+  const detail::corner_lists lists(caller, m, size_around);
   int* const begin = g.outerIndexPtr();
   std::vector<std::size_t> seen_from(nv, nv);
   const auto for_each_around = [&](std::size_t v, const auto& f) {
@@ -90,7 +90,7 @@ Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
       begin[v + 1] += seen_from[w] != v;
       seen_from[w] = v;
     });
-  detail::make_room(who, g, 3);
+  detail::make_room(caller, g, 3);
 
   // Column v: what its corner adds to the gradient of each poly around it goes to all verts of that poly.
   struct part {

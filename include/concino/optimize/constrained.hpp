@@ -22,9 +22,9 @@ struct constrained_result {
 /// K itself may be singular, as the Laplacian of a mesh without boundary values is, if C determines what K does not.
 /// Needs:  K: symmetric, n x n, both triangles; C: m x n, any rank. solver: a SparseSolver for symmetric indefinite matrices; ldlt and others
 ///         that read one triangle will do, but ldlt does not exchange pivots and so fails on some systems that lu, the default, solves.
-/// Result: x, the multipliers, and how many constraints were redundant: those whose row depends on the rows before it up to rounding errors, some
-///         1e-15 of its largest entry, in any units of rows; and whose right side then agrees with theirs up to 1e-9 of the numbers it is made of.
-///         Rows that differ by a little more are constraints, and lose as many digits as they have in common.
+/// Result: x, the multipliers, and the number of redundant constraints. A constraint is redundant if its row depends on the rows before it up to
+///         rounding errors, some 1e-15 of its largest entry, in any units of rows. Its right side must then agree with theirs up to 1e-9 of
+///         the numbers it is made of. Rows that differ by a little more are constraints, and lose as many digits as they have in common.
 /// Cost:   one factorisation of n + m unknowns, and an elimination of C with its fill.
 /// Errors: solver_error if a constraint contradicts those before it (its row is named), if K and C leave x undetermined, or if something is not
 ///         finite or of the wrong size.
@@ -33,18 +33,18 @@ template<class Solver = lu>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& b, const Eigen::SparseMatrix<double>& C,
                                           const Eigen::VectorXd& d, Solver&& solver = {}) {
-  const char* const who = "solve_with_constraints";
+  const char* const caller = "solve_with_constraints";
   Eigen::SparseMatrix<double> k_storage, c_storage;
   const Eigen::SparseMatrix<double>&k = core::compressed(K, k_storage), &c = core::compressed(C, c_storage);
-  core::check_square(who, k);
-  core::check_entries(who, k);
-  core::check_right_hand_side(who, b, k.rows());
+  core::check_square(caller, k);
+  core::check_entries(caller, k);
+  core::check_right_hand_side(caller, b, k.rows());
   if (c.cols() != k.cols())
-    core::throw_joined<solver_error>({who, ": the constraints are on ", static_cast<std::size_t>(c.cols()), " unknowns, but there are ",
+    core::throw_joined<solver_error>({caller, ": the constraints are on ", static_cast<std::size_t>(c.cols()), " unknowns, but there are ",
                                         static_cast<std::size_t>(k.cols())});
-  core::check_entries(who, c);
-  core::check_right_hand_side(who, d, c.rows());
-  const detail::row_space space = detail::independent_rows(who, c, d);
+  core::check_entries(caller, c);
+  core::check_right_hand_side(caller, d, c.rows());
+  const detail::row_space space = detail::independent_rows(caller, c, d);
   const std::vector<int>& kept = space.independent;
   const auto n = static_cast<int>(k.cols()), m = static_cast<int>(kept.size());
   std::vector<int> place(static_cast<std::size_t>(c.rows()), -1);
@@ -73,7 +73,7 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   try {
     solver.factorize(whole);
   } catch (const solver_error& e) {
-    core::throw_joined<solver_error>({who, ": the unknowns, ", static_cast<std::size_t>(n), " of them, are not determined by K and ",
+    core::throw_joined<solver_error>({caller, ": the unknowns, ", static_cast<std::size_t>(n), " of them, are not determined by K and ",
                                         static_cast<std::size_t>(m), " constraints, or the solver cannot tell: ", std::string(e.what())});
   }
   Eigen::VectorXd found = solver.solve(right);
@@ -82,7 +82,7 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   r.x = found.head(n);
   r.multipliers = Eigen::VectorXd::Zero(c.rows());
   std::vector<double> multipliers(found.data() + n, found.data() + n + m);
-  if (space.is_nearly_dependent) space.multipliers_of_given(multipliers);
+  if (space.is_nearly_dependent) space.multipliers_of_original_rows(multipliers);
   for (std::size_t i = 0; i < kept.size(); ++i) r.multipliers[kept[i]] = multipliers[i];
   r.redundant = static_cast<std::size_t>(c.rows()) - kept.size();
   return r;

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/equilibrate.hpp>
-#include <concino/optimize/detail/conditions.hpp>
+#include <concino/optimize/detail/known_values.hpp>
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/qr.hpp>
 
@@ -35,7 +35,7 @@ struct least_squares_result {
 namespace detail {
 
 /// Beyond this the factor of an orthogonal factorisation may be too large.
-inline constexpr Eigen::Index most_unknowns_of_qr = 10'000;
+inline constexpr Eigen::Index max_unknowns_of_qr = 10'000;
 
 /// Solves the normal equations of j y = b, and for what is left as long as that helps: with a condition number K of j, each correction takes
 /// the error down by K^2 times the rounding unit e, to about K e + K^2 e |r| / |y|, as orthogonal factorisation has it.
@@ -64,11 +64,11 @@ bool solve_normal_equations(const Eigen::SparseMatrix<double>& j, const Eigen::V
 }
 
 template<class D, class Solver>
-least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> a, Eigen::VectorXd b, const D& given, Solver& solver) {
+least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<double> a, Eigen::VectorXd b, const D& given, Solver& solver) {
   a.makeCompressed();
-  core::check_entries(who, a);
-  core::check_right_hand_side(who, b, a.rows());
-  const conditions problem(who, a.cols(), given);
+  core::check_entries(caller, a);
+  core::check_right_hand_side(caller, b, a.rows());
+  const known_values problem(caller, a.cols(), given);
   Eigen::SparseMatrix<double> j = problem.columns_of_unknowns(a);
   b -= a * problem.x;
   const std::vector<double> scale = core::scale_columns(j);
@@ -80,7 +80,7 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
       y = solver.solve(b);
       used_qr = std::same_as<std::remove_cvref_t<Solver>, qr>;
     } else {
-      const bool may_use_qr = j.cols() <= most_unknowns_of_qr;
+      const bool may_use_qr = j.cols() <= max_unknowns_of_qr;
       try {
         used_qr = !solve_normal_equations(j, b, solver, y);
       } catch (const solver_error&) {
@@ -88,7 +88,7 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
         used_qr = true;
       }
       if (used_qr && !may_use_qr)
-        core::throw_joined<solver_error>({who, ": the columns of the matrix are nearly dependent, so that normal equations lose too many digits, and ",
+        core::throw_joined<solver_error>({caller, ": the columns of the matrix are nearly dependent, so that normal equations lose too many digits, and ",
                                     static_cast<std::size_t>(j.cols()), " unknowns are more than qr takes by itself; hand in qr, or give more conditions"});
       if (used_qr) {
         qr orthogonal;
@@ -108,8 +108,9 @@ least_squares_result least_squares(const char* who, Eigen::SparseMatrix<double> 
 ///         which gets the normal equations, columns scaled and the result corrected until only rounding errors are left (Bjorck 1987); or qr, which
 ///         gets A. Where columns are nearly dependent, so that corrections do not fall, qr is used by itself, up to 10,000 unknowns.
 /// Result: x, with given values exact, what is left, |A x - b|, and whether qr was used.      Cost: one factorisation of A^T A, or of A, or both.
-/// Errors: solver_error if A has entries that are not finite, columns that depend on others, or nearly so beyond 10,000 unknowns, or b another size
-///         or entries that are not finite; invalid_argument if an index is out of range, or a value is not finite, or given twice and differently.
+/// Errors: solver_error if A has entries that are not finite, or columns that depend on others (beyond 10,000 unknowns: or nearly so). solver_error if
+///         b has another size or entries that are not finite. invalid_argument if an index is out of range, or a value is not finite or is given
+///         twice and differently.
 /// Source: Bjorck 1987 (corrected semi-normal equations).
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -125,17 +126,17 @@ template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& w, const Eigen::VectorXd& b,
                                             const D& given = {}, Solver&& solver = {}) {
-  const char* const who = "weighted_least_squares";
+  const char* const caller = "weighted_least_squares";
   if (w.size() != A.rows())
-    core::throw_joined<invalid_argument>({who, ": there are ", static_cast<std::size_t>(w.size()), " weights, but ",
+    core::throw_joined<invalid_argument>({caller, ": there are ", static_cast<std::size_t>(w.size()), " weights, but ",
                                             static_cast<std::size_t>(A.rows()), " rows"});
   for (Eigen::Index i = 0; i < w.size(); ++i)
     if (!(w[i] >= 0 && std::isfinite(w[i])))
-      core::throw_joined<invalid_argument>({who, ": the weight of row ", static_cast<std::size_t>(i), " is ", core::number_text(w[i]),
+      core::throw_joined<invalid_argument>({caller, ": the weight of row ", static_cast<std::size_t>(i), " is ", core::number_text(w[i]),
                                               "; weights must be finite and not negative"});
-  core::check_right_hand_side(who, b, A.rows());
+  core::check_right_hand_side(caller, b, A.rows());
   const Eigen::VectorXd root = w.cwiseSqrt();
-  return detail::least_squares(who, root.asDiagonal() * A, root.cwiseProduct(b), given, solver);
+  return detail::least_squares(caller, root.asDiagonal() * A, root.cwiseProduct(b), given, solver);
 }
 
 }  // namespace concino

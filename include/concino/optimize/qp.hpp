@@ -9,14 +9,15 @@
 
 namespace concino {
 
-/// The least of x.Hx/2 + g.x where low <= Ax <= high. Rows with equal bounds are equations, infinite bounds none; bounds of x are rows of A.
+/// Minimises 1/2 x'Hx + g'x subject to low <= Ax <= high. Equal bounds give equality constraints; infinite bounds are ignored; bounds of x are
+/// rows of A.
 /// Needs:  H symmetric (both triangles) and positive semidefinite, n x n; g of n; A m x n; low <= high of m, which may be -inf and +inf.
 /// Result: see qp_result. `status` says whether the minimum was found; programs without a feasible point and without a minimum are recognised, with
 ///         a certificate that can be checked by hand. Equations only are solved by one factorisation. Otherwise by operator splitting on one
 ///         factorisation (few more where its weights are changed), then, with `polish`, exactly for the bounds found active.
 /// Cost:   a factorisation of n + m unknowns, and one substitution per iteration; some ten to some thousand of them.
 /// Errors: invalid_argument if sizes do not fit, a number is not finite (bounds may be infinite), some low > high, H is not symmetric, or an
-///         option is out of range; solver_error if H is not positive semidefinite, or numbers grow too large; cancelled.
+///         option is out of range. solver_error if H is not positive semidefinite, or numbers grow too large. cancelled.
 /// Source: Stellato, Banjac, Goulart, Bemporad, Boyd 2020, "OSQP: an operator splitting solver for quadratic programs"; paper section 4.
 inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::VectorXd& g, const Eigen::SparseMatrix<double>& a,
                           const Eigen::VectorXd& low, const Eigen::VectorXd& high, const qp_options& options = {}) {

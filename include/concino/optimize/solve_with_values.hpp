@@ -3,7 +3,7 @@
 
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/residual.hpp>
-#include <concino/optimize/detail/conditions.hpp>
+#include <concino/optimize/detail/known_values.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace concino {
 namespace detail {
 
 /// The matrix with 1, in a unit of its own, in place of rows and columns of given unknowns: rows keep their numbers, by which solvers name them.
-inline Eigen::SparseMatrix<double> without_given(const conditions& problem, const Eigen::SparseMatrix<double>& a) {
+inline Eigen::SparseMatrix<double> without_known_values(const known_values& problem, const Eigen::SparseMatrix<double>& a) {
   double largest = 0;
   for (Eigen::Index k = 0; k < a.nonZeros(); ++k) largest = std::max(largest, std::abs(a.valuePtr()[k]));
   Eigen::SparseMatrix<double> r(a.rows(), a.cols());
@@ -41,7 +41,7 @@ inline Eigen::SparseMatrix<double> without_given(const conditions& problem, cons
 }
 
 /// b less what given unknowns contribute; 0 in their rows.
-inline Eigen::VectorXd load_of_unknowns(const conditions& problem, const Eigen::SparseMatrix<double>& a, Eigen::VectorXd b) {
+inline Eigen::VectorXd load_of_unknowns(const known_values& problem, const Eigen::SparseMatrix<double>& a, Eigen::VectorXd b) {
   for (int c = 0; c < a.cols(); ++c)
     if (problem.unknown[static_cast<std::size_t>(c)] < 0)
       for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) b[a.innerIndexPtr()[k]] -= a.valuePtr()[k] * problem.x[c];
@@ -58,24 +58,24 @@ inline Eigen::VectorXd load_of_unknowns(const conditions& problem, const Eigen::
 ///         unknowns, neither A nor b says anything.
 /// Result: x, given values exact, solved until nothing but rounding errors is left, which is checked; of solvers that iterate, to their tolerance.
 /// Cost:   one factorisation of what is left of A.
-/// Errors: solver_error if A is not square, b has another size, an entry is not finite, or with the reason if the solver cannot factorise what
-///         is left, rows named as A has them, or if x does not solve, as where A is not symmetric but the solver reads one triangle;
-///         invalid_argument if an index is out of range, or a value is not finite, or given twice and differently.
+/// Errors: solver_error if A is not square, b has another size, or an entry is not finite. solver_error, with the reason and the row of A, if the
+///         solver cannot factorise what is left. solver_error if x does not solve the system, as where A is not symmetric but the solver reads one
+///         triangle. invalid_argument if an index is out of range, or a value is not finite or is given twice and differently.
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 Eigen::VectorXd solve_with_values(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& given, Solver&& solver = {}) {
-  const char* const who = "solve_with_values";
+  const char* const caller = "solve_with_values";
   Eigen::SparseMatrix<double> storage;
   const Eigen::SparseMatrix<double>& a = core::compressed(A, storage);
-  core::check_square(who, a);
-  core::check_entries(who, a);
-  core::check_right_hand_side(who, b, a.rows());
-  const detail::conditions problem(who, a.cols(), given);
+  core::check_square(caller, a);
+  core::check_entries(caller, a);
+  core::check_right_hand_side(caller, b, a.rows());
+  const detail::known_values problem(caller, a.cols(), given);
   if (problem.unknowns == 0) return problem.x;
-  const Eigen::SparseMatrix<double> left = detail::without_given(problem, a);
+  const Eigen::SparseMatrix<double> left = detail::without_known_values(problem, a);
   const Eigen::VectorXd load = detail::load_of_unknowns(problem, a, b);
   solver.factorize(left);
-  Eigen::VectorXd x = core::solve_and_check(solver, left, load, who, false);
+  Eigen::VectorXd x = core::solve_and_check(solver, left, load, caller, false);
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (problem.unknown[static_cast<std::size_t>(i)] < 0) x[i] = problem.x[i];
   return x;

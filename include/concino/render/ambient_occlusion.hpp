@@ -27,7 +27,7 @@ struct ambient_occlusion_options {
 /// Errors: invalid_argument if an option is out of its range; as make_drawable; unsupported without a ray tracer; cancelled.
 /// Source: Zhukov, Iones and Kronin 1998; Malley's sampling of the cosine.
 template<class M, RayTracer T = no_ray_tracer>
-  requires requirement::is_no_temporary<M> && EmbeddedMesh<M>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& options = {}, const T& tracer = {}) {
   if (options.directions < 1) throw invalid_argument("ambient_occlusion: directions must be 1 or more");
   if (!(options.distance > 0)) throw invalid_argument("ambient_occlusion: distance must be positive");
@@ -41,7 +41,7 @@ poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& op
   for (const std::uint32_t p : d.polygon_of) ++first[p + 1];
   for (std::size_t p = 0; p < n; ++p) first[p + 1] += first[p];
   std::vector<double> free(n), area(n);
-  detail::tell(options.progress, 0, "ambient occlusion");
+  detail::report_progress(options.progress, 0, "ambient occlusion");
   const auto polygon = [&](std::size_t p) {
     const unsigned triangles = first[p + 1] - first[p];
     const unsigned each = std::max(1u, static_cast<unsigned>(options.directions) / std::max(1u, triangles));
@@ -63,7 +63,7 @@ poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& op
     }
   };
   parallel_for(n, polygon, 64, [&](double fraction) {
-    detail::tell(options.progress, fraction, "ambient occlusion");
+    detail::report_progress(options.progress, fraction, "ambient occlusion");
     return false;
   });
 
@@ -75,7 +75,7 @@ poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& op
   }
   for (std::size_t i = 0; i < whole.size(); ++i)
     if (whole[i] > 0) result.values()[i] /= whole[i];
-  detail::tell(options.progress, 1, "ambient occlusion");
+  detail::report_progress(options.progress, 1, "ambient occlusion");
   return result;
 }
 

@@ -12,12 +12,12 @@
 namespace concino {
 
 /// A place on the film: x to the right, y up, y in [-1, 1] over the height of the picture and x in the same unit.
-struct film_point {
+struct image_point {
   double x = 0, y = 0;
 };
 
 /// A line of sight. The direction has length 1.
-struct sight {
+struct view_ray {
   vec3 origin, direction;
 };
 
@@ -28,7 +28,7 @@ struct camera {
   double half_height = 1;                                    // of the film: at distance 1 from the eye, or of what is seen if parallel
   bool parallel = false;
 
-  sight through(const film_point& f) const {
+  view_ray ray_through(const image_point& f) const {
     const vec3 across = right * (f.x * half_height) + up * (f.y * half_height);
     if (parallel) return {eye + across, -back};
     const vec3 d = across - back;
@@ -36,7 +36,7 @@ struct camera {
   }
 
   /// Where p appears on the film; only for points in front of the eye.
-  film_point project(const vec3& p) const {
+  image_point project(const vec3& p) const {
     const vec3 d = p - eye;
     const double unit = (parallel ? 1 : -dot(d, back)) * half_height;
     return {dot(d, right) / unit, dot(d, up) / unit};
@@ -112,13 +112,13 @@ class framing {
     x_.slope = y_.slope * aspect;
   }
 
-  void show(std::span<const vec3> points) {
+  void add_points(std::span<const vec3> points) {
     for (const vec3& p : points) {
       if (!is_finite(p)) continue;
       const double z = dot(p, camera_.back);
       near_ = std::max(near_, z);
-      x_.show(dot(p, camera_.right), camera_.parallel ? 0 : z);
-      y_.show(dot(p, camera_.up), camera_.parallel ? 0 : z);
+      x_.add_points(dot(p, camera_.right), camera_.parallel ? 0 : z);
+      y_.add_points(dot(p, camera_.up), camera_.parallel ? 0 : z);
     }
   }
 
@@ -145,7 +145,7 @@ class framing {
   struct axis {
     double slope = 1;
     double high = -std::numeric_limits<double>::infinity(), low = std::numeric_limits<double>::infinity();
-    void show(double x, double z) {
+    void add_points(double x, double z) {
       high = std::max(high, x + z * slope);
       low = std::min(low, x - z * slope);
     }

@@ -34,7 +34,7 @@ struct render_options {
 /// Errors: as framing.
 inline camera frame(std::span<const drawable> drawables, double aspect, const view_options& options = {}) {
   framing f(aspect, options);
-  for (const drawable& d : drawables) f.show(d.points);
+  for (const drawable& d : drawables) f.add_points(d.points);
   return f.best();
 }
 
@@ -103,7 +103,7 @@ class painter {
     return sum / static_cast<double>(light_rays_);
   }
 
-  rgb paint_surface(const surface_point& s, const sight& ray, std::size_t sample, const cosine_directions::turn& turn,
+  rgb paint_surface(const surface_point& s, const view_ray& ray, std::size_t sample, const cosine_directions::turn& turn,
                     const unit_point& shift) const {
     const vec3 start = s.lifted + s.flat * gap_;
     const double sky = sky_light(start, s.normal, s.flat, sample, turn);
@@ -139,7 +139,7 @@ class painter {
     light_cosine_ = std::cos(o.light_size * 3.14159265358979323846 / 180);
     light_sine_ = std::sin(o.light_size * 3.14159265358979323846 / 180);
     ground_ = scene.lowest(up_);
-    ball_ = scene.squared_reach() * 1.0001;
+    ball_ = scene.squared_radius() * 1.0001;
     mean_sky_ = o.sky_rays > 0 ? 0.80 + 0.20 * 2 / 3 : 1.0;  // a cosine-weighted direction rises by 2/3
   }
 
@@ -153,9 +153,9 @@ class painter {
     for (int s = 0; s < n * n; ++s) {
       const unit_point jitter = random_point(seed + static_cast<std::uint64_t>(s) + 2);
       const double px = tent((s % n + jitter.x) / n), py = tent((s / n + jitter.y) / n);
-      const film_point film{(static_cast<double>(x) + 0.5 + px - 0.5 * static_cast<double>(options_.width)) * unit,
+      const image_point film{(static_cast<double>(x) + 0.5 + px - 0.5 * static_cast<double>(options_.width)) * unit,
                             (0.5 * static_cast<double>(options_.height) - static_cast<double>(y) - 0.5 - py) * unit};
-      const sight ray = camera_.through(film);
+      const view_ray ray = camera_.ray_through(film);
       const std::size_t at = static_cast<std::size_t>(s);
       const ray_hit hit = misses_all(ray.origin, ray.direction) ? ray_hit{} : caster_.intersect(ray.origin, ray.direction, 0, far_);
       const double down = -dot(ray.direction, up_), above = dot(ray.origin, up_) - ground_;
@@ -194,12 +194,12 @@ image render(std::span<const drawable> drawables, const camera& from, const rend
       for (std::size_t x = x0; x < std::min(x0 + side, options.width); ++x) picture(x, y) = paint.pixel(x, y, read);
   };
   const char* label = "rendering";
-  detail::tell(options.progress, 0, label);
+  detail::report_progress(options.progress, 0, label);
   parallel_for(across * down, tile, 1, [&](double fraction) {
-    detail::tell(options.progress, fraction, label);
+    detail::report_progress(options.progress, fraction, label);
     return false;
   });
-  detail::tell(options.progress, 1, label);
+  detail::report_progress(options.progress, 1, label);
   return picture;
 }
 

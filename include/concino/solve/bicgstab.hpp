@@ -22,21 +22,22 @@ struct bicgstab_options {
   int max_iterations = 0;      // 0: twice as many as there are unknowns
   double drop = 1e-4;          // entries of the incomplete factors that are smaller, relative to their row, are left out; in [0, 1)
   int fill = 10;               // at most so many times the entries of the matrix in the incomplete factors; positive
-  bool accept_missed_tolerance = false;  // true: solve returns the best it has reached; converged() says whether that meets the tolerance
+  bool accept_missed_tolerance = false;  // true: solve returns the best it has reached; has_converged() says whether that meets the tolerance
 };
 
 /// Solves square systems, symmetric or not, by stabilised bi-conjugate gradients, with an incomplete LU factorisation to speed them up. A
 /// SparseSolver of memory proportional to the entries of the matrix. The whole matrix is read, both triangles of a symmetric one too. Rows and
 /// columns are scaled by powers of two first. `factorize` keeps a scaled copy of the matrix and prepares: there is no analysis to save.
-/// residual() is the largest of three numbers: |b - A x| / |b| of the scaled system, and the largest |b - A x|_i / (|b|_i + max_j |a_ij| max|x|) of all rows
-/// i, of the given and of the scaled system: large entries of some rows, as penalties are, do not hide the others. A small residual of a badly
+/// residual() is the largest of three numbers: |b - A x| / |b| of the scaled system, and the largest |b - A x|_i / (|b|_i + max_j |a_ij| max|x|) of
+/// all rows i, of the given and of the scaled system. Large entries of some rows, such as penalties, do not hide the others. A small residual of a badly
 /// conditioned system does not mean a small error. Where rounding errors allow no better, residuals of single rows of at most 1e-14 are accepted
 /// if |b - A x| / |b| is at most 1e-6. Solutions so large that b is no more than rounding errors of A x are never accepted.
-/// iterations(), residual() and converged() describe the last solve; therefore one object must not solve in several threads at once.
-/// Errors: invalid_argument if an option is out of its range; solver_error, with the reason, from factorize if the matrix is not square, has
-///         entries that are not finite, or a row or column of zeros; from solve if nothing was factorised, or the right-hand side has another
-///         size or is not finite, or the tolerance is missed, after max_iterations or because the iteration stagnates or breaks down: iterations,
-///         residual and tolerance are named. Singular matrices end so, unless the right-hand side lets the iteration find a solution.
+/// iterations(), residual() and has_converged() describe the last solve; therefore one object must not solve in several threads at once.
+/// Errors: invalid_argument if an option is out of its range. factorize throws solver_error, with the reason, if the matrix is not square, or has
+///         entries that are not finite, or a row or column of zeros. solve throws it if nothing was factorised, or the right-hand side has
+///         another size or is not finite. solve throws it too if the tolerance is missed, after max_iterations or because the iteration stagnates or
+///         breaks down; it names iterations, residual and tolerance. Singular matrices end so, unless the iteration finds a solution for that
+///         right-hand side.
 /// Source: van der Vorst 1992; Saad 1994; Eigen's BiCGSTAB and IncompleteLUT.
 class bicgstab {
   bicgstab_options options_;
@@ -102,10 +103,10 @@ class bicgstab {
   }
 
   const bicgstab_options& options() const { return options_; }
-  static constexpr bool iterates() { return true; }
+  static constexpr bool is_iterative() { return true; }
   int iterations() const { return static_cast<int>(iterations_); }
   double residual() const { return residual_; }
-  bool converged() const { return has_converged_; }
+  bool has_converged() const { return has_converged_; }
 
  private:
   /// Solves for what is left, again and again, while that halves the residual: the iteration only estimates it, and stagnates or breaks down without notice.

@@ -21,14 +21,14 @@ namespace concino {
 ///   iterations gained, commonly right within a factor of 10, and does not depend on the units of the unknowns;
 /// - residual(), the largest |b - A x|_i / (|b|_i + a_ii max|x|) of all rows i. Large entries of some rows, as penalties are, do not hide the others. In
 ///   the denominator the smaller counts of a_ii max|x| and the same in unknowns scaled to a diagonal of 1, sqrt(a_ii) max_j sqrt(a_jj)|x_j|.
-/// Where rounding errors allow no better, a residual() of at most 1e-14 and an error() of at most 1e-6 are accepted as well: x then solves a system that
+/// Where rounding errors allow no better, a residual() of at most 1e-14 and an error() of at most 1e-6 are accepted as well. Then x solves a system that
 /// differs from the given one by rounding errors only, and is as good as what a factorisation gives.
-/// iterations(), error(), residual() and converged() describe the last solve; therefore one object must not solve in several threads at once.
-/// Errors: invalid_argument if an option is out of its range; solver_error, with the reason, from factorize if the matrix is not square, has
-///         entries that are not finite, or a diagonal entry that is not positive; from solve if nothing was factorised, the right-hand side
-///         has another size or is not finite, or the tolerance is missed, after max_iterations or because the iteration stagnates: iterations, error,
-///         residual and tolerance are named. Indefinite and singular matrices with a positive diagonal end so, unless the
-///         right-hand side has a solution that the iteration finds.
+/// iterations(), error(), residual() and has_converged() describe the last solve; therefore one object must not solve in several threads at once.
+/// Errors: invalid_argument if an option is out of its range. factorize throws solver_error, with the reason, if the matrix is not square, or has
+///         entries that are not finite, or a diagonal entry that is not positive. solve throws it if nothing was factorised, or the
+///         right-hand side has another size or is not finite. solve throws it too if the tolerance is missed, after max_iterations or because the
+///         iteration stagnates; it names iterations, error, residual and tolerance. Indefinite and singular matrices with a positive diagonal end
+///         so, unless the iteration finds a solution for that right-hand side.
 /// Source: Hestenes, Stiefel 1952 (iteration, error estimate); Golub, Meurant 1997 (estimate with a delay); Meijerink, van der Vorst 1977.
 class conjugate_gradients {
   conjugate_gradients_options options_;
@@ -36,7 +36,7 @@ class conjugate_gradients {
   core::sparsity_pattern pattern_;
   Eigen::SparseMatrix<double> a_;  // lower triangle, reordered and scaled
   double scale_ = 1;
-  detail::incomplete_cholesky near_a_;
+  detail::incomplete_cholesky preconditioner_;
   mutable std::int64_t iterations_ = 0;
   mutable double residual_ = 0, error_ = 0;
   mutable bool has_converged_ = true;
@@ -54,11 +54,11 @@ class conjugate_gradients {
   Eigen::VectorXd solve(const Eigen::VectorXd& given) const;
 
   const conjugate_gradients_options& options() const { return options_; }
-  static constexpr bool iterates() { return true; }
+  static constexpr bool is_iterative() { return true; }
   int iterations() const { return static_cast<int>(iterations_); }
   double error() const { return error_; }
   double residual() const { return residual_; }
-  bool converged() const { return has_converged_; }
+  bool has_converged() const { return has_converged_; }
 
  private:
   [[noreturn, gnu::cold]] void throw_missed() const;

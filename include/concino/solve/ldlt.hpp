@@ -17,9 +17,9 @@ namespace concino {
 /// Factorises a symmetric matrix as L D L^T, fill-reducing, and solves with it. A SparseSolver.
 /// Only the lower triangle of the matrix is read. Matrices may be indefinite, but pivots are not exchanged for that: D is diagonal.
 /// A matrix with the pattern of the one factorised before, explicit zeros included, is factorised in the order found then.
-/// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular (the row
-///         is named); from solve if nothing was factorised, or the right-hand side has another size or is not finite, or the solution is not.
-///         A failed factorize leaves nothing to solve with.
+/// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite, or is singular (the row
+///         is named). solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the solution is
+///         not finite. A failed factorize leaves nothing to solve with.
 /// Source: approximate minimum degree ordering, Amestoy, Davis, Duff 1996; factorisation, Davis 2005 (Algorithm 849); substitution by supernodes, Ng,
 ///         Peyton 1993.
 class ldlt {

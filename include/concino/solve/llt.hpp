@@ -14,9 +14,9 @@ namespace concino {
 /// matrix should be an error.
 /// Only the lower triangle of the matrix is read. A matrix with the pattern of the one factorised before, explicit zeros included, is
 /// factorised in the order found then.
-/// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is not positive definite
-///         (the row is named); from solve if nothing was factorised, or the right-hand side has another size or is not finite, or the
-///         solution is not. A failed factorize leaves nothing to solve with.
+/// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite, or is not positive definite
+///         (the row is named). solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the
+///         solution is not finite. A failed factorize leaves nothing to solve with.
 /// Source: Eigen's SimplicialLLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996).
 class llt {
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors_;

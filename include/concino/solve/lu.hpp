@@ -16,10 +16,10 @@ namespace concino {
 /// Factorises a square matrix, symmetric or not, as L U with row exchanges, fill-reducing, and solves with it. A SparseSolver.
 /// The whole matrix is read, both triangles of a symmetric one too. Rows and columns are scaled by powers of two first, to entries near 1, so that
 /// unknowns and equations may come in different units. A matrix with the pattern of the one factorised before is factorised in the order found then.
-/// Errors: solver_error, with the reason, from factorize if the matrix is not square, has entries that are not finite, or is singular to
-///         working precision, its condition beyond some 1e13 (a column is named that depends on others: an unknown not
-///         determined); from solve if nothing was factorised, or the right-hand side has another size or is not finite, or the solution is not.
-///         A failed factorize leaves nothing to solve with.
+/// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite, or is singular to
+///         working precision, that is, its condition is beyond some 1e13. Then it names a column that depends on others: an unknown that is not
+///         determined. solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the solution is
+///         not finite. A failed factorize leaves nothing to solve with.
 /// Source: Eigen's SparseLU (Demmel, Eisenstat, Gilbert, Li, Liu 1999) with column approximate minimum degree ordering (Davis et al. 2004).
 class lu {
   using factors = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>;

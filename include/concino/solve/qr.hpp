@@ -14,9 +14,9 @@ namespace concino {
 /// solution where there is one. A SparseSolver; it loses no digits to normal equations, but R fills up: for some thousand unknowns at most.
 /// The whole matrix is read, both triangles of a symmetric one too. Columns are scaled by powers of two first, so that units of unknowns do
 /// not matter. A matrix with the pattern of the one factorised before is factorised in the order found then.
-/// Errors: solver_error, with the reason, from factorize if the matrix has fewer rows than columns, entries that are not finite, or columns that
-///         depend on others to working precision (one is named); from solve if nothing was factorised, or the right-hand side has another
-///         size or is not finite, or the solution is not. A failed factorize leaves nothing to solve with.
+/// Errors: factorize throws solver_error, with the reason, if the matrix has fewer rows than columns, entries that are not finite, or columns that
+///         depend on others to working precision (one is named). solve throws it if nothing was factorised, the right-hand side has another
+///         size, or an entry of it or of the solution is not finite. A failed factorize leaves nothing to solve with.
 /// Source: Eigen's SparseQR, with column approximate minimum degree ordering (Davis et al. 2004).
 class qr {
   Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors_;

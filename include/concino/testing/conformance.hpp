@@ -53,7 +53,7 @@ struct conformance_report {
 template<class M>
 struct conformance_state {
   std::string name;    // "after a flip"
-  void (*reach)(M&);  // from the mesh as made
+  void (*apply)(M&);  // from the mesh as made
 };
 
 template<class M>
@@ -151,7 +151,7 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
     });
   if constexpr (requirement::has_add_vert<M> && requirement::has_add_poly<M>)
     edited("after a poly was added", [](M& m, auto& log) { kit::add_one(m, log); });
-  for (const auto& state : options.states) edited(state.name, [&](M& m, auto&) { state.reach(m); });
+  for (const auto& state : options.states) edited(state.name, [&](M& m, auto&) { state.apply(m); });
   return report;
 }
 

@@ -46,14 +46,15 @@ void check_corner_order(const M& m, law_log& log) {
 
 }  // namespace detail
 
-/// The laws that m breaks, of every concept that M models; empty if it keeps them all.
+/// Checks the laws of every concept that M models, and returns those that m breaks; empty if it keeps them all.
 /// Needs:  PrimalGraph or DualGraph M; AnyMesh and Embedded are checked where M models them.
-/// Result: at most four witnesses per law, in the order of the concepts. Meshes that answer nonsense (indices out of bounds, one-sided
-///         adjacency, endless walks, exceptions) are described, not believed: nothing is asked about an element that the walks do not meet.
-///         Where the indices of a kind of elements are at fault (PG1, DG1, SM1, VM1), or the links of half-edges (HE1 .. HE4), repair these
-///         first: what follows from them is not told, nor are FC1 .. FC4 of facets, which follow from the laws of the mesh, where one of those is broken.
+/// Result: at most four witnesses per law, in the order of the concepts. Inconsistent meshes (indices out of bounds, one-sided adjacency,
+///         endless walks, exceptions) are reported, never dereferenced: only elements produced by the element ranges are queried.
+///         Where the indices of a kind of elements (PG1, DG1, SM1, VM1) or the links of half-edges (HE1 .. HE4) are wrong, repair these
+///         first: what follows from them is not reported. The laws of facets FC1 .. FC4 follow from the laws of the mesh, and are not reported
+///         where one of those is broken.
 /// Cost:   O(elements + adjacencies) time and memory, adjacencies as the mesh lists them: n equal triangles have n^2 neighbours.
-/// Errors: std::bad_alloc passes. All else that the mesh throws is told as a broken law.
+/// Errors: std::bad_alloc passes. All else that the mesh throws is reported as a broken law.
 template<class M>
   requires PrimalGraph<M> || DualGraph<M>
 std::vector<broken_law> check_laws(const M& m) {

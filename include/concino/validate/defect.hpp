@@ -119,11 +119,11 @@ class validation_report {
     return n;
   }
   /// Nothing was found.
-  bool clean() const { return count() == 0; }
+  bool is_clean() const { return count() == 0; }
 
   /// A page for people: a line for each defect that has a record, and for each kind the number of those that have none.
   std::string text() const {
-    if (clean()) return "no defects\n";
+    if (is_clean()) return "no defects\n";
     std::string s = core::joined({count(), count() == 1 ? " defect\n" : " defects\n"});
     for (std::size_t k = 0; k < num_defect_kinds; ++k) {
       const char* const name = defect_name(static_cast<defect_kind>(k));

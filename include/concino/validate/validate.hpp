@@ -60,7 +60,7 @@ validation_report<M> validate(const M& m, const validate_options& options = {}) 
   }
   if constexpr (Embedded<M>) detail::check_geometry(m, sound, log);
   report.sort();
-  detail::tell(options.progress, 1, "validate");
+  detail::report_progress(options.progress, 1, "validate");
   return report;
 }
 

@@ -28,7 +28,7 @@ struct conversions {
       for (const auto v : adj_p2v(c.mesh, c.poly_of(q))) found.push_back(v.raw());
       expect(sorted(expected) == sorted(found), "a poly of the same verts");
     }
-    c.carry(given, taken);
+    c.transfer(given, taken);
     for (const auto p : both.polys.all) expect(taken[c.poly_of(both.polys.to(p))] == static_cast<int>(p.raw()), "values come along");
     for (const auto v : both.verts.all) expect(to_vec3(point(c.mesh, c.vert_of(both.verts.to(v)))) == to_vec3(point(both.native, v)), "points are where they were");
     return true;

@@ -79,7 +79,7 @@ struct generators {
   }
 };
 
-struct scissors {
+struct cuts {
   static constexpr const char* name = "cut_along";
   template<class M> static constexpr bool runs_on = SurfaceMesh<M> && Embedded<M>;
 

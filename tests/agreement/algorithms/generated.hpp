@@ -99,7 +99,7 @@ struct labels_of_numbers {
   int operator[](poly_id p) const { return static_cast<int>(p.raw() / size); }
 };
 
-struct unions {
+struct agglomerates {
   static constexpr const char* name = "agglomerate";
   template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 

@@ -1,9 +1,9 @@
-// Meshes as strangers write them: tiny::surface and tiny::volume of support/tiny.hpp find every adjacency by looking at everything.
+// Meshes as strangers write them: user_mesh::surface and user_mesh::volume of support/user_mesh.hpp find every adjacency by looking at everything.
 #pragma once
 
 #include <agreement/run.hpp>
 
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 namespace concino::agreement {
 
@@ -18,13 +18,13 @@ struct own_surface {
   static void with(const input<surface_arrays>& in, F&& f) {
     const K m(in.arrays);
     std::vector<std::array<double, 3>> x;
-    std::vector<tiny::polygon> rings;
+    std::vector<user_mesh::polygon> rings;
     for (const auto v : verts(m)) x.push_back({point(m, v)[0], point(m, v)[1], point(m, v)[2]});
     for (const auto p : polys(m)) {
       rings.emplace_back();
       for (const auto v : adj_p2v(m, p)) rings.back().push_back(static_cast<int>(v.raw()));
     }
-    f(tiny::surface(x, rings));
+    f(user_mesh::surface(x, rings));
   }
 };
 
@@ -39,7 +39,7 @@ struct own_volume {
   static void with(const input<Arrays>& in, F&& f) {
     const K m(in.arrays);
     std::vector<std::array<double, 3>> x;
-    std::vector<tiny::polygon> rings;
+    std::vector<user_mesh::polygon> rings;
     std::vector<std::vector<std::pair<int, bool>>> cells;
     for (const auto v : verts(m)) x.push_back({point(m, v)[0], point(m, v)[1], point(m, v)[2]});
     for (const auto q : faces(m)) {
@@ -50,7 +50,7 @@ struct own_volume {
       cells.emplace_back();
       for (const auto q : adj_p2f(m, p)) cells.back().emplace_back(static_cast<int>(q.raw()), face_is_outward(m, p, q));
     }
-    f(tiny::volume(x, rings, cells));
+    f(user_mesh::volume(x, rings, cells));
   }
 };
 

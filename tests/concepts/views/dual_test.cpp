@@ -4,7 +4,7 @@
 #include <concino/validate/check_laws.hpp>
 
 #include <support/models.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -13,14 +13,14 @@ using cn::testing::models_in_all_forms;
 
 namespace {
 
-const tiny::surface s = tiny::surface_example();
-const tiny::volume w = tiny::volume_example();
+const user_mesh::surface s = user_mesh::surface_example();
+const user_mesh::volume w = user_mesh::volume_example();
 
 static_assert(models_in_all_forms<decltype(cn::dual(s))>(cn::testing::dual_graph));
 static_assert(models_in_all_forms<decltype(cn::dual(w))>(cn::testing::dual_graph));
-static_assert(std::same_as<cn::poly_t<decltype(cn::dual(s))>, tiny::cell> && cn::is_view_v<decltype(cn::dual(s))>);
+static_assert(std::same_as<cn::poly_t<decltype(cn::dual(s))>, user_mesh::cell> && cn::is_view_v<decltype(cn::dual(s))>);
 template<class M> concept takes_temporary = requires(M&& m) { cn::dual(static_cast<M&&>(m)); };
-static_assert(!takes_temporary<tiny::surface> && takes_temporary<tiny::surface&> && takes_temporary<decltype(cn::dual(s))>);
+static_assert(!takes_temporary<user_mesh::surface> && takes_temporary<user_mesh::surface&> && takes_temporary<decltype(cn::dual(s))>);
 // There is nothing dual about verts alone.
 static_assert(!takes_temporary<decltype(cn::only_primal_graph(s))>);
 
@@ -29,9 +29,9 @@ static_assert(!takes_temporary<decltype(cn::only_primal_graph(s))>);
 TEST_CASE("dual answers as the mesh does") {
   const auto g = cn::dual(s);
   CHECK(cn::num_polys(g) == 4);
-  CHECK(cn::adj_p2p(g, tiny::cell{1}) == cn::adj_p2p(s, tiny::cell{1}));
-  CHECK(cn::contains(g, tiny::cell{3}));
-  CHECK_FALSE(cn::contains(g, tiny::cell{4}));
+  CHECK(cn::adj_p2p(g, user_mesh::cell{1}) == cn::adj_p2p(s, user_mesh::cell{1}));
+  CHECK(cn::contains(g, user_mesh::cell{3}));
+  CHECK_FALSE(cn::contains(g, user_mesh::cell{4}));
 }
 
 TEST_CASE("laws hold for views, views of views and views of the weakest model") {

@@ -4,7 +4,7 @@
 #include <concino/validate/check_laws.hpp>
 
 #include <support/models.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -13,8 +13,8 @@ using cn::testing::models_in_all_forms;
 
 namespace {
 
-const tiny::surface s = tiny::surface_example();
-const tiny::volume w = tiny::volume_example();
+const user_mesh::surface s = user_mesh::surface_example();
+const user_mesh::volume w = user_mesh::volume_example();
 using bare = decltype(cn::only_graphs(s));
 
 static_assert(models_in_all_forms<decltype(cn::primal(s))>(cn::testing::primal_graph | cn::testing::embedded));
@@ -24,8 +24,8 @@ static_assert(cn::is_view_v<decltype(cn::primal(s))> && std::copyable<decltype(c
 
 // A temporary mesh is refused, a temporary view is not.
 template<class M> concept takes_temporary = requires(M&& m) { cn::primal(static_cast<M&&>(m)); };
-static_assert(!takes_temporary<tiny::surface> && !takes_temporary<const tiny::surface> && takes_temporary<tiny::surface&> &&
-              takes_temporary<const tiny::surface&>);
+static_assert(!takes_temporary<user_mesh::surface> && !takes_temporary<const user_mesh::surface> && takes_temporary<user_mesh::surface&> &&
+              takes_temporary<const user_mesh::surface&>);
 static_assert(takes_temporary<decltype(cn::primal(s))> && takes_temporary<decltype(cn::only_mesh(w))>);
 
 }  // namespace
@@ -33,11 +33,11 @@ static_assert(takes_temporary<decltype(cn::primal(s))> && takes_temporary<declty
 TEST_CASE("primal answers as the mesh does") {
   const auto g = cn::primal(s);
   CHECK(cn::num_verts(g) == 8);
-  CHECK(cn::adj_v2v(g, tiny::vertex{0}) == cn::adj_v2v(s, tiny::vertex{0}));
-  CHECK(cn::point(g, tiny::vertex{2})[1] == 1);
-  CHECK(&cn::point(g, tiny::vertex{2}) == &cn::point(s, tiny::vertex{2}));
-  CHECK(cn::contains(g, tiny::vertex{7}));
-  CHECK_FALSE(cn::contains(g, tiny::vertex{8}));
+  CHECK(cn::adj_v2v(g, user_mesh::vertex{0}) == cn::adj_v2v(s, user_mesh::vertex{0}));
+  CHECK(cn::point(g, user_mesh::vertex{2})[1] == 1);
+  CHECK(&cn::point(g, user_mesh::vertex{2}) == &cn::point(s, user_mesh::vertex{2}));
+  CHECK(cn::contains(g, user_mesh::vertex{7}));
+  CHECK_FALSE(cn::contains(g, user_mesh::vertex{8}));
 }
 
 TEST_CASE("laws hold for views, views of views and views of the weakest model") {

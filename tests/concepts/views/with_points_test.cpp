@@ -4,7 +4,7 @@
 #include <concino/validate/check_laws.hpp>
 
 #include <support/models.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -16,18 +16,18 @@ using cn::testing::models_in_all_forms;
 
 namespace {
 
-const tiny::surface s = tiny::surface_example();
-const tiny::volume w = tiny::volume_example();
+const user_mesh::surface s = user_mesh::surface_example();
+const user_mesh::volume w = user_mesh::volume_example();
 
 struct raised {  // computes
   double z;
-  std::array<double, 3> operator[](tiny::vertex v) const { return {double(v.i), 0, z}; }
+  std::array<double, 3> operator[](user_mesh::vertex v) const { return {double(v.i), 0, z}; }
 };
 struct table {  // stores, and cannot be copied
   std::vector<std::array<double, 3>> at;
   explicit table(std::size_t n) : at(n) {}
   table(const table&) = delete;
-  const std::array<double, 3>& operator[](tiny::vertex v) const { return at[std::size_t(v.i)]; }
+  const std::array<double, 3>& operator[](user_mesh::vertex v) const { return at[std::size_t(v.i)]; }
 };
 struct no_map {};
 
@@ -39,18 +39,18 @@ template<class A> struct through {  // for the opaque descriptors of an archetyp
 static_assert(models_in_all_forms<decltype(cn::with_points(s, raised{1}))>(cn::testing::surface | cn::testing::embedded));
 static_assert(models_in_all_forms<decltype(cn::with_points(w, raised{1}))>(cn::testing::volume | cn::testing::embedded));
 template<class M, class P> concept accepts = requires(M&& m, P&& p) { cn::with_points(static_cast<M&&>(m), static_cast<P&&>(p)); };
-static_assert(accepts<const tiny::surface&, raised> && accepts<tiny::surface&, raised&> && accepts<tiny::surface&, const table&>);
-static_assert(!accepts<tiny::surface, raised> && !accepts<const tiny::surface, raised&>);
-static_assert(!accepts<tiny::surface&, no_map> && !accepts<tiny::surface&, int>);
+static_assert(accepts<const user_mesh::surface&, raised> && accepts<user_mesh::surface&, raised&> && accepts<user_mesh::surface&, const table&>);
+static_assert(!accepts<user_mesh::surface, raised> && !accepts<const user_mesh::surface, raised&>);
+static_assert(!accepts<user_mesh::surface&, no_map> && !accepts<user_mesh::surface&, int>);
 
 }  // namespace
 
 TEST_CASE("points come from the map, everything else from the mesh") {
   const auto v = cn::with_points(s, raised{7});
-  CHECK(cn::point(v, tiny::vertex{3})[0] == 3);
-  CHECK(cn::point(v, tiny::vertex{3})[2] == 7);
+  CHECK(cn::point(v, user_mesh::vertex{3})[0] == 3);
+  CHECK(cn::point(v, user_mesh::vertex{3})[2] == 7);
   CHECK(cn::num_edges(v) == cn::num_edges(s));
-  CHECK(cn::adj_p2v(v, tiny::cell{3}) == cn::adj_p2v(s, tiny::cell{3}));
+  CHECK(cn::adj_p2v(v, user_mesh::cell{3}) == cn::adj_p2v(s, user_mesh::cell{3}));
   CHECK(cn::check_laws(v).empty());
   CHECK(cn::check_laws(cn::with_points(w, raised{7})).empty());
 }
@@ -59,9 +59,9 @@ TEST_CASE("a map with a name is not copied, and changes of it are seen") {
   table t(10);
   const auto v = cn::with_points(w, t);
   t.at[4] = {1, 2, 3};
-  CHECK(&cn::point(v, tiny::vertex{4}) == &t.at[4]);
+  CHECK(&cn::point(v, user_mesh::vertex{4}) == &t.at[4]);
   const auto copy = v;
-  CHECK(cn::point(copy, tiny::vertex{4})[2] == 3);
+  CHECK(cn::point(copy, user_mesh::vertex{4})[2] == 3);
 }
 
 TEST_CASE("what has no points gets them, and views may be of views") {
@@ -74,5 +74,5 @@ TEST_CASE("what has no points gets them, and views may be of views") {
   CHECK(cn::Embedded<decltype(g)>);
   CHECK(cn::check_laws(g).empty());
   const auto twice = cn::with_points(cn::with_points(s, raised{1}), raised{2});
-  CHECK(cn::point(twice, tiny::vertex{0})[2] == 2);
+  CHECK(cn::point(twice, user_mesh::vertex{0})[2] == 2);
 }

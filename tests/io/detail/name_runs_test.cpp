@@ -59,11 +59,11 @@ TEST_CASE("name_numbers: from 1, as they come; none is 0") {
 
 TEST_CASE("says_number: only what is written again the same way") {
   int i = 0;
-  CHECK(says_number("label_7", "label_", i));
+  CHECK(is_number("label_7", "label_", i));
   CHECK(i == 7);
-  CHECK(says_number("label_-2147483648", "label_", i));
+  CHECK(is_number("label_-2147483648", "label_", i));
   for (const char* bad : {"label_", "label_07", "label_7 ", "label_+7", "label_7x", "label_2147483648", "Label_7", "7", "", "label_-0", "label_-07", "label_2147483648", "label_-2147483649", "label_99999999999999999999"})
-    CHECK_MESSAGE(!says_number(bad, "label_", i), bad);
+    CHECK_MESSAGE(!is_number(bad, "label_", i), bad);
 }
 
 TEST_CASE("name_table: many names keep their numbers") {

@@ -21,7 +21,7 @@ TEST_CASE("samples of a long text tell how many lines there are to about a perce
   CHECK(scale * static_cast<double>(v) == doctest::Approx(static_cast<double>(verts)).epsilon(0.02));
   CHECK(scale * static_cast<double>(f) == doctest::Approx(static_cast<double>(faces)).epsilon(0.02));
   CHECK(words == 4 * f);
-  CHECK(room_for(1000) >= 1000);
+  CHECK(with_margin(1000) >= 1000);
 }
 
 TEST_CASE("a short text is not worth it") {

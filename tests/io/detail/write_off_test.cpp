@@ -6,7 +6,7 @@
 #include <support/kinds.hpp>
 #include <support/reading.hpp>
 #include <support/temporary.hpp>
-#include <support/tiny.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -140,7 +140,7 @@ TEST_CASE("write_off: what it cannot hold") {
   for (const bool binary : {false, true}) {
     CHECK_THROWS_AS(save_text(m, file_format::off, {.binary = binary}), invalid_mesh);
   }
-  const auto s = load_text<polygonmesh>(save_text(tiny::surface_example(), file_format::off), file_format::off);
+  const auto s = load_text<polygonmesh>(save_text(user_mesh::surface_example(), file_format::off), file_format::off);
   CHECK(num_polys(s) == 4);
   CHECK(num_verts(s) == 8);
 }
@@ -152,7 +152,7 @@ TEST_CASE("write_off: parts of colours come back as the same floats") {
     if (!std::isfinite(x)) continue;
     text_sink out;
     detail::write_part(out, x, true);
-    const std::string text = std::move(out).take();
+    const std::string text = std::move(out).release();
     double back = 0;
     CHECK(parse_real(text.data(), text.data() + text.size(), back) == text.data() + text.size());
     if (static_cast<float>(back) != x) FAIL_CHECK(text);

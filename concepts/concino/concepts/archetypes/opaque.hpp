@@ -28,25 +28,25 @@ struct access {
 };
 
 /// A number of elements or an index: converts to std::size_t.
-class number {
+class index_like {
   std::size_t n_;
 
  public:
-  constexpr explicit number(std::size_t n) : n_(n) {}
+  constexpr explicit index_like(std::size_t n) : n_(n) {}
   constexpr operator std::size_t() const { return n_; }
 };
 
 /// A truth value: converts to bool.
-class truth {
+class boolean_like {
   bool b_;
 
  public:
-  constexpr explicit truth(bool b) : b_(b) {}
+  constexpr explicit boolean_like(bool b) : b_(b) {}
   constexpr operator bool() const { return b_; }
 };
 
 /// A point: p[0], p[1], p[2], each of which converts to double. No arithmetic, no assignment.
-class position {
+class point_like {
   double x_[3];
 
  public:
@@ -58,9 +58,9 @@ class position {
     constexpr operator double() const { return x_; }
   };
 
-  constexpr position(double x, double y, double z) : x_{x, y, z} {}
-  position(const position&) = default;
-  position& operator=(const position&) = delete;
+  constexpr point_like(double x, double y, double z) : x_{x, y, z} {}
+  point_like(const point_like&) = default;
+  point_like& operator=(const point_like&) = delete;
   constexpr coordinate operator[](int i) const { return coordinate(x_[i]); }
 };
 

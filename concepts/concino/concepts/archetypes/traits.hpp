@@ -20,11 +20,11 @@ constexpr bool has(parts all, parts some) { return (static_cast<unsigned>(all) &
 
 /// A view of m that offers the parts P and hides the rest.
 template<class M, parts P>
-class only {
+class archetype {
   const M* m_;
 
  public:
-  constexpr explicit only(const M& m) : m_(&m) {}
+  constexpr explicit archetype(const M& m) : m_(&m) {}
   constexpr const M& base() const { return *m_; }
 
   /// An opaque descriptor for an element of base(), and back.
@@ -63,7 +63,7 @@ template<class M> struct arity_value<M, true> { static constexpr int arity = ari
 namespace concino {
 
 template<class M, archetypes::parts P>
-struct mesh_traits<archetypes::only<M, P>> : archetypes::vert_type<M, has(P, archetypes::primal) || has(P, archetypes::points)>,
+struct mesh_traits<archetypes::archetype<M, P>> : archetypes::vert_type<M, has(P, archetypes::primal) || has(P, archetypes::points)>,
                                              archetypes::poly_type<M, has(P, archetypes::dual)>,
                                              archetypes::edge_type<M, has(P, archetypes::mesh)>,
                                              archetypes::face_type<M, has(P, archetypes::mesh) && dimension_v<M> == 3>,
@@ -71,7 +71,7 @@ struct mesh_traits<archetypes::only<M, P>> : archetypes::vert_type<M, has(P, arc
   static constexpr bool is_view = true;
 
  private:
-  using A = archetypes::only<M, P>;
+  using A = archetypes::archetype<M, P>;
   using T = traits<M>;
   // Written out rather than taken from the bases, where they may be missing.
   template<class X> using v = archetypes::opaque<vert_t<X>, vert_tag>;
@@ -83,7 +83,7 @@ struct mesh_traits<archetypes::only<M, P>> : archetypes::vert_type<M, has(P, arc
   static constexpr bool mesh = has(P, archetypes::mesh);
   static constexpr bool volume = mesh && dimension_v<M> == 3;
 
-  using number = archetypes::number;
+  using index_like = archetypes::index_like;
   template<class D> static constexpr decltype(auto) in(const D& d) { return archetypes::access::base(d); }
   template<class O, class F> static constexpr auto out(const F& make) { return archetypes::rewrap<O>(make); }
 
@@ -94,20 +94,20 @@ struct mesh_traits<archetypes::only<M, P>> : archetypes::vert_type<M, has(P, arc
   template<class X = M> requires volume static constexpr auto faces(const A& a) { return out<f<X>>([&]() -> decltype(auto) { return T::faces(a.base()); }); }
   template<class X = M> requires dual static constexpr auto polys(const A& a) { return out<p<X>>([&]() -> decltype(auto) { return T::polys(a.base()); }); }
 
-  template<class X = M> requires primal static constexpr number num_verts(const A& a) { return number(concino::num_verts(a.base())); }
-  template<class X = M> requires mesh static constexpr number num_edges(const A& a) { return number(concino::num_edges(a.base())); }
-  template<class X = M> requires volume static constexpr number num_faces(const A& a) { return number(concino::num_faces(a.base())); }
-  template<class X = M> requires dual static constexpr number num_polys(const A& a) { return number(concino::num_polys(a.base())); }
+  template<class X = M> requires primal static constexpr index_like num_verts(const A& a) { return index_like(concino::num_verts(a.base())); }
+  template<class X = M> requires mesh static constexpr index_like num_edges(const A& a) { return index_like(concino::num_edges(a.base())); }
+  template<class X = M> requires volume static constexpr index_like num_faces(const A& a) { return index_like(concino::num_faces(a.base())); }
+  template<class X = M> requires dual static constexpr index_like num_polys(const A& a) { return index_like(concino::num_polys(a.base())); }
 
-  template<class X = M> requires primal static constexpr number vert_index_bound(const A& a) { return number(concino::vert_index_bound(a.base())); }
-  template<class X = M> requires mesh static constexpr number edge_index_bound(const A& a) { return number(concino::edge_index_bound(a.base())); }
-  template<class X = M> requires volume static constexpr number face_index_bound(const A& a) { return number(concino::face_index_bound(a.base())); }
-  template<class X = M> requires dual static constexpr number poly_index_bound(const A& a) { return number(concino::poly_index_bound(a.base())); }
+  template<class X = M> requires primal static constexpr index_like vert_index_bound(const A& a) { return index_like(concino::vert_index_bound(a.base())); }
+  template<class X = M> requires mesh static constexpr index_like edge_index_bound(const A& a) { return index_like(concino::edge_index_bound(a.base())); }
+  template<class X = M> requires volume static constexpr index_like face_index_bound(const A& a) { return index_like(concino::face_index_bound(a.base())); }
+  template<class X = M> requires dual static constexpr index_like poly_index_bound(const A& a) { return index_like(concino::poly_index_bound(a.base())); }
 
-  template<class X = M> requires primal static constexpr number index_of(const A& a, const v<X>& x) { return number(concino::index_of(a.base(), in(x))); }
-  template<class X = M> requires mesh static constexpr number index_of(const A& a, const e<X>& x) { return number(concino::index_of(a.base(), in(x))); }
-  template<class X = M> requires volume static constexpr number index_of(const A& a, const f<X>& x) { return number(concino::index_of(a.base(), in(x))); }
-  template<class X = M> requires dual static constexpr number index_of(const A& a, const p<X>& x) { return number(concino::index_of(a.base(), in(x))); }
+  template<class X = M> requires primal static constexpr index_like index_of(const A& a, const v<X>& x) { return index_like(concino::index_of(a.base(), in(x))); }
+  template<class X = M> requires mesh static constexpr index_like index_of(const A& a, const e<X>& x) { return index_like(concino::index_of(a.base(), in(x))); }
+  template<class X = M> requires volume static constexpr index_like index_of(const A& a, const f<X>& x) { return index_like(concino::index_of(a.base(), in(x))); }
+  template<class X = M> requires dual static constexpr index_like index_of(const A& a, const p<X>& x) { return index_like(concino::index_of(a.base(), in(x))); }
 
   template<class X = M> requires primal static constexpr auto adj_v2v(const A& a, const v<X>& x) { return out<v<X>>([&]() -> decltype(auto) { return T::adj_v2v(a.base(), in(x)); }); }
   template<class X = M> requires mesh static constexpr auto adj_v2e(const A& a, const v<X>& x) { return out<e<X>>([&]() -> decltype(auto) { return T::adj_v2e(a.base(), in(x)); }); }
@@ -129,10 +129,10 @@ struct mesh_traits<archetypes::only<M, P>> : archetypes::vert_type<M, has(P, arc
 
   // clang-format on
 
-  template<class X = M> requires volume static constexpr archetypes::truth face_is_outward(const A& a, const p<X>& x, const f<X>& y) {
-    return archetypes::truth(T::face_is_outward(a.base(), in(x), in(y)));
+  template<class X = M> requires volume static constexpr archetypes::boolean_like face_is_outward(const A& a, const p<X>& x, const f<X>& y) {
+    return archetypes::boolean_like(T::face_is_outward(a.base(), in(x), in(y)));
   }
-  template<class X = M> requires(has(P, archetypes::points)) static constexpr archetypes::position point(const A& a, const v<X>& x) {
+  template<class X = M> requires(has(P, archetypes::points)) static constexpr archetypes::point_like point(const A& a, const v<X>& x) {
     const auto& at = T::point(a.base(), in(x));
     return {static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])};
   }

@@ -5,7 +5,7 @@
 
 namespace concino::detail {
 
-enum class around { v2v, v2e, v2p, p2v, p2e };
+enum class ring_kind { v2v, v2e, v2p, p2v, p2e };
 
 /// Gives border half-edges to links that have none. The border half-edge of an edge is named by the half-edge on its other side; the
 /// next one along the border is found by a walk round the vert between them.
@@ -56,10 +56,10 @@ template<class M, class K> struct complete_links<M, K, false> { using type = bor
 template<class M, class K> using links_with_border = typename complete_links<M, K, !requires { requires !K::has_border_halfedges; }>::type;
 
 /// What the half-edges that leave a vert, or go along a poly, show: their far ends, edges or polys.
-template<class M, class K, around Ring>
+template<class M, class K, ring_kind Ring>
 class halfedge_ring {
   using halfedge = typename K::halfedge;
-  static constexpr bool at_vert = Ring == around::v2v || Ring == around::v2e || Ring == around::v2p;
+  static constexpr bool at_vert = Ring == ring_kind::v2v || Ring == ring_kind::v2e || Ring == ring_kind::v2p;
 
   const M* m_ = nullptr;
   halfedge first_{};
@@ -77,19 +77,19 @@ class halfedge_ring {
       done_ = at_ == first_;
     }
     void skip_border() {
-      if constexpr (Ring == around::v2p) while (!done_ && K::is_border(*m_, at_)) step();
+      if constexpr (Ring == ring_kind::v2p) while (!done_ && K::is_border(*m_, at_)) step();
     }
 
    public:
-    using value_type = std::conditional_t<Ring == around::v2v || Ring == around::p2v, typename K::vert,
-                                          std::conditional_t<Ring == around::v2p, typename K::poly, typename K::edge>>;
+    using value_type = std::conditional_t<Ring == ring_kind::v2v || Ring == ring_kind::p2v, typename K::vert,
+                                          std::conditional_t<Ring == ring_kind::v2p, typename K::poly, typename K::edge>>;
     using difference_type = std::ptrdiff_t;
 
     iterator() = default;
     iterator(const M* m, const halfedge& first, bool done) : m_(m), first_(first), at_(first), done_(done) { skip_border(); }
     value_type operator*() const {
-      if constexpr (Ring == around::v2v || Ring == around::p2v) return K::target(*m_, at_);
-      else if constexpr (Ring == around::v2p) return K::poly_of(*m_, at_);
+      if constexpr (Ring == ring_kind::v2v || Ring == ring_kind::p2v) return K::target(*m_, at_);
+      else if constexpr (Ring == ring_kind::v2p) return K::poly_of(*m_, at_);
       else return K::edge_of(*m_, at_);
     }
     iterator& operator++() {
@@ -113,7 +113,7 @@ class halfedge_ring {
       if (K::is_isolated(m, x)) return r;
     }
     r.first_ = K::halfedge_of(m, x);
-    if constexpr (Ring == around::p2e) r.first_ = K::next(m, r.first_);  // so that it leaves the first vert: SM7
+    if constexpr (Ring == ring_kind::p2e) r.first_ = K::next(m, r.first_);  // so that it leaves the first vert: SM7
     r.empty_ = false;
     return r;
   }
@@ -125,8 +125,8 @@ class halfedge_ring {
     const halfedge first = first_;
     halfedge h = first;
     do {
-      if constexpr (Ring == around::v2v || Ring == around::p2v) f(K::target(m, h));
-      else if constexpr (Ring == around::v2e || Ring == around::p2e) f(K::edge_of(m, h));
+      if constexpr (Ring == ring_kind::v2v || Ring == ring_kind::p2v) f(K::target(m, h));
+      else if constexpr (Ring == ring_kind::v2e || Ring == ring_kind::p2e) f(K::edge_of(m, h));
       else if (!K::is_border(m, h)) f(K::poly_of(m, h));
       if constexpr (at_vert) h = K::next(m, K::opposite(m, h));
       else h = K::next(m, h);
@@ -149,9 +149,9 @@ class halfedge_neighbours {
     const halfedge o = K::opposite(m, h);
     return !K::is_border(m, o) && K::poly_of(m, o) == q;
   }
-  /// Whether q, which lies across `at`, lies across an edge of p from `first` up to it too. Walks along p and around q at once: the shorter
+  /// Whether q, the poly behind `at`, is also behind an edge of p from `first` up to `at`. Walks along p and around q at once: the shorter
   /// way decides, except where q borders p more than once. Not inlined, and all by value, so that loops around it keep theirs in registers.
-  [[gnu::noinline]] static bool is_across_earlier(const M& m, poly p, poly q, halfedge first, halfedge at) {
+  [[gnu::noinline]] static bool is_adjacent_between(const M& m, poly p, poly q, halfedge first, halfedge at) {
     const halfedge start = K::opposite(m, at);
     halfedge g = start;
     bool once = true;
@@ -171,25 +171,25 @@ class halfedge_neighbours {
     poly p_{}, q_{};
     halfedge first_{}, at_{};
     bool done_ = true;
-    unsigned shown_ = 0;
+    unsigned num_visited_ = 0;
     // The first polys that were shown: enough to know all of a triangle's or quad's. Named one by one, since a descriptor's default
     // constructor may be explicit.
     poly recent_[4] = {poly(), poly(), poly(), poly()};
 
-    bool shown_before() const {
-      const unsigned known = shown_ < 4 ? shown_ : 4;
+    bool is_repeated() const {
+      const unsigned known = num_visited_ < 4 ? num_visited_ : 4;
       for (unsigned i = 0; i < known; ++i)
         if (recent_[i] == q_) return true;
-      return shown_ > 4 && is_across_earlier(*m_, p_, q_, first_, at_);
+      return num_visited_ > 4 && is_adjacent_between(*m_, p_, q_, first_, at_);
     }
     void find() {
       for (; !done_; step()) {
         const halfedge o = K::opposite(*m_, at_);
         if (K::is_border(*m_, o)) continue;
         q_ = K::poly_of(*m_, o);
-        if (q_ == p_ || shown_before()) continue;
-        if (shown_ < 4) recent_[shown_] = q_;
-        ++shown_;
+        if (q_ == p_ || is_repeated()) continue;
+        if (num_visited_ < 4) recent_[num_visited_] = q_;
+        ++num_visited_;
         return;
       }
     }
@@ -238,7 +238,7 @@ class halfedge_neighbours {
       if (q == b) [[unlikely]] continue;
       if (!(c == p)) [[unlikely]] {
         if (q == c || q == d) continue;
-        if (!(d == p) && is_across_earlier(m, p, q, first, at)) continue;
+        if (!(d == p) && is_adjacent_between(m, p, q, first, at)) continue;
       }
       d = c;
       c = b;

@@ -53,7 +53,7 @@ class edge_finder {
   }
 
  public:
-  static constexpr std::size_t most_compared = 8;  // of more edges each is looked for at its ends
+  static constexpr std::size_t max_compared = 8;  // of more edges each is looked for at its ends
 
   edge_finder(const M& m, const owner& x) : m_(&m), x_(x), listed_(Of::edges(m, x)) {}
 
@@ -89,7 +89,7 @@ class edges_along_ring {
   using edge = edge_t<M>;
   using owner = typename Of::type;
   using ring = decltype(Of::verts(std::declval<const M&>(), std::declval<const owner&>()));
-  using step = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
+  using base_iterator = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
 
   ring ring_;
   edge_finder<M, Of> find_;
@@ -99,7 +99,7 @@ class edges_along_ring {
   struct sentinel {};
   class iterator {
     const edges_along_ring* r_;
-    step at_;
+    base_iterator at_;
     vert first_{};
 
    public:
@@ -108,7 +108,7 @@ class edges_along_ring {
     }
     edge operator*() const {
       const vert from = *at_;
-      step next = at_;
+      base_iterator next = at_;
       ++next;
       vert to = first_;
       if (next != r_->ring_.end()) to = *next;
@@ -123,7 +123,7 @@ class edges_along_ring {
 
   edges_along_ring(const M& m, const owner& x) : ring_(Of::verts(m, x)), find_(m, x) {
     std::size_t n = 0;
-    for (auto it = ring_.begin(); it != ring_.end() && !is_long_; ++it) is_long_ = ++n > edge_finder<M, Of>::most_compared;
+    for (auto it = ring_.begin(); it != ring_.end() && !is_long_; ++it) is_long_ = ++n > edge_finder<M, Of>::max_compared;
   }
   edges_along_ring(const edges_along_ring&) = delete;
 
@@ -196,11 +196,11 @@ concept has_edges_at_verts = requires(const M& m, vert_t<M> v) { { traits<M>::ad
 
 /// The edges of polys, of faces, are listed in order, or sorting them, which edges_in_order = false asks for, has what it needs.
 template<class M>
-concept has_what_sorts_edges_of_polys = !concino::detail::order_of_edges<M>::sorts_those_of_polys || (dimension_v<M> == 3 && has_polys_edges_by_ends<M>) ||
+concept can_sort_edges_of_polys = !concino::detail::order_of_edges<M>::sorts_those_of_polys || (dimension_v<M> == 3 && has_polys_edges_by_ends<M>) ||
     (has_polys_edges_by_ends<M> && has_edges_at_verts<M> &&
      requires(const M& m, edge_t<M> e) { { traits<M>::adj_e2p(m, e) } -> ElementRange<poly_t<M>>; });
 template<class M>
-concept has_what_sorts_edges_of_faces = !concino::detail::order_of_edges<M>::sorts_those_of_faces ||
+concept can_sort_edges_of_faces = !concino::detail::order_of_edges<M>::sorts_those_of_faces ||
     (has_edges_by_ends<M> && has_edges_at_verts<M> && requires(const M& m, edge_t<M> e, face_t<M> f) {
       { traits<M>::adj_f2v(m, f) } -> ElementRange<vert_t<M>>;
       { traits<M>::adj_e2f(m, e) } -> ElementRange<face_t<M>>;
@@ -210,7 +210,7 @@ concept has_what_sorts_edges_of_faces = !concino::detail::order_of_edges<M>::sor
 
 namespace concino::mistake {
 
-inline constexpr sentence give_what_sorts_polys("mesh_traits<M> says edges_in_order = false: to sort, adj_p2e needs adj_p2v and adj_e2v, on a surface adj_v2e and adj_e2p too");
-inline constexpr sentence give_what_sorts_faces("mesh_traits<M> says edges_in_order = false: to sort, adj_f2e needs adj_f2v, adj_e2v, adj_v2e and adj_e2f");
+inline constexpr sentence give_edge_order_of_polys("mesh_traits<M> says edges_in_order = false: to sort, adj_p2e needs adj_p2v and adj_e2v, on a surface adj_v2e and adj_e2p too");
+inline constexpr sentence give_edge_order_of_faces("mesh_traits<M> says edges_in_order = false: to sort, adj_f2e needs adj_f2v, adj_e2v, adj_v2e and adj_e2f");
 
 }  // namespace concino::mistake

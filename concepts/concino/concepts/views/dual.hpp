@@ -8,9 +8,9 @@ namespace concino {
 namespace views {
 
 template<DualGraph M>
-class dual_view : public shown<M> {
+class dual_view : public view_base<M> {
  public:
-  using shown<M>::shown;
+  using view_base<M>::view_base;
 };
 
 }  // namespace views

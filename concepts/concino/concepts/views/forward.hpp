@@ -7,20 +7,20 @@ namespace concino::views {
 
 /// The mesh a view shows: by address where it owns its elements, as a copy where it is a view itself.
 template<class M, bool = is_view_v<M>>
-class shown {
+class view_base {
   const M* m_;
 
  public:
-  constexpr explicit shown(const M& m) : m_(&m) {}
+  constexpr explicit view_base(const M& m) : m_(&m) {}
   constexpr const M& base() const { return *m_; }
 };
 
 template<class V>
-class shown<V, true> {
+class view_base<V, true> {
   V v_;
 
  public:
-  constexpr explicit shown(const V& v) : v_(v) {}
+  constexpr explicit view_base(const V& v) : v_(v) {}
   constexpr const V& base() const { return v_; }
 };
 

@@ -8,9 +8,9 @@ namespace concino {
 namespace views {
 
 template<PrimalGraph M>
-class primal_view : public shown<M> {
+class primal_view : public view_base<M> {
  public:
-  using shown<M>::shown;
+  using view_base<M>::view_base;
 };
 
 }  // namespace views

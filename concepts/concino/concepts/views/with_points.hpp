@@ -10,15 +10,15 @@ namespace views {
 
 /// P is the map itself, or a const reference to it.
 template<PrimalGraph M, class P>
-class with_points_view : public shown<M> {
+class with_points_view : public view_base<M> {
   static constexpr bool by_reference = std::is_reference_v<P>;
   using kept = std::conditional_t<by_reference, const std::remove_cvref_t<P>*, std::remove_cvref_t<P>>;
   kept points_;
 
  public:
-  constexpr with_points_view(const M& m, const std::remove_cvref_t<P>& points) requires by_reference : shown<M>(m), points_(&points) {}
+  constexpr with_points_view(const M& m, const std::remove_cvref_t<P>& points) requires by_reference : view_base<M>(m), points_(&points) {}
   constexpr with_points_view(const M& m, std::remove_cvref_t<P>&& points) requires(!by_reference)
-      : shown<M>(m), points_(static_cast<std::remove_cvref_t<P>&&>(points)) {}
+      : view_base<M>(m), points_(static_cast<std::remove_cvref_t<P>&&>(points)) {}
   constexpr const auto& points() const {
     if constexpr (by_reference) return *points_;
     else return points_;

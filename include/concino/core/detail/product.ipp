@@ -19,8 +19,8 @@ namespace concino {
 
 namespace detail {
 
-inline void expect_compressed(const char* who, const Eigen::SparseMatrix<double>& a) {
-  if (!a.isCompressed()) core::throw_joined<invalid_argument>({who, ": a matrix is not compressed; call makeCompressed()"});
+inline void expect_compressed(const char* caller, const Eigen::SparseMatrix<double>& a) {
+  if (!a.isCompressed()) core::throw_joined<invalid_argument>({caller, ": a matrix is not compressed; call makeCompressed()"});
 }
 
 }  // namespace detail

@@ -61,24 +61,24 @@ CONCINO_INLINE double residual_beside_largest(const Eigen::SparseMatrix<double>&
   return worst;
 }
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_solved(const char* who, double error) {
-  core::throw_joined<solver_error>({who, ": the system is too badly conditioned for double precision, or not what the solver is for: the relative"
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_solved(const char* caller, double error) {
+  core::throw_joined<solver_error>({caller, ": the system is too badly conditioned for double precision, or not what the solver is for: the relative"
                               " residual is ", core::number_text(error)});
 }
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_singular_at_vert(const char* who, std::size_t vert, const char* why) {
-  core::throw_joined<solver_error>({who, ": the system is singular to working precision at vert ", vert,
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_singular_at_vert(const char* caller, std::size_t vert, const char* why) {
+  core::throw_joined<solver_error>({caller, ": the system is singular to working precision at vert ", vert,
                               ": polys near it are too flat or too thin for double precision; remesh them, scale the mesh to more even lengths, or"
                               " remove them (", why, ")"});
 }
 
-CONCINO_INLINE Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b, const char* who,
+CONCINO_INLINE Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b, const char* caller,
                                                bool is_lower_triangle) {
   Eigen::VectorXd x = solver.solve(b), r;
   double error = residual(a, x, b, r, is_lower_triangle);
-  if (solver.iterates()) {
+  if (solver.is_iterative()) {
     error = residual_beside_largest(a, x, b, r, is_lower_triangle);
-    if (!(error <= std::max(1e-5, 10 * solver.residual()))) throw_not_solved(who, error);
+    if (!(error <= std::max(1e-5, 10 * solver.residual()))) throw_not_solved(caller, error);
     return x;
   }
   for (int round = 0; round < 3 && error > 1e-13; ++round) {
@@ -89,7 +89,7 @@ CONCINO_INLINE Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::S
     x.swap(better);
     error = left;
   }
-  if (!(error <= 1e-8)) throw_not_solved(who, error);
+  if (!(error <= 1e-8)) throw_not_solved(caller, error);
   return x;
 }
 

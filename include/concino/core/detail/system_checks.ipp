@@ -17,38 +17,38 @@ CONCINO_INLINE const Eigen::SparseMatrix<double>& compressed(const Eigen::Sparse
   return storage;
 }
 
-CONCINO_INLINE void check_square(const char* who, const Eigen::SparseMatrix<double>& a) {
+CONCINO_INLINE void check_square(const char* caller, const Eigen::SparseMatrix<double>& a) {
   if (a.rows() != a.cols())
-    core::throw_joined<solver_error>({who, ": the matrix has ", static_cast<std::size_t>(a.rows()), " rows and ", static_cast<std::size_t>(a.cols()),
+    core::throw_joined<solver_error>({caller, ": the matrix has ", static_cast<std::size_t>(a.rows()), " rows and ", static_cast<std::size_t>(a.cols()),
                                 " columns; it must be square"});
 }
 
-CONCINO_INLINE void check_entries(const char* who, const Eigen::SparseMatrix<double>& a) {
+CONCINO_INLINE void check_entries(const char* caller, const Eigen::SparseMatrix<double>& a) {
   for (int c = 0; c < a.cols(); ++c)
     for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k)
       if (!std::isfinite(a.valuePtr()[k]))
-        core::throw_joined<solver_error>({who, ": the matrix has an entry that is not finite, in row ", static_cast<std::size_t>(a.innerIndexPtr()[k]),
+        core::throw_joined<solver_error>({caller, ": the matrix has an entry that is not finite, in row ", static_cast<std::size_t>(a.innerIndexPtr()[k]),
                                     ", column ", static_cast<std::size_t>(c)});
 }
 
-CONCINO_INLINE void check_right_hand_side(const char* who, const Eigen::VectorXd& b, Eigen::Index rows) {
-  if (rows < 0) core::throw_joined<solver_error>({who, ": solve without a factorised matrix; call factorize first"});
+CONCINO_INLINE void check_right_hand_side(const char* caller, const Eigen::VectorXd& b, Eigen::Index rows) {
+  if (rows < 0) core::throw_joined<solver_error>({caller, ": solve without a factorised matrix; call factorize first"});
   if (b.size() != rows)
-    core::throw_joined<solver_error>({who, ": the right-hand side has ", static_cast<std::size_t>(b.size()), " entries, the matrix ",
+    core::throw_joined<solver_error>({caller, ": the right-hand side has ", static_cast<std::size_t>(b.size()), " entries, the matrix ",
                                 static_cast<std::size_t>(rows), " rows"});
   for (Eigen::Index i = 0; i < b.size(); ++i)
-    if (!std::isfinite(b[i])) core::throw_joined<solver_error>({who, ": entry ", static_cast<std::size_t>(i), " of the right-hand side is not finite"});
+    if (!std::isfinite(b[i])) core::throw_joined<solver_error>({caller, ": entry ", static_cast<std::size_t>(i), " of the right-hand side is not finite"});
 }
 
-CONCINO_INLINE void check_solution(const char* who, const Eigen::VectorXd& x) {
+CONCINO_INLINE void check_solution(const char* caller, const Eigen::VectorXd& x) {
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (!std::isfinite(x[i]))
-      core::throw_joined<solver_error>({who, ": entry ", static_cast<std::size_t>(i),
+      core::throw_joined<solver_error>({caller, ": entry ", static_cast<std::size_t>(i),
                                   " of the solution is not finite; the matrix is singular to working precision or the numbers are too large"});
 }
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_bad_pivot(const char* who, const char* what, Eigen::Index row, double given, double pivot) {
-  throw singular_row(core::joined({who, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double given, double pivot) {
+  throw singular_row(core::joined({caller, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
                              core::number_text(given), " elimination leaves ", core::number_text(pivot)}),
                      row);
 }

@@ -5,6 +5,7 @@
 #include <concino/core/assembly.hpp>
 #include <concino/core/compiled.hpp>
 #include <concino/core/function_ref.hpp>
+#include <concino/core/iterable.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
@@ -49,16 +50,13 @@ T same_in_all_parts(double x) {
 template<class F, class X>
 using field_value_at = std::conditional_t<std::convertible_to<decltype(std::declval<const F&>()[std::declval<const X&>()]), double>, double, vec3>;
 
-/// A container or braces, which options are not.
-template<class R> concept walkable = requires(const R& r) { r.begin(); r.end(); };
-
 /// Elements X in a container or braces; or pairs of an X and a T, or anything else that comes apart in two.
-template<class R, class X> concept holds_elements = walkable<R> && requires(const R& r) { requires std::convertible_to<decltype(*r.begin()), X>; };
-template<class R> concept holds_pairs = walkable<R> && requires(const R& r) { (*r.begin()).first; (*r.begin()).second; };
+template<class R, class X> concept holds_elements = core::iterable<R> && requires(const R& r) { requires std::convertible_to<decltype(*r.begin()), X>; };
+template<class R> concept holds_pairs = core::iterable<R> && requires(const R& r) { (*r.begin()).first; (*r.begin()).second; };
 template<class R, class X> concept holds_pairs_of = holds_pairs<R> && requires(const R& r) { requires std::convertible_to<decltype((*r.begin()).first), X>; };
-template<class P> concept comes_apart = std::is_aggregate_v<P> || requires { std::tuple_size<P>::value; };
-template<class R> concept holds_twos = walkable<R> && !holds_pairs<R> && requires(const R& r) { requires comes_apart<std::remove_cvref_t<decltype(*r.begin())>>; };
-template<class R, class X> concept gives_values = !holds_elements<R, X> && (holds_pairs_of<R, X> || holds_twos<R>);
+template<class P> concept is_decomposable = std::is_aggregate_v<P> || requires { std::tuple_size<P>::value; };
+template<class R> concept holds_decomposables = core::iterable<R> && !holds_pairs<R> && requires(const R& r) { requires is_decomposable<std::remove_cvref_t<decltype(*r.begin())>>; };
+template<class R, class X> concept gives_values = !holds_elements<R, X> && (holds_pairs_of<R, X> || holds_decomposables<R>);
 template<class R, class X> concept names_elements = holds_elements<R, X> || gives_values<R, X>;
 
 /// One right-hand side for each part.
@@ -72,53 +70,53 @@ right_hand_sides<T> zeros(std::size_t size) {
   return b;
 }
 
-[[noreturn, gnu::cold]] void throw_no_vert(const char* who, const char* what);
-[[noreturn, gnu::cold]] void throw_not_finite(const char* who, std::size_t vert);
-[[noreturn, gnu::cold]] void throw_two_values(const char* who, std::size_t vert, double x, double y);
-[[noreturn, gnu::cold]] void throw_not_held(const char* who, std::size_t vert);
-[[noreturn, gnu::cold]] void throw_no_value(const char* who, std::size_t vert);
-[[noreturn, gnu::cold]] void throw_nothing_given(const char* who, std::size_t vert, std::size_t component);
+[[noreturn, gnu::cold]] void throw_no_vert(const char* caller, const char* what);
+[[noreturn, gnu::cold]] void throw_not_finite(const char* caller, std::size_t vert);
+[[noreturn, gnu::cold]] void throw_two_values(const char* caller, std::size_t vert, double x, double y);
+[[noreturn, gnu::cold]] void throw_not_constrained(const char* caller, std::size_t vert);
+[[noreturn, gnu::cold]] void throw_no_value(const char* caller, std::size_t vert);
+[[noreturn, gnu::cold]] void throw_unconstrained_component(const char* caller, std::size_t vert, std::size_t component);
 
-enum : int { held_vert = -1, isolated_vert = -2 };
+enum : int { constrained_vert = -1, isolated_vert = -2 };
 
 /// The verts whose values are to be found, numbered; the others are held at given values, or are isolated: they have no edges.
 template<class M>
-struct held_verts {
-  static constexpr int held = held_vert, isolated = isolated_vert;
+struct constrained_verts {
+  static constexpr int constrained = constrained_vert, isolated = isolated_vert;
   vert_map<M, int> unknown;       // number, held or isolated
-  std::vector<vert_t<M>> given;   // the held ones, each once
+  std::vector<vert_t<M>> prescribed;   // the held ones, each once
   std::vector<int> index;         // by index_of, of each unknown
   int unknowns = 0;
   std::size_t num_isolated = 0;
 
-  explicit held_verts(const M& m) : unknown(make_vert_map<int>(m, isolated)) {}
+  explicit constrained_verts(const M& m) : unknown(make_vert_map<int>(m, isolated)) {}
 
   /// Holds verts or what comes first in pairs.      Errors: invalid_mesh if one is no vert of m.
   template<class R>
-  void hold(const M& m, const R& verts_or_pairs, const char* who) {
+  void constrain(const M& m, const R& verts_or_pairs, const char* caller) {
     for (const auto& x : verts_or_pairs) {
       if constexpr (std::convertible_to<decltype(x), vert_t<M>>) {
-        hold_one(m, x, who, "what is to be prescribed is");
+        constrain_vert(m, x, caller, "what is to be prescribed is");
       } else {
         const auto& [vert, value] = x;
         static_cast<void>(value);
-        hold_one(m, vert, who, "a value is given at");
+        constrain_vert(m, vert, caller, "a value is given at");
       }
     }
   }
 
   /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a held vert along edges.
-  void number_reached(const M& m, const char* who) {
-    const vert_map<M, int> hops = given.empty() ? make_vert_map<int>(m, -1) : concino::bfs(m, given);
+  void number_reached(const M& m, const char* caller) {
+    const vert_map<M, int> hops = prescribed.empty() ? make_vert_map<int>(m, -1) : concino::bfs(m, prescribed);
     for (const vert_t<M> v : verts(m)) {
-      if (unknown[v] == held) continue;
+      if (unknown[v] == constrained) continue;
       if (hops[v] >= 0) {
         number(m, v);
       } else if (has_edges(m, v)) {
         std::size_t component = 0;
         const vert_map<M, int> from_v = concino::bfs(m, std::vector<vert_t<M>>{v});
         for (const vert_t<M> w : verts(m)) component += from_v[w] >= 0;
-        throw_nothing_given(who, index_of(m, v), component);
+        throw_unconstrained_component(caller, index_of(m, v), component);
       } else {
         ++num_isolated;
       }
@@ -128,7 +126,7 @@ struct held_verts {
   /// Numbers the verts with edges, for systems that need no value held.
   void number_all(const M& m) {
     for (const vert_t<M> v : verts(m)) {
-      if (unknown[v] == held) continue;
+      if (unknown[v] == constrained) continue;
       if (has_edges(m, v)) number(m, v);
       else ++num_isolated;
     }
@@ -144,11 +142,11 @@ struct held_verts {
     return around.begin() != around.end();
   }
 
-  void hold_one(const M& m, const vert_t<M>& v, const char* who, const char* what) {
-    if (!contains(m, v)) throw_no_vert(who, what);
-    if (unknown[v] == held) return;
-    unknown[v] = held;
-    given.push_back(v);
+  void constrain_vert(const M& m, const vert_t<M>& v, const char* caller, const char* what) {
+    if (!contains(m, v)) throw_no_vert(caller, what);
+    if (unknown[v] == constrained) return;
+    unknown[v] = constrained;
+    prescribed.push_back(v);
   }
 };
 
@@ -156,26 +154,26 @@ struct held_verts {
 /// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert gets two, or the verts are
 ///         not those that are held.
 template<class T, class M, class D>
-vert_map<M, T> prescribed_values(const M& m, const held_verts<M>& verts, const D& pairs, double isolated_value, const char* who) {
+vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, const D& pairs, double isolated_value, const char* caller) {
   auto value = make_vert_map<T>(m, same_in_all_parts<T>(isolated_value));
-  for (const vert_t<M>& v : verts.given) part(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // none yet
+  for (const vert_t<M>& v : verts.prescribed) part(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // none yet
   std::size_t known = 0;
   for (const auto& [vert, number] : pairs) {
     const vert_t<M> v = vert;
     const T x = as_field_value<T>(number);
-    if (!contains(m, v)) throw_no_vert(who, "a value is given at");
-    if (verts.unknown[v] != held_verts<M>::held) throw_not_held(who, index_of(m, v));
+    if (!contains(m, v)) throw_no_vert(caller, "a value is given at");
+    if (verts.unknown[v] != constrained_verts<M>::constrained) throw_not_constrained(caller, index_of(m, v));
     const bool again = !std::isnan(part(value[v], 0));
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      if (!std::isfinite(part(x, k))) throw_not_finite(who, index_of(m, v));
-      if (again && part(value[v], k) != part(x, k)) throw_two_values(who, index_of(m, v), part(value[v], k), part(x, k));
+      if (!std::isfinite(part(x, k))) throw_not_finite(caller, index_of(m, v));
+      if (again && part(value[v], k) != part(x, k)) throw_two_values(caller, index_of(m, v), part(value[v], k), part(x, k));
     }
     known += !again;
     value[v] = x;
   }
-  if (known != verts.given.size())
-    for (const vert_t<M>& v : verts.given)
-      if (std::isnan(part(value[v], 0))) throw_no_value(who, index_of(m, v));
+  if (known != verts.prescribed.size())
+    for (const vert_t<M>& v : verts.prescribed)
+      if (std::isnan(part(value[v], 0))) throw_no_value(caller, index_of(m, v));
   return value;
 }
 
@@ -186,42 +184,42 @@ struct coupling {
 };
 
 /// Takes the rows and columns of the unknowns from a matrix over all verts with both triangles.
-/// unknown: by index of each vert its number, held_vert or isolated_vert; index: the reverse of the numbers.
+/// unknown: by index of each vert its number, constrained_vert or isolated_vert; index: the reverse of the numbers.
 void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole, const int* unknown, const std::vector<int>& index, Eigen::SparseMatrix<double>& lower,
                           std::vector<coupling>& couplings);
 
-/// The solutions of as many right-hand sides as `parts`. value(k, index): part k of the value at a vert, given or to be found. load: see held_system::solve.
+/// The solutions of as many right-hand sides as `parts`. value(k, index): part k of the value at a vert, given or to be found. load: see constrained_system::solve.
 /// Errors: solver_error with the reason.
 void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index, const std::vector<coupling>& couplings,
-                 std::size_t parts, function_ref<double(std::size_t k, int index)> load, function_ref<double&(std::size_t k, int index)> value, const char* who);
+                 std::size_t parts, function_ref<double(std::size_t k, int index)> load, function_ref<double&(std::size_t k, int index)> value, const char* caller);
 
 /// A x = b for the unknowns of a symmetric system over all verts. What held verts contribute goes to the right-hand side.
 template<class M>
-struct held_system {
-  held_verts<M> verts;
+struct constrained_system {
+  constrained_verts<M> verts;
   Eigen::SparseMatrix<double> lower;  // triangle
   std::vector<coupling> couplings;
 
-  explicit held_system(held_verts<M>&& held) : verts(std::move(held)) {}
-  held_system(held_system&& other) noexcept : verts(std::move(other.verts)), couplings(std::move(other.couplings)) {
+  explicit constrained_system(constrained_verts<M>&& constrained) : verts(std::move(constrained)) {}
+  constrained_system(constrained_system&& other) noexcept : verts(std::move(other.verts)), couplings(std::move(other.couplings)) {
     lower.swap(other.lower);  // Eigen 3.4 would copy what is moved
   }
 
   template<class Solver>
-  void factorize(Solver& solver, const progress& told, const char* who) const {
+  void factorize(Solver& solver, const progress& on_progress, const char* caller) const {
     if (verts.unknowns == 0) return;
-    tell(told, 0.1, "factorising");
-    core::factorize_over_verts(solver, lower, who, [&](Eigen::Index row) { return verts.index[static_cast<std::size_t>(row)]; });
+    report_progress(on_progress, 0.1, "factorising");
+    core::factorize_over_verts(solver, lower, caller, [&](Eigen::Index row) { return verts.index[static_cast<std::size_t>(row)]; });
   }
 
   /// Puts the solution into `value`, which has the values of the held verts. load(k, index): what stands on the right of the
   /// unknown vert of that index, for part k of T.
   /// Errors: solver_error with the reason.
   template<class T, class Load>
-  void solve(core::solver_ref solver, const Load& load, vert_map<M, T>& value, const char* who) const {
+  void solve(core::solver_ref solver, const Load& load, vert_map<M, T>& value, const char* caller) const {
     if (verts.unknowns == 0) return;
     T* const at = value.data();
-    solve_parts(solver, lower, verts.index, couplings, parts_of<T>, load, [at](std::size_t k, int index) -> double& { return part(at[index], k); }, who);
+    solve_parts(solver, lower, verts.index, couplings, parts_of<T>, load, [at](std::size_t k, int index) -> double& { return part(at[index], k); }, caller);
   }
 
   void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole) {

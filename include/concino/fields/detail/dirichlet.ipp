@@ -10,24 +10,24 @@
 
 namespace concino::detail {
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_vert(const char* who, const char* what) {
-  core::throw_joined<invalid_mesh>({who, ": ", what, " something that is no vert of the mesh; take verts from verts(m)"});
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_vert(const char* caller, const char* what) {
+  core::throw_joined<invalid_mesh>({caller, ": ", what, " something that is no vert of the mesh; take verts from verts(m)"});
 }
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_finite(const char* who, std::size_t vert) {
-  core::throw_joined<invalid_argument>({who, ": the value given at vert ", vert, " is not finite"});
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_finite(const char* caller, std::size_t vert) {
+  core::throw_joined<invalid_argument>({caller, ": the value given at vert ", vert, " is not finite"});
 }
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_two_values(const char* who, std::size_t vert, double x, double y) {
-  core::throw_joined<invalid_argument>({who, ": two values are given at vert ", vert, ", ", core::number_text(x), " and ", core::number_text(y), "; keep one"});
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_two_values(const char* caller, std::size_t vert, double x, double y) {
+  core::throw_joined<invalid_argument>({caller, ": two values are given at vert ", vert, ", ", core::number_text(x), " and ", core::number_text(y), "; keep one"});
 }
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_held(const char* who, std::size_t vert) {
-  core::throw_joined<invalid_argument>({who, ": a value is given at vert ", vert, ", which is none of those that were named when this was prepared"});
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_constrained(const char* caller, std::size_t vert) {
+  core::throw_joined<invalid_argument>({caller, ": a value is given at vert ", vert, ", which is none of those that were named when this was prepared"});
 }
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_value(const char* who, std::size_t vert) {
-  core::throw_joined<invalid_argument>({who, ": no value is given at vert ", vert,
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_value(const char* caller, std::size_t vert) {
+  core::throw_joined<invalid_argument>({caller, ": no value is given at vert ", vert,
                                   ", which was named when this was prepared; give one at each of those verts"});
 }
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_nothing_given(const char* who, std::size_t vert, std::size_t component) {
-  core::throw_joined<solver_error>({who, ": singular, because the component of vert ", vert, " (", component,
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_unconstrained_component(const char* caller, std::size_t vert, std::size_t component) {
+  core::throw_joined<solver_error>({caller, ": singular, because the component of vert ", vert, " (", component,
                               " verts) has no value prescribed; give one at any of its verts"});
 }
 
@@ -44,7 +44,7 @@ CONCINO_INLINE void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whol
     for (int l = whole.outerIndexPtr()[from]; l < whole.outerIndexPtr()[from + 1]; ++l) {
       const int i = whole.innerIndexPtr()[l], row = unknown[i];
       const double x = whole.valuePtr()[l];
-      if (row == held_vert) couplings.push_back({c, i, -x});
+      if (row == constrained_vert) couplings.push_back({c, i, -x});
       if (row < c) continue;
       rows[at] = row;
       entries[at++] = x;
@@ -57,13 +57,13 @@ CONCINO_INLINE void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whol
 
 CONCINO_INLINE void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index,
                                 const std::vector<coupling>& couplings, std::size_t parts, function_ref<double(std::size_t k, int index)> load,
-                                function_ref<double&(std::size_t k, int index)> value, const char* who) {
+                                function_ref<double&(std::size_t k, int index)> value, const char* caller) {
   const std::size_t n = index.size();
   Eigen::VectorXd b(static_cast<Eigen::Index>(n));
   for (std::size_t k = 0; k < parts; ++k) {
     for (std::size_t i = 0; i < n; ++i) b[static_cast<Eigen::Index>(i)] = load(k, index[i]);
     for (const coupling& c : couplings) b[c.row] += c.weight * value(k, c.vert);
-    const Eigen::VectorXd u = core::solve_and_check(solver, lower, b, who);
+    const Eigen::VectorXd u = core::solve_and_check(solver, lower, b, caller);
     for (std::size_t i = 0; i < n; ++i) value(k, index[i]) = u[static_cast<Eigen::Index>(i)];
   }
 }

@@ -17,35 +17,35 @@ namespace concino::detail {
 /// One search for shortest ways.
 class distance_graph::search {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr std::uint8_t most_changes = 64;
+  static constexpr std::uint8_t max_changes = 64;
 
   /// A way straight across a triangle, seen from one of its corners, to the last of its ends from a source that is `near` away from the other end.
   struct crossing {
     const corner* triangle;
     std::size_t last;  // which of the ends
     double near;
-    double bend;  // how much less the front is curved than on a plane: it is so much further behind between the two corners
-    double way;   // from the source, if that is seen between the two
+    double curvature_deficit;  // how much less the front is curved than on a plane: it is so much further behind between the two corners
+    double path_length;   // from the source, if that is seen between the two
     bool is_seen;
 
     /// from: how far the corner is from the source. Has no branches: they would be hard to predict, and without them several crossings overlap.
-    void find_way(double from) {
+    void find_path_length(double from) {
       const double length = triangle->lengths[1 - last], to = triangle->lengths[last];
       const double along = to * triangle->cosine, up = to * triangle->sine;
       const double x = (length + (from - near) * (from + near) / length) / 2, y2 = (from - x) * (from + x), y = std::sqrt(std::max(y2, 0.0));
       constexpr double least = std::numeric_limits<double>::min();  // 0 divided by it is 0
       const double height = up + y, through = x + y / std::max(height, least) * (along - x);
       const double square = (along - x) * (along - x) + height * height;
-      way = std::sqrt(square) + bend * through * (length - through) * (height * height / std::max(square, least)) / 2;
+      path_length = std::sqrt(square) + curvature_deficit * through * (length - through) * (height * height / std::max(square, least)) / 2;
       // A front that comes together within about the length of the edge, as on the far side of a ball, is not known well enough.
-      const bool is_wide = bend * length < 0.5;
+      const bool is_wide = curvature_deficit * length < 0.5;
       is_seen = is_wide & (y2 >= -1e-9 * from * from) & (through >= -1e-9 * length) & (through <= (1 + 1e-9) * length);
     }
   };
 
   /// How far the last corner of a tet is from the source that is da, db and dc away from the others, if it is seen between these; +inf if that is
   /// more than `most` for sure.
-  static double across(const side& s, double da, double db, double dc, double most) {
+  static double unfolded_distance(const side& s, double da, double db, double dc, double most) {
     if (!(s.length > 0)) return infinity;
     const double x = (s.length + (da - db) * (da + db) / s.length) / 2;
     const double y = (s.cx * s.cx + s.cy * s.cy - 2 * s.cx * x + (da - dc) * (da + dc)) / (2 * s.cy);
@@ -60,9 +60,9 @@ class distance_graph::search {
   }
 
   struct node {
-    double way = infinity;
+    double path_length = infinity;
     double before = 0;
-    double bend = 0;  // 1 / distance minus the curvature of the front: 0 on a plane; where step is not 0, as it was a step before
+    double curvature_deficit = 0;  // 1 / distance minus the curvature of the front: 0 on a plane; where step is not 0, as it was a step before
     double radius = 0, step = 0;
     double mean_curvature = 0;  // on that step
     double curvature = 0;
@@ -72,10 +72,10 @@ class distance_graph::search {
 
     /// Riccati's equation c' = -c^2 - K for the curvature c of a front, with c = 1 / radius - bend; a front that is as narrow as a step is not
     /// known.
-    void find_bend() {
+    void update_curvature_deficit() {
       if (!(step > 0)) return;
-      const double rate = mean_curvature - 2 * bend / std::max(radius, step) + bend * bend, most = 1 / step;
-      bend = std::clamp(bend + step * rate, -most, most);
+      const double rate = mean_curvature - 2 * curvature_deficit / std::max(radius, step) + curvature_deficit * curvature_deficit, most = 1 / step;
+      curvature_deficit = std::clamp(curvature_deficit + step * rate, -most, most);
       step = 0;
     }
   };
@@ -94,31 +94,31 @@ class distance_graph::search {
 
   void offer(int vert, double length, const node& from) {
     node& n = at(vert);
-    n.way = length;
+    n.path_length = length;
     n.source = from.source;
     n.before = from.before;
     offered_.push_back(vert);
   }
-  void offer(int vert, double length, const node& from, double bend, double radius, double step) {
+  void offer(int vert, double length, const node& from, double curvature_deficit, double radius, double step) {
     offer(vert, length, from);
     node& n = at(vert);
-    n.bend = bend;
+    n.curvature_deficit = curvature_deficit;
     n.radius = radius;
     n.step = step;
     n.mean_curvature = (from.curvature + n.curvature) / 2;
-    if (n.is_settled()) n.find_bend();
+    if (n.is_settled()) n.update_curvature_deficit();
   }
   void queue_offered() {
     for (const int v : offered_) {
       const auto i = static_cast<std::size_t>(v);
-      if (node_[i].way < waiting_[i] && node_[i].way <= longest_) queue_.lower(v, i, node_[i].way);
+      if (node_[i].path_length < waiting_[i] && node_[i].path_length <= longest_) queue_.decrease_key(v, i, node_[i].path_length);
     }
     offered_.clear();
   }
 
   /// Whether a way across to a vert is much better than the one that is known; it may be changed once more then.
-  static bool improves(node& n, double way) {
-    if (!(n.way - way > 1e-14 * std::abs(way))) return false;
+  static bool improves(node& n, double path_length) {
+    if (!(n.path_length - path_length > 1e-14 * std::abs(path_length))) return false;
     if (n.is_settled()) n.state = static_cast<std::uint8_t>(n.state + 2);
     return true;
   }
@@ -128,10 +128,10 @@ class distance_graph::search {
     const node &other = at(triangle.ends[1 - last]), &to = at(triangle.ends[last]);
     c.triangle = &triangle;
     c.last = last;
-    c.near = other.way - from.before;
-    c.bend = (from.bend + other.bend) / 2;
-    const bool is_known = other.is_settled(), may_change = to.state < most_changes;
-    const bool is_ahead = to.way > std::min(from.way, other.way);  // else the front has been there before
+    c.near = other.path_length - from.before;
+    c.curvature_deficit = (from.curvature_deficit + other.curvature_deficit) / 2;
+    const bool is_known = other.is_settled(), may_change = to.state < max_changes;
+    const bool is_ahead = to.path_length > std::min(from.path_length, other.path_length);  // else the front has been there before
     return is_known & may_change & is_ahead & (other.source == from.source);
   }
 
@@ -143,43 +143,43 @@ class distance_graph::search {
     for (std::size_t k = first; k < end; ++k) {
       const corner& triangle = graph_.corner_[k];
       const node &a = at(triangle.ends[0]), &b = at(triangle.ends[1]);
-      const std::size_t farther = b.way > a.way, nearer = 1 - farther;
+      const std::size_t farther = b.path_length > a.path_length, nearer = 1 - farther;
       n += may_cross(from, triangle, farther, crossings_[n]);
-      if (std::min(a.way, b.way) > from.way && at(triangle.ends[farther]).is_settled()) n += may_cross(from, triangle, nearer, crossings_[n]);
+      if (std::min(a.path_length, b.path_length) > from.path_length && at(triangle.ends[farther]).is_settled()) n += may_cross(from, triangle, nearer, crossings_[n]);
     }
     const double there = from.before;
-    for (std::size_t i = 0; i < n; ++i) crossings_[i].find_way(from.way - there);
+    for (std::size_t i = 0; i < n; ++i) crossings_[i].find_path_length(from.path_length - there);
     bool is_stale = false;
     for (std::size_t i = 0; i < n; ++i) {
       crossing& c = crossings_[i];
       if (is_stale) {
         if (!may_cross(from, *c.triangle, c.last, c)) continue;
-        c.find_way(from.way - there);
+        c.find_path_length(from.path_length - there);
       }
       const int vert = c.triangle->ends[c.last];
-      if (!c.is_seen || !improves(at(vert), there + c.way)) continue;
+      if (!c.is_seen || !improves(at(vert), there + c.path_length)) continue;
       is_stale = is_stale || at(vert).is_settled();
-      const double way = there + c.way, mean = (from.way - there + c.near) / 2;
-      offer(vert, way, from, c.bend, mean, std::max(c.way - mean, 0.25 * c.triangle->lengths[c.last]));
+      const double path_length = there + c.path_length, mean = (from.path_length - there + c.near) / 2;
+      offer(vert, path_length, from, c.curvature_deficit, mean, std::max(c.path_length - mean, 0.25 * c.triangle->lengths[c.last]));
     }
   }
 
   void cross(const node& from, const int* corners, const side& s, std::size_t last) {
     const node &a = at(corners[others[last][0]]), &b = at(corners[others[last][1]]), &c = at(corners[others[last][2]]);
     node& to = at(corners[last]);
-    if (a.source != from.source || b.source != from.source || c.source != from.source || to.state >= most_changes) return;
-    if (to.way <= std::min({a.way, b.way, c.way})) return;
+    if (a.source != from.source || b.source != from.source || c.source != from.source || to.state >= max_changes) return;
+    if (to.path_length <= std::min({a.path_length, b.path_length, c.path_length})) return;
     const double there = from.before;
-    const double way = there + across(s, a.way - there, b.way - there, c.way - there, to.way - there);
-    if (improves(to, way)) offer(corners[last], way, from);
+    const double path_length = there + unfolded_distance(s, a.path_length - there, b.path_length - there, c.path_length - there, to.path_length - there);
+    if (improves(to, path_length)) offer(corners[last], path_length, from);
   }
 
   void visit_triangles(std::size_t v) {
     const node& from = node_[v];
     for (std::size_t k = graph_.neighbour_begin_[v]; k < graph_.neighbour_begin_[v + 1]; ++k) {
       const neighbour& n = graph_.neighbour_[k];
-      const double way = from.way + n.length;
-      if (way < at(n.vert).way) offer(n.vert, way, from, from.bend, from.way - from.before, n.length);
+      const double path_length = from.path_length + n.length;
+      if (path_length < at(n.vert).path_length) offer(n.vert, path_length, from, from.curvature_deficit, from.path_length - from.before, n.length);
     }
     cross_triangles(v);
   }
@@ -188,8 +188,8 @@ class distance_graph::search {
     const node& from = node_[v];
     for (std::size_t k = graph_.neighbour_begin_[v]; k < graph_.neighbour_begin_[v + 1]; ++k) {
       const neighbour& n = graph_.neighbour_[k];
-      const double way = from.way + n.length;
-      if (way < at(n.vert).way) offer(n.vert, way, from);
+      const double path_length = from.path_length + n.length;
+      if (path_length < at(n.vert).path_length) offer(n.vert, path_length, from);
     }
     for (std::size_t k = graph_.simplex_begin_[v]; k < graph_.simplex_begin_[v + 1]; ++k) {
       const auto i = static_cast<std::size_t>(graph_.tet_at_[k]), first = i / 4 * 4;
@@ -207,11 +207,11 @@ class distance_graph::search {
     for (std::size_t i = 0; i < graph.curvature_.size(); ++i) node_[i].curvature = graph.curvature_[i];
   }
 
-  std::vector<double> ways_from(const std::vector<start>& starts) {
+  std::vector<double> path_lengths_from(const std::vector<start>& starts) {
     for (const start& s : starts) {
       node& n = at(s.vert);
-      if (!(s.before + s.distance < n.way)) continue;
-      n.way = s.before + s.distance;
+      if (!(s.before + s.distance < n.path_length)) continue;
+      n.path_length = s.before + s.distance;
       n.source = s.source;
       n.before = s.before;
       offered_.push_back(s.vert);
@@ -220,19 +220,19 @@ class distance_graph::search {
     while (!queue_.empty()) {
       const std::size_t v = queue_.pop().slot;
       waiting_[v] = infinity;
-      node_[v].find_bend();
+      node_[v].update_curvature_deficit();
       node_[v].state |= 1;
       if (graph_.corners_ == 3) visit_triangles(v);
       else visit_tets(v);
       queue_offered();
     }
-    for (std::size_t i = 0; i < node_.size(); ++i) waiting_[i] = node_[i].way;
+    for (std::size_t i = 0; i < node_.size(); ++i) waiting_[i] = node_[i].path_length;
     return std::move(waiting_);
   }
 };
 
-inline std::vector<double> distance_graph::ways_from(const std::vector<start>& starts, double longest) const {
-  return search(*this, longest).ways_from(starts);
+inline std::vector<double> distance_graph::path_lengths_from(const std::vector<start>& starts, double longest) const {
+  return search(*this, longest).path_lengths_from(starts);
 }
 
 }  // namespace concino::detail

@@ -147,7 +147,7 @@ class distance_graph {
   };
   /// The lengths of ways to each vert from the given verts, whose distances are given; +inf where none leads. Ways longer than `longest` may be
   /// left out. Defined in distance_bounds.hpp.
-  std::vector<double> ways_from(const std::vector<start>& starts, double longest) const;
+  std::vector<double> path_lengths_from(const std::vector<start>& starts, double longest) const;
 
  private:
   class search;

@@ -1,8 +1,8 @@
 // Shortest paths over triangles by windows: parts of edges that see their source straight, once the triangles between are unfolded into the plane.
 #pragma once
 
-#include <concino/fields/detail/flat_triangles.hpp>
 #include <concino/fields/detail/path_tree.hpp>
+#include <concino/fields/detail/unfolded_triangles.hpp>
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ namespace concino::detail {
 /// A window is dropped only where a way is known that is shorter, by more than rounding, to all that it sees, so those of shortest paths stay.
 class exact_windows {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double surely = 1 - 1e-12;   // what is less than this times another is less, whatever rounding did
+  static constexpr double safe_factor = 1 - 1e-12;   // what is less than this times another is less, whatever rounding did
   static constexpr double smallest_part = 1e-14;  // of an edge, for a window
 
   struct window {
@@ -35,19 +35,19 @@ class exact_windows {
   using event = std::pair<double, int>;  // at what distance; a window, or -1 - a vert
   static constexpr auto later = [](const event& a, const event& b) { return a > b; };
 
-  const flat_triangles& t_;
+  const unfolded_triangles& t_;
   path_tree* const paths_;                    // where paths are recorded, if they are asked for
   int from_ = path_tree::none;                // where in this tree the windows and arrivals of the moment come from
   std::vector<int> node_;                     // of each window, in this tree
   std::vector<double> distance_, direction_;  // at verts; the angle in the fan that the shortest path known comes from, NaN: all go on from here
   std::vector<arrival> first_at_apex_;        // of the triangle of each side, through this side
   std::vector<window> windows_;
-  std::vector<int> unused_, barred_;          // barred_: triangles that hold the source, which no shortest path comes back to
+  std::vector<int> unused_, excluded_;          // barred_: triangles that hold the source, which no shortest path comes back to
   std::vector<event> events_;
 
   double& at(int v) { return distance_[static_cast<std::size_t>(v)]; }
   double length(int s) const { return t_.length[static_cast<std::size_t>(s)]; }
-  flat_triangles::place apex(int s) const { return t_.apex[static_cast<std::size_t>(s)]; }
+  unfolded_triangles::place apex(int s) const { return t_.apex[static_cast<std::size_t>(s)]; }
   double angle(int c) const { return t_.angle[static_cast<std::size_t>(c)]; }
 
   static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -58,7 +58,7 @@ class exact_windows {
   }
 
   /// A path to vert v of that length comes in at corner c, in the direction at that angle from the side that starts there.
-  void reach(int v, double length_of_path, int c, double from_side) {
+  void relax_vert(int v, double length_of_path, int c, double from_side) {
     if (!(length_of_path < at(v))) return;
     at(v) = length_of_path;
     if (paths_) paths_->arrive(v, from_);
@@ -68,17 +68,17 @@ class exact_windows {
   }
 
   /// Whether a window on side s, measured from its start, is worse throughout than going on from one end of the side.
-  bool is_overtaken(int s, const window& w) {
-    return at(t_.start(s)) + w.end < surely * (w.before + norm(w.x - w.end, w.y)) ||
-           at(t_.end(s)) + (length(s) - w.begin) < surely * (w.before + norm(w.x - w.begin, w.y));
+  bool is_dominated(int s, const window& w) {
+    return at(t_.start(s)) + w.end < safe_factor * (w.before + norm(w.x - w.end, w.y)) ||
+           at(t_.end(s)) + (length(s) - w.begin) < safe_factor * (w.before + norm(w.x - w.begin, w.y));
   }
 
   /// A window on side s of a triangle that was crossed goes on into the triangles on the other side.
-  void leave(int s, window w) {
+  void propagate(int s, window w) {
     const double size = length(s);
-    if (!(w.end - w.begin > smallest_part * size) || !(w.y > 0) || is_overtaken(s, w)) return;
+    if (!(w.end - w.begin > smallest_part * size) || !(w.y > 0) || is_dominated(s, w)) return;
     for (int other = t_.twin[static_cast<std::size_t>(s)]; other != s; other = t_.twin[static_cast<std::size_t>(other)]) {
-      if (std::find(barred_.begin(), barred_.end(), other / 3) != barred_.end()) continue;
+      if (std::find(excluded_.begin(), excluded_.end(), other / 3) != excluded_.end()) continue;
       window next = t_.start(other) == t_.start(s) ? w : reversed(w, size);
       next.side = other;
       const double nearest = std::clamp(next.x, next.begin, next.end);
@@ -106,29 +106,29 @@ class exact_windows {
   }
 
   /// The line from the source through `through` meets a side in the direction (x, y), of that length: how far from where both sides start.
-  static double meet(const window& w, double through, double x, double y, double size) {
+  static double intersect_side(const window& w, double through, double x, double y, double size) {
     const double slope = w.y * x - (through - w.x) * y;
     return slope > 0 ? std::min(through * w.y / slope, size) : size;
   }
 
-  void cross(const window& w) {
-    const int s = w.side, to_right = flat_triangles::next(s), to_left = flat_triangles::previous(s);
+  void cross_triangle(const window& w) {
+    const int s = w.side, to_right = unfolded_triangles::next(s), to_left = unfolded_triangles::previous(s);
     if (w.source >= 0 && w.before > at(w.source)) return;
     const double size = length(s);
-    const flat_triangles::place top = apex(s);
+    const unfolded_triangles::place top = apex(s);
     const double middle = w.x + (top.x - w.x) * (w.y / (w.y + top.y));  // where the line from the source to the apex crosses the side
     const bool meets_left = w.begin < middle, meets_right = w.end > middle;
     bool left = meets_left, right = meets_right;
     if (left && right) {
       const double there = w.before + norm(top.x - w.x, top.y + w.y);
       const double sine = w.y * top.x + top.y * w.x, cosine = top.y * (w.y + top.y) - top.x * (w.x - top.x);
-      if (there < at(t_.start(to_left))) reach(t_.start(to_left), there, to_left, std::clamp(std::atan2(sine, cosine), 0.0, angle(to_left)));
+      if (there < at(t_.start(to_left))) relax_vert(t_.start(to_left), there, to_left, std::clamp(std::atan2(sine, cosine), 0.0, angle(to_left)));
       // Of the windows that see the apex only the first goes on to both sides: the path from it to the apex cuts off one side of all others, which
       // have come through the same triangles unless an edge has more than two.
       arrival& first = first_at_apex_[static_cast<std::size_t>(s)];
       if (there < first.distance) {
         first = {there, middle};
-      } else if (t_.is_manifold && first.distance < surely * there) {
+      } else if (t_.is_manifold && first.distance < safe_factor * there) {
         if (first.crossing < middle - 1e-12 * size) left = false;
         if (first.crossing > middle + 1e-12 * size) right = false;
       }
@@ -136,29 +136,29 @@ class exact_windows {
     if (left) {
       const double along = length(to_left), cx = top.x / along, cy = top.y / along;
       window next = w;  // from the corner where side s starts
-      next.begin = meet(w, w.begin, cx, cy, along);
-      next.end = meets_right ? along : meet(w, w.end, cx, cy, along);
+      next.begin = intersect_side(w, w.begin, cx, cy, along);
+      next.end = meets_right ? along : intersect_side(w, w.end, cx, cy, along);
       next.x = cx * w.x - cy * w.y;
       next.y = cx * w.y + cy * w.x;
       const double px = next.begin * cx, py = next.begin * cy;
-      if (!(at(t_.end(s)) + norm(size - px, py) < surely * (w.before + norm(px - w.x, py + w.y)))) leave(to_left, reversed(next, along));
+      if (!(at(t_.end(s)) + norm(size - px, py) < safe_factor * (w.before + norm(px - w.x, py + w.y)))) propagate(to_left, reversed(next, along));
     }
     if (right) {
       const window mirrored = reversed(w, size);
       const double along = length(to_right), cx = (size - top.x) / along, cy = top.y / along;
       window next = w;
-      next.begin = meet(mirrored, mirrored.begin, cx, cy, along);
-      next.end = meets_left ? along : meet(mirrored, mirrored.end, cx, cy, along);
+      next.begin = intersect_side(mirrored, mirrored.begin, cx, cy, along);
+      next.end = meets_left ? along : intersect_side(mirrored, mirrored.end, cx, cy, along);
       next.x = cx * mirrored.x - cy * w.y;
       next.y = cx * w.y + cy * mirrored.x;
       const double px = next.begin * cx, py = next.begin * cy;
-      if (!(at(t_.start(s)) + norm(size - px, py) < surely * (w.before + norm(px - mirrored.x, py + w.y)))) leave(to_right, next);
+      if (!(at(t_.start(s)) + norm(size - px, py) < safe_factor * (w.before + norm(px - mirrored.x, py + w.y)))) propagate(to_right, next);
     }
   }
 
   /// Paths turn at vert v into the directions of corner c between two angles from the side that starts there, tolerance included.
-  void turn_into(int v, int c, double low, double high) {
-    const int s = flat_triangles::next(c), last = flat_triangles::previous(c);
+  void propagate_into_corner(int v, int c, double low, double high) {
+    const int s = unfolded_triangles::next(c), last = unfolded_triangles::previous(c);
     const double x = apex(s).x, y = apex(s).y;
     const auto meeting = [&](double from_side) {
       const double along = y * std::cos(from_side) + x * std::sin(from_side), across = y * std::sin(from_side) - x * std::cos(from_side);
@@ -166,28 +166,28 @@ class exact_windows {
     };
     const bool first_side = low <= 0, second_side = high >= angle(c);
     const double before = at(v);
-    if (first_side) reach(t_.start(s), before + length(c), s, angle(s));
-    if (second_side) reach(t_.start(last), before + length(last), last, 0);
-    leave(s, {first_side ? 0 : meeting(low), second_side ? length(s) : meeting(high), x, y, before, s, v});
+    if (first_side) relax_vert(t_.start(s), before + length(c), s, angle(s));
+    if (second_side) relax_vert(t_.start(last), before + length(last), last, 0);
+    propagate(s, {first_side ? 0 : meeting(low), second_side ? length(s) : meeting(high), x, y, before, s, v});
   }
 
-  void pass(int v) {
+  void propagate_from_vert(int v) {
     const auto i = static_cast<std::size_t>(v);
     from_ = path_tree::at_vert(v);
-    const double from = direction_[i], whole = t_.whole_turn[i], half = std::numbers::pi - flat_triangles::turn_tolerance;
+    const double from = direction_[i], whole = t_.whole_turn[i], half = std::numbers::pi - unfolded_triangles::turn_tolerance;
     for (int k = t_.first_corner[i]; k < t_.first_corner[i + 1]; ++k) {
       const int c = t_.corner[static_cast<std::size_t>(k)];
       const double size = angle(c);
       // parts of the fan, from its first side or from a whole turn further on
       const auto part = [&](double low, double high) {
         if (low > high || high < 0 || low > size) return;
-        if (t_.is_backward[static_cast<std::size_t>(c)]) turn_into(v, c, size - high, size - low);
-        else turn_into(v, c, low, high);
+        if (t_.is_backward[static_cast<std::size_t>(c)]) propagate_into_corner(v, c, size - high, size - low);
+        else propagate_into_corner(v, c, low, high);
       };
       const double begin = t_.turn[static_cast<std::size_t>(c)];
-      if (t_.around[i] == flat_triangles::surrounding::other || std::isnan(from)) {
-        turn_into(v, c, 0, size);
-      } else if (t_.around[i] == flat_triangles::surrounding::fan) {
+      if (t_.around[i] == unfolded_triangles::vert_fan::other || std::isnan(from)) {
+        propagate_into_corner(v, c, 0, size);
+      } else if (t_.around[i] == unfolded_triangles::vert_fan::fan) {
         part(from + half - begin, from + whole - half - begin);
         part(from + half - begin - whole, from - half - begin);
       } else {
@@ -200,29 +200,29 @@ class exact_windows {
   /// The sides of a triangle, and a place in it as each of them has it: along the side and off it.
   struct in_triangle {
     std::array<int, 3> side;
-    std::array<flat_triangles::place, 3> from;
+    std::array<unfolded_triangles::place, 3> from;
   };
-  in_triangle seen_from_sides(int s, flat_triangles::place p) const {
-    const int right = flat_triangles::next(s), left = flat_triangles::previous(s);
+  in_triangle seen_from_edges(int s, unfolded_triangles::place p) const {
+    const int right = unfolded_triangles::next(s), left = unfolded_triangles::previous(s);
     const double back = length(s) - p.x, lx = apex(s).x / length(left), ly = apex(s).y / length(left);
     const double rx = (length(s) - apex(s).x) / length(right), ry = apex(s).y / length(right);
     return {{s, right, left}, {{p, {rx * back + ry * p.y, ry * back - rx * p.y}, {length(left) - (lx * p.x + ly * p.y), ly * p.x - lx * p.y}}}};
   }
-  bool is_off(int s, flat_triangles::place p) const { return p.y > smallest_part * length(s); }
+  bool is_off(int s, unfolded_triangles::place p) const { return p.y > smallest_part * length(s); }
 
   /// Straight ways from there through the triangle.
   void start_in(const in_triangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const flat_triangles::place p = t.from[k];
+      const unfolded_triangles::place p = t.from[k];
       const int s = t.side[k];
-      reach(t_.start(s), norm(p.x, p.y), s, std::clamp(std::atan2(p.y, p.x), 0.0, angle(s)));
-      if (is_off(s, p)) leave(s, {0, length(s), p.x, p.y, 0, s, -1});
+      relax_vert(t_.start(s), norm(p.x, p.y), s, std::clamp(std::atan2(p.y, p.x), 0.0, angle(s)));
+      if (is_off(s, p)) propagate(s, {0, length(s), p.x, p.y, 0, s, -1});
     }
   }
 
  public:
   /// paths: an empty tree, which takes up how the shortest paths run.
-  explicit exact_windows(const flat_triangles& t, path_tree* paths = nullptr)
+  explicit exact_windows(const unfolded_triangles& t, path_tree* paths = nullptr)
       : t_(t), paths_(paths), distance_(t.around.size(), infinity), direction_(t.around.size()), first_at_apex_(t.vert.size()) {}
 
   /// A source at vert v, where paths have that length already.
@@ -236,17 +236,17 @@ class exact_windows {
 
   /// The only source, in the triangle of side s: so far along the side, and off it.
   void add_place(int s, double x, double y) {
-    std::vector<in_triangle> all{seen_from_sides(s, {x, y})};
+    std::vector<in_triangle> all{seen_from_edges(s, {x, y})};
     for (std::size_t k = 0; k < 3; ++k) {
       const int side = all[0].side[k];
-      const flat_triangles::place p = all[0].from[k];
+      const unfolded_triangles::place p = all[0].from[k];
       if (norm(p.x, p.y) <= smallest_part * length(side)) return add_vert(t_.start(side), norm(p.x, p.y));
       if (is_off(side, p)) continue;
       if (paths_) paths_->start_on(side, std::clamp(p.x / length(side), 0.0, 1.0));
       for (int other = t_.twin[static_cast<std::size_t>(side)]; other != side; other = t_.twin[static_cast<std::size_t>(other)])
-        all.push_back(seen_from_sides(other, {t_.start(other) == t_.start(side) ? p.x : length(side) - p.x, 0}));
+        all.push_back(seen_from_edges(other, {t_.start(other) == t_.start(side) ? p.x : length(side) - p.x, 0}));
     }
-    for (const in_triangle& t : all) barred_.push_back(t.side[0] / 3);
+    for (const in_triangle& t : all) excluded_.push_back(t.side[0] / 3);
     from_ = path_tree::at_place;
     for (const in_triangle& t : all) start_in(t);
   }
@@ -255,17 +255,17 @@ class exact_windows {
   const std::vector<double>& run(int target = -1) {
     while (!events_.empty()) {
       const auto [when, what] = events_.front();
-      if (target >= 0 && surely * when > at(target)) break;
+      if (target >= 0 && safe_factor * when > at(target)) break;
       std::pop_heap(events_.begin(), events_.end(), later);
       events_.pop_back();
       if (what < 0) {
-        if (when == at(-1 - what)) pass(-1 - what);
+        if (when == at(-1 - what)) propagate_from_vert(-1 - what);
         continue;
       }
       const window w = windows_[static_cast<std::size_t>(what)];
       unused_.push_back(what);
       if (paths_) from_ = node_[static_cast<std::size_t>(what)];
-      cross(w);
+      cross_triangle(w);
       if (paths_) paths_->release(from_);
     }
     return distance_;

@@ -4,7 +4,7 @@
 
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/fields/detail/another_solver.hpp>
+#include <concino/fields/detail/make_similar_solver.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 
 #include <Eigen/SparseCore>
@@ -37,8 +37,8 @@ class heat_system {
   static constexpr double none = -std::numeric_limits<double>::infinity();
   /// Heat starts from 2^lift and is trusted down to 2^-lift, about 1.4 lift times the square root of the time: as far as double precision goes, or,
   /// of solvers that iterate, as far as what is little beside the rest has correct digits.
-  static int lift(const Solver& solver) { return core::iterates(solver) ? 13 : 900; }
-  static constexpr int most_rounds = 100;  // of carrying on; 70 times more where they are short
+  static int scale_exponent(const Solver& solver) { return core::is_iterative(solver) ? 13 : 900; }
+  static constexpr int max_rounds = 100;  // of carrying on; 70 times more where they are short
 
   struct factorised {
     Eigen::SparseMatrix<double> lower;  // triangle
@@ -69,22 +69,22 @@ class heat_system {
  public:
   /// stiffness: minus a Laplacian, the lower triangle with every diagonal entry present. mean_mass: of the verts, 0 if there are none.
   heat_system(Eigen::SparseMatrix<double>&& stiffness, corner_fluxes&& corners, double mean_mass, const Solver& solver)
-      : poisson_{std::move(stiffness), another_solver(solver)}, corners_(std::move(corners)) {
+      : poisson_{std::move(stiffness), make_similar_solver(solver)}, corners_(std::move(corners)) {
     const int n = static_cast<int>(poisson_.lower.cols());
     find_components(n);
     if (mean_mass > 0) unit_ = std::ilogb(mean_mass);
     // Only differences of the solution count, so one vert of each component is held; the sum of the load being 0, it is held without force.
     for (int i = 0; i < n; ++i) {
       if (component(i) != i) continue;
-      double& held = diagonal(poisson_.lower, i);
-      held = held > 0 ? 2 * held : 1;
+      double& constrained = diagonal(poisson_.lower, i);
+      constrained = constrained > 0 ? 2 * constrained : 1;
     }
     poisson_.factorize();
   }
 
   /// lower: the masses plus the time times minus a Laplacian, of the same pattern.
   void add_heat(Eigen::SparseMatrix<double>&& lower, const Solver& solver) {
-    heats_.push_back({std::move(lower), another_solver(solver)});
+    heats_.push_back({std::move(lower), make_similar_solver(solver)});
     if constexpr (requires(Solver& s) { s.use_order_of(s); }) heats_.back().solver->use_order_of(*poisson_.solver);
     for (int i = 0; i < heats_.back().lower.cols(); ++i)
       if (double& x = diagonal(heats_.back().lower, i); !(x > 0)) x = 1;  // a vert of no poly
@@ -96,20 +96,20 @@ class heat_system {
   bool is_heat_negative() const {
     const auto size = component_.size();
     std::vector<heat_source> sources;
-    std::vector<unsigned char> is_warm(size);
+    std::vector<unsigned char> is_heated(size);
     for (const int v : corners_.vert)
-      if (unsigned char& known = is_warm[static_cast<std::size_t>(component(v))]; !known) {
+      if (unsigned char& known = is_heated[static_cast<std::size_t>(component(v))]; !known) {
         known = 1;
         sources.push_back({component(v), 1});
       }
-    std::size_t cold = 0, all = 0;
+    std::size_t num_negative = 0, all = 0;
     const std::vector<double> log_u = log_heat(sources);
     for (std::size_t i = 0; i < size; ++i) {
-      if (!is_warm[static_cast<std::size_t>(component_[i])]) continue;
+      if (!is_heated[static_cast<std::size_t>(component_[i])]) continue;
       ++all;
-      cold += log_u[i] == none;
+      num_negative += log_u[i] == none;
     }
-    return cold > 0 && 500 * cold >= all;
+    return num_negative > 0 && 500 * num_negative >= all;
   }
   void forget_heat() { heats_.clear(); }
 
@@ -122,13 +122,13 @@ class heat_system {
   /// beyond, what is left, u - v, solves the same system with the right-hand side b - K v, which stands on both sides of that frontier,
   /// and can be multiplied by as much as is needed.
   std::vector<double> log_heat(const std::vector<heat_source>& sources) const {
-    const settled a = settle(heats_.front(), sources);
+    const rescaled_heat a = solve_rescaled(heats_.front(), sources);
     std::vector<double> sum(a.heat.size());
     if (heats_.size() == 1) {
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = a.log(i);
       return sum;
     }
-    const settled b = settle(heats_.back(), sources);
+    const rescaled_heat b = solve_rescaled(heats_.back(), sources);
     for (std::size_t i = 0; i < sum.size(); ++i) {
       if (a.round[i] == b.round[i] && a.per_round == b.per_round) {
         sum[i] = a.log_of(a.heat[i] + b.heat[i], a.round[i]);
@@ -142,7 +142,7 @@ class heat_system {
 
   /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which points where that of -u does. Gradients
   /// that are very small are divided by their largest component before they are squared; where one is 0 nothing is asked of the function.
-  Eigen::VectorXd rise_along(const std::vector<double>& log_u) const {
+  Eigen::VectorXd integrate_gradient(const std::vector<double>& log_u) const {
     Eigen::VectorXd b = Eigen::VectorXd::Zero(poisson_.lower.cols());
     for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p) {
       const std::size_t first = corners_.begin[p], end = corners_.begin[p + 1];
@@ -162,7 +162,7 @@ class heat_system {
 
  private:
   /// Heat at each vert times 2^(2 lift) for each of the rounds of carrying on before it was found.
-  struct settled {
+  struct rescaled_heat {
     std::vector<double> heat;  // 0 where it is not positive
     std::vector<int> round;    // -1 where nothing was found
     double per_round;          // logarithm of that factor
@@ -171,20 +171,20 @@ class heat_system {
     double log(std::size_t i) const { return log_of(heat[i], round[i]); }
   };
 
-  settled settle(const factorised& heat, const std::vector<heat_source>& sources) const {
+  rescaled_heat solve_rescaled(const factorised& heat, const std::vector<heat_source>& sources) const {
     const int n = static_cast<int>(heat.lower.cols());
     const auto size = static_cast<std::size_t>(n);
-    const int up = lift(*heat.solver), rounds = up < 900 ? 70 * most_rounds : most_rounds;
+    const int up = scale_exponent(*heat.solver), rounds = up < 900 ? 70 * max_rounds : max_rounds;
     const double least = std::ldexp(1.0, -up);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n), u;
     std::vector<unsigned char> has_source(size);
     std::vector<int> unit(size, unit_);  // of each component; where little is trusted, its heat starts from near 2^lift whatever its verts' masses
     for (const heat_source& s : sources) {
       const auto c = static_cast<std::size_t>(component(s.vert));
-      if (core::iterates(*heat.solver) && (!has_source[c] || s.strength == 1)) unit[c] = std::ilogb(heat.lower.coeff(s.vert, s.vert));
+      if (core::is_iterative(*heat.solver) && (!has_source[c] || s.strength == 1)) unit[c] = std::ilogb(heat.lower.coeff(s.vert, s.vert));
       has_source[c] = 1;
     }
-    settled found{std::vector<double>(size), std::vector<int>(size, -1), 2 * up * std::log(2.0)};
+    rescaled_heat found{std::vector<double>(size), std::vector<int>(size, -1), 2 * up * std::log(2.0)};
     std::vector<int>& round_of = found.round;
     const auto add_sources = [&](int round) {  // that have not been seen yet, being weaker than others
       bool any = false;
@@ -198,7 +198,7 @@ class heat_system {
     std::size_t left = 0;
     for (int i = 0; i < n; ++i) left += has_source[static_cast<std::size_t>(component(i))];
     for (int round = 0; left > 0 && round < rounds; ++round) {
-      if (round > 0) load_beyond(heat.lower, u, round_of, round - 1, 2 * up, b);
+      if (round > 0) continuation_rhs(heat.lower, u, round_of, round - 1, 2 * up, b);
       const bool waits = add_sources(round);
       u = heat.solver->solve(b);
       const std::size_t before = left;
@@ -216,7 +216,7 @@ class heat_system {
   }
 
   /// b = -K v off the verts where v stands, and what makes up for it where it does, times 2^up; v is u at the verts settled in `round`.
-  static void load_beyond(const Eigen::SparseMatrix<double>& heat, const Eigen::VectorXd& u, const std::vector<int>& round_of, int round, int up,
+  static void continuation_rhs(const Eigen::SparseMatrix<double>& heat, const Eigen::VectorXd& u, const std::vector<int>& round_of, int round, int up,
                           Eigen::VectorXd& b) {
     b.setZero();
     for (int c = 0; c < heat.cols(); ++c)

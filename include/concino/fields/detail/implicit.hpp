@@ -39,38 +39,38 @@ inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, 
 /// Both triangles of the mass that goes with a discretisation: its own, lumped, or the Galerkin mass.
 /// Errors: invalid_mesh if a vert with edges has no mass, and those of lumped_masses and mass_matrix.
 template<class M, class D>
-Eigen::SparseMatrix<double> mass_beside(const M& m, const D& discretisation, bool lumped, const char* who) {
+Eigen::SparseMatrix<double> mass_beside(const M& m, const D& discretisation, bool lumped, const char* caller) {
   if constexpr (!requirement::has_masses<D, M>)
     if (!lumped) return mass_matrix(m, {.lumped = false});
-  const std::vector<double> mass = lumped_masses(m, discretisation, who);
+  const std::vector<double> mass = lumped_masses(m, discretisation, caller);
   return diagonal_matrix(mass.data(), mass.size());
 }
 
 template<class M>
 class implicit_system {
-  held_system<M> system_;
+  constrained_system<M> system_;
   Eigen::SparseMatrix<double> mass_;
-  const char* who_;
+  const char* caller_;
 
  public:
   /// mass and k: both triangles. Not yet factorised.
-  implicit_system(const M& m, held_verts<M>&& held, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
-                  const char* who)
-      : system_(std::move(held)), who_(who) {
+  implicit_system(const M& m, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
+                  const char* caller)
+      : system_(std::move(constrained)), caller_(caller) {
     mass_.swap(mass);  // Eigen 3.4 would copy what is moved
     system_.verts.number_all(m);
     for (const vert_t<M> v : verts(m)) {
       const auto i = index_of(m, v);
       if (system_.verts.unknown[v] >= 0 && !has_mass(mass_, i))
-        core::throw_joined<invalid_mesh>({who_, ": vert ", i, " has edges but no polys, so no mass; use uniform"});
+        core::throw_joined<invalid_mesh>({caller_, ": vert ", i, " has edges but no polys, so no mass; use uniform"});
     }
     system_.restrict_to_unknowns(sum_of(mass_, amount, k));
   }
 
-  const held_verts<M>& held() const { return system_.verts; }
+  const constrained_verts<M>& constrained() const { return system_.verts; }
 
   template<class Solver>
-  void factorize(Solver& solver, const progress& told) const { system_.factorize(solver, told, who_); }
+  void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller_); }
 
   /// The values of a readable map at all verts.
   /// Errors: invalid_argument if one is not finite at a vert that has edges or is held.
@@ -79,10 +79,10 @@ class implicit_system {
     auto u = make_vert_map<T>(m);
     for (const vert_t<M> v : verts(m)) {
       const T x = u[v] = as_field_value<T>(f[v]);
-      if (system_.verts.unknown[v] == held_verts<M>::isolated) continue;
+      if (system_.verts.unknown[v] == constrained_verts<M>::isolated) continue;
       for (std::size_t k = 0; k < parts_of<T>; ++k)
         if (!std::isfinite(part(x, k)))
-          core::throw_joined<invalid_argument>({who_, ": the value at vert ", index_of(m, v), " is not finite"});
+          core::throw_joined<invalid_argument>({caller_, ": the value at vert ", index_of(m, v), " is not finite"});
     }
     return u;
   }
@@ -99,7 +99,7 @@ class implicit_system {
       for (int l = begin[c]; l < begin[c + 1]; ++l) sum += entry[l] * part(at[row[l]], k);
       return sum;
     };
-    system_.template solve<T>(solver, load, f, who_);
+    system_.template solve<T>(solver, load, f, caller_);
   }
 };
 

@@ -23,7 +23,7 @@ namespace concino::detail {
 /// Errors: invalid_mesh that names a vert with edges but without mass, and those of vert_masses; invalid_argument if the mass that the discretisation
 ///         gives at such a vert is not a positive number.
 template<class M, class D>
-std::vector<double> lumped_masses(const M& m, const D& discretisation, const char* who) {
+std::vector<double> lumped_masses(const M& m, const D& discretisation, const char* caller) {
   std::vector<double> r(vert_index_bound(m), 1.0);
   const auto has_edges = [&](const vert_t<M>& v) {
     const auto& around = adj_v2v(m, v);
@@ -35,14 +35,14 @@ std::vector<double> lumped_masses(const M& m, const D& discretisation, const cha
       const auto i = index_of(m, v);
       r[i] = static_cast<double>(mass[v]);
       if (!(r[i] > 0 && std::isfinite(r[i])) && has_edges(v))
-        core::throw_joined<invalid_argument>({who, ": the discretisation gives vert ", i, " the mass ", core::number_text(r[i]), "; masses must be positive and finite"});
+        core::throw_joined<invalid_argument>({caller, ": the discretisation gives vert ", i, " the mass ", core::number_text(r[i]), "; masses must be positive and finite"});
     }
   } else {
     const auto mass = vert_masses(m);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = mass.data()[i];
     for (const vert_t<M> v : verts(m))
       if (!(mass[v] > 0) && has_edges(v))
-        core::throw_joined<invalid_mesh>({who, ": vert ", index_of(m, v),
+        core::throw_joined<invalid_mesh>({caller, ": vert ", index_of(m, v),
                                     " has edges but no polys with a measure, so no mass; use uniform"});
   }
   return r;
@@ -63,18 +63,18 @@ Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, c
 /// The same with A minus the Laplacian and M the lumped mass.
 /// Errors: as lumped_masses; unsupported where 32-bit indices do not suffice; those of laplacian.
 template<class M, class D>
-Eigen::SparseMatrix<double> polyharmonic(const M& m, const D& discretisation, int exponent, const char* who) {
+Eigen::SparseMatrix<double> polyharmonic(const M& m, const D& discretisation, int exponent, const char* caller) {
   if (exponent == 1) return minus_laplacian(m, discretisation);
   const Eigen::SparseMatrix<double> a = minus_laplacian(m, discretisation);
-  return polyharmonic(a, lumped_masses(m, discretisation, who), exponent);
+  return polyharmonic(a, lumped_masses(m, discretisation, caller), exponent);
 }
 
 /// The system of the unknowns of that. m: the mesh whose verts are held, or a view of it.
 template<class At, class M, class D>
-held_system<M> laplace_system(const At& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
-  held_system<M> r(std::move(held));
+constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
+  constrained_system<M> r(std::move(constrained));
   if (exponent > 1) {  // of powers the verts with given values are part too
-    r.restrict_to_unknowns(polyharmonic(m, discretisation, exponent, who));
+    r.restrict_to_unknowns(polyharmonic(m, discretisation, exponent, caller));
     return r;
   }
   const auto& unknown = r.verts.unknown;
@@ -85,7 +85,7 @@ held_system<M> laplace_system(const At& m, held_verts<M>&& held, const D& discre
         auto lower = core::assemble<core::lower_triangle>(
             m, weights, static_cast<std::size_t>(r.verts.unknowns), 1.0, [&](const vert_t<M>& v) { return unknown[v]; },
             [](int, const vert_t<M>&, double) {});
-        for (const vert_t<M>& v : r.verts.given)
+        for (const vert_t<M>& v : r.verts.prescribed)
           weights.for_each_neighbour(v, [&](const vert_t<M>& w, double weight) {
             if (const int row = unknown[w]; row >= 0) r.couplings.push_back({row, static_cast<int>(index_of(m, v)), weight});
           });
@@ -102,9 +102,9 @@ held_system<M> laplace_system(const At& m, held_verts<M>&& held, const D& discre
 
 /// The unknowns numbered, and their system at a size near 1: no factor of the Laplacian changes a harmonic map.
 template<class M, class D>
-held_system<M> unit_laplace_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
-  held.number_reached(m, who);
-  return at_unit_size(m, discretisation, [&](const auto& at, int) { return laplace_system(at, std::move(held), discretisation, exponent, who); });
+constrained_system<M> unit_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
+  constrained.number_reached(m, caller);
+  return at_unit_size(m, discretisation, [&](const auto& at, int) { return laplace_system(at, std::move(constrained), discretisation, exponent, caller); });
 }
 
 /// Those for which the compiled library has the system of its own meshes.
@@ -112,12 +112,12 @@ template<class D> inline constexpr bool is_of_library = std::same_as<D, virtual_
 
 /// The same, defined in the compiled library only.
 template<class M, class D>
-held_system<M> precompiled_laplace_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who);
+constrained_system<M> precompiled_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller);
 
 template<class M, class D>
-held_system<M> harmonic_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
-  if constexpr (core::is_precompiled<M> && is_of_library<D>) return precompiled_laplace_system(m, std::move(held), discretisation, exponent, who);
-  else return unit_laplace_system(m, std::move(held), discretisation, exponent, who);
+constrained_system<M> harmonic_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
+  if constexpr (core::is_precompiled<M> && is_of_library<D>) return precompiled_laplace_system(m, std::move(constrained), discretisation, exponent, caller);
+  else return unit_laplace_system(m, std::move(constrained), discretisation, exponent, caller);
 }
 
 }  // namespace concino::detail

@@ -32,13 +32,13 @@ CONCINO_INLINE Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatri
 #ifdef CONCINO_COMPILED
 
 template<class M, class D>
-held_system<M> precompiled_laplace_system(const M& m, held_verts<M>&& held, const D& discretisation, int exponent, const char* who) {
-  return unit_laplace_system(m, std::move(held), discretisation, exponent, who);
+constrained_system<M> precompiled_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
+  return unit_laplace_system(m, std::move(constrained), discretisation, exponent, caller);
 }
 
 #define CONCINO_DEFINE_LAPLACE_SYSTEMS(MESH)                                                                                                   \
-  template held_system<MESH> precompiled_laplace_system(const MESH&, held_verts<MESH>&&, const virtual_elements_t&, int, const char*);        \
-  template held_system<MESH> precompiled_laplace_system(const MESH&, held_verts<MESH>&&, const uniform_t&, int, const char*)
+  template constrained_system<MESH> precompiled_laplace_system(const MESH&, constrained_verts<MESH>&&, const virtual_elements_t&, int, const char*);        \
+  template constrained_system<MESH> precompiled_laplace_system(const MESH&, constrained_verts<MESH>&&, const uniform_t&, int, const char*)
 CONCINO_DEFINE_LAPLACE_SYSTEMS(trimesh);
 CONCINO_DEFINE_LAPLACE_SYSTEMS(quadmesh);
 CONCINO_DEFINE_LAPLACE_SYSTEMS(polygonmesh);

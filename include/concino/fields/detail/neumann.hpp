@@ -38,15 +38,15 @@ void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
 }
 
 template<class M>
-[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_flux(const char* who, const M& m, const facet_t<M>& x, const char* what) {
+[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_flux(const char* caller, const M& m, const facet_t<M>& x, const char* what) {
   const char* const word = dimension_v<M> == 2 ? "edge " : "face ";
-  core::throw_joined<invalid_argument>({who, ": the flux given at ", word, index_of(m, x), what});
+  core::throw_joined<invalid_argument>({caller, ": the flux given at ", word, index_of(m, x), what});
 }
 
 /// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or none on the boundary; invalid_argument if one is not finite, or two
 ///         different ones are given at one.
 template<class T, AnyMesh M, class N>
-void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const char* who) {
+void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const char* caller) {
   constexpr bool is_surface = dimension_v<M> == 2;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (!(fluxes.begin() != fluxes.end())) return;
@@ -55,17 +55,17 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
     const facet_t<M> x = facet;
     const T flux = as_field_value<T>(number);
     if (!contains(m, x))
-      core::throw_joined<invalid_mesh>({who, is_surface ? ": a flux is given at something that is no edge of the mesh; take edges from edges(m)"
+      core::throw_joined<invalid_mesh>({caller, is_surface ? ": a flux is given at something that is no edge of the mesh; take edges from edges(m)"
                                                   : ": a flux is given at something that is no face of the mesh; take faces from faces(m)"});
     const std::size_t polys = num_elements(adj_facet2p(m, x));
     if (polys != 1)
-      core::throw_joined<invalid_mesh>({who, ": a flux is given at ", is_surface ? "edge " : "face ", index_of(m, x),
+      core::throw_joined<invalid_mesh>({caller, ": a flux is given at ", is_surface ? "edge " : "face ", index_of(m, x),
                                   ", which has ", polys, " polys and so is not on the boundary; it can be given where there is one"});
     T& before = known[x];
     const bool again = !std::isnan(part(before, 0));
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      if (!std::isfinite(part(flux, k))) throw_bad_flux(who, m, x, " is not finite");
-      if (again && part(before, k) != part(flux, k)) throw_bad_flux(who, m, x, " is not the one given there before; keep one");
+      if (!std::isfinite(part(flux, k))) throw_bad_flux(caller, m, x, " is not finite");
+      if (again && part(before, k) != part(flux, k)) throw_bad_flux(caller, m, x, " is not the one given there before; keep one");
     }
     if (again) continue;
     before = flux;

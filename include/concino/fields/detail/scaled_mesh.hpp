@@ -14,15 +14,15 @@ namespace views {
 
 /// The mesh with all coordinates times 2^-exponent, which changes no digit of them but those that fall below the least double.
 template<class M>
-class scaled : public shown<M> {
+class scaled : public view_base<M> {
   int exponent_;
   double half_, other_half_;  // of the factor, which may be no double
 
  public:
   scaled(const M& m, int exponent)
-      : shown<M>(m), exponent_(exponent), half_(std::ldexp(1.0, -(exponent / 2))), other_half_(std::ldexp(1.0, exponent / 2 - exponent)) {}
+      : view_base<M>(m), exponent_(exponent), half_(std::ldexp(1.0, -(exponent / 2))), other_half_(std::ldexp(1.0, exponent / 2 - exponent)) {}
   int exponent() const { return exponent_; }
-  vec3 down(const vec3& x) const { return other_half_ * (half_ * x); }
+  vec3 scale_down(const vec3& x) const { return other_half_ * (half_ * x); }
 };
 
 }  // namespace views
@@ -30,7 +30,7 @@ class scaled : public shown<M> {
 template<class M>
 struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>, detail::fixed_arity<arity_v<M>> {
   static constexpr bool is_view = true;
-  static vec3 point(const views::scaled<M>& m, const vert_t<M>& v) { return m.down(to_vec3(traits<M>::point(m.base(), v))); }
+  static vec3 point(const views::scaled<M>& m, const vert_t<M>& v) { return m.scale_down(to_vec3(traits<M>::point(m.base(), v))); }
 };
 
 namespace detail {

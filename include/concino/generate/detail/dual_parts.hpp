@@ -3,7 +3,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/facets.hpp>
-#include <concino/generate/detail/read_wedges.hpp>
+#include <concino/generate/detail/read_sectors.hpp>
 #include <concino/geometry/centroid.hpp>
 
 #include <array>
@@ -23,9 +23,9 @@ class dual_parts {
 
   /// Sides: of the faces of a volume.
   template<class... Sides>
-  dual_parts(const M& m, bool clipped, const Sides&... sides) : m_(m), polys_at_(facet_index_bound(m), {none, none}), fans_(hub_bound()) {
+  dual_parts(const M& m, bool clipped, const Sides&... sides) : m_(m), polys_at_(facet_index_bound(m), {none, none}), fans_(centre_bound()) {
     read_polys();
-    read_wedges(m, [&](const poly_t<M>& p) { return number_of(p); }, fans_, sides...);
+    read_sectors(m, [&](const poly_t<M>& p) { return number_of(p); }, fans_, sides...);
     add_facet_verts(clipped);
   }
 
@@ -36,9 +36,9 @@ class dual_parts {
   bool is_used(std::size_t facet) const { return polys_at_[facet][0] != none; }
   bool is_border(std::size_t facet) const { return is_used(facet) && polys_at_[facet][1] == none; }
   /// Whether a hub has polys around it, and whether it lies at the border.
-  bool has_polys(std::size_t hub) { return !fans_[hub].empty(); }
-  bool is_border_hub(std::size_t hub) {
-    for (const wedge& w : fans_[hub])
+  bool has_polys(std::size_t centre) { return !fans_[centre].empty(); }
+  bool is_border_centre(std::size_t centre) {
+    for (const sector& w : fans_[centre])
       if (is_border(w.in) || is_border(w.out)) return true;
     return false;
   }
@@ -53,16 +53,16 @@ class dual_parts {
 
   /// Adds the loop around a hub to `loop`, counter-clockwise. At the border it ends with hub_vert.
   /// Errors: invalid_mesh if the polys are no fan.
-  void add_loop(std::size_t hub, std::uint32_t hub_vert, std::vector<vert_id>& loop) {
-    const fan_kind kind = fans_.arrange(hub, [&](std::uint32_t f) { return is_border(f); });
-    if (kind == fan_kind::broken) refuse_dual(is_surface ? "the polys around vert " : "the polys around edge ", hub, " are no single fan");
-    for (const wedge& w : fans_[hub]) {
+  void add_loop(std::size_t centre, std::uint32_t centre_vert, std::vector<vert_id>& loop) {
+    const fan_kind kind = fans_.arrange(centre, [&](std::uint32_t f) { return is_border(f); });
+    if (kind == fan_kind::broken) throw_no_dual(is_surface ? "the polys around vert " : "the polys around edge ", centre, " are no single fan");
+    for (const sector& w : fans_[centre]) {
       if (facet_vert_[w.in] != none) loop.push_back(vert_id{facet_vert_[w.in]});
       loop.push_back(vert_id{w.poly});
     }
     if (kind == fan_kind::open) {
-      loop.push_back(vert_id{facet_vert_[fans_[hub].back().out]});
-      loop.push_back(vert_id{hub_vert});
+      loop.push_back(vert_id{facet_vert_[fans_[centre].back().out]});
+      loop.push_back(vert_id{centre_vert});
     }
   }
 
@@ -71,9 +71,9 @@ class dual_parts {
   std::vector<std::uint32_t> poly_number_;                   // by index
   core::flat_array<std::array<std::uint32_t, 2>> polys_at_;        // by facet
   std::vector<std::uint32_t> facet_vert_;
-  wedge_fans fans_;
+  sector_fans fans_;
 
-  std::size_t hub_bound() const {
+  std::size_t centre_bound() const {
     if constexpr (is_surface) return vert_index_bound(m_);  // hubs are what facets meet in
     else return edge_index_bound(m_);
   }
@@ -83,11 +83,11 @@ class dual_parts {
     core::reserve_large(points, num_polys(m_));
     for (const poly_t<M> p : polys(m_)) {
       const vec3 x = TriMesh<M> || TetMesh<M> ? vert_mean(m_, p) : centroid(m_, p);
-      if (!is_finite(x)) refuse_dual("poly ", index_of(m_, p), " has a vert that is not at a finite point");
+      if (!is_finite(x)) throw_no_dual("poly ", index_of(m_, p), " has a vert that is not at a finite point");
       const std::uint32_t n = poly_number_[index_of(m_, p)] = add_vert(x);
       for (const facet_t<M> f : adj_p2facet(m_, p)) {
         auto& [first, second] = polys_at_[index_of(m_, f)];
-        if (second != none) refuse_dual(is_surface ? "edge " : "face ", index_of(m_, f), " has more than two polys");
+        if (second != none) throw_no_dual(is_surface ? "edge " : "face ", index_of(m_, f), " has more than two polys");
         (first == none ? first : second) = n;
       }
     }

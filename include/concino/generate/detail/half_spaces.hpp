@@ -35,7 +35,7 @@ class half_spaces {
     std::array<double, D> y;  // twice the place times w
     double w;
     double y_size, w_size;  // by these the rounding errors of y and w are bounded
-    double squared_reach;   // at least the square of the distance from the site
+    double squared_radius;   // at least the square of the distance from the site
   };
 
   void begin(const site_lattice<D>& sites, std::uint32_t site) {
@@ -76,7 +76,7 @@ class half_spaces {
     }
     if (v.w < 0x1p20 * unit * v.w_size) solve_well(v);  // half of the digits are lost
     const double r = (size_of(v) + unit * v.y_size) / (v.w - unit * v.w_size) / 2 * (1 + unit);
-    v.squared_reach = r * r;
+    v.squared_radius = r * r;
     return v;
   }
 

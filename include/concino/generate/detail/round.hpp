@@ -25,7 +25,7 @@ inline vec3 in_round_core(const vec3& u) {
   if (length == 0) return u;
   return 0.55 * (1 - 0.5 * far * (1 - far / length)) * u;
 }
-inline vec3 on_round_rim(const vec3& u) { return u / norm(u); }
+inline vec3 on_round_boundary(const vec3& u) { return u / norm(u); }
 /// Layers around a core of n cells a side that are about as thick as its cells.
 constexpr std::size_t layers_around(std::size_t n) { return (n + 1) / 2; }
 

@@ -20,7 +20,7 @@ struct cell_loops {
   std::vector<std::uint32_t> loop_verts;
 };
 
-[[noreturn]] inline void refuse_thin_cell(std::size_t cell) {
+[[noreturn]] inline void throw_thin_cell(std::size_t cell) {
   core::throw_joined<invalid_argument>({"the Voronoi cell of site ", cell,
                                   " is thinner than rounding of the size of the box; remove the site or one of those next to it"});
 }
@@ -93,11 +93,11 @@ void merge_short_edges(cell_loops<D>& c, const site_lattice<D>& sites) {
       }
       const std::uint32_t* const kept = c.loop_verts.data();
       for (std::size_t i = begin; i < out; ++i)
-        if (std::find(kept + begin, kept + i, kept[i]) != kept + i) refuse_thin_cell(cell);
+        if (std::find(kept + begin, kept + i, kept[i]) != kept + i) throw_thin_cell(cell);
       c.neighbours[loops++] = c.neighbours[loop];
       c.vert_offsets[loops] = static_cast<std::uint32_t>(out);
     }
-    if (loops - first_loop < (D == 2 ? 1 : 4)) refuse_thin_cell(cell);
+    if (loops - first_loop < (D == 2 ? 1 : 4)) throw_thin_cell(cell);
     c.loop_offsets[cell + 1] = static_cast<std::uint32_t>(loops);
   }
   c.neighbours.resize(loops);

@@ -1,7 +1,7 @@
 // The polyhedra around the verts of a volume: a face for each edge, closed at the border where cells are clipped there.
 #pragma once
 
-#include <concino/generate/detail/star_checker.hpp>
+#include <concino/generate/detail/vertex_link_checker.hpp>
 #include <concino/mesh/arrays.hpp>
 
 namespace concino::detail {
@@ -14,9 +14,9 @@ class volume_dual {
 
   const M& m_;
   bool clipped_;
-  face_sides<M> sides_;
+  oriented_edge_table<M> oriented_edges_;
   dual_parts<M> parts_;
-  star_checker<M> stars_;
+  vertex_link_checker<M> link_checker_;
   std::vector<unsigned char> on_border_;            // by vert index
   std::vector<std::uint32_t> face_of_, middle_of_;  // by edge index: the dual face, and the dual vert at the midpoint of a border edge
   polyhedra_arrays arrays_;
@@ -24,7 +24,7 @@ class volume_dual {
   void find_border_verts() {
     for (const face_t<M> f : faces(m_))
       if (parts_.is_border(index_of(m_, f)))
-        for (const face_side& s : sides_.of(index_of(m_, f))) on_border_[s.from] = 1;
+        for (const indexed_oriented_edge& s : oriented_edges_.of(index_of(m_, f))) on_border_[s.from] = 1;
   }
 
   void close_face() { arrays_.face_offsets.push_back(static_cast<std::uint32_t>(arrays_.face_verts.size())); }
@@ -41,7 +41,7 @@ class volume_dual {
         middle += 0.5 * to_vec3(point(m_, v));
       }
       if (!wanted) continue;
-      if (parts_.is_border_hub(i)) middle_of_[i] = parts_.add_vert(middle);
+      if (parts_.is_border_centre(i)) middle_of_[i] = parts_.add_vert(middle);
       face_of_[i] = static_cast<std::uint32_t>(arrays_.num_faces());
       parts_.add_loop(i, middle_of_[i], arrays_.face_verts);
       close_face();
@@ -54,7 +54,7 @@ class volume_dual {
       bool any = false;
       for (const edge_t<M> e : adj_v2e(m_, v)) any = any || parts_.has_polys(index_of(m_, e));
       if (!any || (on_border_[i] && !clipped_)) continue;
-      stars_.check(v, on_border_[i]);
+      link_checker_.check(v, on_border_[i]);
       add_cell(v);
     }
   }
@@ -65,7 +65,7 @@ class volume_dual {
       const std::size_t k = index_of(m_, e);
       if (face_of_[k] == none) continue;
       arrays_.poly_faces.push_back(face_id{face_of_[k]});
-      arrays_.outward.push_back(sides_.second_end(k) != i);  // loops turn as seen from the second end
+      arrays_.outward.push_back(oriented_edges_.second_end(k) != i);  // loops turn as seen from the second end
     }
     if (on_border_[i]) close_cell_at_border(v);
     arrays_.poly_offsets.push_back(static_cast<std::uint32_t>(arrays_.poly_faces.size()));
@@ -77,7 +77,7 @@ class volume_dual {
     const std::uint32_t own = parts_.add_vert(to_vec3(point(m_, v)));
     for (const face_t<M> f : adj_v2f(m_, v)) {
       if (!parts_.is_border(index_of(m_, f))) continue;
-      const auto ring = sides_.of(index_of(m_, f));
+      const auto ring = oriented_edges_.of(index_of(m_, f));
       std::size_t k = 0;
       while (ring[k].from != i) ++k;
       const std::uint32_t before = middle_of_[ring[k == 0 ? ring.size() - 1 : k - 1].edge], after = middle_of_[ring[k].edge];
@@ -90,7 +90,7 @@ class volume_dual {
 
  public:
   volume_dual(const M& m, bool clipped)
-      : m_(m), clipped_(clipped), sides_(m), parts_(m, clipped, sides_), stars_(m, parts_), on_border_(vert_index_bound(m)),
+      : m_(m), clipped_(clipped), oriented_edges_(m), parts_(m, clipped, oriented_edges_), link_checker_(m, parts_), on_border_(vert_index_bound(m)),
         face_of_(edge_index_bound(m), none), middle_of_(edge_index_bound(m), none) {}
 
   /// Result: the dual; where cells are not clipped some points may be of no face.

@@ -25,14 +25,14 @@ class voronoi_cell {
         else add_vert({x, z, y});
       }
     }
-    find_reach();
+    find_security_radius();
   }
 
   /// Takes away what is nearer to the other site.
   void cut(const site_lattice<D>& sites, std::uint32_t other) {
     planes_.add_bisector(sites, other);
     const std::uint32_t m = planes_.last();
-    rim_.clear();
+    horizon_.clear();
     bool any = false;
     for (std::size_t i = 0; i < verts_.size();) {
       if (!planes_.is_beyond(verts_[i], m)) {
@@ -48,17 +48,17 @@ class voronoi_cell {
       planes_.drop_last();
       return;
     }
-    assert(!verts_.empty() && rim_.size() >= D);
+    assert(!verts_.empty() && horizon_.size() >= D);
     if constexpr (D == 2) {
-      for (const auto& [k, first] : rim_) first ? add_vert({k, m}) : add_vert({m, k});
+      for (const auto& [k, first] : horizon_) first ? add_vert({k, m}) : add_vert({m, k});
     } else {
-      for (const auto& [a, b] : rim_) add_vert({a, b, m});
+      for (const auto& [a, b] : horizon_) add_vert({a, b, m});
     }
-    find_reach();
+    find_security_radius();
   }
 
   /// No site farther away than this can cut.
-  double reach() const { return reach_; }
+  double security_radius() const { return security_radius_; }
   const std::vector<vert>& verts() const { return verts_; }
   /// The site beyond a plane; of walls, the first 2 D planes, none.
   std::uint32_t beyond(std::uint32_t plane) const { return planes_.beyond(plane); }
@@ -68,15 +68,15 @@ class voronoi_cell {
  private:
   half_spaces<D> planes_;
   std::vector<vert> verts_;
-  std::vector<std::array<std::uint32_t, 2>> rim_;
-  double reach_ = 0;
+  std::vector<std::array<std::uint32_t, 2>> horizon_;
+  double security_radius_ = 0;
 
   void add_vert(const std::array<std::uint32_t, D>& at) { verts_.push_back(planes_.meet(at)); }
 
-  void find_reach() {
+  void find_security_radius() {
     double squared = 0;
-    for (const vert& v : verts_) squared = std::max(squared, v.squared_reach);
-    reach_ = 2 * std::sqrt(squared) * (1 + planes_.unit);
+    for (const vert& v : verts_) squared = std::max(squared, v.squared_radius);
+    security_radius_ = 2 * std::sqrt(squared) * (1 + planes_.unit);
   }
 
   /// Keeps in rim_ what separates the verts that go from those that stay: two planes (D = 2, {plane, whether it comes first}) or edges
@@ -90,13 +90,13 @@ class voronoi_cell {
     }
   }
   void toggle_one(const std::array<std::uint32_t, 2>& x, const std::array<std::uint32_t, 2>& opposite) {
-    for (auto& r : rim_)
+    for (auto& r : horizon_)
       if (r == opposite) {
-        r = rim_.back();
-        rim_.pop_back();
+        r = horizon_.back();
+        horizon_.pop_back();
         return;
       }
-    rim_.push_back(x);
+    horizon_.push_back(x);
   }
 };
 

@@ -73,8 +73,8 @@ class voronoi_complex : private cell_loops<D> {
 
   void add_cell(voronoi_cell<D>& cell, std::uint32_t i, scratch& s, part& out) const {
     cell.begin(sites_, i);
-    sites_.for_each_near(i, [&] { return cell.reach(); }, s.ring, [&](std::uint32_t j, double squared) {
-      if (squared <= cell.reach() * cell.reach()) cell.cut(sites_, j);
+    sites_.for_each_near(i, [&] { return cell.security_radius(); }, s.ring, [&](std::uint32_t j, double squared) {
+      if (squared <= cell.security_radius() * cell.security_radius()) cell.cut(sites_, j);
     });
 
     const auto generator = [&](std::uint32_t plane) { return plane < 2 * D ? sites_.size() + plane : cell.beyond(plane); };

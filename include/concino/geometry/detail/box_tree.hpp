@@ -29,7 +29,7 @@ struct box_node {
     return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y && min.z <= b.max.z && b.min.z <= max.z;
   }
   bool holds(const vec3& x) const { return min.x <= x.x && x.x <= max.x && min.y <= x.y && x.y <= max.y && min.z <= x.z && x.z <= max.z; }
-  bool holds_seen_along(const vec3& x, std::size_t k) const {
+  bool projection_contains(const vec3& x, std::size_t k) const {
     const std::size_t i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
     return min[i] <= x[i] && x[i] <= max[i] && min[j] <= x[j] && x[j] <= max[j];
   }
@@ -47,7 +47,7 @@ struct box_node {
 /// Items are numbered in the order of the leaves.
 class box_tree {
   /// Twice what a build of 2^32 items can reach.
-  static constexpr std::size_t most_levels = 128;
+  static constexpr std::size_t max_levels = 128;
 
   std::vector<box_node> nodes_;
 
@@ -61,7 +61,7 @@ class box_tree {
   template<class Keep, class Visit>
   bool walk(Keep&& keep, Visit&& visit) const {
     if (nodes_.empty() || !keep(nodes_[0])) return false;
-    std::array<std::uint32_t, most_levels> later;
+    std::array<std::uint32_t, max_levels> later;
     std::size_t waiting = 0;
     std::uint32_t at = 0;
     while (true) {
@@ -69,7 +69,7 @@ class box_tree {
       if (n.count == 0) {
         const bool left = keep(nodes_[n.first]), right = keep(nodes_[n.first + 1]);
         if (left && right) {
-          assert(waiting < most_levels);
+          assert(waiting < max_levels);
           later[waiting++] = n.first + 1;
         }
         if (left || right) {
@@ -95,7 +95,7 @@ class box_tree {
       double bound;
     };
     if (nodes_.empty()) return;
-    std::array<entry, most_levels> later;
+    std::array<entry, max_levels> later;
     std::size_t waiting = 0;
     entry at{0, lower_bound(nodes_[0])};
     while (true) {
@@ -105,7 +105,7 @@ class box_tree {
           entry near{n.first, lower_bound(nodes_[n.first])}, far{n.first + 1, lower_bound(nodes_[n.first + 1])};
           if (far.bound < near.bound) std::swap(near, far);
           if (far.bound < none && far.bound <= limit) {
-            assert(waiting < most_levels);
+            assert(waiting < max_levels);
             later[waiting++] = far;
           }
           at = near;

@@ -12,43 +12,43 @@
 namespace concino::detail {
 
 /// p as seen along coordinate axis k: the other two coordinates, in cyclic order.
-inline vec3 seen_along(const vec3& p, std::size_t k) { return k == 0 ? vec3{p.y, p.z, 0} : k == 1 ? vec3{p.z, p.x, 0} : vec3{p.x, p.y, 0}; }
+inline vec3 project_along(const vec3& p, std::size_t k) { return k == 0 ? vec3{p.y, p.z, 0} : k == 1 ? vec3{p.z, p.x, 0} : vec3{p.x, p.y, 0}; }
 
 /// orient2d(a, b, x) for x moved: 0 only where a and b are the same point.
-inline int moved_orient2d(const vec3& a, const vec3& b, const vec3& x) {
+inline int perturbed_orient2d(const vec3& a, const vec3& b, const vec3& x) {
   if (const int s = orient2d(a, b, x)) return s;
   if (a.y != b.y) return a.y > b.y ? 1 : -1;
   return b.x > a.x ? 1 : b.x < a.x ? -1 : 0;
 }
 
 /// orient3d(a, b, c, x) for x moved: 0 only where a, b, c lie on one line.
-inline int moved_orient3d(const vec3& a, const vec3& b, const vec3& c, const vec3& x) {
+inline int perturbed_orient3d(const vec3& a, const vec3& b, const vec3& c, const vec3& x) {
   if (const int s = orient3d(a, b, c, x)) return s;
   for (std::size_t k = 0; k < 3; ++k)  // the derivative by x is the normal
-    if (const int s = orient2d(seen_along(a, k), seen_along(b, k), seen_along(c, k))) return s;
+    if (const int s = orient2d(project_along(a, k), project_along(b, k), project_along(c, k))) return s;
   return 0;
 }
 
 /// Whether the moved x lies in the triangle in the plane of x and y: 1 if the triangle runs counter-clockwise, -1 if clockwise, 0 if x is outside.
-inline int moved_inside2d(const vec3& a, const vec3& b, const vec3& c, const vec3& x) {
+inline int perturbed_inside2d(const vec3& a, const vec3& b, const vec3& c, const vec3& x) {
   if (std::max({a.x, b.x, c.x}) <= x.x || std::min({a.x, b.x, c.x}) > x.x) return 0;
   if (std::max({a.y, b.y, c.y}) <= x.y || std::min({a.y, b.y, c.y}) > x.y) return 0;
-  const int s = moved_orient2d(a, b, x);
-  return s != 0 && moved_orient2d(b, c, x) == s && moved_orient2d(c, a, x) == s ? s : 0;
+  const int s = perturbed_orient2d(a, b, x);
+  return s != 0 && perturbed_orient2d(b, c, x) == s && perturbed_orient2d(c, a, x) == s ? s : 0;
 }
 
 /// How the ray from the moved x upwards, along z, crosses the triangle: 1 if it comes out where the triangle is seen counter-clockwise, -1 the other
 /// way, 0 if it does not. Summed over a closed surface it is how often this winds round x.
 inline int crossing_above(const vec3& a, const vec3& b, const vec3& c, const vec3& x) {
   if (std::max({a.z, b.z, c.z}) <= x.z) return 0;
-  const int s = moved_inside2d(a, b, c, x);
-  return s != 0 && (std::min({a.z, b.z, c.z}) > x.z || moved_orient3d(a, b, c, x) == -s) ? s : 0;
+  const int s = perturbed_inside2d(a, b, c, x);
+  return s != 0 && (std::min({a.z, b.z, c.z}) > x.z || perturbed_orient3d(a, b, c, x) == -s) ? s : 0;
 }
 
 /// Whether the moved x lies in the tet, whichever way that is turned; the same as to ask how often its four sides wind round x.
-inline bool moved_inside_tet(const vec3& a, const vec3& b, const vec3& c, const vec3& d, const vec3& x) {
-  const int s = moved_orient3d(a, b, c, x);
-  return s != 0 && moved_orient3d(a, c, d, x) == s && moved_orient3d(a, d, b, x) == s && moved_orient3d(b, d, c, x) == s;
+inline bool perturbed_inside_tet(const vec3& a, const vec3& b, const vec3& c, const vec3& d, const vec3& x) {
+  const int s = perturbed_orient3d(a, b, c, x);
+  return s != 0 && perturbed_orient3d(a, c, d, x) == s && perturbed_orient3d(a, d, b, x) == s && perturbed_orient3d(b, d, c, x) == s;
 }
 
 /// Whether x, as it is, lies in the triangle or on its rim in the plane of x and y; a triangle of positive area is wanted there (s, its orient2d, not
@@ -64,7 +64,7 @@ inline bool is_on_triangle(const vec3& a, const vec3& b, const vec3& c, const ve
   if (orient3d(a, b, c, x) != 0) return false;
   bool on_line = true;
   for (std::size_t k = 0; k < 3; ++k) {
-    const vec3 p = seen_along(a, k), q = seen_along(b, k), r = seen_along(c, k), y = seen_along(x, k);
+    const vec3 p = project_along(a, k), q = project_along(b, k), r = project_along(c, k), y = project_along(x, k);
     if (const int s = orient2d(p, q, r)) return inside2d(p, q, r, s, y);
     on_line = on_line && orient2d(p, q, y) == 0 && orient2d(q, r, y) == 0 && orient2d(r, p, y) == 0;
   }

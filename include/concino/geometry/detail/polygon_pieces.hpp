@@ -18,7 +18,7 @@ class polygon_pieces : public ranked_polys<M> {
 
   std::vector<std::array<corner_index, 3>> corners_;
   std::vector<std::uint32_t> owners_;
-  std::vector<unsigned char> rims_;  // bit k: the side from corner k to the next is an edge of the poly; empty if all are
+  std::vector<unsigned char> polygon_edges_;  // bit k: the side from corner k to the next is an edge of the poly; empty if all are
 
   void cut_into_triangles(const std::vector<std::size_t>& begins, const std::vector<corner_index>& rings) {
     constexpr std::size_t chunk = 1024;
@@ -26,7 +26,7 @@ class polygon_pieces : public ranked_polys<M> {
     for (std::size_t r = 0; r < this->num_ranks(); ++r) first[r + 1] = first[r] + std::max<std::size_t>(begins[r + 1] - begins[r], 2) - 2;
     corners_ = core::large_vector(first.back(), std::array<corner_index, 3>{});
     owners_ = core::large_vector(first.back(), std::uint32_t{0});
-    rims_.resize(first.back());
+    polygon_edges_.resize(first.back());
     parallel_for((this->num_ranks() + chunk - 1) / chunk, [&](std::size_t c) {
       polygon_triangulator cut;
       std::vector<vec3> polygon;
@@ -36,14 +36,14 @@ class polygon_pieces : public ranked_polys<M> {
         for (std::size_t i = 0; i < n; ++i) polygon.push_back(points_[rings[begin + i]]);
         std::size_t at = first[r];
         for (const polygon_triangle& t : cut(polygon)) {
-          unsigned rim = 0;
+          unsigned edge_bits = 0;
           for (std::size_t k = 0; k < 3; ++k) {
             corners_[at][k] = rings[begin + t[k]];
             const std::size_t from = t[k], to = t[k < 2 ? k + 1 : 0];
-            if (to == (from + 1 < n ? from + 1 : 0) || from == (to + 1 < n ? to + 1 : 0)) rim |= 1u << k;
+            if (to == (from + 1 < n ? from + 1 : 0) || from == (to + 1 < n ? to + 1 : 0)) edge_bits |= 1u << k;
           }
           owners_[at] = static_cast<std::uint32_t>(r);
-          rims_[at++] = static_cast<unsigned char>(rim);
+          polygon_edges_[at++] = static_cast<unsigned char>(edge_bits);
         }
       }
     }, 1);
@@ -85,7 +85,7 @@ class polygon_pieces : public ranked_polys<M> {
   std::size_t size() const { return corners_.size(); }
   std::uint32_t owner(std::size_t i) const { return owners_[i]; }
   triangle_points triangle(std::size_t i) const { return {points_[corners_[i][0]], points_[corners_[i][1]], points_[corners_[i][2]]}; }
-  bool is_rim(std::size_t i, std::size_t k) const { return rims_.empty() || (rims_[i] >> k & 1u); }
+  bool is_polygon_edge(std::size_t i, std::size_t k) const { return polygon_edges_.empty() || (polygon_edges_[i] >> k & 1u); }
 
   box box_of(std::size_t i) const {
     box b;
@@ -99,7 +99,7 @@ class polygon_pieces : public ranked_polys<M> {
   void arrange(const std::vector<std::uint32_t>& order) {
     detail::arrange(corners_, order);
     detail::arrange(owners_, order);
-    if (!rims_.empty()) detail::arrange(rims_, order);
+    if (!polygon_edges_.empty()) detail::arrange(polygon_edges_, order);
     first_come_numbers number(points_.size());
     for (auto& triangle : corners_)
       for (corner_index& c : triangle) c = number(c);

@@ -30,18 +30,18 @@ void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
 class first_come_numbers {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   std::vector<std::uint32_t> number_;
-  std::uint32_t given_ = 0;
+  std::uint32_t num_numbered_ = 0;
 
  public:
   explicit first_come_numbers(std::size_t n) : number_(core::large_vector(n, none)) {}
   bool has(std::size_t i) const { return number_[i] != none; }
   std::uint32_t operator()(std::size_t i) {
-    if (number_[i] == none) number_[i] = given_++;
+    if (number_[i] == none) number_[i] = num_numbered_++;
     return number_[i];
   }
   template<class T>
   void arrange(std::vector<T>& values) const {
-    auto arranged = core::large_vector(given_, T{});
+    auto arranged = core::large_vector(num_numbered_, T{});
     for (std::size_t i = 0; i < number_.size(); ++i)
       if (has(i)) arranged[number_[i]] = values[i];
     values = std::move(arranged);

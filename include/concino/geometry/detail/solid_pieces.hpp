@@ -55,7 +55,7 @@ class tet_pieces : public ranked_polys<M> {
     f(a, d, c);
   }
   /// Whether x, thought of as moved, is inside.
-  bool holds(std::size_t i, const vec3& x) const { return moved_inside_tet(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), x); }
+  bool holds(std::size_t i, const vec3& x) const { return perturbed_inside_tet(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), x); }
   void arrange(const std::vector<std::uint32_t>& order) {
     detail::arrange(corners_, order);
     detail::arrange(owners_, order);
@@ -78,8 +78,8 @@ class polyhedron_pieces : public ranked_polys<M> {
   };
   std::vector<ring> rings_;  // one a face
   std::vector<corner_index> corners_;
-  std::vector<std::uint32_t> sides_;      // twice a ring, 1 more where it is outward; those of an item in a row
-  std::vector<std::size_t> first_side_;  // by item
+  std::vector<std::uint32_t> oriented_rings_;      // twice a ring, 1 more where it is outward; those of an item in a row
+  std::vector<std::size_t> first_ring_;  // by item
   std::vector<std::uint32_t> owners_;
 
   void add_mean(ring& r) {
@@ -94,16 +94,16 @@ class polyhedron_pieces : public ranked_polys<M> {
   static constexpr std::uint32_t leaf_size = 1;
   static constexpr bool are_solid = true;
 
-  explicit polyhedron_pieces(const M& m) : base(m), rings_(face_index_bound(m)), first_side_{0}, owners_(this->num_ranks()) {
-    core::reserve_large(sides_, 2 * rings_.size());  // a guess, right where all faces are shared
+  explicit polyhedron_pieces(const M& m) : base(m), rings_(face_index_bound(m)), first_ring_{0}, owners_(this->num_ranks()) {
+    core::reserve_large(oriented_rings_, 2 * rings_.size());  // a guess, right where all faces are shared
     core::reserve_large(corners_, 4 * rings_.size());
-    core::reserve_large(first_side_, this->num_ranks() + 1);
+    core::reserve_large(first_ring_, this->num_ranks() + 1);
     for (std::size_t r = 0; r < this->num_ranks(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       const poly_t<M> p = this->poly(r);
       for (const face_t<M> f : adj_p2f(m, p)) {
         const std::size_t i = index_of(m, f);
-        sides_.push_back(static_cast<std::uint32_t>(2 * i + (face_is_outward(m, p, f) ? 1 : 0)));
+        oriented_rings_.push_back(static_cast<std::uint32_t>(2 * i + (face_is_outward(m, p, f) ? 1 : 0)));
         if (rings_[i].size > 0) continue;
         rings_[i].first = static_cast<std::uint32_t>(corners_.size());
         for (const vert_t<M> v : adj_f2v(m, f)) {
@@ -112,7 +112,7 @@ class polyhedron_pieces : public ranked_polys<M> {
         }
         rings_[i].size = static_cast<std::uint32_t>(corners_.size()) - rings_[i].first;
       }
-      first_side_.push_back(sides_.size());
+      first_ring_.push_back(oriented_rings_.size());
     }
     this->scale();
     core::reserve_large(points_, points_.size() + rings_.size());
@@ -124,8 +124,8 @@ class polyhedron_pieces : public ranked_polys<M> {
   std::uint32_t owner(std::size_t i) const { return owners_[i]; }
   box box_of(std::size_t i) const {
     box b;
-    for (std::size_t s = first_side_[i]; s < first_side_[i + 1]; ++s) {
-      const ring& r = rings_[sides_[s] / 2];
+    for (std::size_t s = first_ring_[i]; s < first_ring_[i + 1]; ++s) {
+      const ring& r = rings_[oriented_rings_[s] / 2];
       for (std::uint32_t k = 0; k < r.size; ++k) b.add(points_[corners_[r.first + k]]);
       if (r.size > 3) b.add(points_[r.mean]);  // may lie outside of the others by rounding
     }
@@ -134,9 +134,9 @@ class polyhedron_pieces : public ranked_polys<M> {
   /// Counter-clockwise seen from outside.
   template<class F>
   void for_each_triangle(std::size_t i, F&& f) const {
-    for (std::size_t s = first_side_[i]; s < first_side_[i + 1]; ++s) {
-      const ring& r = rings_[sides_[s] / 2];
-      const bool outward = sides_[s] % 2 != 0;
+    for (std::size_t s = first_ring_[i]; s < first_ring_[i + 1]; ++s) {
+      const ring& r = rings_[oriented_rings_[s] / 2];
+      const bool outward = oriented_rings_[s] % 2 != 0;
       const corner_index* c = corners_.data() + r.first;
       const auto triangle = [&](const vec3& p, const vec3& q, const vec3& o) { outward ? f(p, q, o) : f(q, p, o); };
       if (r.size == 3) triangle(points_[c[0]], points_[c[1]], points_[c[2]]);
@@ -153,29 +153,29 @@ class polyhedron_pieces : public ranked_polys<M> {
   void arrange(const std::vector<std::uint32_t>& order) {
     first_come_numbers number(points_.size()), ring_number(rings_.size());
     std::vector<std::size_t> first{0};
-    std::vector<std::uint32_t> sides;
+    std::vector<std::uint32_t> oriented_rings;
     std::vector<corner_index> corners;
-    core::reserve_large(sides, sides_.size());
+    core::reserve_large(oriented_rings, oriented_rings_.size());
     core::reserve_large(corners, corners_.size());
-    core::reserve_large(first, first_side_.size());
+    core::reserve_large(first, first_ring_.size());
     for (const std::uint32_t item : order) {
-      for (std::size_t s = first_side_[item]; s < first_side_[item + 1]; ++s) {
-        const std::uint32_t side = sides_[s];
-        ring& r = rings_[side / 2];
-        if (!ring_number.has(side / 2)) {
+      for (std::size_t s = first_ring_[item]; s < first_ring_[item + 1]; ++s) {
+        const std::uint32_t oriented_ring = oriented_rings_[s];
+        ring& r = rings_[oriented_ring / 2];
+        if (!ring_number.has(oriented_ring / 2)) {
           const std::uint32_t from = r.first;
           r.first = static_cast<std::uint32_t>(corners.size());
           for (std::uint32_t k = 0; k < r.size; ++k) corners.push_back(number(corners_[from + k]));
           if (r.size > 3) r.mean = number(r.mean);
         }
-        sides.push_back(2 * ring_number(side / 2) + side % 2);
+        oriented_rings.push_back(2 * ring_number(oriented_ring / 2) + oriented_ring % 2);
       }
-      first.push_back(sides.size());
+      first.push_back(oriented_rings.size());
     }
     ring_number.arrange(rings_);
     number.arrange(points_);
-    first_side_ = std::move(first);
-    sides_ = std::move(sides);
+    first_ring_ = std::move(first);
+    oriented_rings_ = std::move(oriented_rings);
     corners_ = std::move(corners);
     detail::arrange(owners_, order);
   }

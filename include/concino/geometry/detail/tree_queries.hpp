@@ -48,29 +48,29 @@ std::optional<std::pair<std::size_t, vec3>> nearest_piece(const Pieces& pieces, 
 }
 
 /// How a point is looked up: thought of as moved by a little, so that it lies on no rim, or as it is, where rims count.
-enum class place { moved, as_it_is };
+enum class point_location { perturbed, unperturbed };
 
 /// The rank of the solid poly that holds x, or of the polygon that does as seen along `axis`.
 template<class Pieces>
-std::optional<std::size_t> holder(const Pieces& pieces, const box_tree& boxes, [[maybe_unused]] std::size_t axis, const vec3& x, place how) {
+std::optional<std::size_t> containing_piece(const Pieces& pieces, const box_tree& boxes, [[maybe_unused]] std::size_t axis, const vec3& x, point_location how) {
   std::optional<std::size_t> found;
   if constexpr (Pieces::are_solid) {
     boxes.walk([&](const box_node& n) { return n.holds(x); }, [&](std::size_t i) {
       bool holds = false;
-      if (how == place::moved) holds = pieces.holds(i, x);
+      if (how == point_location::perturbed) holds = pieces.holds(i, x);
       else pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) { holds = holds || is_on_triangle(a, b, c, x); });
       if (holds && (!found || pieces.owner(i) < *found)) found = pieces.owner(i);
-      return holds && how == place::moved;  // of polys that tile no other one does
+      return holds && how == point_location::perturbed;  // of polys that tile no other one does
     });
   } else {
     double least = std::numeric_limits<double>::infinity();
-    const vec3 y = seen_along(x, axis);
-    boxes.walk([&](const box_node& n) { return n.holds_seen_along(x, axis); }, [&](std::size_t i) {
+    const vec3 y = project_along(x, axis);
+    boxes.walk([&](const box_node& n) { return n.projection_contains(x, axis); }, [&](std::size_t i) {
       const std::size_t rank = pieces.owner(i);
       pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) {
-        const vec3 p = seen_along(a, axis), q = seen_along(b, axis), r = seen_along(c, axis);
-        if (how == place::moved) {
-          if (moved_inside2d(p, q, r, y) == 0) return;
+        const vec3 p = project_along(a, axis), q = project_along(b, axis), r = project_along(c, axis);
+        if (how == point_location::perturbed) {
+          if (perturbed_inside2d(p, q, r, y) == 0) return;
         } else {
           const int s = orient2d(p, q, r);
           if (s == 0 || !inside2d(p, q, r, s, y)) return;
@@ -96,7 +96,7 @@ struct surroundings {
 template<class Pieces>
 surroundings surface_around(const Pieces& pieces, const box_tree& boxes, const vec3& x) {
   surroundings s;
-  s.touches = boxes.walk([&](const box_node& n) { return n.max.z >= x.z && n.holds_seen_along(x, 2); }, [&](std::size_t i) {
+  s.touches = boxes.walk([&](const box_node& n) { return n.max.z >= x.z && n.projection_contains(x, 2); }, [&](std::size_t i) {
     bool touches = false;
     pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) {
       const int crossing = crossing_above(a, b, c, x);

@@ -12,7 +12,7 @@ using triangle_points = std::array<vec3, 3>;
 
 inline bool has_area(const triangle_points& t) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (orient2d(seen_along(t[0], k), seen_along(t[1], k), seen_along(t[2], k)) != 0) return true;
+    if (orient2d(project_along(t[0], k), project_along(t[1], k), project_along(t[2], k)) != 0) return true;
   return false;
 }
 
@@ -35,17 +35,17 @@ inline bool segment_meets_triangle(const vec3& p, int sp, const vec3& q, int sq,
     return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    const vec3 a = seen_along(t[0], k), b = seen_along(t[1], k), c = seen_along(t[2], k);
+    const vec3 a = project_along(t[0], k), b = project_along(t[1], k), c = project_along(t[2], k);
     const int s = orient2d(a, b, c);
     if (s == 0) continue;
-    const vec3 x = seen_along(p, k), y = seen_along(q, k);
+    const vec3 x = project_along(p, k), y = project_along(q, k);
     return inside2d(a, b, c, s, x) || segments_meet2d(x, y, a, b) || segments_meet2d(x, y, b, c) || segments_meet2d(x, y, c, a);
   }
   return false;
 }
 
 /// On which sides of the plane of t the corners of s lie.
-inline std::array<int, 3> sides_of_plane(const triangle_points& t, const triangle_points& s) {
+inline std::array<int, 3> orientations_to_plane(const triangle_points& t, const triangle_points& s) {
   return {orient3d(t[0], t[1], t[2], s[0]), orient3d(t[0], t[1], t[2], s[1]), orient3d(t[0], t[1], t[2], s[2])};
 }
 inline bool all_on_one_side(const std::array<int, 3>& sides) {
@@ -55,9 +55,9 @@ inline bool all_on_one_side(const std::array<int, 3>& sides) {
 /// Whether two triangles have a point in common.
 /// Needs: both have area.      Source: each cuts the other only if an edge of one meets the other, as in Guigue and Devillers 2003.
 inline bool triangles_meet(const triangle_points& s, const triangle_points& t) {
-  const auto of_s = sides_of_plane(t, s);
+  const auto of_s = orientations_to_plane(t, s);
   if (all_on_one_side(of_s)) return false;
-  const auto of_t = sides_of_plane(s, t);
+  const auto of_t = orientations_to_plane(s, t);
   if (all_on_one_side(of_t)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = i < 2 ? i + 1 : 0;
@@ -83,7 +83,7 @@ inline bool triangle_meets_box(const triangle_points& t, const box& b) {
   }
   if (!through) return false;
   for (std::size_t k = 0; k < 3; ++k) {
-    const vec3 p[3] = {seen_along(t[0], k), seen_along(t[1], k), seen_along(t[2], k)}, low = seen_along(b.min, k), high = seen_along(b.max, k);
+    const vec3 p[3] = {project_along(t[0], k), project_along(t[1], k), project_along(t[2], k)}, low = project_along(b.min, k), high = project_along(b.max, k);
     const vec3 corner[4] = {low, {high.x, low.y, 0}, high, {low.x, high.y, 0}};
     const int turn = orient2d(p[0], p[1], p[2]);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -13,12 +13,12 @@
 namespace concino::views {
 
 template<class G>
-class directed_view : public shown<G> {
+class directed_view : public view_base<G> {
   std::shared_ptr<const detail::edge_numbers<true>> numbers_;
 
  public:
   explicit directed_view(const G& g)
-      : shown<G>(g), numbers_(std::make_shared<const detail::edge_numbers<true>>(detail::graph_shown(g))) {}
+      : view_base<G>(g), numbers_(std::make_shared<const detail::edge_numbers<true>>(detail::base_graph(g))) {}
   const auto& numbers() const { return numbers_; }
 };
 
@@ -26,25 +26,25 @@ class directed_view : public shown<G> {
 template<detail::boost_view G>
 auto vertices(const G& g) {
   using iterator = detail::node_iterator<detail::node_in<G>, detail::nodes_in<G>>;
-  return iterator::both([&]() -> decltype(auto) { return detail::graph_shown(g).nodes(); });
+  return iterator::begin_and_end([&]() -> decltype(auto) { return detail::base_graph(g).nodes(); });
 }
 template<detail::boost_view G>
-std::size_t num_vertices(const G& g) { return detail::graph_shown(g).bound(); }
+std::size_t num_vertices(const G& g) { return detail::base_graph(g).bound(); }
 
 template<detail::boost_view G>
 auto adjacent_vertices(const detail::node_in<G>& v, const G& g) {
   using iterator = detail::node_iterator<detail::node_in<G>, detail::ring_in<G>>;
-  return iterator::both([&]() -> decltype(auto) { return detail::graph_shown(g).neighbours(v); });
+  return iterator::begin_and_end([&]() -> decltype(auto) { return detail::base_graph(g).neighbours(v); });
 }
 template<detail::boost_view G>
 auto out_edges(const detail::node_in<G>& v, const G& g) {
   using iterator = detail::incidence_iterator<detail::edge_in<G>, detail::ring_in<G>, true>;
-  return iterator::both(v, [&]() -> decltype(auto) { return detail::graph_shown(g).neighbours(v); });
+  return iterator::begin_and_end(v, [&]() -> decltype(auto) { return detail::base_graph(g).neighbours(v); });
 }
 template<detail::boost_view G>
 auto in_edges(const detail::node_in<G>& v, const G& g) {
   using iterator = detail::incidence_iterator<detail::edge_in<G>, detail::ring_in<G>, false>;
-  return iterator::both(v, [&]() -> decltype(auto) { return detail::graph_shown(g).neighbours(v); });
+  return iterator::begin_and_end(v, [&]() -> decltype(auto) { return detail::base_graph(g).neighbours(v); });
 }
 template<detail::boost_view G>
 auto edges(const G& g) {
@@ -55,7 +55,7 @@ auto edges(const G& g) {
 template<detail::boost_view G>
 std::size_t out_degree(const detail::node_in<G>& v, const G& g) {
   std::size_t n = 0;
-  for ([[maybe_unused]] const detail::node_in<G> w : detail::graph_shown(g).neighbours(v)) ++n;
+  for ([[maybe_unused]] const detail::node_in<G> w : detail::base_graph(g).neighbours(v)) ++n;
   return n;
 }
 template<detail::boost_view G>
@@ -66,7 +66,7 @@ template<detail::boost_view G>
 std::size_t num_edges(const G& g) {
   if constexpr (detail::is_directed<G>) return g.numbers()->size();
   std::size_t arcs = 0;
-  for (const detail::node_in<G> v : detail::graph_shown(g).nodes()) arcs += out_degree(v, g);
+  for (const detail::node_in<G> v : detail::base_graph(g).nodes()) arcs += out_degree(v, g);
   return arcs / 2;
 }
 template<detail::boost_view G>
@@ -87,11 +87,11 @@ auto get(boost::vertex_index_t, const G& g) {
   else return detail::node_index_map<G>(g);
 }
 template<detail::boost_view G>
-std::size_t get(boost::vertex_index_t, const G& g, const detail::node_in<G>& v) { return detail::graph_shown(g).index(v); }
+std::size_t get(boost::vertex_index_t, const G& g, const detail::node_in<G>& v) { return detail::base_graph(g).index(v); }
 template<detail::boost_view G>
 auto get(boost::edge_index_t, const G& g) {
   if constexpr (detail::is_directed<G>) return detail::edge_index_map<G>(g.base(), g.numbers());
-  else return detail::edge_index_map<G>(g, std::make_shared<const detail::edge_numbers<false>>(detail::graph_shown(g)));
+  else return detail::edge_index_map<G>(g, std::make_shared<const detail::edge_numbers<false>>(detail::base_graph(g)));
 }
 template<detail::boost_view G>
   requires detail::measured<G>

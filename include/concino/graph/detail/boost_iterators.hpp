@@ -3,8 +3,8 @@
 
 #include <concino/concepts/views/dual.hpp>
 #include <concino/concepts/views/primal.hpp>
+#include <concino/graph/detail/any_iterator.hpp>
 #include <concino/graph/detail/edge_numbers.hpp>
-#include <concino/graph/detail/steps.hpp>
 
 #include <memory>
 #include <optional>
@@ -20,9 +20,9 @@ template<class G> class directed_view;
 
 namespace concino::detail {
 
-template<class M> primal_graph<M> graph_shown(const views::primal_view<M>& g) { return {g.base()}; }
-template<class M> dual_graph<M> graph_shown(const views::dual_view<M>& g) { return {g.base()}; }
-template<class G> auto graph_shown(const views::directed_view<G>& g) { return graph_shown(g.base()); }
+template<class M> primal_graph<M> base_graph(const views::primal_view<M>& g) { return {g.base()}; }
+template<class M> dual_graph<M> base_graph(const views::dual_view<M>& g) { return {g.base()}; }
+template<class G> auto base_graph(const views::directed_view<G>& g) { return base_graph(g.base()); }
 
 template<class G> inline constexpr bool is_directed = false;
 template<class G> inline constexpr bool is_directed<views::directed_view<G>> = true;
@@ -35,43 +35,43 @@ template<class G> struct undirected_of { using type = G; };
 template<class G> struct undirected_of<views::directed_view<G>> { using type = G; };
 template<class G> using undirected_form = typename undirected_of<G>::type;
 
-template<class G> using shown_by = decltype(graph_shown(std::declval<const G&>()));
-template<class G> using node_in = typename shown_by<G>::node;
+template<class G> using base_graph_t = decltype(base_graph(std::declval<const G&>()));
+template<class G> using node_in = typename base_graph_t<G>::node;
 template<class G> using edge_in = node_pair<node_in<G>, is_directed<G>>;
-template<class G> using nodes_in = decltype(std::declval<const shown_by<G>&>().nodes());
-template<class G> using ring_in = decltype(std::declval<const shown_by<G>&>().neighbours(std::declval<const node_in<G>&>()));
+template<class G> using nodes_in = decltype(std::declval<const base_graph_t<G>&>().nodes());
+template<class G> using ring_in = decltype(std::declval<const base_graph_t<G>&>().neighbours(std::declval<const node_in<G>&>()));
 
 /// A graph that iterators and maps keep: as it is where copies cost nothing, else one copy that all of them share.
 template<class G, bool = std::is_trivially_copyable_v<G>>
-class kept_graph {
+class graph_storage {
   std::optional<G> g_;
 
  public:
-  kept_graph() = default;
-  explicit kept_graph(const G& g) : g_(g) {}
+  graph_storage() = default;
+  explicit graph_storage(const G& g) : g_(g) {}
   const G& get() const { return *g_; }
 };
 template<class G>
-class kept_graph<G, false> {
+class graph_storage<G, false> {
   std::shared_ptr<const G> g_;
 
  public:
-  kept_graph() = default;
-  explicit kept_graph(const G& g) : g_(std::make_shared<const G>(g)) {}
+  graph_storage() = default;
+  explicit graph_storage(const G& g) : g_(std::make_shared<const G>(g)) {}
   const G& get() const { return *g_; }
 };
 
 /// All elements of a range: nodes of a graph, neighbours of a node.
 template<class Node, class R>
 class node_iterator : public forward_iterator<node_iterator<Node, R>, Node> {
-  steps<R> at_;
+  any_iterator<R> at_;
 
  public:
   node_iterator() = default;
-  explicit node_iterator(steps<R> at) : at_(std::move(at)) {}
+  explicit node_iterator(any_iterator<R> at) : at_(std::move(at)) {}
   template<class F>
-  static std::pair<node_iterator, node_iterator> both(const F& make) {
-    auto [b, e] = steps<R>::both(make);
+  static std::pair<node_iterator, node_iterator> begin_and_end(const F& make) {
+    auto [b, e] = any_iterator<R>::begin_and_end(make);
     return {node_iterator(std::move(b)), node_iterator(std::move(e))};
   }
   Node operator*() const { return *at_; }
@@ -85,15 +85,15 @@ template<class Edge, class R, bool Outwards>
 class incidence_iterator : public forward_iterator<incidence_iterator<Edge, R, Outwards>, Edge> {
   using node = decltype(Edge::source);
   node self_{};
-  steps<R> at_;
+  any_iterator<R> at_;
   std::uint32_t slot_ = 0;
 
  public:
   incidence_iterator() = default;
-  incidence_iterator(const node& self, steps<R> at) : self_(self), at_(std::move(at)) {}
+  incidence_iterator(const node& self, any_iterator<R> at) : self_(self), at_(std::move(at)) {}
   template<class F>
-  static std::pair<incidence_iterator, incidence_iterator> both(const node& self, const F& make) {
-    auto [b, e] = steps<R>::both(make);
+  static std::pair<incidence_iterator, incidence_iterator> begin_and_end(const node& self, const F& make) {
+    auto [b, e] = any_iterator<R>::begin_and_end(make);
     return {incidence_iterator(self, std::move(b)), incidence_iterator(self, std::move(e))};
   }
   Edge operator*() const {
@@ -113,7 +113,7 @@ template<class G>
 class edge_iterator : public forward_iterator<edge_iterator<G>, edge_in<G>> {
   using nodes = node_iterator<node_in<G>, nodes_in<G>>;
   using ring = incidence_iterator<edge_in<G>, ring_in<G>, true>;
-  kept_graph<G> g_;
+  graph_storage<G> g_;
   nodes node_, last_node_;
   ring edge_, last_edge_;
 
@@ -121,16 +121,16 @@ class edge_iterator : public forward_iterator<edge_iterator<G>, edge_in<G>> {
     if constexpr (is_directed<G>) {
       return true;
     } else {
-      const auto g = graph_shown(g_.get());
+      const auto g = base_graph(g_.get());
       const edge_in<G> e = *edge_;
       return g.index(e.source) < g.index(e.target);
     }
   }
   void enter() {
     const node_in<G> v = *node_;
-    std::tie(edge_, last_edge_) = ring::both(v, [&]() -> decltype(auto) { return graph_shown(g_.get()).neighbours(v); });
+    std::tie(edge_, last_edge_) = ring::begin_and_end(v, [&]() -> decltype(auto) { return base_graph(g_.get()).neighbours(v); });
   }
-  void settle() {
+  void skip_invalid() {
     for (;;) {
       for (; edge_ != last_edge_; ++edge_)
         if (is_listed()) return;
@@ -147,12 +147,12 @@ class edge_iterator : public forward_iterator<edge_iterator<G>, edge_in<G>> {
   edge_iterator(const G& g, nodes first, nodes last) : g_(g), node_(std::move(first)), last_node_(std::move(last)) {
     if (node_ == last_node_) return;
     enter();
-    settle();
+    skip_invalid();
   }
   edge_in<G> operator*() const { return *edge_; }
   void next() {
     ++edge_;
-    settle();
+    skip_invalid();
   }
   friend bool operator==(const edge_iterator& a, const edge_iterator& b) {
     return a.node_ == b.node_ && (a.edge_ == b.edge_ || a.node_ == a.last_node_);

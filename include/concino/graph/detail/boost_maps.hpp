@@ -16,8 +16,8 @@
 namespace concino::detail {
 
 /// A map of the caller's: by address where it has a name, else kept, shared by all copies of the property map.
-template<class P> inline P* map_behind(P* p) { return p; }
-template<class P> inline P* map_behind(const std::shared_ptr<P>& p) { return p.get(); }
+template<class P> inline P* base_map(P* p) { return p; }
+template<class P> inline P* base_map(const std::shared_ptr<P>& p) { return p.get(); }
 
 template<class P, class Key> using result_of = decltype(std::declval<P&>()[std::declval<const Key&>()]);
 template<class P, class Key> struct value_in { using type = std::remove_cvref_t<result_of<P, Key>>; };
@@ -42,7 +42,7 @@ class map_of_map : public boost::put_get_helper<result_of<P, Key>, map_of_map<P,
 
   map_of_map() = default;
   explicit map_of_map(Kept map) : map_(std::move(map)) {}
-  reference operator[](const Key& x) const { return (*map_behind(map_))[x]; }
+  reference operator[](const Key& x) const { return (*base_map(map_))[x]; }
 };
 
 /// f(source, target) of an edge. Shared by all copies, so that a map can be assigned though callables with captures cannot.
@@ -64,7 +64,7 @@ class map_of_ends : public boost::put_get_helper<called_with_ends<Edge, F>, map_
 
 template<class G>
 class node_index_map : public boost::put_get_helper<std::size_t, node_index_map<G>> {
-  kept_graph<G> g_;
+  graph_storage<G> g_;
 
  public:
   using key_type = node_in<G>;
@@ -74,12 +74,12 @@ class node_index_map : public boost::put_get_helper<std::size_t, node_index_map<
 
   node_index_map() = default;
   explicit node_index_map(const G& g) : g_(g) {}
-  std::size_t operator[](const key_type& x) const { return graph_shown(g_.get()).index(x); }
+  std::size_t operator[](const key_type& x) const { return base_graph(g_.get()).index(x); }
 };
 
 template<class G>
 class edge_index_map : public boost::put_get_helper<std::size_t, edge_index_map<G>> {
-  kept_graph<undirected_form<G>> g_;
+  graph_storage<undirected_form<G>> g_;
   std::shared_ptr<const edge_numbers<is_directed<G>>> numbers_;
 
  public:
@@ -91,7 +91,7 @@ class edge_index_map : public boost::put_get_helper<std::size_t, edge_index_map<
   edge_index_map() = default;
   edge_index_map(const undirected_form<G>& g, std::shared_ptr<const edge_numbers<is_directed<G>>> numbers)
       : g_(g), numbers_(std::move(numbers)) {}
-  std::size_t operator[](const key_type& e) const { return (*numbers_)(graph_shown(g_.get()), e); }
+  std::size_t operator[](const key_type& e) const { return (*numbers_)(base_graph(g_.get()), e); }
   /// How many edges have a number.
   std::size_t size() const { return numbers_->size(); }
 };
@@ -127,12 +127,12 @@ class edge_value_map : public boost::put_get_helper<T&, edge_value_map<G, T>> {
 /// Straight distances: of verts, of the means of polys' verts (each computed once).
 template<class M>
 struct vert_distance {
-  kept_graph<M> m;
+  graph_storage<M> m;
   double operator()(const vert_t<M>& a, const vert_t<M>& b) const { return norm(to_vec3(point(m.get(), a)) - to_vec3(point(m.get(), b))); }
 };
 template<class M>
 class poly_distance {
-  kept_graph<M> m_;
+  graph_storage<M> m_;
   std::shared_ptr<const std::vector<vec3>> centres_;
 
  public:
@@ -149,7 +149,7 @@ class poly_distance {
 
 template<class M>
   requires Embedded<M>
-auto distances(const views::primal_view<M>& g) { return vert_distance<views::primal_view<M>>{kept_graph<views::primal_view<M>>(g)}; }
+auto distances(const views::primal_view<M>& g) { return vert_distance<views::primal_view<M>>{graph_storage<views::primal_view<M>>(g)}; }
 template<EmbeddedMesh M>
 auto distances(const views::dual_view<M>& g) { return poly_distance<views::dual_view<M>>(g); }
 template<class G>

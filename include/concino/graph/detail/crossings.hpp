@@ -13,11 +13,11 @@
 namespace concino::detail {
 
 /// m, or where m is a view of one of its graphs, the mesh.
-template<class M> const M& mesh_behind(const M& m) { return m; }
-template<class M> decltype(auto) mesh_behind(const views::primal_view<M>& m) { return mesh_behind(m.base()); }
-template<class M> decltype(auto) mesh_behind(const views::dual_view<M>& m) { return mesh_behind(m.base()); }
+template<class M> const M& base_mesh(const M& m) { return m; }
+template<class M> decltype(auto) base_mesh(const views::primal_view<M>& m) { return base_mesh(m.base()); }
+template<class M> decltype(auto) base_mesh(const views::dual_view<M>& m) { return base_mesh(m.base()); }
 
-template<class M> using mesh_behind_t = std::remove_cvref_t<decltype(mesh_behind(std::declval<const M&>()))>;
+template<class M> using base_mesh_t = std::remove_cvref_t<decltype(base_mesh(std::declval<const M&>()))>;
 
 template<class M> concept crosses_edges_between_verts = requirement::has_adj_v2e<M> && requirement::has_adj_e2v<M>;
 template<class M> concept crosses_facets_between_polys = requires(const M& m, poly_t<M> p, facet_t<M> x) { adj_p2facet(m, p), adj_facet2p(m, x); };
@@ -25,11 +25,11 @@ template<class M> concept crosses_facets_between_polys = requires(const M& m, po
 /// `type`: what is crossed on the way from node to node, void where the mesh does not say.
 template<class G> struct crossing { using type = void; };
 template<class M>
-  requires crosses_edges_between_verts<mesh_behind_t<M>>
-struct crossing<primal_graph<M>> { using type = edge_t<mesh_behind_t<M>>; };
+  requires crosses_edges_between_verts<base_mesh_t<M>>
+struct crossing<primal_graph<M>> { using type = edge_t<base_mesh_t<M>>; };
 template<class M>
-  requires crosses_facets_between_polys<mesh_behind_t<M>>
-struct crossing<dual_graph<M>> { using type = facet_t<mesh_behind_t<M>>; };
+  requires crosses_facets_between_polys<base_mesh_t<M>>
+struct crossing<dual_graph<M>> { using type = facet_t<base_mesh_t<M>>; };
 
 template<class G> using crossed_t = typename crossing<G>::type;
 template<class M, class S> using crossed_of = crossed_t<graph_of<M, S>>;
@@ -50,7 +50,7 @@ template<class C> using may_cross_t = typename crossing_test<C>::type;
 template<class M, class F>
   requires(!std::is_void_v<crossed_t<primal_graph<M>>>)
 void for_each_crossing(const primal_graph<M>& g, const vert_t<M>& v, const F& visit) {
-  const auto& m = mesh_behind(g.m);
+  const auto& m = base_mesh(g.m);
   for (const auto e : adj_v2e(m, v))
     for (const vert_t<M> w : adj_e2v(m, e))
       if (!(w == v)) visit(w, e);
@@ -59,14 +59,14 @@ void for_each_crossing(const primal_graph<M>& g, const vert_t<M>& v, const F& vi
 template<class M, class F>
   requires(!std::is_void_v<crossed_t<dual_graph<M>>>)
 void for_each_crossing(const dual_graph<M>& g, const poly_t<M>& p, const F& visit) {
-  const auto& m = mesh_behind(g.m);
+  const auto& m = base_mesh(g.m);
   for (const auto x : adj_p2facet(m, p))
     for (const poly_t<M> q : other_polys(m, p, x)) visit(q, x);
 }
 
 /// Calls visit(w, x) for each of these that may_cross and may_enter (either may be empty) let pass.
 template<class G, class F>
-void for_each_step_across(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
+void for_each_open_crossing(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
                           const function_ref<bool(crossed_t<G>)>& may_cross, const F& visit) {
   for_each_crossing(g, v, [&](const typename G::node& w, const crossed_t<G>& x) {
     if ((!may_cross || may_cross(x)) && (!may_enter || may_enter(w))) visit(w, x);
@@ -75,11 +75,11 @@ void for_each_step_across(const G& g, const typename G::node& v, function_ref<bo
 
 /// Calls visit(w) for the neighbours of v that may_cross and may_enter (either may be empty) let pass; with may_cross perhaps more than once.
 template<class G, class F>
-void for_each_step(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
+void for_each_open_neighbour(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
                    [[maybe_unused]] const may_cross_t<crossed_t<G>>& may_cross, const F& visit) {
   if constexpr (!std::is_void_v<crossed_t<G>>) {
     if (may_cross) {
-      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {  // not by for_each_step_across, which would slow down the loop below
+      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {  // not by for_each_open_crossing, which would slow down the loop below
         if (may_cross(x) && (!may_enter || may_enter(w))) visit(w);
       });
       return;
@@ -92,16 +92,16 @@ void for_each_step(const G& g, const typename G::node& v, function_ref<bool(type
 /// The same with may_enter and may_cross of a search's options: calls visit(w, put_crossed). put_crossed() notes what lies between v and w in the map
 /// options.crossed, if there is one.
 template<class G, class Options, class F>
-void for_each_noted_step(const G& g, const typename G::node& v, const Options& options, const F& visit) {
+void for_each_recorded_neighbour(const G& g, const typename G::node& v, const Options& options, const F& visit) {
   if constexpr (!std::is_void_v<crossed_t<G>>) {
     if (options.crossed) {
-      for_each_step_across(g, v, options.may_enter, options.may_cross, [&](const typename G::node& w, const crossed_t<G>& x) {
+      for_each_open_crossing(g, v, options.may_enter, options.may_cross, [&](const typename G::node& w, const crossed_t<G>& x) {
         visit(w, [&] { options.crossed.put(w, x); });
       });
       return;
     }
   }
-  for_each_step(g, v, options.may_enter, options.may_cross, [&](const typename G::node& w) { visit(w, [] {}); });
+  for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const typename G::node& w) { visit(w, [] {}); });
 }
 
 }  // namespace concino::detail

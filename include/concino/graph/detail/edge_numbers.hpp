@@ -50,7 +50,7 @@ class edge_numbers {
       std::size_t arc = first_[g.index(v)];
       for (const typename G::node w : g.neighbours(v)) {
         std::size_t& place = free[g.index(w)];
-        if (place == first_[g.index(w) + 1]) throw_one_way(G::word, g.index(v), g.index(w));
+        if (place == first_[g.index(w) + 1]) throw_one_way(G::element_name, g.index(v), g.index(w));
         by_target[place++] = {g.index(v), arc++};
       }
     }
@@ -60,7 +60,7 @@ class edge_numbers {
       for (const typename G::node w : g.neighbours(v)) mark[g.index(w)] = arc++;
       for (std::size_t k = first_[i]; k < free[i]; ++k) {
         const auto [from, opposite] = by_target[k];
-        if (mark[from] < first_[i] || mark[from] >= first_[i + 1]) throw_one_way(G::word, from, i);
+        if (mark[from] < first_[i] || mark[from] >= first_[i + 1]) throw_one_way(G::element_name, from, i);
         table_[opposite] = mark[from];
       }
     }

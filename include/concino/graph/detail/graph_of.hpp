@@ -6,6 +6,7 @@
 #include <concino/concepts/primal_graph.hpp>
 #include <concino/concepts/views/dual.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/iterable.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -21,7 +22,7 @@ template<PrimalGraph M>
 struct primal_graph {
   using mesh = M;
   using node = vert_t<M>;
-  static constexpr const char* word = "vert";
+  static constexpr const char* element_name = "vert";
   const M& m;
 
   std::size_t num_nodes() const { return num_verts(m); }
@@ -36,7 +37,7 @@ template<DualGraph M>
 struct dual_graph {
   using mesh = M;
   using node = poly_t<M>;
-  static constexpr const char* word = "poly";
+  static constexpr const char* element_name = "poly";
   const M& m;
 
   std::size_t num_nodes() const { return num_polys(m); }
@@ -48,10 +49,10 @@ struct dual_graph {
 
 // Which graph does X mean? The one whose nodes are of that very type, else the only one whose nodes X converts to (handles of a
 // library often come in a plain and a smart flavour).
-template<class M, class X> concept names_vert = PrimalGraph<M> && std::same_as<X, vert_t<M>>;
+template<class M, class X> concept is_vert_type = PrimalGraph<M> && std::same_as<X, vert_t<M>>;
 template<class M, class X> concept names_poly = DualGraph<M> && std::same_as<X, poly_t<M>>;
-template<class M, class X> concept becomes_vert = PrimalGraph<M> && std::convertible_to<X, vert_t<M>>;
-template<class M, class X> concept becomes_poly = DualGraph<M> && std::convertible_to<X, poly_t<M>>;
+template<class M, class X> concept converts_to_vert = PrimalGraph<M> && std::convertible_to<X, vert_t<M>>;
+template<class M, class X> concept converts_to_poly = DualGraph<M> && std::convertible_to<X, poly_t<M>>;
 
 /// None: what the options of a function name where it is not known which graph is meant, so that its constraints come to say why.
 struct no_graph {
@@ -60,18 +61,16 @@ struct no_graph {
 };
 template<class M, class X> struct graph_for { using type = no_graph; };
 template<class M, class X>
-  requires names_vert<M, X> || (becomes_vert<M, X> && !names_poly<M, X> && !becomes_poly<M, X>)
+  requires is_vert_type<M, X> || (converts_to_vert<M, X> && !names_poly<M, X> && !converts_to_poly<M, X>)
 struct graph_for<M, X> { using type = primal_graph<std::remove_cvref_t<M>>; };
 template<class M, class X>
-  requires names_poly<M, X> || (becomes_poly<M, X> && !names_vert<M, X> && !becomes_vert<M, X>)
+  requires names_poly<M, X> || (converts_to_poly<M, X> && !is_vert_type<M, X> && !converts_to_vert<M, X>)
 struct graph_for<M, X> { using type = dual_graph<std::remove_cvref_t<M>>; };
-
-template<class S> concept any_range = requires(const S& s) { s.begin(); s.end(); *s.begin(); };
 
 /// What a source says: itself if it is a node (be that an array of coordinates), what it holds if it is a container of nodes.
 template<class M, class S> struct element_of_source { using type = S; };
-template<class M, any_range S>
-  requires(!names_vert<M, S> && !names_poly<M, S>)
+template<class M, core::iterable S>
+  requires(!is_vert_type<M, S> && !names_poly<M, S>)
 struct element_of_source<M, S> { using type = std::remove_cvref_t<decltype(*std::declval<const S&>().begin())>; };
 template<class M, class S> using source_element = typename element_of_source<std::remove_cvref_t<M>, S>::type;
 
@@ -85,13 +84,13 @@ auto make_node_map(const G& g, const T& init) {
 
 template<class G>
 std::string name_of(const G& g, const typename G::node& x) {
-  return core::joined({G::word, " ", core::number_text(g.index(x))});
+  return core::joined({G::element_name, " ", core::number_text(g.index(x))});
 }
 
 template<class G>
-void expect_node(const G& g, const typename G::node& x, const char* who, const char* role) {
+void expect_node(const G& g, const typename G::node& x, const char* caller, const char* role) {
   if (contains(g.m, x)) return;
-  core::throw_joined<invalid_mesh>({who, ": the ", role, " is no ", G::word, " of the mesh; take one from ", G::word, "s(m)"});
+  core::throw_joined<invalid_mesh>({caller, ": the ", role, " is no ", G::element_name, " of the mesh; take one from ", G::element_name, "s(m)"});
 }
 
 /// The graph that is meant where no source says so: that of the verts; of dual(m), which says so by its name, that of the polys.
@@ -101,25 +100,25 @@ template<DualGraph M> struct graph_by_default<views::dual_view<M>> { using type 
 template<class M> using default_graph_of = typename graph_by_default<std::remove_cvref_t<M>>::type;
 template<class M> using default_node_of = typename default_graph_of<M>::node;
 
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_none_given(const char* who, const char* role, const char* word) {
-  core::throw_joined<invalid_argument>({who, ": there is no ", role, "; give at least one ", word});
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_empty_list(const char* caller, const char* role, const char* word) {
+  core::throw_joined<invalid_argument>({caller, ": there is no ", role, "; give at least one ", word});
 }
 
 /// Calls visit(node) for the one source or each of several, after checking that the mesh has it.
 /// Errors: invalid_argument if there is none.
 template<class G, class S, class F>
-void for_each_source(const G& g, const S& source, const char* who, F&& visit, const char* role = "source") {
+void for_each_source(const G& g, const S& source, const char* caller, F&& visit, const char* role = "source") {
   const auto take = [&](const typename G::node& x) {
-    expect_node(g, x, who, role);
+    expect_node(g, x, caller, role);
     visit(x);
   };
-  if constexpr (any_range<S> && !std::same_as<S, typename G::node>) {
+  if constexpr (core::iterable<S> && !std::same_as<S, typename G::node>) {
     bool any = false;
     for (const auto& x : source) {
       take(static_cast<typename G::node>(x));
       any = true;
     }
-    if (!any) throw_none_given(who, role, G::word);
+    if (!any) throw_empty_list(caller, role, G::element_name);
   } else {
     take(static_cast<typename G::node>(source));
   }
@@ -135,8 +134,8 @@ template<class M> concept is_dual_view = is_dual_view_v<std::remove_cvref_t<M>>;
 template<class M> concept is_graph = PrimalGraph<M> || is_dual_view<M>;  // of the polys of m write connected_components(dual(m)), spanning_tree(dual(m))
 
 /// X names polys rather than verts of M, whatever else M offers.
-template<class M, class X> concept becomes_vert_type = std::convertible_to<X, vert_t<M>>;
-template<class M, class X> concept is_poly_type = std::same_as<X, poly_t<M>> || (std::convertible_to<X, poly_t<M>> && !becomes_vert_type<M, X>);
+template<class M, class X> concept converts_to_vert_type = std::convertible_to<X, vert_t<M>>;
+template<class M, class X> concept is_poly_type = std::same_as<X, poly_t<M>> || (std::convertible_to<X, poly_t<M>> && !converts_to_vert_type<M, X>);
 template<class M, class X> concept is_no_poly_type = !is_poly_type<M, X>;
 template<class M, class S> concept is_vert_or_poly = !std::same_as<concino::detail::graph_of<M, S>, concino::detail::no_graph>;
 

@@ -5,7 +5,7 @@
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/graph/detail/crossings.hpp>
-#include <concino/graph/detail/fetch.hpp>
+#include <concino/graph/detail/prefetch.hpp>
 
 #include <limits>
 #include <vector>
@@ -15,11 +15,11 @@ namespace concino::detail {
 /// from(v)(w, gap) is the length of the arc v -> w. Where the length is known not to be below gap it may be +inf instead: a longer step
 /// would not improve anything.
 template<class L>
-struct given_lengths {
+struct input_lengths {
   const L& length;
 
   template<class Node>
-  void fetch(const Node&) const {}
+  void prefetch(const Node&) const {}
 
   template<class Node>
   auto from(const Node& v) const {
@@ -41,8 +41,8 @@ template<Embedded M>
 struct euclidean_vert_lengths {
   const M& m;
 
-  void fetch(const vert_t<M>& v) const {
-    if constexpr (std::is_lvalue_reference_v<decltype(point(m, v))>) detail::fetch(&point(m, v));
+  void prefetch(const vert_t<M>& v) const {
+    if constexpr (std::is_lvalue_reference_v<decltype(point(m, v))>) detail::prefetch(&point(m, v));
   }
 
   auto from(const vert_t<M>& v) const {
@@ -64,7 +64,7 @@ class euclidean_poly_lengths {
     for (const poly_t<M> p : polys(m)) centres_[index_of(m, p)] = vert_mean(m, p);
   }
 
-  void fetch(const poly_t<M>& p) const { detail::fetch(&centres_[index_of(m_, p)]); }
+  void prefetch(const poly_t<M>& p) const { detail::prefetch(&centres_[index_of(m_, p)]); }
   auto from(const poly_t<M>& p) const {
     return [this, c = centres_[index_of(m_, p)]](const poly_t<M>& q, double gap) {
       if (gap <= 0) return std::numeric_limits<double>::infinity();
@@ -78,8 +78,8 @@ template<class M>
 auto default_lengths(const primal_graph<M>& g) { return euclidean_vert_lengths<M>{g.m}; }
 
 template<class M>
-  requires EmbeddedMesh<mesh_behind_t<M>>
-auto default_lengths(const dual_graph<M>& g) { return euclidean_poly_lengths<mesh_behind_t<M>>(mesh_behind(g.m)); }
+  requires EmbeddedMesh<base_mesh_t<M>>
+auto default_lengths(const dual_graph<M>& g) { return euclidean_poly_lengths<base_mesh_t<M>>(base_mesh(g.m)); }
 
 }  // namespace concino::detail
 
@@ -87,8 +87,8 @@ namespace concino::requirement {
 
 /// The graph that S means has coordinates to measure by: of verts, or of the verts of polys.
 template<class M, class S>
-concept has_lengths = is_source<M, S> && Embedded<concino::detail::mesh_behind_t<std::remove_cvref_t<M>>> &&
-                      (AnyMesh<concino::detail::mesh_behind_t<std::remove_cvref_t<M>>> || is_no_poly_type<M, concino::detail::source_element<M, S>>);
+concept has_lengths = is_source<M, S> && Embedded<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> &&
+                      (AnyMesh<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> || is_no_poly_type<M, concino::detail::source_element<M, S>>);
 
 /// A callable that says how long the arc from one node to another is.
 template<class L, class N> concept is_length = requires(const L& length, const N& v) { static_cast<double>(length(v, v)); };

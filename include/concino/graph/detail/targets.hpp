@@ -17,11 +17,11 @@ class target_set {
 
  public:
   template<class G>
-  target_set(const G& g, const std::vector<typename G::node>& targets, bool one_is_enough, const char* who) : one_is_enough_(one_is_enough) {
+  target_set(const G& g, const std::vector<typename G::node>& targets, bool one_is_enough, const char* caller) : one_is_enough_(one_is_enough) {
     if (targets.empty()) return;
     is_target_.resize(g.bound());
     for (const auto& t : targets) {
-      expect_node(g, t, who, "target");
+      expect_node(g, t, caller, "target");
       left_ += !std::exchange(is_target_[g.index(t)], static_cast<unsigned char>(1));
     }
   }

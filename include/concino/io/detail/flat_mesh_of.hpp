@@ -25,7 +25,7 @@ class list_collector {
  public:
   explicit list_collector(bool copy) : is_copy_(copy) {}
 
-  void show(const T* first, const T* last);
+  void refer_to(const T* first, const T* last);
   void push(T x) { copies_.push_back(x); }
   /// Ends a list that was pushed.
   void end_list() { end(copies_.size() - values_); }
@@ -69,7 +69,7 @@ class flat_mesh_of final : public flat_mesh {
   template<class Id, class X, class R>
   static void add_list(list_collector<Id>& lists, const element_numbers& of, const M& m, const R& range) {
     if constexpr (std::is_same_v<R, id_span<Id>>) {
-      if (of.lists_hold_numbers) return lists.show(range.begin(), range.end());
+      if (of.lists_hold_numbers) return lists.refer_to(range.begin(), range.end());
     }
     for (const X x : range) lists.push(Id{of.number_of(index_of(m, x))});
     lists.end_list();
@@ -97,8 +97,8 @@ class flat_mesh_of final : public flat_mesh {
   void make_polyhedra() override {
     if constexpr (dimension_v<M> == 3) {  // surfaces have no polyhedra
       for (const face_t<M> f : faces(mesh_)) faces_.add(f, index_of(mesh_, f), face_index_bound(mesh_));
-      face_verts_ = list_collector<vert_id>(!shows<vert_id, decltype(adj_f2v(mesh_, *faces(mesh_).begin()))>(verts_));
-      poly_faces_ = list_collector<face_id>(!shows<face_id, decltype(adj_p2f(mesh_, *polys(mesh_).begin()))>(faces_));
+      face_verts_ = list_collector<vert_id>(!can_refer_to<vert_id, decltype(adj_f2v(mesh_, *faces(mesh_).begin()))>(verts_));
+      poly_faces_ = list_collector<face_id>(!can_refer_to<face_id, decltype(adj_p2f(mesh_, *polys(mesh_).begin()))>(faces_));
       for (const face_t<M> f : faces(mesh_)) add_list<vert_id, vert_t<M>>(face_verts_, verts_, mesh_, adj_f2v(mesh_, f));
       for (const poly_t<M> p : polys(mesh_)) {
         add_list<face_id, face_t<M>>(poly_faces_, faces_, mesh_, adj_p2f(mesh_, p));
@@ -109,7 +109,7 @@ class flat_mesh_of final : public flat_mesh {
   }
 
   template<class Id, class R>
-  static bool shows(const element_numbers& of) { return std::is_same_v<std::remove_cvref_t<R>, id_span<Id>> && of.lists_hold_numbers; }
+  static bool can_refer_to(const element_numbers& of) { return std::is_same_v<std::remove_cvref_t<R>, id_span<Id>> && of.lists_hold_numbers; }
 
  public:
   /// The mesh has to stay as it is meanwhile.
@@ -121,7 +121,7 @@ class flat_mesh_of final : public flat_mesh {
     vert_indices = verts_.indices;
     collect_points();
     element_numbers numbered;
-    poly_verts_ = list_collector<vert_id>(!shows<vert_id, decltype(adj_p2v(m, *polys(m).begin()))>(verts_));
+    poly_verts_ = list_collector<vert_id>(!can_refer_to<vert_id, decltype(adj_p2v(m, *polys(m).begin()))>(verts_));
     for (const poly_t<M> p : polys(m)) {
       numbered.add(p, index_of(m, p), poly_index_bound(m));
       if constexpr (dimension_v<M> == 2 || arity_v<M> == 4 || arity_v<M> == 8)  // polyhedra are lists of faces

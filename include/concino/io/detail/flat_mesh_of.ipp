@@ -20,7 +20,7 @@ void list_collector<T>::end(std::size_t length) {
 }
 
 template<class T>
-[[gnu::noinline]] void list_collector<T>::show(const T* first, const T* last) {
+[[gnu::noinline]] void list_collector<T>::refer_to(const T* first, const T* last) {
   if (!is_copy_ && values_ == 0) first_ = first;
   if (!is_copy_ && first != last && first != first_ + values_) {
     copies_.assign(first_, first_ + values_);

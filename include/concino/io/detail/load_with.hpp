@@ -41,26 +41,26 @@ void read_as(const read_context& context, Contents& out) {
   if constexpr ((Surfaces && F::holds_surfaces) || (Volumes && F::holds_volumes)) F::read(context, out);
   else throw_wrong_dimension(context.name, F::holds_volumes);
   drop_equal_offsets(out.surface);
-  tell(*context.progress, 1.0, "reading");
+  report_progress(*context.progress, 1.0, "reading");
 }
 
 /// Of what M can be.
 template<class M>
 M mesh_of(file_contents& contents, std::string_view, load_report* report) {
   M m(std::move(contents.surface));
-  give_properties(m, contents, report);
+  set_properties(m, contents, report);
   return m;
 }
 template<class M>
 M mesh_of(volume_contents& contents, std::string_view name, load_report* report) {
   const auto with_properties = [&](M m) {
-    give_properties(m, contents, report);
+    set_properties(m, contents, report);
     return m;
   };
-  if (contents.held == held_mesh::surface) {
+  if (contents.filled == arrays_kind::surface) {
     if constexpr (from_surface<M>) return with_properties(M(std::move(contents.surface)));
     else throw_wrong_dimension(name, false, contents.surface.num_polys());
-  } else if (contents.held == held_mesh::cells) {
+  } else if (contents.filled == arrays_kind::cells) {
     if constexpr (from_cells<M>) return with_properties(M(std::move(contents.cells)));
     else if constexpr (from_polyhedra<M>) return with_properties(M(to_polyhedra(std::move(contents.cells))));
     else throw_wrong_dimension(name, true, contents.cells.num_polys());
@@ -87,8 +87,8 @@ using contents_for = contents_of<wants_volumes<M> || !all_read_surfaces_alone(li
 template<bool Surfaces, bool Volumes, class... F, class Contents>
 void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const wanted_mesh& wanted, const load_options& options,
                Contents& contents, file_text* file = nullptr) {
-  load_report unheard;
-  const read_context context{text, name, wanted, options.report ? options.report : &unheard, &options.progress, file != nullptr};
+  load_report unused_report;
+  const read_context context{text, name, wanted, options.report ? options.report : &unused_report, &options.progress, file != nullptr};
   with_format(known, chosen, [&]<Format G>(G) { read_as<G, Surfaces, Volumes>(context, contents); });
   if (file) file->close(std::string(name));
 }

@@ -88,7 +88,7 @@ class name_numbers {
 };
 
 /// A name that says a number, as writers make them where there is a number but no name: "label_7", "color_3".
-bool says_number(std::string_view name, std::string_view prefix, int& number);
+bool is_number(std::string_view name, std::string_view prefix, int& number);
 
 }  // namespace concino::detail
 

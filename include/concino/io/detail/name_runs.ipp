@@ -61,7 +61,7 @@ CONCINO_INLINE void name_runs::drop_last() {
   first_.pop_back();
 }
 
-[[gnu::noinline]] CONCINO_INLINE bool says_number(std::string_view name, std::string_view prefix, int& number) {
+[[gnu::noinline]] CONCINO_INLINE bool is_number(std::string_view name, std::string_view prefix, int& number) {
   if (!name.starts_with(prefix)) return false;
   name.remove_prefix(prefix.size());
   std::int64_t n = 0;

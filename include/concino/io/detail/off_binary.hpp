@@ -83,13 +83,13 @@ class off_binary_reader {
         const double s = real();
         extra.vert_textures.push_back(std::array<double, 2>{s, real()});
       }
-      in_.tell();
+      in_.report_progress();
     }
     std::vector<std::uint64_t> scratch;
     for (std::uint64_t f = 0; f < polys; ++f) {
       poly(out, arity, scratch);
       attributes(extra, f);
-      in_.tell();
+      in_.report_progress();
     }
     if (!in_.at_end()) report_.skipped.push_back(core::joined({in_.left(), " bytes after the last poly"}));
     if (num_odd_) report_.skipped.push_back(core::joined({num_odd_, " polys with numbers after the corners that are no colour"}));

@@ -95,7 +95,7 @@ class winding_check {
 /// Faces of a poly are numbered by their places in its list.
 template<class Arrays>
 class face_orienter {
-  struct side {
+  struct incidence {
     std::uint64_t edge;  // smaller vert, larger vert
     std::uint32_t face;
     bool up;  // walked outward, the face runs from the smaller to the larger
@@ -104,41 +104,41 @@ class face_orienter {
     std::uint32_t to;
     bool agree;
   };
-  std::vector<side> sides_;
+  std::vector<incidence> incidences_;
   std::vector<std::uint32_t> first_link_;  // the links of face f end before first_link_[f], where those of f + 1 begin
   std::vector<std::uint32_t> component_, queue_;
   std::vector<link> links_;
   std::vector<std::uint8_t> flip_;
 
-  void list_sides(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
-    sides_.clear();
+  void list_incidences(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
+    incidences_.clear();
     for (std::uint32_t i = begin; i < end; ++i) {
       const std::uint32_t f = m.poly_faces[i].raw();
       std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
       for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
         const std::uint32_t b = m.face_verts[k].raw();
-        sides_.push_back({a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a, i - begin, (a < b) == (m.outward[i] != 0)});
+        incidences_.push_back({a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a, i - begin, (a < b) == (m.outward[i] != 0)});
         a = b;
       }
     }
-    std::sort(sides_.begin(), sides_.end(), [](const side& x, const side& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
+    std::sort(incidences_.begin(), incidences_.end(), [](const incidence& x, const incidence& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
   }
 
   /// Two faces at an edge agree if one runs up and the other down. Edges with one face, or more than two, say nothing.
   template<class Use>
   void for_each_pair(const Use& use) const {
-    for (std::size_t i = 0, j; i < sides_.size(); i = j) {
-      for (j = i + 1; j < sides_.size() && sides_[j].edge == sides_[i].edge;) ++j;
-      if (j - i == 2 && sides_[i].face != sides_[i + 1].face) use(sides_[i], sides_[i + 1]);
+    for (std::size_t i = 0, j; i < incidences_.size(); i = j) {
+      for (j = i + 1; j < incidences_.size() && incidences_[j].edge == incidences_[i].edge;) ++j;
+      if (j - i == 2 && incidences_[i].face != incidences_[i + 1].face) use(incidences_[i], incidences_[i + 1]);
     }
   }
 
   void link_faces(std::uint32_t n) {
     first_link_.assign(n + 1, 0);
-    for_each_pair([&](const side& x, const side& y) { ++first_link_[x.face + 1], ++first_link_[y.face + 1]; });
+    for_each_pair([&](const incidence& x, const incidence& y) { ++first_link_[x.face + 1], ++first_link_[y.face + 1]; });
     std::partial_sum(first_link_.begin(), first_link_.end(), first_link_.begin());
     links_.resize(first_link_[n]);
-    for_each_pair([&](const side& x, const side& y) {
+    for_each_pair([&](const incidence& x, const incidence& y) {
       links_[first_link_[x.face]++] = {y.face, x.up != y.up};
       links_[first_link_[y.face]++] = {x.face, x.up != y.up};
     });
@@ -168,7 +168,7 @@ class face_orienter {
   /// Result: whether a face was flipped.
   bool operator()(Arrays& m, std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t n = end - begin;
-    list_sides(m, begin, end);
+    list_incidences(m, begin, end);
     link_faces(n);
     flip_.assign(n, 0);
     component_.assign(n, ~0u);

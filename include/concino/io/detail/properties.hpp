@@ -8,36 +8,36 @@
 namespace concino::detail {
 
 /// The property `name`, of values that are copied as bytes: the i-th goes to the element with index where[i].
-void give_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
+void set_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
                         const std::vector<std::uint32_t>& where, std::size_t bound);
 
-void give_to_verts(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound);
+void set_vert_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound);
 
-void give_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound);
+void set_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound);
 
-void give_to_polys(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound);
+void set_poly_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound);
 
-void tell_of_skipped(const file_contents& contents, load_report& report);
+void report_skipped(const file_contents& contents, load_report& report);
 
 /// What the file says about elements as properties, where the mesh can have them: "label", "color", "normal", "texture", "object", "group",
 /// "material"; "materials" of the mesh itself. Elements are walked in the order of the file.
 template<class M>
-void give_properties(M& m, file_contents& contents, load_report* report) {
+void set_properties(M& m, file_contents& contents, load_report* report) {
   if constexpr (HasProperties<M>) {
     if (!contents.table.empty()) *mesh_property<material_table>(m, "materials") = std::move(contents.table);
     std::vector<std::uint32_t> where;
     if (!contents.vert_labels.empty() || !contents.vert_colors.empty() || !contents.vert_normals.empty() || !contents.vert_textures.empty()) {
       for (const vert_t<M> v : verts(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, v)));
-      give_to_verts(traits<M>::properties(m), contents, where, vert_index_bound(m));
+      set_vert_property(traits<M>::properties(m), contents, where, vert_index_bound(m));
       where.clear();
     }
     if (!contents.poly_labels.empty() || !contents.poly_colors.empty() || !contents.objects.empty() || !contents.groups.empty() ||
         !contents.materials.empty()) {
       for (const poly_t<M> p : polys(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, p)));
-      give_to_polys(traits<M>::properties(m), contents, where, poly_index_bound(m));
+      set_poly_property(traits<M>::properties(m), contents, where, poly_index_bound(m));
     }
   } else if (report) {
-    tell_of_skipped(contents, *report);
+    report_skipped(contents, *report);
   }
 }
 

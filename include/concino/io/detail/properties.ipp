@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-[[gnu::noinline]] CONCINO_INLINE void give_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
+[[gnu::noinline]] CONCINO_INLINE void set_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
                         const std::vector<std::uint32_t>& where, std::size_t bound) {
   unsigned char* const to = static_cast<unsigned char*>(all.get(kind, name, type, bound)->data());
   const unsigned char* from = static_cast<const unsigned char*>(values);
@@ -17,9 +17,9 @@ namespace concino::detail {
   }
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void give_to_verts(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE void set_vert_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
   const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
-    if (n) give_values(all, element_kind::vert, name, type, values, where, bound);
+    if (n) set_values(all, element_kind::vert, name, type, values, where, bound);
   };
   give("label", values_of<int>, contents.vert_labels.size(), contents.vert_labels.data());
   give("color", values_of<rgba>, contents.vert_colors.size(), contents.vert_colors.values().data());
@@ -27,7 +27,7 @@ namespace concino::detail {
   give("texture", values_of<std::array<double, 2>>, contents.vert_textures.size(), contents.vert_textures.values().data());
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void give_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound) {
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE void set_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound) {
   if (names.empty()) return;
   std::string* const to = static_cast<std::string*>(all.get(element_kind::poly, name, values_of<std::string>, bound)->data());
   names.for_each(where.size(), [&](std::size_t i, std::size_t end, std::string_view text) {
@@ -35,18 +35,18 @@ namespace concino::detail {
   });
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void give_to_polys(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE void set_poly_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
   const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
-    if (n) give_values(all, element_kind::poly, name, type, values, where, bound);
+    if (n) set_values(all, element_kind::poly, name, type, values, where, bound);
   };
   give("label", values_of<int>, contents.poly_labels.size(), contents.poly_labels.data());
   give("color", values_of<rgba>, contents.poly_colors.size(), contents.poly_colors.values().data());
-  give_names(all, "object", contents.objects, where, bound);
-  give_names(all, "group", contents.groups, where, bound);
-  give_names(all, "material", contents.materials, where, bound);
+  set_names(all, "object", contents.objects, where, bound);
+  set_names(all, "group", contents.groups, where, bound);
+  set_names(all, "material", contents.materials, where, bound);
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void tell_of_skipped(const file_contents& contents, load_report& report) {
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE void report_skipped(const file_contents& contents, load_report& report) {
   const auto skipped = [&](bool is_empty, const char* what) {
     if (!is_empty) report.skipped.push_back(what);
   };

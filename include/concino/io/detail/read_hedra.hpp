@@ -37,7 +37,7 @@ class hedra_reader : token_cursor {
     if (report_.reoriented_polys)
       report_.notes.push_back(core::joined({report_.reoriented_polys, " of ", np,
                                       " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
-    out.held = wanted_.polyhedra ? held_mesh::polyhedra : held_mesh::cells;
+    out.filled = wanted_.polyhedra ? arrays_kind::polyhedra : arrays_kind::cells;
     if (wanted_.polyhedra) out.polyhedra = std::move(out_);
     else out.cells = cells();
   }
@@ -46,24 +46,24 @@ class hedra_reader : token_cursor {
   /// Room for all of n lists, told from the first few; no more than the text can hold.
   std::size_t expected(std::size_t entries, std::uint64_t lists, std::uint64_t n) const {
     const double all = static_cast<double>(entries) / static_cast<double>(lists) * static_cast<double>(n);
-    return entries + std::min(room_for(all), static_cast<std::size_t>(end() - at) / 2 + 1);
+    return entries + std::min(with_margin(all), static_cast<std::size_t>(end() - at) / 2 + 1);
   }
 
   void verts(std::uint64_t n) {
-    core::reserve_large(out_.points, room(n, 6));
+    core::reserve_large(out_.points, reservable(n, 6));
     for (std::uint64_t i = 0; i < n; ++i) {
       vec3 p;
       p.x = next_real("the x of a vert");
       p.y = next_real("the y of a vert");
       p.z = next_real("the z of a vert");
       out_.points.push_back(p);
-      tell();
+      report_progress();
     }
   }
 
   void faces(std::uint64_t n) {
     std::vector<std::uint64_t> scratch;
-    core::reserve_large(out_.face_offsets, room(n, 8) + 1);
+    core::reserve_large(out_.face_offsets, reservable(n, 8) + 1);
     out_.face_offsets.push_back(0);
     for (std::uint64_t f = 0; f < n; ++f) {
       skip();
@@ -77,14 +77,14 @@ class hedra_reader : token_cursor {
       if (out_.face_verts.size() > max_ids) fail_to_count("corners");
       if (f == 4095) core::reserve_large(out_.face_verts, expected(out_.face_verts.size(), f + 1, n));
       out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
-      tell();
+      report_progress();
     }
   }
 
   void polys(std::uint64_t n) {
     std::vector<std::uint32_t> last_poly(out_.num_faces(), ~0u);  // that had the face
     std::uint64_t poly_corners = 0;
-    core::reserve_large(out_.poly_offsets, room(n, 4) + 1);
+    core::reserve_large(out_.poly_offsets, reservable(n, 4) + 1);
     out_.poly_offsets.push_back(0);
     for (std::uint64_t p = 0; p < n; ++p) {
       skip();
@@ -109,7 +109,7 @@ class hedra_reader : token_cursor {
         core::reserve_large(out_.outward, out_.poly_faces.capacity());
       }
       out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
-      tell();
+      report_progress();
     }
     check_poly_corners(poly_corners, out_.face_verts.size(), out_.poly_faces.size(), core::joined({name(), ": "}));
   }

@@ -31,7 +31,7 @@ class medit_reader : token_cursor {
     const char* at;  // before the count
     std::uint64_t count;
   };
-  std::vector<part> put_off_;  // surfaces, until it is known that there are no cells; cells that come before the verts
+  std::vector<part> deferred_;  // surfaces, until it is known that there are no cells; cells that come before the verts
 
  public:
   medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report) {}
@@ -76,7 +76,7 @@ class medit_reader : token_cursor {
           if (Volumes && s.volume && has_verts_) {
             elements(here);
           } else {
-            put_off_.push_back(here);
+            deferred_.push_back(here);
             skip_section();
           }
           return;
@@ -84,7 +84,7 @@ class medit_reader : token_cursor {
       skip();
       std::int64_t n = 0;
       parse_integer(at, end(), n);  // most sections begin with how many rows they have
-      tell_of_skipped(keyword.substr(0, 40), n > 0 ? static_cast<std::uint64_t>(n) : 0);
+      report_skipped(keyword.substr(0, 40), n > 0 ? static_cast<std::uint64_t>(n) : 0);
       skip_section();
     }
   }
@@ -98,7 +98,7 @@ class medit_reader : token_cursor {
         after_space = true;
       } else if (is_space(*at)) {
         after_space = true;
-        tell();
+        report_progress();
       } else {
         if (after_space && is_letter(*at)) return;
         after_space = false;
@@ -106,7 +106,7 @@ class medit_reader : token_cursor {
     }
   }
 
-  [[gnu::noinline, gnu::cold]] void tell_of_skipped(std::string_view keyword, std::uint64_t rows) {
+  [[gnu::noinline, gnu::cold]] void report_skipped(std::string_view keyword, std::uint64_t rows) {
     report_.skipped.push_back(rows ? core::joined({"section ", keyword, ", ", rows, " rows"}) : core::joined({"section ", keyword}));
   }
 
@@ -136,11 +136,11 @@ class medit_reader : token_cursor {
     labels.push_back(label);
   }
 
-  std::uint64_t least_bytes() const { return static_cast<std::uint64_t>(2 * dimension_ + 2); }  // of a vertex: digits and blanks
+  std::uint64_t min_bytes() const { return static_cast<std::uint64_t>(2 * dimension_ + 2); }  // of a vertex: digits and blanks
 
   void vertices() {
-    const std::uint64_t n = next_count("the number of vertices", least_bytes());
-    core::reserve_large(points_, room(n, least_bytes()));
+    const std::uint64_t n = next_count("the number of vertices", min_bytes());
+    core::reserve_large(points_, reservable(n, min_bytes()));
     for (std::uint64_t i = 0; i < n; ++i) {
       vec3 p;
       p.x = next_real("the x of a vertex");
@@ -148,7 +148,7 @@ class medit_reader : token_cursor {
       if (dimension_ == 3) p.z = next_real("the z of a vertex");
       points_.push_back(p);
       add_label(vert_labels_, i, next_label("the reference of a vertex, an integer"));
-      tell();
+      report_progress();
     }
     has_verts_ = true;
   }
@@ -159,15 +159,15 @@ class medit_reader : token_cursor {
     skip();
     if (s.volume && wanted_.cells && !wanted_.polyhedra) {
       const std::uint32_t arity = wanted_.arity ? wanted_.arity : only_ ? only_->arity : s.arity;
-      if (s.arity != arity || (arity != 4 && arity != 8)) refuse(s, arity);
+      if (s.arity != arity || (arity != 4 && arity != 8)) throw_wrong_arity_of(s, arity);
     }
-    if (!s.volume && wanted_.surface && wanted_.arity && s.arity != wanted_.arity) refuse(s, wanted_.arity);
+    if (!s.volume && wanted_.surface && wanted_.arity && s.arity != wanted_.arity) throw_wrong_arity_of(s, wanted_.arity);
     if (only_ && only_ != &s && shapes_.empty()) {  // from here on every poly says what it is
       shapes_.resize(polys_);
       for (std::uint8_t& shape : shapes_) shape = static_cast<std::uint8_t>(only_->shape);
       for (std::size_t p = 0; p <= polys_; ++p) poly_begin_.push_back(static_cast<std::uint32_t>(p * only_->arity));
     }
-    core::reserve_large(verts_, verts_.size() + room(all.count, 2 * s.arity + 2) * s.arity);
+    core::reserve_large(verts_, verts_.size() + reservable(all.count, 2 * s.arity + 2) * s.arity);
     std::vector<std::uint64_t> scratch;
     for (std::uint64_t i = 0; i < all.count; ++i) {
       skip();
@@ -186,14 +186,14 @@ class medit_reader : token_cursor {
         shapes_.push_back(static_cast<std::uint8_t>(s.shape));
         poly_begin_.push_back(static_cast<std::uint32_t>(verts_.size()));
       }
-      tell();
+      report_progress();
     }
     if (verts_.size() > max_ids) fail_to_count("corners");
     polys_ += all.count;
     if (!only_) only_ = &s;
   }
 
-  [[noreturn, gnu::noinline, gnu::cold]] void refuse(const medit_section& s, std::uint32_t arity) const {
+  [[noreturn, gnu::noinline, gnu::cold]] void throw_wrong_arity_of(const medit_section& s, std::uint32_t arity) const {
     fail(at,
          {name_of_poly(s.volume, arity),
           s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"},
@@ -202,10 +202,10 @@ class medit_reader : token_cursor {
 
   [[gnu::noinline, gnu::cold]] void finish(contents_of<Volumes>& out) {
     bool has_cells = polys_ > 0;
-    for (const part& p : put_off_) has_cells = has_cells || (p.section->volume && p.count > 0);
-    for (const part& p : put_off_) {
+    for (const part& p : deferred_) has_cells = has_cells || (p.section->volume && p.count > 0);
+    for (const part& p : deferred_) {
       if (p.section->volume != has_cells) {
-        if (p.count > 0) tell_of_skipped(p.section->keyword, p.count);
+        if (p.count > 0) report_skipped(p.section->keyword, p.count);
         continue;
       }
       // Where the kind is wrong anyway, load() says so better than the line of some element would.
@@ -235,7 +235,7 @@ class medit_reader : token_cursor {
     if constexpr (Volumes)
       if (volume) {
         const bool fits = wanted_.cells && shapes_.empty() && (!only_ || only_->arity == 4 || only_->arity == 8);
-        out.held = fits ? held_mesh::cells : held_mesh::polyhedra;
+        out.filled = fits ? arrays_kind::cells : arrays_kind::polyhedra;
         if (fits) out.cells = cell_arrays{std::move(points_), std::move(verts_), only_ ? only_->arity : wanted_.arity ? wanted_.arity : 4};
         else out.polyhedra = polyhedra();
       }

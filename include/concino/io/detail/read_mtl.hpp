@@ -40,7 +40,7 @@ struct material_library {
   return false;
 }
 
-/// The first line of a library that save has made; see library_file.hpp.
+/// The first line of a library that save has made; see material_library_file.hpp.
 inline constexpr std::string_view signature_begins = "# Materials of ", signature_goes_on = ", written by concino; checksum ";
 inline bool is_signature(std::string_view line) { return line.starts_with(signature_begins) && line.find(signature_goes_on) != line.npos; }
 
@@ -115,7 +115,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
 }
 
 /// A material that says a colour in numbers and nothing else.
-[[gnu::noinline, gnu::cold]] inline bool says_only_color(const material& m) {
+[[gnu::noinline, gnu::cold]] inline bool is_only_color(const material& m) {
   for (const std::string& line : m.lines) {
     const std::size_t keyword = line.starts_with("Kd ") ? 3 : line.starts_with("d ") ? 2 : line.size();
     if (keyword == line.size() || line.find_first_not_of("0123456789+-.eE ", keyword) != line.npos) return false;
@@ -141,7 +141,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
 }
 
 /// Reads libraries, each once, whatever it is called and however often.
-class library_reader {
+class material_library_reader {
   const read_context& context_;
   material_library& library_;
   name_table seen_;  // files, by the bytes of their numbers
@@ -149,7 +149,7 @@ class library_reader {
  public:
   enum class result { absent, unreadable, read };
 
-  library_reader(const read_context& c, material_library& l) : context_(c), library_(l) {}
+  material_library_reader(const read_context& c, material_library& l) : context_(c), library_(l) {}
 
   [[gnu::noinline, gnu::cold]] result operator()(std::string_view name) {
     const std::string path = library_beside(context_.name, std::string(name));
@@ -174,7 +174,7 @@ class library_reader {
 /// The libraries that lines of a file name, one or more on a line.
 [[gnu::noinline, gnu::cold]] inline void read_libraries(const read_context& context, const std::vector<std::string>& lines, material_library& library) {
   load_report& report = *context.report;
-  library_reader read(context, library);
+  material_library_reader read(context, library);
   name_table seen_lines, seen_names;
   const auto add = [&](const std::string& name, bool is_read) {
     const std::size_t before = seen_names.size();
@@ -191,7 +191,7 @@ class library_reader {
       add(line, false);
       continue;
     }
-    using result = library_reader::result;
+    using result = material_library_reader::result;
     if (const result whole = read(line); whole != result::absent) {
       add(line, whole == result::read);
       continue;
@@ -254,7 +254,7 @@ class library_reader {
   int ignored = 0;
   contents.materials.rename([&](std::string_view name) {
     const std::size_t i = library.all.find(name);
-    if (i == name_table::none || !says_number(name, "color_", ignored) || !says_only_color(materials[i])) return std::string(name);
+    if (i == name_table::none || !is_number(name, "color_", ignored) || !is_only_color(materials[i])) return std::string(name);
     is_color[i] = 1;
     return std::string();
   });

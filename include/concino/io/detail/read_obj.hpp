@@ -43,7 +43,7 @@ class obj_reader : text_cursor {
       fail(end(), {"verts (v x y z)"}, {"none, and ", num_other_, " lines that are not of an OBJ file, the first '", other_, "'"});
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
-    tell_of_skipped(report);
+    report_skipped(report);
     if (!extra_.vert_colors.empty()) extra_.vert_colors.resize(out_.points.size());
     end_names();
   }
@@ -56,8 +56,8 @@ class obj_reader : text_cursor {
       if (*line == 'v') ++points;
       else if (*line == 'f') corners += words_of_line(line, last) - 1;
     });
-    core::reserve_large(out_.points, room_for(scale * static_cast<double>(points)));
-    core::reserve_large(out_.verts, room_for(scale * static_cast<double>(corners)));
+    core::reserve_large(out_.points, with_margin(scale * static_cast<double>(points)));
+    core::reserve_large(out_.verts, with_margin(scale * static_cast<double>(corners)));
   }
 
   /// Ends with an error: what does not lead to it stays as it is.
@@ -74,7 +74,7 @@ class obj_reader : text_cursor {
     for (;;) {
       skip_space();
       if (at_end()) return;
-      tell();
+      report_progress();
       const char c = *at, d = at + 1 != end() ? at[1] : '\n';
       if (c == 'v' && (is_space(d) || d == '\\')) vert();
       else if (c == 'f' && (is_space(d) || d == '\\')) face();
@@ -222,12 +222,12 @@ class obj_reader : text_cursor {
     const name_runs& named = extra_.groups.empty() ? extra_.objects : extra_.groups;
     if (!named.empty()) {
       int label = 0;
-      const bool numbers = &named == &extra_.groups && named.all([&](std::string_view name) { return says_number(name, "label_", label); });
+      const bool numbers = &named == &extra_.groups && named.all([&](std::string_view name) { return is_number(name, "label_", label); });
       name_numbers number;
       extra_.poly_labels.reserve(n);
       named.for_each(n, [&](std::size_t, std::size_t end, std::string_view name) {
         label = 0;
-        if (numbers) says_number(name, "label_", label);
+        if (numbers) is_number(name, "label_", label);
         else label = number(name);
         while (extra_.poly_labels.size() < end) extra_.poly_labels.push_back(label);
       });
@@ -261,7 +261,7 @@ class obj_reader : text_cursor {
     skip_joined_line();
   }
 
-  [[gnu::noinline, gnu::cold]] void tell_of_skipped(load_report& report) const {
+  [[gnu::noinline, gnu::cold]] void report_skipped(load_report& report) const {
     const auto skipped = [&](std::uint64_t n, const char* what) {
       if (n) report.skipped.push_back(core::joined({n, " ", what}));
     };

@@ -65,7 +65,7 @@ class off_reader : off_cursor {
         blanks();
         if (!line_is_over()) extra_numbers();
       }
-      tell();
+      report_progress();
     }
   }
 
@@ -163,7 +163,7 @@ class off_reader : off_cursor {
         if (!line_is_over()) poly_attributes(f);
       }
       if (f == 4095) core::reserve_large(out_.verts, expected_corners(n));
-      tell();
+      report_progress();
     }
   }
 

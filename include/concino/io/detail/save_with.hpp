@@ -3,9 +3,9 @@
 
 #include <concino/core/function_ref.hpp>
 #include <concino/core/precompiled.hpp>
+#include <concino/io/atomic_file.hpp>
 #include <concino/io/detail/choose_format.hpp>
 #include <concino/io/detail/flat_mesh_of.hpp>
-#include <concino/io/replacing_file.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -19,7 +19,7 @@ namespace concino::detail {
 void check_points(std::string_view name, const flat_mesh& m);
 
 /// What remains to be reported once all is written.
-[[gnu::cold]] void tell_of_lost(const write_context& c, const flat_mesh& m, std::string_view format);
+[[gnu::cold]] void report_lost(const write_context& c, const flat_mesh& m, std::string_view format);
 
 /// Hands a mesh as flat arrays to what writes them.
 using flat_mesh_source = function_ref<void(function_ref<void(flat_mesh&)>)>;
@@ -28,7 +28,7 @@ using flat_mesh_source = function_ref<void(function_ref<void(flat_mesh&)>)>;
 template<int Dimension, class... F>
 std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mesh, std::string_view name, std::string_view path, format_list<F...> known,
                                             std::size_t chosen, const save_options& options) {
-  save_report unheard, &report = options.report ? *options.report : unheard;
+  save_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};
   const format_row& row = rows_of(known).rows[chosen];
   if (options.binary && !row.has_binary) core::throw_joined<unsupported>({name, ": ", row.extensions[0], " has no binary form here"});
@@ -39,12 +39,12 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
         check_points(name, flat);
         context.num_elements = flat.points.size() + flat.num_polys;
         G::write(context, flat);
-        tell_of_lost(context, flat, row.extensions[0]);
+        report_lost(context, flat, row.extensions[0]);
       });
     } else if constexpr (Dimension == 2) {  // other formats can be named
-      context.cannot_hold(row.extensions[0], {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
+      context.throw_cannot_hold(row.extensions[0], {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
     } else {
-      context.cannot_hold(row.extensions[0], {"volumes"}, ".mesh or .hedra");
+      context.throw_cannot_hold(row.extensions[0], {"volumes"}, ".mesh or .hedra");
     }
   });
   return std::move(context.companions);
@@ -53,12 +53,12 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
 template<int Dimension, Formats F>
 void save_flat(flat_mesh_source mesh, const std::string& path, F formats, const save_options& options) {
   const std::size_t chosen = chosen_for(path, formats, options.format);
-  replacing_file file(path, {.sync = options.sync});
+  atomic_file file(path, {.sync = options.sync});
   text_sink out(file.descriptor(), path);
   const std::unique_ptr<companion_files> companions = write_with<Dimension>(out, mesh, path, path, list_of(formats), chosen, options);
   out.flush();
   file.finish();
-  if (options.progress) tell(options.progress, 1.0, "writing");
+  if (options.progress) report_progress(options.progress, 1.0, "writing");
   if (companions) companions->commit_with(file);
   else file.commit();
 }
@@ -68,7 +68,7 @@ std::string flat_text(flat_mesh_source mesh, F formats, const save_options& opti
   const std::size_t chosen = chosen_for({}, formats, options.format);
   text_sink out;
   write_with<Dimension>(out, mesh, "text", {}, list_of(formats), chosen, options);
-  return std::move(out).take();
+  return std::move(out).release();
 }
 
 /// The same as visit_flat_mesh, defined in the compiled library only.

@@ -19,13 +19,13 @@
 
 namespace concino::detail {
 
-/// Says which properties a format drops: all but those in `kept`.
-[[gnu::cold]] CONCINO_INLINE void tell_of_lost_properties(const property_set& all, const std::vector<write_context::kept_property>& kept,
+/// Says which properties a format drops: all but those in `stored`.
+[[gnu::cold]] CONCINO_INLINE void report_lost_properties(const property_set& all, const std::vector<write_context::stored_property>& stored,
                                                                  std::string_view format, std::vector<std::string>& lost) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const property_info p = all.info(i);
     bool is_kept = false;
-    for (const write_context::kept_property& k : kept) is_kept = is_kept || (p.kind == k.kind && k.name == p.name && *p.type == *k.type);
+    for (const write_context::stored_property& k : stored) is_kept = is_kept || (p.kind == k.kind && k.name == p.name && *p.type == *k.type);
     if (!is_kept) lost.push_back(core::joined({to_string(p.kind), " property \"", p.name, "\": ", format, " has no place for it"}));
   }
 }
@@ -36,8 +36,8 @@ CONCINO_INLINE void check_points(std::string_view name, const flat_mesh& m) {
       core::throw_joined<invalid_mesh>({name, ": vert ", m.vert_index(v), " has a coordinate that is not a finite number; no file can hold it"});
 }
 
-CONCINO_INLINE void tell_of_lost(const write_context& c, const flat_mesh& m, std::string_view format) {
-  if (m.properties) tell_of_lost_properties(*m.properties, c.kept, format, c.report.lost);
+CONCINO_INLINE void report_lost(const write_context& c, const flat_mesh& m, std::string_view format) {
+  if (m.properties) report_lost_properties(*m.properties, c.stored, format, c.report.lost);
   if (c.num_not_finite)
     c.report.lost.push_back(core::joined({c.num_not_finite, " numbers of colours and the like that are not finite: written as 0"}));
 }

@@ -33,6 +33,6 @@ inline std::size_t words_of_line(const char* at, const char* end) {
 }
 
 /// A capacity for about n values: a little too large, so that the last few do not make everything move.
-inline std::size_t room_for(double n) { return static_cast<std::size_t>(n * 1.01) + 16; }
+inline std::size_t with_margin(double n) { return static_cast<std::size_t>(n * 1.01) + 16; }
 
 }  // namespace concino::detail

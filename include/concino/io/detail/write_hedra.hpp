@@ -16,7 +16,7 @@ inline void hedra_format::write(write_context& c, flat_mesh& m) {
   for (const vec3& p : m.points) {
     detail::write_point(c.out, p);
     c.out << '\n';
-    c.tell();
+    c.report_progress();
   }
   for (std::size_t f = 0; f < all.face_verts.size(); ++f) {
     const std::span<const vert_id> corners = all.face_verts[f];
@@ -33,7 +33,7 @@ inline void hedra_format::write(write_context& c, flat_mesh& m) {
       c.out << ' ' << (*outward++ != 0 ? i : -i);
     }
     c.out << '\n';
-    c.tell();
+    c.report_progress();
   }
 }
 

@@ -26,7 +26,7 @@ inline void add_row(const write_context& c, flat_mesh& m, std::size_t p, medit_r
     for (const vert_id v : m.poly_verts[p]) rows.verts.push_back(v.raw());
     const std::size_t n = m.poly_verts[p].size();
     if (n == 3 || n == 4) s = n - 3;
-    else c.cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polygon of ", n, " verts"}, ".obj");
+    else c.throw_cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polygon of ", n, " verts"}, ".obj");
   } else if (m.arity == 4 || m.arity == 8) {
     for (const vert_id v : m.poly_verts[p]) rows.verts.push_back(v.raw());
     s = m.arity == 4 ? 2 : 3;
@@ -40,7 +40,7 @@ inline void add_row(const write_context& c, flat_mesh& m, std::size_t p, medit_r
     }
     const cell_shape shape = known.recognise();
     if (shape == cell_shape::general)
-      c.cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polyhedron of ", all.poly_faces[p].size(), " faces that is no tet, hex, prism or pyramid"}, ".hedra");
+      c.throw_cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polyhedron of ", all.poly_faces[p].size(), " faces that is no tet, hex, prism or pyramid"}, ".hedra");
     for (unsigned i = 0; i < standard_cell_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
     s = 2 + static_cast<std::size_t>(shape);
   }
@@ -53,13 +53,13 @@ namespace concino {
 
 inline void medit_format::write(write_context& c, flat_mesh& m) {
   const flat_values<int> vert_label = m.vert_values<int>("label"), poly_label = m.poly_values<int>("label");
-  c.keep<int>(element_kind::vert, "label");
-  c.keep<int>(element_kind::poly, "label");
+  c.declare_stored<int>(element_kind::vert, "label");
+  c.declare_stored<int>(element_kind::poly, "label");
   c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << m.points.size() << '\n';
   for (std::size_t v = 0; v < m.points.size(); ++v) {
     detail::write_point(c.out, m.points[v]);
     c.out << ' ' << (vert_label ? vert_label[v] : 0) << '\n';
-    c.tell();
+    c.report_progress();
   }
 
   detail::medit_rows rows;
@@ -70,7 +70,7 @@ inline void medit_format::write(write_context& c, flat_mesh& m) {
   for (std::size_t p = 0; p < m.num_polys; ++p) {
     detail::add_row(c, m, p, rows, known, outward);
     labels.push_back(poly_label ? poly_label[p] : 0);
-    c.tell();
+    c.report_progress();
   }
   std::size_t kinds = 0;
   for (std::size_t s = 0; s < std::size(detail::medit_sections); ++s) {

@@ -1,7 +1,7 @@
 // The materials of the polys of an OBJ file, and what its material library has to define.
 #pragma once
 
-#include <concino/io/detail/library_file.hpp>
+#include <concino/io/detail/material_library_file.hpp>
 #include <concino/io/detail/write_common.hpp>
 
 #include <cstdint>
@@ -44,7 +44,7 @@ class mtl_names {
   };
 
   write_context& c_;
-  library_file* library_;                    // where materials go; null: there is no file beside this one
+  material_library_file* library_;                    // where materials go; null: there is no file beside this one
   flat_values<std::string> material_;         // of polys, if they have any
   flat_values<rgba> color_;                   // the same
   const material_table* table_;               // null: none
@@ -65,11 +65,11 @@ class mtl_names {
  public:
   bool changed = false;  // names that no line can hold
 
-  [[gnu::noinline, gnu::cold]] mtl_names(write_context& c, library_file* library, const flat_values<std::string>& material,
+  [[gnu::noinline, gnu::cold]] mtl_names(write_context& c, material_library_file* library, const flat_values<std::string>& material,
                                                   const flat_values<rgba>& color, const material_table* table)
       : c_(c), library_(library), material_(material), color_(color), table_(table) {
-    c.keep<rgba>(element_kind::poly, "color");
-    c.keep<material_table>(element_kind::mesh, "materials");
+    c.declare_stored<rgba>(element_kind::poly, "color");
+    c.declare_stored<material_table>(element_kind::mesh, "materials");
     if (!library) {
       constexpr const char* where = "it goes to a .mtl file beside the .obj file, and text has none beside it";
       if (color_) c.report.lost.push_back(core::joined({"poly property \"color\": ", where}));
@@ -210,7 +210,7 @@ class mtl_names {
       line << ' ';
       write_part(line, c_.finite(x), false);
     }
-    return std::move(line).take();
+    return std::move(line).release();
   }
 
   /// Replaces what the lines say of the colour and of the opacity, where that is another.

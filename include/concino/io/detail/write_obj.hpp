@@ -50,14 +50,14 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
   const flat_values<int> label = m.poly_values<int>("label");
   const bool labels_are_names = label && (group || object) && detail::labels_number(m.num_polys, group ? group : object, label);
   const bool labels_are_groups = label && !group && !labels_are_names;
-  c.keep<rgba>(element_kind::vert, "color");
-  for (const char* const of_polys : {"object", "group", "material"}) c.keep<std::string>(element_kind::poly, of_polys);
-  if (labels_are_names || labels_are_groups) c.keep<int>(element_kind::poly, "label");
+  c.declare_stored<rgba>(element_kind::vert, "color");
+  for (const char* const of_polys : {"object", "group", "material"}) c.declare_stored<std::string>(element_kind::poly, of_polys);
+  if (labels_are_names || labels_are_groups) c.declare_stored<int>(element_kind::poly, "label");
 
   c.out << "# " << m.points.size() << " verts, " << m.num_polys << " polys\n";
-  detail::library_file* library = nullptr;
+  detail::material_library_file* library = nullptr;
   if (!c.path.empty()) {
-    auto made = std::make_unique<detail::library_file>(std::string(c.path), c.options.sync);
+    auto made = std::make_unique<detail::material_library_file>(std::string(c.path), c.options.sync);
     library = made.get();
     c.companions = std::move(made);
   }
@@ -80,7 +80,7 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
       }
     }
     c.out << '\n';
-    c.tell();
+    c.report_progress();
   }
   detail::obj_names objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
   for (std::size_t p = 0; p < m.num_polys; ++p) {
@@ -91,7 +91,7 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
     c.out << 'f';
     for (const vert_id v : m.poly_verts[p]) c.out << ' ' << v.raw() + 1;
     c.out << '\n';
-    c.tell();
+    c.report_progress();
   }
   if (transparent) c.report.lost.push_back("opacity of verts: .obj has no place for it");
   if (objects.changed || groups.changed || material.changed)

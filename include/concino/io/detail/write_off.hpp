@@ -89,17 +89,17 @@ inline void off_format::write(write_context& c, flat_mesh& m) {
   const flat_values<std::array<double, 2>> texture = m.vert_values<std::array<double, 2>>("texture");
   const flat_values<rgba> color = m.poly_values<rgba>("color");
   const flat_values<int> label = m.poly_values<int>("label");
-  c.keep<rgba>(element_kind::vert, "color");
-  c.keep<vec3>(element_kind::vert, "normal");
-  c.keep<std::array<double, 2>>(element_kind::vert, "texture");
-  c.keep<rgba>(element_kind::poly, "color");
-  if (!color) c.keep<int>(element_kind::poly, "label");  // a poly has a colour or the index of one
+  c.declare_stored<rgba>(element_kind::vert, "color");
+  c.declare_stored<vec3>(element_kind::vert, "normal");
+  c.declare_stored<std::array<double, 2>>(element_kind::vert, "texture");
+  c.declare_stored<rgba>(element_kind::poly, "color");
+  if (!color) c.declare_stored<int>(element_kind::poly, "label");  // a poly has a colour or the index of one
 
   detail::off_numbers numbers(c, binary);
   c.out << (texture ? "ST" : "") << (vert_color ? "C" : "") << (normal ? "N" : "") << "OFF";
   const std::size_t vert_count = m.points.size();
   if (binary) {
-    if (vert_count > 0x7FFFFFFFu || m.num_polys > 0x7FFFFFFFu) c.cannot_hold("binary .off", {"so many elements"}, ".obj");
+    if (vert_count > 0x7FFFFFFFu || m.num_polys > 0x7FFFFFFFu) c.throw_cannot_hold("binary .off", {"so many elements"}, ".obj");
     c.out << " BINARY\n";
     for (const std::size_t n : {vert_count, m.num_polys, std::size_t{0}}) numbers.integer(static_cast<std::int64_t>(n));
   } else {
@@ -113,7 +113,7 @@ inline void off_format::write(write_context& c, flat_mesh& m) {
     if (texture)
       for (const double x : texture[v]) numbers.real(x);
     if (!binary) c.out << '\n';
-    c.tell();
+    c.report_progress();
   }
   for (std::size_t p = 0; p < m.num_polys; ++p) {
     const std::span<const vert_id> corners = m.poly_verts[p];
@@ -124,7 +124,7 @@ inline void off_format::write(write_context& c, flat_mesh& m) {
     else if (label) numbers.poly_label(label[p]);
     else if (binary) numbers.integer(0);
     if (!binary) c.out << '\n';
-    c.tell();
+    c.report_progress();
   }
   if (numbers.rounded) c.report.lost.push_back("binary .off holds floats: coordinates and other numbers were rounded to 32 bits");
 }

@@ -2,14 +2,14 @@
 // of a face. Each costs time proportional to the answer.
 #pragma once
 
+#include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/detail/shapes.hpp>
-#include <concino/mesh/detail/sides.hpp>
 
 namespace concino::detail {
 
 /// At most N values, carried along.
 template<class T, unsigned N>
-class few {
+class inline_array {
   T values_[N] = {};
 
  public:
@@ -33,20 +33,20 @@ class polys_around_edge {
   using value_type = poly_id;
   class iterator {
     const Tables* tables_ = nullptr;
-    const poly_id* crowd_ = nullptr;
+    const poly_id* poly_list_ = nullptr;
     edge_id edge_;
     poly_id at_;             // none: past the end
     std::uint32_t way_ = 0;  // crowd: how many are left; fan: the local face to leave by
     bool turned_ = false;
 
     void step() {
-      const poly_id next = tables_->across(at_, way_);
+      const poly_id next = tables_->neighbour_at_face(at_, way_);
       if (next.is_none()) {
         if (turned_) { at_ = {}; return; }
         turned_ = true;
         const poly_id start = tables_->first_poly(edge_);
         way_ = tables_->faces_at(start, edge_)[1];
-        at_ = tables_->across(start, way_);
+        at_ = tables_->neighbour_at_face(start, way_);
         if (!at_.is_none()) enter_from(start, way_);
       } else if (!turned_ && next == tables_->first_poly(edge_)) {
         at_ = {};
@@ -69,11 +69,11 @@ class polys_around_edge {
 
     iterator() = default;
     iterator(const Tables* t, edge_id e) : tables_(t), edge_(e) {
-      if (t->is_crowded(e)) {
-        const auto crowd = t->crowd(e);
-        crowd_ = crowd.begin();
-        way_ = static_cast<std::uint32_t>(crowd.size());
-        at_ = way_ ? *crowd_ : poly_id{};
+      if (t->is_non_manifold(e)) {
+        const auto poly_list = t->poly_list(e);
+        poly_list_ = poly_list.begin();
+        way_ = static_cast<std::uint32_t>(poly_list.size());
+        at_ = way_ ? *poly_list_ : poly_id{};
       } else {
         at_ = t->first_poly(e);
         way_ = t->faces_at(at_, e)[0];
@@ -81,7 +81,7 @@ class polys_around_edge {
     }
     poly_id operator*() const { return at_; }
     iterator& operator++() {
-      if (crowd_) at_ = --way_ ? *++crowd_ : poly_id{};
+      if (poly_list_) at_ = --way_ ? *++poly_list_ : poly_id{};
       else step();
       return *this;
     }
@@ -109,10 +109,10 @@ class owned_faces {
     const Tables* tables_ = nullptr;
     poly_iterator at_{}, last_{};
     FacesOf faces_of_{};
-    few<std::uint8_t, Most> local_{};
+    inline_array<std::uint8_t, Most> local_{};
     unsigned i_ = 0;
 
-    void settle() {
+    void skip_invalid() {
       for (; at_ != last_; ++at_, i_ = 0) {
         const poly_id p = *at_;
         if (i_ == 0) local_ = faces_of_(*tables_, p);
@@ -127,11 +127,11 @@ class owned_faces {
     using reference = face_id;
     using difference_type = std::ptrdiff_t;
     iterator() = default;
-    iterator(const Tables* t, poly_iterator at, poly_iterator last, FacesOf faces_of) : tables_(t), at_(at), last_(last), faces_of_(faces_of) { settle(); }
+    iterator(const Tables* t, poly_iterator at, poly_iterator last, FacesOf faces_of) : tables_(t), at_(at), last_(last), faces_of_(faces_of) { skip_invalid(); }
     face_id operator*() const { return tables_->adj_p2f(*at_)[local_[i_]]; }
     iterator& operator++() {
       ++i_;
-      settle();
+      skip_invalid();
       return *this;
     }
     iterator operator++(int) { iterator old = *this; ++*this; return old; }
@@ -147,12 +147,12 @@ class owned_faces {
 struct faces_at_edge {
   edge_id e;
   template<class Tables>
-  few<std::uint8_t, 2> operator()(const Tables& t, poly_id p) const { return t.faces_at(p, e); }
+  inline_array<std::uint8_t, 2> operator()(const Tables& t, poly_id p) const { return t.faces_at(p, e); }
 };
 struct faces_at_vert {
   vert_id v;
   template<class Tables>
-  few<std::uint8_t, 3> operator()(const Tables& t, poly_id p) const { return t.faces_at(p, v); }
+  inline_array<std::uint8_t, 3> operator()(const Tables& t, poly_id p) const { return t.faces_at(p, v); }
 };
 
 }  // namespace concino::detail

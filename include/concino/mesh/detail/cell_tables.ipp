@@ -7,10 +7,10 @@ namespace concino {
 
 template<class Shape, class Lists>
 vert_id cell_tables<Shape, Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::stage_star(v2v_, v2e_, v2p_);
+  detail::stage_vertex_incidence(v2v_, v2e_, v2p_);
   verts_.reserve(1);
   if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
-  detail::add_star(v2v_, v2e_, v2p_);
+  detail::commit_vertex_incidence(v2v_, v2e_, v2p_);
   return verts_.add();
 }
 
@@ -24,7 +24,7 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
   std::copy_n(corners.begin(), Shape::verts, c);
   edges_of_new_poly at = find_edges(c);
   edge_id* const e = at.edges;
-  face_id* const f = sides_.stage_poly(Shape::faces);
+  face_id* const f = facet_adjacency_.stage_poly(Shape::faces);
   std::uint32_t more_faces = 0;
   for (unsigned k = 0; k < Shape::faces; ++k) {
     f[k] = face_on(c, k);
@@ -37,12 +37,12 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
   p2v_.reserve_rows(1);
   p2e_.reserve_rows(1);
   e2v_.reserve_rows(at.more);
-  e2p_.room_for(at.more);
-  reserve_crowds_at(at);
+  e2p_.reserve_back(at.more);
+  reserve_poly_lists_at(at);
   edges_.reserve(at.more);
   faces_.reserve(more_faces);
   polys_.reserve(1);
-  auto scratch = sides_.reserve_links(f, Shape::faces, more_faces);
+  auto scratch = facet_adjacency_.reserve_links(f, Shape::faces, more_faces);
   if (grow)
     grow(detail::index_bounds{verts_.bound(), edges_.bound() + at.more, faces_.bound() + more_faces, polys_.bound() + 1, p2v_.num_values() + Shape::verts});
 
@@ -53,19 +53,19 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
     }
   p2v_.add_row(c, c + Shape::verts);
   p2e_.add_row(e, e + Shape::edges);
-  sides_.commit_poly(Shape::faces);
+  facet_adjacency_.commit_poly(Shape::faces);
   for (unsigned k = 0; k < Shape::faces; ++k) {
     face_id side = f[k];
     if (side.is_none()) {
       side = faces_.add();
-      sides_.add_facet();
+      facet_adjacency_.add_facet();
     }
-    sides_.link(p.raw(), k, side);
+    facet_adjacency_.link(p.raw(), k, side);
   }
-  sides_.remark(p.raw(), std::move(scratch));
+  facet_adjacency_.update_marks(p.raw(), std::move(scratch));
   for (const vert_id v : c) v2p_.push(v.raw(), p);
   const poly_id added = polys_.add();
-  for (unsigned j = 0; j < Shape::edges; ++j) refan(e[j], at.num_polys[j]);
+  for (unsigned j = 0; j < Shape::edges; ++j) update_fan(e[j], at.num_polys[j]);
   return added;
 }
 
@@ -83,48 +83,48 @@ auto cell_tables<Shape, Lists>::find_edges(const vert_id* corners) const -> edge
 }
 
 template<class Shape, class Lists>
-void cell_tables<Shape, Lists>::reserve_crowds_at(const edges_of_new_poly& at) {
+void cell_tables<Shape, Lists>::reserve_poly_lists_at(const edges_of_new_poly& at) {
   std::uint32_t more = 0;
   std::size_t polys = 0;
-  crowds_.loosen();
+  poly_lists_.make_editable();
   for (unsigned j = 0; j < Shape::edges; ++j) {
     if (at.edges[j].is_none()) continue;
-    if (is_crowded(at.edges[j])) crowds_.reserve_in_row(crowd_number(at.edges[j]), 1);
+    if (is_non_manifold(at.edges[j])) poly_lists_.reserve_in_row(poly_list_number(at.edges[j]), 1);
     else ++more, polys += at.num_polys[j];
   }
-  if (more > 0) crowds_.reserve_rows(more, polys);
+  if (more > 0) poly_lists_.reserve_rows(more, polys);
 }
 
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::reserve_removal(std::span<const poly_id> polys) {
-  v2v_.loosen();
-  v2e_.loosen();
-  v2p_.loosen();
-  crowds_.loosen();
-  sides_.reserve_removal();
+  v2v_.make_editable();
+  v2e_.make_editable();
+  v2p_.make_editable();
+  poly_lists_.make_editable();
+  facet_adjacency_.reserve_removal();
   verts_.reserve_removal();
   edges_.reserve_removal();
   faces_.reserve_removal();
   polys_.reserve_removal();
-  std::size_t crowds = 0, crowded = 0;
+  std::size_t num_poly_lists = 0, num_listed = 0;
   for (const poly_id p : polys)
-    for (const edge_id e : adj_p2e(p)) ++crowds, crowded += count_polys(e) - 1;
-  if (crowds > 0) crowds_.reserve_rows(crowds, crowded);
+    for (const edge_id e : adj_p2e(p)) ++num_poly_lists, num_listed += count_polys(e) - 1;
+  if (num_poly_lists > 0) poly_lists_.reserve_rows(num_poly_lists, num_listed);
 }
 
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::remove_poly(poly_id p) {
   std::uint32_t left[Shape::edges];
-  std::size_t crowded = 0;
-  for (unsigned j = 0; j < Shape::edges; ++j) crowded += left[j] = count_polys(adj_p2e(p)[j]) - 1;
+  std::size_t num_listed = 0;
+  for (unsigned j = 0; j < Shape::edges; ++j) num_listed += left[j] = count_polys(adj_p2e(p)[j]) - 1;
   reserve_removal({});
-  crowds_.reserve_rows(Shape::edges, crowded);
-  sides_.unlink(p.raw());
-  for (const face_id f : sides_.facets(p))
-    if (!sides_.is_owned(f)) faces_.remove(f);
+  poly_lists_.reserve_rows(Shape::edges, num_listed);
+  facet_adjacency_.unlink(p.raw());
+  for (const face_id f : facet_adjacency_.facets(p))
+    if (!facet_adjacency_.is_owned(f)) faces_.remove(f);
   for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
   polys_.remove(p);
-  for (unsigned j = 0; j < Shape::edges; ++j) refan(adj_p2e(p)[j], left[j]);
+  for (unsigned j = 0; j < Shape::edges; ++j) update_fan(adj_p2e(p)[j], left[j]);
 }
 
 template<class Shape, class Lists>
@@ -162,10 +162,10 @@ std::uint32_t cell_tables<Shape, Lists>::count_polys(edge_id e) const {
 }
 
 template<class Shape, class Lists>
-void cell_tables<Shape, Lists>::refan(edge_id e, std::uint32_t n) {
-  const bool was_crowded = is_crowded(e);
-  const std::size_t crowd = was_crowded ? crowd_number(e) : crowds_.size();
-  if (was_crowded) crowds_.clear_row(crowd);
+void cell_tables<Shape, Lists>::update_fan(edge_id e, std::uint32_t n) {
+  const bool was_non_manifold = is_non_manifold(e);
+  const std::size_t poly_list = was_non_manifold ? poly_list_number(e) : poly_lists_.size();
+  if (was_non_manifold) poly_lists_.clear_row(poly_list);
   if (n == 0) {
     detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
     return;
@@ -174,10 +174,10 @@ void cell_tables<Shape, Lists>::refan(edge_id e, std::uint32_t n) {
   for_each_poly_at(e, [&](poly_id p) { first = first.is_none() ? p : first; });
   e2p_[e.raw()] = first.raw();
   check_fan(e, n);
-  if (e2p_[e.raw()] != detail::across::special) return;
-  e2p_[e.raw()] |= static_cast<std::uint32_t>(crowd);
-  if (!was_crowded) crowds_.add_row(&first, &first, n);
-  for_each_poly_at(e, [&](poly_id p) { crowds_.push(crowd, p); });
+  if (e2p_[e.raw()] != detail::encoded_neighbour::special) return;
+  e2p_[e.raw()] |= static_cast<std::uint32_t>(poly_list);
+  if (!was_non_manifold) poly_lists_.add_row(&first, &first, n);
+  for_each_poly_at(e, [&](poly_id p) { poly_lists_.push(poly_list, p); });
 }
 
 /// Every edge and face is met at its smallest vert, where it gets its number: verts are visited in their order, and at each the polys in theirs.
@@ -251,7 +251,7 @@ class cell_tables<Shape, Lists>::builder {
   core::flat_array<edge_id> v2e_;
   core::flat_array<std::uint8_t> uses_;  // of each edge, by polys; `many` or more
   std::vector<edge_use> used_often_;     // sorted by edge
-  detail::offsets star_;
+  detail::offsets vert_offsets_;
   std::vector<std::uint32_t> faces_to_;  // per edge of a: the first of the faces met there whose smaller neighbour it leads to
   std::vector<met_face> met_faces_;      // at a
   further_faces further_;                // at a
@@ -295,7 +295,7 @@ class cell_tables<Shape, Lists>::builder {
   }
 
  public:
-  builder(cell_tables& t, std::size_t vert_count) : t_(t), vert_count_(vert_count), edge_to_(vert_count), star_(vert_count + 1, 0) {}
+  builder(cell_tables& t, std::size_t vert_count) : t_(t), vert_count_(vert_count), edge_to_(vert_count), vert_offsets_(vert_count + 1, 0) {}
 
   void run() {
     list_corners();
@@ -303,7 +303,7 @@ class cell_tables<Shape, Lists>::builder {
     for (std::uint32_t a = 0; a < vert_count_; ++a) visit(a);
     hand_over();
     check_fans();
-    t_.crowd_edges();
+    t_.list_polys_of_edges();
   }
 };
 
@@ -322,9 +322,9 @@ void cell_tables<Shape, Lists>::builder::list_corners() {
     }
     for (unsigned i = 0; i < Shape::verts; ++i) ++counts[t_.p2v_.begin(p)[i].raw() + 1];
   }
-  t_.v2p_ = detail::make_rows<poly_id>(std::move(counts));
+  t_.v2p_ = detail::make_jagged_array<poly_id>(std::move(counts));
   std::uint32_t* const next = edge_to_.data();
-  std::copy_n(t_.v2p_.shape()->begin(), vert_count_, next);
+  std::copy_n(t_.v2p_.shared_offsets()->begin(), vert_count_, next);
   poly_id* const corners = t_.v2p_.begin(0);
   for (std::size_t c = 0; c < t_.p2v_.num_values(); ++c) corners[next[corner_vert[c].raw()]++] = poly_id{c};
 }
@@ -332,8 +332,8 @@ void cell_tables<Shape, Lists>::builder::list_corners() {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::reserve() {
   const std::size_t n = poly_count_;
-  t_.p2e_ = detail::rows<edge_id, Shape::edges>(poly_count_, edge_id{});
-  t_.sides_ = {detail::rows<face_id, Shape::faces>(poly_count_, face_id{}), detail::rows<detail::across, Shape::faces>(poly_count_)};
+  t_.p2e_ = detail::jagged_array<edge_id, Shape::edges>(poly_count_, edge_id{});
+  t_.facet_adjacency_ = {detail::jagged_array<face_id, Shape::faces>(poly_count_, face_id{}), detail::jagged_array<detail::encoded_neighbour, Shape::faces>(poly_count_)};
   std::fill_n(edge_to_.data(), vert_count_, ~0u);
   const std::size_t guess = std::min(vert_count_ + (Shape::faces / 2 - 1) * n + n / 8 + 64, n * Shape::edges);
   ends_.reserve(2 * guess);
@@ -341,7 +341,7 @@ void cell_tables<Shape, Lists>::builder::reserve() {
   v2e_.reserve(2 * guess);
   t_.e2p_.reserve(guess);
   uses_.reserve(guess);
-  t_.sides_.reserve_facets(Shape::faces / 2 * n + n / 8 + 64);
+  t_.facet_adjacency_.reserve_facets(Shape::faces / 2 * n + n / 8 + 64);
 }
 
 template<class Shape, class Lists>
@@ -351,9 +351,9 @@ void cell_tables<Shape, Lists>::builder::visit(std::uint32_t a) {
   met_faces_.clear();
   further_.clear();
   const std::size_t most = std::size_t{valence} * t_.v2p_.length(a);
-  cursor at{ends_.room_for(2 * most), v2v_.room_for(most), v2e_.room_for(most), edge_count_};
-  t_.e2p_.room_for(most);
-  uses_.room_for(most);
+  cursor at{ends_.reserve_back(2 * most), v2v_.reserve_back(most), v2e_.reserve_back(most), edge_count_};
+  t_.e2p_.reserve_back(most);
+  uses_.reserve_back(most);
   for (poly_id *c = t_.v2p_.begin(a), *last = c + t_.v2p_.length(a); c != last; ++c) {
     corner x{c->raw() / Shape::verts, c->raw() % Shape::verts, {}, {}};
     meet_edges(a, first_edge, x, at);
@@ -367,7 +367,7 @@ void cell_tables<Shape, Lists>::builder::visit(std::uint32_t a) {
   v2v_.resize(static_cast<std::size_t>(at.near - v2v_.data()));
   v2e_.resize(v2v_.size());
   if (v2v_.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
-  star_[a + 1] = static_cast<std::uint32_t>(v2v_.size());
+  vert_offsets_[a + 1] = static_cast<std::uint32_t>(v2v_.size());
   mark_edges_met_since(first_edge, a);
 }
 
@@ -426,9 +426,9 @@ template<class Shape, class Lists>
       if (listed < longest_list) first = static_cast<std::uint32_t>(met_faces_.size());
       met_faces_.push_back(wanted);
       if (listed == longest_list) further_.add(at.met[x], met_faces_);
-      t_.sides_.add_facet(at.poly, shape.vert_face[at.i][k], face_id{face_count_++});
+      t_.facet_adjacency_.add_facet(at.poly, shape.vert_face[at.i][k], face_id{face_count_++});
     } else {
-      t_.sides_.link(at.poly, shape.vert_face[at.i][k], face_id{first_face + f});
+      t_.facet_adjacency_.link(at.poly, shape.vert_face[at.i][k], face_id{first_face + f});
     }
   }
 }
@@ -446,35 +446,35 @@ template<class Shape, class Lists>
       if (uses_[e] == many) used_often_.push_back({e, uses_since[e - first_edge]});
   }
   for (std::uint32_t e = first_edge; e < edge_count_; ++e)
-    if (uses_[e] > 5 && t_.closes_early(edge_id{e}, polys_at(e, uses_[e]))) t_.e2p_[e] = detail::across::special;
+    if (uses_[e] > 5 && t_.closes_early(edge_id{e}, polys_at(e, uses_[e]))) t_.e2p_[e] = detail::encoded_neighbour::special;
 }
 
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::hand_over() {
-  ends_.give_back_spare_room();
-  v2v_.give_back_spare_room();
-  v2e_.give_back_spare_room();
-  t_.e2p_.give_back_spare_room();
-  t_.e2v_ = detail::rows<vert_id, 2>(std::move(ends_));
-  t_.v2v_ = {std::make_shared<const detail::offsets>(std::move(star_)), std::move(v2v_)};
-  t_.v2e_ = {t_.v2v_.shape(), std::move(v2e_)};
-  t_.verts_ = detail::live<vert_id>(vert_count_);
-  t_.edges_ = detail::live<edge_id>(edge_count_);
-  t_.faces_ = detail::live<face_id>(face_count_);
-  t_.polys_ = detail::live<poly_id>(poly_count_);
+  ends_.shrink_to_fit();
+  v2v_.shrink_to_fit();
+  v2e_.shrink_to_fit();
+  t_.e2p_.shrink_to_fit();
+  t_.e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends_));
+  t_.v2v_ = {std::make_shared<const detail::offsets>(std::move(vert_offsets_)), std::move(v2v_)};
+  t_.v2e_ = {t_.v2v_.shared_offsets(), std::move(v2e_)};
+  t_.verts_ = detail::alive_elements<vert_id>(vert_count_);
+  t_.edges_ = detail::alive_elements<edge_id>(edge_count_);
+  t_.faces_ = detail::alive_elements<face_id>(face_count_);
+  t_.polys_ = detail::alive_elements<poly_id>(poly_count_);
 }
 
-/// What closes_early() takes for granted does not hold at the boundary, in crowds, and of polys that share two faces. Each edge is checked once, though
+/// What closes_early() takes for granted does not hold at the boundary, at non-manifold facets, and of polys that share two faces. Each edge is checked once, though
 /// each of its many faces comes by.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::check_fans() {
   const auto check = [&](edge_id e) {
     const std::uint8_t met = std::exchange(uses_.data()[e.raw()], 0);
-    if (met > 0 && !t_.is_crowded(e)) t_.check_fan(e, polys_at(e.raw(), met));
+    if (met > 0 && !t_.is_non_manifold(e)) t_.check_fan(e, polys_at(e.raw(), met));
   };
-  t_.sides_.finish();
+  t_.facet_adjacency_.finish();
   for (std::uint32_t f = 0; f < face_count_; ++f)
-    if (!t_.sides_.has_two_polys_once(face_id{f}))
+    if (!t_.facet_adjacency_.has_two_polys_once(face_id{f}))
       for (const edge_id e : t_.adj_f2e(face_id{f})) check(e);
 }
 
@@ -484,7 +484,7 @@ bool cell_tables<Shape, Lists>::closes_early(edge_id e, std::uint32_t n) const {
   poly_id p = first;
   std::uint32_t by = faces_at(p, e)[0];
   for (std::uint32_t steps = 3; steps < n; ++steps) {
-    const poly_id next = across(p, by);
+    const poly_id next = neighbour_at_face(p, by);
     if (next.is_none()) return false;
     if (next == first) return true;
     const face_id f = adj_p2f(p)[by];
@@ -492,7 +492,7 @@ bool cell_tables<Shape, Lists>::closes_early(edge_id e, std::uint32_t n) const {
     by = adj_p2f(next)[two[0]] == f ? two[1] : two[0];
     p = next;
   }
-  return across(p, by) == first;
+  return neighbour_at_face(p, by) == first;
 }
 
 template<class Shape, class Lists>
@@ -500,26 +500,26 @@ void cell_tables<Shape, Lists>::check_fan(edge_id e, std::uint32_t uses) {
   std::uint32_t n = 0;
   const auto around = adj_e2p(e);
   for (auto it = around.begin(), last = around.end(); it != last; ++it) ++n;
-  if (n != uses) e2p_[e.raw()] = detail::across::special;
+  if (n != uses) e2p_[e.raw()] = detail::encoded_neighbour::special;
 }
 
 template<class Shape, class Lists>
-void cell_tables<Shape, Lists>::crowd_edges() {
+void cell_tables<Shape, Lists>::list_polys_of_edges() {
   std::uint32_t num = 0;
   for (std::uint32_t *e = e2p_.data(), *last = e + e2p_.size(); e != last; ++e)
-    if (*e & detail::across::special) *e = detail::across::special | num++;
+    if (*e & detail::encoded_neighbour::special) *e = detail::encoded_neighbour::special | num++;
   if (num == 0) return;
   const auto for_each_use = [&](auto&& use) {
     for (std::size_t p = 0; p < p2e_.size(); ++p)
       for (const edge_id e : p2e_[p])
-        if (is_crowded(e)) use(crowd_number(e), poly_id{p});
+        if (is_non_manifold(e)) use(poly_list_number(e), poly_id{p});
   };
   detail::offsets sizes(num + std::size_t{1}, 0);
-  for_each_use([&](std::size_t crowd, poly_id) { ++sizes[crowd + 1]; });
-  crowds_ = detail::make_rows<poly_id>(std::move(sizes));
-  detail::offsets next(crowds_.shape()->begin(), crowds_.shape()->end() - 1);
-  poly_id* const polys = crowds_.begin(0);
-  for_each_use([&](std::size_t crowd, poly_id p) { polys[next[crowd]++] = p; });
+  for_each_use([&](std::size_t poly_list, poly_id) { ++sizes[poly_list + 1]; });
+  poly_lists_ = detail::make_jagged_array<poly_id>(std::move(sizes));
+  detail::offsets next(poly_lists_.shared_offsets()->begin(), poly_lists_.shared_offsets()->end() - 1);
+  poly_id* const polys = poly_lists_.begin(0);
+  for_each_use([&](std::size_t poly_list, poly_id p) { polys[next[poly_list]++] = p; });
 }
 
 #ifdef CONCINO_COMPILED

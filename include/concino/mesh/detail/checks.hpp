@@ -3,30 +3,30 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/message.hpp>
-#include <concino/mesh/detail/live.hpp>
-#include <concino/mesh/detail/sides.hpp>
+#include <concino/mesh/detail/alive_elements.hpp>
+#include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/limits.hpp>
 
 namespace concino::detail {
 
 /// Lists of N, or of any lengths; refuses arrays that are no such lists.
 template<unsigned N, class T>
-rows<T, N> checked_rows(std::vector<T> values, const char* what) {
+jagged_array<T, N> checked_lists(std::vector<T> values, const char* what) {
   if (values.size() % N)
     core::throw_joined<invalid_mesh>({what, " ", values.size() / N, " has ", values.size() % N, " verts; it needs ", N});
-  drop_spare_room(values);
-  return rows<T, N>(std::move(values));
+  shrink_if_wasteful(values);
+  return jagged_array<T, N>(std::move(values));
 }
 template<class T>
-rows<T, 0> checked_rows(offsets first, std::vector<T> values, const char* what) {
+jagged_array<T, 0> checked_lists(offsets first, std::vector<T> values, const char* what) {
   if (first.empty()) first.push_back(0);
   if (first.front() != 0) core::throw_joined<invalid_mesh>({"the offsets of ", what, "s begin with ", first.front(), "; they must begin with 0"});
   for (std::size_t i = 1; i < first.size(); ++i)
     if (first[i] < first[i - 1]) core::throw_joined<invalid_mesh>({what, " ", i - 1, " ends before it begins; offsets must not decrease"});
   if (first.back() != values.size())
     core::throw_joined<invalid_mesh>({"the offsets of ", what, "s end with ", first.back(), ", but the lists have ", values.size(), " entries"});
-  drop_spare_room(first);
-  drop_spare_room(values);
+  shrink_if_wasteful(first);
+  shrink_if_wasteful(values);
   return {std::make_shared<const offsets>(std::move(first)), std::move(values)};
 }
 
@@ -34,7 +34,7 @@ rows<T, 0> checked_rows(offsets first, std::vector<T> values, const char* what) 
 void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met);
 
 /// The same for a new poly or face of a mesh some of whose verts may be deleted.
-void check_new_verts(id_span<vert_id> list, const live<vert_id>& all, const char* what, std::size_t which);
+void check_new_verts(id_span<vert_id> list, const alive_elements<vert_id>& all, const char* what, std::size_t which);
 
 void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count);
 

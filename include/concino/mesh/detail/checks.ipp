@@ -29,7 +29,7 @@ CONCINO_INLINE void check_verts(id_span<vert_id> verts, std::size_t vert_count, 
   if (twice != verts.size()) core::throw_joined<invalid_mesh>({name(), " has vert ", verts[twice].raw(), " twice; its verts must differ"});
 }
 
-CONCINO_INLINE void check_new_verts(id_span<vert_id> list, const live<vert_id>& all, const char* what, std::size_t which) {
+CONCINO_INLINE void check_new_verts(id_span<vert_id> list, const alive_elements<vert_id>& all, const char* what, std::size_t which) {
   std::vector<std::uint32_t> met;
   check_verts(list, all.bound(), what, which, met);
   for (const vert_id v : list)
@@ -37,7 +37,7 @@ CONCINO_INLINE void check_new_verts(id_span<vert_id> list, const live<vert_id>& 
 }
 
 CONCINO_INLINE void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
-  if (poly_count >= across::mask) core::throw_joined<unsupported>({"the mesh has ", poly_count, " polys; at most 2^30 fit"});
+  if (poly_count >= encoded_neighbour::mask) core::throw_joined<unsupported>({"the mesh has ", poly_count, " polys; at most 2^30 fit"});
   if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has more than 2^32 verts or corners");
 }
 

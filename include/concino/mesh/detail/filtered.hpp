@@ -14,17 +14,17 @@ template<class R, class Keep>
 class filtered_range {
   R base_;
   Keep keep_;
-  using step = decltype(std::declval<const std::remove_reference_t<R>&>().begin());
+  using base_iterator = decltype(std::declval<const std::remove_reference_t<R>&>().begin());
 
  public:
   struct sentinel {};
   class iterator {
     const filtered_range* r_;
-    step at_;
+    base_iterator at_;
     void skip() { while (at_ != r_->base_.end() && !r_->keep_(*at_)) ++at_; }
 
    public:
-    using value_type = std::remove_cvref_t<decltype(*std::declval<const step&>())>;
+    using value_type = std::remove_cvref_t<decltype(*std::declval<const base_iterator&>())>;
     explicit iterator(const filtered_range& r) : r_(&r), at_(r.base_.begin()) { skip(); }
     value_type operator*() const { return *at_; }
     iterator& operator++() {
@@ -61,13 +61,13 @@ struct element_mask {
 };
 
 /// Which verts, edges and elements of higher dimension a view shows, and at which verts it shows every edge.
-struct shown_elements {
+struct visible_elements {
   element_mask verts, edges, faces, polys, whole_verts;
 };
 
 /// Marks the verts whose edges are all shown: their adj_v2v needs no look at the edges.
 template<class M>
-void mark_whole_verts(const M& m, shown_elements& s) {
+void mark_whole_verts(const M& m, visible_elements& s) {
   for (const auto v : verts(m)) {
     const std::size_t i = index_of(m, v);
     if (!s.verts[i]) continue;
@@ -79,7 +79,7 @@ void mark_whole_verts(const M& m, shown_elements& s) {
 
 /// Whether a shown edge joins v and w.
 template<class M>
-bool joined(const M& m, const shown_elements& s, const vert_t<M>& v, const vert_t<M>& w) {
+bool are_joined_by_visible_edge(const M& m, const visible_elements& s, const vert_t<M>& v, const vert_t<M>& w) {
   for (const auto e : adj_v2e(m, v)) {
     if (!s.edges[index_of(m, e)]) continue;
     for (const auto x : adj_e2v(m, e))
@@ -94,12 +94,12 @@ namespace concino::views {
 
 /// A mesh and what is shown of it, shared by all copies of the view.
 template<class M>
-class partial : public shown<M> {
-  std::shared_ptr<const detail::shown_elements> elements_;
+class partial_view : public view_base<M> {
+  std::shared_ptr<const detail::visible_elements> elements_;
 
  public:
-  partial(const M& m, std::shared_ptr<const detail::shown_elements> elements) : shown<M>(m), elements_(std::move(elements)) {}
-  const detail::shown_elements& elements() const { return *elements_; }
+  partial_view(const M& m, std::shared_ptr<const detail::visible_elements> elements) : view_base<M>(m), elements_(std::move(elements)) {}
+  const detail::visible_elements& elements() const { return *elements_; }
 };
 
 }  // namespace concino::views
@@ -108,43 +108,43 @@ namespace concino::detail {
 
 /// Verts, edges and points of a view V over a mesh M of which only a part is shown. Descriptors and indices are those of M.
 template<class V, class M>
-struct partial_traits : forward_points<V, M> {
+struct partial_view_traits : forward_points<V, M> {
   using vert = vert_t<M>;
   using edge = edge_t<M>;
   static constexpr bool is_view = true;
 
   static std::size_t num_verts(const V& m) { return m.elements().verts.count; }
   static std::size_t num_edges(const V& m) { return m.elements().edges.count; }
-  static bool contains(const V& m, const vert& x) { return shows(m, m.elements().verts, x); }
-  static bool contains(const V& m, const edge& x) { return shows(m, m.elements().edges, x); }
+  static bool contains(const V& m, const vert& x) { return is_visible(m, m.elements().verts, x); }
+  static bool contains(const V& m, const edge& x) { return is_visible(m, m.elements().edges, x); }
   static std::size_t vert_index_bound(const V& m) { return concino::vert_index_bound(m.base()); }
   static std::size_t edge_index_bound(const V& m) { return concino::edge_index_bound(m.base()); }
 
   static auto verts(const V& m) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::verts(m.base()); }, shown_in(m, m.elements().verts));
+    return filtered([&]() -> decltype(auto) { return traits<M>::verts(m.base()); }, visible_in(m, m.elements().verts));
   }
   static auto edges(const V& m) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::edges(m.base()); }, shown_in(m, m.elements().edges));
+    return filtered([&]() -> decltype(auto) { return traits<M>::edges(m.base()); }, visible_in(m, m.elements().edges));
   }
   static decltype(auto) adj_e2v(const V& m, const edge& e) { return traits<M>::adj_e2v(m.base(), e); }
   static auto adj_v2e(const V& m, const vert& v) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2e(m.base(), v); }, shown_in(m, m.elements().edges));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2e(m.base(), v); }, visible_in(m, m.elements().edges));
   }
   static auto adj_v2v(const V& m, const vert& v) {
-    const shown_elements* s = &m.elements();
+    const visible_elements* s = &m.elements();
     const M* base = &m.base();
     const bool whole = s->whole_verts[concino::index_of(*base, v)];
     return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2v(*base, v); },
-                    [=](const vert& w) { return whole || joined(*base, *s, v, w); });
+                    [=](const vert& w) { return whole || are_joined_by_visible_edge(*base, *s, v, w); });
   }
 
  protected:
   /// The mesh is asked first: the index of something else means nothing.
   template<class X>
-  static bool shows(const V& m, const element_mask& mask, const X& x) {
+  static bool is_visible(const V& m, const element_mask& mask, const X& x) {
     return concino::contains(m.base(), x) && mask[concino::index_of(m.base(), x)];
   }
-  static auto shown_in(const V& m, const element_mask& mask) {
+  static auto visible_in(const V& m, const element_mask& mask) {
     return [base = &m.base(), mask = &mask](const auto& x) { return (*mask)[concino::index_of(*base, x)]; };
   }
 };

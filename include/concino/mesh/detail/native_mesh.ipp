@@ -32,7 +32,7 @@ CONCINO_INLINE surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
 
 template<class Tables>
 native_mesh<Tables>::native_mesh(std::vector<vec3> points, Tables tables) : points_(std::move(points)), tables_(std::move(tables)) {
-  drop_spare_room(points_);
+  shrink_if_wasteful(points_);
 }
 template<class Tables>
 native_mesh<Tables>::native_mesh() = default;

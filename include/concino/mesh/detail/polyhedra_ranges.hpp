@@ -2,7 +2,7 @@
 // about the size of the elements it passes.
 #pragma once
 
-#include <concino/mesh/detail/side_ranges.hpp>
+#include <concino/mesh/detail/facet_adjacency_ranges.hpp>
 
 namespace concino::detail {
 
@@ -32,7 +32,7 @@ class polys_of_faces {
     [[gnu::noinline]] bool met_before(id_span<face_id> faces) const {
       return std::any_of(faces.begin(), faces.end(), [this](face_id f) { return std::binary_search(first_, at_, f); });
     }
-    void settle() {
+    void skip_invalid() {
       for (; at_ != last_; ++at_, i_ = 0) {
         if (i_ == 0) now_ = tables_->adj_f2p(*at_);
         for (; i_ < now_.size(); ++i_)
@@ -45,11 +45,11 @@ class polys_of_faces {
     using reference = poly_id;
     using difference_type = std::ptrdiff_t;
     iterator() = default;
-    iterator(const Tables* t, const face_id* at, const face_id* last) : tables_(t), first_(at), at_(at), last_(last) { settle(); }
+    iterator(const Tables* t, const face_id* at, const face_id* last) : tables_(t), first_(at), at_(at), last_(last) { skip_invalid(); }
     poly_id operator*() const { return now_[i_]; }
     iterator& operator++() {
       ++i_;
-      settle();
+      skip_invalid();
       return *this;
     }
     iterator operator++(int) { iterator old = *this; ++*this; return old; }
@@ -75,7 +75,7 @@ class faces_at_edges {
     vert_id vert_;
     std::uint32_t i_ = 0, j_ = 0;
 
-    void settle() {
+    void skip_invalid() {
       const id_span<edge_id> edges = tables_->adj_v2e(vert_);
       for (; i_ < edges.size(); ++i_, j_ = 0) {
         const vert_id far = tables_->adj_v2v(vert_)[i_];
@@ -90,11 +90,11 @@ class faces_at_edges {
     using reference = face_id;
     using difference_type = std::ptrdiff_t;
     iterator() = default;
-    iterator(const Tables* t, vert_id v, std::uint32_t i) : tables_(t), vert_(v), i_(i) { settle(); }
+    iterator(const Tables* t, vert_id v, std::uint32_t i) : tables_(t), vert_(v), i_(i) { skip_invalid(); }
     face_id operator*() const { return tables_->adj_e2f(tables_->adj_v2e(vert_)[i_])[j_]; }
     iterator& operator++() {
       ++j_;
-      settle();
+      skip_invalid();
       return *this;
     }
     iterator operator++(int) { iterator old = *this; ++*this; return old; }

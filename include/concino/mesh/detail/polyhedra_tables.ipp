@@ -10,21 +10,21 @@ namespace concino {
 template<class Lists>
 basic_polyhedra_tables<Lists>::basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
                                                       std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward)
-    : f2v_(detail::checked_rows(std::move(face_offsets), std::move(face_verts), "face")) {
-  const ragged<face_id> given = detail::checked_rows(std::move(poly_offsets), std::move(poly_faces), "poly");
+    : f2v_(detail::checked_lists(std::move(face_offsets), std::move(face_verts), "face")) {
+  const jagged<face_id> given = detail::checked_lists(std::move(poly_offsets), std::move(poly_faces), "poly");
   if (outward.size() != given.num_values())
     core::throw_joined<invalid_mesh>({outward.size(), " outward flags were given for ", given.num_values(), " faces of polys; each needs one"});
-  detail::drop_spare_room(outward);
-  outward_ = {given.shape(), std::move(outward)};
+  detail::shrink_if_wasteful(outward);
+  outward_ = {given.shared_offsets(), std::move(outward)};
   build(vert_count, given, check(vert_count, given));
 }
 
 template<class Lists>
 vert_id basic_polyhedra_tables<Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::stage_star(v2v_, v2e_, v2p_);
+  detail::stage_vertex_incidence(v2v_, v2e_, v2p_);
   verts_.reserve(1);
   if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
-  detail::add_star(v2v_, v2e_, v2p_);
+  detail::commit_vertex_incidence(v2v_, v2e_, v2p_);
   return verts_.add();
 }
 
@@ -37,7 +37,7 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
   const auto next = [&](std::size_t i) { return c[i + 1 == n ? 0 : i + 1]; };
   bool last_is_new = edge_between(c[n - 1], c[0]).is_none();
   std::size_t more = 0;
-  e2f_.loosen();
+  e2f_.make_editable();
   for (std::size_t i = 0; i < n; ++i) {
     const edge_id e = edge_between(c[i], next(i));
     if (!e.is_none()) e2f_.reserve_in_row(e.raw(), 1);
@@ -49,11 +49,11 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
   e2v_.reserve_rows(more);
   edges_.reserve(more);
   faces_.reserve(1);
-  sides_.reserve_links(nullptr, 0, 1);
+  facet_adjacency_.reserve_links(nullptr, 0, 1);
   if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, faces_.bound() + 1, polys_.bound(), p2v_.num_values()});
 
   f2v_.commit_row(n);
-  sides_.add_facet();
+  facet_adjacency_.add_facet();
   for (std::size_t i = 0; i < n; ++i) {
     edge_id e = edge_between(c[i], next(i));
     if (e.is_none()) {
@@ -76,7 +76,7 @@ poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, s
       core::throw_joined<invalid_mesh>({name, " has face ", list[k].raw(), " twice; its faces must differ"});
   }
   const auto n = static_cast<std::uint32_t>(list.size());
-  const face_id* const faces = sides_.stage_poly(n, list.data());  // list may have lain in a row that moved
+  const face_id* const faces = facet_adjacency_.stage_poly(n, list.data());  // list may have lain in a row that moved
   outward_.stage_row(outward.data(), n);
   std::vector<vert_id> corners;
   std::vector<edge_id> around;
@@ -90,26 +90,26 @@ poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, s
   p2e_.stage_row(around.data(), around.size());
   for (const vert_id v : corners) v2p_.reserve_in_row(v.raw(), 1);
   polys_.reserve(1);
-  auto scratch = sides_.reserve_links(faces, n, 0);
+  auto scratch = facet_adjacency_.reserve_links(faces, n, 0);
   if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound(), faces_.bound(), polys_.bound() + 1, p2v_.num_values() + corners.size()});
 
-  sides_.commit_poly(n);
+  facet_adjacency_.commit_poly(n);
   outward_.commit_row(n);
   p2v_.commit_row(corners.size());
   p2e_.commit_row(around.size());
-  for (std::uint32_t k = 0; k < n; ++k) sides_.link(p.raw(), k, faces[k]);
+  for (std::uint32_t k = 0; k < n; ++k) facet_adjacency_.link(p.raw(), k, faces[k]);
   for (const vert_id v : corners) v2p_.push(v.raw(), p);
-  sides_.remark(p.raw(), std::move(scratch));
+  facet_adjacency_.update_marks(p.raw(), std::move(scratch));
   return polys_.add();
 }
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::reserve_removal(std::span<const poly_id>) {
-  v2v_.loosen();
-  v2e_.loosen();
-  v2p_.loosen();
-  e2f_.loosen();
-  sides_.reserve_removal();
+  v2v_.make_editable();
+  v2e_.make_editable();
+  v2p_.make_editable();
+  e2f_.make_editable();
+  facet_adjacency_.reserve_removal();
   verts_.reserve_removal();
   edges_.reserve_removal();
   faces_.reserve_removal();
@@ -119,16 +119,16 @@ void basic_polyhedra_tables<Lists>::reserve_removal(std::span<const poly_id>) {
 template<class Lists>
 void basic_polyhedra_tables<Lists>::remove_poly(poly_id p) {
   reserve_removal({&p, 1});
-  sides_.unlink(p.raw());
+  facet_adjacency_.unlink(p.raw());
   for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
   polys_.remove(p);
-  for (const face_id f : sides_.facets(p))
-    if (!sides_.is_owned(f)) remove_face(f);
+  for (const face_id f : facet_adjacency_.facets(p))
+    if (!facet_adjacency_.is_owned(f)) remove_face(f);
 }
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::remove_face(face_id f) {
-  assert(!sides_.is_owned(f));
+  assert(!facet_adjacency_.is_owned(f));
   reserve_removal({});
   const id_span<vert_id> corners = adj_f2v(f);
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -148,7 +148,7 @@ void basic_polyhedra_tables<Lists>::remove_vert(vert_id v) {
 }
 
 template<class Lists>
-std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const ragged<face_id>& polys) const {
+std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const jagged<face_id>& polys) const {
   detail::check_counts(vert_count, polys.size(), f2v_.num_values());
   std::vector<std::uint32_t> met;
   for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "face", f, met);
@@ -169,44 +169,44 @@ std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const r
 }
 
 template<class Lists>
-void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const ragged<face_id>& polys, std::size_t poly_corners) {
-  face_places_ = detail::row_places(f2v_);
+void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners) {
+  face_places_ = detail::row_lookup(f2v_);
   core::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
   core::flat_array<std::uint32_t> scratch = build_edges(vert_count, f2e);
   const std::size_t edge_count = e2v_.size();
 
   detail::offsets counts(edge_count + 1, 0);
   for (const edge_id e : f2e) ++counts[e.raw() + 1];
-  e2f_ = detail::make_rows<face_id>(std::move(counts));
+  e2f_ = detail::make_jagged_array<face_id>(std::move(counts));
   {
     core::flat_array<std::uint32_t> next(edge_count);
-    std::copy_n(e2f_.shape()->begin(), edge_count, next.data());
+    std::copy_n(e2f_.shared_offsets()->begin(), edge_count, next.data());
     face_id* const faces = e2f_.begin(0);
     const edge_id* e = f2e.begin();
     for (std::size_t f = 0; f < f2v_.size(); ++f)
       for (std::uint32_t n = f2v_.length(f); n > 0; --n) faces[next[(e++)->raw()]++] = face_id{f};
   }
 
-  sides_ = {{polys.shape(), core::flat_array<face_id>(polys.num_values(), face_id{})}, {polys.shape(), core::flat_array<detail::across>(polys.num_values())}};
-  sides_.set_facets(f2v_.size());
-  core::flat_array<detail::sides<face_id, 0>::side> met_first(f2v_.size());
+  facet_adjacency_ = {{polys.shared_offsets(), core::flat_array<face_id>(polys.num_values(), face_id{})}, {polys.shared_offsets(), core::flat_array<detail::encoded_neighbour>(polys.num_values())}};
+  facet_adjacency_.set_facets(f2v_.size());
+  core::flat_array<detail::facet_adjacency<face_id, 0>::incidence> met_first(f2v_.size());
   for (std::uint32_t p = 0; p < polys.size(); ++p)
     for (std::uint32_t k = 0; k < polys.length(p); ++k) {
       const face_id f = polys.begin(p)[k];
-      if (sides_.is_owned(f)) {
-        sides_.link(p, k, f, met_first[f.raw()]);
+      if (facet_adjacency_.is_owned(f)) {
+        facet_adjacency_.link(p, k, f, met_first[f.raw()]);
       } else {
         met_first[f.raw()] = {p, k};
-        sides_.link(p, k, f);
+        facet_adjacency_.link(p, k, f);
       }
     }
-  sides_.finish();
+  facet_adjacency_.finish();
 
   build_corners(vert_count, f2e, std::move(scratch), poly_corners);
-  verts_ = detail::live<vert_id>(vert_count);
-  edges_ = detail::live<edge_id>(edge_count);
-  faces_ = detail::live<face_id>(f2v_.size());
-  polys_ = detail::live<poly_id>(polys.size());
+  verts_ = detail::alive_elements<vert_id>(vert_count);
+  edges_ = detail::alive_elements<edge_id>(edge_count);
+  faces_ = detail::alive_elements<face_id>(f2v_.size());
+  polys_ = detail::alive_elements<poly_id>(polys.size());
 }
 
 template<class Lists>
@@ -250,15 +250,15 @@ core::flat_array<std::uint32_t> basic_polyhedra_tables<Lists>::build_edges(std::
       f2e[halves[i].corner] = edge_id{e};
     }
   }
-  ends.give_back_spare_room();
-  e2v_ = detail::rows<vert_id, 2>(std::move(ends));
-  detail::fill_stars(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
+  ends.shrink_to_fit();
+  e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends));
+  detail::fill_vertex_incidence(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
   return edge_to;
 }
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const core::flat_array<edge_id>& f2e, core::flat_array<std::uint32_t> vert_met, std::size_t poly_corners) {
-  const std::size_t poly_count = sides_.num_polys();
+  const std::size_t poly_count = facet_adjacency_.num_polys();
   const vert_id* const corner_vert = f2v_.begin(0);
   core::flat_array<std::uint32_t> edge_met(e2v_.size(), ~0u);
   std::fill_n(vert_met.data(), vert_count, ~0u);
@@ -274,7 +274,7 @@ void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const 
   v_first.reserve(poly_count + 1);
   e_first.reserve(poly_count + 1);
   for (std::uint32_t p = 0; p < poly_count; ++p) {
-    for (const face_id f : sides_.facets(poly_id{p})) {
+    for (const face_id f : facet_adjacency_.facets(poly_id{p})) {
       const auto at = static_cast<std::size_t>(f2v_.begin(f.raw()) - corner_vert);
       for (std::size_t c = at; c < at + f2v_.length(f.raw()); ++c) {
         const vert_id v = corner_vert[c];
@@ -294,29 +294,29 @@ void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const 
     e_first.push_back(static_cast<std::uint32_t>(edges.size()));
   }
   if (edges.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
-  verts.give_back_spare_room();
-  edges.give_back_spare_room();
+  verts.shrink_to_fit();
+  edges.shrink_to_fit();
   p2v_ = {std::make_shared<const detail::offsets>(std::move(v_first)), std::move(verts)};
   p2e_ = {std::make_shared<const detail::offsets>(std::move(e_first)), std::move(edges)};
 
-  v2p_ = detail::make_rows<poly_id>(std::move(degrees));
-  std::copy_n(v2p_.shape()->begin(), vert_count, vert_met.data());
+  v2p_ = detail::make_jagged_array<poly_id>(std::move(degrees));
+  std::copy_n(v2p_.shared_offsets()->begin(), vert_count, vert_met.data());
   poly_id* const polys = v2p_.begin(0);
   for (std::uint32_t p = 0; p < poly_count; ++p)
     for (const vert_id v : p2v_[p]) polys[vert_met[v.raw()]++] = poly_id{p};
-  if (*v2p_.shape() == *v2v_.shape()) v2p_.share_shape(v2v_);
+  if (*v2p_.shared_offsets() == *v2v_.shared_offsets()) v2p_.share_offsets(v2v_);
 }
 
 #ifdef CONCINO_COMPILED
-template basic_polyhedra_tables<detail::rows<vert_id, 0>>::basic_polyhedra_tables(std::size_t, std::vector<std::uint32_t>, std::vector<vert_id>, std::vector<std::uint32_t>, std::vector<face_id>,
+template basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::basic_polyhedra_tables(std::size_t, std::vector<std::uint32_t>, std::vector<vert_id>, std::vector<std::uint32_t>, std::vector<face_id>,
                                                   std::vector<std::uint8_t>);
-template vert_id basic_polyhedra_tables<detail::rows<vert_id, 0>>::add_vert(function_ref<void(const detail::index_bounds&)>);
-template face_id basic_polyhedra_tables<detail::rows<vert_id, 0>>::add_face(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>);
-template poly_id basic_polyhedra_tables<detail::rows<vert_id, 0>>::add_poly(std::span<const face_id>, std::span<const std::uint8_t>, function_ref<void(const detail::index_bounds&)>);
-template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::reserve_removal(std::span<const poly_id>);
-template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_poly(poly_id);
-template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_face(face_id);
-template void basic_polyhedra_tables<detail::rows<vert_id, 0>>::remove_vert(vert_id);
+template vert_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_vert(function_ref<void(const detail::index_bounds&)>);
+template face_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_face(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>);
+template poly_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_poly(std::span<const face_id>, std::span<const std::uint8_t>, function_ref<void(const detail::index_bounds&)>);
+template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::reserve_removal(std::span<const poly_id>);
+template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_poly(poly_id);
+template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_face(face_id);
+template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_vert(vert_id);
 #endif
 
 }  // namespace concino

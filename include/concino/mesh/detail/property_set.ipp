@@ -51,7 +51,7 @@ CONCINO_INLINE void column::copy_value(const column& o, std::size_t from) {
 CONCINO_INLINE std::uint32_t largest_origin(const element_origins::range& origins) {
   origin largest = origins[0];
   for (const origin x : origins)
-    if (x.amount > largest.amount) largest = x;
+    if (x.weight > largest.weight) largest = x;
   return largest.index;
 }
 
@@ -75,8 +75,8 @@ CONCINO_INLINE void column::interpolate(const column& o, const element_origins& 
       continue;
     }
     double total = 0;
-    for (const origin x : origins) total += x.amount;
-    const auto weight = [&](const origin& x) { return total > 0 ? x.amount / total : 1 / static_cast<double>(origins.size()); };
+    for (const origin x : origins) total += x.weight;
+    const auto weight = [&](const origin& x) { return total > 0 ? x.weight / total : 1 / static_cast<double>(origins.size()); };
     const std::size_t here = size_;
     type_->scale(at(here), o.at(origins[0].index), weight(origins[0]));
     ++size_;
@@ -94,9 +94,9 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
   for (std::size_t i = 0; i < from.size(); ++i)
     for (const origin x : from[i]) {
       parts& p = all[x.index];
-      p.total += x.amount;
+      p.total += x.weight;
       ++p.count;
-      if (x.amount > p.largest) p.largest = x.amount, p.owner = i;
+      if (x.weight > p.largest) p.largest = x.weight, p.owner = i;
     }
   const bool can_be_parted = type_->scale != nullptr;
   while (size_ < from.size()) {
@@ -104,7 +104,7 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
     for (const origin x : from[here]) {
       const parts& p = all[x.index];
       if (!can_be_parted && p.owner != here) continue;
-      const double part = !can_be_parted || p.count == 1 ? 1 : p.total > 0 ? x.amount / p.total : 1 / static_cast<double>(p.count);
+      const double part = !can_be_parted || p.count == 1 ? 1 : p.total > 0 ? x.weight / p.total : 1 / static_cast<double>(p.count);
       if (size_ > here) type_->add(at(here), o.at(x.index), part);
       else if (part == 1) copy_value(o, x.index);
       else type_->scale(at(here), o.at(x.index), part), ++size_;

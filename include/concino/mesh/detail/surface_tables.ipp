@@ -7,10 +7,10 @@ namespace concino {
 
 template<unsigned Arity, class Lists>
 vert_id surface_tables<Arity, Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::stage_star(v2v_, v2e_, v2p_);
+  detail::stage_vertex_incidence(v2v_, v2e_, v2p_);
   verts_.reserve(1);
   if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), 0, polys_.bound(), p2v_.num_values()});
-  detail::add_star(v2v_, v2e_, v2p_);
+  detail::commit_vertex_incidence(v2v_, v2e_, v2p_);
   return verts_.add();
 }
 
@@ -22,7 +22,7 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "poly", p.raw());
   const auto n = static_cast<std::uint32_t>(corners.size());
   const vert_id* const c = p2v_.stage_row(corners.data(), n);  // corners may have lain in a row that moved
-  edge_id* const e = sides_.stage_poly(n);
+  edge_id* const e = facet_adjacency_.stage_poly(n);
   std::size_t more = 0;
   for (std::uint32_t k = 0; k < n; ++k) {
     e[k] = detail::edge_between(v2v_, v2e_, c[k], c[k + 1 == n ? 0 : k + 1]);
@@ -36,30 +36,30 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   e2v_.reserve_rows(more);
   edges_.reserve(more);
   polys_.reserve(1);
-  auto scratch = sides_.reserve_links(e, n, more);
+  auto scratch = facet_adjacency_.reserve_links(e, n, more);
   if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, 0, polys_.bound() + 1, p2v_.num_values() + n});
 
   p2v_.commit_row(n);
-  sides_.commit_poly(n);
+  facet_adjacency_.commit_poly(n);
   for (std::uint32_t k = 0; k < n; ++k) {
     edge_id side = e[k];
     if (side.is_none()) {
       side = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[k], c[k + 1 == n ? 0 : k + 1]);
-      sides_.add_facet();
+      facet_adjacency_.add_facet();
     }
-    sides_.link(p.raw(), k, side);
+    facet_adjacency_.link(p.raw(), k, side);
     v2p_.push(c[k].raw(), p);
   }
-  sides_.remark(p.raw(), std::move(scratch));
+  facet_adjacency_.update_marks(p.raw(), std::move(scratch));
   return polys_.add();
 }
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::reserve_removal(std::span<const poly_id>) {
-  v2v_.loosen();
-  v2e_.loosen();
-  v2p_.loosen();
-  sides_.reserve_removal();
+  v2v_.make_editable();
+  v2e_.make_editable();
+  v2p_.make_editable();
+  facet_adjacency_.reserve_removal();
   verts_.reserve_removal();
   edges_.reserve_removal();
   polys_.reserve_removal();
@@ -68,9 +68,9 @@ void surface_tables<Arity, Lists>::reserve_removal(std::span<const poly_id>) {
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::remove_poly(poly_id p) {
   reserve_removal({&p, 1});
-  sides_.unlink(p.raw());
-  for (const edge_id e : sides_.facets(p))
-    if (!sides_.is_owned(e)) detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
+  facet_adjacency_.unlink(p.raw());
+  for (const edge_id e : facet_adjacency_.facets(p))
+    if (!facet_adjacency_.is_owned(e)) detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
   for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
   polys_.remove(p);
 }
@@ -106,7 +106,7 @@ detail::offsets surface_tables<Arity, Lists>::list_at_verts(core::flat_array<std
   }
   detail::offsets counts(vert_count + 1, 0);
   for (std::size_t c = 0; c < corner_count; ++c) ++counts[corner_vert[c].raw() + 1];
-  v2p_ = detail::make_rows<poly_id>(std::move(counts));
+  v2p_ = detail::make_jagged_array<poly_id>(std::move(counts));
   std::uint32_t* const fill = scratch.data();
   for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p_.begin(v) - v2p_.begin(0));
   poly_id* const corners = v2p_.begin(0);
@@ -142,17 +142,17 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   const detail::offsets poly_of = list_at_verts(scratch);
 
   // Every edge is met at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
-  if constexpr (Arity == 0) sides_ = {{p2v_.shape(), core::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shape(), core::flat_array<detail::across>(corner_count)}};
-  else sides_ = {per_poly<edge_id>(poly_count, edge_id{}), per_poly<detail::across>(poly_count)};
+  if constexpr (Arity == 0) facet_adjacency_ = {{p2v_.shared_offsets(), core::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shared_offsets(), core::flat_array<detail::encoded_neighbour>(corner_count)}};
+  else facet_adjacency_ = {per_poly<edge_id>(poly_count, edge_id{}), per_poly<detail::encoded_neighbour>(poly_count)};
   core::flat_array<std::uint32_t>& edge_to = scratch;
   std::fill_n(edge_to.data(), vert_count, ~0u);
   core::flat_array<vert_id> ends;
   const std::size_t guess = vert_count + poly_count + poly_count / 64 + 16;
   ends.reserve(2 * std::min(guess, corner_count));
-  sides_.reserve_facets(std::min(guess, corner_count));
+  facet_adjacency_.reserve_facets(std::min(guess, corner_count));
   detail::offsets degrees(vert_count + 1, 0);
   std::uint32_t edge_count = 0;
-  std::vector<typename detail::sides<edge_id, Arity>::side> met_first;  // per edge of a, where polygons may be long
+  std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;  // per edge of a, where polygons may be long
   const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) {
     if (b.raw() < a) return;
     std::uint32_t e = edge_to[b.raw()];
@@ -162,12 +162,12 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
       ends.push_back(b);
       ++degrees[a + 1];
       ++degrees[b.raw() + 1];
-      sides_.add_facet();
+      facet_adjacency_.add_facet();
       if constexpr (Arity == 0) met_first.push_back({p, k});
     } else if constexpr (Arity == 0) {
-      return sides_.link(p, k, edge_id{e}, met_first[e - first_edge]);
+      return facet_adjacency_.link(p, k, edge_id{e}, met_first[e - first_edge]);
     }
-    sides_.link(p, k, edge_id{e});
+    facet_adjacency_.link(p, k, edge_id{e});
   };
   for (std::uint32_t a = 0; a < vert_count; ++a) {
     const std::uint32_t first_edge = edge_count;
@@ -181,15 +181,15 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
       *c = poly_id{p};
     }
   }
-  sides_.finish();
-  ends.give_back_spare_room();
-  e2v_ = detail::rows<vert_id, 2>(std::move(ends));
+  facet_adjacency_.finish();
+  ends.shrink_to_fit();
+  e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends));
 
-  detail::fill_stars(std::move(degrees), e2v_, scratch, v2v_, v2e_);
-  if (*v2p_.shape() == *v2v_.shape()) v2p_.share_shape(v2v_);
-  verts_ = detail::live<vert_id>(vert_count);
-  edges_ = detail::live<edge_id>(edge_count);
-  polys_ = detail::live<poly_id>(poly_count);
+  detail::fill_vertex_incidence(std::move(degrees), e2v_, scratch, v2v_, v2e_);
+  if (*v2p_.shared_offsets() == *v2v_.shared_offsets()) v2p_.share_offsets(v2v_);
+  verts_ = detail::alive_elements<vert_id>(vert_count);
+  edges_ = detail::alive_elements<edge_id>(edge_count);
+  polys_ = detail::alive_elements<poly_id>(poly_count);
 }
 
 }  // namespace concino

@@ -16,26 +16,26 @@ namespace concino::detail {
 
 inline constexpr std::size_t largest_sparse_index = static_cast<std::size_t>(std::numeric_limits<int>::max());
 
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_too_large(const char* who, const char* what) {
-  core::throw_joined<unsupported>({who, ": the matrix would have more ", what, " than its 32-bit indices can count; split the mesh"});
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_too_large(const char* caller, const char* what) {
+  core::throw_joined<unsupported>({caller, ": the matrix would have more ", what, " than its 32-bit indices can count; split the mesh"});
 }
 
 /// A matrix whose columns are still empty. At outerIndexPtr()[c + 1] the entries of column c are to be counted.
 /// Errors: unsupported where so many rows or columns cannot be numbered.
-inline Eigen::SparseMatrix<double> empty_columns(const char* who, std::size_t rows, std::size_t columns) {
-  if (rows >= largest_sparse_index) throw_too_large(who, "rows");
-  if (columns >= largest_sparse_index) throw_too_large(who, "columns");
+inline Eigen::SparseMatrix<double> empty_columns(const char* caller, std::size_t rows, std::size_t columns) {
+  if (rows >= largest_sparse_index) throw_too_large(caller, "rows");
+  if (columns >= largest_sparse_index) throw_too_large(caller, "columns");
   return {static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns)};
 }
 
 /// Makes room for `each` entries per one that was counted: afterwards column c begins at outerIndexPtr()[c].
 /// Errors: unsupported where so many cannot be numbered.
-inline void make_room(const char* who, Eigen::SparseMatrix<double>& a, int each = 1) {
+inline void make_room(const char* caller, Eigen::SparseMatrix<double>& a, int each = 1) {
   int* const begin = a.outerIndexPtr();
   std::int64_t sum = 0;
   for (Eigen::Index c = 0; c < a.cols(); ++c) {
     sum += std::int64_t{each} * begin[c + 1];
-    if (sum > std::numeric_limits<int>::max()) throw_too_large(who, "entries");
+    if (sum > std::numeric_limits<int>::max()) throw_too_large(caller, "entries");
     begin[c + 1] = static_cast<int>(sum);
   }
   a.resizeNonZeros(sum);

@@ -8,13 +8,13 @@
 
 namespace concino {
 
-CONCINO_INLINE bool gradients_at_places::has_gradients() const {
+CONCINO_INLINE bool corner_gradient_arrays::has_gradients() const {
   double sum = measure;
   for (const vec3& g : gradient) sum += g.x + g.y + g.z;
   return std::isfinite(sum) && measure != 0;
 }
 
-CONCINO_INLINE void gradients_at_places::centre() {
+CONCINO_INLINE void corner_gradient_arrays::centre() {
   const std::size_t n = place.size();
   if (n == 0) {
     mean = {};
@@ -28,7 +28,7 @@ CONCINO_INLINE void gradients_at_places::centre() {
   mean = origin + middle;
 }
 
-CONCINO_INLINE void gradients_at_places::visit_polygon() {
+CONCINO_INLINE void corner_gradient_arrays::visit_polygon() {
   const std::size_t n = place.size();
   normal = {};
   for (std::size_t i = 0; i < n; ++i) normal += cross(place[i], place[i + 1 < n ? i + 1 : 0]);

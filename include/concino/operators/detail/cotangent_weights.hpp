@@ -21,12 +21,12 @@ template<EmbeddedMesh M>
 class cotangent_weights {
   static constexpr int dimension = dimension_v<M>;
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
-  static constexpr std::size_t sides = dimension == 2 ? 3 : 6;
+  static constexpr std::size_t edges_per_poly = dimension == 2 ? 3 : 6;
   // The order of edges; those of polyhedra come in any, and this is the first to try.
   static constexpr std::size_t likely_ends[2][6][2] = {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
   const M& m_;
-  const char* who_;
+  const char* caller_;
   std::vector<double> weight_;
 
   /// Whether a and b are c and d, in this order or the other: not a matter for branches, which would be missed.
@@ -44,11 +44,11 @@ class cotangent_weights {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_no_simplex(const poly_t<M>& p, std::size_t n) const {
-    core::throw_joined<unsupported>({who_, ": poly ", index_of(m_, p), " has ", n, " verts and is no ",
+    core::throw_joined<unsupported>({caller_, ": poly ", index_of(m_, p), " has ", n, " verts and is no ",
                                dimension == 2 ? "triangle" : "tet", "; use virtual_elements or uniform, or split the polys"});
   }
   [[noreturn, gnu::noinline, gnu::cold]] void throw_degenerate(const poly_t<M>& p) const {
-    core::throw_joined<invalid_mesh>({who_, ": poly ", index_of(m_, p),
+    core::throw_joined<invalid_mesh>({caller_, ": poly ", index_of(m_, p),
                                 " is degenerate: it has no area or volume, or points that are not finite, so its angles have no cotangents; remove it, move "
                                 "its verts or use uniform"});
   }
@@ -69,7 +69,7 @@ class cotangent_weights {
     double sum = 0;
     const auto& edge_list = adj_p2e(m_, p);
     auto it = edge_list.begin();
-    for (std::size_t k = 0; k < sides; ++k, ++it) {
+    for (std::size_t k = 0; k < edges_per_poly; ++k, ++it) {
       const edge_t<M> e = *it;
       const auto [i, j] = likely_ends[dimension - 2][k];
       double w = weight(i, j);
@@ -84,8 +84,8 @@ class cotangent_weights {
   }
 
  public:
-  /// Errors: unsupported if some poly is no triangle or tet, invalid_mesh if it is degenerate; messages begin with `who`.
-  cotangent_weights(const M& m, const char* who) : m_(m), who_(who), weight_(edge_index_bound(m)) {
+  /// Errors: unsupported if some poly is no triangle or tet, invalid_mesh if it is degenerate; messages begin with `caller`.
+  cotangent_weights(const M& m, const char* caller) : m_(m), caller_(caller), weight_(edge_index_bound(m)) {
     for (const poly_t<M> p : polys(m)) add(p);
   }
 

@@ -45,7 +45,7 @@ struct symmetric3 {
 
 /// The places of the verts of a thin poly in coordinates along which it is longest first, y = Q R with orthonormal columns Q that are orthogonal to
 /// constants too. What is tiny along one axis is not lost beside what is large along another.
-struct thin_places {
+struct thin_poly_coordinates {
   vec3 axis[3];
   std::vector<vec3> q;      // a row for each vert; where polygons are measured, the last column is 0
   double r[3][3] = {};      // upper triangle
@@ -60,7 +60,7 @@ struct thin_places {
 
 /// What both matrices have in common, the lower triangle row by row. form: of both gradients; factor: of the squares of u - P u at the verts; constant:
 /// is added everywhere; image: scratch.
-void fill_projected(const gradients_at_places& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
+void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
                     std::vector<double>& entries);
 
 /// The projection of a poly's functions to linear ones, P u (x) = mean of u + (sum of u_i g_i) . (x - mean of the verts), and the form
@@ -71,15 +71,15 @@ class virtual_element {
   static constexpr std::size_t dimension = static_cast<std::size_t>(dimension_v<M>);
 
   const M* m_;
-  const char* who_;
+  const char* caller_;
   corner_gradients<M> poly_;
 
-  virtual_element(const M& m, const char* who) : m_(&m), who_(who) {}
+  virtual_element(const M& m, const char* caller) : m_(&m), caller_(caller) {}
 
   /// Errors: invalid_mesh if p has no area or volume, or points that are not finite.
   void visit(const poly_t<M>& p) {
     poly_.visit(*m_, p);
-    if (!poly_.has_gradients()) throw_no_measure(who_, *m_, p);
+    if (!poly_.has_gradients()) throw_no_measure(caller_, *m_, p);
   }
 
   bool is_simplex() const { return poly_.verts.size() == dimension + 1; }
@@ -95,15 +95,15 @@ class virtual_element {
 /// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods"; 2014, "The hitchhiker's guide to the virtual element method".
 template<std::size_t Dimension>
 class stiffness_of_poly {
-  thin_places thin_;
+  thin_poly_coordinates thin_;
   std::vector<vec3> image_, gradient_, unseen_;  // the last two of fill_thin
 
-  static double stiffening(double n) { return Dimension == 2 ? n / 12 : std::sqrt(n / 162); }
-  [[gnu::cold]] bool fill_thin(const gradients_at_places& poly, double size, std::vector<double>& entries);
+  static double stabilisation_factor(double n) { return Dimension == 2 ? n / 12 : std::sqrt(n / 162); }
+  [[gnu::cold]] bool fill_thin(const corner_gradient_arrays& poly, double size, std::vector<double>& entries);
 
  public:
   /// The lower triangle row by row.
-  void fill(const gradients_at_places& poly, std::vector<double>& entries);
+  void fill(const corner_gradient_arrays& poly, std::vector<double>& entries);
 };
 
 template<EmbeddedMesh M>

@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE void thin_places::find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension) {
+CONCINO_INLINE void thin_poly_coordinates::find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension) {
   const auto longest = [&](auto&& part) {
     vec3 best;
     for (const vec3& y : place)
@@ -49,7 +49,7 @@ CONCINO_INLINE void thin_places::find(const std::vector<vec3>& place, const vec3
   }
 }
 
-CONCINO_INLINE vec3 thin_places::solve(vec3 a, std::size_t dimension) const {
+CONCINO_INLINE vec3 thin_poly_coordinates::solve(vec3 a, std::size_t dimension) const {
   for (std::size_t k = dimension; k-- > 0;) {
     for (std::size_t l = k + 1; l < dimension; ++l) a[k] -= r[k][l] * a[l];
     a[k] /= r[k][k];
@@ -59,7 +59,7 @@ CONCINO_INLINE vec3 thin_places::solve(vec3 a, std::size_t dimension) const {
 
 /// entry(i, j) = g_i . form g_j + factor (delta_ij - 1/n - y_i . g_j - y_j . g_i), where `form` already has factor times the sum of y y^T:
 /// what the squares of u - P u come to.
-CONCINO_INLINE void fill_projected(const gradients_at_places& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
+CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
                                    std::vector<double>& entries) {
   const std::size_t n = poly.place.size();
   entries.resize(n * (n + 1) / 2);
@@ -78,7 +78,7 @@ CONCINO_INLINE void fill_projected(const gradients_at_places& poly, const symmet
 /// constants and linear functions have of it, which are rounding errors, the sum of squares of u - P u is that of u - Q Q^T u - mean and of the
 /// sum of u_i h_i. A sum of squares term by term, it is not negative.
 template<std::size_t Dimension>
-bool stiffness_of_poly<Dimension>::fill_thin(const gradients_at_places& poly, double size, std::vector<double>& entries) {
+bool stiffness_of_poly<Dimension>::fill_thin(const corner_gradient_arrays& poly, double size, std::vector<double>& entries) {
   constexpr std::size_t d = Dimension;
   const std::size_t n = poly.place.size();
   thin_.find(poly.place, d == 2 ? poly.normal / norm(poly.normal) : vec3{}, d);
@@ -107,7 +107,7 @@ bool stiffness_of_poly<Dimension>::fill_thin(const gradients_at_places& poly, do
     squares += dot(gradient_[i], gradient_[i]);
     least += dot(linear, linear);
   }
-  const double factor = size * (d == 2 ? squares : least) * stiffening(static_cast<double>(n)), constant = factor / static_cast<double>(n);
+  const double factor = size * (d == 2 ? squares : least) * stabilisation_factor(static_cast<double>(n)), constant = factor / static_cast<double>(n);
   entries.resize(n * (n + 1) / 2);
   double* row = entries.data();
   for (std::size_t i = 0; i < n; row += ++i) {
@@ -119,7 +119,7 @@ bool stiffness_of_poly<Dimension>::fill_thin(const gradients_at_places& poly, do
 }
 
 template<std::size_t Dimension>
-void stiffness_of_poly<Dimension>::fill(const gradients_at_places& poly, std::vector<double>& entries) {
+void stiffness_of_poly<Dimension>::fill(const corner_gradient_arrays& poly, std::vector<double>& entries) {
   constexpr double thin = 0x1p16;  // the square of some hundred times as long as thick
   const double size = std::abs(poly.measure);
   double factor = 0;
@@ -135,7 +135,7 @@ void stiffness_of_poly<Dimension>::fill(const gradients_at_places& poly, std::ve
       const double least = spread.trace_of_inverse();
       if (least > 0 && least < squares) squares = least;  // rounding has the last word on polys next to flat
     }
-    factor = size * squares * stiffening(n);
+    factor = size * squares * stabilisation_factor(n);
     form.add(factor, spread);
   }
   fill_projected(poly, form, factor, 0, image_, entries);

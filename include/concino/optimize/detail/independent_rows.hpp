@@ -31,8 +31,8 @@ struct row_space {
   std::vector<reduced_row> reduced;  // as many
   bool is_nearly_dependent = false;  // of some row, little is left
 
-  /// The multipliers of the given rows, from those of the reduced ones.
-  void multipliers_of_given(std::vector<double>& of_reduced) const {
+  /// The multipliers of the original rows, from those of the reduced rows.
+  void multipliers_of_original_rows(std::vector<double>& of_reduced) const {
     for (std::size_t i = reduced.size(); i-- > 0;) {
       of_reduced[i] /= reduced[i].pivot;
       for (const auto& [row, factor] : reduced[i].taken) of_reduced[static_cast<std::size_t>(row)] -= factor * of_reduced[i];
@@ -135,7 +135,7 @@ class row_elimination {
       : pivot_of_(static_cast<std::size_t>(columns), -1), row_(static_cast<std::size_t>(columns)), is_touched_(row_.size()) {}
 
   /// Reduces row i of `rows`, whose right side is `value`, and keeps it if it is independent of those before.
-  void add(const char* who, const row_matrix& rows, int i, double value) {
+  void add(const char* caller, const row_matrix& rows, int i, double value) {
     const double scale = load(rows, i);
     reduced_side left = eliminate(value, scale);
     const largest_entry largest = find_largest();
@@ -143,7 +143,7 @@ class row_elimination {
       space_.is_nearly_dependent |= largest.size < 1e-6 * scale;
       add_independent(i, largest.column, std::move(left));
     } else if (!(std::abs(left.value) <= 1e-9 * left.terms)) {
-      core::throw_joined<solver_error>({who, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from"
+      core::throw_joined<solver_error>({caller, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from"
                                   " theirs, but its right side is off by ", core::number_text(std::abs(left.value))});
     }
     clear_row();
@@ -156,11 +156,11 @@ class row_elimination {
 /// A row counts as dependent if elimination leaves no entry above rounding errors: those of its largest entry, and those of the rows that it is reduced
 /// by, which are larger where little was left of these. It contradicts the others if then more than 1e-9 of the d involved is left.
 /// Errors: solver_error if a row contradicts those before; it is named.
-inline row_space independent_rows(const char* who, const Eigen::SparseMatrix<double>& c, const Eigen::VectorXd& d) {
+inline row_space independent_rows(const char* caller, const Eigen::SparseMatrix<double>& c, const Eigen::VectorXd& d) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows = c;
   rows.makeCompressed();
   row_elimination elimination(c.cols());
-  for (int i = 0; i < rows.rows(); ++i) elimination.add(who, rows, i, d[i]);
+  for (int i = 0; i < rows.rows(); ++i) elimination.add(caller, rows, i, d[i]);
   return std::move(elimination).take();
 }
 

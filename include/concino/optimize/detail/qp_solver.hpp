@@ -103,7 +103,7 @@ class qp_solver {
     for (r.iterations = 1; r.iterations <= options_.max_iterations; ++r.iterations) {
       iterates.step();
       if (r.iterations % 25 != 0 && r.iterations != options_.max_iterations) continue;
-      tell(options_.progress, static_cast<double>(r.iterations) / options_.max_iterations, "quadratic program");
+      report_progress(options_.progress, static_cast<double>(r.iterations) / options_.max_iterations, "quadratic program");
       r.x = iterates.x();
       r.multipliers = iterates.multipliers();
       const relative_residuals left = residuals_of(r, iterates.row_values());

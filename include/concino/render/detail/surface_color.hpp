@@ -17,7 +17,7 @@ inline double band_coverage(double x, double w, double band) {
   return std::min(1.0, std::max(0.0, (integral(x + w / 2) - integral(x - w / 2)) / w));
 }
 
-inline double segment_distance(const film_point& p, const film_point& a, const film_point& b) {
+inline double segment_distance(const image_point& p, const image_point& a, const image_point& b) {
   const double x = b.x - a.x, y = b.y - a.y, length = x * x + y * y;
   const double t = length > 0 ? std::min(1.0, std::max(0.0, ((p.x - a.x) * x + (p.y - a.y) * y) / length)) : 0;
   return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
@@ -45,7 +45,7 @@ class surface_reader {
   surface_reader(const unit_scene& scene, const camera& unit_camera, std::size_t height, int samples)
       : scene_(scene), camera_(unit_camera), pixel_(2.0 / static_cast<double>(height)), fineness_(samples) {}
 
-  surface_point operator()(const ray_hit& hit, const sight& ray, const film_point& film) {
+  surface_point operator()(const ray_hit& hit, const view_ray& ray, const image_point& film) {
     const auto [which, local] = scene_.owner(hit.triangle);
     const drawable& d = scene_[which];
     const auto& t = d.triangles[local];
@@ -118,13 +118,13 @@ class surface_reader {
   }
 
   // How much the value changes from one sample to the next, by following the rays beside this one to the triangle's plane.
-  double value_step(const vec3& a, const vec3& b, const vec3& c, const double (&u)[3], const vec3& place, const film_point& film) const {
+  double value_step(const vec3& a, const vec3& b, const vec3& c, const double (&u)[3], const vec3& place, const image_point& film) const {
     const vec3 e = b - a, f = c - a, n = cross(e, f);
     const double nn = dot(n, n);
     if (!(nn > 0)) return 0;
     const vec3 gradient = (cross(f, n) * (u[1] - u[0]) + cross(n, e) * (u[2] - u[0])) / nn;
     const auto step = [&](double dx, double dy) {
-      const sight beside = camera_.through({film.x + dx, film.y + dy});
+      const view_ray beside = camera_.ray_through({film.x + dx, film.y + dy});
       const double toward = dot(beside.direction, n);
       if (toward == 0) return std::numeric_limits<double>::infinity();
       return std::abs(dot(gradient, beside.origin + beside.direction * (dot(place - beside.origin, n) / toward) - place));
@@ -133,7 +133,7 @@ class surface_reader {
   }
 
   double edge_coverage(std::size_t which, const drawable& d, const std::array<std::uint32_t, 3>& t, std::uint32_t first, std::uint32_t n,
-                       const film_point& film) const {
+                       const image_point& film) const {
     double nearest = std::numeric_limits<double>::infinity();
     const auto side = [&](std::uint32_t i, std::uint32_t j) {
       nearest = std::min(nearest, segment_distance(film, camera_.project(corner(which, i)), camera_.project(corner(which, j))));

@@ -69,7 +69,7 @@ class unit_scene {
   std::uint32_t first_point(std::size_t i) const { return first_point_[i]; }
 
   /// The square of the greatest distance from 0.
-  double squared_reach() const {
+  double squared_radius() const {
     double reach = 0;
     for (std::size_t i = 0; i < soup.points.size(); ++i)
       reach = std::max(reach, dot(point(static_cast<std::uint32_t>(i)), point(static_cast<std::uint32_t>(i))));

@@ -16,13 +16,13 @@ struct auto_solver::solvers {
 CONCINO_INLINE auto_solver::auto_solver() : auto_solver(auto_solver_options()) {}
 CONCINO_INLINE auto_solver::auto_solver(const auto_solver_options& options)
     : options_(options), solvers_(new solvers{ldlt(), conjugate_gradients(options.iteration)}) {
-  if (options.most_factor_entries < 0) throw invalid_argument("auto_solver: most_factor_entries is negative");
+  if (options.max_factor_entries < 0) throw invalid_argument("auto_solver: max_factor_entries is negative");
 }
 CONCINO_INLINE auto_solver::~auto_solver() = default;
 
 CONCINO_INLINE void auto_solver::factorize(const Eigen::SparseMatrix<double>& a) {
   used_ = solver_used::none;
-  if (!solvers_->iteration.has_pattern_of(a) && solvers_->direct.factorize_within(a, options_.most_factor_entries)) {
+  if (!solvers_->iteration.has_pattern_of(a) && solvers_->direct.factorize_within(a, options_.max_factor_entries)) {
     used_ = solver_used::ldlt;
   } else {
     solvers_->iteration.factorize(a);
@@ -40,9 +40,9 @@ CONCINO_INLINE Eigen::VectorXd auto_solver::solve(const Eigen::VectorXd& b) cons
   return used_ == solver_used::ldlt ? solvers_->direct.solve(b) : solvers_->iteration.solve(b);
 }
 
-CONCINO_INLINE int auto_solver::iterations() const { return iterates() ? solvers_->iteration.iterations() : 0; }
-CONCINO_INLINE double auto_solver::error() const { return iterates() ? solvers_->iteration.error() : 0; }
-CONCINO_INLINE double auto_solver::residual() const { return iterates() ? solvers_->iteration.residual() : 0; }
-CONCINO_INLINE bool auto_solver::converged() const { return !iterates() || solvers_->iteration.converged(); }
+CONCINO_INLINE int auto_solver::iterations() const { return is_iterative() ? solvers_->iteration.iterations() : 0; }
+CONCINO_INLINE double auto_solver::error() const { return is_iterative() ? solvers_->iteration.error() : 0; }
+CONCINO_INLINE double auto_solver::residual() const { return is_iterative() ? solvers_->iteration.residual() : 0; }
+CONCINO_INLINE bool auto_solver::has_converged() const { return !is_iterative() || solvers_->iteration.has_converged(); }
 
 }  // namespace concino

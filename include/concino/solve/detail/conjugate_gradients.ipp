@@ -39,7 +39,7 @@ CONCINO_INLINE void conjugate_gradients::factorize(const Eigen::SparseMatrix<dou
   pattern_.update(given, [&](const auto& m) { order_.keep(detail::breadth_first_order(m)); });
   a_ = detail::sorted_transpose(order_(given));
   for (Eigen::Index k = 0; k < a_.nonZeros(); ++k) a_.valuePtr()[k] *= scale_;
-  near_a_.factorize(a_);
+  preconditioner_.factorize(a_);
   size_ = given.rows();
 }
 
@@ -127,7 +127,7 @@ CONCINO_INLINE void conjugate_gradients::iterate(const Eigen::VectorXd& b, Eigen
   Eigen::VectorXd r = b, z(size_), p(size_), q(size_);
   for (Eigen::Index i = 0; i < size_; ++i) x[i] = 0;
   detail::energy_gains gained;
-  near_a_.solve(a_, r, z);
+  preconditioner_.solve(a_, r, z);
   double along = dot(r, z);  // |r|^2 as the preconditioner measures it
   double left = unknown;     // the square of the error
   residual_ = 1;
@@ -151,7 +151,7 @@ CONCINO_INLINE void conjugate_gradients::iterate(const Eigen::VectorXd& b, Eigen
       gained.add(step * along);
       left = gained.left();
       if (gained.is_exhausted() || (left <= wanted * gained.all() && largest_residual(r, b, x) <= options_.tolerance)) break;
-      near_a_.solve(a_, r, z);
+      preconditioner_.solve(a_, r, z);
       const double before = along;
       along = dot(r, z);
       turn = along / before;
@@ -164,7 +164,7 @@ CONCINO_INLINE void conjugate_gradients::iterate(const Eigen::VectorXd& b, Eigen
     const double expected = along;
     multiply(x, q);
     for (Eigen::Index i = 0; i < size_; ++i) r[i] = b[i] - q[i];
-    near_a_.solve(a_, r, z);
+    preconditioner_.solve(a_, r, z);
     along = dot(r, z);
     if (left == unknown) left = gained.has_any() ? gained.recent() : left_before;
     left = along == 0 ? 0 : left * std::max(1.0, along / expected);

@@ -26,7 +26,7 @@ class supernodes {
     const double* entry(int row, int column) const { return values + starts[column] + (row - column - 1); }
 
     /// solve_upper reads columns last to first, which machines do not foresee: it asks for what it reads some time after these columns.
-    void fetch_before(int i, int count) const {
+    void prefetch_before(int i, int count) const {
 #if defined(__GNUC__)
       constexpr int ahead = 1024, in_a_cache_line = 8;
       for (int k = std::max(starts[i] - ahead, 0); k < starts[i + count] - ahead; k += in_a_cache_line) __builtin_prefetch(values + k);
@@ -129,7 +129,7 @@ class supernodes {
       const int common = starts[width] - starts[width - 1];
       const block b{starts, l.valuePtr(), width, width + common};
       if (width == 1) {
-        b.fetch_before(0, 1);
+        b.prefetch_before(0, 1);
         const double* const v = l.valuePtr() + starts[0];
         double sum = 0;
         for (int k = 0; k < common; ++k) sum += v[k] * x[rows[k]];
@@ -140,10 +140,10 @@ class supernodes {
       for (int k = 0; k < common; ++k) y[width + k] = x[rows[k]];
       int i = width;
       for (; i >= 4; i -= 4) {
-        b.fetch_before(i - 4, 4);
+        b.prefetch_before(i - 4, 4);
         b.collect<4>(i - 4, y);
       }
-      b.fetch_before(0, i);
+      b.prefetch_before(0, i);
       if (i == 3) b.collect<3>(0, y);
       if (i == 2) b.collect<2>(0, y);
       if (i == 1) b.collect<1>(0, y);

@@ -3,7 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/edit/elements.hpp>
-#include <concino/testing/detail/rings.hpp>
+#include <concino/testing/detail/adjacencies.hpp>
 #include <concino/validate/broken_law.hpp>
 
 #include <string>

@@ -10,7 +10,7 @@
 #include <concino/graph/dijkstra.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
-#include <concino/testing/detail/rings.hpp>
+#include <concino/testing/detail/adjacencies.hpp>
 #include <concino/validate/broken_law.hpp>
 
 #include <cmath>

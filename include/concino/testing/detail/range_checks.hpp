@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/message.hpp>
-#include <concino/testing/detail/rings.hpp>
+#include <concino/testing/detail/adjacencies.hpp>
 #include <concino/validate/broken_law.hpp>
 
 #include <atomic>
@@ -16,7 +16,7 @@ namespace concino::testing::detail {
 template<class M>
 void check_ranges(const M& m, concino::detail::law_log& log) {
   constexpr std::size_t enough = 500;  // elements of each kind
-  for_each_ring(m, [&](const char* verb, char letter, const auto& all, const auto& adjacent) {
+  for_each_adjacency(m, [&](const char* verb, char letter, const auto& all, const auto& adjacent) {
     std::size_t asked = 0;
     const auto elements = indices(m, all(m));
     if (indices(m, all(m)) != elements) log.add("KIT2", concino::core::joined({"two walks over the elements that ", verb, " is asked of differ"}), "");

@@ -13,7 +13,7 @@ namespace concino {
 /// What validate looks for.
 struct validate_options {
   defect_kinds kinds = {};           // the kinds to look for; all. The facts are found in any case.
-  std::size_t most_per_kind = 100;   // records kept of each kind, 0 or more; further defects are counted
+  std::size_t max_per_kind = 100;   // records kept of each kind, 0 or more; further defects are counted
   double length_tolerance = 0;       // >= 0, times the diagonal of the box of the mesh: edges up to this length have none
   double size_tolerance = 0;         // >= 0, times the diagonal of an element's box, squared (areas) or cubed (volumes): sizes up to this are none
   double planarity_tolerance = 0.05; // >= 0, times the diagonal of a polygon's box: how far off its plane verts may lie
@@ -38,7 +38,7 @@ class defect_log {
   const validate_options& options() const { return *options_; }
 
   /// A record to fill in with others and what; null where the kind is not wanted or enough are known.
-  defect<M>* add(defect_kind kind, const mesh_element<M>& x) { return wants(kind) ? report_->add(kind, x, options_->most_per_kind) : nullptr; }
+  defect<M>* add(defect_kind kind, const mesh_element<M>& x) { return wants(kind) ? report_->add(kind, x, options_->max_per_kind) : nullptr; }
 
   /// "vert 7"
   template<class X>
@@ -79,10 +79,10 @@ class defect_log {
     to_ = to;
     done_ = 0;
     work_ = work > 0 ? work : 1;
-    tell(options_->progress, from_, "validate");
+    report_progress(options_->progress, from_, "validate");
   }
   void step() {
-    if (++done_ % 8192 == 0) tell(options_->progress, from_ + (to_ - from_) * static_cast<double>(done_ < work_ ? done_ : work_) / static_cast<double>(work_), "validate");
+    if (++done_ % 8192 == 0) report_progress(options_->progress, from_ + (to_ - from_) * static_cast<double>(done_ < work_ ? done_ : work_) / static_cast<double>(work_), "validate");
   }
 };
 

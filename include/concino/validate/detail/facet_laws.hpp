@@ -19,10 +19,10 @@ class facet_laws {
   const M& m_;
   const element_table<vert_t<M>>& vs_;
   const element_table<poly>& ps_;
-  const rings& p2p_;
+  const adjacency_lists& p2p_;
   law_log& log_;
   element_table<facet> xs_;
-  rings x2p_, p2x_, x2v_;
+  adjacency_lists x2p_, p2x_, x2v_;
 
   /// What the mesh throws within check(a) breaks `law`.
   template<class A, class Check>
@@ -40,7 +40,7 @@ class facet_laws {
 
   /// FC2: the verts of a facet are verts of each of its polys.
   void check_verts() {
-    const rings p2v = read_rings(m_, ps_, vs_, adj_p2v, "FC2", "adj_p2v", log_);
+    const adjacency_lists p2v = read_adjacency(m_, ps_, vs_, adj_p2v, "FC2", "adj_p2v", log_);
     std::vector<position> of(vs_.size(), no_position);
     for (position p = 0; p < ps_.size() && !log_.full("FC2"); ++p) {
       for (const position v : p2v[p]) of[v] = p;
@@ -73,7 +73,7 @@ class facet_laws {
   }
 
   /// FC3: over all facets of p these are adj_p2p(p).
-  void check_across() {
+  void check_adjacent_polys() {
     std::vector<position> across(ps_.size(), no_position);
     for_each(ps_, "FC3", "other_polys", [&](position p) {
       std::size_t walked = 0;
@@ -106,7 +106,7 @@ class facet_laws {
     });
   }
   template<class A>
-  void check_boundary(const element_table<A>& as, const rings& facets_of) {
+  void check_boundary(const element_table<A>& as, const adjacency_lists& facets_of) {
     std::vector<bool> expected(as.size());
     for (position a = 0; a < as.size(); ++a)
       for (const position x : facets_of[a]) expected[a] = expected[a] || has_one_poly(x);
@@ -120,13 +120,13 @@ class facet_laws {
 
   void check() {
     if (!log_.empty()) return;  // what follows would say the same again
-    x2p_ = read_rings(m_, xs_, ps_, adj_facet2p, "FC2", "adj_facet2p", log_);
-    p2x_ = read_rings(m_, ps_, xs_, adj_p2facet, "FC2", "adj_p2facet", log_);
-    x2v_ = read_rings(m_, xs_, vs_, adj_facet2v, "FC2", "adj_facet2v", log_);
+    x2p_ = read_adjacency(m_, xs_, ps_, adj_facet2p, "FC2", "adj_facet2p", log_);
+    p2x_ = read_adjacency(m_, ps_, xs_, adj_p2facet, "FC2", "adj_p2facet", log_);
+    x2v_ = read_adjacency(m_, xs_, vs_, adj_facet2v, "FC2", "adj_facet2v", log_);
     check_mirror(xs_, ps_, x2p_, p2x_, "FC2", "adj_facet2p", "adj_p2facet", log_);
     check_verts();
     if (!log_.empty()) return;
-    check_across();
+    check_adjacent_polys();
     std::vector<bool> single(xs_.size());
     for (position x = 0; x < xs_.size(); ++x) single[x] = has_one_poly(x);
     check_boundary(xs_, single);
@@ -135,7 +135,7 @@ class facet_laws {
     if constexpr (VolumeMesh<M>) {  // the edges of a surface are its facets
       law_log again;  // faults of the edges themselves have been found before
       const auto es = read_elements<edge_t<M>>(m_, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", again);
-      const rings x2e = read_rings(m_, xs_, es, adj_f2e, "VM2", "adj_f2e", again);
+      const adjacency_lists x2e = read_adjacency(m_, xs_, es, adj_f2e, "VM2", "adj_f2e", again);
       if (again.empty()) check_boundary(es, transposed(x2e, es.size()));
     }
   }

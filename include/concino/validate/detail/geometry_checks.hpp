@@ -6,7 +6,7 @@
 #include <concino/validate/detail/defect_log.hpp>
 #include <concino/validate/detail/hex_orders.hpp>
 #include <concino/validate/detail/local_points.hpp>
-#include <concino/validate/detail/rim_touch.hpp>
+#include <concino/validate/detail/self_intersection_finder.hpp>
 
 namespace concino::detail {
 
@@ -15,7 +15,7 @@ template<class M>
 class polygon_checks {
   local_points local_;
   std::vector<plane_point> flat_;
-  rim_touch touch_;
+  self_intersection_finder self_intersection_;
 
  public:
   template<class X, class Ring>
@@ -32,12 +32,12 @@ class polygon_checks {
     };
     if (!local_.fit()) return add_zero("its verts are all at one point");
 
-    const vec3 area = rim_area(points, 0, n);
+    const vec3 area = vector_area(points, 0, n);
     const double size = local_.size, length = norm(area);
     const bool no_area = local_.is_zero_area(area, n);
     if (n == 3) {
       if (no_area) return add_zero("its verts lie on one line");
-      if (length <= log.options().size_tolerance * size * size) add_zero(tiny().c_str());
+      if (length <= log.options().size_tolerance * size * size) add_zero(below_tolerance().c_str());
       return;
     }
     const vec3 normal = no_area ? widest_normal() : area / length;
@@ -48,7 +48,7 @@ class polygon_checks {
     for (const vec3& p : points) mean += p / static_cast<double>(n);
     for (const vec3& p : points) off = std::max(off, std::abs(dot(p - mean, normal)));
     const bool bent = off > 1e-9 * size;
-    const auto touch = find_touch(normal, bent);
+    const auto touch = find_self_intersection(normal, bent);
     if (touch) {
       if (defect<M>* d = log.add(defect_kind::self_touching, x))
         d->what = core::joined({log.name(x), bent ? ", seen along its normal, touches or crosses itself: " : " touches or crosses itself: ",
@@ -56,7 +56,7 @@ class polygon_checks {
     } else if (no_area) {
       add_zero("its parts cancel out");
     } else if (length <= log.options().size_tolerance * size * size) {
-      add_zero(tiny().c_str());
+      add_zero(below_tolerance().c_str());
     }
     if (!no_area && off > log.options().planarity_tolerance * size)
       if (defect<M>* d = log.add(defect_kind::non_planar, x))
@@ -64,7 +64,7 @@ class polygon_checks {
   }
 
  private:
-  static std::string tiny() { return "it is below the tolerance"; }
+  static std::string below_tolerance() { return "it is below the tolerance"; }
   static double rounded(double x) { return std::round(x * 100) / 100; }
 
   /// A normal of the points where their area vector says nothing; zero if they lie on one line.
@@ -80,7 +80,7 @@ class polygon_checks {
 
   /// Looking along the normal. A planar polygon keeps its exact coordinates: leaving out the one in which the normal is largest neither
   /// makes nor mends a touch.
-  std::optional<std::pair<std::uint32_t, std::uint32_t>> find_touch(const vec3& normal, bool bent) {
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> find_self_intersection(const vec3& normal, bool bent) {
     const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
     flat_.clear();
     if (bent) {
@@ -92,7 +92,7 @@ class polygon_checks {
       const std::size_t out = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
       for (const vec3& p : local_.points) flat_.push_back({p[(out + 1) % 3], p[(out + 2) % 3]});
     }
-    return touch_(flat_);
+    return self_intersection_(flat_);
   }
 
   template<class Ring>
@@ -124,7 +124,7 @@ void check_cell_size(const M& m, const poly_t<M>& p, local_points& local, std::v
     for (const auto& [last, outward] : ends) {
       vec3 mean;
       for (std::size_t i = first; i < last; ++i) mean += local.points[i];
-      const double part = last > first ? dot(mean / static_cast<double>(last - first), rim_area(local.points, first, last)) / 3 : 0;
+      const double part = last > first ? dot(mean / static_cast<double>(last - first), vector_area(local.points, first, last)) / 3 : 0;
       volume += outward ? part : -part;
       first = last;
     }

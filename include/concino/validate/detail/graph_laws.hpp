@@ -10,7 +10,7 @@ namespace concino::detail {
 template<class D>
 struct graph_tables {
   element_table<D> nodes;
-  rings next;
+  adjacency_lists next;
 };
 
 template<class D>
@@ -33,7 +33,7 @@ void check_graph(const graph_tables<D>& g, const char* symmetry, const char* loo
 template<PrimalGraph M>
 graph_tables<vert_t<M>> check_primal_graph(const M& m, law_log& log) {
   graph_tables<vert_t<M>> g{read_elements<vert_t<M>>(m, 'v', verts, num_verts, vert_index_bound, "PG1", "PG2", log), {}};
-  g.next = read_rings(m, g.nodes, g.nodes, adj_v2v, "PG4", "adj_v2v", log);
+  g.next = read_adjacency(m, g.nodes, g.nodes, adj_v2v, "PG4", "adj_v2v", log);
   check_graph(g, "PG3", "PG4", "adj_v2v", log);
   return g;
 }
@@ -41,7 +41,7 @@ graph_tables<vert_t<M>> check_primal_graph(const M& m, law_log& log) {
 template<DualGraph M>
 graph_tables<poly_t<M>> check_dual_graph(const M& m, law_log& log) {
   graph_tables<poly_t<M>> g{read_elements<poly_t<M>>(m, 'p', polys, num_polys, poly_index_bound, "DG1", "DG2", log), {}};
-  g.next = read_rings(m, g.nodes, g.nodes, adj_p2p, "DG4", "adj_p2p", log);
+  g.next = read_adjacency(m, g.nodes, g.nodes, adj_p2p, "DG4", "adj_p2p", log);
   check_graph(g, "DG3", "DG4", "adj_p2p", log);
   return g;
 }

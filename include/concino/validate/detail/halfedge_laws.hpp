@@ -36,7 +36,7 @@ class halfedge_laws {
   std::string vert_name(position v) const { return number("vert", vs_.index[v]); }
   std::string edge_name(position e) const { return number("edge", es_.index[e]); }
   std::string poly_name(position p) const { return number("poly", ps_.index[p]); }
-  std::string way(const step& s) const { return core::joined({"from ", vert_name(s.from), " to ", vert_name(s.to)}); }
+  std::string describe_direction(const step& s) const { return core::joined({"from ", vert_name(s.from), " to ", vert_name(s.to)}); }
   std::string witness(const step& s) const { return core::joined({vs_.name(s.from), " ", vs_.name(s.to)}); }
 
  public:
@@ -131,11 +131,11 @@ class halfedge_laws {
       } else if (n > 2) {
         std::string polys;
         for (std::size_t k = i; k < i + n && k < i + 4; ++k) polys += core::joined({k > i ? ", " : "", ps_.name(steps_[k].poly)});
-        fault("HE2", {"the edge ", way(s), " has ", n, " polys (", polys, n > 4 ? ", ...)" : ")", remedy}, witness(s));
+        fault("HE2", {"the edge ", describe_direction(s), " has ", n, " polys (", polys, n > 4 ? ", ...)" : ")", remedy}, witness(s));
       } else if (n == 2 && s.poly == t.poly && s.from == t.from) {
-        fault("HE2", {poly_name(s.poly), " runs ", way(s), " twice", remedy}, witness(s));
+        fault("HE2", {poly_name(s.poly), " runs ", describe_direction(s), " twice", remedy}, witness(s));
       } else if (n == 2 && s.from == t.from) {
-        fault("HE2", {poly_name(s.poly), " and ", poly_name(t.poly), " both run ", way(s), ", their orientations disagree: turn one of them, or use indexed_surface"},
+        fault("HE2", {poly_name(s.poly), " and ", poly_name(t.poly), " both run ", describe_direction(s), ", their orientations disagree: turn one of them, or use indexed_surface"},
               witness(s));
       }
     }
@@ -152,7 +152,7 @@ class halfedge_laws {
       const halfedge o = K::opposite(m_, s.h);
       if (o == s.h || (first && o == K::opposite(m_, first->h))) {
         fault("HE3",
-              {"the edge ", way(s), " lies at the border, and opposite gives ", o == s.h ? "the half-edge itself" : "another border edge the same half-edge",
+              {"the edge ", describe_direction(s), " lies at the border, and opposite gives ", o == s.h ? "the half-edge itself" : "another border edge the same half-edge",
                ": border half-edges must exist, or the links say static constexpr bool has_border_halfedges = false"},
               witness(s));
         return false;
@@ -170,13 +170,13 @@ class halfedge_laws {
       if (n == 2) {
         const step& t = steps_[i + 1];
         if (!(o == t.h) || !(K::opposite(m_, t.h) == s.h))
-          fault("HE3", {"the half-edges ", way(s), " of ", poly_name(s.poly), " and ", way(t), " of ", poly_name(t.poly), " are not opposite to each other"}, witness(s));
+          fault("HE3", {"the half-edges ", describe_direction(s), " of ", poly_name(s.poly), " and ", describe_direction(t), " of ", poly_name(t.poly), " are not opposite to each other"}, witness(s));
       } else if (!K::is_border(m_, o)) {
-        fault("HE3", {"the half-edge ", way(s), " of ", poly_name(s.poly), ": its opposite belongs to a poly that does not run the other way"}, witness(s));
+        fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": its opposite belongs to a poly that does not run the other way"}, witness(s));
       } else if (!(K::opposite(m_, o) == s.h)) {
-        fault("HE3", {"the half-edge ", way(s), " of ", poly_name(s.poly), ": opposite of its opposite is another half-edge"}, witness(s));
+        fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": opposite of its opposite is another half-edge"}, witness(s));
       } else if (vs_.find(m_, K::target(m_, o)) != s.from) {
-        fault("HE3", {"the half-edge ", way(s), " of ", poly_name(s.poly), ": its opposite does not lead to ", vert_name(s.from)}, witness(s));
+        fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": its opposite does not lead to ", vert_name(s.from)}, witness(s));
       }
     }
     if (!sound("HE3")) return false;
@@ -195,7 +195,7 @@ class halfedge_laws {
         break;
     if (!sound("HE1")) return false;
     for (const step& s : steps_)
-      if (slot(s.h) == none && fault("HE3", {"the half-edge ", way(s), " of ", poly_name(s.poly), ": its edge_of has other half-edges"}, ps_.name(s.poly))) break;
+      if (slot(s.h) == none && fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": its edge_of has other half-edges"}, ps_.name(s.poly))) break;
     return sound("HE3");
   }
 

@@ -143,7 +143,7 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
 }
 
 /// For each a of a table its b's, all by position, in the order in which the mesh gave them.
-struct rings {
+struct adjacency_lists {
   std::vector<std::size_t> offsets{0};
   std::vector<position> items;
 
@@ -154,9 +154,9 @@ struct rings {
 
 /// Reads one adjacency. Every one holds elements of the mesh only, none twice, and gives the same each time: else `law` is broken.
 template<class M, class A, class B, class Ring>
-rings read_rings(const M& m, const element_table<A>& from, const element_table<B>& to, const Ring& ring_of, const char* law,
+adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const element_table<B>& to, const Ring& ring_of, const char* law,
                  const char* verb, law_log& log) {
-  rings r;
+  adjacency_lists r;
   r.offsets.reserve(from.items.size() + 1);
   std::vector<position> seen(to.items.size(), no_position);
   for (position a = 0; a < from.size(); ++a) {
@@ -197,8 +197,8 @@ rings read_rings(const M& m, const element_table<A>& from, const element_table<B
 }
 
 /// For each b the a's whose ring holds it.
-inline rings transposed(const rings& ab, position num_b) {
-  rings t;
+inline adjacency_lists transposed(const adjacency_lists& ab, position num_b) {
+  adjacency_lists t;
   t.offsets.assign(num_b + std::size_t{1}, 0);
   for (const position b : ab.items) ++t.offsets[b + std::size_t{1}];
   for (std::size_t b = 0; b < num_b; ++b) t.offsets[b + 1] += t.offsets[b];
@@ -210,8 +210,8 @@ inline rings transposed(const rings& ab, position num_b) {
 }
 
 /// For each a the b's of its m's: adj_a2b that follows from adj_a2m and adj_m2b. May name a b several times.
-inline rings composed(const rings& am, const rings& mb) {
-  rings r;
+inline adjacency_lists composed(const adjacency_lists& am, const adjacency_lists& mb) {
+  adjacency_lists r;
   for (position a = 0; a < am.size(); ++a) {
     for (const position m : am[a]) r.items.insert(r.items.end(), mb[m].begin(), mb[m].end());
     r.close();
@@ -221,7 +221,7 @@ inline rings composed(const rings& am, const rings& mb) {
 
 /// Calls only_in_x(a, b) and only_in_y(a, b) for what one ring of a holds and the other lacks; either returns false to stop.
 template<class InX, class InY>
-void compare_sets(const rings& x, const rings& y, position num_b, const InX& only_in_x, const InY& only_in_y) {
+void compare_sets(const adjacency_lists& x, const adjacency_lists& y, position num_b, const InX& only_in_x, const InY& only_in_y) {
   std::vector<position> in_x(num_b, no_position), in_y(num_b, no_position);
   for (position a = 0; a < x.size(); ++a) {
     for (const position b : x[a]) in_x[b] = a;
@@ -235,7 +235,7 @@ void compare_sets(const rings& x, const rings& y, position num_b, const InX& onl
 
 /// adj_b2a is adj_a2b seen from the other side.
 template<class A, class B>
-void check_mirror(const element_table<A>& as, const element_table<B>& bs, const rings& ab, const rings& ba, const char* law,
+void check_mirror(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& ab, const adjacency_lists& ba, const char* law,
                   const char* a2b, const char* b2a, law_log& log) {
   const auto one_sided = [&](const std::string& x, const std::string& y, const char* x2y, const char* y2x) {
     log.add(law, core::joined({x2y, "(", x, ") holds ", y, ", but ", y2x, "(", y, ") does not hold ", x}), core::joined({x, " ", y}));
@@ -248,7 +248,7 @@ void check_mirror(const element_table<A>& as, const element_table<B>& bs, const 
 
 /// A ring of `verb` is, as a set, what follows from other adjacencies, called `rule`.
 template<class A, class B>
-void check_same(const element_table<A>& as, const element_table<B>& bs, const rings& given, const rings& expected, const char* law,
+void check_same(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& given, const adjacency_lists& expected, const char* law,
                 const char* verb, const char* rule, law_log& log) {
   compare_sets(
       given, expected, bs.size(),

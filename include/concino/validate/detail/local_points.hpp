@@ -71,7 +71,7 @@ struct local_points {
 };
 
 /// Half the sum of cross products along the rim, points[first] .. points[last - 1], about the first of them.
-inline vec3 rim_area(const std::vector<vec3>& points, std::size_t first, std::size_t last) {
+inline vec3 vector_area(const std::vector<vec3>& points, std::size_t first, std::size_t last) {
   vec3 doubled;
   for (std::size_t i = first + 2; i < last; ++i) doubled += cross(points[i - 1] - points[first], points[i] - points[first]);
   return 0.5 * doubled;

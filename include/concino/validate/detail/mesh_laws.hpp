@@ -11,19 +11,19 @@ namespace concino::detail {
 template<class M>
 struct edge_tables {
   element_table<edge_t<M>> edges;
-  rings e2v, v2e;
+  adjacency_lists e2v, v2e;
 };
 
 template<AnyMesh M>
 edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, law_log& log) {
   const auto& vs = primal.nodes;
   edge_tables<M> t{read_elements<edge_t<M>>(m, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", log), {}, {}};
-  t.e2v = read_rings(m, t.edges, vs, adj_e2v, "SM2", "adj_e2v", log);
-  t.v2e = read_rings(m, vs, t.edges, adj_v2e, "SM2", "adj_v2e", log);
+  t.e2v = read_adjacency(m, t.edges, vs, adj_e2v, "SM2", "adj_e2v", log);
+  t.v2e = read_adjacency(m, vs, t.edges, adj_v2e, "SM2", "adj_v2e", log);
   for (position e = 0; e < t.edges.size() && !log.full("SM2"); ++e)
     if (t.e2v[e].size() != 2 && vs.sound) log.add("SM2", core::joined({"adj_e2v(", t.edges.name(e), ") is not two different verts"}), t.edges.name(e));
   check_mirror(t.edges, vs, t.e2v, t.v2e, "SM2", "adj_e2v", "adj_v2e", log);
-  rings far;
+  adjacency_lists far;
   for (position v = 0; v < vs.size(); ++v) {
     for (const position e : t.v2e[v]) {
       const auto ends = t.e2v[e];
@@ -41,7 +41,7 @@ enum class sense : std::uint8_t { along, against, astray };
 /// Checks that each polygon's verts, in their order, walk along its edges and meet each once. Gives the sense of each entry of `edges_of`.
 template<class A, class V, class E>
 std::vector<sense> check_cycles(const element_table<A>& polygons, const element_table<V>& vs, const element_table<E>& es,
-                                const rings& verts_of, const rings& edges_of, const rings& e2v, const char* law, const char* a2v,
+                                const adjacency_lists& verts_of, const adjacency_lists& edges_of, const adjacency_lists& e2v, const char* law, const char* a2v,
                                 const char* a2e, law_log& log) {
   std::vector<sense> senses(edges_of.items.size(), sense::astray);
   std::vector<position> at(vs.items.size()), owner(vs.items.size(), no_position), walked(vs.items.size(), no_position);
@@ -94,7 +94,7 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
 /// adj_p2p(p) is the polys that share a side (an edge or a face) with p. Stops at the first difference of each p, so that a side which
 /// claims every poly costs no more than the answers that were given.
 template<class P, class S>
-void check_neighbours(const element_table<P>& ps, const element_table<S>& sides, const rings& p2p, const rings& p2s, const rings& s2p,
+void check_neighbours(const element_table<P>& ps, const element_table<S>& sides, const adjacency_lists& p2p, const adjacency_lists& p2s, const adjacency_lists& s2p,
                       const char* law, law_log& log) {
   std::vector<position> given(ps.items.size(), no_position), expected(ps.items.size(), no_position);
   const std::string side = sides.kind() == "edge" ? "an edge" : "a face";
@@ -131,8 +131,8 @@ struct listed_f2e {
 
 /// The k-th edge of a poly or face of n verts joins those numbered ends_of(k, n).
 template<class P, class V, class E, class Ends>
-void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs, const element_table<E>& es, const rings& p2v, const rings& p2e,
-                          const rings& e2v, const Ends& ends_of, const char* law, const char* edge_verb, const char* vert_verb, law_log& log) {
+void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs, const element_table<E>& es, const adjacency_lists& p2v, const adjacency_lists& p2e,
+                          const adjacency_lists& e2v, const Ends& ends_of, const char* law, const char* edge_verb, const char* vert_verb, law_log& log) {
   for (position p = 0; p < ps.size() && !log.full(law); ++p) {
     const auto corners = p2v[p], sides = p2e[p];
     for (std::size_t k = 0; k < sides.size(); ++k) {

@@ -3,7 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/graph/disjoint_sets.hpp>
-#include <concino/validate/detail/rim.hpp>
+#include <concino/validate/detail/oriented_edge_walker.hpp>
 #include <concino/validate/detail/windings.hpp>
 
 namespace concino::detail {
@@ -12,9 +12,9 @@ namespace concino::detail {
 template<class M, class S>
 struct surface_scope {
   static constexpr bool is_boundary = !std::same_as<M, S>;
-  const std::vector<std::uint8_t>* told_edges = nullptr;  // by index, not 0: something else has been told of this edge; null: of none
+  const std::vector<std::uint8_t>* reported_edges = nullptr;  // by index, not 0: something else has been told of this edge; null: of none
 
-  bool is_told(std::size_t edge_index) const { return told_edges && (*told_edges)[edge_index]; }
+  bool is_reported(std::size_t edge_index) const { return reported_edges && (*reported_edges)[edge_index]; }
   static const char* where() { return is_boundary ? " of the boundary" : ""; }
 };
 
@@ -57,13 +57,13 @@ class surface_checker {
   /// Walks each poly once: its corners join those of the first poly at each edge, its verts join one piece.
   void join_polys() {
     std::vector<corner_pair> first_corners(edge_index_bound(s_));
-    rim_walker<S> rims(s_);
+    oriented_edge_walker<S> edge_walker(s_);
     std::uint32_t first = 0;
     for (const poly_t<S> p : polys(s_)) {
       log_.step();
       const std::size_t poly_index = index_of(s_, p);
       std::size_t anchor = ~std::size_t{0};
-      const auto rim = rims.walk(
+      const auto cycle = edge_walker.walk(
           s_, adj_p2v(s_, p), adj_p2e(s_, p),
           [&](const vert_t<S>&, std::size_t i) {
             if (anchor == ~std::size_t{0}) anchor = i;
@@ -79,14 +79,14 @@ class surface_checker {
             edge_use_[i].add(poly_index, forward);
           });
       if constexpr (!is_boundary)
-        if (rim.is_degenerate()) add_degenerate_poly(p, rim);
-      first += rim.verts;
+        if (cycle.is_degenerate()) add_degenerate_poly(p, cycle);
+      first += cycle.verts;
     }
   }
 
-  void add_degenerate_poly(const poly_t<S>& p, const typename rim_walker<S>::summary& rim) {
+  void add_degenerate_poly(const poly_t<S>& p, const typename oriented_edge_walker<S>::summary& cycle) {
     if (defect<M>* d = log_.add(defect_kind::degenerate_element, p))
-      d->what = rim.repeats ? core::joined({log_.name(p), " has a vert twice"}) : core::joined({log_.name(p), " has ", rim.verts, " verts; a polygon has at least 3"});
+      d->what = cycle.repeats ? core::joined({log_.name(p), " has a vert twice"}) : core::joined({log_.name(p), " has ", cycle.verts, " verts; a polygon has at least 3"});
   }
 
   /// Finds the border, and edges of more than two polys.
@@ -100,7 +100,7 @@ class surface_checker {
       if (poly_count == 1) add_to_border(e);
       else if (poly_count > 2) {
         facts_.manifold = false;
-        if (!scope_.is_told(i)) add_non_manifold_edge(e, poly_count);
+        if (!scope_.is_reported(i)) add_non_manifold_edge(e, poly_count);
       }
     }
   }

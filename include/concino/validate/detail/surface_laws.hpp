@@ -13,13 +13,13 @@ void check_surface_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const
   const edge_tables<M> edge = check_edges(m, primal, log);
   const auto& es = edge.edges;
 
-  const rings p2v = read_rings(m, ps, vs, adj_p2v, "SM3", "adj_p2v", log);
-  const rings p2e = read_rings(m, ps, es, listed_p2e{}, "SM3", "adj_p2e", log);
+  const adjacency_lists p2v = read_adjacency(m, ps, vs, adj_p2v, "SM3", "adj_p2v", log);
+  const adjacency_lists p2e = read_adjacency(m, ps, es, listed_p2e{}, "SM3", "adj_p2e", log);
   check_cycles(ps, vs, es, p2v, p2e, edge.e2v, "SM3", "adj_p2v", "adj_p2e", log);
 
-  const rings e2p = read_rings(m, es, ps, adj_e2p, "SM4", "adj_e2p", log);
+  const adjacency_lists e2p = read_adjacency(m, es, ps, adj_e2p, "SM4", "adj_e2p", log);
   check_mirror(es, ps, e2p, p2e, "SM4", "adj_e2p", "adj_p2e", log);
-  check_mirror(vs, ps, read_rings(m, vs, ps, adj_v2p, "SM4", "adj_v2p", log), p2v, "SM4", "adj_v2p", "adj_p2v", log);
+  check_mirror(vs, ps, read_adjacency(m, vs, ps, adj_v2p, "SM4", "adj_v2p", log), p2v, "SM4", "adj_v2p", "adj_p2v", log);
 
   check_neighbours(ps, es, dual.next, p2e, e2p, "SM5", log);
 

@@ -23,8 +23,8 @@ class volume_checker {
   disjoint_sets pieces_;  // of polys that share faces
   std::vector<shared_by> face_use_;
   std::vector<edge_in_poly> edge_use_;
-  std::vector<std::uint8_t> vert_used_, told_edges_;  // by index
-  rim_walker<M> rims_;
+  std::vector<std::uint8_t> vert_used_, reported_edges_;  // by index
+  oriented_edge_walker<M> edge_walker_;
   std::vector<edge_t<M>> touched_;  // edges of the poly that is checked
   std::uint32_t number_ = 0;        // of that poly in the walk over polys
   mesh_facts facts_;
@@ -40,7 +40,7 @@ class volume_checker {
       shared_by& use = face_use_[index_of(m_, f)];
       if (use.polys > 0) pieces_.unite(use.poly[0], poly_index);
       use.add(poly_index, outward);
-      rims_.walk(
+      edge_walker_.walk(
           m_, adj_f2v(m_, f), adj_f2e(m_, f), [&](const vert_t<M>&, std::size_t i) { vert_used_[i] = 1; },
           [&](const edge_t<M>& e, std::uint32_t, std::uint32_t, bool forward) {
             edge_in_poly& here = edge_use_[index_of(m_, e)];
@@ -91,7 +91,7 @@ class volume_checker {
   }
 
   void add_pinched_edge(const edge_t<M>& e, std::uint32_t face_count, const poly_t<M>& p) {
-    told_edges_[index_of(m_, e)] = 1;
+    reported_edges_[index_of(m_, e)] = 1;
     if (defect<M>* d = log_.add(defect_kind::non_manifold_edge, e)) {
       d->what = core::joined({log_.edge_name(e), " lies in ", face_count, " faces of ", log_.name(p),
                         "; in the surface of a poly it lies in 2"});
@@ -114,7 +114,7 @@ class volume_checker {
   void check_faces() {
     for (const face_t<M> f : faces(m_)) {
       log_.step();
-      check_rim(f);
+      check_boundary_cycle(f);
       const std::uint32_t poly_count = face_use_[index_of(m_, f)].polys;
       facts_.euler_characteristic += poly_count > 0;
       if (poly_count == 0) {
@@ -126,15 +126,15 @@ class volume_checker {
     }
   }
 
-  void check_rim(const face_t<M>& f) {
-    const auto rim = rims_.walk(m_, adj_f2v(m_, f), adj_f2e(m_, f), [](const vert_t<M>&, std::size_t) {}, [](const edge_t<M>&, std::uint32_t, std::uint32_t, bool) {});
-    if (rim.is_degenerate())
+  void check_boundary_cycle(const face_t<M>& f) {
+    const auto cycle = edge_walker_.walk(m_, adj_f2v(m_, f), adj_f2e(m_, f), [](const vert_t<M>&, std::size_t) {}, [](const edge_t<M>&, std::uint32_t, std::uint32_t, bool) {});
+    if (cycle.is_degenerate())
       if (defect<M>* d = log_.add(defect_kind::degenerate_element, f))
-        d->what = rim.repeats ? core::joined({log_.name(f), " has a vert twice"}) : core::joined({log_.name(f), " has ", rim.verts, " verts; a face has at least 3"});
+        d->what = cycle.repeats ? core::joined({log_.name(f), " has a vert twice"}) : core::joined({log_.name(f), " has ", cycle.verts, " verts; a face has at least 3"});
   }
 
   void add_non_manifold_face(const face_t<M>& f, std::uint32_t poly_count) {
-    for (const edge_t<M> e : adj_f2e(m_, f)) told_edges_[index_of(m_, e)] = 1;  // more than two boundary faces there follow from this
+    for (const edge_t<M> e : adj_f2e(m_, f)) reported_edges_[index_of(m_, e)] = 1;  // more than two boundary faces there follow from this
     if (defect<M>* d = log_.add(defect_kind::non_manifold_face, f)) {
       const std::string list = log_.list(*d, adj_f2p(m_, f));
       d->what = core::joined({log_.name(f), " has ", poly_count, " polys (", list, "); at most 2 fit"});
@@ -172,7 +172,7 @@ class volume_checker {
   /// The genus of a volume is that of its boundary.
   void check_boundary() {
     const auto surface = boundary(m_);
-    const mesh_facts skin = check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&told_edges_}, log_);
+    const mesh_facts skin = check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&reported_edges_}, log_);
     facts_.manifold = facts_.manifold && skin.manifold;
     facts_.boundary_loops = skin.boundary_loops;
     if (facts_.manifold && facts_.orientable) facts_.genus = skin.genus;
@@ -181,7 +181,7 @@ class volume_checker {
  public:
   volume_checker(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log)
       : m_(m), sound_(sound), log_(log), pieces_(poly_index_bound(m)), face_use_(face_index_bound(m)), edge_use_(edge_index_bound(m)),
-        vert_used_(vert_index_bound(m)), told_edges_(edge_index_bound(m)), rims_(m) {}
+        vert_used_(vert_index_bound(m)), reported_edges_(edge_index_bound(m)), edge_walker_(m) {}
 
   mesh_facts check() {
     log_.stage(0.3, num_polys(m_) + num_faces(m_));

@@ -33,7 +33,7 @@ int standard_face(std::span<const int> face) {
 
 /// VM7: the verts of tets and hexes come in the standard order.
 template<int Arity, class P, class V>
-void check_standard_order(const element_table<P>& ps, const element_table<V>& vs, const rings& p2v, const rings& p2f, const rings& f2v,
+void check_standard_order(const element_table<P>& ps, const element_table<V>& vs, const adjacency_lists& p2v, const adjacency_lists& p2f, const adjacency_lists& f2v,
                           const std::vector<bool>& outward, law_log& log) {
   std::vector<int> local;
   for (position p = 0; p < ps.size() && !log.full("VM7"); ++p) {
@@ -62,7 +62,7 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
 
 /// VM6: where each edge of a poly lies in two of its faces, these, turned outward, run along it in opposite senses.
 template<class P, class E>
-void check_winding(const element_table<P>& ps, const element_table<E>& es, const rings& p2f, const rings& f2e,
+void check_winding(const element_table<P>& ps, const element_table<E>& es, const adjacency_lists& p2f, const adjacency_lists& f2e,
                    const std::vector<sense>& senses, const std::vector<bool>& outward, law_log& log) {
   struct tally { position poly = no_position; int faces = 0, sum = 0; };
   std::vector<tally> at(es.items.size());
@@ -105,25 +105,25 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
   const auto& es = edge.edges;
   const auto fs = read_elements<face_t<M>>(m, 'f', faces, num_faces, face_index_bound, "VM1", "VM1", log);
 
-  const rings f2v = read_rings(m, fs, vs, adj_f2v, "VM2", "adj_f2v", log);
-  const rings f2e = read_rings(m, fs, es, listed_f2e{}, "VM2", "adj_f2e", log);
+  const adjacency_lists f2v = read_adjacency(m, fs, vs, adj_f2v, "VM2", "adj_f2v", log);
+  const adjacency_lists f2e = read_adjacency(m, fs, es, listed_f2e{}, "VM2", "adj_f2e", log);
   const std::vector<sense> senses = check_cycles(fs, vs, es, f2v, f2e, edge.e2v, "VM2", "adj_f2v", "adj_f2e", log);
 
   if constexpr (!lists_edges_unordered<M>)
     check_edges_in_order(fs, vs, es, f2v, f2e, edge.e2v, [](std::size_t k, std::size_t n) { return std::pair(k, k + 1 == n ? 0 : k + 1); }, "VM8", "adj_f2e", "adj_f2v", log);
 
-  const rings p2f = read_rings(m, ps, fs, adj_p2f, "VM3", "adj_p2f", log);
-  const rings f2p = read_rings(m, fs, ps, adj_f2p, "VM3", "adj_f2p", log);
-  check_mirror(es, fs, read_rings(m, es, fs, adj_e2f, "VM3", "adj_e2f", log), f2e, "VM3", "adj_e2f", "adj_f2e", log);
-  check_mirror(vs, fs, read_rings(m, vs, fs, adj_v2f, "VM3", "adj_v2f", log), f2v, "VM3", "adj_v2f", "adj_f2v", log);
+  const adjacency_lists p2f = read_adjacency(m, ps, fs, adj_p2f, "VM3", "adj_p2f", log);
+  const adjacency_lists f2p = read_adjacency(m, fs, ps, adj_f2p, "VM3", "adj_f2p", log);
+  check_mirror(es, fs, read_adjacency(m, es, fs, adj_e2f, "VM3", "adj_e2f", log), f2e, "VM3", "adj_e2f", "adj_f2e", log);
+  check_mirror(vs, fs, read_adjacency(m, vs, fs, adj_v2f, "VM3", "adj_v2f", log), f2v, "VM3", "adj_v2f", "adj_f2v", log);
   check_mirror(fs, ps, f2p, p2f, "VM3", "adj_f2p", "adj_p2f", log);
 
-  const rings p2v = read_rings(m, ps, vs, adj_p2v, "VM4", "adj_p2v", log);
-  const rings p2e = read_rings(m, ps, es, listed_p2e{}, "VM4", "adj_p2e", log);
+  const adjacency_lists p2v = read_adjacency(m, ps, vs, adj_p2v, "VM4", "adj_p2v", log);
+  const adjacency_lists p2e = read_adjacency(m, ps, es, listed_p2e{}, "VM4", "adj_p2e", log);
   check_same(ps, es, p2e, composed(p2f, f2e), "VM4", "adj_p2e", "an edge of one of its faces", log);
-  check_mirror(es, ps, read_rings(m, es, ps, adj_e2p, "VM4", "adj_e2p", log), p2e, "VM4", "adj_e2p", "adj_p2e", log);
+  check_mirror(es, ps, read_adjacency(m, es, ps, adj_e2p, "VM4", "adj_e2p", log), p2e, "VM4", "adj_e2p", "adj_p2e", log);
   check_same(ps, vs, p2v, composed(p2f, f2v), "VM4", "adj_p2v", "a vert of one of its faces", log);
-  check_mirror(vs, ps, read_rings(m, vs, ps, adj_v2p, "VM4", "adj_v2p", log), p2v, "VM4", "adj_v2p", "adj_p2v", log);
+  check_mirror(vs, ps, read_adjacency(m, vs, ps, adj_v2p, "VM4", "adj_v2p", log), p2v, "VM4", "adj_v2p", "adj_p2v", log);
 
   check_neighbours(ps, fs, dual.next, p2f, f2p, "VM5", log);
 

@@ -35,7 +35,7 @@ bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std
   std::vector<std::uint32_t> contradictions;  // polys
   for (const shared_by& s : shared)
     if (s.polys == 2 && !pieces.join(s.poly[0], s.poly[1], s.clashes())) contradictions.push_back(s.poly[0]);
-  enum : std::uint8_t { mendable, one_sided, told };
+  enum : std::uint8_t { mendable, one_sided, reported };
   std::vector<std::uint8_t> state(poly_bound, mendable);  // by root of a piece
   for (const std::uint32_t p : contradictions) state[pieces.find(p).first] = one_sided;
 
@@ -47,9 +47,9 @@ bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std
     const shared_by& s = shared[index_of(m, x)];
     if (!s.clashes()) continue;
     std::uint8_t& piece = state[pieces.find(s.poly[0]).first];
-    if (piece == told) continue;
+    if (piece == reported) continue;
     if (piece == one_sided) {
-      piece = told;
+      piece = reported;
       if (defect<M>* d = log.add(defect_kind::not_orientable, x))
         d->what = core::joined({"the polys connected to ", log.list(*d, polys_of(x)),
                           " cannot be wound consistently: they form a one-sided piece; one place where windings clash is ", full_name(x)});

@@ -1,0 +1,35 @@
+// The queue of breadth-first search: every node enters at most once, so the room is known beforehand.
+#pragma once
+
+#include <concino/core/large_pages.hpp>
+
+#include <cstddef>
+#include <memory>
+
+namespace concino::detail {
+
+/// First in, first out, for at most `room` nodes ever. Memory is not touched before it is needed, pushing checks nothing.
+template<class Node>
+class bounded_fifo {
+  std::allocator<Node> memory_;
+  std::size_t room_;
+  Node* nodes_;
+  std::size_t head_ = 0, tail_ = 0;
+
+ public:
+  explicit bounded_fifo(std::size_t room) : room_(room), nodes_(memory_.allocate(room)) { core::prefer_large_pages(nodes_, room * sizeof(Node)); }
+  bounded_fifo(const bounded_fifo&) = delete;
+  bounded_fifo& operator=(const bounded_fifo&) = delete;
+  ~bounded_fifo() {
+    std::destroy_n(nodes_, tail_);
+    memory_.deallocate(nodes_, room_);
+  }
+
+  bool empty() const { return head_ == tail_; }
+  void push(const Node& x) { std::construct_at(nodes_ + tail_++, x); }
+  /// Who will be popped n pops after the next; null if it is not known yet.
+  const Node* peek(std::size_t n) const { return head_ + n < tail_ ? nodes_ + head_ + n : nullptr; }
+  Node pop() { return nodes_[head_++]; }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,75 @@
+// Which elements of one kind there are: indices 0 .. bound-1 without the deleted ones. Deleting leaves a gap, so no other element changes its
+// index; nothing is stored while nothing was deleted. Edits find their memory first and then cannot fail.
+#pragma once
+
+#include <concino/concepts/ranges.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// Room for n more values, so that adding them cannot fail.
+template<class T>
+void reserve_more(std::vector<T>& v, std::size_t n) {
+  if (v.capacity() - v.size() < n) v.reserve(std::max(v.size() + n, 2 * v.size()));
+}
+
+/// One more than the largest index of each kind of elements; 0 for faces where there are none.
+struct index_bounds {
+  std::size_t verts = 0, edges = 0, faces = 0, polys = 0, corners = 0;
+};
+
+/// Edits of tables call a function with the bounds that they lead to, after they found all memory and before they change anything: others
+/// that grow along may fail there. This one has nothing to do.
+struct no_other_growth {
+  void operator()(const index_bounds&) const {}
+};
+
+template<class Id>
+class alive_elements {
+  std::size_t bound_ = 0;
+  std::size_t deleted_ = 0;
+  std::vector<std::uint8_t> dead_;  // empty, or one flag per index
+
+ public:
+  alive_elements() = default;
+  explicit alive_elements(std::size_t n) : bound_(n) {}
+  alive_elements(const alive_elements&) = default;
+  alive_elements(alive_elements&& o) noexcept : bound_(std::exchange(o.bound_, 0)), deleted_(std::exchange(o.deleted_, 0)), dead_(std::exchange(o.dead_, {})) {}
+  alive_elements& operator=(alive_elements o) noexcept {
+    std::swap(bound_, o.bound_);
+    std::swap(deleted_, o.deleted_);
+    dead_.swap(o.dead_);
+    return *this;
+  }
+
+  std::size_t bound() const { return bound_; }
+  std::size_t size() const { return bound_ - deleted_; }
+  bool contains(Id x) const { return x.raw() < bound_ && (dead_.empty() || !dead_[x.raw()]); }
+  id_range<Id> all() const { return id_range<Id>(bound_, dead_.empty() ? nullptr : dead_.data()); }
+
+  /// After this n times add() cannot fail.
+  void reserve(std::size_t n) {
+    if (!dead_.empty()) reserve_more(dead_, n);
+  }
+  /// After this remove() cannot fail.
+  void reserve_removal() {
+    if (dead_.empty() && dead_.capacity() < bound_) dead_.reserve(std::max(bound_, 2 * dead_.capacity()));
+  }
+
+  Id add() {
+    if (!dead_.empty()) dead_.push_back(0);
+    return Id{bound_++};
+  }
+  void remove(Id x) {
+    if (!contains(x)) return;
+    if (dead_.empty()) dead_.assign(bound_, 0);
+    dead_[x.raw()] = 1;
+    ++deleted_;
+  }
+};
+
+}  // namespace concino::detail

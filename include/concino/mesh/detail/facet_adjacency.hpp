@@ -1,0 +1,359 @@
+// Incidence of polys and facets: the facets of each poly, the polys of each facet, and the neighbour of each poly behind each of its facets.
+// Facets are the edges of a surface and the faces of a volume. The dual graph is walked on this table.
+#pragma once
+
+#include <concino/core/sort_numbers.hpp>
+#include <concino/mesh/detail/facet_adjacency_ranges.hpp>
+#include <concino/mesh/detail/row_lookup.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// N facets per poly, or any number (N = 0). Facet k of poly p is the incidence (p, k).
+template<class Facet, unsigned N>
+class facet_adjacency {
+  jagged_array<Facet, N> facets_;        // per poly
+  jagged_array<encoded_neighbour, N> neighbours_;       // parallel to facets_
+  core::flat_array<std::uint32_t> owner_;  // per facet: N > 0: its first incidence, N * poly + k; N = 0: the poly of that; ~0: none
+  non_manifold_facets poly_lists_;
+  row_lookup places_;  // of facets in polys of many facets
+
+ public:
+  struct incidence {
+    std::uint32_t poly, k;
+  };
+
+  facet_adjacency() = default;
+  /// Begins without facets and with unwritten neighbours. link() each incidence once.
+  facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> unwritten) : facets_(std::move(facets)), neighbours_(std::move(unwritten)) {}
+
+  std::size_t num_polys() const { return facets_.size(); }
+  std::size_t num_facets() const { return owner_.size(); }
+  id_span<Facet> facets(poly_id p) const { return facets_[p.raw()]; }
+  const encoded_neighbour* neighbours_of(poly_id p) const { return neighbours_.begin(p.raw()); }
+  adjacent_polys polys(poly_id p) const { return {neighbours_.begin(p.raw()), neighbours_.end(p.raw()), &poly_lists_, p}; }
+  /// Whether f has two polys, and the owner is not adjacent to the other through an earlier facet. Needs: some poly has f.
+  bool has_two_polys_once(Facet f) const {
+    const incidence s = owner(f);
+    return neighbours_.begin(s.poly)[s.k].is_first_occurrence();
+  }
+  bool is_owned(Facet f) const { return owner_[f.raw()] != ~0u; }
+
+  /// The incidence that was linked to f first.
+  incidence owner(Facet f) const {
+    const std::uint32_t o = owner_[f.raw()];
+    if constexpr (N > 0) {
+      return {o / N, o % N};
+    } else {
+      return {o, local(o, f)};
+    }
+  }
+
+  /// The k with facet k of p equal to f; the number of facets of p if there is none.
+  std::uint32_t position_of(poly_id p, Facet f) const {
+    const std::uint32_t n = facets_.length(p.raw());
+    if (n > row_lookup::longest_scan) [[unlikely]] return places_.find(p.raw(), facets_[p.raw()], f);
+    const Facet* const at = facets_.begin(p.raw());
+    std::uint32_t k = 0;
+    while (k < n && at[k] != f) ++k;
+    return k;
+  }
+
+  polys_of_facet polys_of(Facet f) const {
+    if (!is_owned(f)) return {};
+    const incidence s = owner(f);
+    const encoded_neighbour x = neighbours_.begin(s.poly)[s.k];
+    if (x.is_none()) return polys_of_facet{poly_id{s.poly}};
+    if (x.is_non_manifold()) return {poly_lists_.begin(x.poly_list()), poly_lists_.end(x.poly_list())};
+    return {poly_id{s.poly}, poly_id{x.poly()}};
+  }
+
+  /// Builds: a facet without polys.
+  void add_facet() { owner_.push_back(~0u); }
+  /// Builds: the next facet, which is facet k of p and of no other poly so far.
+  void add_facet(std::uint32_t p, std::uint32_t k, Facet f)
+    requires(N > 0)
+  {
+    facets_.begin(p)[k] = f;
+    neighbours_.begin(p)[k] = {};
+    owner_.push_back(N * p + k);
+  }
+  void reserve_facets(std::size_t n) { owner_.reserve(n); }
+  /// Builds: n facets without polys.
+  void set_facets(std::size_t n) { owner_ = core::flat_array<std::uint32_t>(n, ~0u); }
+
+  /// Builds: facet k of p is f.
+  void link(std::uint32_t p, std::uint32_t k, Facet f) {
+    facets_.begin(p)[k] = f;
+    std::uint32_t& o = owner_[f.raw()];
+    if (o == ~0u) {
+      o = N > 0 ? N * p + k : p;
+      neighbours_.begin(p)[k] = {};
+      return;
+    }
+    const incidence first = owner(f);
+    const encoded_neighbour before = neighbours_.begin(first.poly)[first.k];
+    join(first, p, k);
+    if (!before.is_none() && !before.is_non_manifold()) neighbours_.begin(before.poly())[local(before.poly(), f)] = neighbours_.begin(p)[k];
+  }
+  /// The same where the owner of f is known: looking it up takes long where polys have many facets. finish() must follow.
+  void link(std::uint32_t p, std::uint32_t k, Facet f, incidence first) {
+    facets_.begin(p)[k] = f;
+    join(first, p, k);
+  }
+
+  /// Builds: after the last link, so that a neighbour behind two facets is listed once.
+  void finish() {
+    owner_.shrink_to_fit();
+    if constexpr (N == 0) {
+      places_ = row_lookup(facets_);
+      set_poly_lists();
+      poly_lists_.index_poly_lists(neighbours_, 8);
+    }
+    std::vector<std::uint32_t> met;
+    for (std::uint32_t p = 0; p < num_polys(); ++p)
+      if (may_repeat(p)) mark_repeats(p, met);
+  }
+
+  // Edits find their memory first, which changes nothing, and then cannot fail.
+
+  /// Edits: the n facets of a poly that is about to be added: copied, or to be written, none where a facet is still to be made.
+  Facet* stage_poly(std::uint32_t n, const Facet* facets = nullptr) {
+    neighbours_.stage_row(nullptr, n);
+    return facets_.stage_row(facets, n);
+  }
+  /// Edits: memory for the links of the poly that was staged, `more` of whose facets are new. Returns what update_marks() works in.
+  std::vector<std::uint64_t> reserve_links(const Facet* facets, std::uint32_t n, std::size_t more) {
+    std::size_t num_poly_lists = 0;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (facets[k].is_none() || !is_owned(facets[k])) continue;
+      const incidence s = owner(facets[k]);
+      const encoded_neighbour x = neighbours_.begin(s.poly)[s.k];
+      if (x.is_non_manifold()) poly_lists_.reserve_in_row(x.poly_list(), 1);
+      else if (!x.is_none()) ++num_poly_lists;
+    }
+    if (num_poly_lists > 0) poly_lists_.reserve_rows(num_poly_lists, num_poly_lists * min_list_capacity);
+    owner_.reserve_back(more);
+    std::vector<std::uint64_t> scratch;
+    if (n > max_scanned_facets) scratch.reserve(n);
+    return scratch;
+  }
+  /// Edits: adds the staged poly; then add_facet() and link() its facets.
+  void commit_poly(std::uint32_t n) {
+    facets_.commit_row(n);
+    neighbours_.commit_row(n);
+    std::fill_n(neighbours_.begin(num_polys() - 1), n, encoded_neighbour{});
+  }
+
+  /// Edits: after p, a new poly, was linked, updates which incidences of p and of its neighbours repeat a neighbour.
+  void update_marks(std::uint32_t p, std::vector<std::uint64_t> scratch) {
+    encoded_neighbour* const s = neighbours_.begin(p);
+    const std::uint32_t n = facets_.length(p);
+    if (n <= max_scanned_facets) {
+      mark_by_scanning(p);
+    } else {
+      for (std::uint32_t k = 0; k < n; ++k)
+        if (!s[k].is_none() && !s[k].is_non_manifold()) scratch.push_back(std::uint64_t{s[k].poly()} << 32 | k);
+      core::sort_numbers(scratch.data(), scratch.data() + scratch.size());
+      for (std::size_t i = 1; i < scratch.size(); ++i)
+        if (scratch[i] >> 32 == scratch[i - 1] >> 32) s[static_cast<std::uint32_t>(scratch[i])].raw |= encoded_neighbour::special;
+    }
+    mark_in_poly_lists(p);
+    for (const Facet f : facets_[p]) {
+      const polys_of_facet all = polys_of(f);
+      if (all.size() == 3) {  // the others were neighbours through f before
+        mark_facets_to(all[0].raw(), all[1].raw());
+        mark_facets_to(all[1].raw(), all[0].raw());
+      }
+      for (const poly_id q : all)
+        if (q.raw() != p) mark_repeats_of(p, q.raw());
+    }
+  }
+
+  /// Edits: after this unlink() cannot fail.
+  void reserve_removal() { poly_lists_.make_editable(); }
+  /// Edits: takes p off all its facets. Those that no poly has any more are left unowned.
+  void unlink(std::uint32_t p) {
+    for (std::uint32_t k = 0; k < facets_.length(p); ++k) {
+      const Facet f = facets_.begin(p)[k];
+      const encoded_neighbour x = neighbours_.begin(p)[k];
+      if (x.is_none()) {
+        owner_[f.raw()] = ~0u;
+      } else if (!x.is_non_manifold()) {
+        const std::uint32_t q = x.poly(), j = local(q, f);
+        neighbours_.begin(q)[j] = {};
+        set_owner(f, q, j);
+      } else {
+        poly_lists_.remove(x.poly_list(), poly_id{p});
+        const id_span<poly_id> left = poly_lists_[x.poly_list()];
+        const std::uint32_t a = left[0].raw(), b = left[1].raw(), i = local(a, f), j = local(b, f);
+        set_owner(f, a, i);
+        if (left.size() > 2) continue;
+        poly_lists_.clear_row(x.poly_list());
+        neighbours_.begin(a)[i].raw = b;
+        neighbours_.begin(b)[j].raw = a;
+        mark_if_in_poly_list(a, i);
+        mark_if_in_poly_list(b, j);
+      }
+    }
+  }
+
+  /// The quick answer for nearly all polys.
+  bool may_repeat(std::uint32_t p) const {
+    const std::uint32_t n = facets_.length(p);
+    if (n > max_scanned_facets) return true;
+    const encoded_neighbour* const s = neighbours_.begin(p);
+    bool may = false;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      may |= s[k].is_non_manifold();
+      for (std::uint32_t j = 0; j < k; ++j) may |= s[k].raw == s[j].raw && !s[k].is_none();
+    }
+    return may;
+  }
+
+  /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p.
+  void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
+    encoded_neighbour* const s = neighbours_.begin(p);
+    const std::uint32_t n = facets_.length(p);
+    if (n <= max_scanned_facets) {
+      mark_by_scanning(p);
+      return mark_in_poly_lists(p);
+    }
+    if (met.size() < num_polys()) met.assign(num_polys(), ~0u);
+    std::size_t different = 0;
+    bool has_poly_list = false;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      has_poly_list = has_poly_list || s[k].is_non_manifold();
+      if (s[k].is_none() || s[k].is_non_manifold()) continue;
+      const std::uint32_t q = s[k].poly();
+      if (met[q] == p) s[k].raw |= encoded_neighbour::special;
+      else ++different;
+      met[q] = p;
+    }
+    if (!has_poly_list || different == 0) return;
+    // met[q] becomes more than p where q is at a non-manifold facet. The shorter list is searched: the polys of that facet or the facets of p.
+    for (std::uint32_t j = 0; j < n; ++j) {
+      if (!s[j].is_non_manifold()) continue;
+      const id_span<poly_id> poly_list = poly_lists_[s[j].poly_list()];
+      if (poly_list.size() <= 16 * different) {
+        for (const poly_id q : poly_list)
+          if (met[q.raw()] == p) met[q.raw()] = p | encoded_neighbour::special;
+      } else {
+        for (std::uint32_t k = 0; k < n; ++k)
+          if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) s[k].raw |= encoded_neighbour::special;
+      }
+    }
+    for (std::uint32_t k = 0; k < n; ++k)
+      if (s[k].is_first_occurrence() && met[s[k].poly()] == (p | encoded_neighbour::special)) s[k].raw |= encoded_neighbour::special;
+  }
+
+ private:
+  static constexpr std::uint32_t max_scanned_facets = 24;  // among which comparing all is fastest
+  static constexpr std::size_t min_list_capacity = 4;       // of a new list of polys
+
+  void mark_by_scanning(std::uint32_t p) {
+    encoded_neighbour* const s = neighbours_.begin(p);
+    for (std::uint32_t k = 1; k < facets_.length(p); ++k)
+      if (!s[k].is_none() && !s[k].is_non_manifold())
+        for (std::uint32_t j = 0; j < k; ++j)
+          if (!s[j].is_none() && !s[j].is_non_manifold() && s[j].poly() == s[k].poly()) {
+            s[k].raw |= encoded_neighbour::special;
+            break;
+          }
+  }
+
+  /// Marks the incidences of p whose neighbour is also at a non-manifold facet of p.
+  void mark_in_poly_lists(std::uint32_t p) {
+    encoded_neighbour* const s = neighbours_.begin(p);
+    const std::uint32_t n = facets_.length(p);
+    for (std::uint32_t j = 0; j < n; ++j)
+      if (s[j].is_non_manifold())
+        for (std::uint32_t k = 0; k < n; ++k)
+          if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) s[k].raw |= encoded_neighbour::special;
+  }
+
+  // A repeated neighbour stays repeated as long as that poly lives, so marks are only added: at incidences with a new poly, with one that is
+  // at a non-manifold facet now, or with one that was at a non-manifold facet before.
+
+  /// Marks the incidences of q with neighbour p, the last poly of each of its lists, where p is also behind an earlier or a non-manifold facet.
+  void mark_repeats_of(std::uint32_t p, std::uint32_t q) {
+    encoded_neighbour* const s = neighbours_.begin(q);
+    const std::uint32_t n = facets_.length(q);
+    bool met = false;
+    for (std::uint32_t k = 0; k < n; ++k) met = met || (s[k].is_non_manifold() && *(poly_lists_.end(s[k].poly_list()) - 1) == poly_id{p});
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (s[k].is_none() || s[k].is_non_manifold() || s[k].poly() != p) continue;
+      if (met) s[k].raw |= encoded_neighbour::special;
+      met = true;
+    }
+  }
+  /// Marks the incidences of q whose only neighbour is p.
+  void mark_facets_to(std::uint32_t p, std::uint32_t q) {
+    encoded_neighbour* const s = neighbours_.begin(q);
+    for (std::uint32_t k = 0; k < facets_.length(q); ++k)
+      if (s[k].is_first_occurrence() && s[k].poly() == p) s[k].raw |= encoded_neighbour::special;
+  }
+  /// Marks facet k of p, which has one neighbour, if that is also at a non-manifold facet of p.
+  void mark_if_in_poly_list(std::uint32_t p, std::uint32_t k) {
+    encoded_neighbour* const s = neighbours_.begin(p);
+    for (std::uint32_t j = 0; j < facets_.length(p); ++j)
+      if (s[j].is_non_manifold() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) {
+        s[k].raw |= encoded_neighbour::special;
+        return;
+      }
+  }
+
+  /// Gives the second poly of every non-manifold facet the list of its polys: before, it had one neighbour there.
+  void set_poly_lists() {
+    if (poly_lists_.size() == 0) return;
+    std::vector<std::uint32_t> poly_list(num_facets(), encoded_neighbour::none);
+    const auto for_each_incidence = [&](auto&& visit) {
+      for (std::uint32_t p = 0; p < num_polys(); ++p)
+        for (std::uint32_t k = 0; k < facets_.length(p); ++k) visit(facets_.begin(p)[k], neighbours_.begin(p)[k]);
+    };
+    for_each_incidence([&](Facet f, const encoded_neighbour& x) {
+      if (x.is_non_manifold()) poly_list[f.raw()] = x.raw;
+    });
+    for_each_incidence([&](Facet f, encoded_neighbour& x) {
+      if (poly_list[f.raw()] != encoded_neighbour::none) x.raw = poly_list[f.raw()];
+    });
+  }
+
+  /// The k with facet k of p equal to f, which must exist.
+  std::uint32_t local(std::uint32_t p, Facet f) const {
+    const Facet* const at = facets_.begin(p);
+    for (std::uint32_t k = 0; k < row_lookup::longest_scan; ++k)
+      if (at[k] == f) [[likely]] return k;
+    return places_.find(p, facets_[p], f);
+  }
+
+  void set_owner(Facet f, std::uint32_t p, std::uint32_t k) { owner_[f.raw()] = N > 0 ? N * p + k : p; }
+
+  void join(incidence s, std::uint32_t p, std::uint32_t k) {
+    encoded_neighbour& first = neighbours_.begin(s.poly)[s.k];
+    if (first.is_none()) {
+      first.raw = p;
+      neighbours_.begin(p)[k].raw = s.poly;
+    } else {
+      add_to_poly_list(s, first, p, k);
+    }
+  }
+
+  /// The incidence of the second poly is not updated here.
+  void add_to_poly_list(incidence s, encoded_neighbour& first, std::uint32_t p, std::uint32_t k) {
+    if (first.is_non_manifold()) {
+      poly_lists_.push(first.poly_list(), poly_id{p});
+    } else {
+      const poly_id three[] = {poly_id{s.poly}, poly_id{first.poly()}, poly_id{p}};
+      const std::uint32_t raw = encoded_neighbour::special | encoded_neighbour::non_manifold_bit | static_cast<std::uint32_t>(poly_lists_.size());
+      poly_lists_.add_row(three, three + 3, min_list_capacity);
+      first.raw = raw;
+    }
+    neighbours_.begin(p)[k].raw = first.raw;
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,264 @@
+// Rows of values in one flat array: `jagged_array<T, N>` with N values a row, `jagged_array<T, 0>` with as many as each row needs. All connectivity of
+// the library's own meshes lives in these.
+#pragma once
+
+#include <concino/concepts/descriptors.hpp>
+#include <concino/concepts/ranges.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/flat_array.hpp>
+#include <concino/mesh/detail/alive_elements.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+using offsets = std::vector<std::uint32_t>;
+
+/// Gives back the room that a growing vector has left over, unless that is little, or there is no memory for a copy. No shrink_to_fit(), which takes
+/// longer to compile.
+template<class T>
+void shrink_if_wasteful(std::vector<T>& v) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (v.capacity() <= v.size() + v.size() / 64) return;
+  try {
+    std::vector<T>(v).swap(v);
+  } catch (const std::bad_alloc&) {
+    return;
+  }
+}
+
+/// Turns counts[i + 1] = size of row i into where each row begins.
+inline void prefix_sum(offsets& counts) {
+  std::uint64_t sum = 0;
+  for (std::uint32_t& c : counts) {
+    sum += c;
+    if (sum > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+    c = static_cast<std::uint32_t>(sum);
+  }
+}
+
+template<class T, unsigned N>
+class jagged_array {
+  core::flat_array<T> data_;
+
+ public:
+  jagged_array() = default;
+  explicit jagged_array(std::vector<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
+  explicit jagged_array(core::flat_array<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
+  /// n rows that the caller is about to write.
+  explicit jagged_array(std::size_t n) : data_(n * N) {}
+  jagged_array(std::size_t n, const T& value) : data_(n * N, value) {}
+
+  std::size_t size() const { return data_.size() / N; }
+  /// Where row i begins, of all values.
+  std::size_t first(std::size_t i) const { return i * N; }
+  const T* begin(std::size_t i) const { return data_.data() + i * N; }
+  const T* end(std::size_t i) const { return data_.data() + i * N + N; }
+  T* begin(std::size_t i) { return data_.data() + i * N; }
+  id_span<T> operator[](std::size_t i) const {
+    const T* const first = begin(i);  // read once, so that compilers see N values and unroll loops over them
+    return {first, first + N};
+  }
+  static constexpr std::uint32_t length(std::size_t) { return N; }
+  std::size_t num_values() const { return data_.size(); }
+
+  // Edits find their memory first, which changes no row, and then cannot fail.
+
+  /// After this n times add_row() cannot fail.
+  void reserve_rows(std::size_t n) { data_.reserve_back(n * N); }
+  /// Writes a row behind the last, where it counts after commit_row(), which cannot fail. The values may lie in these rows; if `first` is null
+  /// the caller writes them.
+  T* stage_row(const T* first, [[maybe_unused]] std::size_t n) {
+    assert(n == N);
+    return data_.stage(first, N, N);
+  }
+  void commit_row([[maybe_unused]] std::size_t n) {
+    assert(n == N);
+    data_.resize(data_.size() + N);
+  }
+  template<class It>
+  void add_row(It first, [[maybe_unused]] It last) {
+    assert(last - first == N);
+    data_.append(std::to_address(first), N);
+  }
+};
+
+/// Rows of any lengths. While nothing was edited the rows lie one after another and row i ends where row i+1 begins, so one array of
+/// offsets says all, and tables whose rows have equal lengths share it. The first edit that changes a row's length gives every row an
+/// end of its own ("loose"); a row that outgrows its room moves to the end. Reading is the same in both states: a row is what lies between first_[i]
+/// and last_[i], and packed rows just have last_ = first_ + 1.
+template<class T>
+class jagged_array<T, 0> {
+  std::shared_ptr<const offsets> packed_;
+  offsets loose_first_, loose_last_, room_;
+  const std::uint32_t* first_ = nullptr;
+  const std::uint32_t* last_ = nullptr;
+  std::size_t size_ = 0;
+  core::flat_array<T> data_;
+
+  void update_pointers() {
+    first_ = packed_ ? packed_->data() : loose_first_.data();
+    last_ = packed_ ? packed_->data() + 1 : loose_last_.data();
+  }
+
+  void check_index_range(std::size_t more) const {
+    if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+  }
+
+  void reserve_offsets(std::size_t n) {
+    make_editable();
+    if (std::min({loose_first_.capacity(), loose_last_.capacity(), room_.capacity()}) - size_ >= n) return;
+    reserve_more(loose_first_, n), update_pointers();
+    reserve_more(loose_last_, n), update_pointers();
+    reserve_more(room_, n);
+  }
+
+  void move_row(std::size_t i, std::uint32_t room) {
+    check_index_range(room);
+    const std::size_t n = loose_last_[i] - loose_first_[i];
+    const std::size_t from = loose_first_[i], to = data_.size();
+    data_.reserve_back(room);
+    data_.resize(to + room);
+    std::copy_n(data_.data() + from, n, data_.data() + to);
+    loose_first_[i] = static_cast<std::uint32_t>(to);
+    loose_last_[i] = static_cast<std::uint32_t>(to + n);
+    room_[i] = room;
+  }
+
+ public:
+  jagged_array() = default;
+  jagged_array(std::shared_ptr<const offsets> where, std::vector<T> data) : jagged_array(std::move(where), core::flat_array<T>(std::move(data))) {}
+  jagged_array(std::shared_ptr<const offsets> where, core::flat_array<T> data) : packed_(std::move(where)), data_(std::move(data)) {
+    assert(packed_ && !packed_->empty() && packed_->back() == data_.size());
+    size_ = packed_->size() - 1;
+    update_pointers();
+  }
+  jagged_array(const jagged_array& o)
+      : packed_(o.packed_), loose_first_(o.loose_first_), loose_last_(o.loose_last_), room_(o.room_), size_(o.size_), data_(o.data_) {
+    if (o.first_) update_pointers();
+  }
+  jagged_array(jagged_array&& o) noexcept { swap(o); }
+  jagged_array& operator=(jagged_array o) noexcept {
+    swap(o);
+    return *this;
+  }
+  void swap(jagged_array& o) noexcept {
+    using std::swap;
+    swap(packed_, o.packed_), swap(loose_first_, o.loose_first_), swap(loose_last_, o.loose_last_), swap(room_, o.room_);
+    swap(first_, o.first_), swap(last_, o.last_), swap(size_, o.size_), swap(data_, o.data_);
+  }
+
+  std::size_t size() const { return size_; }
+  /// Where row i begins, of all values. Stays what it is while no row grows but by commit_row().
+  std::size_t first(std::size_t i) const { return first_[i]; }
+  const T* begin(std::size_t i) const { return data_.data() + first_[i]; }
+  const T* end(std::size_t i) const { return data_.data() + last_[i]; }
+  T* begin(std::size_t i) { return data_.data() + first_[i]; }
+  id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
+  std::uint32_t length(std::size_t i) const { return last_[i] - first_[i]; }
+  /// All that first() and lengths lead to; what edits left unused counts too.
+  std::size_t num_values() const { return data_.size(); }
+
+  /// The offsets that other rows of the same lengths may share; null once a row was edited.
+  const std::shared_ptr<const offsets>& shared_offsets() const { return packed_; }
+  /// Takes over equal offsets, so that the two tables hold them once.
+  template<class U>
+  void share_offsets(const jagged_array<U, 0>& o) {
+    assert(packed_ && o.shared_offsets() && *packed_ == *o.shared_offsets());
+    packed_ = o.shared_offsets();
+    update_pointers();
+  }
+
+  // Edits find their memory first, which changes no row, and then cannot fail.
+
+  /// After this remove() and clear_row() cannot fail.
+  void make_editable() {
+    if (!packed_) return;
+    offsets first(size_), last(size_), room(size_);
+    for (std::size_t i = 0; i < size_; ++i) {
+      first[i] = first_[i];
+      last[i] = last_[i];
+      room[i] = last[i] - first[i];
+    }
+    loose_first_ = std::move(first);
+    loose_last_ = std::move(last);
+    room_ = std::move(room);
+    packed_.reset();
+    update_pointers();
+  }
+  /// After this n times add_row() cannot fail, with room for so many values in all.
+  void reserve_rows(std::size_t n, std::size_t values) {
+    reserve_offsets(n);
+    check_index_range(values);
+    data_.reserve_back(values);
+  }
+  /// After this n times push(i) cannot fail. Takes room that reserve_rows() found, so it comes before that.
+  void reserve_in_row(std::size_t i, std::uint32_t n) {
+    make_editable();
+    if (room_[i] - length(i) < n) move_row(i, std::max({std::uint32_t{4}, 2 * room_[i], length(i) + n}));
+  }
+  /// Writes a row behind the last, where it counts after commit_row(), which cannot fail. The values may lie in these rows; if `first` is null
+  /// the caller writes them.
+  T* stage_row(const T* first, std::size_t n, std::size_t room = 0) {
+    reserve_offsets(1);
+    check_index_range(std::max(n, room));
+    return data_.stage(first, n, std::max(n, room));
+  }
+  /// The row that was staged with the same numbers.
+  void commit_row(std::size_t n, std::size_t room = 0) {
+    room = std::max(n, room);
+    const std::size_t at = data_.size();
+    loose_first_.push_back(static_cast<std::uint32_t>(at));
+    loose_last_.push_back(static_cast<std::uint32_t>(at + n));
+    room_.push_back(static_cast<std::uint32_t>(room));
+    data_.resize(at + room);
+    ++size_;
+    update_pointers();
+  }
+
+  /// A row with room for at least so many values.
+  template<class It>
+  void add_row(It from, It to, std::size_t room = 0) {
+    const auto n = static_cast<std::size_t>(to - from);
+    stage_row(std::to_address(from), n, room);
+    commit_row(n, room);
+  }
+  void push(std::size_t i, const T& value) {
+    const T kept = value;  // it may lie in these rows
+    reserve_in_row(i, 1);
+    data_[loose_last_[i]++] = kept;
+  }
+  /// Takes the value out of row i; the others keep their order.
+  void remove(std::size_t i, const T& value) {
+    make_editable();
+    T* const e = data_.data() + loose_last_[i];
+    T* at = begin(i);
+    while (at != e && !(*at == value)) ++at;
+    if (at == e) return;
+    for (; at + 1 != e; ++at) *at = at[1];
+    --loose_last_[i];
+  }
+  void clear_row(std::size_t i) {
+    make_editable();
+    loose_last_[i] = loose_first_[i];
+  }
+};
+
+/// Rows that the caller is about to write; lengths[i + 1] says how long row i is, lengths[0] is 0.
+template<class T>
+jagged_array<T, 0> make_jagged_array(offsets lengths) {
+  prefix_sum(lengths);
+  auto where = std::make_shared<const offsets>(std::move(lengths));
+  core::flat_array<T> data(where->back());
+  return {std::move(where), std::move(data)};
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,61 @@
+// Where a value stands in a row: found by looking through the row, or, where that would take long, by bisection.
+#pragma once
+
+#include <concino/core/sort_numbers.hpp>
+#include <concino/mesh/detail/jagged_array.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// The places in the long rows of a table, sorted by what stands there. Takes memory for long rows only, and may be out of date: a row that
+/// came later, or whose length has changed, is looked through.
+class row_lookup {
+  std::vector<std::uint32_t> rows_;     // the long ones, ascending
+  std::vector<std::uint32_t> first_;    // where the places of each begin in order_, and the end
+  std::vector<std::uint32_t> order_;
+
+ public:
+  static constexpr std::uint32_t longest_scan = 64;
+
+  row_lookup() = default;
+  template<class Rows>
+  explicit row_lookup(const Rows& all) {
+    std::vector<std::uint64_t> sorted;  // what stands in a row, and where
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::uint32_t n = all.length(i);
+      if (n <= longest_scan) continue;
+      const auto row = all[i];
+      sorted.clear();
+      for (std::uint32_t k = 0; k < n; ++k) sorted.push_back(std::uint64_t{row[k].raw()} << 32 | k);
+      core::sort_numbers(sorted.data(), sorted.data() + n);
+      rows_.push_back(static_cast<std::uint32_t>(i));
+      first_.push_back(static_cast<std::uint32_t>(order_.size()));
+      for (const std::uint64_t x : sorted) order_.push_back(static_cast<std::uint32_t>(x));
+    }
+    first_.push_back(static_cast<std::uint32_t>(order_.size()));
+    shrink_if_wasteful(order_);
+  }
+
+  /// The place of a value that a row of more than `longest_scan` holds once; the length of the row if it does not hold it.
+  template<class Row, class T>
+  [[gnu::noinline]] std::uint32_t find(std::uint32_t i, const Row& row, const T& value) const {
+    const auto n = static_cast<std::uint32_t>(row.size());
+    const auto known = std::lower_bound(rows_.begin(), rows_.end(), i);
+    if (known != rows_.end() && *known == i) {
+      const std::uint32_t* const first = order_.data() + first_[static_cast<std::size_t>(known - rows_.begin())];
+      const std::uint32_t* const last = order_.data() + first_[static_cast<std::size_t>(known - rows_.begin()) + 1];
+      if (static_cast<std::uint32_t>(last - first) == n) {
+        const std::uint32_t* const at = std::lower_bound(first, last, value, [&](std::uint32_t k, const T& x) { return row[k] < x; });
+        if (at != last && row[*at] == value) return *at;
+      }
+    }
+    std::uint32_t k = 0;
+    while (k < n && row[k] != value) ++k;
+    return k;
+  }
+};
+
+}  // namespace concino::detail
