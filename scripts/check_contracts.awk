@@ -14,10 +14,14 @@
 #   - consteval functions: they cost nothing and cannot fail when a program runs; a comment must say what they do.
 # Options are the structs named ..._options, in folders detail/ too: every field has a comment with its unit, range or meaning, after it or above it.
 # Adapters are the headers of adapters/concino/adapters/: the comment at the top says what is adapted, and Needs: which library and what of it.
+#
+# With -v prose=1 it checks nothing, but prints the text of what users read: comments at the top of headers and comments that begin with /// in
+# public namespaces. A line is file, line and text with tabs between them; an empty text ends a comment.
 
 BEGIN { split("Needs Result Cost Errors", labels, " ") }
 
 function complain(at, what) {
+  if (prose) return
   print FILENAME ":" at ": " what
   found = 1
 }
@@ -90,6 +94,18 @@ function function_name(s,    i, c, depth, before, word, rest) {
   return ""
 }
 
+# Prints a line of a comment without its slashes; what is no comment ends it.
+function print_prose(line) {
+  if (line !~ /^[ \t]*\/\//) {
+    if (prose_open) print FILENAME "\t" FNR "\t"
+    prose_open = 0
+    return
+  }
+  sub(/^[ \t]*\/\/\/?/, "", line)
+  print FILENAME "\t" FNR "\t" line
+  prose_open = 1
+}
+
 # Called at the end of each declaration of a namespace, with the comment above it in `above`.
 function declared(    name, contract, missing) {
   if (n_detail > 0 || in_detail_folder || statement !~ /[^ \t]/) return
@@ -129,6 +145,11 @@ FNR == 1 {
   in_top = 1
   in_detail_folder = FILENAME ~ /\/concino\/(.*\/)?detail\//
   is_adapter = FILENAME ~ /adapters\/concino\/adapters\/[^\/]*$/
+}
+
+prose && !in_detail_folder {
+  is_public = in_top || ($0 ~ /^[ \t]*\/\/\// && n_detail == 0)
+  print_prose(is_public ? $0 : "")
 }
 
 {
