@@ -1,4 +1,4 @@
-// Distances over surfaces of triangles, exact: the lengths of shortest paths, which go straight through triangles and across edges.
+// Exact geodesic distances and shortest paths over triangle meshes, to rounding.
 #pragma once
 
 #include <concino/concepts/surface_mesh.hpp>
@@ -81,7 +81,7 @@ exact_preparation prepare_exact(const M& m) {
 
 }  // namespace detail
 
-/// What exact_geodesics prepares: it answers questions, from several threads too. Copies share what was prepared.
+/// A surface prepared by prepare_exact_geodesics for distance and path queries. Several threads may query it. Copies share the prepared data.
 template<class M>
 class prepared_exact_geodesics {
   detail::mesh_ref<M> mesh_;
@@ -120,7 +120,7 @@ class prepared_exact_geodesics {
     for (const start& s : starts) windows.add_vert(s.vert, std::ldexp(s.distance - least, -triangles().exponent));
     return solve(windows, least, target);
   }
-  /// place: the source, the point of p nearest to x.
+  /// place: set to the source, which is the point of p nearest to x.
   vert_map<M, double> solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& place, detail::path_tree* paths = nullptr) const;
 
   detail::path_tree empty_tree() const { return detail::path_tree(triangles().around.size()); }
@@ -134,10 +134,10 @@ class prepared_exact_geodesics {
 
   const M& mesh() const { return mesh_.get(); }
 
-  /// How far away everything is from one vert, from the nearest of several, or, where pairs of a vert and a number are given, from the source for
-  /// which the number plus the way from there is least.
-  /// Needs:  a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}. The mesh is as it was prepared.
-  /// Result: a map of double, in units of length; +inf at verts that no path over polys leads to.
+  /// The distances of all verts from one vert or from the nearest of several. Sources may be pairs of a vert and an initial distance: then the distance
+  /// is the minimum over all sources of the initial distance plus the distance from there.
+  /// Needs:  a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}. The mesh has not changed since it was prepared.
+  /// Result: a map of double, in units of length; +inf at verts that no path over polys reaches.
   /// Cost:   see exact_geodesics.
   /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is no vert of the mesh.
   template<class S>
@@ -153,16 +153,16 @@ class prepared_exact_geodesics {
   }
   void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 
-  /// How far away everything is from a point of poly p: the one that is nearest to x.
+  /// The distances of all verts from a point of poly p: the one nearest to x.
   /// Result, cost: as above.      Errors: invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
     mesh_point<M> place{p, x};
     return solve_from(p, x, place);
   }
 
-  /// The shortest paths to all verts, from the same sources as distance_from takes.
-  /// Result: an object that gives distances() and path_to(v).
-  /// Cost:   as distance_from, and memory for the windows that some path runs through.      Errors: as distance_from.
+  /// The shortest paths to all verts. It takes the same sources as distance_from.
+  /// Result: an object with distances() and path_to(v).
+  /// Cost:   as distance_from, and memory for the windows on some path.      Errors: as distance_from.
   template<class S>
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   exact_paths<M> paths_from(const S& sources) const {
@@ -209,28 +209,28 @@ vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, 
   return solve(windows, 0);
 }
 
-/// Prepares exact distances and shortest paths over a surface of triangles, for many questions: auto exact = prepare_exact_geodesics(m);
-/// auto d = exact.distance_from(v); d[w] is the length of a shortest path over the surface, to rounding; exact.path_between(v, w) is the path.
-/// Needs:  Embedded SurfaceMesh of triangles, by type or in fact; not a temporary, and not changed later. It may have a boundary, and paths may run
-///         along it. It need not be oriented or manifold: at an edge of more than two triangles paths pass from each to every other, and several
-///         fans may meet at a vert.
-/// Result: an object that answers distance_from(...), paths_from(...) and path_between(...). It knows lengths of edges only, which rounding
-///         changes by parts in 10^16: triangles with angles a, in radians, leave some 10^-16 / a of a length in doubt.
-/// Cost:   O(n) to prepare, for n triangles. A question: O(n^2 log n) at worst where no edge has more than two, on surfaces in use about n^1.7:
-///         0.1 s for 2 10^4 triangles, 1.4 s for 8 10^4, twice that where all is flat. Heat answers sooner and on other polys, but not exactly,
-///         see prepare_heat_geodesics.
+/// Prepares exact distances and shortest paths over a triangle mesh, for many queries: auto exact = prepare_exact_geodesics(m);
+/// auto d = exact.distance_from(v). Then d[w] is the length of a shortest path over the surface, to rounding; exact.path_between(v, w) is the path.
+/// Needs:  Embedded SurfaceMesh of triangles, by type or in fact; not a temporary, and not changed later. It may have a boundary; paths may run along
+///         it. It may be non-oriented or non-manifold: at an edge of more than two triangles, paths pass from each triangle to every other. A vert
+///         may have several fans.
+/// Result: an object with distance_from(...), paths_from(...) and path_between(...). It only uses the lengths of edges, which rounding changes by
+///         parts in 10^16. A triangle with an angle of a radians makes a length uncertain by about 10^-16 / a of it.
+/// Cost:   O(n) to prepare, for n triangles. A query takes O(n^2 log n) at worst if no edge has more than two triangles, on common surfaces
+///         about n^1.7: 0.1 s for 2 10^4 triangles, 1.4 s for 8 10^4, twice that on flat surfaces. The heat method is faster and takes any polys, but
+///         it is not exact: see prepare_heat_geodesics.
 /// Errors: unsupported if a poly is no triangle; invalid_mesh if one has no area or points that are not finite.
 /// Source: Mitchell, Mount, Papadimitriou 1987; windows and their order: Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe 2005, "Fast exact and
-///         approximate geodesics on meshes"; which of them are dropped: Chen and Han 1990, Xin and Wang 2009.
+///         approximate geodesics on meshes"; which windows are dropped: Chen and Han 1990, Xin and Wang 2009.
 template<class M>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 prepared_exact_geodesics<std::remove_cvref_t<M>> prepare_exact_geodesics(M&& m) {
   return prepared_exact_geodesics<std::remove_cvref_t<M>>(m);
 }
 
-/// Exact distances over a surface of triangles from one vert, from the nearest of several, or from a point of a poly: for one question.
-/// Needs:  as prepare_exact_geodesics; sources as its distance_from takes them.
-/// Result: a map of double, in units of length; +inf at verts that no path over polys leads to.
+/// Exact distances over a triangle mesh, for a single query: from one vert, from the nearest of several, or from a point of a poly.
+/// Needs:  as prepare_exact_geodesics; sources as for its distance_from.
+/// Result: a map of double, in units of length; +inf at verts that no path over polys reaches.
 /// Cost:   as prepare_exact_geodesics and its distance_from.
 /// Errors: as prepare_exact_geodesics and its distance_from.
 /// Source: as prepare_exact_geodesics.

@@ -1,4 +1,4 @@
-// Shortest paths over surfaces of triangles, which go straight through triangles and across edges: their points and lengths.
+// Shortest paths over triangle meshes: their points and lengths.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -25,28 +25,28 @@ namespace detail {
 
 struct exact_preparation {
   unfolded_triangles triangles;
-  std::vector<int> triangle_of;  // each poly
+  std::vector<int> triangle_of;  // by index of the poly
 };
 
 }  // namespace detail
 
-/// A shortest path over a surface: straight between consecutive points, each piece in one triangle or along an edge.
-/// points: from the source to the target, both included; one where they are the same, none where no path leads.
-/// length: of these pieces, in units of length; +inf where no path leads.
+/// A shortest path over a surface. It is straight between consecutive points; each piece lies in one triangle or along an edge.
+/// points: from the source to the target, both included; one if they are the same, none if no path exists.
+/// length: the sum of the lengths of the pieces, in units of length; +inf if no path exists.
 template<class M>
 struct geodesic_path {
   std::vector<mesh_point<M>> points;
   double length = std::numeric_limits<double>::infinity();
 };
 
-/// The shortest paths from one set of sources to all verts. Copies share what is stored.
+/// The shortest paths from one set of sources to all verts. Copies share the stored data.
 template<SurfaceMesh M>
   requires Embedded<M>
 class exact_paths {
   struct contents {
     std::shared_ptr<const detail::exact_preparation> prepared;
     detail::path_tree tree;
-    std::optional<mesh_point<M>> place;  // the source, where it is inside a triangle
+    std::optional<mesh_point<M>> place;  // the source, if it is inside a triangle
     std::vector<vert_t<M>> vert;         // by index
     std::vector<edge_t<M>> edge;
   };
@@ -54,7 +54,7 @@ class exact_paths {
   std::shared_ptr<const contents> contents_;
 
  public:
-  /// Made by prepared_exact_geodesics::paths_from.
+  /// Called by prepared_exact_geodesics::paths_from.
   exact_paths(vert_map<M, double> distances, std::shared_ptr<const detail::exact_preparation> prepared, detail::path_tree tree,
               std::optional<mesh_point<M>> place)
       : distances_(std::move(distances)) {
@@ -67,13 +67,13 @@ class exact_paths {
     contents_ = std::make_shared<const contents>(std::move(c));
   }
 
-  /// The distance of each vert from the sources, in units of length; +inf where no path leads.
+  /// The distance of each vert from the sources, in units of length; +inf where no path exists.
   const vert_map<M, double>& distances() const { return distances_; }
 
   /// The shortest path from the nearest source to vert v.
-  /// Needs:  the mesh is as it was prepared.
-  /// Result: see geodesic_path; its length is the distance at v less the number given with its source, to 1e-12 of it. Of several shortest
-  ///         paths one is given, the same in every run.
+  /// Needs:  the mesh has not changed since it was prepared.
+  /// Result: see geodesic_path. Its length is the distance at v minus the initial distance of its source, to a relative error of 1e-12. If there are
+  ///         several shortest paths, it is one of them, the same in every run.
   /// Cost:   O(number of points).
   /// Errors: invalid_mesh if v is no vert of the mesh.
   geodesic_path<M> path_to(const vert_t<M>& v) const {

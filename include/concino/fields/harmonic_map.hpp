@@ -1,4 +1,4 @@
-// Harmonic maps: the smoothest function through given values at some verts. The paper's example, on any mesh.
+// Harmonic maps: the smoothest function with prescribed values at some verts. The paper's example, on any mesh.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
@@ -20,13 +20,13 @@ namespace concino {
 
 struct harmonic_map_options {
   int exponent = 1;                      // n >= 1: L (M^-1 L)^(n-1) u = 0; 1: harmonic, 2: biharmonic, ...
-  double isolated_value = 0;             // of verts without edges that have no value prescribed, in each part; any, NaN too
-  concino::progress progress = nullptr;  // told "harmonic map", "factorising", "solving"
+  double isolated_value = 0;             // at verts without edges and without a prescribed value, in each component; any number, NaN too
+  concino::progress progress = nullptr;  // called with "harmonic map", "factorising", "solving"
 };
 
 namespace detail {
 
-/// The unknowns and their system, with values at some verts: what a call and a preparation share.
+/// The unknowns and their system, with prescribed values at some verts. Shared by harmonic_map and prepare_harmonic_map.
 template<class M>
 class harmonic_problem {
   static constexpr const char* caller = "harmonic_map";
@@ -53,12 +53,12 @@ class harmonic_problem {
   template<class Solver>
   void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller); }
 
-  /// A map with these values at their verts, and isolated_value.
+  /// A map with these values at their verts, and isolated_value elsewhere.
   template<class T, class V>
   vert_map<M, T> prescribe(const M& m, const V& values) const {
     return prescribed_values<T>(m, system_.verts, values, isolated_value_, caller);
   }
-  /// The unknowns of that map.
+  /// Computes the unknown values of that map.
   template<class T, class Solver>
   void solve(const Solver& solver, vert_map<M, T>& u) const {
     system_.template solve<T>(solver, [](std::size_t, int) { return 0.0; }, u, caller);
@@ -67,7 +67,7 @@ class harmonic_problem {
 
 }  // namespace detail
 
-/// What prepare_harmonic_map prepares: it finds maps, from several threads too if the solver can. Copies share what was prepared.
+/// A system prepared by prepare_harmonic_map. Several threads may use it if the solver allows it. Copies share the prepared data.
 template<class M, class Solver>
 class prepared_harmonic_map {
   struct preparation {
@@ -90,16 +90,16 @@ class prepared_harmonic_map {
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
-  /// How many verts have no edges and no value prescribed: they get isolated_value.
+  /// The number of verts without edges and without a prescribed value. They get isolated_value.
   std::size_t num_isolated() const { return prepared_->problem.num_isolated(); }
 
-  /// The harmonic map with these values at the verts that were named before, with_values<vec3> part by part to space.
-  /// Needs:  pairs of a vert and a value, in braces or any container, one at least for each of those verts and none elsewhere. The mesh is as it
-  ///         was prepared.
+  /// The harmonic map with these values at the constrained verts. with_values<vec3> maps to space, coordinate by coordinate.
+  /// Needs:  pairs of a vert and a value, in braces or any container: at least one for each constrained vert and none elsewhere. The mesh has not changed
+  ///         since it was prepared.
   /// Result: that of harmonic_map with these values.
-  /// Cost:   one back-substitution, three to space.
-  /// Errors: invalid_argument if a value is not finite, a vert gets two or none, or has one that was not named; invalid_mesh if it is no vert of
-  ///         the mesh; solver_error.
+  /// Cost:   one back-substitution; three for a map to space.
+  /// Errors: invalid_argument if a value is not finite, a vert gets two different values or none, or a vert with a value is not constrained;
+  ///         invalid_mesh if it is no vert of the mesh; solver_error.
   template<class T = double, class D = std::initializer_list<std::pair<vert_t<M>, T>>>
     requires detail::field_value<T> && detail::gives_values<D, vert_t<M>>
   vert_map<M, T> with_values(const D& values) const {
@@ -111,13 +111,13 @@ class prepared_harmonic_map {
   void with_values(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 };
 
-/// Prepares harmonic maps with values at the same verts, for many of them: auto h = prepare_harmonic_map(m, {a, b});
+/// Prepares harmonic maps with prescribed values at the same verts, for many queries: auto h = prepare_harmonic_map(m, {a, b});
 /// auto u = h.with_values({{a, 0.0}, {b, 1.0}}).
-/// Needs:  as harmonic_map; the mesh stays as it is. `fixed`: verts in braces or any container. solver: one like it is kept, made of its options()
-///         where it has them.
-/// Result: an object that answers with_values(...); num_isolated() is the number of verts that got isolated_value.
-/// Cost:   that of harmonic_map, but for the back-substitution.
-/// Errors: as harmonic_map, but for those about values; invalid_mesh if a vert to be fixed is no vert of m.
+/// Needs:  as harmonic_map; the mesh must not change afterwards. `fixed`: verts in braces or any container. solver: the result keeps a solver of the
+///         same type, constructed from its options() if it has them.
+/// Result: an object with with_values(...); num_isolated() is the number of verts that get isolated_value.
+/// Cost:   that of harmonic_map without the back-substitution.
+/// Errors: as harmonic_map, except those about values; invalid_mesh if a vert of `fixed` is no vert of m.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -135,21 +135,21 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
   return {m, fixed, discretisation, options, solver};
 }
 
-/// The function u on the verts that has the given values and is harmonic everywhere else: L u = 0. With exponent n it is polyharmonic:
-/// L (M^-1 L)^(n-1) u = 0. L is the Laplacian and M the mass matrix of the discretisation, which stands after the values:
+/// The function u on the verts that has the prescribed values and is harmonic everywhere else: L u = 0. With exponent n it is polyharmonic:
+/// L (M^-1 L)^(n-1) u = 0. L is the Laplacian and M the mass matrix of the discretisation, which is passed after the values:
 /// harmonic_map(m, values, uniform). The default is virtual_elements. harmonic_map<vec3> maps to space, coordinate by coordinate.
 /// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. `values`: verts and numbers (or points), in braces
-///         ({{a, 0.0}, {b, 1.0}}) or any container of pairs; the same vert twice is fine if the value is the same.
-///         T: double or vec3. solver: a SparseSolver for symmetric positive definite matrices; the default factorises, or, where the factor would be
-///         too large, iterates: see auto_solver, which tells what it did if it is given by name.
-/// Result: a map of T, u[v]. Given values are exact. Verts without edges get isolated_value unless one is given; prepare_harmonic_map counts
-///         them. With virtual_elements linear functions of planar surfaces and of volumes are harmonic, whatever the polys; with uniform
-///         and exponent 1 every value lies between the extrema of those given in its component.
-/// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
-/// Errors: invalid_mesh if a value is given at what is no vert of m, or if exponent > 1 and a vert has edges and no mass.
-///         invalid_argument if a value is not finite, a vert gets two values, or exponent < 1. solver_error if a component that has edges has no
-///         value prescribed (one of its verts is named), or if the system cannot be solved in double precision. Those of `laplacian` with this
-///         discretisation. cancelled.
+///         ({{a, 0.0}, {b, 1.0}}) or any container of pairs. A vert may be listed twice with the same value.
+///         T: double or vec3. solver: a SparseSolver for symmetric positive definite matrices. The default factorises, or iterates if the factor would
+///         be too large: see auto_solver. To learn what it did, pass one that has a name.
+/// Result: a map of T, u[v]. Prescribed values are exact. Verts without edges get isolated_value unless a value is prescribed; prepare_harmonic_map
+///         counts them. With virtual_elements, linear functions on planar surfaces and on volumes are harmonic, whatever the polys. With uniform
+///         and exponent 1, every value lies between the extrema of the prescribed values in its component.
+/// Cost:   one sparse factorisation with as many unknowns as there are verts to solve for.
+/// Errors: invalid_mesh if a value is prescribed at what is no vert of m, or if exponent > 1 and a vert has edges and no mass.
+///         invalid_argument if a value is not finite, a vert gets two different values, or exponent < 1. solver_error if a component that has edges has
+///         no prescribed value (the message names one of its verts), or if the system cannot be solved in double precision. Those of `laplacian` with
+///         this discretisation. cancelled.
 /// Source: Tutte 1963, Pinkall, Polthier 1993, Botsch, Kobbelt 2004 (higher exponents); paper section 3.
 template<class T = double, class M, class V = std::initializer_list<std::pair<vert_t<M>, T>>, class Solver = auto_solver>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && detail::field_value<T> && detail::gives_values<V, vert_t<M>> &&

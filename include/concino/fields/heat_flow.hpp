@@ -1,4 +1,4 @@
-// Heat flow: how values at the verts spread over a surface or through a volume as time goes by.
+// Heat flow: values at the verts diffuse over a surface or through a volume.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -20,23 +20,23 @@
 
 namespace concino {
 
-/// second_order:   two implicit stages with one matrix; the error falls with the square of the length of steps. Sharp differences die out in
-///                 few steps and do not swing on, though steps that are long for the mesh may overshoot them a little.
-/// backward_euler: one stage, of the first order. With lumped masses and no negative weights it never leaves the range of the values before.
+/// second_order:   two implicit stages with one matrix. The error decreases with the square of the step length. Sharp differences decay in a
+///                 few steps and do not oscillate on, although steps that are long for the mesh may overshoot them a little.
+/// backward_euler: one stage, of the first order. With lumped masses and no negative weights the values stay within the range of the previous ones.
 enum class heat_scheme { second_order, backward_euler };
 
 template<class M>
 struct heat_flow_options {
   std::vector<vert_t<M>> fixed = {};      // verts that keep their values
-  int steps = 10;                         // 1 or more, each as long as the others
+  int steps = 10;                         // number of steps of equal length, 1 or more
   concino::heat_scheme scheme = concino::heat_scheme::second_order;  // how each step is computed
-  bool lumped = false;                    // lumped masses: see backward_euler; else the Galerkin mass, of the second order in the size of the polys
-  concino::progress progress = nullptr;   // told "heat flow", "factorising"
+  bool lumped = false;                    // lumped masses: see backward_euler; otherwise the Galerkin mass, of second order in the size of the polys
+  concino::progress progress = nullptr;   // called with "heat flow", "factorising"
 };
 
 namespace detail {
 
-/// 1 - 1 / sqrt(2): with it the stages' matrix is one and the same and the scheme L-stable.
+/// 1 - 1 / sqrt(2): with this value both stages have the same matrix and the scheme is L-stable.
 inline constexpr double alexander_gamma = 0.29289321881345247560;
 
 template<class M, class D>
@@ -55,8 +55,8 @@ implicit_system<M> heat_flow_system(const M& m, double time, const D& discretisa
   });
 }
 
-/// Steps of M u' = -K u. With A = M + g dt K the stages are A v = M u and A w = M u - (1 - g) dt K v, where dt K v = M (u - v) / g, so that
-/// no more than A^-1 M is needed; w is u one step later.
+/// Steps of M u' = -K u. With A = M + g dt K, the stages are A v = M u and A w = M u - (1 - g) dt K v. Here dt K v = M (u - v) / g, so only
+/// A^-1 M is needed; w is u one step later.
 template<class T, class M, class Solver>
 void flow(const implicit_system<M>& system, const Solver& solver, const heat_flow_options<M>& options, vert_map<M, T>& u,
           const progress& on_progress) {
@@ -79,7 +79,7 @@ void flow(const implicit_system<M>& system, const Solver& solver, const heat_flo
 
 }  // namespace detail
 
-/// What prepare_heat_flow prepares: it lets heat flow, from several threads too if the solver can. Copies share what was prepared.
+/// A system prepared by prepare_heat_flow. Several threads may use it if the solver allows it. Copies share the prepared data.
 template<class M, class Solver>
 class prepared_heat_flow {
   struct preparation {
@@ -99,21 +99,21 @@ class prepared_heat_flow {
     auto own = detail::make_similar_solver(solver);
     system.factorize(*own, options.progress);
     preparation p{std::move(system), std::move(own), options, time};
-    p.options.progress = nullptr;  // the caller's callable may be gone by then
+    p.options.progress = nullptr;  // the caller's callable may no longer exist by then
     prepared_ = std::make_shared<const preparation>(std::move(p));
     detail::report_progress(options.progress, 1, "heat flow");
   }
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
-  /// For how long heat flows.
+  /// The time over which heat flows.
   double time() const { return prepared_->time; }
-  /// How many verts have no edges and are not fixed: they keep their values.
+  /// The number of verts without edges that are not fixed. They keep their values.
   std::size_t num_isolated() const { return prepared_->system.constrained().num_isolated; }
 
-  /// What has become of the values u after the time that was prepared; call it again with the result to go on.
-  /// Needs:  u as for heat_flow; the mesh is as it was prepared.
-  /// Result: that of heat_flow.      Cost: two back-substitutions a step, or one, see heat_scheme; three times that for vectors.
+  /// The values u after the prepared time. To continue, call it again with the result.
+  /// Needs:  u as for heat_flow; the mesh has not changed since it was prepared.
+  /// Result: that of heat_flow.      Cost: two back-substitutions per step, or one, see heat_scheme; three times that for vectors.
   /// Errors: as heat_flow about u; solver_error; cancelled.
   template<class F, class T = detail::field_value_at<F, vert_t<M>>>
     requires requirement::gives_numbers_or_points<F, vert_t<M>>
@@ -125,11 +125,12 @@ class prepared_heat_flow {
   }
 };
 
-/// Prepares heat flow over the same time, for many fields and for one that goes on: auto h = prepare_heat_flow(m, time); u = h.advance(u).
-/// Needs:  as heat_flow; the mesh stays as it is. solver: one like it is kept, made of its options() where it has them.
-/// Result: an object that answers advance(u); num_isolated() is the number of verts that have no edges.
-/// Cost:   as heat_flow, but for the steps.
-/// Errors: as heat_flow, but for what is about values.
+/// Prepares heat flow over a given time, for many fields or for repeated use on one: auto h = prepare_heat_flow(m, time); u = h.advance(u).
+/// Needs:  as heat_flow; the mesh must not change afterwards. solver: the result keeps a solver of the same type, constructed from its options() if it
+///         has them.
+/// Result: an object with advance(u); num_isolated() is the number of verts without edges that are not fixed.
+/// Cost:   as heat_flow without the steps.
+/// Errors: as heat_flow, except those about values.
 template<class M, class Solver = auto_solver>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -147,16 +148,16 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
   return {m, time, discretisation, options, solver};
 }
 
-/// Solves the heat equation u_t = Laplacian of u: returns the values at `time` that begin as `initial` at time 0. The Laplacian is that of the
-/// discretisation, which stands after the time; the default is virtual_elements. Fixed verts keep their value; where none are fixed on the
-/// boundary, no heat crosses it.
+/// Solves the heat equation u_t = Laplacian of u: returns the values at `time`, starting from `initial` at time 0. The Laplacian is that of the
+/// discretisation, which is passed after the time; the default is virtual_elements. Fixed verts keep their values. No heat flows through the boundary
+/// where no verts are fixed.
 /// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. initial: any readable map over verts, of numbers,
-///         or of points for vectors, whose parts flow on their own. time: finite, 0 or more, in units of length^2; with `uniform`, where M is the
-///         identity, without unit. solver as for harmonic_map.
-/// Result: a map of double or vec3. Where nothing is fixed, the total heat, the sum of M u, is constant, and the sum of u times M u never grows.
+///         or of points for vectors, whose components flow independently. time: finite, 0 or more, in units of length^2; without unit with
+///         `uniform`, where M is the identity. solver as for harmonic_map.
+/// Result: a map of double or vec3. If nothing is fixed, the total heat (the sum of M u) is constant, and the sum of u times M u never grows.
 ///         The limit for long times is then the mean value in each component; with fixed values it is the harmonic map through them. Verts without
 ///         edges keep their value; prepare_heat_flow counts them.
-/// Cost:   one sparse factorisation of as many unknowns as there are verts to find, and two back-substitutions a step, or one, see heat_scheme.
+/// Cost:   one sparse factorisation with as many unknowns as there are verts to solve for, and two back-substitutions per step, or one, see heat_scheme.
 /// Errors: invalid_argument if time or steps is out of its range, or a value is not finite at a vert that has edges or is fixed. invalid_mesh if a
 ///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation and of mass_matrix.
 ///         solver_error. cancelled.

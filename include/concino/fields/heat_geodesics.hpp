@@ -1,4 +1,4 @@
-// Distances over surfaces and through volumes of any polys, by heat: the mesh is prepared once, and a question costs back-substitutions.
+// Geodesic distances by the heat method, on surfaces and volumes of any polys. After a preparation, a query costs back-substitutions.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
@@ -25,21 +25,21 @@
 
 namespace concino {
 
-/// averaged:  the sum of both kinds of heat: the best, at the cost of one more factorisation and back-substitution if there is a boundary.
-/// neumann:   no heat crosses the boundary: distances come out too round where they meet it.
+/// averaged:  the sum of both kinds of heat. It is the most accurate, and costs one more factorisation and back-substitution if there is a boundary.
+/// neumann:   no heat flows through the boundary. Distances are too round near it.
 /// dirichlet: the boundary absorbs all heat, which bends distances the other way.
 enum class heat_boundary { averaged, neumann, dirichlet };
 
 struct heat_geodesics_options {
-  double time = 0;                                        // how long heat flows, in units of length^2, finite; 0: see heat_geodesics
-  concino::heat_boundary boundary = concino::heat_boundary::averaged;  // what happens to heat at the boundary
-  bool clamp = true;                                      // to between straight lines and ways over the mesh, see heat_geodesics
-  concino::progress progress = nullptr;                   // told "heat geodesics" and "factorising"
+  double time = 0;                                        // how long heat flows, in units of length^2, finite; 0: the default, see heat_geodesics
+  concino::heat_boundary boundary = concino::heat_boundary::averaged;  // boundary conditions of the heat
+  bool clamp = true;                                      // to the range between straight lines and paths over the mesh, see heat_geodesics
+  concino::progress progress = nullptr;                   // called with "heat geodesics" and "factorising"
 };
 
 namespace detail {
 
-/// That of the mesh at the size of `scaled`.
+/// The lower triangle of the stiffness matrix of the mesh at the size of `scaled`.
 template<class M, class D>
 Eigen::SparseMatrix<double> lower_stiffness_at(const views::scaled<M>& scaled, const M& m, const D& discretisation) {
   if constexpr (scales_with<D, M>) {
@@ -51,7 +51,7 @@ Eigen::SparseMatrix<double> lower_stiffness_at(const views::scaled<M>& scaled, c
   }
 }
 
-/// The lower triangle of the masses plus `flow` times the stiffness a; mass(c) is that of column c.
+/// The lower triangle of the masses plus `flow` times the stiffness a; mass(c) is the mass of column c.
 template<class Mass>
 Eigen::SparseMatrix<double> lower_heat_matrix(Eigen::SparseMatrix<double> a, double flow, const Mass& mass) {
   for (int c = 0; c < a.cols(); ++c)
@@ -62,7 +62,7 @@ Eigen::SparseMatrix<double> lower_heat_matrix(Eigen::SparseMatrix<double> a, dou
   return a;
 }
 
-/// The heat matrix a where these verts take up heat. It is not quite 0 there, so that it has a logarithm, and sources there warm the rest.
+/// The heat matrix a with Dirichlet conditions at these verts. Heat there is not quite 0, so that it has a logarithm and sources there heat the rest.
 inline Eigen::SparseMatrix<double> with_dirichlet_verts(Eigen::SparseMatrix<double> a, std::span<const unsigned char> is_dirichlet) {
   for (int c = 0; c < a.cols(); ++c)
     if (is_dirichlet[static_cast<std::size_t>(c)]) a.coeffRef(c, c) *= 1e6;
@@ -71,11 +71,11 @@ inline Eigen::SparseMatrix<double> with_dirichlet_verts(Eigen::SparseMatrix<doub
 
 }  // namespace detail
 
-/// What prepare_heat_geodesics prepares: it answers questions, from several threads too if the solver can. Copies share what was prepared.
+/// A mesh prepared by prepare_heat_geodesics for distance queries. Several threads may query it if the solver allows it. Copies share the prepared data.
 template<class M, class Solver>
 class prepared_heat_geodesics {
   using scaled_mesh = views::scaled<M>;
-  struct preparation {  // all lengths as in the scaled mesh
+  struct preparation {  // all lengths are those of the scaled mesh
     detail::heat_system<Solver> system;
     detail::distance_graph graph;
     std::vector<double> mass;
@@ -100,7 +100,7 @@ class prepared_heat_geodesics {
     detail::corner_fluxes corners = detail::fluxes_of(m);
     const double edge = detail::mean_edge_length(m);
     const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent()) : 2 * detail::mean_square_width(m) / dimension_v<M>;
-    constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are those of the mesh all the same
+    constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are still those of the mesh
     Eigen::SparseMatrix<double> stiffness;
     if constexpr (along_edges) stiffness = lower_stiffness(m, virtual_elements);
     else stiffness = detail::lower_stiffness_at(m, mesh_in, discretisation);
@@ -108,7 +108,7 @@ class prepared_heat_geodesics {
     double sum = 0;
     for (const double x : mass.values()) sum += x;
     const double mean = num_verts(m) > 0 ? sum / static_cast<double>(num_verts(m)) : 0;
-    // Along edges: the mean mass at every vert, and as much conductance at every edge as a grid of mean edges has.
+    // Along edges: the mean mass at every vert, and at every edge the conductance of a grid with edges of mean length.
     const double flow = along_edges ? (edge > 0 ? mean / (edge * edge) : 0) * time : time;
     std::vector<double> own;
     if constexpr (along_edges) own = detail::lumped_masses(mesh_in, discretisation, "heat_geodesics");
@@ -175,10 +175,10 @@ class prepared_heat_geodesics {
   /// How long heat flows, in units of length^2.
   double time() const { return std::ldexp(prepared_->time, 2 * prepared_->exponent); }
 
-  /// How far away everything is from these sources.
-  /// Needs:  sources as for heat_geodesics. The mesh is as it was prepared.
+  /// The distances of all verts from these sources.
+  /// Needs:  sources as for heat_geodesics. The mesh has not changed since it was prepared.
   /// Result: that of heat_geodesics.
-  /// Cost:   two back-substitutions, three where there is a boundary, and a search for shortest ways; more where heat has to be carried on.
+  /// Cost:   two back-substitutions, three where there is a boundary, and a search for shortest paths; more if heat underflows and is continued.
   /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is no vert of the mesh; solver_error.
   template<class S>
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
@@ -195,8 +195,8 @@ class prepared_heat_geodesics {
   }
   void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 
-  /// How far away everything is from a point of poly p.
-  /// Needs:  x lies on or in p, which is best convex: its verts are as far away as straight lines say.
+  /// The distances of all verts from a point of poly p.
+  /// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
   /// Result, cost: as above.
   /// Errors: invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
@@ -213,7 +213,7 @@ class prepared_heat_geodesics {
   }
 };
 
-/// The logarithm of heat. It starts as much later as a source lies further back, relative to the first of its component, which lies at `least`.
+/// The logarithm of heat. A source is the weaker the more its initial distance exceeds `least`, the smallest one in its component.
 template<class M, class Solver>
 std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const query& q, const std::vector<double>& least) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -235,15 +235,15 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   const double decay = std::sqrt(prepared_->time);
   auto distance_at = make_vert_map<double>(mesh_.get(), infinity);
   const auto size = distance_at.values().size();
-  std::vector<double> least(size, infinity);  // of the distances given in each component
+  std::vector<double> least(size, infinity);  // of the initial distances in each component
   for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
   const Eigen::VectorXd rise = prepared_->system.integrate_gradient(log_heat(q, least));
 
-  // The rise is known up to a constant in each component, and at a source it is too round. It is fitted to what is known of distances not far from
-  // sources, and the more so the better it is known there.
+  // The integral of the gradient is known up to a constant in each component, and it is too round at a source. The constant is fitted to bounds of the
+  // distances near the sources; tighter bounds have more weight.
   constexpr double near = 2;          // verts are used up to this times `decay` from a source,
-  constexpr double max_doubt = 0.2;  // where the way over the mesh is longer than the straight line by at most this part of it
-  // Without clamp, longer ways than those are not needed.
+  constexpr double max_doubt = 0.2;  // if the path over the mesh is longer than the straight line by at most this fraction of it
+  // Without clamp, longer paths are not needed.
   double first = -infinity;
   for (const double x : least)
     if (x < infinity) first = std::max(first, x);
@@ -279,12 +279,13 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   return distance_at;
 }
 
-/// Prepares distances over a surface or through a volume, for many questions: auto heat = prepare_heat_geodesics(m);
+/// Prepares geodesic distances over a surface or through a volume, for many queries: auto heat = prepare_heat_geodesics(m);
 /// auto d = heat.distance_from(v); d[w] is a length.
-/// Needs:  as heat_geodesics; the mesh stays as it is. solver: two or three of its type are kept, made of its options() where it has them.
-/// Result: an object that answers distance_from(...).
-/// Cost:   as heat_geodesics, but for the question.
-/// Errors: as heat_geodesics, but for what is about sources.
+/// Needs:  as heat_geodesics; the mesh must not change afterwards. solver: the result keeps two or three of its type, constructed from its options() if
+///         it has them.
+/// Result: an object with distance_from(...).
+/// Cost:   as heat_geodesics without the query.
+/// Errors: as heat_geodesics, except those about sources.
 template<class M, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const heat_geodesics_options& options = {},
@@ -303,16 +304,16 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 /// They are distances from one vert or from the nearest of several. Sources may be pairs of a vert and an initial distance: then d[w] is the
 /// minimum over all sources of the initial distance plus the distance from there.
 /// Needs:  EmbeddedMesh M, no temporary. sources: a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}.
-///         A discretisation of the Laplacian may stand after them. With one that has masses of its own, as `uniform`, heat only flows along
-///         edges, and gradients and lengths stay those of the mesh. solver: a SparseSolver for symmetric positive definite matrices; two or three of
-///         its type are made, of its options() where it has them.
+///         A discretisation of the Laplacian may follow the sources. If it has masses of its own, as `uniform` has, heat only flows along
+///         edges, and gradients and lengths remain those of the mesh. solver: a SparseSolver for symmetric positive definite matrices; two or three of
+///         its type are constructed, from its options() if it has them.
 /// Result: a map of double, in units of length. A source has distance 0, or its initial distance where no other source is nearer. No vert has
 ///         less than the smallest initial distance in its component. +inf in components of polys without a source, and at verts of no poly that
 ///         are no source.
 ///         Distances are approximate. On the meshes of docs/convergence.md the mean error is at most 0.3 edges, mostly below 0.1. The largest error is
 ///         below two edges, except for agglomerates round a corner and squeezed polygons.
-///         Distances are clamped: at most the shortest path along edges and straight across triangles or tets inside the polys, at least the
-///         straight line through space. With .clamp = false they are as smooth as heat is, and off by some edges where surfaces bend; a
+///         Distances are clamped. They are at most the shortest path along edges and straight across triangles or tets inside the polys, and at least
+///         the straight line through space. With .clamp = false they are as smooth as heat, and wrong by some edges on curved surfaces; a
 ///         query then takes as little as a third of the time. Distances scale exactly with the mesh by powers of two.
 ///         The default time is twice the squared width of polys, averaged by their measure, over their dimension: two squared edges in grids of
 ///         squares and of cubes. Heat resolves directions over a distance of about one poly, and rounds off finer details. The average by measure
@@ -322,12 +323,12 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         from there, so that distances are right over any number of edges; each 1250 sqrt(time) of distance costs another back-substitution.
 ///         Where polys are very long and thin, a Laplacian with negative weights may make heat negative. Then heat flows along edges by positive
 ///         weights instead, and where it still is negative, shortest paths along edges replace it.
-/// Cost:   two sparse factorisations of as many unknowns as there are verts, three where there is a boundary (see heat_boundary), one
-///         more where heat has to flow along edges. Then two or three back-substitutions and a search for shortest paths, O(n log n) for n
-///         elements. For several queries prepare_heat_geodesics factorises once.
+/// Cost:   two sparse factorisations with as many unknowns as there are verts, three if there is a boundary (see heat_boundary), one
+///         more if heat flows along edges because it was negative. Then two or three back-substitutions and a search for shortest paths, O(n log n)
+///         for n elements. For several queries prepare_heat_geodesics factorises once.
 /// Errors: invalid_argument if time is out of its range, there is no source, or an initial distance is not finite. invalid_mesh if a source is no
 ///         vert of the mesh, or if a poly has no area or volume or points that are not finite. unsupported as laplacian. solver_error. cancelled.
-/// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; ways across triangles: Novotni, Klein 2002, "Computing
+/// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; paths across triangles: Novotni, Klein 2002, "Computing
 ///         geodesic distances on triangular meshes"; paper section 2.2, "Distances and paths".
 template<class M, class S, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && (detail::gives_verts<M, S> || detail::gives_distances<M, S>) && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -366,8 +367,8 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
   return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
 }
 
-/// The same from a point of poly p.
-/// Needs:  x lies on or in p, which is best convex: its verts are as far away as straight lines say.
+/// Geodesic distances of all verts from a point of poly p, by the heat method.
+/// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
 /// Result: as above.
 /// Cost:   as above.
 /// Errors: as above, and invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.

@@ -1,4 +1,4 @@
-// Poisson's equation: the function whose Laplacian is given, with values given at some verts and derivatives across the boundary. On any mesh.
+// Poisson's equation: the function with a prescribed Laplacian, and with prescribed values and derivatives on the boundary. On any mesh.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -23,22 +23,22 @@
 
 namespace concino {
 
-/// What is known of the solution. T: double or vec3.
+/// Prescribed values and fluxes of the solution. T: double or vec3.
 template<class M, class T = double>
 struct poisson_options {
-  std::vector<std::pair<vert_t<M>, T>> values = {};    // at these verts; finite, the same vert twice is fine if the value is the same
+  std::vector<std::pair<vert_t<M>, T>> values = {};    // prescribed at these verts; finite; a vert may be listed twice with the same value
   std::vector<std::pair<facet_t<M>, T>> fluxes = {};   // outward derivatives across edges (faces of volumes) on the boundary, in units of u over length
-  double isolated_value = 0;                           // of verts without edges that have no value prescribed, in each part; any, NaN too
-  concino::progress progress = nullptr;                // told "Poisson's equation", "factorising", "solving"
+  double isolated_value = 0;                           // at verts without edges and without a prescribed value, in each component; any number, NaN too
+  concino::progress progress = nullptr;                // called with "Poisson's equation", "factorising", "solving"
 };
 struct prepare_poisson_options {
-  concino::progress progress = nullptr;  // told "Poisson's equation", "factorising"
+  concino::progress progress = nullptr;  // called with "Poisson's equation", "factorising"
 };
 
 namespace detail {
 
-/// The unknowns and their system, with values at some verts: what a call and a preparation share. All at a size near 1, where coordinates are
-/// 2^-exponent as large.
+/// The unknowns and their system, with prescribed values at some verts. Shared by poisson and prepare_poisson. All computations use coordinates times
+/// 2^-exponent, so that the size is near 1.
 template<class M>
 class poisson_problem {
   static constexpr const char* caller = "poisson";
@@ -57,7 +57,7 @@ class poisson_problem {
       for (Eigen::Index i = 0; i < side.size(); ++i) side[i] = std::ldexp(side[i], exponent_);
   }
 
-  /// The right-hand side: M f + S at this size, where u is a length^2 of f and a length of the fluxes.
+  /// The right-hand side M f + S at this size. In units, u is f times length^2, and a flux times length.
   template<class T, class F>
   right_hand_sides<T> load(const M& m, const F& f, const poisson_options<M, T>& options) const {
     auto sum = mass_times<T>(m, mass_, f, "poisson: the load f");
@@ -86,10 +86,10 @@ class poisson_problem {
   template<class Solver>
   void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller); }
 
-  /// What is known of one solution.
+  /// The data of one query.
   template<class T>
   struct query {
-    vert_map<M, T> u;  // prescribed values, and isolated_value
+    vert_map<M, T> u;  // prescribed values, and isolated_value elsewhere
     right_hand_sides<T> rhs;
   };
   template<class T, class F>
@@ -109,7 +109,7 @@ class poisson_problem {
 
 }  // namespace detail
 
-/// What prepare_poisson prepares: it solves, from several threads too if the solver can. Copies share what was prepared.
+/// A system prepared by prepare_poisson. Several threads may use it if the solver allows it. Copies share the prepared data.
 template<class M, class Solver>
 class prepared_poisson {
   struct preparation {
@@ -132,14 +132,15 @@ class prepared_poisson {
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
-  /// How many verts have no edges and no value prescribed: they get isolated_value.
+  /// The number of verts without edges and without a prescribed value. They get isolated_value.
   std::size_t num_isolated() const { return prepared_->problem.num_isolated(); }
 
-  /// The function with the load f, values at the verts that were named before, and outward derivatives on the boundary.
-  /// Needs:  f and options as for poisson; values: one at least for each of those verts and none elsewhere. The mesh is as it was prepared.
-  /// Result: that of poisson with these.
-  /// Cost:   one back-substitution, three for vectors, and a product with the mass.
-  /// Errors: as poisson about values, loads and fluxes; invalid_argument if one of those verts has no value, or one that was not named has.
+  /// The solution for the load f, with prescribed values at the constrained verts and outward derivatives on the boundary.
+  /// Needs:  f and options as for poisson; values: at least one for each constrained vert and none elsewhere. The mesh has not changed since it was
+  ///         prepared.
+  /// Result: that of poisson with these arguments.
+  /// Cost:   one back-substitution, three for vectors, and a product with the mass matrix.
+  /// Errors: as poisson about values, loads and fluxes; invalid_argument if a constrained vert has no value, or another vert has one.
   template<class F, class T = detail::field_value_at<F, vert_t<M>>>
     requires requirement::gives_numbers_or_points<F, vert_t<M>>
   vert_map<M, T> solve(const F& f, const poisson_options<M, std::type_identity_t<T>>& options = {}) const {
@@ -148,13 +149,13 @@ class prepared_poisson {
   }
 };
 
-/// Prepares Poisson's equation with values given at the same verts, for many loads, values and fluxes: auto p = prepare_poisson(m, {b});
+/// Prepares Poisson's equation with prescribed values at the same verts, for many loads, values and fluxes: auto p = prepare_poisson(m, {b});
 /// auto u = p.solve(f, {.values = {{b, 0.0}}}).
-/// Needs:  as poisson; the mesh stays as it is. `fixed`: verts in braces or any container. solver: one like it is kept, made of its options()
-///         where it has them.
-/// Result: an object that answers solve(...); num_isolated() is the number of verts that get isolated_value.
-/// Cost:   that of poisson, but for the back-substitution.
-/// Errors: as poisson, but for those about values, loads and fluxes; invalid_mesh if a vert to be fixed is no vert of m.
+/// Needs:  as poisson; the mesh must not change afterwards. `fixed`: verts in braces or any container. solver: the result keeps a solver of the same
+///         type, constructed from its options() if it has them.
+/// Result: an object with solve(...); num_isolated() is the number of verts that get isolated_value.
+/// Cost:   that of poisson without the back-substitution.
+/// Errors: as poisson, except those about values, loads and fluxes; invalid_mesh if a vert of `fixed` is no vert of m.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -171,18 +172,18 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 }
 
 /// Solves Poisson's equation -(Laplacian of u) = f for a function u on the verts, in its weak form -L u = M f + S. The options prescribe values of u at
-/// some verts and outward derivatives du/dn on some of the boundary: poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 1.0}}}). Where the
-/// boundary has neither, du/dn is 0. L is the Laplacian of the discretisation, which stands after the load; the default is virtual_elements.
-/// Needs:  EmbeddedMesh M, with a Discretisation also what that needs. f: any readable map over verts, f[v], in units of u over length^2;
-///         numbers, or points for vectors, which are solved for part by part: then values and fluxes are points too. Values: one at least in each
-///         component. Fluxes: edges of a surface or faces of a volume on the boundary and the derivative in the direction out of the mesh, constant on
-///         the edge or face. The same one twice is fine. solver: as for harmonic_map.
-/// Result: a map of double or vec3, u[v]. Given values are exact. M is the Galerkin mass: the load is integrated against the projected hat functions,
-///         since lumping it would cost the order of the error, 2 in the size of the polys with virtual_elements. S integrates the hat functions over
-///         edges and faces exactly as the Laplacian of virtual_elements has them: linear functions are reproduced where the mesh is planar, or a
-///         volume with planar faces on the boundary. Verts without edges get isolated_value unless a value is given; prepare_poisson counts
-///         them; f is not read at verts of no poly.
-/// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
+/// some verts and outward derivatives du/dn on parts of the boundary: poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 1.0}}}). Where the
+/// boundary has neither, du/dn is 0. L is the Laplacian of the discretisation, which is passed after the load; the default is virtual_elements.
+/// Needs:  EmbeddedMesh M, with a Discretisation also what that needs. f: any readable map over verts, f[v], in units of u over length^2, of
+///         numbers, or of points for vectors, which are solved for component by component; then values and fluxes are points too. Values: at least one
+///         in each component. Fluxes: edges of a surface or faces of a volume on the boundary, with the outward derivative, constant on
+///         the edge or face. A facet may be listed twice with the same flux. solver: as for harmonic_map.
+/// Result: a map of double or vec3, u[v]. Prescribed values are exact. M is the Galerkin mass: the load is integrated against the projected hat
+///         functions. A lumped mass would lose the order of the error, which is 2 in the size of the polys with virtual_elements. S integrates the hat
+///         functions over edges and faces exactly as the Laplacian of virtual_elements does. Linear functions are reproduced where the mesh is planar, or
+///         a volume with planar faces on the boundary. Verts without edges get isolated_value unless a value is prescribed; prepare_poisson counts
+///         them. f is not read at verts of no poly.
+/// Cost:   one sparse factorisation with as many unknowns as there are verts to solve for.
 /// Errors: as harmonic_map with the same discretisation. invalid_argument if f is not finite at a vert of a poly, or a flux is not finite or given
 ///         twice with different values. invalid_mesh if a poly has no area or volume or has points that are not finite. invalid_mesh if a flux is
 ///         given at what is no edge or face of m, or at one that does not have exactly one poly.

@@ -1,4 +1,4 @@
-// Smoothing of fields: what is near the given values and varies less. Of the points themselves it is implicit fairing.
+// Smoothing of fields: a field near the input that varies less. Applied to the points it is implicit fairing.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -23,8 +23,8 @@ namespace concino {
 template<class M>
 struct smooth_options {
   std::vector<vert_t<M>> fixed = {};     // verts that keep their values
-  int exponent = 1;                      // n >= 1: energy u . L (M^-1 L)^(n-1) u; 1: of the gradient (Dirichlet), 2: of the Laplacian
-  concino::progress progress = nullptr;  // told "smoothing", "factorising", "solving"
+  int exponent = 1;                      // n >= 1: energy u . L (M^-1 L)^(n-1) u; 1: of the gradient (Dirichlet energy), 2: of the Laplacian
+  concino::progress progress = nullptr;  // called with "smoothing", "factorising", "solving"
 };
 
 namespace detail {
@@ -47,7 +47,7 @@ implicit_system<M> smoothing_system(const M& m, double amount, const D& discreti
 
 }  // namespace detail
 
-/// What prepare_smooth prepares: it smooths, from several threads too if the solver can. Copies share what was prepared.
+/// A system prepared by prepare_smooth. Several threads may use it if the solver allows it. Copies share the prepared data.
 template<class M, class Solver>
 class prepared_smooth {
   struct preparation {
@@ -70,11 +70,11 @@ class prepared_smooth {
 
   const M& mesh() const { return mesh_.get(); }
   const Solver& solver() const { return *prepared_->solver; }
-  /// How many verts have no edges and are not fixed: they keep their values.
+  /// The number of verts without edges that are not fixed. They keep their values.
   std::size_t num_isolated() const { return prepared_->system.constrained().num_isolated; }
 
   /// The smoothed f.
-  /// Needs:  f as for smooth; the mesh is as it was prepared.
+  /// Needs:  f as for smooth; the mesh has not changed since it was prepared.
   /// Result: that of smooth.      Cost: one back-substitution, three for vectors.
   /// Errors: as smooth about f; solver_error.
   template<class F, class T = detail::field_value_at<F, vert_t<M>>>
@@ -87,11 +87,12 @@ class prepared_smooth {
   }
 };
 
-/// Prepares smoothing by the same amount, for many fields: auto s = prepare_smooth(m, amount); auto u = s.apply(f).
-/// Needs:  as smooth; the mesh stays as it is. solver: one like it is kept, made of its options() where it has them.
-/// Result: an object that answers apply(f); num_isolated() is the number of verts that have no edges.
-/// Cost:   as smooth, but for the back-substitution.
-/// Errors: as smooth, but for what is about f.
+/// Prepares smoothing by a fixed amount, for many fields: auto s = prepare_smooth(m, amount); auto u = s.apply(f).
+/// Needs:  as smooth; the mesh must not change afterwards. solver: the result keeps a solver of the same type, constructed from its options() if it has
+///         them.
+/// Result: an object with apply(f); num_isolated() is the number of verts without edges that are not fixed.
+/// Cost:   as smooth without the back-substitution.
+/// Errors: as smooth, except those about f.
 template<class M, class Solver = auto_solver>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -109,17 +110,17 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
   return {m, amount, discretisation, options, solver};
 }
 
-/// Smooths values on verts: minimises the sum of mass times |u - f|^2 plus amount times the energy of u, that is, solves (M + amount L') u = M f.
-/// L' is minus the Laplacian or, for exponent n, its power L' (M^-1 L')^(n-1). M is the lumped mass, or that of the discretisation, which stands
+/// Smooths values on verts: minimises the sum of mass times |u - f|^2 plus amount times the energy of u. That is, it solves (M + amount L') u = M f.
+/// L' is minus the Laplacian or, for exponent n, its power L' (M^-1 L')^(n-1). M is the lumped mass, or that of the discretisation, which is passed
 /// after the amount; in smooth(m, f, amount, uniform) it is the identity. The default is virtual_elements. Fixed verts keep their value.
 /// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. f: any readable map over verts, of numbers, or of
-///         points for vectors, which are smoothed part by part with one factorisation. amount: finite, 0 or more, in units of
-///         length^(2 exponent), without unit with `uniform`: features narrower than its (2 exponent)-th root go. solver as for harmonic_map.
-/// Result: a map of double or vec3. Constants stay, and so does the sum of mass times value where nothing is fixed. Verts without edges keep what
-///         they have; prepare_smooth counts them. Where nothing is fixed on the boundary, u meets it with slope 0, so linear functions bend
-///         there. With `uniform` and exponent 1, values stay between the extrema of f; so they do with others as long as no weight
+///         points for vectors, which are smoothed component by component with one factorisation. amount: finite, 0 or more, in units of
+///         length^(2 exponent), without unit with `uniform`. Features narrower than its (2 exponent)-th root disappear. solver as for harmonic_map.
+/// Result: a map of double or vec3. Constants do not change, nor does the sum of mass times value if nothing is fixed. Verts without edges keep their
+///         values; prepare_smooth counts them. Where nothing is fixed on the boundary, u meets it with slope 0, so linear functions bend
+///         there. With `uniform` and exponent 1, values stay between the extrema of f. With other discretisations they do so if no weight
 ///         is negative.
-/// Cost:   one sparse factorisation of as many unknowns as there are verts to find.
+/// Cost:   one sparse factorisation with as many unknowns as there are verts to solve for.
 /// Errors: invalid_argument if amount or exponent is out of its range, or f is not finite at a vert that has edges or is fixed. invalid_mesh if a
 ///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation. solver_error. cancelled.
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature

@@ -1,4 +1,4 @@
-// Values prescribed at some verts: who is unknown then, and the system that is left for them. What all problems with such conditions share.
+// Prescribed values at some verts (Dirichlet conditions): the numbering of the unknowns and the reduced system that is left for them.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -25,7 +25,7 @@
 
 namespace concino::detail {
 
-/// What a field may have at a vert: a number, or a vector, which is solved for part by part with one factorisation.
+/// A value of a field at a vert: a number, or a vector, which is solved for component by component with one factorisation.
 template<class T>
 concept field_value = std::same_as<T, double> || std::same_as<T, vec3>;
 
@@ -46,11 +46,11 @@ T same_in_all_parts(double x) {
   if constexpr (std::same_as<T, double>) return x;
   else return {x, x, x};
 }
-/// Of a readable map over elements X: numbers or else points.
+/// The value type of a readable map over elements X: double if its values are numbers, vec3 otherwise.
 template<class F, class X>
 using field_value_at = std::conditional_t<std::convertible_to<decltype(std::declval<const F&>()[std::declval<const X&>()]), double>, double, vec3>;
 
-/// Elements X in a container or braces; or pairs of an X and a T, or anything else that comes apart in two.
+/// Elements X in a container or braces; or pairs of an X and a T, or other values that decompose into two parts.
 template<class R, class X> concept holds_elements = core::iterable<R> && requires(const R& r) { requires std::convertible_to<decltype(*r.begin()), X>; };
 template<class R> concept holds_pairs = core::iterable<R> && requires(const R& r) { (*r.begin()).first; (*r.begin()).second; };
 template<class R, class X> concept holds_pairs_of = holds_pairs<R> && requires(const R& r) { requires std::convertible_to<decltype((*r.begin()).first), X>; };
@@ -59,7 +59,7 @@ template<class R> concept holds_decomposables = core::iterable<R> && !holds_pair
 template<class R, class X> concept gives_values = !holds_elements<R, X> && (holds_pairs_of<R, X> || holds_decomposables<R>);
 template<class R, class X> concept names_elements = holds_elements<R, X> || gives_values<R, X>;
 
-/// One right-hand side for each part.
+/// One right-hand side for each component of T.
 template<field_value T>
 using right_hand_sides = std::array<Eigen::VectorXd, parts_of<T>>;
 
@@ -79,19 +79,19 @@ right_hand_sides<T> zeros(std::size_t size) {
 
 enum : int { constrained_vert = -1, isolated_vert = -2 };
 
-/// The verts whose values are to be found, numbered; the others are held at given values, or are isolated: they have no edges.
+/// The unknown verts, numbered. The other verts are constrained to prescribed values, or isolated: they have no edges.
 template<class M>
 struct constrained_verts {
   static constexpr int constrained = constrained_vert, isolated = isolated_vert;
-  vert_map<M, int> unknown;       // number, held or isolated
-  std::vector<vert_t<M>> prescribed;   // the held ones, each once
-  std::vector<int> index;         // by index_of, of each unknown
+  vert_map<M, int> unknown;       // number, constrained or isolated
+  std::vector<vert_t<M>> prescribed;   // the constrained verts, each once
+  std::vector<int> index;         // index_of of each unknown
   int unknowns = 0;
   std::size_t num_isolated = 0;
 
   explicit constrained_verts(const M& m) : unknown(make_vert_map<int>(m, isolated)) {}
 
-  /// Holds verts or what comes first in pairs.      Errors: invalid_mesh if one is no vert of m.
+  /// Constrains verts, or the first elements of pairs.      Errors: invalid_mesh if one is no vert of m.
   template<class R>
   void constrain(const M& m, const R& verts_or_pairs, const char* caller) {
     for (const auto& x : verts_or_pairs) {
@@ -105,7 +105,7 @@ struct constrained_verts {
     }
   }
 
-  /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a held vert along edges.
+  /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a constrained vert along edges.
   void number_reached(const M& m, const char* caller) {
     const vert_map<M, int> hops = prescribed.empty() ? make_vert_map<int>(m, -1) : concino::bfs(m, prescribed);
     for (const vert_t<M> v : verts(m)) {
@@ -123,7 +123,7 @@ struct constrained_verts {
     }
   }
 
-  /// Numbers the verts with edges, for systems that need no value held.
+  /// Numbers the verts with edges, for systems that need no constrained vert.
   void number_all(const M& m) {
     for (const vert_t<M> v : verts(m)) {
       if (unknown[v] == constrained) continue;
@@ -150,13 +150,13 @@ struct constrained_verts {
   }
 };
 
-/// A map with the given values at the held verts and isolated_value at all others.
+/// A map with the prescribed values at the constrained verts and isolated_value at all others.
 /// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert gets two, or the verts are
-///         not those that are held.
+///         not the constrained ones.
 template<class T, class M, class D>
 vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, const D& pairs, double isolated_value, const char* caller) {
   auto value = make_vert_map<T>(m, same_in_all_parts<T>(isolated_value));
-  for (const vert_t<M>& v : verts.prescribed) part(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // none yet
+  for (const vert_t<M>& v : verts.prescribed) part(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // no value yet
   std::size_t known = 0;
   for (const auto& [vert, number] : pairs) {
     const vert_t<M> v = vert;
@@ -177,23 +177,23 @@ vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, 
   return value;
 }
 
-/// What a held vert gives to the right-hand side of the unknowns around it.
+/// The contribution of a constrained vert to the right-hand side of an adjacent unknown.
 struct coupling {
-  int row, vert;  // number of an unknown, index of a held vert
+  int row, vert;  // number of an unknown, index of a constrained vert
   double weight;  // minus the entry of the matrix
 };
 
-/// Takes the rows and columns of the unknowns from a matrix over all verts with both triangles.
-/// unknown: by index of each vert its number, constrained_vert or isolated_vert; index: the reverse of the numbers.
+/// Extracts the rows and columns of the unknowns from a matrix over all verts that stores both triangles.
+/// unknown: for each vert index its number, constrained_vert or isolated_vert; index: the inverse of this numbering.
 void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole, const int* unknown, const std::vector<int>& index, Eigen::SparseMatrix<double>& lower,
                           std::vector<coupling>& couplings);
 
-/// The solutions of as many right-hand sides as `parts`. value(k, index): part k of the value at a vert, given or to be found. load: see constrained_system::solve.
+/// Solves for `parts` right-hand sides. value(k, index): component k of the value at a vert, prescribed or unknown. load: see constrained_system::solve.
 /// Errors: solver_error with the reason.
 void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index, const std::vector<coupling>& couplings,
                  std::size_t parts, function_ref<double(std::size_t k, int index)> load, function_ref<double&(std::size_t k, int index)> value, const char* caller);
 
-/// A x = b for the unknowns of a symmetric system over all verts. What held verts contribute goes to the right-hand side.
+/// A x = b for the unknowns of a symmetric system over all verts. The contributions of constrained verts are on the right-hand side.
 template<class M>
 struct constrained_system {
   constrained_verts<M> verts;
@@ -202,7 +202,7 @@ struct constrained_system {
 
   explicit constrained_system(constrained_verts<M>&& constrained) : verts(std::move(constrained)) {}
   constrained_system(constrained_system&& other) noexcept : verts(std::move(other.verts)), couplings(std::move(other.couplings)) {
-    lower.swap(other.lower);  // Eigen 3.4 would copy what is moved
+    lower.swap(other.lower);  // the move operations of Eigen 3.4 would copy
   }
 
   template<class Solver>
@@ -212,8 +212,8 @@ struct constrained_system {
     core::factorize_over_verts(solver, lower, caller, [&](Eigen::Index row) { return verts.index[static_cast<std::size_t>(row)]; });
   }
 
-  /// Puts the solution into `value`, which has the values of the held verts. load(k, index): what stands on the right of the
-  /// unknown vert of that index, for part k of T.
+  /// Writes the solution into `value`, which contains the values of the constrained verts. load(k, index): the right-hand side of the
+  /// unknown vert of that index, for component k of T.
   /// Errors: solver_error with the reason.
   template<class T, class Load>
   void solve(core::solver_ref solver, const Load& load, vert_map<M, T>& value, const char* caller) const {

@@ -1,4 +1,4 @@
-// Systems of unknowns beside prescribed values; see dirichlet.hpp.
+// Systems with prescribed values; see dirichlet.hpp.
 #pragma once
 
 #include <concino/core/message.hpp>

@@ -1,4 +1,4 @@
-// Bounds of distances from above: ways along edges and straight across triangles or tets.
+// Upper bounds of distances: shortest paths along edges and straight across triangles or tets.
 #pragma once
 
 #include <concino/core/indexed_heap.hpp>
@@ -14,37 +14,37 @@
 
 namespace concino::detail {
 
-/// One search for shortest ways.
+/// One search for shortest paths, as in Dijkstra's algorithm.
 class distance_graph::search {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint8_t max_changes = 64;
 
-  /// A way straight across a triangle, seen from one of its corners, to the last of its ends from a source that is `near` away from the other end.
+  /// A straight path to the end `last` of a triangle, between the corner and the other end. `near` is the distance of the other end from the source.
   struct crossing {
     const corner* triangle;
-    std::size_t last;  // which of the ends
+    std::size_t last;  // index in triangle->ends
     double near;
-    double curvature_deficit;  // how much less the front is curved than on a plane: it is so much further behind between the two corners
-    double path_length;   // from the source, if that is seen between the two
+    double curvature_deficit;  // curvature of a front on a plane minus that of this one; the front lags behind between the two corners accordingly
+    double path_length;   // from the source, if the straight line passes between the two corners
     bool is_seen;
 
-    /// from: how far the corner is from the source. Has no branches: they would be hard to predict, and without them several crossings overlap.
+    /// from: the distance of the corner from the source. Has no branches: they would be hard to predict, and without them several crossings overlap.
     void find_path_length(double from) {
       const double length = triangle->lengths[1 - last], to = triangle->lengths[last];
       const double along = to * triangle->cosine, up = to * triangle->sine;
       const double x = (length + (from - near) * (from + near) / length) / 2, y2 = (from - x) * (from + x), y = std::sqrt(std::max(y2, 0.0));
-      constexpr double least = std::numeric_limits<double>::min();  // 0 divided by it is 0
+      constexpr double least = std::numeric_limits<double>::min();  // 0 / least is 0
       const double height = up + y, through = x + y / std::max(height, least) * (along - x);
       const double square = (along - x) * (along - x) + height * height;
       path_length = std::sqrt(square) + curvature_deficit * through * (length - through) * (height * height / std::max(square, least)) / 2;
-      // A front that comes together within about the length of the edge, as on the far side of a ball, is not known well enough.
+      // A front that converges within about the length of the edge, as on the far side of a ball, is too uncertain.
       const bool is_wide = curvature_deficit * length < 0.5;
       is_seen = is_wide & (y2 >= -1e-9 * from * from) & (through >= -1e-9 * length) & (through <= (1 + 1e-9) * length);
     }
   };
 
-  /// How far the last corner of a tet is from the source that is da, db and dc away from the others, if it is seen between these; +inf if that is
-  /// more than `most` for sure.
+  /// The distance of the last corner of a tet from the source, if the straight line passes between the other corners, whose distances are da, db and
+  /// dc; otherwise +inf. Also +inf if it certainly exceeds `most`.
   static double unfolded_distance(const side& s, double da, double db, double dc, double most) {
     if (!(s.length > 0)) return infinity;
     const double x = (s.length + (da - db) * (da + db) / s.length) / 2;
@@ -53,7 +53,7 @@ class distance_graph::search {
     const double z2 = (da - x) * (da + x) - y * y;
     if (!(z2 >= -1e-9 * da * da)) return infinity;
     const double z = std::sqrt(std::max(z2, 0.0)), height = z + s.height, part = height > 0 ? z / height : 0;
-    const double px = x + part * (s.x - x), py = y + part * (s.y - y);  // where it passes
+    const double px = x + part * (s.x - x), py = y + part * (s.y - y);  // where the line passes through the plane
     const double of_c = py / s.cy, of_b = (px - of_c * s.cx) / s.length, least = -1e-9;
     if (!(of_c >= least && of_b >= least && of_b + of_c <= 1 - least)) return infinity;
     return std::sqrt((s.x - x) * (s.x - x) + (s.y - y) * (s.y - y) + height * height);
@@ -62,16 +62,16 @@ class distance_graph::search {
   struct node {
     double path_length = infinity;
     double before = 0;
-    double curvature_deficit = 0;  // 1 / distance minus the curvature of the front: 0 on a plane; where step is not 0, as it was a step before
+    double curvature_deficit = 0;  // 1 / distance minus the curvature of the front: 0 on a plane; if step is not 0, the value one step earlier
     double radius = 0, step = 0;
-    double mean_curvature = 0;  // on that step
+    double mean_curvature = 0;  // of the surface, over that step
     double curvature = 0;
     int source = -1;
-    std::uint8_t state = 0;  // 1: reached for good but for ways found later, of which a vert takes few
+    std::uint8_t state = 0;  // bit 0: settled; the rest counts later improvements, which are limited
     bool is_settled() const { return state & 1; }
 
-    /// Riccati's equation c' = -c^2 - K for the curvature c of a front, with c = 1 / radius - bend; a front that is as narrow as a step is not
-    /// known.
+    /// Riccati's equation c' = -c^2 - K for the curvature c of a front, with c = 1 / radius - curvature_deficit. A front that is as narrow as a step is
+    /// too uncertain.
     void update_curvature_deficit() {
       if (!(step > 0)) return;
       const double rate = mean_curvature - 2 * curvature_deficit / std::max(radius, step) + curvature_deficit * curvature_deficit, most = 1 / step;
@@ -83,11 +83,11 @@ class distance_graph::search {
   const distance_graph& graph_;
   const double longest_;
   std::vector<node> node_;
-  std::vector<double> waiting_;  // the ways to those in the queue
+  std::vector<double> waiting_;  // path lengths of the verts in the queue
   core::indexed_heap<int> queue_;
-  std::vector<int> offered_;         // since the last vert left the queue
+  std::vector<int> offered_;         // verts improved since the last vert left the queue
   std::vector<crossing> crossings_;
-  std::vector<std::uint8_t> known_;  // of each tet: bits of corners that are settled
+  std::vector<std::uint8_t> known_;  // of each tet: bits of its settled corners
 
   node& at(int v) { return node_[static_cast<std::size_t>(v)]; }
   const node& at(int v) const { return node_[static_cast<std::size_t>(v)]; }
@@ -116,14 +116,14 @@ class distance_graph::search {
     offered_.clear();
   }
 
-  /// Whether a way across to a vert is much better than the one that is known; it may be changed once more then.
+  /// Whether a path across to a vert is shorter, by more than rounding, than the known one. For a settled vert this counts as an improvement.
   static bool improves(node& n, double path_length) {
     if (!(n.path_length - path_length > 1e-14 * std::abs(path_length))) return false;
     if (n.is_settled()) n.state = static_cast<std::uint8_t>(n.state + 2);
     return true;
   }
 
-  /// Whether the front may have come to the end of the triangle that is `last` through the other one, which is then told.
+  /// Whether the front may have reached the end `last` of the triangle through the other end. Fills in c, except for its path length.
   bool may_cross(const node& from, const corner& triangle, std::size_t last, crossing& c) const {
     const node &other = at(triangle.ends[1 - last]), &to = at(triangle.ends[last]);
     c.triangle = &triangle;
@@ -131,7 +131,7 @@ class distance_graph::search {
     c.near = other.path_length - from.before;
     c.curvature_deficit = (from.curvature_deficit + other.curvature_deficit) / 2;
     const bool is_known = other.is_settled(), may_change = to.state < max_changes;
-    const bool is_ahead = to.path_length > std::min(from.path_length, other.path_length);  // else the front has been there before
+    const bool is_ahead = to.path_length > std::min(from.path_length, other.path_length);  // otherwise the front has already been there
     return is_known & may_change & is_ahead & (other.source == from.source);
   }
 

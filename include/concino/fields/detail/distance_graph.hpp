@@ -1,4 +1,4 @@
-// Edges, and triangles or tets, prepared for searches for shortest ways. Works on flat arrays, independent of the type of the mesh.
+// Edges, and triangles or tets, as flat arrays for searches for shortest paths. Independent of the mesh type.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -11,41 +11,41 @@
 
 namespace concino::detail {
 
-/// Edges, and triangles or tets inside the polys, whose corners are verts. Sizes are near 1.
+/// The edges, and triangles or tets inside the polys, with verts as corners. Coordinates are near 1.
 ///
-/// A front that has come straight from a source to two corners of a triangle, or three of a tet, comes to the last one from the place that is as far
-/// from those as they are from the source, if the line from there passes between them: on a plane and in space that is exact. On other surfaces the
-/// front is also curved as the Gaussian curvature on its way makes it.
+/// A front reaches the last corner of a triangle (or tet) from the other two (or three). The source is unfolded: placed at its distances from
+/// the other corners. The straight line from there counts if it passes between them. On a plane and in space this is exact. On other surfaces the front
+/// is also curved according to the Gaussian curvature along its path.
 class distance_graph {
   struct neighbour {
     double length;
     int vert;
   };
-  /// Of a triangle, seen from one of its corners.
+  /// A triangle, relative to one of its corners.
   struct corner {
     int ends[2];  // the other corners
     double lengths[2];
-    double cosine, sine;  // of the angle between
+    double cosine, sine;  // of the angle between the edges to the ends
   };
-  /// Of a tet: the plane of three corners a, b and c, with a at the origin and b at (length, 0), and in it the foot of the last corner.
+  /// A tet relative to three corners a, b and c: a is the origin, b is (length, 0), c is (cx, cy); (x, y) is the foot of the last corner in their plane.
   struct side {
     double length;
     double cx, cy;
     double x, y, height;
   };
 
-  std::size_t corners_;  // of a simplex
+  std::size_t corners_;  // number of corners of a simplex
   std::vector<vec3> place_;
-  std::vector<std::size_t> neighbour_begin_;  // of each vert
+  std::vector<std::size_t> neighbour_begin_;  // by vert
   std::vector<neighbour> neighbour_;
-  std::vector<std::size_t> simplex_begin_;  // of each vert
-  std::vector<corner> corner_;              // of triangles at each vert
-  std::vector<double> curvature_;           // Gaussian, at each vert of a surface; 0 on the boundary
-  std::vector<int> tet_at_;                 // each vert
-  std::vector<int> tet_;                    // its corners
-  std::vector<side> side_;                  // of each tet, that without the first corner first
+  std::vector<std::size_t> simplex_begin_;  // by vert
+  std::vector<corner> corner_;              // triangles at each vert
+  std::vector<double> curvature_;           // Gaussian curvature at each vert of a surface; 0 on the boundary
+  std::vector<int> tet_at_;                 // positions in tet_, grouped by vert
+  std::vector<int> tet_;                    // four corners of each tet
+  std::vector<side> side_;                  // of each tet; the first omits the first corner
 
-  /// Where the list of each vert begins that counts how often it is named.
+  /// Where the list of each vert begins, if each vert occurs in `verts` once per entry of its list.
   static std::vector<std::size_t> count(std::size_t size, const std::vector<int>& verts) {
     std::vector<std::size_t> begin(size + 1);
     for (const int v : verts) ++begin[static_cast<std::size_t>(v) + 1];
@@ -75,7 +75,7 @@ class distance_graph {
   void find_curvature() {
     constexpr double turn = 6.28318530717958647692;
     curvature_.assign(place_.size(), 0.0);
-    std::vector<std::uint32_t> times(place_.size());  // that a vert was met around this one
+    std::vector<std::uint32_t> times(place_.size());  // how often a vert was met around the current one
     for (std::size_t v = 0; v < place_.size(); ++v) {
       double angle = 0, area = 0;
       bool is_inside = true;
@@ -118,7 +118,7 @@ class distance_graph {
   static constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
  public:
-  /// edges: two verts each, and lines within polys that are no edges. simplices: of triangles (corners 3) or tets (4).
+  /// edges: two verts each, including diagonals within polys. simplices: the corners of triangles (corners 3) or tets (4).
   distance_graph(std::vector<vec3> place, const std::vector<int>& edges, std::vector<int> simplices, std::size_t corners)
       : corners_(corners), place_(std::move(place)), neighbour_begin_(count(place_.size(), edges)), neighbour_(edges.size()),
         simplex_begin_(count(place_.size(), simplices)) {
@@ -139,14 +139,14 @@ class distance_graph {
 
   const vec3& place(std::size_t v) const { return place_[v]; }
 
-  /// Verts with the same source share its number.
+  /// A vert at which the search starts. Verts with the same source share its number.
   struct start {
     int vert, source;
     double distance;  // from the source, 0 or more
-    double before;    // at the source
+    double before;    // initial distance at the source
   };
-  /// The lengths of ways to each vert from the given verts, whose distances are given; +inf where none leads. Ways longer than `longest` may be
-  /// left out. Defined in distance_bounds.hpp.
+  /// The lengths of paths to each vert from the start verts; +inf where no path exists. Paths longer than `longest` may be
+  /// omitted. Defined in distance_bounds.hpp.
   std::vector<double> path_lengths_from(const std::vector<start>& starts, double longest) const;
 
  private:

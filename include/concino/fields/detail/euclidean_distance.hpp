@@ -1,4 +1,4 @@
-// The length of straight lines through space from the nearest of several sources.
+// Straight-line distances through space from the nearest of several sources.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -13,17 +13,17 @@
 
 namespace concino::detail {
 
-/// A place that distances are measured from, and what is there already.
+/// A source of distances: its position and its initial distance.
 struct distance_source {
   vec3 place;
   double distance;
 };
 
-/// The least of the sources' distances plus the straight line from there, by a tree of sources.
+/// The minimum over all sources of the initial distance plus the straight-line distance, found with a k-d tree.
 class euclidean_distance {
-  std::vector<distance_source> sources_;  // of each range the one in the middle parts it
+  std::vector<distance_source> sources_;  // the middle source of each range splits it
   std::vector<std::uint8_t> axis_;
-  std::vector<double> min_distance_;  // of the distances in the range that the source parts
+  std::vector<double> min_distance_;  // the smallest initial distance in the range of each source
 
   double build(std::size_t first, std::size_t end) {
     if (first == end) return std::numeric_limits<double>::infinity();

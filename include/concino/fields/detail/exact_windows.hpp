@@ -1,4 +1,4 @@
-// Shortest paths over triangles by windows: parts of edges that see their source straight, once the triangles between are unfolded into the plane.
+// Shortest paths over triangles by windows: parts of edges that see their source along straight lines once the triangles between are unfolded.
 #pragma once
 
 #include <concino/fields/detail/path_tree.hpp>
@@ -15,34 +15,34 @@
 
 namespace concino::detail {
 
-/// One question: distances at all verts from the sources that were given, in the units of the triangles.
+/// One query: distances of all verts from the added sources, in the units of the triangles.
 ///
-/// A window is dropped only where a way is known that is shorter, by more than rounding, to all that it sees, so those of shortest paths stay.
+/// A window is dropped only if a known path is shorter, by more than rounding, to everything the window sees. So windows on shortest paths remain.
 class exact_windows {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double safe_factor = 1 - 1e-12;   // what is less than this times another is less, whatever rounding did
-  static constexpr double smallest_part = 1e-14;  // of an edge, for a window
+  static constexpr double safe_factor = 1 - 1e-12;   // a < safe_factor * b implies that a is less than b in spite of rounding
+  static constexpr double smallest_part = 1e-14;  // shortest window, as a fraction of its edge
 
   struct window {
     double begin, end;        // along the side, from its start
-    double x, y;              // where the source lies: along the side, and off it, away from the triangle that is about to be crossed
-    double before;            // the way to the source
+    double x, y;              // position of the source: along the side, and perpendicular to it, away from the triangle to be crossed next
+    double before;            // the path length at the source
     int side, source;         // source: a vert, or -1
   };
   struct arrival {
     double distance = infinity, crossing = 0;
   };
-  using event = std::pair<double, int>;  // at what distance; a window, or -1 - a vert
+  using event = std::pair<double, int>;  // distance; a window, or -1 - a vert
   static constexpr auto later = [](const event& a, const event& b) { return a > b; };
 
   const unfolded_triangles& t_;
-  path_tree* const paths_;                    // where paths are recorded, if they are asked for
-  int from_ = path_tree::none;                // where in this tree the windows and arrivals of the moment come from
-  std::vector<int> node_;                     // of each window, in this tree
-  std::vector<double> distance_, direction_;  // at verts; the angle in the fan that the shortest path known comes from, NaN: all go on from here
-  std::vector<arrival> first_at_apex_;        // of the triangle of each side, through this side
+  path_tree* const paths_;                    // where paths are recorded, if requested
+  int from_ = path_tree::none;                // the node of this tree from which the current windows and arrivals come
+  std::vector<int> node_;                     // the node of each window in this tree
+  std::vector<double> distance_, direction_;  // by vert; angle in the fan at which the shortest known path arrives, NaN: paths leave in all directions
+  std::vector<arrival> first_at_apex_;        // by side: the first arrival at the apex of its triangle through this side
   std::vector<window> windows_;
-  std::vector<int> unused_, excluded_;          // barred_: triangles that hold the source, which no shortest path comes back to
+  std::vector<int> unused_, excluded_;          // excluded_: triangles that contain the source; no shortest path returns to them
   std::vector<event> events_;
 
   double& at(int v) { return distance_[static_cast<std::size_t>(v)]; }
@@ -57,7 +57,7 @@ class exact_windows {
     std::push_heap(events_.begin(), events_.end(), later);
   }
 
-  /// A path to vert v of that length comes in at corner c, in the direction at that angle from the side that starts there.
+  /// A path of that length arrives at vert v in corner c, at an angle of from_side from the side that starts there.
   void relax_vert(int v, double length_of_path, int c, double from_side) {
     if (!(length_of_path < at(v))) return;
     at(v) = length_of_path;
@@ -67,13 +67,13 @@ class exact_windows {
     push(length_of_path, -1 - v);
   }
 
-  /// Whether a window on side s, measured from its start, is worse throughout than going on from one end of the side.
+  /// Whether, for all points of a window on side s, a path through one end of the side is shorter. The window is measured from the start of the side.
   bool is_dominated(int s, const window& w) {
     return at(t_.start(s)) + w.end < safe_factor * (w.before + norm(w.x - w.end, w.y)) ||
            at(t_.end(s)) + (length(s) - w.begin) < safe_factor * (w.before + norm(w.x - w.begin, w.y));
   }
 
-  /// A window on side s of a triangle that was crossed goes on into the triangles on the other side.
+  /// Continues a window on side s of a crossed triangle into the triangles on the other side of the edge.
   void propagate(int s, window w) {
     const double size = length(s);
     if (!(w.end - w.begin > smallest_part * size) || !(w.y > 0) || is_dominated(s, w)) return;
@@ -105,7 +105,7 @@ class exact_windows {
     return w;
   }
 
-  /// The line from the source through `through` meets a side in the direction (x, y), of that length: how far from where both sides start.
+  /// Where the line from the source through the base at `through` meets a side of direction (x, y) and length `size`: the distance from their common start.
   static double intersect_side(const window& w, double through, double x, double y, double size) {
     const double slope = w.y * x - (through - w.x) * y;
     return slope > 0 ? std::min(through * w.y / slope, size) : size;
@@ -123,8 +123,8 @@ class exact_windows {
       const double there = w.before + norm(top.x - w.x, top.y + w.y);
       const double sine = w.y * top.x + top.y * w.x, cosine = top.y * (w.y + top.y) - top.x * (w.x - top.x);
       if (there < at(t_.start(to_left))) relax_vert(t_.start(to_left), there, to_left, std::clamp(std::atan2(sine, cosine), 0.0, angle(to_left)));
-      // Of the windows that see the apex only the first goes on to both sides: the path from it to the apex cuts off one side of all others, which
-      // have come through the same triangles unless an edge has more than two.
+      // Of the windows that see the apex, only the first goes on to both sides. The path from it to the apex cuts off one side of all others, because they
+      // have come through the same triangles. This needs an edge with at most two triangles.
       arrival& first = first_at_apex_[static_cast<std::size_t>(s)];
       if (there < first.distance) {
         first = {there, middle};
@@ -135,7 +135,7 @@ class exact_windows {
     }
     if (left) {
       const double along = length(to_left), cx = top.x / along, cy = top.y / along;
-      window next = w;  // from the corner where side s starts
+      window next = w;  // measured from the start of side s
       next.begin = intersect_side(w, w.begin, cx, cy, along);
       next.end = meets_right ? along : intersect_side(w, w.end, cx, cy, along);
       next.x = cx * w.x - cy * w.y;
@@ -156,7 +156,7 @@ class exact_windows {
     }
   }
 
-  /// Paths turn at vert v into the directions of corner c between two angles from the side that starts there, tolerance included.
+  /// Continues paths from vert v into corner c, between two angles from the side that starts there, tolerance included.
   void propagate_into_corner(int v, int c, double low, double high) {
     const int s = unfolded_triangles::next(c), last = unfolded_triangles::previous(c);
     const double x = apex(s).x, y = apex(s).y;
@@ -178,7 +178,7 @@ class exact_windows {
     for (int k = t_.first_corner[i]; k < t_.first_corner[i + 1]; ++k) {
       const int c = t_.corner[static_cast<std::size_t>(k)];
       const double size = angle(c);
-      // parts of the fan, from its first side or from a whole turn further on
+      // clips a range of angles to the corner; they are relative to its first side, and may be one whole turn apart
       const auto part = [&](double low, double high) {
         if (low > high || high < 0 || low > size) return;
         if (t_.is_backward[static_cast<std::size_t>(c)]) propagate_into_corner(v, c, size - high, size - low);
@@ -197,7 +197,7 @@ class exact_windows {
     }
   }
 
-  /// The sides of a triangle, and a place in it as each of them has it: along the side and off it.
+  /// The sides of a triangle, and a point in it relative to each side: along the side and perpendicular to it.
   struct in_triangle {
     std::array<int, 3> side;
     std::array<unfolded_triangles::place, 3> from;
@@ -210,7 +210,7 @@ class exact_windows {
   }
   bool is_off(int s, unfolded_triangles::place p) const { return p.y > smallest_part * length(s); }
 
-  /// Straight ways from there through the triangle.
+  /// Starts straight paths from that point through the triangle.
   void start_in(const in_triangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const unfolded_triangles::place p = t.from[k];
@@ -221,11 +221,11 @@ class exact_windows {
   }
 
  public:
-  /// paths: an empty tree, which takes up how the shortest paths run.
+  /// paths: an empty tree, in which the shortest paths are recorded.
   explicit exact_windows(const unfolded_triangles& t, path_tree* paths = nullptr)
       : t_(t), paths_(paths), distance_(t.around.size(), infinity), direction_(t.around.size()), first_at_apex_(t.vert.size()) {}
 
-  /// A source at vert v, where paths have that length already.
+  /// Adds a source at vert v, where the path length is length_before.
   void add_vert(int v, double length_before) {
     if (!(length_before < at(v))) return;
     at(v) = length_before;
@@ -234,7 +234,7 @@ class exact_windows {
     push(length_before, -1 - v);
   }
 
-  /// The only source, in the triangle of side s: so far along the side, and off it.
+  /// Adds the only source, in the triangle of side s: x along the side, y perpendicular to it.
   void add_place(int s, double x, double y) {
     std::vector<in_triangle> all{seen_from_edges(s, {x, y})};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -251,7 +251,7 @@ class exact_windows {
     for (const in_triangle& t : all) start_in(t);
   }
 
-  /// The distances at all verts, +inf where no path leads; with a target only those up to its own are final.
+  /// The distances of all verts, +inf where no path exists. With a target only distances up to that of the target are final.
   const std::vector<double>& run(int target = -1) {
     while (!events_.empty()) {
       const auto [when, what] = events_.front();

@@ -1,4 +1,4 @@
-// What distances are asked from: verts, or pairs of a vert and a number.
+// The sources of distance queries: verts, or pairs of a vert and a number.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -16,7 +16,7 @@ template<class M, class S> concept gives_distances = core::iterable<S> && requir
   static_cast<vert_t<M>>((*s.begin()).first);
   static_cast<double>((*s.begin()).second);
 };
-/// A vert, be that something that can be walked itself, or several.
+/// A vert (even if its type is a range), or several.
 template<class M, class S> concept gives_one_vert = std::same_as<S, vert_t<M>> || (!core::iterable<S> && std::convertible_to<S, vert_t<M>>);
 template<class M, class S>
 concept gives_some_verts = core::iterable<S> && !std::same_as<S, vert_t<M>> && !std::same_as<S, poly_t<M>> && std::convertible_to<source_value_t<S>, vert_t<M>>;

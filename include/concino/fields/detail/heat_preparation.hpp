@@ -1,5 +1,5 @@
-// What heat geodesics read from a mesh before they are asked anything: gradients at corners, the boundary, matrices; and how they go on where
-// there is no heat to follow.
+// What heat geodesics compute from a mesh in advance: gradients at corners, the boundary and matrices. Also shortest paths along edges, which replace
+// heat where it vanishes.
 #pragma once
 
 #include <concino/core/assembly.hpp>
@@ -23,7 +23,7 @@
 
 namespace concino::detail {
 
-/// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
+/// Errors: invalid_mesh, naming a poly without area or volume or with points that are not finite.
 template<AnyMesh M>
 corner_fluxes fluxes_of(const M& m) {
   corner_fluxes r;
@@ -48,8 +48,8 @@ corner_fluxes fluxes_of(const M& m) {
   return r;
 }
 
-/// Along each edge what its polys have for it: measure times dimension over number of edges, over the square of its length. Positive, and on grids
-/// of boxes the usual differences, but no better than the directions of the edges are even elsewhere.
+/// Weights of edges: the sum over the polys of an edge of measure times dimension over the number of edges, divided by its squared length. They are
+/// positive. On grids of boxes they are the usual finite differences; elsewhere they are only as good as the directions of the edges are even.
 template<AnyMesh M>
 struct positive_weights {
   const M& m;
@@ -92,7 +92,7 @@ double mean_edge_length(const M& m) {
   return n > 0 ? sum / n : 0;
 }
 
-/// How far verts of a poly are from each other, about: twice the way from their mean to the farthest. 0 for a poly without verts.
+/// The approximate diameter of a poly: twice the distance from the mean of its verts to the farthest one. 0 for a poly without verts.
 template<AnyMesh M>
 double poly_width(const M& m, const poly_t<M>& p) {
   vec3 mean;
@@ -106,9 +106,8 @@ double poly_width(const M& m, const poly_t<M>& p) {
   return 2 * farthest;
 }
 
-/// The width of the poly in which a place of the surface or volume lies, squared and averaged over all places; its root is the length that
-/// a mesh can tell apart: many small polys in a corner, or many short edges around a poly, do not change what happens between distant places, and
-/// a long thin poly knows nothing finer than its length.
+/// The squared width of polys, averaged by measure. Its root is the length that the mesh can resolve. Many small polys in a corner, or many short edges
+/// around a poly, do not change heat flow between distant places. A long thin poly resolves nothing finer than its length.
 template<AnyMesh M>
 double mean_square_width(const M& m) {
   double sum = 0, total = 0;
@@ -120,8 +119,8 @@ double mean_square_width(const M& m) {
   return total > 0 ? sum / total : 0;
 }
 
-/// Adds the triangles or tets of poly p, whose corners are verts of it, as numbers of verts: of polygons those that they are cut into; of polyhedra
-/// the cones from one vert to triangles of the faces, if there is a vert that sees them all from inside.
+/// Collects the triangles or tets of poly p as indices of its verts. Polygons are triangulated. Polyhedra are split into cones from
+/// one vert to triangles of the faces, if there is a vert that sees them all from inside.
 template<AnyMesh M>
 class simplex_collector {
   polygon_triangulator triangulate_;
@@ -148,7 +147,7 @@ class simplex_collector {
       for (std::size_t k = 1; k + 1 < x_.size(); ++k) {
         const vec3 a = x_[0] - from, b = x_[k] - from, c = x_[k + 1] - from;
         const double six = sign * dot(a, cross(b, c)), box = norm(a) * norm(b) * norm(c);
-        if (six < -0.05 * box) return false;  // faces need not be quite planar
+        if (six < -0.05 * box) return false;  // a tolerance: faces need not be quite planar
         if (six > 1e-9 * box) cone_.insert(cone_.end(), {apex, number_[0], number_[k], number_[k + 1]});
       }
     }
@@ -158,9 +157,9 @@ class simplex_collector {
 
  public:
   void add(const M& m, const poly_t<M>& p, std::vector<int>& simplices) {
-    if constexpr (TriMesh<M> || TetMesh<M>) {  // nothing to cut
+    if constexpr (TriMesh<M> || TetMesh<M>) {  // the poly is a simplex already
       for (const vert_t<M> v : adj_p2v(m, p)) simplices.push_back(static_cast<int>(index_of(m, v)));
-    } else if constexpr (SurfaceMesh<M>) {  // polygons are cut into triangles, polyhedra into tets
+    } else if constexpr (SurfaceMesh<M>) {  // polygons are split into triangles, polyhedra into tets
       read(m, adj_p2v(m, p));
       for (const polygon_triangle& t : triangulate_(x_))
         for (const std::uint32_t k : t) simplices.push_back(number_[k]);
@@ -172,7 +171,7 @@ class simplex_collector {
   }
 };
 
-/// Adds the sides of simplices that are no edges yet, two verts each.
+/// Adds the edges of simplices that are not in `edges` yet, two verts each.
 inline void add_diagonals(const std::vector<int>& simplices, std::size_t corners, std::vector<int>& edges) {
   using line = std::pair<int, int>;
   std::vector<line> lines, known;
@@ -204,13 +203,13 @@ distance_graph distance_graph_of(const M& m) {
   return {std::move(place), edge, std::move(simplices), corners};
 }
 
-/// Gives a value to every vert at which log_u is -inf and that can be reached along edges from others: that of a shortest way along edges, as
-/// heat would have it that decays by the length over `decay`.
+/// Sets log_u where it is -inf and the vert can be reached along edges from others: to the value at the end of a shortest path minus its length
+/// over `decay`. Heat decays in the same way.
 template<AnyMesh M>
 void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
   constexpr double none = -std::numeric_limits<double>::infinity();
   const auto at = [&](const vert_t<M>& v) -> double& { return log_u[static_cast<std::size_t>(index_of(m, v))]; };
-  std::vector<vert_t<M>> beside;  // verts with a value that have a neighbour without
+  std::vector<vert_t<M>> beside;  // verts with a value and a neighbour without one
   for (const vert_t<M> v : verts(m)) {
     if (at(v) == none) continue;
     for (const vert_t<M> w : adj_v2v(m, v)) {

@@ -1,5 +1,5 @@
-// The algebra of heat geodesics, which knows matrices and flat arrays only: heat that flows for a short time, as logarithms, so that it can be told
-// however far away; the directions in which it flows; and the function that rises in these directions.
+// The linear algebra of heat geodesics, on matrices and flat arrays only: the logarithm of heat that flows for a short time, which has a value at any
+// distance; the directions in which it flows; and the function whose gradient has these directions.
 #pragma once
 
 #include <concino/core/residual.hpp>
@@ -19,26 +19,26 @@
 
 namespace concino::detail {
 
-/// For each corner of each poly its vert and the gradient of that vert's function times the measure of the poly, poly after poly.
+/// For each corner of each poly, grouped by poly: its vert, and the gradient of the vert's hat function times the measure of the poly.
 struct corner_fluxes {
-  std::vector<std::size_t> begin{0};  // of each poly, and the end of the last
+  std::vector<std::size_t> begin{0};  // by poly, and the end of the last
   std::vector<int> vert;
   std::vector<vec3> flux;
 };
 
-/// A place that heat comes from.
+/// A vert at which heat starts.
 struct heat_source {
   int vert;
-  double strength;  // above 0
+  double strength;  // greater than 0
 };
 
 template<class Solver>
 class heat_system {
   static constexpr double none = -std::numeric_limits<double>::infinity();
-  /// Heat starts from 2^lift and is trusted down to 2^-lift, about 1.4 lift times the square root of the time: as far as double precision goes, or,
-  /// of solvers that iterate, as far as what is little beside the rest has correct digits.
+  /// An exponent e: heat starts from 2^e and is used down to 2^-e, which is a distance of about 1.4 e times the square root of the time. Direct
+  /// solvers use the range of double precision; iterative ones only the range in which values much smaller than the others have correct digits.
   static int scale_exponent(const Solver& solver) { return core::is_iterative(solver) ? 13 : 900; }
-  static constexpr int max_rounds = 100;  // of carrying on; 70 times more where they are short
+  static constexpr int max_rounds = 100;  // of continuing underflowed heat; 70 times more for iterative solvers, whose rounds are short
 
   struct factorised {
     Eigen::SparseMatrix<double> lower;  // triangle
@@ -49,11 +49,11 @@ class heat_system {
     }
   };
 
-  std::vector<factorised> heats_;  // one, or two whose solutions are added up
+  std::vector<factorised> heats_;  // one, or two whose solutions are added
   factorised poisson_;
   corner_fluxes corners_;
-  std::vector<int> component_;  // of polys joined at verts: the number of one vert of each
-  int unit_ = 0;                // 2^unit_ is about the mass of a vert: so heat does not depend on the scale of the mesh
+  std::vector<int> component_;  // of polys connected through verts: the number of one vert of each component
+  int unit_ = 0;                // 2^unit_ is about the mass of a vert: it makes heat independent of the scale of the mesh
 
   void find_components(int size) {
     disjoint_sets sets(static_cast<std::size_t>(size));
@@ -73,7 +73,7 @@ class heat_system {
     const int n = static_cast<int>(poisson_.lower.cols());
     find_components(n);
     if (mean_mass > 0) unit_ = std::ilogb(mean_mass);
-    // Only differences of the solution count, so one vert of each component is held; the sum of the load being 0, it is held without force.
+    // Only differences of the solution count, so one vert of each component is constrained. This changes no difference, because the load sums to 0.
     for (int i = 0; i < n; ++i) {
       if (component(i) != i) continue;
       double& constrained = diagonal(poisson_.lower, i);
@@ -82,7 +82,7 @@ class heat_system {
     poisson_.factorize();
   }
 
-  /// lower: the masses plus the time times minus a Laplacian, of the same pattern.
+  /// lower: the masses minus the time times a Laplacian, with the same pattern.
   void add_heat(Eigen::SparseMatrix<double>&& lower, const Solver& solver) {
     heats_.push_back({std::move(lower), make_similar_solver(solver)});
     if constexpr (requires(Solver& s) { s.use_order_of(s); }) heats_.back().solver->use_order_of(*poisson_.solver);
@@ -91,8 +91,8 @@ class heat_system {
     heats_.back().factorize();
   }
 
-  /// Whether heat from one vert of each component is negative at one vert of 500 or more, as where polys are very long and thin: then it does not
-  /// tell where it comes from.
+  /// Whether heat from one vert of each component is negative at one vert in 500 or more, as with very long and thin polys. Such heat does not show
+  /// the direction of its source.
   bool is_heat_negative() const {
     const auto size = component_.size();
     std::vector<heat_source> sources;
@@ -118,9 +118,9 @@ class heat_system {
   /// The logarithm of the heat at each vert, up to a constant; -inf in components without a source, and where heat is not positive,
   /// as it may be with Laplacians that have negative weights.
   ///
-  /// Where heat is too little for double precision, it is carried on from there: with u known down to a threshold and v equal to u there and 0
-  /// beyond, what is left, u - v, solves the same system with the right-hand side b - K v, which stands on both sides of that frontier,
-  /// and can be multiplied by as much as is needed.
+  /// Where heat underflows double precision, it is continued from there. Let u be known down to a threshold, and v equal to u there and 0
+  /// beyond. The rest, u - v, solves the same system with the right-hand side b - K v. This is not 0 on both sides of the frontier only,
+  /// and can be scaled by any factor.
   std::vector<double> log_heat(const std::vector<heat_source>& sources) const {
     const rescaled_heat a = solve_rescaled(heats_.front(), sources);
     std::vector<double> sum(a.heat.size());
@@ -140,8 +140,8 @@ class heat_system {
     return sum;
   }
 
-  /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which points where that of -u does. Gradients
-  /// that are very small are divided by their largest component before they are squared; where one is 0 nothing is asked of the function.
+  /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which has the direction of that of -u. Gradients
+  /// that are very small or large are divided by their largest component before they are squared. Polys with zero gradient do not contribute.
   Eigen::VectorXd integrate_gradient(const std::vector<double>& log_u) const {
     Eigen::VectorXd b = Eigen::VectorXd::Zero(poisson_.lower.cols());
     for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p) {
@@ -161,11 +161,11 @@ class heat_system {
   }
 
  private:
-  /// Heat at each vert times 2^(2 lift) for each of the rounds of carrying on before it was found.
+  /// Heat at each vert, times 2^(2 e) for each round of continuation before the one that found it, where e is scale_exponent.
   struct rescaled_heat {
     std::vector<double> heat;  // 0 where it is not positive
-    std::vector<int> round;    // -1 where nothing was found
-    double per_round;          // logarithm of that factor
+    std::vector<int> round;    // -1 where no heat was found
+    double per_round;          // logarithm of this factor
 
     double log_of(double x, int in_round) const { return x > 0 ? std::log(x) - in_round * per_round : none; }
     double log(std::size_t i) const { return log_of(heat[i], round[i]); }
@@ -178,7 +178,7 @@ class heat_system {
     const double least = std::ldexp(1.0, -up);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n), u;
     std::vector<unsigned char> has_source(size);
-    std::vector<int> unit(size, unit_);  // of each component; where little is trusted, its heat starts from near 2^lift whatever its verts' masses
+    std::vector<int> unit(size, unit_);  // of each component; with iterative solvers its heat starts from near 2^e, whatever the masses of its verts
     for (const heat_source& s : sources) {
       const auto c = static_cast<std::size_t>(component(s.vert));
       if (core::is_iterative(*heat.solver) && (!has_source[c] || s.strength == 1)) unit[c] = std::ilogb(heat.lower.coeff(s.vert, s.vert));
@@ -186,7 +186,7 @@ class heat_system {
     }
     rescaled_heat found{std::vector<double>(size), std::vector<int>(size, -1), 2 * up * std::log(2.0)};
     std::vector<int>& round_of = found.round;
-    const auto add_sources = [&](int round) {  // that have not been seen yet, being weaker than others
+    const auto add_sources = [&](int round) {  // those that are still unreached, because they are weaker than others
       bool any = false;
       for (const heat_source& s : sources) {
         if (round_of[static_cast<std::size_t>(s.vert)] >= 0) continue;
@@ -215,7 +215,7 @@ class heat_system {
     return found;
   }
 
-  /// b = -K v off the verts where v stands, and what makes up for it where it does, times 2^up; v is u at the verts settled in `round`.
+  /// b = -K v where v is 0, and the corresponding correction where v is u, times 2^up. v is u at the verts settled in `round`, else 0.
   static void continuation_rhs(const Eigen::SparseMatrix<double>& heat, const Eigen::VectorXd& u, const std::vector<int>& round_of, int round, int up,
                           Eigen::VectorXd& b) {
     b.setZero();

@@ -1,4 +1,4 @@
-// The system (M + a K) u = M f, M a mass and K minus a Laplacian or a power of it: one step of heat, and smoothing.
+// The system (M + a K) u = M f of an implicit heat step and of smoothing. M is a mass, K minus a Laplacian or a power of it.
 #pragma once
 
 #include <concino/fields/detail/dirichlet.hpp>
@@ -12,7 +12,7 @@
 
 namespace concino::detail {
 
-/// a + factor b, where rows are sorted within columns.
+/// a + factor b, for matrices with sorted rows in each column.
 inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, double factor, const Eigen::SparseMatrix<double>& b) {
   Eigen::SparseMatrix<double> r(a.rows(), a.cols());
   r.resizeNonZeros(a.nonZeros() + b.nonZeros());
@@ -36,7 +36,7 @@ inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, 
   return r;
 }
 
-/// Both triangles of the mass that goes with a discretisation: its own, lumped, or the Galerkin mass.
+/// The mass matrix for a discretisation, both triangles: its own mass, the lumped mass, or the Galerkin mass.
 /// Errors: invalid_mesh if a vert with edges has no mass, and those of lumped_masses and mass_matrix.
 template<class M, class D>
 Eigen::SparseMatrix<double> mass_beside(const M& m, const D& discretisation, bool lumped, const char* caller) {
@@ -57,7 +57,7 @@ class implicit_system {
   implicit_system(const M& m, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
                   const char* caller)
       : system_(std::move(constrained)), caller_(caller) {
-    mass_.swap(mass);  // Eigen 3.4 would copy what is moved
+    mass_.swap(mass);  // the move operations of Eigen 3.4 would copy
     system_.verts.number_all(m);
     for (const vert_t<M> v : verts(m)) {
       const auto i = index_of(m, v);
@@ -73,7 +73,7 @@ class implicit_system {
   void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller_); }
 
   /// The values of a readable map at all verts.
-  /// Errors: invalid_argument if one is not finite at a vert that has edges or is held.
+  /// Errors: invalid_argument if one is not finite at a vert that has edges or is constrained.
   template<class T, class F>
   vert_map<M, T> values_of(const M& m, const F& f) const {
     auto u = make_vert_map<T>(m);
@@ -87,7 +87,7 @@ class implicit_system {
     return u;
   }
 
-  /// Replaces f by u; held and isolated verts keep what they have, and isolated ones, which share no poly with others, are not read.
+  /// Replaces f by u. Constrained and isolated verts keep their values. Isolated verts, which share no poly with others, are not read.
   /// Errors: solver_error.
   template<class T, class Solver>
   void apply(const Solver& solver, vert_map<M, T>& f) const {

@@ -1,5 +1,5 @@
-// Minus the Laplacian, or a power of it, where some verts are held at given values: what harmonic maps and Poisson's equation factorise. And the
-// masses that stand beside it in equations of heat and smoothness.
+// Minus the Laplacian, or a power of it, with prescribed values at some verts: the system of harmonic maps and Poisson's equation. Also the
+// masses in equations of heat and smoothing.
 #pragma once
 
 #include <concino/core/number_text.hpp>
@@ -19,8 +19,8 @@
 
 namespace concino::detail {
 
-/// By index the mass of each vert that the discretisation gives, or the lumped ones.
-/// Errors: invalid_mesh that names a vert with edges but without mass, and those of vert_masses; invalid_argument if the mass that the discretisation
+/// The mass of each vert, by index: that of the discretisation, or the lumped mass.
+/// Errors: invalid_mesh, naming a vert with edges but without mass, and those of vert_masses; invalid_argument if the mass that the discretisation
 ///         gives at such a vert is not a positive number.
 template<class M, class D>
 std::vector<double> lumped_masses(const M& m, const D& discretisation, const char* caller) {
@@ -48,7 +48,7 @@ std::vector<double> lumped_masses(const M& m, const D& discretisation, const cha
   return r;
 }
 
-/// Both triangles.
+/// Minus the Laplacian of the discretisation, both triangles.
 template<class M, class D>
 Eigen::SparseMatrix<double> minus_laplacian(const M& m, const D& discretisation) {
   Eigen::SparseMatrix<double> a = laplacian(m, discretisation);
@@ -57,10 +57,10 @@ Eigen::SparseMatrix<double> minus_laplacian(const M& m, const D& discretisation)
   return a;
 }
 
-/// A (M^-1 A)^(n-1); both triangles. A mass that is not positive counts as 1.
+/// A (M^-1 A)^(n-1), both triangles. A mass that is not positive counts as 1.
 Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& mass, int exponent);
 
-/// The same with A minus the Laplacian and M the lumped mass.
+/// A (M^-1 A)^(n-1) for A minus the Laplacian and M the lumped mass.
 /// Errors: as lumped_masses; unsupported where 32-bit indices do not suffice; those of laplacian.
 template<class M, class D>
 Eigen::SparseMatrix<double> polyharmonic(const M& m, const D& discretisation, int exponent, const char* caller) {
@@ -69,11 +69,11 @@ Eigen::SparseMatrix<double> polyharmonic(const M& m, const D& discretisation, in
   return polyharmonic(a, lumped_masses(m, discretisation, caller), exponent);
 }
 
-/// The system of the unknowns of that. m: the mesh whose verts are held, or a view of it.
+/// The system of the unknowns for this matrix. m: the mesh of the constrained verts, or a view of it.
 template<class At, class M, class D>
 constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
   constrained_system<M> r(std::move(constrained));
-  if (exponent > 1) {  // of powers the verts with given values are part too
+  if (exponent > 1) {  // powers also couple unknowns through constrained verts
     r.restrict_to_unknowns(polyharmonic(m, discretisation, exponent, caller));
     return r;
   }
@@ -81,7 +81,7 @@ constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constra
   bool is_whole = false;
   Eigen::SparseMatrix<double> a = with_stiffness(
       m, discretisation,
-      [&](const auto& weights) {  // straight into the matrix of the unknowns
+      [&](const auto& weights) {  // directly into the matrix of the unknowns
         auto lower = core::assemble<core::lower_triangle>(
             m, weights, static_cast<std::size_t>(r.verts.unknowns), 1.0, [&](const vert_t<M>& v) { return unknown[v]; },
             [](int, const vert_t<M>&, double) {});
@@ -100,17 +100,17 @@ constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constra
   return r;
 }
 
-/// The unknowns numbered, and their system at a size near 1: no factor of the Laplacian changes a harmonic map.
+/// Numbers the unknowns and assembles their system at a size near 1: scaling the Laplacian does not change a harmonic map.
 template<class M, class D>
 constrained_system<M> unit_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
   constrained.number_reached(m, caller);
   return at_unit_size(m, discretisation, [&](const auto& at, int) { return laplace_system(at, std::move(constrained), discretisation, exponent, caller); });
 }
 
-/// Those for which the compiled library has the system of its own meshes.
+/// The discretisations for which the compiled library contains the system of the native meshes.
 template<class D> inline constexpr bool is_of_library = std::same_as<D, virtual_elements_t> || std::same_as<D, uniform_t>;
 
-/// The same, defined in the compiled library only.
+/// unit_laplace_system, defined in the compiled library only.
 template<class M, class D>
 constrained_system<M> precompiled_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller);
 

@@ -1,4 +1,4 @@
-// Powers of the Laplacian, and the systems of harmonic maps on the meshes of the library; see laplace_system.hpp.
+// Powers of the Laplacian, and the systems of harmonic maps on the native meshes; see laplace_system.hpp.
 #pragma once
 
 #include <concino/fields/detail/laplace_system.hpp>

@@ -1,4 +1,4 @@
-// A solver for a prepared problem to keep, like the one that its caller hands in.
+// A new solver of the same type and with the same options as the caller's, for a prepared problem to keep.
 #pragma once
 
 #include <concepts>
@@ -6,7 +6,7 @@
 
 namespace concino::detail {
 
-/// Made of the caller's options where it has them. Not a copy: factors are large, and Eigen's cannot be copied.
+/// Constructed from the caller's options if it has them. Not a copy: factors are large, and Eigen's cannot be copied.
 template<class Solver>
 std::unique_ptr<Solver> make_similar_solver(const Solver& solver) {
   if constexpr (requires { Solver(solver.options()); }) return std::make_unique<Solver>(solver.options());

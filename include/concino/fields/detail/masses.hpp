@@ -1,4 +1,4 @@
-// A mass times a field: what stands on the right-hand side of Poisson's equation, heat flow and smoothing.
+// The product of a mass matrix and a field, for the right-hand sides of Poisson's equation, heat flow and smoothing.
 #pragma once
 
 #include <concino/fields/detail/dirichlet.hpp>
@@ -8,7 +8,7 @@
 
 namespace concino::detail {
 
-/// y = a x for a symmetric matrix with both triangles, column by column. Loops, because Eigen's expressions take long to compile.
+/// y = a x for a symmetric matrix that stores both triangles, column by column. Uses loops, because Eigen's expressions take long to compile.
 inline void symmetric_times(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   const int n = static_cast<int>(a.cols()), *const begin = a.outerIndexPtr(), *const row = a.innerIndexPtr();
   y.resize(n);
@@ -19,14 +19,14 @@ inline void symmetric_times(const Eigen::SparseMatrix<double>& a, const Eigen::V
   }
 }
 
-/// Whether a vert with this index has a mass.
+/// Whether the vert with this index has a mass.
 inline bool has_mass(const Eigen::SparseMatrix<double>& mass, std::size_t i) {
   for (int k = mass.outerIndexPtr()[i]; k < mass.outerIndexPtr()[i + 1]; ++k)
     if (mass.valuePtr()[k] != 0) return true;
   return false;
 }
 
-/// The mass, both triangles, times f, read at the verts that have one.
+/// The mass matrix, which stores both triangles, times f. Reads f at the verts that have a mass.
 /// Errors: invalid_argument if f is not finite there; the message begins with `what`.
 template<class T, class M, class F>
 right_hand_sides<T> mass_times(const M& m, const Eigen::SparseMatrix<double>& mass, const F& f, const char* what) {

@@ -1,4 +1,4 @@
-// Derivatives prescribed across the boundary, and what they bring to the verts there.
+// Prescribed derivatives across the boundary (Neumann conditions), and their load on the verts there.
 #pragma once
 
 #include <concino/fields/detail/dirichlet.hpp>
@@ -15,8 +15,8 @@ namespace concino {
 
 namespace detail {
 
-/// Calls share(vert, the integral of the vert's function over the facet): half the length of an edge each; over faces by the fan of triangles by
-/// which polyhedra have gradients, seen along the vector area. So the sum is the length or area, and linear functions are integrated exactly.
+/// Calls share(vert, the integral of the vert's hat function over the facet). For an edge it is half its length at each end. A face uses the fan of
+/// triangles of the gradients of polyhedra, projected along the vector area. So the sum is the length or area, and linear functions are integrated exactly.
 template<AnyMesh M, class F>
 void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
   if constexpr (SurfaceMesh<M>) {  // an edge needs no fan of triangles
@@ -43,8 +43,8 @@ template<class M>
   core::throw_joined<invalid_argument>({caller, ": the flux given at ", word, index_of(m, x), what});
 }
 
-/// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or none on the boundary; invalid_argument if one is not finite, or two
-///         different ones are given at one.
+/// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or at one that is not on the boundary; invalid_argument if one is not finite,
+///         or two different ones are given at one facet.
 template<class T, AnyMesh M, class N>
 void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const char* caller) {
   constexpr bool is_surface = dimension_v<M> == 2;

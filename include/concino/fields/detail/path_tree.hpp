@@ -1,4 +1,4 @@
-// The windows that shortest paths run through, each with the window or vert that it came from.
+// The windows on shortest paths, each with the window or vert from which it comes.
 #pragma once
 
 #include <concino/fields/detail/unfolded_triangles.hpp>
@@ -11,21 +11,21 @@
 
 namespace concino::detail {
 
-/// A tree of windows. Only windows that an arrival or a window still to be crossed descends from are kept.
+/// A tree of windows. It keeps only the ancestors of arrivals and of windows that are still to be crossed.
 ///
-/// What a path comes from is one number: a node of the tree, at_vert(v), at_place (the source inside a triangle), or none (a source vert).
+/// The predecessor of a path is one number: a node of the tree, at_vert(v), at_place (the source inside a triangle), or none (a source vert).
 class path_tree {
  public:
   static constexpr int at_place = std::numeric_limits<int>::min();
   static constexpr int none = at_place + 1;
   static constexpr int at_vert(int v) { return -1 - v; }
 
-  /// A window on a side; the (virtual) source lies at x along the side and y off it, away from the triangle of the side.
+  /// A window on a side. The (virtual) source lies at x along the side and y perpendicular to it, away from the triangle of the side.
   struct node {
     double x, y;
     int side, from;
   };
-  /// A point of a path: at a vert, or, where vert is -1, along a side, or, where side is -1 too, at the place of the source.
+  /// A point of a path: at a vert; or along a side if vert is -1; or at the position of the source if side is -1 too.
   struct stop {
     int vert, side;
     double along;
@@ -48,7 +48,7 @@ class path_tree {
  public:
   explicit path_tree(std::size_t num_verts) : arrival_(num_verts, none) {}
 
-  /// Adds a window that is still to be crossed; release(node) ends that.
+  /// Adds a window that is still to be crossed. Call release(node) once it has been crossed.
   int add(const node& window) {
     int i = static_cast<int>(nodes_.size());
     if (unused_.empty()) {
@@ -67,15 +67,15 @@ class path_tree {
       i = at(i).window.from;
     }
   }
-  /// The place of the source is on a side, at that part of it.
+  /// The source lies on a side, at this fraction of its length.
   void start_on(int side, double along) { place_ = {-1, side, along}; }
-  /// The shortest path known to vert v comes from there.
+  /// Records `from` as the predecessor of the shortest known path to vert v.
   void arrive(int v, int from) {
     use(from);
     release(std::exchange(arrival_[static_cast<std::size_t>(v)], from));
   }
 
-  /// The path from its source to vert v, which some path reaches. Its pieces are straight; each lies in one triangle or along an edge.
+  /// The path from its source to vert v, which must have been reached. Its pieces are straight; each lies in one triangle or along an edge.
   std::vector<stop> path_to(const unfolded_triangles& t, int v) const {
     std::vector<stop> r{{v, -1, 0}};
     int from = arrival_[static_cast<std::size_t>(v)];
@@ -100,9 +100,9 @@ class path_tree {
     if (s.vert < 0 || r.back().vert != s.vert) r.push_back(s);
   }
 
-  /// Follows a path from the apex of a window's triangle back through the windows before it, on the straight line to their source.
+  /// Follows a path from the apex of a window's triangle back through the preceding windows, on the straight line to their source.
   int straight_from(const unfolded_triangles& t, int i, std::vector<stop>& r) const {
-    constexpr double at_end = 1e-14;  // of a side: what is nearer to its end is at the vert
+    constexpr double at_end = 1e-14;  // as a fraction of a side: points nearer to an end are at the vert
     const node* w = &nodes_[static_cast<std::size_t>(i)].window;
     unfolded_triangles::place p = t.apex[static_cast<std::size_t>(w->side)];
     while (true) {
@@ -117,7 +117,7 @@ class path_tree {
       const int right = unfolded_triangles::next(before->side);
       const bool is_right = edge(right) == edge(w->side);
       const int side = is_right ? right : unfolded_triangles::previous(before->side);
-      const double along = t.start(side) == t.start(w->side) ? part : 1 - part;  // part of the same edge, from where that side starts
+      const double along = t.start(side) == t.start(w->side) ? part : 1 - part;  // fraction along the same edge, from the start of this side
       const unfolded_triangles::place top = t.apex[static_cast<std::size_t>(before->side)];
       const double base = t.length[static_cast<std::size_t>(before->side)];
       p = is_right ? unfolded_triangles::place{base + along * (top.x - base), along * top.y} : unfolded_triangles::place{(1 - along) * top.x, (1 - along) * top.y};

@@ -1,4 +1,4 @@
-// A mesh seen at a size near 1: what is solved there is neither too large nor too small for double precision, wherever the coordinates lie.
+// A view of a mesh scaled to a size near 1, so that values stay within the range of double precision whatever the coordinates.
 #pragma once
 
 #include <concino/concepts/views/forward.hpp>
@@ -12,11 +12,11 @@ namespace concino {
 
 namespace views {
 
-/// The mesh with all coordinates times 2^-exponent, which changes no digit of them but those that fall below the least double.
+/// The mesh with all coordinates times 2^-exponent. This is exact, except for digits that fall below the smallest double.
 template<class M>
 class scaled : public view_base<M> {
   int exponent_;
-  double half_, other_half_;  // of the factor, which may be no double
+  double half_, other_half_;  // factors whose product is the scale, which may not be representable
 
  public:
   scaled(const M& m, int exponent)
@@ -35,7 +35,7 @@ struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>,
 
 namespace detail {
 
-/// The power of two, as its exponent, that makes the largest coordinate at least 1/2 and less than 1. 0 where all are 0 or not finite.
+/// The exponent of the power of two that divides the largest coordinate into [1/2, 1). 0 if all coordinates are 0 or not finite.
 template<AnyMesh M>
 int length_exponent(const M& m) {
   double largest = 0;
@@ -51,11 +51,11 @@ views::scaled<M> scaled_to_unit(const M& m) {
   return {m, length_exponent(m)};
 }
 
-/// Whether D can be asked about the mesh at another size.
+/// Whether D can be evaluated on a scaled mesh.
 template<class D, class M>
 concept scales_with = EmbeddedMesh<M> && requirement::scales_with_mesh<D> && !requirement::has_masses<D, M>;
 
-/// Calls use(mesh, exponent) with the mesh at a size near 1, or, where lengths do not matter, with itself and 0.
+/// Calls use(mesh, exponent) with the mesh scaled to a size near 1 or, if D does not depend on lengths, with the mesh itself and 0.
 template<class M, class D, class Use>
 auto at_unit_size(const M& m, const D&, const Use& use) {
   if constexpr (scales_with<D, M>) {

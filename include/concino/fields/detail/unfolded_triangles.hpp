@@ -1,4 +1,4 @@
-// A surface of triangles as flat arrays, each triangle laid into the plane along each of its sides: what paths over it are unfolded with.
+// A triangle mesh as flat arrays, with each triangle laid into the plane along each of its sides. Paths are unfolded with it.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -14,26 +14,26 @@
 
 namespace concino::detail {
 
-/// Side s = 3 t + k of triangle t runs from its corner k, which has the same number, to the next. Lengths are in units of 2^exponent.
+/// Side s = 3 t + k of triangle t runs from corner k to the next corner; corner k is numbered s as well. Lengths are in units of 2^exponent.
 struct unfolded_triangles {
   struct place {
     double x, y;
   };
-  /// fan: one ring of triangles; open_fan: from one side of the boundary to another; else paths may pass the vert in any direction.
+  /// fan: one closed ring of triangles; open_fan: from boundary to boundary; other: any other arrangement, paths may pass in any direction.
   enum class vert_fan : unsigned char { fan, open_fan, other };
-  /// How much further than geometry says paths turn at a vert, so that rounding leaves no gap between what passes on its two sides.
+  /// Widens the turns of paths at a vert beyond the geometric ones, so that rounding leaves no gap between paths on its two sides.
   static constexpr double turn_tolerance = 1e-8;
 
-  std::vector<int> vert;       // at each corner
-  std::vector<int> edge;       // of each side
-  std::vector<int> twin;       // the next side of the same edge, in a circle: of a side of the boundary itself
-  std::vector<double> length;  // of each side
-  std::vector<place> apex;     // the third corner: along the side from its start, and off it
-  std::vector<double> angle;   // at each corner
-  std::vector<double> turn;    // at each corner: the angle from where the fan about its vert begins
-  std::vector<unsigned char> is_backward;   // at each corner: the fan goes from the side that ends there to the side that starts there
-  std::vector<double> whole_turn;           // about each vert
-  std::vector<vert_fan> around;          // each vert
+  std::vector<int> vert;       // by corner
+  std::vector<int> edge;       // by side
+  std::vector<int> twin;       // the next side of the same edge, in a cycle; a boundary side is its own twin
+  std::vector<double> length;  // by side
+  std::vector<place> apex;     // by side: the third corner, along the side from its start and perpendicular to it
+  std::vector<double> angle;   // by corner
+  std::vector<double> turn;    // by corner: the angle from the start of the fan about its vert
+  std::vector<unsigned char> is_backward;   // by corner: the fan goes from the side that ends there to the side that starts there
+  std::vector<double> whole_turn;           // by vert: the angle of the whole fan
+  std::vector<vert_fan> around;          // by vert
   std::vector<int> first_corner, corner;    // the corners at each vert
   int exponent = 0;
   bool is_manifold = true;  // no edge has more than two sides
@@ -43,13 +43,13 @@ struct unfolded_triangles {
   int start(int s) const { return vert[static_cast<std::size_t>(s)]; }
   int end(int s) const { return vert[static_cast<std::size_t>(next(s))]; }
 
-  /// Paths that lie on a vert can be shortest if they pass with at least half a turn on either side.
+  /// Whether a shortest path can pass through vert v. It then has at least half a turn on both sides.
   bool may_be_passed(int v) const {
     const auto i = static_cast<std::size_t>(v);
     return around[i] != vert_fan::fan || whole_turn[i] > 2 * (std::numbers::pi - turn_tolerance);
   }
 
-  /// A direction from the vert at corner c, given as angle from the side that starts there, as an angle of the fan.
+  /// The angle in the fan of a direction at corner c, which is input as the angle from the side that starts there.
   double fan_angle(int c, double from_side) const {
     const auto i = static_cast<std::size_t>(c);
     return turn[i] + (is_backward[i] ? angle[i] - from_side : from_side);
@@ -70,7 +70,7 @@ struct unfolded_triangles {
     return true;
   }
 
-  /// Once all triangles are there: edge_of[s] is the number of the edge that side s is one of.
+  /// Call this after all triangles are added: edge_of[s] is the edge of side s.
   void join(std::vector<int> edge_of, std::size_t num_edges, std::size_t num_verts) {
     edge = std::move(edge_of);
     const auto n = static_cast<int>(vert.size());
@@ -108,7 +108,7 @@ struct unfolded_triangles {
   void walk_around(std::size_t v) {
     const int first = first_corner[v], n = first_corner[v + 1] - first;
     if (n == 0) return;
-    // from the boundary, if there is one
+    // start at the boundary, if there is one
     int c = corner[static_cast<std::size_t>(first)];
     bool backward = false;
     for (int k = first; k < first + n; ++k) {
