@@ -1,4 +1,4 @@
-// The six meshes, their properties and maps, and views of any mesh.
+// The six native mesh types, their properties and maps, and views of other meshes.
 #pragma once
 
 #include <concino/concepts/views.hpp>

@@ -1,5 +1,5 @@
-// The mesh that view_tri and its siblings make: coordinates and the verts of polys are those in the user's arrays, all other adjacencies are
-// tables beside them.
+// array_view: the type of the meshes that view_tri and its siblings return. Coordinates and the verts of polys are read from the user's arrays;
+// all other adjacencies are stored in tables.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -15,7 +15,7 @@ namespace concino {
 
 namespace views {
 
-/// Points: points[i] is a vec3, points.size(). Copies share the tables. Dimension and Arity as in mesh_traits; Arity 0: not fixed.
+/// A mesh over arrays. Points: points[i] is a vec3, points.size(). Copies share the tables. Dimension and Arity as in mesh_traits; Arity 0: not fixed.
 template<int Dimension, int Arity, class Points, class Tables>
 class array_view {
   Points points_;

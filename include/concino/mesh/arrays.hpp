@@ -1,4 +1,4 @@
-// Flat arrays that say everything about a mesh: what files are read into, what meshes are built from and can be given back as.
+// Flat arrays that describe a whole mesh: file readers return them, meshes are built from them and can be converted back to them.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -10,8 +10,8 @@
 
 namespace concino {
 
-/// Surfaces: the verts of all polys one after another. Poly p's are verts[offsets[p]] .. verts[offsets[p+1]-1]; offsets has one entry
-/// more than there are polys and begins with 0. Where every poly has `arity` verts (> 0), offsets stays empty.
+/// A surface. The verts of all polys are stored one after another: poly p has verts[offsets[p]] .. verts[offsets[p+1]-1]. offsets has one entry
+/// more than there are polys and begins with 0. If every poly has `arity` verts (> 0), offsets stays empty.
 struct surface_arrays {
   std::vector<vec3> points;
   std::vector<std::uint32_t> offsets;
@@ -21,7 +21,7 @@ struct surface_arrays {
   std::size_t num_polys() const { return arity ? verts.size() / arity : offsets.empty() ? 0 : offsets.size() - 1; }
 };
 
-/// Volumes of one shape: 4 verts a tet or 8 a hex, in the standard order.
+/// A volume of tets or of hexes: 4 verts per tet or 8 per hex, in the standard order.
 struct cell_arrays {
   std::vector<vec3> points;
   std::vector<vert_id> verts;
@@ -30,8 +30,8 @@ struct cell_arrays {
   std::size_t num_polys() const { return verts.size() / arity; }
 };
 
-/// Volumes of any polyhedra: faces as lists of verts, polys as lists of faces; outward[i] says whether face poly_faces[i], walked as
-/// listed, runs counter-clockwise seen from outside the poly.
+/// A volume of general polyhedra: faces are lists of verts, polys are lists of faces. outward[i] says whether the verts of face poly_faces[i], in
+/// the order listed, run counter-clockwise seen from outside the poly.
 struct polyhedra_arrays {
   std::vector<vec3> points;
   std::vector<std::uint32_t> face_offsets;
@@ -46,7 +46,7 @@ struct polyhedra_arrays {
 
 namespace detail {
 
-/// What M is made from.
+/// The arrays from which an M is constructed.
 template<class M>
 inline constexpr bool from_surface = std::constructible_from<M, surface_arrays&&>;
 template<class M>

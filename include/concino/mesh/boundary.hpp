@@ -12,14 +12,14 @@ namespace concino {
 
 namespace views {
 
-/// Shows faces of M as polys. Those that M lists clockwise, seen from outside, are kept here the other way round, edges too.
+/// A surface whose polys are faces of M. A face whose verts run clockwise seen from outside in M has its verts and edges stored here in reversed order.
 template<VolumeMesh M>
 class boundary_view : public partial_view<M> {
  public:
   struct turned_faces {
     std::vector<vert_t<M>> verts;
     std::vector<edge_t<M>> edges;
-    std::vector<std::size_t> first;  // by face index, one more than the bound; empty where no face is turned
+    std::vector<std::size_t> first;  // by face index, one more than the bound; empty if no face is reversed
   };
 
   boundary_view(const M& m, std::shared_ptr<const detail::visible_elements> elements, std::shared_ptr<const turned_faces> turned)
@@ -34,7 +34,7 @@ class boundary_view : public partial_view<M> {
 
 namespace detail {
 
-/// The verts or edges, X, of a face as the mesh lists them, or as they were turned round.
+/// The verts or edges, X, of a face, in the order of the mesh or reversed.
 template<class M, class X, class Verb>
 class outward_ring {
   using ring = decltype(std::declval<const Verb&>()(std::declval<const M&>(), std::declval<face_t<M>>()));
@@ -117,8 +117,8 @@ struct mesh_traits<views::boundary_view<M>> : detail::partial_view_traits<views:
 /// Needs:  VolumeMesh M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
 /// Result: a SurfaceMesh (a TriMesh of tets, a QuadMesh of hexes) whose polys are the faces with exactly one poly, wound counter-clockwise
 ///         seen from outside that poly, and whose verts and edges are those of these faces. Descriptors and indices are those of m, so a
-///         poly of the surface is a face_t<M>. It does not follow later changes of m.
-/// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts and edges of faces that m lists clockwise, which copies share.
+///         poly of the surface is a face_t<M>. The view does not follow later changes of m.
+/// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts and edges of the reversed faces, which copies share.
 /// Errors: none of its own.
 template<VolumeMesh M>
 auto boundary(const M& m) {
@@ -126,7 +126,7 @@ auto boundary(const M& m) {
       detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(face_index_bound(m)),
       detail::element_mask(0), detail::element_mask(vert_index_bound(m))});
   auto turned = std::make_shared<typename views::boundary_view<M>::turned_faces>();
-  std::vector<std::uint32_t> sizes;  // of the turned faces, by face index
+  std::vector<std::uint32_t> sizes;  // of the reversed faces, by face index
   for (const auto f : faces(m)) {
     if (!is_boundary(m, f)) continue;
     const auto& polys_of_f = adj_f2p(m, f);
@@ -153,7 +153,7 @@ auto boundary(const M& m) {
       std::size_t k = turned->first[i + 1];
       if (k == turned->first[i]) continue;
       for (const auto v : adj_f2v(m, f)) turned->verts[--k] = v;
-      // The last edge, between the last vert and the first, joins them the other way round too.
+      // The last edge joins the last vert and the first, also after reversal.
       const std::size_t end = turned->first[i + 1], last = end - 1;
       k = last;
       for (const auto e : adj_f2e(m, f)) turned->edges[k == turned->first[i] ? last : --k] = e;

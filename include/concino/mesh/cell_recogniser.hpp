@@ -1,12 +1,12 @@
-// Telling tets, hexes, prisms and pyramids among general polyhedra.
+// Recognises tets, hexes, prisms and pyramids among general polyhedra.
 #pragma once
 
 #include <concino/mesh/standard_cells.hpp>
 
 namespace concino {
 
-/// Tells a standard cell by its faces alone and lists its verts in the standard order, so that the faces as given run as they do in
-/// the table. face(k) is the verts of the k-th of n faces, turned outward. General if it is none.
+/// Recognises a standard cell by its faces alone and lists its verts in the standard order, so that the input faces have the same orientation as
+/// in the table. face(k) is the verts of the k-th of n faces, oriented outward. The result is `general` if the poly is no standard cell.
 class cell_recogniser {
   struct span_of_face {
     std::uint32_t begin, size;
@@ -26,7 +26,7 @@ class cell_recogniser {
     verts_.push_back(v);
     ++faces_.back().size;
   }
-  /// Walks the face just pushed the other way.
+  /// Reverses the orientation of the last face.
   void reverse_face() { std::reverse(verts_.end() - faces_.back().size, verts_.end()); }
 
   cell_shape recognise() {
@@ -43,8 +43,8 @@ class cell_recogniser {
     if (triangles == 4 && quads == 1) s = cell_shape::pyramid;
     if (s == cell_shape::general) return s;
 
-    // The base is the face of its table's first size that comes first; it is listed outward there, so reading it backwards gives
-    // the verts from 0 on. The others stand over them.
+    // The base is the first face with as many verts as the first face of the table. That one is listed outward, so reading the base
+    // backwards gives the verts from 0 on. The other verts are above those of the base.
     const standard_cell& t = standard_cell_of(s);
     const auto base = *std::find_if(faces_.begin(), faces_.end(), [&](const span_of_face& f) { return f.size == t.face_size[0]; });
     const unsigned b = base.size;
@@ -64,7 +64,7 @@ class cell_recogniser {
       if (!in_base(v, b)) return v;
     return {};
   }
-  /// The vert next to a base vert that is not in the base.
+  /// The neighbour of a base vert that is not in the base.
   vert_id over(vert_id under, unsigned b) const {
     for (const span_of_face& f : faces_)
       for (std::uint32_t i = 0; i < f.size; ++i) {

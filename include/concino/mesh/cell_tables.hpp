@@ -1,6 +1,6 @@
-// All adjacencies of a mesh of tetrahedra or of hexahedra in flat arrays, built in linear time from the verts of each. Stored: what the graph
-// algorithms walk and what cannot be derived. Derived by the way: verts, edges and polys of a face (from the poly that owns it), polys and
-// faces around an edge (from poly to poly), faces at a vert.
+// All adjacencies of a mesh of tetrahedra or of hexahedra in flat arrays, built in linear time from the verts of each cell. The tables store what
+// graph algorithms traverse and what cannot be derived. They derive on the fly: verts, edges and polys of a face (from the poly that owns it),
+// polys and faces around an edge (by steps from poly to poly), faces at a vert.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino {
 
-/// Lists: where the verts of polys are read; rows of these tables' own, which can be edited, or lists in somebody else's array.
+/// Lists: where the verts of polys are stored, either in rows of these tables, which can be edited, or in an array of the user.
 template<class Shape, class Lists = detail::jagged_array<vert_id, Shape::verts>>
 class cell_tables {
   template<class, class> friend class cell_tables;
@@ -28,7 +28,7 @@ class cell_tables {
   detail::jagged_array<edge_id, Shape::edges> p2e_;
   detail::facet_adjacency<face_id, Shape::faces> facet_adjacency_;
   detail::jagged_array<vert_id, 2> e2v_;
-  core::flat_array<std::uint32_t> e2p_;  // one poly at the edge, or `special` and the crowd
+  core::flat_array<std::uint32_t> e2p_;  // one poly at the edge, or `special` and the number of its list in poly_lists_
   jagged<poly_id> poly_lists_;
   jagged<vert_id> v2v_;
   jagged<edge_id> v2e_;
@@ -40,21 +40,21 @@ class cell_tables {
   cell_tables() = default;
   cell_tables(const cell_tables&) = default;
   cell_tables(cell_tables&&) noexcept = default;
-  cell_tables& operator=(const cell_tables& o) { return *this = cell_tables(o); }  // all or nothing
+  cell_tables& operator=(const cell_tables& o) { return *this = cell_tables(o); }  // strong exception guarantee
   cell_tables& operator=(cell_tables&&) noexcept = default;
 
-  /// From the verts of every poly in the standard order. Linear in time and memory.
+  /// From the verts of every poly in the standard order. Linear time and memory.
   /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
   cell_tables(std::size_t vert_count, std::vector<vert_id> polys) : p2v_(detail::checked_lists<Shape::verts>(std::move(polys), "poly")) {
     detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
     build(vert_count);
   }
-  /// From lists in another order: a tet_order or hex_order.
+  /// From lists in another corner order: a tet_order or hex_order.
   template<class Order>
     requires(detail::corners_in(Order{}) == Shape::verts)
   cell_tables(std::size_t vert_count, std::vector<vert_id> polys, Order order)
       : cell_tables(vert_count, detail::to_standard_order(std::move(polys), order)) {}
-  /// The same for polys that are listed elsewhere, with what was built of a copy of those lists.
+  /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   cell_tables(cell_tables<Shape>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, detail::jagged_array<vert_id, Shape::verts>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
@@ -94,11 +94,11 @@ class cell_tables {
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
-  /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
+  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound(). Edits do not change them.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }
 
-  /// The order of a face's verts is the one that its owner sees from outside; another poly at the face compares.
+  /// Whether the verts of f run counter-clockwise seen from outside p. This holds for the owner of f; for another poly the orders are compared.
   bool face_is_outward(poly_id p, face_id f) const {
     if (facet_adjacency_.owner(f).poly == p.raw()) return true;
     const auto verts = adj_f2v(f);
@@ -112,26 +112,26 @@ class cell_tables {
     return false;
   }
 
-  // Edits find their memory first, which changes nothing, and then cannot fail: each is done as a whole or not at all. `grow` is called in
-  // between, with the bounds of indices that the edit leads to; it may fail too.
+  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot fail afterwards. Before the
+  // change they call `grow` with the index bounds after the edit; `grow` may throw too.
 
-  /// A vert without edges.
+  /// Adds a vert without edges.
   vert_id add_vert(function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// A poly on verts that are there, in the standard order. Cost: the edges and polys at its verts.
-  /// Errors: invalid_mesh as in the constructor; nothing has changed then.
+  /// Adds a poly on existing verts, in the standard order. Cost: the edges and polys at its verts.
+  /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   poly_id add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// Finds the memory that removing these polys one after another, and verts that no poly has any more, takes: none of it can fail then.
+  /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id> polys);
 
-  /// Takes p away, and with it the faces and edges that no other poly has; verts stay. No other element changes its name.
+  /// Removes p and the faces and edges that no other poly has; verts stay. The ids of other elements do not change.
   void remove_poly(poly_id p);
 
-  /// Takes away a vert that no poly has any more.
+  /// Removes a vert that has no polys.
   void remove_vert(vert_id v);
 
-  // What the ranges of cell_ranges.hpp step with.
+  // Used by the ranges of cell_ranges.hpp.
   poly_id neighbour_at_face(poly_id p, std::uint32_t k) const {
     const detail::encoded_neighbour x = facet_adjacency_.neighbours_of(p)[k];
     return x.is_none() || x.is_non_manifold() ? poly_id{} : poly_id{x.poly()};
@@ -162,24 +162,24 @@ class cell_tables {
   }
 
  private:
-  /// The edges of a poly that is to be added.
+  /// The edges of a poly that will be added.
   struct edges_of_new_poly {
-    edge_id edges[Shape::edges];             // none where there is no such edge yet
-    std::uint32_t num_polys[Shape::edges];   // at the edge, with the new one
-    std::uint32_t more = 0;                  // edges,
-    std::uint32_t more_at[Shape::verts] = {};  // and how many of them at each vert
+    edge_id edges[Shape::edges];             // none where the edge does not exist yet
+    std::uint32_t num_polys[Shape::edges];   // at the edge, including the new one
+    std::uint32_t more = 0;                  // number of new edges
+    std::uint32_t more_at[Shape::verts] = {};  // number of new edges at each vert
   };
   edges_of_new_poly find_edges(const vert_id* corners) const;
 
-  /// Finds memory for the new poly in the lists of the edges that are crowded, and for the lists of those that may become so.
+  /// Allocates memory for the new poly in the poly lists of edges, and for the poly lists of edges that may need one.
   void reserve_poly_lists_at(const edges_of_new_poly& at);
 
-  /// The face that side k of a poly with these corners would be, none if there is no such face yet.
+  /// The face that would be facet k of a poly with these corners; none if it does not exist yet.
   face_id face_on(std::span<const vert_id> corners, unsigned k) const;
 
   std::size_t poly_list_number(edge_id e) const { return e2p_[e.raw()] & ~detail::encoded_neighbour::special; }
 
-  /// Calls f(p) for every poly at e, in the order in which its first vert lists them.
+  /// Calls f(p) for every poly at e, in the order of adj_v2p of the first vert of e.
   template<class F>
   void for_each_poly_at(edge_id e, const F& f) const {
     for (const poly_id p : adj_v2p(adj_e2v(e)[0]))
@@ -188,24 +188,24 @@ class cell_tables {
   }
   std::uint32_t count_polys(edge_id e) const;
 
-  /// After polys at e came or went, so that there are n: where stepping around e begins, or who crowds it, or that e is gone. There is room for
-  /// them in the crowd of e, or for a new one if n > 1.
+  /// Updates e after polys at it were added or removed, so that n polys remain: sets the start of the walk around e, or its poly list, or removes e.
+  /// Needs memory in the poly list of e, or for a new list if n > 1.
   void update_fan(edge_id e, std::uint32_t n);
 
   static constexpr unsigned valence = detail::shape_tables<Shape>::valence;
 
-  /// Builds everything from the verts of polys.
+  /// Builds all tables from the verts of polys.
   class builder;
   void build(std::size_t vert_count);
 
-  /// Whether stepping around e comes back to the first poly before all n polys were met. Two polys share at most one face at e, so that no way
-  /// round is shorter than 3, and the last steps need not be made. Where something ends at the boundary the answer is no.
+  /// Whether the walk around e returns to the first poly before it has met all n polys. Two polys are assumed to share at most one face at e: then no
+  /// closed walk has fewer than 3 steps, and the last steps are not needed. The answer is no if the walk ends at the boundary.
   bool closes_early(edge_id e, std::uint32_t n) const;
 
-  /// Marks e as crowded unless stepping around it meets as many polys as use it.
+  /// Marks e for a poly list unless the walk around it meets `uses` polys.
   void check_fan(edge_id e, std::uint32_t uses);
 
-  /// Lists the polys of the edges that are marked as crowded.
+  /// Makes the poly lists of the marked edges.
   void list_polys_of_edges();
 };
 

@@ -1,4 +1,4 @@
-// Corners of a mesh: a poly and one of its verts, by number, and values at all of them.
+// Corners of a mesh, which are pairs of a poly and a position in its verts, and maps with a value for every corner.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino {
 
-/// Corner k of a poly: at the k-th vert of adj_p2v.
+/// Corner k of a poly, at the k-th vert of adj_p2v.
 template<class M>
 struct corner {
   poly_t<M> poly;
@@ -31,15 +31,15 @@ vert_t<M> vert_at(const M& m, const corner<M>& c) {
   return *it;
 }
 
-/// A value of type T for every corner of the polys that a mesh had when the map was made, in one array. Corner values differ from poly to poly at
-/// one vert, as texture coordinates and normals at creases do.
-/// Needs:  an AnyMesh that stays where it is as long as the map is used; of a view the map keeps a copy.
+/// A value of type T for every corner of the polys that a mesh had when the map was made, in one array. Use it for values that differ between
+/// polys at the same vert, such as texture coordinates and normals at creases.
+/// Needs:  an AnyMesh that is not moved or destroyed while the map is used; of a view the map keeps a copy.
 /// Result: map[c] is a reference, map.of(p) the values of all corners of p in the order of adj_p2v.
 /// Cost:   one array of values, one number per poly.
 template<class M, class T>
 class corner_map {
   detail::mesh_ref<M> mesh_;
-  std::vector<std::size_t> first_;  // by index of a poly, one more than the bound
+  std::vector<std::size_t> first_;  // by poly index, one more than the bound
   std::vector<T> values_;
 
  public:

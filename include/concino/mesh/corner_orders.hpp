@@ -1,12 +1,12 @@
-// In which order a list names the corners of a hex or tet: the standard one, or that of another library.
+// The orders in which a list gives the corners of a hex or tet: the standard one and those of other libraries.
 //
 //   auto hexes = cn::view_hex(points, cells, cn::hex_order::lexicographic);      // also hexmesh(points, cells, order), hex_tables(n, cells, order)
 //
-// Where a hex is the unit cube, corner 0 lies at the origin and the corners stand at (x, y, z):
+// If a hex is the unit cube with corner 0 at the origin, the corners are at (x, y, z):
 //
-//   standard        000 100 110 010 001 101 111 011    the bottom face, then the top face above it, both counter-clockwise seen from above
-//   lexicographic   000 100 010 110 001 101 011 111    x fastest, as deal.II numbers them, and VTK's voxels
-//   mirrored ...    the same of a hex seen in a mirror: the volume of what is read as standard is negative
+//   standard        000 100 110 010 001 101 111 011    the bottom face, then the top face, both counter-clockwise seen from above
+//   lexicographic   000 100 010 110 001 101 011 111    x fastest, as in deal.II and the voxels of VTK
+//   mirrored ...    the same for a mirrored hex: read as standard, its volume is negative
 //
 // Corners 0, 1, 2 of a standard tet are counter-clockwise seen from corner 3.
 #pragma once
@@ -20,10 +20,10 @@
 
 namespace concino {
 
-/// How the eight corners of a hex are listed. `standard` is the order of this library, of the paper, of VTK, Abaqus, Gmsh and MEDIT.
+/// The order of the eight corners of a hex. `standard` is the order of this library, of the paper, of VTK, Abaqus, Gmsh and MEDIT.
 enum class hex_order : std::uint8_t { standard, vtk = standard, abaqus = standard, gmsh = standard, medit = standard, lexicographic, mirrored, mirrored_lexicographic };
 
-/// How the four corners of a tet are listed. `standard` is the order of this library, of VTK, Abaqus, Gmsh and MEDIT: volumes are positive.
+/// The order of the four corners of a tet. `standard` is the order of this library, of VTK, Abaqus, Gmsh and MEDIT: volumes are positive.
 enum class tet_order : std::uint8_t { standard, vtk = standard, abaqus = standard, gmsh = standard, medit = standard, mirrored };
 
 namespace detail {
@@ -31,14 +31,14 @@ namespace detail {
 inline constexpr std::uint8_t hex_places[4][8] = {{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 3, 2, 4, 5, 7, 6}, {0, 3, 2, 1, 4, 7, 6, 5}, {0, 2, 3, 1, 4, 6, 7, 5}};
 inline constexpr std::uint8_t tet_places[2][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}};
 
-/// Where the list of another library has the k-th corner of the standard order.
+/// A table: entry k is the position, in a list of the other order, of the k-th corner of the standard order.
 constexpr const std::uint8_t* places_in(hex_order order) { return hex_places[static_cast<unsigned>(order)]; }
 constexpr const std::uint8_t* places_in(tet_order order) { return tet_places[static_cast<unsigned>(order)]; }
 
 constexpr unsigned corners_in(hex_order) { return 8; }
 constexpr unsigned corners_in(tet_order) { return 4; }
 
-/// The lists, one after another, in the standard order. What is left over at the end stays.
+/// Reorders consecutive lists to the standard order. An incomplete list at the end is not changed.
 template<class Order>
 std::vector<vert_id> to_standard_order(std::vector<vert_id> lists, Order order) {
   constexpr unsigned n = corners_in(Order{});
@@ -52,7 +52,7 @@ std::vector<vert_id> to_standard_order(std::vector<vert_id> lists, Order order) 
   return lists;
 }
 
-/// The numbers of one list in the standard order.
+/// One list of numbers, read in the standard order.
 template<class Numbers>
 class reordered {
   Numbers numbers_;
@@ -65,7 +65,7 @@ class reordered {
   decltype(auto) operator[](std::size_t k) const { return numbers_[places_[k]]; }
 };
 
-/// Lists in the rows of an array, each in the standard order.
+/// The rows of an array, each read in the standard order.
 template<class Rows>
 class reordered_rows {
   Rows rows_;

@@ -1,4 +1,4 @@
-// Named, typed properties of corners, which a mesh holds as it holds those of its elements: texture coordinates, normals at creases.
+// Named, typed properties of corners, such as texture coordinates and normals at creases. The mesh owns them, as it owns those of its elements.
 #pragma once
 
 #include <concino/mesh/corner.hpp>
@@ -10,14 +10,14 @@
 
 namespace concino {
 
-/// A mesh that numbers its corners: those of a poly one after another, from first_corner(m, p) on, below corner_index_bound(m).
+/// A mesh with corner numbers. The corners of poly p are numbered from first_corner(m, p) on; all numbers are below corner_index_bound(m).
 template<class M>
 concept NumbersCorners = requires(const std::remove_cvref_t<M>& m, const poly_t<M>& p) {
   { traits<M>::first_corner(m, p) } -> std::convertible_to<std::size_t>;
   { traits<M>::corner_index_bound(m) } -> std::convertible_to<std::size_t>;
 };
 
-/// The number of a corner. Edits leave it as it is; numbers of removed polys are left as gaps.
+/// The number of a corner. Edits do not change it; numbers of removed polys leave gaps.
 /// Needs:  a mesh of this library, or submesh() or with_points() of one; a corner of m.
 /// Result: below traits<M>::corner_index_bound(m), different for different corners.      Cost: O(1).      Errors: none.
 template<NumbersCorners M>
@@ -25,8 +25,8 @@ std::size_t corner_index(const M& m, const corner<M>& c) {
   return traits<M>::first_corner(m, c.poly) + c.k;
 }
 
-/// A handle to one property of corners: u[c] is the value at a corner, u.of(p) the values of all corners of p in the order of adj_p2v. The mesh stays where
-/// it is as long as the handle is used; of a view the handle keeps a copy. Const T: reads only.
+/// A handle to one property of corners: u[c] is the value at a corner, u.of(p) the values of all corners of p in the order of adj_p2v. The mesh must
+/// not be moved or destroyed while the handle is used; of a view the handle keeps a copy. Const T: read-only.
 template<class M, class T>
 class corner_property_map {
   detail::mesh_ref<M> mesh_;
@@ -51,10 +51,10 @@ class corner_property_map {
   }
 };
 
-/// The property `name` of m's corners, made with default values if there is none.
+/// The property `name` of m's corners, created with default values if there is none.
 /// Needs:  a mesh of this library; T copyable with a default value.
-/// Result: a handle u, u[c] is T&. Edits that add polys make its values grow by default values.
-/// Cost:   O(corners) if it is made, else O(number of properties).
+/// Result: a handle u, u[c] is T&. Edits that add polys extend the property by default values.
+/// Cost:   O(corners) if it is created, else O(number of properties).
 /// Errors: invalid_argument if the property exists with values of another type.
 template<class T, HasProperties M>
   requires NumbersCorners<M>
@@ -62,7 +62,7 @@ corner_property_map<M, T> corner_property(M& m, std::string_view name) {
   return {m, traits<M>::properties(m).get(element_kind::corner, name, detail::values_of<T>, traits<M>::corner_index_bound(m))};
 }
 
-/// The property `name` of m's corners, to be read only.
+/// Read-only access to the property `name` of m's corners.
 /// Needs:  a mesh of this library, or submesh() or with_points() of one; no temporary (views may be).
 /// Result: a handle as above, of const T; empty (tests false) if there is no property of that name.
 /// Cost:   O(number of properties).

@@ -1,4 +1,4 @@
-// What values and properties become in a mesh that was made of another one, by the correspondence of their elements.
+// Transfers values and properties from one mesh to a mesh that was made of it, by the correspondence of their elements.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -14,8 +14,8 @@
 
 namespace concino {
 
-/// The origins of elements that are copies: the n-th of the new mesh is the n-th of `sources`, elements of the mesh before.
-/// Needs:  index_of(before, x) for each of them.      Result: one origin for each.      Cost: O(sources).      Errors: none.
+/// The origins of copied elements: the n-th element of the new mesh is a copy of the n-th of `sources`, which are elements of the mesh before.
+/// Needs:  index_of(before, x) for each source.      Result: one origin for each.      Cost: O(sources).      Errors: none.
 template<class M, class X>
 element_origins origins_of(const M& before, const std::vector<X>& sources) {
   std::vector<std::uint32_t> single;
@@ -26,7 +26,7 @@ element_origins origins_of(const M& before, const std::vector<X>& sources) {
 
 namespace detail {
 
-/// The old verts that some new verts were made of, each once; with how much of each vert comes from them.
+/// All old verts that are origins of some new verts, each listed once.
 struct joint_origins {
   std::vector<std::uint32_t> verts;
 
@@ -52,7 +52,7 @@ std::vector<vert_t<M>> verts_by_index(const M& m) {
   return all;
 }
 
-/// The edge of m between the verts with the indices a and b; `none` if there is none.
+/// The edge of m between the verts with indices a and b; `none` if there is none.
 template<class M>
 std::uint32_t edge_between(const M& m, const std::vector<vert_t<M>>& by_index, std::uint32_t a, std::uint32_t b) {
   for (const edge_t<M> e : adj_v2e(m, by_index[a])) {
@@ -62,7 +62,7 @@ std::uint32_t edge_between(const M& m, const std::vector<vert_t<M>>& by_index, s
   return element_origins::none;
 }
 
-/// The face of m that has all of these verts, one with no others if there is one.
+/// A face of m that has all of these verts; if possible, one that has no others.
 template<class M>
 std::uint32_t face_around(const M& m, const std::vector<vert_t<M>>& by_index, const std::vector<std::uint32_t>& wanted) {
   std::uint32_t found = element_origins::none;
@@ -89,7 +89,7 @@ element_origins match_edges(const From& before, const To& m, const element_origi
     joint.add(first), joint.add(second);
     if (first.empty() || second.empty() || joint.verts.size() != 2) continue;
     const std::uint32_t a = joint.verts[0], b = joint.verts[1];
-    const double length = part_of(first, a) - part_of(second, a);  // of the old edge, as a part of it
+    const double length = part_of(first, a) - part_of(second, a);  // of the old edge, as a fraction of it
     found[index_of(m, e)] = {edge_between(before, by_index, a, b), length < 0 ? -length : length};
   }
   element_origins origins;
@@ -116,12 +116,12 @@ element_origins match_faces(const From& before, const To& m, const element_origi
   return element_origins(std::move(found));
 }
 
-/// A corner comes from the corners of the polys that its poly was made of, at the verts that its vert was made of.
+/// Finds the origins of a corner. They are corners of the origins of its poly, at the origins of its vert.
 template<NumbersCorners From, NumbersCorners To>
 element_origins match_corners(const From& before, const To& m, const element_origins& of_verts, const element_origins& of_polys) {
   std::vector<poly_t<From>> by_index(poly_index_bound(before));
   for (const poly_t<From> p : polys(before)) by_index[index_of(before, p)] = p;
-  std::vector<std::size_t> first, last;  // of the origins of each corner by its number, in `found`
+  std::vector<std::size_t> first, last;  // of the origins of each corner, by corner number, in `found`
   first.resize(traits<To>::corner_index_bound(m)), last.resize(first.size());
   std::vector<origin> found;
   for (const poly_t<To> p : polys(m)) {
@@ -153,12 +153,12 @@ void check_origins(const correspondence& c, const property_set& properties, cons
 
 }  // namespace detail
 
-/// Finds the origins of edges and faces from those of their verts, where c has none of them. The origin of an edge is the edge between the origins of
-/// its ends, that of a face the face around the origins of its verts. Half an edge has half of it; parts of a face have equal parts of it.
+/// Finds the origins of edges and faces from those of their verts, if c does not have them. The origin of an edge is the edge between the origins of
+/// its ends; the origin of a face is the face around the origins of its verts. Half of an edge has half of it as weight; parts of a face have equal weights.
 /// Needs:  AnyMesh both, of the same dimension; c.verts for each vert of m.
-/// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces inside of old polys have no origin.
+/// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces in the interior of old polys have no origin.
 /// Cost:   O(elements), times the edges or faces at a vert.
-/// Errors: invalid_argument if c.verts is of another number of verts, or names one that the mesh before cannot have.
+/// Errors: invalid_argument if c.verts is for another number of verts, or has an origin that is out of range in the mesh before.
 template<AnyMesh From, AnyMesh To>
   requires(dimension_v<From> == dimension_v<To>)
 void match_edges_and_faces(const From& before, const To& m, correspondence& c) {
@@ -169,9 +169,10 @@ void match_edges_and_faces(const From& before, const To& m, correspondence& c) {
     if (c.faces.size() == 0) c.faces = detail::match_faces(before, m, c.verts, by_index);
 }
 
-/// Values at the elements of the mesh before, taken to those of the new mesh by a rule: heat_of_new = transfer_values(c.verts, heat.values(), property_rule::interpolate).
-/// Needs:  from[i] of every origin i; T with a mean (interpolate), with a sum (sum), as properties need.
-/// Result: a value for each element of the new mesh by index, T() for those without origin.
+/// Transfers values at the elements of the mesh before to those of the new mesh: heat_of_new = transfer_values(c.verts, heat.values(),
+/// property_rule::interpolate).
+/// Needs:  from[i] of every origin i; T with a mean (interpolate) or with a sum (sum), as for properties.
+/// Result: a value for each element of the new mesh by index; T() for those without origin.
 /// Cost:   O(elements and origins).
 /// Errors: invalid_argument if an origin has no value, or T does not allow the rule.
 template<class T>
@@ -188,12 +189,12 @@ std::vector<std::remove_const_t<T>> transfer_values(const element_origins& origi
   return {first, first + taken.size()};
 }
 
-/// Takes all named properties of one mesh along to another that was made of it, each by its rule (set_property_rule), and those of the mesh as a whole.
-/// Needs:  a mesh of this library, or a view of one that shows its properties; m, of the same dimension, of this library; c says what m was made of.
-///         Edges and faces may be left out of it: they follow from the verts. So may corners: each comes from the corners, at the verts that its vert was
-///         made of, of the polys that its poly was made of.
+/// Transfers all named properties of one mesh to another that was made of it, each by its rule (set_property_rule), and those of the mesh as a whole.
+/// Needs:  a mesh of this library, or a view of one that has its properties; m, of the same dimension, of this library; c, the origins of m.
+///         c may omit edges and faces: they follow from the verts. It may omit corners too: the origins of a corner are corners of the origins of its
+///         poly, at the origins of its vert.
 /// Result: m has these properties; one of the same kind and name is replaced. Elements without origin have a default value.
-/// Cost:   O(elements and origins) for each property; that of match_edges_and_faces where there are properties of edges or faces.
+/// Cost:   O(elements and origins) for each property; that of match_edges_and_faces if there are properties of edges or faces.
 /// Errors: invalid_argument if c does not fit the meshes; m is unchanged then.
 template<ShowsProperties From, HasProperties To>
   requires AnyMesh<From> && AnyMesh<To> && (dimension_v<From> == dimension_v<To>)

@@ -1,4 +1,4 @@
-// Values at the elements of a mesh, kept outside of it: make_vert_map<double>(m, 0.0) and its siblings for edges, faces and polys.
+// Values at the elements of a mesh, stored outside the mesh: make_vert_map<double>(m, 0.0) and its siblings for edges, faces and polys.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -15,7 +15,7 @@ namespace concino {
 
 namespace detail {
 
-/// The mesh that a map answers for: its address, or the view itself. Const as a whole: nobody changes a mesh through a map.
+/// The mesh of a map: its address, or a copy of the view. Always const: a map never changes its mesh.
 template<class M, bool = is_view_v<M>>
 class mesh_ref {
   const M* mesh_;
@@ -34,7 +34,7 @@ class mesh_ref<V, true> {
   const V& get() const { return view_; }
 };
 
-/// Says that the caller is about to write every value of a map: filling a large one first takes as long as many a computation.
+/// Tag for maps without initial values: the caller will write every value. Filling a large map first takes as long as many a computation.
 struct unwritten {};
 
 template<class T>
@@ -54,7 +54,7 @@ struct map_storage<T> {
 }  // namespace detail
 
 /// A value of type T for every X (a descriptor type) of a mesh of type M, in one array.
-/// Needs:  index_of(m, x). The mesh stays where it is as long as the map is used; of a view the map keeps a copy.
+/// Needs:  index_of(m, x). The mesh is not moved or destroyed while the map is used; of a view the map keeps a copy.
 /// Result: map[x] is a reference; bools are stored as unsigned char, so it is one for them too.
 ///         Elements added to the mesh after the map was made have no value in it: asking for one is a programming error (assert).
 /// Cost:   one array of index_bound values.
@@ -79,12 +79,12 @@ class element_map {
 
   element_map(const M& m, std::size_t bound, const T& init)
       : mesh_(m), values_(detail::map_storage<stored>::filled(bound, static_cast<stored>(init))) {}
-  /// Without values: every element's is to be written before it is read.
+  /// Without initial values: every element's value must be written before it is read.
   element_map(const M& m, std::size_t bound, detail::unwritten) : mesh_(m), values_(detail::map_storage<stored>::unfilled(bound)) {}
 
   element_map(const element_map&) = default;
   element_map(element_map&&) noexcept = default;
-  element_map& operator=(const element_map& o) { return *this = element_map(o); }  // all or nothing
+  element_map& operator=(const element_map& o) { return *this = element_map(o); }  // strong exception guarantee
   element_map& operator=(element_map&&) noexcept = default;
 
   stored& operator[](const X& x) { return values_[slot(x)]; }
@@ -95,10 +95,10 @@ class element_map {
   }
 
   const M& mesh() const { return mesh_.get(); }
-  /// All values by index_of; those at the indices of deleted elements mean nothing.
+  /// All values, by index_of; those at the indices of deleted elements are meaningless.
   std::span<stored> values() { return {values_.data(), values_.size()}; }
   std::span<const stored> values() const { return {values_.data(), values_.size()}; }
-  /// The first of them, for loops that many programs compile: a span takes longer.
+  /// A pointer to the first value, for loops in many translation units: a span takes longer to compile.
   stored* data() { return values_.data(); }
   const stored* data() const { return values_.data(); }
 };

@@ -1,5 +1,5 @@
-// Which elements of one mesh the elements of another one were made of: correspondence. By index of the elements, whatever types the meshes are of, so
-// that every algorithm that makes a mesh of another one says it alike. correspondence.hpp takes values and properties along.
+// Correspondence between meshes: for each element of a new mesh, the elements of the old mesh of which it was made. Elements are stored by index, so
+// it does not depend on the mesh types, and all algorithms that make a mesh of another one return it. correspondence.hpp transfers values and properties.
 #pragma once
 
 #include <cassert>
@@ -11,19 +11,19 @@
 
 namespace concino {
 
-/// An element of the mesh before, and how much of it is in the element of the new mesh.
+/// An element of the mesh before, with its weight in the element of the new mesh.
 struct origin {
   std::uint32_t index;  // index_of in the mesh before
-  double weight = 1;    // >= 0, finite: what both have in common, such as an area, or a weight of interpolation; only ratios count
+  double weight = 1;    // >= 0, finite: the size of the common part, such as an area, or an interpolation weight; only ratios count
 
   friend bool operator==(const origin&, const origin&) = default;
 };
 
-/// Of the elements of one kind of a new mesh, by index: the elements of that kind of the mesh before that they were made of, none, one or several.
-/// Elements that were copied or split name the same origin; an element that was merged names several, one that was put between others too.
+/// The origins of the elements of one kind in a new mesh, by index: the elements of that kind in the mesh before of which each was made; none, one
+/// or several. Copies and parts of a split element have that element as origin. A merged element has several origins, and so has an interpolated one.
 class element_origins {
-  std::vector<std::uint32_t> single_;  // as long as no element has more than one, with the amount 1
-  std::vector<std::size_t> first_;     // else: where the origins of each begin, and where the last ends
+  std::vector<std::uint32_t> single_;  // used while no element has more than one origin, with the weight 1
+  std::vector<std::size_t> first_;     // otherwise: where the origins of each element begin, and where the last end
   std::vector<origin> list_;
 
   void make_lists() {
@@ -75,10 +75,10 @@ class element_origins {
   };
 
   element_origins() = default;
-  /// At most one origin for each, `none` where there is no such element or where it was made of nothing.
+  /// At most one origin for each element; `none` if the element does not exist or has no origin.
   explicit element_origins(std::vector<std::uint32_t> single) : single_(std::move(single)) {}
 
-  /// Of how many elements the origins are known: the index bound of the new mesh, once it is complete.
+  /// The number of elements with known origins: the index bound of the new mesh, once it is complete.
   std::size_t size() const { return first_.empty() ? single_.size() : first_.size() - 1; }
   range operator[](std::size_t i) const {
     assert(i < size());
@@ -91,7 +91,7 @@ class element_origins {
     return r.size() == 1 ? r[0].index : none;
   }
 
-  /// The origins of the next element, whose index is size() before.
+  /// Adds the origins of the next element, whose index is size() before the call.
   void add(std::uint32_t one) {
     if (first_.empty()) {
       single_.push_back(one);
@@ -108,8 +108,8 @@ class element_origins {
   void add(std::initializer_list<origin> several) { add(std::span<const origin>(several.begin(), several.size())); }
 };
 
-/// Of a mesh that was made of another one: for each vert, edge, face and poly by its index, what it was made of. A kind of elements of which nothing is
-/// known is empty; edges and faces then follow from their verts (match_edges_and_faces), corners from their polys and verts.
+/// The origins of all verts, edges, faces and polys of a new mesh, by index. A kind of elements with unknown origins is empty. The origins of edges
+/// and faces can then be found from their verts (match_edges_and_faces), those of corners from their polys and verts.
 struct correspondence {
   element_origins verts, edges, faces, polys, corners = {};
 };

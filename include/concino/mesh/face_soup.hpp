@@ -1,4 +1,4 @@
-// Polyhedra made of cells that each bring their own faces: equal faces become one.
+// face_soup: builds polyhedra from cells with separate faces, and merges equal faces.
 #pragma once
 
 #include <concino/mesh/arrays.hpp>
@@ -12,11 +12,11 @@
 
 namespace concino {
 
-/// Makes polyhedra of lists of verts face by face: equal faces become one, seen from its two sides.
-/// Faces are numbered as they are first met, and are outward for the poly that has them first. Linear time but for the sorting of the few
-/// faces that have the same smallest vert.
+/// Builds polyhedra from lists of verts, one list per face of each poly. Two equal faces become one face with two polys.
+/// Faces are numbered in the order of their first occurrence, and are outward for the poly in which they occur first. Linear time, except for
+/// sorting the few faces that have the same smallest vert.
 struct face_soup {
-  /// A face for sorting: equal cycles are neighbours, the first of them first, whatever vert they begin with and whichever way they run.
+  /// A key for sorting faces. Equal cycles are adjacent in the order, by face number, whatever their first vert and direction.
   class cycle {
     const vert_id* verts_;
     std::uint32_t size_, start_, face_;
@@ -41,7 +41,7 @@ struct face_soup {
     }
   };
 
-  std::vector<std::uint32_t> face_offsets{0};  // of the faces of all polys, one after another, common ones twice
+  std::vector<std::uint32_t> face_offsets{0};  // of the faces of all polys, one after another; a common face is listed twice
   std::vector<vert_id> face_verts;
   std::vector<std::uint32_t> poly_offsets{0};
 
@@ -63,8 +63,8 @@ struct face_soup {
     std::uint32_t face;
   };
 
-  /// The faces in the order of their smallest verts. where: zeros, one more than there are verts; afterwards it says of each vert where
-  /// the faces end that it is the smallest of.
+  /// Returns the faces sorted by their smallest vert. Needs: `where` has zeros, one more than there are verts. Result: where[v] is the end of the
+  /// faces whose smallest vert is v.
   template<std::same_as<std::uint32_t> Index>
   std::vector<entry> sort_by_smallest_vert(std::vector<Index>& where) {
     const std::size_t n = face_offsets.size() - 1;
@@ -85,7 +85,7 @@ struct face_soup {
     return entries;
   }
 
-  /// Result: polyhedra of the faces that are their own twins; the others are seen from their second side.
+  /// Result: polyhedra with the faces that are their own twins; the other faces refer to their twin.
   template<std::same_as<vec3> Point>
   polyhedra_arrays keep_first_faces(std::vector<Point>&& points, const std::vector<std::uint32_t>& twin, std::vector<std::uint8_t>&& outward) {
     const std::size_t n = twin.size();
@@ -96,7 +96,7 @@ struct face_soup {
     out.outward = std::move(outward);
     out.face_offsets.push_back(0);
     std::uint32_t corners = 0, face_count = 0;
-    // In place: a kept face moves to the front, over what has been read; twin becomes the new number.
+    // In place: a face that is kept moves forward, over faces already read.
     for (std::size_t f = 0; f < n; ++f) {
       if (twin[f] == f) {
         const std::uint32_t k = size(f);
@@ -113,7 +113,7 @@ struct face_soup {
   }
 
  public:
-  /// A template, like the other large ones here, only so that programs without volumes need not compile it.
+  /// This and the other large functions here are templates only so that programs without volumes need not compile them.
   template<std::same_as<vec3> Point>
   polyhedra_arrays unite(std::vector<Point> points) && {
     const std::size_t n = face_offsets.size() - 1;
@@ -130,7 +130,7 @@ struct face_soup {
       std::sort(b, e, [](const entry& x, const entry& y) { return x.others != y.others ? x.others < y.others : x.face < y.face; });
       for (auto run = b, after = b; run != e; run = after) {
         while (after != e && after->others == run->others) ++after;
-        // Where many faces have the same three verts they are sorted; then equal ones follow one another.
+        // Many faces with the same three smallest verts are sorted, so that equal ones are consecutive.
         const bool sorted = after - run > 16;
         if (sorted) {
           cycles.clear();

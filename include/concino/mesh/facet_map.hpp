@@ -1,4 +1,4 @@
-// Values at the facets of a mesh, the edges of a surface or the faces of a volume: make_facet_map<double>(m, 0.0).
+// Maps with a value for every facet of a mesh, an edge of a surface or a face of a volume: make_facet_map<double>(m, 0.0).
 #pragma once
 
 #include <concino/concepts/facets.hpp>

@@ -1,13 +1,13 @@
-// For meshes that know little more than the verts of each polygon, or of each cell: build tables from those lists once, keep them beside the
-// mesh, inherit from `indexed_surface` or `indexed_volume`, and say where the tables are:
+// Base classes of mesh_traits for meshes that store little more than the verts of each polygon or cell. Build tables from those lists once, store them
+// beside the mesh, inherit from `indexed_surface` or `indexed_volume`, and say where the tables are:
 //
 //   template<> struct concino::mesh_traits<mine> : concino::indexed_surface<mine> {
 //     static const concino::surface_tables<3>& tables(const mine& m) { return m.tables; }
 //     static concino::vec3 point(const mine& m, concino::vert_id v) { ... }
 //   };
 //
-// The tables are an object that the mesh's author owns and sees; after the lists change they must be built again. The library's own meshes
-// are adapted by these very bases. `arity` may be promised where the type of the tables fixes it: surface_tables<3>, tet_tables, hex_tables.
+// The author of the mesh owns the tables and must build them again after the lists change. The native meshes are adapted by these same base
+// classes. `arity` may be declared if the type of the tables fixes it: surface_tables<3>, tet_tables, hex_tables.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -31,16 +31,16 @@ using indexed_base_requirements = list<tables_requirement>;
 
 namespace detail {
 
-/// Verts of every poly where the type of tables fixes it, else 0.
+/// The number of verts of every poly if the type of the tables fixes it, else 0.
 template<class T> inline constexpr int arity_of_tables = 0;
 template<class T>
   requires requires { T::arity; }
 inline constexpr int arity_of_tables<T> = static_cast<int>(T::arity);
 
-/// Whether tables(M) takes a copy of the mesh.
+/// Whether tables(M) takes the mesh by value.
 template<class M, class R> concept takes_a_copy = requires { static_cast<R (*)(M)>(&mesh_traits<M>::tables); };
 
-// One line per message, so that compilers show it in one.
+// One line per message, so that compilers print it in one line.
 // clang-format off
 template<class M, class R>
 consteval void check_tables() {
@@ -48,9 +48,9 @@ consteval void check_tables() {
     static_assert(missing<M>, "concino: mesh_traits<M>::tables must return a reference, static const auto& tables(const M&): without the & every question would be answered from a copy that is gone");
   else if constexpr (takes_a_copy<M, R>)
     static_assert(missing<M>, "concino: mesh_traits<M>::tables must take the mesh by reference, static const auto& tables(const M&): without the & it returns a reference into a copy that is gone");
-  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>> && dimension_v<M> == 2)  // the sentences differ
+  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>> && dimension_v<M> == 2)  // the messages differ
     static_assert(missing<M>, "concino: mesh_traits<M>::arity needs tables(m) to be surface_tables<arity>: leave arity out, or build these");
-  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>>)  // the sentences differ
+  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>>)  // the messages differ
     static_assert(missing<M>, "concino: mesh_traits<M>::arity = 4 needs tables(m) to be tet_tables, 8 hex_tables, whose lists keep the standard order of corners; polyhedra_tables do not: leave arity out, or build the others");
 }
 // clang-format on
@@ -68,7 +68,8 @@ struct indexed_elements {
   using poly = poly_id;
   using base_requirements = requirement::bound<requirement::indexed_base_requirements, M>;
 
-  // What concepts ask for first says "no" where there are no tables, so that they do not ask for the rest. X, since only then mesh_traits<M> is complete.
+  // Concepts check verts first. It is missing if there are no tables, so that the other requirements are not checked. X defers the check until
+  // mesh_traits<M> is complete.
   template<class X = M> requires requirement::has_tables<X> static auto verts(const M& m) { return detail::tables_of<M>(m).verts().all(); }
   template<class X = M> requires requirement::has_tables<X> static auto edges(const M& m) { return detail::tables_of<M>(m).edges().all(); }
   template<class X = M> requires requirement::has_tables<X> static auto polys(const M& m) { return detail::tables_of<M>(m).polys().all(); }

@@ -1,4 +1,4 @@
-// What polyhedra are too large to be held.
+// A limit on the size of the adjacencies of polyhedra.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -9,10 +9,10 @@
 
 namespace concino {
 
-/// Refuses polyhedra whose adjacencies would be far longer than the lists that they are given by. Real volumes are far from it: where a face has one
-/// or two polys, the adjacencies are at most twice as long. Only meshes with a face of more than 16 verts that more than 16 polys have are refused.
+/// Rejects polyhedra whose adjacencies would be far longer than their input lists. Real volumes are far from this limit: if each face has one
+/// or two polys, the adjacencies are at most twice as long. Only meshes with a face that has more than 16 verts and more than 16 polys are rejected.
 /// Needs:  poly_corners: the verts of all faces, a face counted for every poly that has it; face_corners: each face counted once;
-///         poly_faces: the faces of all polys; before: what the message begins with.
+///         poly_faces: the number of faces of all polys; before: how the message begins.
 /// Result: nothing.                                                                Cost: O(1).
 /// Errors: unsupported if they are too long.
 inline void check_poly_corners(std::uint64_t poly_corners, std::uint64_t face_corners, std::uint64_t poly_faces, std::string_view before = {}) {

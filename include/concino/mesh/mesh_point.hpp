@@ -1,4 +1,4 @@
-// Points of a mesh: on an edge, or at any element, with their coordinates.
+// Points on a mesh: on an edge, or on any element, with their coordinates.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -8,14 +8,14 @@
 
 namespace concino {
 
-/// A point on an edge. parameter: in [0, 1], 0 at the first of its verts as adj_e2v gives them, 1 at the second.
+/// A point on an edge. parameter: in [0, 1], 0 at the first vert of adj_e2v, 1 at the second.
 template<class M>
 struct edge_point {
   edge_t<M> edge;
   double parameter;
 };
 
-/// A point of a surface or volume: at a vert, on an edge, or inside a poly, and its coordinates.
+/// A point on a surface or in a volume: at a vert, on an edge, or inside a poly, with its coordinates.
 template<class M>
 struct mesh_point {
   std::variant<vert_t<M>, edge_point<M>, poly_t<M>> element;

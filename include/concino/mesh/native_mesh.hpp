@@ -1,5 +1,5 @@
-// What the six meshes of the library have in common: points, tables of adjacencies, properties. And how lists of points and of verts, in
-// braces or in containers, become flat arrays.
+// native_mesh: the common base class of the six native meshes, with points, adjacency tables and properties. Also the conversion of lists of points
+// and of verts, as braced lists or containers, into flat arrays.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino {
 
-/// An index in a list in braces: any integer, or a descriptor of the library.
+/// An index in a braced list: any integer, or a descriptor of the library.
 class list_index {
   std::uint32_t raw_;
 
@@ -26,7 +26,7 @@ class list_index {
   constexpr std::uint32_t raw() const { return raw_; }
 };
 
-/// A face of a polyhedron in a list in braces: {face, whether its verts run counter-clockwise seen from outside}.
+/// A face of a polyhedron in a braced list: {face, whether its verts run counter-clockwise seen from outside}.
 struct list_face {
   list_index face;
   bool outward;
@@ -49,7 +49,7 @@ std::vector<vec3> to_points(const R& r) {
   return points;
 }
 
-/// Lists one after another; offsets says where each begins. With `arity` every list must have that many entries.
+/// Lists stored one after another; offsets are where each begins. If `arity` is given, every list must have that many entries.
 template<class R>
 surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_t arity) {
   surface_arrays a;
@@ -69,7 +69,7 @@ surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_
   return a;
 }
 
-/// The same polys with lists of `arity`, or with offsets (0).
+/// The same polys, stored as lists of `arity` verts, or with offsets if `arity` is 0.
 surface_arrays to_arity(surface_arrays a, std::uint32_t arity);
 
 template<class R>
@@ -106,7 +106,7 @@ class native_mesh {
   native_mesh();
   native_mesh(const native_mesh&);
   native_mesh(native_mesh&&) noexcept;
-  native_mesh& operator=(const native_mesh&);  // all or nothing
+  native_mesh& operator=(const native_mesh&);  // strong exception guarantee
   native_mesh& operator=(native_mesh&&) noexcept;
   ~native_mesh();
 
@@ -118,10 +118,10 @@ class native_mesh {
   property_set& properties() { return properties_; }
 };
 
-/// What mesh_traits says of each of the six beyond its adjacencies.
+/// The part of mesh_traits that the six native meshes share, besides adjacencies.
 template<class M, template<class> class Base>
 struct native_traits : Base<M> {
-  using precompiled = M;  // in concino::compiled
+  using precompiled = M;  // compiled in concino::compiled
   static const auto& tables(const M& m) { return m.tables(); }
   static const vec3& point(const M& m, vert_id v) { return m.points()[v.raw()]; }
   template<class P>
@@ -132,7 +132,7 @@ struct native_traits : Base<M> {
   static std::size_t corner_index_bound(const M& m) { return m.tables().corner_bound(); }
 
   static vert_id add_vert(M& m, const vec3& x) {
-    const vec3 place = x;  // x may be a point of m, which moves
+    const vec3 place = x;  // a copy: x may be a point of m, which moves
     reserve_more(m.points(), 1);
     const vert_id v = m.tables().add_vert(growing(m));
     m.points().push_back(place);

@@ -1,5 +1,5 @@
 // All adjacencies of a mesh of general polyhedra in flat arrays, built in linear time from faces (lists of verts) and polys (lists of faces).
-// Derived by the way: edges of a face (from its verts), polys around an edge and faces at a vert (from the faces at edges).
+// Some are derived on the fly: edges of a face (from its verts), polys around an edge and faces at a vert (from the faces at edges).
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -16,7 +16,7 @@
 
 namespace concino {
 
-/// Lists: where the verts of faces are read; rows of these tables' own, which can be edited, or lists in somebody else's array.
+/// Lists: where the verts of faces are stored, either in rows of these tables, which can be edited, or in an array of the user.
 template<class Lists>
 class basic_polyhedra_tables {
   template<class> friend class basic_polyhedra_tables;
@@ -32,7 +32,7 @@ class basic_polyhedra_tables {
   jagged<face_id> e2f_;
   jagged<poly_id> v2p_;
   detail::facet_adjacency<face_id, 0> facet_adjacency_;
-  detail::row_lookup face_places_;  // of verts in faces of many
+  detail::row_lookup face_places_;  // of verts in faces with many verts
   jagged<std::uint8_t> outward_;  // parallel to the faces of each poly
   detail::jagged_array<vert_id, 2> e2v_;
 
@@ -40,15 +40,15 @@ class basic_polyhedra_tables {
   basic_polyhedra_tables() = default;
   basic_polyhedra_tables(const basic_polyhedra_tables&) = default;
   basic_polyhedra_tables(basic_polyhedra_tables&&) noexcept = default;
-  basic_polyhedra_tables& operator=(const basic_polyhedra_tables& o) { return *this = basic_polyhedra_tables(o); }  // all or nothing
+  basic_polyhedra_tables& operator=(const basic_polyhedra_tables& o) { return *this = basic_polyhedra_tables(o); }  // strong exception guarantee
   basic_polyhedra_tables& operator=(basic_polyhedra_tables&&) noexcept = default;
 
-  /// From the verts of every face in cyclic order, the faces of every poly, and whether each face is wound outward there.
+  /// From the verts of every face in cyclic order, the faces of every poly, and whether each face is oriented outward there.
   /// Errors: invalid_mesh that names the face or poly with a bad or repeated vert or face; unsupported if faces of many verts belong to so
   ///         many polys that the adjacencies would be far longer than these lists.
   basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
                          std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward);
-  /// The same for faces that are listed elsewhere, with what was built of a copy of those lists.
+  /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   basic_polyhedra_tables(basic_polyhedra_tables<jagged<vert_id>>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, jagged<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
@@ -76,7 +76,7 @@ class basic_polyhedra_tables {
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
-  /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
+  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound(). Edits do not change them.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }
 
@@ -85,34 +85,33 @@ class basic_polyhedra_tables {
     return k < outward_.length(p.raw()) && outward_.begin(p.raw())[k] != 0;
   }
 
-  // Edits find their memory first, which changes nothing, and then cannot fail: each is done as a whole or not at all. `grow` is called in
-  // between, with the bounds of indices that the edit leads to; it may fail too.
+  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot fail afterwards. Before the
+  // change they call `grow` with the index bounds after the edit; `grow` may throw too.
 
-  /// A vert without edges.
+  /// Adds a vert without edges.
   vert_id add_vert(function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// A face on verts that are there, of no poly yet. A second face on the same verts is another face.
-  /// Errors: invalid_mesh as in the constructor; nothing has changed then.
+  /// Adds a face on existing verts, without polys. A second face on the same verts is a different face.
+  /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   face_id add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// A poly of faces that are there; outward[k] as in the constructor. Cost: at most the square of the corners of its faces.
-  /// Errors: invalid_mesh as in the constructor; nothing has changed then.
+  /// Adds a poly of existing faces; outward[k] as in the constructor. Cost: at most the square of the corners of its faces.
+  /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// Finds the memory that removing these polys one after another, and faces and verts that no poly has any more, takes: none of it can fail then.
+  /// Allocates the memory for the removal of these polys, and of faces and verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id>);
 
-  /// Takes p away, and with it the faces that no other poly has and the edges that no other face has; verts stay. No other element changes
-  /// its name.
+  /// Removes p, the faces that no other poly has and the edges that no other face has; verts stay. The ids of other elements do not change.
   void remove_poly(poly_id p);
 
-  /// Takes away a face that no poly has.
+  /// Removes a face that has no polys.
   void remove_face(face_id f);
 
-  /// Takes away a vert that no poly has any more, and faces at it that no poly has either.
+  /// Removes a vert that has no polys, and the faces at it, which have none either.
   void remove_vert(vert_id v);
 
-  // What the ranges above look up with.
+  // Used by the ranges above.
   edge_id edge_between(vert_id a, vert_id b) const {
     const auto [smaller, larger] = std::minmax({a, b});
     if (v2v_.length(larger.raw()) > detail::row_lookup::longest_scan) [[unlikely]]
@@ -130,20 +129,21 @@ class basic_polyhedra_tables {
   }
 
  private:
-  static constexpr std::size_t faces_of_new_edge = 4;  // what there is room for
+  static constexpr std::size_t faces_of_new_edge = 4;  // for which memory is reserved
 
-  /// Result: the verts of the faces of all polys, a face counted for every poly that has it.
+  /// Result: the number of verts of the faces of all polys, a face counted for every poly that has it.
   std::size_t check(std::size_t vert_count, const jagged<face_id>& polys) const;
 
-  /// The smaller neighbours of a vert come before the larger, and ascend, until edges are added or removed there.
+  /// The smaller neighbours of a vert come before the larger ones, in ascending order, until edges are added or removed there.
   edge_id edge_to_smaller(vert_id v, vert_id smaller) const;
 
   void build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners);
 
-  /// Edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner. Returns scratch of one number a vert.
+  /// Builds edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner. Returns a scratch array with one
+  /// number per vert.
   core::flat_array<std::uint32_t> build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e);
 
-  /// Verts and edges of every poly, in the order in which its faces meet them, and polys of every vert.
+  /// Builds the verts and edges of every poly, in the order in which they occur in its faces, and the polys of every vert.
   void build_corners(std::size_t vert_count, const core::flat_array<edge_id>& f2e, core::flat_array<std::uint32_t> vert_met, std::size_t poly_corners);
 };
 

@@ -1,5 +1,5 @@
-// Named, typed properties of a mesh's elements, and of the mesh itself. They belong to the mesh, are copied with it, follow its elements through edits, and are read
-// and written by file formats that can hold them. For values that need no name, see element_map.hpp.
+// Named, typed properties of a mesh's elements, and of the mesh itself. The mesh owns them: they are copied with it, edited with its elements, and read
+// and written by file formats that support them. For values without a name, see element_map.hpp.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -9,8 +9,8 @@
 
 namespace concino {
 
-/// A handle to one property: `u[v]` reads and writes. It stays valid, with its values, even if the property is removed or the mesh is gone.
-/// Const: reads only.
+/// A handle to one property: `u[v]` reads and writes. It stays valid, with its values, even if the property is removed or the mesh is destroyed.
+/// Const: read-only.
 template<class Id, class T>
 class property_map {
   std::shared_ptr<detail::column> column_;
@@ -29,7 +29,7 @@ class property_map {
   }
 };
 
-/// The same of a property that is one value for the mesh as a whole: `*u` reads and writes.
+/// A handle to a property with one value for the mesh as a whole: `*u` reads and writes.
 template<class T>
 class property_value {
   std::shared_ptr<detail::column> column_;
@@ -48,7 +48,7 @@ class property_value {
   T* operator->() const { return &**this; }
 };
 
-/// A mesh that shows named properties, its own or those of the mesh that it is a view of.
+/// A mesh with named properties, its own or those of the mesh of which it is a view.
 template<class M>
 concept ShowsProperties = requires(const std::remove_cvref_t<M>& m) {
   { traits<M>::properties(m) } -> std::same_as<const property_set&>;
@@ -59,9 +59,9 @@ concept HasProperties = ShowsProperties<M> && requires(std::remove_cvref_t<M>& m
   { traits<M>::properties(m) } -> std::same_as<property_set&>;
 };
 
-/// The property `name` of m's verts (edges, faces, polys), made with default values if there is none.
+/// The property `name` of m's verts (edges, faces, polys), created with default values if there is none.
 /// Needs:  a mesh of this library; T copyable with a default value.
-/// Result: a handle u, u[v] is T&.             Cost: O(elements) if it is made, else O(number of properties).
+/// Result: a handle u, u[v] is T&.             Cost: O(elements) if it is created, else O(number of properties).
 /// Errors: invalid_argument if the property exists with values of another type.
 template<class T, HasProperties M>
 property_map<vert_t<M>, T> vert_property(M& m, std::string_view name) {
@@ -80,7 +80,7 @@ property_map<poly_t<M>, T> poly_property(M& m, std::string_view name) {
   return property_map<poly_t<M>, T>(traits<M>::properties(m).get(element_kind::poly, name, detail::values_of<T>, poly_index_bound(m)));
 }
 
-/// The property `name` of the mesh as a whole, made with a default value if there is none. Edits leave it as it is.
+/// The property `name` of the mesh as a whole, created with a default value if there is none. Edits do not change it.
 /// Needs:  a mesh of this library; T copyable with a default value.
 /// Result: a handle u, *u is T&.               Cost: O(number of properties).
 /// Errors: invalid_argument if the property exists with a value of another type.
@@ -89,7 +89,7 @@ property_value<T> mesh_property(M& m, std::string_view name) {
   return property_value<T>(traits<M>::properties(m).get(element_kind::mesh, name, detail::values_of<T>, 1));
 }
 
-/// The property `name` of m's verts (edges, faces, polys) or of the mesh as a whole, to be read only.
+/// Read-only access to the property `name` of m's verts (edges, faces, polys) or of the mesh as a whole.
 /// Needs:  a mesh of this library, or submesh() or with_points() of one.
 /// Result: a handle as above, of const T; empty (tests false) if there is no property of that name.
 /// Cost:   O(number of properties).
@@ -115,7 +115,7 @@ property_value<const T> find_mesh_property(const M& m, std::string_view name) {
   return property_value<const T>(traits<M>::properties(m).find(element_kind::mesh, name, detail::values_of<T>));
 }
 
-/// Kind, name, type and rule of every property of m, in the order in which they were made.
+/// Kind, name, type and rule of every property of m, in the order in which they were created.
 /// Needs:  a mesh of this library, or submesh() or with_points() of one.      Result: an entry each.      Cost: O(number of properties).      Errors: none.
 template<ShowsProperties M>
 std::vector<property_info> property_list(const M& m) {
@@ -125,17 +125,17 @@ std::vector<property_info> property_list(const M& m) {
   return list;
 }
 
-/// Sets what becomes of the values of a property where elements are split, merged or put between others. Until then it is `interpolate` for values that
+/// Sets the rule for the values of a property when elements are split, merged or interpolated. The default is `interpolate` for values that
 /// have a mean (numbers other than integers, vectors, arrays of such, colours) and `copy` for all others.
 /// Needs:  a mesh of this library.      Result: none; copies of the mesh, and meshes made of it, keep the rule.
 /// Cost:   O(number of properties).
-/// Errors: invalid_argument if there is no such property, or where its values have no mean (interpolate) or cannot be added (sum): integers can be added.
+/// Errors: invalid_argument if there is no such property, or if its values have no mean (interpolate) or no sum (sum); integers have a sum.
 template<HasProperties M>
 void set_property_rule(M& m, element_kind kind, std::string_view name, property_rule rule) {
   traits<M>::properties(m).set_rule(kind, name, rule);
 }
 
-/// Takes a property out of m. Handles to it keep its values.
+/// Removes a property from m. Handles to it keep its values.
 /// Needs:  a mesh of this library.      Result: false if there was none of that kind and name.      Cost: O(number of properties).
 /// Errors: none.
 template<HasProperties M>

@@ -1,4 +1,4 @@
-// The named, typed properties that a mesh holds: one column of values per property. property.hpp is the way in.
+// The named, typed properties of a mesh: one column of values per property. property.hpp has the functions to use them.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -21,26 +21,26 @@
 
 namespace concino {
 
-/// What a property gives values to; `mesh`: one value to the mesh as a whole; `corner`: to each vert of each poly.
+/// What has the values of a property: elements of a kind; `mesh`: the mesh as a whole, one value; `corner`: each vert of each poly.
 enum class element_kind { vert, edge, face, poly, mesh, corner };
 
 /// The name of a kind of elements: "vert", "edge", "face", "poly", "mesh" or "corner".
-/// Needs:  one of the kinds above.      Result: a text that is always there.      Cost: O(1).      Errors: none.
+/// Needs:  one of the kinds above.      Result: a text with static lifetime.      Cost: O(1).      Errors: none.
 inline std::string_view to_string(element_kind k) {
   constexpr std::string_view names[] = {"vert", "edge", "face", "poly", "mesh", "corner"};
   return names[static_cast<unsigned>(k)];
 }
 
-/// What becomes of the values of a property where elements are copied, split, merged or put between others: how the value of an element follows from
-/// those of the elements that it was made of. An element that is no more than a copy has the value of its origin by the first two.
+/// How the value of a property at an element follows from the values at its origins, when elements are copied, split, merged or interpolated.
+/// A pure copy has the value of its origin by the first two rules.
 enum class property_rule {
-  interpolate,  // their mean, weighted by what they have in common: of numbers, vectors, arrays of numbers, colours
-  copy,         // the value of the one that it has most in common with: of anything, such as names and labels
-  sum,          // they are parted and added up, so that the sum over all elements stays what it is: masses, counts
+  interpolate,  // the mean, weighted by the size of the common part: of numbers, vectors, arrays of numbers, colours
+  copy,         // the value of the origin with the largest weight: of anything, such as names and labels
+  sum,          // values are split and added, so that the sum over all elements does not change: masses, counts
 };
 
 /// The name of a rule: "interpolate", "copy" or "sum".
-/// Needs:  one of the rules above.      Result: a text that is always there.      Cost: O(1).      Errors: none.
+/// Needs:  one of the rules above.      Result: a text with static lifetime.      Cost: O(1).      Errors: none.
 inline std::string_view to_string(property_rule r) {
   constexpr std::string_view names[] = {"interpolate", "copy", "sum"};
   return names[static_cast<unsigned>(r)];
@@ -51,7 +51,7 @@ struct correspondence;
 
 namespace detail {
 
-/// Values that have a mean: factor * x, and x + y. Those of integers do not: they are counts or names.
+/// Values that have a mean: factor * x, and x + y. Integers have none: they are counts or names.
 template<class T>
 concept scalable = !std::integral<T> && requires(const T& x, double factor) {
   { factor * x } -> std::convertible_to<T>;
@@ -78,18 +78,18 @@ void add_scaled(std::array<T, N>& to, const std::array<T, N>& x, double factor) 
   for (std::size_t i = 0; i < N; ++i) add_scaled(to[i], x[i], factor);
 }
 
-/// What a column has to know of the type of its values. Columns are no templates: each would take longer to compile than all that is done
-/// with most of them.
+/// The operations of a column on its values (type erasure). Columns are not templates: each would take longer to compile than most of what is done
+/// with them.
 struct value_type {
   std::size_t size, alignment;
   const std::type_info* type;
   void (*make)(void* at);                    // a default value
-  void (*copy)(void* at, const void* from);  // null, like the others: copying bytes will do
+  void (*copy)(void* at, const void* from);  // null, like the others: the bytes can be copied
   void (*move)(void* at, void* from);        // or copy, if moving may throw
   void (*destroy)(void* at);
-  property_rule rule;                                           // unless another one is set
-  void (*scale)(void* at, const void* from, double factor);     // makes factor * from; null: the values cannot be parted
-  void (*add)(void* at, const void* from, double factor);       // adds factor * from, of values that cannot be parted with the factor 1; null: there is no sum
+  property_rule rule;                                           // unless the user sets another one
+  void (*scale)(void* at, const void* from, double factor);     // constructs factor * from; null: the values cannot be split
+  void (*add)(void* at, const void* from, double factor);       // adds factor * from, with the factor 1 if values cannot be split; null: there is no sum
 };
 
 template<class T>
@@ -134,19 +134,19 @@ class column {
   explicit column(const value_type& type) : type_(&type), rule_(type.rule) {}
   column(const value_type& type, std::size_t n);
   column(const column& o);
-  /// Value i follows by o's rule from those of o at from[i]; a default where there is none.
+  /// Value i follows by o's rule from the values of o at from[i]; it is a default value if there are none.
   column(const column& o, const element_origins& from);
   column& operator=(const column&) = delete;
   ~column();
 
-  void* data() const { return data_; }  // not null, even if there are no values, in a column made for a number of them
+  void* data() const { return data_; }  // not null in a column made for a number of values, even if that is 0
   std::size_t size() const { return size_; }
   const std::type_info& type() const { return *type_->type; }
   property_rule rule() const { return rule_; }
-  /// False if values of this type do not allow it.
+  /// Returns false if values of this type do not allow the rule.
   bool set_rule(property_rule rule);
 
-  /// New ones are default values.
+  /// New values are default values.
   void resize(std::size_t n);
 };
 
@@ -175,13 +175,13 @@ class property_set {
   ~property_set();
   property_set& operator=(property_set o) noexcept;
 
-  /// The column of that name, made with n default values if there is none.
+  /// The column of that name, created with n default values if there is none.
   std::shared_ptr<detail::column> get(element_kind kind, std::string_view name, const detail::value_type& type, std::size_t n);
 
-  /// Null if there is none of that name; invalid_argument if it holds values of another type.
+  /// Null if there is none of that name; invalid_argument if it has values of another type.
   std::shared_ptr<detail::column> find(element_kind kind, std::string_view name, const detail::value_type& type) const;
 
-  /// Of the property of that name and type; null if there is none.
+  /// The values of the property of that name and type; null if there is none.
   const void* values_if_any(element_kind kind, std::string_view name, const std::type_info& type) const;
 
   bool remove(element_kind kind, std::string_view name);
@@ -189,11 +189,11 @@ class property_set {
   bool has(element_kind kind) const;
   void set_rule(element_kind kind, std::string_view name, property_rule rule);
 
-  /// Takes over the properties of another mesh that the elements of this one were made of, and those of the mesh as a whole. One of the same kind and name
-  /// is replaced. All or nothing.
+  /// Transfers the properties of another mesh, of whose elements the elements of this one were made, and those of that mesh as a whole. Properties of
+  /// the same kind and name are replaced. Strong exception guarantee.
   void transfer(const property_set& given, const correspondence& c);
 
-  /// Default values for elements that are about to be added. If one of them cannot be made, nothing has changed.
+  /// Adds default values for elements that will be added. If one of them cannot be constructed, nothing changes.
   void grow(const detail::index_bounds& before, const detail::index_bounds& after);
 
   std::size_t size() const { return entries_.size(); }

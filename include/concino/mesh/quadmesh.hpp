@@ -5,21 +5,21 @@
 
 namespace concino {
 
-/// A surface of quadrilaterals. Any list of them can be represented: open, in several pieces, with verts of no quadrilateral, with more than two
-/// quadrilaterals at an edge. Elements are named by vert_id, edge_id, poly_id; verts and polys are numbered as given.
-/// Everything is asked through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
+/// A surface of quadrilaterals. Any list of quadrilaterals is allowed: with boundary, several components, verts without quadrilaterals, more than two
+/// quadrilaterals at an edge. Descriptors are vert_id, edge_id, poly_id; verts and polys keep the numbers of the input.
+/// All access is through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
 class quadmesh : public detail::native_mesh<surface_tables<4>> {
   using base = detail::native_mesh<surface_tables<4>>;
 
  public:
   quadmesh() = default;
 
-  /// From flat arrays with arity 4, taken over without a copy.
+  /// From flat arrays with arity 4, which are moved, not copied.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
   explicit quadmesh(surface_arrays a);
 
-  /// From points and lists of 4 verts, in braces or in containers.
+  /// From points and lists of 4 verts, as braced lists or containers.
   quadmesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
   quadmesh(const Points& points, const Polys& poly_ranges) : quadmesh(detail::to_surface(detail::to_points(points), poly_ranges, 4)) {}

@@ -1,4 +1,4 @@
-// The cells that have a name: how their faces are made of their verts, their volume, and turning the verts of inverted ones.
+// The standard cells (tet, hex, prism, pyramid): the verts of their faces, their volume, and the reordering of inverted cells.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -10,17 +10,17 @@
 
 namespace concino {
 
-/// The shapes that have a name, and all others.
+/// The shapes of the standard cells, and `general` for all others.
 enum class cell_shape : std::uint8_t { tet, hex, prism, pyramid, general };
 
-/// One standard cell. Verts are in the order of VTK and MEDIT; faces run counter-clockwise seen from outside where the cell's volume is
+/// A table for one standard cell. Verts are in the order of VTK and MEDIT; faces run counter-clockwise seen from outside if the cell's volume is
 /// positive.
 struct standard_cell {
   const char* name;
   unsigned num_verts, num_faces;
   std::uint8_t face_size[6];
   std::uint8_t face_vert[6][4];
-  std::uint8_t mirrored[8];  // the verts of the mirror image: a cell of negative volume, read in this order, has a positive one
+  std::uint8_t mirrored[8];  // the verts of the mirror image: a cell of negative volume has a positive one if read in this order
 };
 
 inline constexpr standard_cell standard_cells[] = {
@@ -36,18 +36,19 @@ inline constexpr standard_cell standard_cells[] = {
 };
 /// The table of a shape.
 /// Needs:  a shape that is not general.
-/// Result: a reference that is good for ever.                                      Cost: O(1).
+/// Result: a reference with static lifetime.                                       Cost: O(1).
 /// Errors: none.
 inline constexpr const standard_cell& standard_cell_of(cell_shape s) { return standard_cells[static_cast<unsigned>(s)]; }
 
-/// Six times the volume between a face and `apex`: the triangles from the face's mean point to its edges, positive if they turn away from the apex.
+/// Six times the signed volume between a face and `apex`. The face is split into triangles from its mean point to its edges; the volume is positive
+/// if they face away from the apex.
 /// Needs:  point_of(i), the i-th of the n > 0 verts of the face.
 /// Result: volume units, six times.                                                Cost: O(n).
 /// Errors: none.
 template<class Point>
 double six_times_volume_under(std::size_t n, const Point& point_of, const vec3& apex) {
   vec3 middle, doubled_area, a = point_of(n - 1) - apex;
-  // The mean point times the vector area of the face is the sum over its triangles.
+  // The sum over the triangles is the dot product of the mean point and the vector area of the face.
   for (std::size_t i = 0; i < n; ++i) {
     const vec3 b = point_of(i) - apex;
     middle += b;
@@ -57,7 +58,7 @@ double six_times_volume_under(std::size_t n, const Point& point_of, const vec3& 
   return dot(middle, doubled_area) / static_cast<double>(n);
 }
 
-/// Six times the signed volume of a standard cell, each face a fan about its mean point.
+/// Six times the signed volume of a standard cell. Each face is split into triangles from its mean point.
 /// Needs:  the verts of the cell in the standard order of its shape, which is not general; a point for each.
 /// Result: volume units, six times; negative if the cell is inverted.              Cost: O(1).
 /// Errors: none.
@@ -76,7 +77,7 @@ inline double six_times_volume(cell_shape s, const vert_id* v, const std::vector
   return of_triangles + of_quads / 4;
 }
 
-/// Puts the verts of a cell of negative volume into the standard order.
+/// Reorders the verts of a cell of negative volume to the standard order.
 /// Needs:  as six_times_volume.
 /// Result: whether the verts were changed.                                         Cost: O(1).
 /// Errors: none.
@@ -89,9 +90,9 @@ inline bool make_volume_positive(cell_shape s, vert_id* v, const std::vector<vec
   return true;
 }
 
-/// Whether a and b are one cycle of n verts.
+/// Whether a and b are the same cycle of n verts.
 /// Needs:  no vert twice in a, nor in b.
-/// Result: 1 if they are walked the same way, -1 opposite ways, 0 if they are not one cycle.      Cost: O(n).
+/// Result: 1 if both have the same direction, -1 if opposite directions, 0 if they are not the same cycle.      Cost: O(n).
 /// Errors: none.
 inline int compare_cycles(const vert_id* a, const vert_id* b, std::size_t n) {
   std::size_t k = 0;

@@ -1,4 +1,4 @@
-// submesh(m, keep): the polys of a mesh that `keep` accepts, with the verts, edges and faces they use, as a mesh.
+// submesh(m, keep): a view of the polys of a mesh for which `keep` returns true, with their verts, edges and faces.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -103,10 +103,10 @@ template<class M>
 struct mesh_traits<views::submesh_view<M>>
     : std::conditional_t<VolumeMesh<M>, detail::submesh_volume_traits<M>, detail::submesh_traits<M>> {};
 
-/// Needs:  AnyMesh M; keep(p) says whether poly p is shown, asked once for each. A mesh that owns its elements must outlive the view, so a
+/// Needs:  AnyMesh M; keep(p) says whether poly p is in the view; it is called once for each. A mesh that owns its elements must outlive the view, so a
 ///         temporary one is refused; of a view it keeps a copy.
-/// Result: a mesh of the same kind with the kept polys, and the verts, edges and faces that these use. Its descriptors and indices are
-///         those of m, and where m has named properties it shows them. It does not follow later changes of m.
+/// Result: a mesh of the same kind with the kept polys and their verts, edges and faces. Its descriptors and indices are
+///         those of m, and it has the named properties of m, if there are any. It does not follow later changes of m.
 /// Cost:   O(elements of m) time; five bits per vert, edge, face and poly, which copies of the view share.
 /// Errors: those of keep.
 template<AnyMesh M, class Keep>

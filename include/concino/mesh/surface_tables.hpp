@@ -1,5 +1,5 @@
-// All adjacencies of a surface in flat arrays, built from lists of verts in linear time. This is what the library's own surfaces hold, and
-// what any mesh that has only face-vertex lists can keep beside them (see indexed_base.hpp).
+// All adjacencies of a surface in flat arrays, built from lists of verts in linear time. The native surfaces consist of these tables, and
+// any mesh with only face-vertex lists can store them beside it (see indexed_base.hpp).
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -12,8 +12,8 @@
 
 namespace concino {
 
-/// Arity: verts of every polygon, or 0 where polygons differ. Lists: where the verts of polygons are read; rows of these tables' own, which
-/// can be edited, or lists in somebody else's array.
+/// Arity: the number of verts of every polygon, or 0 if polygons differ. Lists: where the verts of polygons are stored, either in rows of these
+/// tables, which can be edited, or in an array of the user.
 template<unsigned Arity, class Lists = detail::jagged_array<vert_id, Arity>>
 class surface_tables {
   template<unsigned, class> friend class surface_tables;
@@ -36,10 +36,10 @@ class surface_tables {
   surface_tables() = default;
   surface_tables(const surface_tables&) = default;
   surface_tables(surface_tables&&) noexcept = default;
-  surface_tables& operator=(const surface_tables& o) { return *this = surface_tables(o); }  // all or nothing
+  surface_tables& operator=(const surface_tables& o) { return *this = surface_tables(o); }  // strong exception guarantee
   surface_tables& operator=(surface_tables&&) noexcept = default;
 
-  /// From the verts of every polygon, in cyclic order. Linear in time and memory.
+  /// From the verts of every polygon, in cyclic order. Linear time and memory.
   /// Errors: invalid_mesh that names the polygon with a bad vert, a repeated vert or fewer than 3.
   surface_tables(std::size_t vert_count, std::vector<vert_id> polys)
     requires(Arity > 0)
@@ -47,14 +47,14 @@ class surface_tables {
     check(vert_count);
     build(vert_count);
   }
-  /// The same for polygons of any size: poly p's verts are verts[first[p]] .. verts[first[p+1]-1].
+  /// From polygons of any size: poly p's verts are verts[first[p]] .. verts[first[p+1]-1].
   surface_tables(std::size_t vert_count, std::vector<std::uint32_t> first, std::vector<vert_id> verts)
     requires(Arity == 0)
       : p2v_(detail::checked_lists(std::move(first), std::move(verts), "poly")) {
     check(vert_count);
     build(vert_count);
   }
-  /// The same for polygons that are listed elsewhere, with what was built of a copy of those lists.
+  /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, per_poly<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)),
@@ -76,27 +76,27 @@ class surface_tables {
   id_span<edge_id> adj_p2e(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
-  /// A number for each corner, a poly and one of its verts, below a bound: that of the first of a poly, the others follow. Edits leave it as it is.
+  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound(). Edits do not change them.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }
 
-  // Edits find their memory first, which changes nothing, and then cannot fail: each is done as a whole or not at all. `grow` is called in
-  // between, with the bounds of indices that the edit leads to; it may fail too.
+  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot fail afterwards. Before the
+  // change they call `grow` with the index bounds after the edit; `grow` may throw too.
 
-  /// A vert without edges.
+  /// Adds a vert without edges.
   vert_id add_vert(function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// A polygon on verts that are there. Cost: its size times the edges and polys at its verts.
-  /// Errors: invalid_mesh as in the constructor; nothing has changed then.
+  /// Adds a polygon on existing verts. Cost: its size times the edges and polys at its verts.
+  /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   poly_id add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// Finds the memory that removing these polys one after another, and verts that no poly has any more, takes: none of it can fail then.
+  /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id>);
 
-  /// Takes p away, and with it the edges that no other poly has; verts stay. No other element changes its name.
+  /// Removes p and the edges that no other poly has; verts stay. The ids of other elements do not change.
   void remove_poly(poly_id p);
 
-  /// Takes away a vert that no poly has any more.
+  /// Removes a vert that has no polys.
   void remove_vert(vert_id v);
 
  private:
@@ -104,18 +104,18 @@ class surface_tables {
 
   void build(std::size_t vert_count);
 
-  /// Lists what build() finds the polys at a vert by: polys, or corners where all polygons have as many verts and where some polygon is long, in which
-  /// looking the vert up would take too long. Returns, if polygons differ and corners are listed, which poly each corner is of.
+  /// Lists, for each vert, what build() needs to find its polys: polys or corners. It lists corners if all polygons have the same size, and also if some
+  /// polygon is long, since searching it for the vert would take too long. Returns the poly of each corner, if polygons differ and corners are listed.
   detail::offsets list_at_verts(core::flat_array<std::uint32_t>& scratch);
 
-  /// Vert k of `poly`, which has `size`.
+  /// Vert k of `poly`, which has `size` verts.
   struct place {
     std::uint32_t poly, k, size;
   };
   place place_of(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const;
 };
 
-// The members that the compiled library has for the arities of its meshes.
+// The members that are compiled into the library for the arities of its meshes.
 #define CONCINO_SURFACE_TABLES(EXTERN, ARITY)                                                                                         \
   EXTERN template vert_id surface_tables<ARITY>::add_vert(function_ref<void(const detail::index_bounds&)>);                           \
   EXTERN template poly_id surface_tables<ARITY>::add_poly(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>); \

@@ -1,5 +1,5 @@
-// Which elements of one kind there are: indices 0 .. bound-1 without the deleted ones. Deleting leaves a gap, so no other element changes its
-// index; nothing is stored while nothing was deleted. Edits find their memory first and then cannot fail.
+// alive_elements: the existing elements of one kind, which are the indices 0 .. bound-1 without the deleted ones. Deletion leaves a gap, so no other
+// element changes its index. Nothing is stored before the first deletion. Edits allocate all memory first and cannot fail afterwards.
 #pragma once
 
 #include <concino/concepts/ranges.hpp>
@@ -11,19 +11,19 @@
 
 namespace concino::detail {
 
-/// Room for n more values, so that adding them cannot fail.
+/// Reserves memory for n more values, so that adding them cannot fail.
 template<class T>
 void reserve_more(std::vector<T>& v, std::size_t n) {
   if (v.capacity() - v.size() < n) v.reserve(std::max(v.size() + n, 2 * v.size()));
 }
 
-/// One more than the largest index of each kind of elements; 0 for faces where there are none.
+/// One more than the largest index of each kind of elements; 0 for faces if there are none.
 struct index_bounds {
   std::size_t verts = 0, edges = 0, faces = 0, polys = 0, corners = 0;
 };
 
-/// Edits of tables call a function with the bounds that they lead to, after they found all memory and before they change anything: others
-/// that grow along may fail there. This one has nothing to do.
+/// A callback for edits of tables that does nothing. Edits call it with the index bounds after the edit, when all memory is allocated and nothing
+/// has changed, so that other data can grow with the tables. It may throw.
 struct no_other_growth {
   void operator()(const index_bounds&) const {}
 };
@@ -51,11 +51,11 @@ class alive_elements {
   bool contains(Id x) const { return x.raw() < bound_ && (dead_.empty() || !dead_[x.raw()]); }
   id_range<Id> all() const { return id_range<Id>(bound_, dead_.empty() ? nullptr : dead_.data()); }
 
-  /// After this n times add() cannot fail.
+  /// After this call, n calls of add() cannot fail.
   void reserve(std::size_t n) {
     if (!dead_.empty()) reserve_more(dead_, n);
   }
-  /// After this remove() cannot fail.
+  /// After this call remove() cannot fail.
   void reserve_removal() {
     if (dead_.empty() && dead_.capacity() < bound_) dead_.reserve(std::max(bound_, 2 * dead_.capacity()));
   }

@@ -1,5 +1,5 @@
-// What a mesh of tets or hexes answers without storing it: the polys and faces around an edge, the faces at a vert, the verts and edges
-// of a face. Each costs time proportional to the answer.
+// Ranges for adjacencies of tets and hexes that are not stored: the polys and faces around an edge, the faces at a vert, the verts and edges
+// of a face. Each costs time proportional to its number of elements.
 #pragma once
 
 #include <concino/mesh/detail/facet_adjacency.hpp>
@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-/// At most N values, carried along.
+/// At most N values, stored inside the object.
 template<class T, unsigned N>
 class inline_array {
   T values_[N] = {};
@@ -22,8 +22,9 @@ class inline_array {
   constexpr const T* end() const { return values_ + N; }
 };
 
-/// The polys around an edge, met by stepping from poly to poly across the faces at the edge: first one way until nothing lies across or
-/// the first poly comes round again, then, if it did not, the other way. Where the polys are not one such fan they are listed in a crowd.
+/// The polys around an edge, found by steps from poly to poly through the faces at the edge. The walk goes in one direction until it meets the
+/// boundary or the first poly again; after the boundary it continues from the first poly in the other direction. If the polys are not one such fan,
+/// their list is read instead.
 template<class Tables>
 class polys_around_edge {
   const Tables* tables_ = nullptr;
@@ -36,7 +37,7 @@ class polys_around_edge {
     const poly_id* poly_list_ = nullptr;
     edge_id edge_;
     poly_id at_;             // none: past the end
-    std::uint32_t way_ = 0;  // crowd: how many are left; fan: the local face to leave by
+    std::uint32_t way_ = 0;  // list: how many are left; fan: the local face through which the walk leaves
     bool turned_ = false;
 
     void step() {
@@ -95,7 +96,7 @@ class polys_around_edge {
   iterator end() const { return {}; }
 };
 
-/// The faces that the polys of a range own among the few that `faces_of` names for each. A face has one owner, so each comes once.
+/// The faces owned by the polys of a range, among the few that `faces_of` gives for each poly. A face has one owner, so each occurs once.
 template<class Tables, class Polys, class FacesOf, unsigned Most>
 class owned_faces {
   const Tables* tables_ = nullptr;

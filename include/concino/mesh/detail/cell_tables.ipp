@@ -1,4 +1,4 @@
-// How tables of tets and hexes are built and edited; see cell_tables.hpp.
+// Construction and editing of tables of tets and hexes; see cell_tables.hpp.
 #pragma once
 
 #include <concino/mesh/cell_tables.hpp>
@@ -180,18 +180,18 @@ void cell_tables<Shape, Lists>::update_fan(edge_id e, std::uint32_t n) {
   for_each_poly_at(e, [&](poly_id p) { poly_lists_.push(poly_list, p); });
 }
 
-/// Every edge and face is met at its smallest vert, where it gets its number: verts are visited in their order, and at each the polys in theirs.
+/// The builder. Every edge and face gets its number at its smallest vert: verts are visited in order, and the polys at each vert in order.
 template<class Shape, class Lists>
 class cell_tables<Shape, Lists>::builder {
-  /// A face met at its smallest vert: its other verts but the smaller neighbour of that one, and the next face with the same smaller
+  /// A face found at its smallest vert a: its other verts, except the smaller neighbour of a, and the next face with the same smaller
   /// neighbour.
   struct met_face {
     std::uint32_t other[Shape::face_verts - 2];
     std::uint32_t next;
   };
-  static constexpr std::uint32_t longest_list = 24;  // of faces at an edge that are looked through one by one
+  static constexpr std::uint32_t longest_list = 24;  // of faces at an edge that are searched one by one
 
-  /// The other faces met at a vert where an edge has more: a hash table, so that the number of faces at an edge does not matter.
+  /// A hash table of the faces at a vert beyond `longest_list` per edge, so that the number of faces at an edge does not matter.
   class further_faces {
     struct slot {
       std::uint32_t edge = 0, face = ~0u;
@@ -224,7 +224,7 @@ class cell_tables<Shape, Lists>::builder {
     std::uint32_t find(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
       return slots_.empty() ? ~0u : slots_[place(edge, wanted, all)].face;
     }
-    /// A face that find() does not find, the last of `all`.
+    /// Adds the last face of `all`, which find() does not find.
     void add(std::uint32_t edge, const std::vector<met_face>& all) {
       if (2 * ++used_ > slots_.size()) {
         const std::vector<slot> old = std::exchange(slots_, std::vector<slot>(std::max<std::size_t>(64, 2 * slots_.size())));
@@ -235,7 +235,7 @@ class cell_tables<Shape, Lists>::builder {
     }
   };
 
-  /// How often an edge was counted that has `many` polys or more.
+  /// The number of polys at an edge, for edges with `many` or more.
   struct edge_use {
     std::uint32_t edge, polys;
   };
@@ -249,14 +249,14 @@ class cell_tables<Shape, Lists>::builder {
   core::flat_array<std::uint32_t> edge_to_;  // at vert a: [b] is the edge between a and b if it was met at a already
   core::flat_array<vert_id> ends_, v2v_;
   core::flat_array<edge_id> v2e_;
-  core::flat_array<std::uint8_t> uses_;  // of each edge, by polys; `many` or more
+  core::flat_array<std::uint8_t> uses_;  // number of polys of each edge; `many` means `many` or more
   std::vector<edge_use> used_often_;     // sorted by edge
   detail::offsets vert_offsets_;
-  std::vector<std::uint32_t> faces_to_;  // per edge of a: the first of the faces met there whose smaller neighbour it leads to
-  std::vector<met_face> met_faces_;      // at a
-  further_faces further_;                // at a
+  std::vector<std::uint32_t> faces_to_;  // per edge of a: the first of the faces met there whose smaller neighbour is the other end
+  std::vector<met_face> met_faces_;      // faces met at a
+  further_faces further_;                // more faces met at a
 
-  /// Where the next edge of a and its next neighbour are written.
+  /// The write positions for the next edge of a and its next neighbour.
   struct cursor {
     vert_id* end;
     vert_id* near;
@@ -264,7 +264,7 @@ class cell_tables<Shape, Lists>::builder {
     std::uint32_t edge_count;
   };
 
-  /// Corner i of a poly, at a: the neighbours of a in the poly, and which of the edges of a leads there if they are larger.
+  /// Corner i of a poly, at a: the neighbours of a in the poly, and, for larger ones, the local number of the edge of a that leads there.
   struct corner {
     std::uint32_t poly, i;
     std::uint32_t far[valence], met[valence];
@@ -288,7 +288,7 @@ class cell_tables<Shape, Lists>::builder {
     return good;
   }
 
-  /// How many polys have edge e, of which `met` were counted.
+  /// The number of polys at edge e, of which `met` were counted.
   std::uint32_t polys_at(std::uint32_t e, std::uint8_t met) const {
     if (met != many) return met;
     return std::lower_bound(used_often_.begin(), used_often_.end(), e, [](const edge_use& x, std::uint32_t y) { return x.edge < y; })->polys;
@@ -310,7 +310,7 @@ class cell_tables<Shape, Lists>::builder {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::build(std::size_t vert_count) { builder(*this, vert_count).run(); }
 
-/// Corners by vert; visit() makes the polys of the vert of them.
+/// Lists the corners at each vert; visit() replaces them by polys.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::list_corners() {
   const vert_id* const corner_vert = t_.p2v_.begin(0);
@@ -402,12 +402,12 @@ template<class Shape, class Lists>
   }
 }
 
-/// A face is found among those of a at the same edge, the one to the smaller of its two neighbours of a.
+/// Finds or adds each face at the corner. It is searched among the faces at the edge from a to the smaller of its two neighbours.
 template<class Shape, class Lists>
 [[gnu::always_inline]] inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std::uint32_t first_face, const corner& at) {
   const vert_id* const pv = t_.p2v_.begin(at.poly);
   for (unsigned k = 0; k < valence; ++k) {
-    // The neighbours of a in the face, the smaller first, and what lies between them: the same for every poly at the face.
+    // The neighbours of a in the face, the smaller first, and the verts between them: the same for every poly at the face.
     const std::uint8_t* const along = shape.vert_face_vert[at.i][k];
     unsigned x = shape.vert_face_edge[at.i][k][0], y = shape.vert_face_edge[at.i][k][1];
     if (at.far[x] < a || at.far[y] < a) continue;
@@ -433,8 +433,8 @@ template<class Shape, class Lists>
   }
 }
 
-/// Marks those edges of a, met since `first_edge`, around which stepping would not meet all polys. All faces at these edges are linked by now, since a is
-/// the smallest vert of each or was passed before.
+/// Marks those edges of a, met since `first_edge`, around which a walk would not meet all polys. All faces at these edges are linked already: the
+/// smallest vert of each face is a or was visited before a.
 template<class Shape, class Lists>
 [[gnu::always_inline]] inline void cell_tables<Shape, Lists>::builder::mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a) {
   if (std::find(uses_.begin() + first_edge, uses_.end(), many) != uses_.end()) {
@@ -464,8 +464,8 @@ void cell_tables<Shape, Lists>::builder::hand_over() {
   t_.polys_ = detail::alive_elements<poly_id>(poly_count_);
 }
 
-/// What closes_early() takes for granted does not hold at the boundary, at non-manifold facets, and of polys that share two faces. Each edge is checked once, though
-/// each of its many faces comes by.
+/// Checks the edges for which the assumptions of closes_early() do not hold: at the boundary, at non-manifold facets, and at polys that share two
+/// faces. Each edge is checked once, though it has many faces.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::check_fans() {
   const auto check = [&](edge_id e) {

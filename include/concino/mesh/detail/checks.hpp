@@ -1,4 +1,4 @@
-// What lists of verts a mesh refuses.
+// Checks of the lists of verts from which meshes are built.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-/// Lists of N, or of any lengths; refuses arrays that are no such lists.
+/// Lists of N values each, or with offsets; throws if the arrays are not such lists.
 template<unsigned N, class T>
 jagged_array<T, N> checked_lists(std::vector<T> values, const char* what) {
   if (values.size() % N)
@@ -30,10 +30,10 @@ jagged_array<T, 0> checked_lists(offsets first, std::vector<T> values, const cha
   return {std::make_shared<const offsets>(std::move(first)), std::move(values)};
 }
 
-/// Refuses a list of verts that no polygon can have.
+/// Throws if a list of verts cannot be a polygon.
 void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met);
 
-/// The same for a new poly or face of a mesh some of whose verts may be deleted.
+/// The same for a new poly or face of a mesh in which verts may be deleted.
 void check_new_verts(id_span<vert_id> list, const alive_elements<vert_id>& all, const char* what, std::size_t which);
 
 void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count);

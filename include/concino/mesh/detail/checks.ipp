@@ -1,4 +1,4 @@
-// What lists of verts a mesh refuses; see checks.hpp.
+// Checks of the lists of verts from which meshes are built; see checks.hpp.
 #pragma once
 
 #include <concino/mesh/detail/checks.hpp>

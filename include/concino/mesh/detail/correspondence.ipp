@@ -1,4 +1,4 @@
-// Whether a correspondence fits the meshes that it is used with; see correspondence.hpp.
+// Checks that a correspondence fits its meshes; see correspondence.hpp.
 #pragma once
 
 #include <concino/core/message.hpp>

@@ -1,5 +1,5 @@
 // Incidence of polys and facets: the facets of each poly, the polys of each facet, and the neighbour of each poly behind each of its facets.
-// Facets are the edges of a surface and the faces of a volume. The dual graph is walked on this table.
+// Facets are the edges of a surface and the faces of a volume. The dual graph is traversed in this table.
 #pragma once
 
 #include <concino/core/sort_numbers.hpp>
@@ -12,14 +12,14 @@
 
 namespace concino::detail {
 
-/// N facets per poly, or any number (N = 0). Facet k of poly p is the incidence (p, k).
+/// N facets per poly, or any number (N = 0). The pair (p, k) is the incidence of poly p and its facet k.
 template<class Facet, unsigned N>
 class facet_adjacency {
   jagged_array<Facet, N> facets_;        // per poly
   jagged_array<encoded_neighbour, N> neighbours_;       // parallel to facets_
-  core::flat_array<std::uint32_t> owner_;  // per facet: N > 0: its first incidence, N * poly + k; N = 0: the poly of that; ~0: none
+  core::flat_array<std::uint32_t> owner_;  // per facet: if N > 0, its first incidence, N * poly + k; if N = 0, the poly of that; ~0 if none
   non_manifold_facets poly_lists_;
-  row_lookup places_;  // of facets in polys of many facets
+  row_lookup places_;  // of facets in polys with many facets
 
  public:
   struct incidence {
@@ -27,7 +27,7 @@ class facet_adjacency {
   };
 
   facet_adjacency() = default;
-  /// Begins without facets and with unwritten neighbours. link() each incidence once.
+  /// Starts without facets and with uninitialised neighbours. Call link() once for each incidence.
   facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> unwritten) : facets_(std::move(facets)), neighbours_(std::move(unwritten)) {}
 
   std::size_t num_polys() const { return facets_.size(); }
@@ -35,7 +35,7 @@ class facet_adjacency {
   id_span<Facet> facets(poly_id p) const { return facets_[p.raw()]; }
   const encoded_neighbour* neighbours_of(poly_id p) const { return neighbours_.begin(p.raw()); }
   adjacent_polys polys(poly_id p) const { return {neighbours_.begin(p.raw()), neighbours_.end(p.raw()), &poly_lists_, p}; }
-  /// Whether f has two polys, and the owner is not adjacent to the other through an earlier facet. Needs: some poly has f.
+  /// Whether f has two polys, and its owner is not adjacent to the other through an earlier facet. Needs: f has a poly.
   bool has_two_polys_once(Facet f) const {
     const incidence s = owner(f);
     return neighbours_.begin(s.poly)[s.k].is_first_occurrence();
@@ -71,9 +71,9 @@ class facet_adjacency {
     return {poly_id{s.poly}, poly_id{x.poly()}};
   }
 
-  /// Builds: a facet without polys.
+  /// Construction: adds a facet without polys.
   void add_facet() { owner_.push_back(~0u); }
-  /// Builds: the next facet, which is facet k of p and of no other poly so far.
+  /// Construction: adds the next facet, which is facet k of p and of no other poly so far.
   void add_facet(std::uint32_t p, std::uint32_t k, Facet f)
     requires(N > 0)
   {
@@ -82,10 +82,10 @@ class facet_adjacency {
     owner_.push_back(N * p + k);
   }
   void reserve_facets(std::size_t n) { owner_.reserve(n); }
-  /// Builds: n facets without polys.
+  /// Construction: sets n facets without polys.
   void set_facets(std::size_t n) { owner_ = core::flat_array<std::uint32_t>(n, ~0u); }
 
-  /// Builds: facet k of p is f.
+  /// Construction: makes f facet k of p.
   void link(std::uint32_t p, std::uint32_t k, Facet f) {
     facets_.begin(p)[k] = f;
     std::uint32_t& o = owner_[f.raw()];
@@ -99,13 +99,13 @@ class facet_adjacency {
     join(first, p, k);
     if (!before.is_none() && !before.is_non_manifold()) neighbours_.begin(before.poly())[local(before.poly(), f)] = neighbours_.begin(p)[k];
   }
-  /// The same where the owner of f is known: looking it up takes long where polys have many facets. finish() must follow.
+  /// The same if the owner of f is known: the search takes long if polys have many facets. finish() must follow.
   void link(std::uint32_t p, std::uint32_t k, Facet f, incidence first) {
     facets_.begin(p)[k] = f;
     join(first, p, k);
   }
 
-  /// Builds: after the last link, so that a neighbour behind two facets is listed once.
+  /// Construction: call it after the last link, so that a neighbour behind two facets is listed once.
   void finish() {
     owner_.shrink_to_fit();
     if constexpr (N == 0) {
@@ -118,14 +118,14 @@ class facet_adjacency {
       if (may_repeat(p)) mark_repeats(p, met);
   }
 
-  // Edits find their memory first, which changes nothing, and then cannot fail.
+  // Edits allocate their memory first, which changes nothing, and cannot fail afterwards.
 
-  /// Edits: the n facets of a poly that is about to be added: copied, or to be written, none where a facet is still to be made.
+  /// Edits: stages the n facets of a poly that will be added. They are copied, or the caller writes them; none for a facet that does not exist yet.
   Facet* stage_poly(std::uint32_t n, const Facet* facets = nullptr) {
     neighbours_.stage_row(nullptr, n);
     return facets_.stage_row(facets, n);
   }
-  /// Edits: memory for the links of the poly that was staged, `more` of whose facets are new. Returns what update_marks() works in.
+  /// Edits: allocates memory for the links of the staged poly, which has `more` new facets. Returns scratch memory for update_marks().
   std::vector<std::uint64_t> reserve_links(const Facet* facets, std::uint32_t n, std::size_t more) {
     std::size_t num_poly_lists = 0;
     for (std::uint32_t k = 0; k < n; ++k) {
@@ -141,14 +141,14 @@ class facet_adjacency {
     if (n > max_scanned_facets) scratch.reserve(n);
     return scratch;
   }
-  /// Edits: adds the staged poly; then add_facet() and link() its facets.
+  /// Edits: adds the staged poly; add_facet() and link() of its facets must follow.
   void commit_poly(std::uint32_t n) {
     facets_.commit_row(n);
     neighbours_.commit_row(n);
     std::fill_n(neighbours_.begin(num_polys() - 1), n, encoded_neighbour{});
   }
 
-  /// Edits: after p, a new poly, was linked, updates which incidences of p and of its neighbours repeat a neighbour.
+  /// Edits: updates which incidences of p and of its neighbours repeat a neighbour. p is a new poly that was linked.
   void update_marks(std::uint32_t p, std::vector<std::uint64_t> scratch) {
     encoded_neighbour* const s = neighbours_.begin(p);
     const std::uint32_t n = facets_.length(p);
@@ -173,9 +173,9 @@ class facet_adjacency {
     }
   }
 
-  /// Edits: after this unlink() cannot fail.
+  /// Edits: after this call unlink() cannot fail.
   void reserve_removal() { poly_lists_.make_editable(); }
-  /// Edits: takes p off all its facets. Those that no poly has any more are left unowned.
+  /// Edits: removes p from all its facets. Those without other polys have no owner afterwards.
   void unlink(std::uint32_t p) {
     for (std::uint32_t k = 0; k < facets_.length(p); ++k) {
       const Facet f = facets_.begin(p)[k];
@@ -201,7 +201,7 @@ class facet_adjacency {
     }
   }
 
-  /// The quick answer for nearly all polys.
+  /// A fast test that is false for nearly all polys.
   bool may_repeat(std::uint32_t p) const {
     const std::uint32_t n = facets_.length(p);
     if (n > max_scanned_facets) return true;
@@ -251,7 +251,7 @@ class facet_adjacency {
   }
 
  private:
-  static constexpr std::uint32_t max_scanned_facets = 24;  // among which comparing all is fastest
+  static constexpr std::uint32_t max_scanned_facets = 24;  // up to here comparing all pairs is fastest
   static constexpr std::size_t min_list_capacity = 4;       // of a new list of polys
 
   void mark_by_scanning(std::uint32_t p) {

@@ -1,4 +1,4 @@
-// What lies across the sides of polys, and the ranges that walk it: the polys of a facet, the polys around a poly.
+// Encoded neighbours of polys behind their facets, and the ranges that read them: the polys of a facet, the polys around a poly.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -12,8 +12,8 @@
 
 namespace concino::detail {
 
-/// What lies across one side of a poly, in 32 bits: nothing; a poly; a poly that an earlier side of the same poly already leads to; or a
-/// crowd, the list of polys of a facet that has more than two.
+/// What is behind one facet of a poly, in 32 bits: nothing; a poly; a poly that is also behind an earlier facet of the same poly; or the
+/// number of a poly list, if the facet is non-manifold.
 struct encoded_neighbour {
   std::uint32_t raw = none;
 
@@ -29,15 +29,15 @@ struct encoded_neighbour {
   std::uint32_t poly_list() const { return raw & mask; }
 };
 
-/// Up to two polys, or a crowd.
+/// The polys of a facet: up to two polys, or a poly list.
 class polys_of_facet {
   poly_id two_[2];
-  const poly_id* first_ = nullptr;  // null: the few
+  const poly_id* first_ = nullptr;  // null: up to two polys
   std::uint32_t size_ = 0;
 
  public:
   using value_type = poly_id;
-  /// Carries the values themselves, so that it outlives the range.
+  /// Contains the values themselves, so that it can outlive the range.
   class iterator {
     poly_id now_, then_;
     const poly_id* poly_list_ = nullptr;
@@ -72,15 +72,15 @@ class polys_of_facet {
   iterator end() const { return {{}, {}, nullptr, 0}; }
 };
 
-/// The polys of every facet that more than two have, ascending. Which crowds a poly of many sides is in is listed beside them until one is
-/// edited.
+/// The poly lists of non-manifold facets, each in ascending order. The numbers of the lists of a poly with many facets are stored as well, until a
+/// list is edited.
 class non_manifold_facets : private jagged_array<poly_id, 0> {
   using base = jagged_array<poly_id, 0>;
-  std::vector<std::uint32_t> polys_, first_, poly_lists_;  // polys of many sides, ascending; where the crowds of each begin; these
-  std::vector<poly_id> united_;                        // all crowds of one poly as one, numbered after the others
+  std::vector<std::uint32_t> polys_, first_, poly_lists_;  // polys with many facets, ascending; where the list numbers of each begin; these numbers
+  std::vector<poly_id> united_;                        // unions of all poly lists of one poly, numbered after the lists themselves
   std::vector<std::uint32_t> united_first_;
 
-  /// Replaces the last crowds that were listed.
+  /// Replaces the list numbers since `from` by one number, that of their union.
   void unite(std::size_t from) {
     std::vector<std::uint64_t> all;
     for (std::size_t i = from; i < poly_lists_.size(); ++i)
@@ -129,15 +129,15 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
   }
   bool holds(std::uint32_t poly_list, poly_id p) const { return std::binary_search(begin(poly_list), end(poly_list), p); }
 
-  /// A crowd, or united crowds.
+  /// The polys of a list, or of a union of lists.
   id_span<poly_id> members(std::uint32_t poly_list) const {
     if (poly_list < size()) return (*this)[poly_list];
     const std::size_t i = poly_list - size();
     return {united_.data() + united_first_[i], united_.data() + united_first_[i + 1]};
   }
 
-  /// Lists the crowds of polys of more than `few` sides. Of crowds of the same polys one stands for all; those that are small for the
-  /// number of sides are united, so that all this takes memory in proportion to the sides.
+  /// Stores the list numbers of polys with more than `few` facets. Of several equal lists only one is stored. Lists that are small compared to the
+  /// number of facets are united, so that the memory is proportional to the number of facets.
   template<class Sides>
   void index_poly_lists(const Sides& sides, std::uint32_t few) {
     if (size() == 0) return;
@@ -170,7 +170,7 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
     }
     first_.push_back(static_cast<std::uint32_t>(poly_lists_.size()));
   }
-  /// The crowds that were listed for p, none if p has few sides.
+  /// The list numbers that were stored for p; none if p has few facets.
   id_span<std::uint32_t> poly_lists_of(poly_id p) const {
     const auto at = std::lower_bound(polys_.begin(), polys_.end(), p.raw());
     if (at == polys_.end() || *at != p.raw()) return {};
@@ -179,15 +179,15 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
   }
 };
 
-/// The polys across all sides of one poly, each once: first those across facets with two polys, then those in its crowds, ascending.
+/// The neighbours of a poly behind all its facets, each once: first those behind manifold facets, then those in its poly lists, ascending.
 class adjacent_polys {
   const encoded_neighbour* first_ = nullptr;
   const encoded_neighbour* last_ = nullptr;
   const non_manifold_facets* poly_lists_ = nullptr;
   poly_id self_;
 
-  /// The poly with the smallest number, at least `from`, in the crowds of one; none beyond the last.
-  // Crowds are rare. Their code stays out of the loop, and works on values, so that an iterator lives in registers.
+  /// The poly with the smallest number, at least `from`, in the poly lists of `self`; none if there is none.
+  // Poly lists are rare. This code stays out of the loop and works on values, so that an iterator fits in registers.
   [[gnu::noinline]] static poly_id next_in_poly_lists(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets& lists, poly_id self, std::uint32_t from) {
     poly_id next;
     const auto look = [&](std::uint32_t poly_list) {
@@ -213,8 +213,8 @@ class adjacent_polys {
     const encoded_neighbour* first_ = nullptr;
     const non_manifold_facets* poly_lists_ = nullptr;
     poly_id self_;
-    poly_id now_;            // read once, when the iterator comes here: what the caller writes in between may look like the same memory
-    bool passed_poly_list_ = false;   // a crowd was passed
+    poly_id now_;            // read once, when the iterator moves: the compiler cannot know that the caller's writes do not change it
+    bool passed_poly_list_ = false;   // whether a poly list was passed
 
     void skip_invalid() {
       for (; at_ != last_; ++at_) {
@@ -247,7 +247,7 @@ class adjacent_polys {
       return *this;
     }
     iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    /// Each poly is shown once, and the end shows none.
+    /// Each poly occurs once, and the end has none.
     friend bool operator==(const iterator& a, const iterator& b) { return a.now_ == b.now_; }
   };
 
@@ -255,7 +255,7 @@ class adjacent_polys {
   adjacent_polys(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets* lists, poly_id self)
       : first_(first), last_(last), poly_lists_(lists), self_(self) {}
   const void* row() const { return first_; }
-  /// Calls f(q) for all of them in the same order: without an iterator to carry, which short loops notice.
+  /// Calls f(q) for all of them in the same order. Without an iterator, short loops are faster.
   template<class F>
   void for_each(F&& f) const {
     bool has_poly_list = false;
@@ -272,7 +272,7 @@ class adjacent_polys {
 
 }  // namespace concino::detail
 
-// Their iterators hold all that they need.
+// Their iterators contain all that they need.
 template<>
 inline constexpr bool std::ranges::enable_borrowed_range<concino::detail::polys_of_facet> = true;
 template<>

@@ -1,4 +1,4 @@
-// Ranges with some elements left out, and masks that say which: what submesh and boundary are made of.
+// Ranges without some of their elements, and bit masks of elements: the parts of submesh and boundary.
 #pragma once
 
 #include <concino/concepts/views/forward.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-/// The elements of a range that `keep` accepts. Holds the range; iterators live no longer than it, as ElementRange allows.
+/// The elements of a range for which `keep` returns true. It stores the range; iterators must not outlive it, as ElementRange allows.
 template<class R, class Keep>
 class filtered_range {
   R base_;
@@ -60,12 +60,12 @@ struct element_mask {
   }
 };
 
-/// Which verts, edges and elements of higher dimension a view shows, and at which verts it shows every edge.
+/// The verts, edges and elements of higher dimension in a view, and the verts all of whose edges are visible.
 struct visible_elements {
   element_mask verts, edges, faces, polys, whole_verts;
 };
 
-/// Marks the verts whose edges are all shown: their adj_v2v needs no look at the edges.
+/// Marks the verts all of whose edges are visible: their adj_v2v needs no test of edges.
 template<class M>
 void mark_whole_verts(const M& m, visible_elements& s) {
   for (const auto v : verts(m)) {
@@ -77,7 +77,7 @@ void mark_whole_verts(const M& m, visible_elements& s) {
   }
 }
 
-/// Whether a shown edge joins v and w.
+/// Whether a visible edge joins v and w.
 template<class M>
 bool are_joined_by_visible_edge(const M& m, const visible_elements& s, const vert_t<M>& v, const vert_t<M>& w) {
   for (const auto e : adj_v2e(m, v)) {
@@ -92,7 +92,7 @@ bool are_joined_by_visible_edge(const M& m, const visible_elements& s, const ver
 
 namespace concino::views {
 
-/// A mesh and what is shown of it, shared by all copies of the view.
+/// A mesh and its visible elements, which all copies of the view share.
 template<class M>
 class partial_view : public view_base<M> {
   std::shared_ptr<const detail::visible_elements> elements_;
@@ -106,7 +106,7 @@ class partial_view : public view_base<M> {
 
 namespace concino::detail {
 
-/// Verts, edges and points of a view V over a mesh M of which only a part is shown. Descriptors and indices are those of M.
+/// Verts, edges and points of a view V that shows a part of a mesh M. Descriptors and indices are those of M.
 template<class V, class M>
 struct partial_view_traits : forward_points<V, M> {
   using vert = vert_t<M>;
@@ -139,7 +139,7 @@ struct partial_view_traits : forward_points<V, M> {
   }
 
  protected:
-  /// The mesh is asked first: the index of something else means nothing.
+  /// Calls contains() first: the index of an element that is not in the mesh is meaningless.
   template<class X>
   static bool is_visible(const V& m, const element_mask& mask, const X& x) {
     return concino::contains(m.base(), x) && mask[concino::index_of(m.base(), x)];

@@ -1,4 +1,4 @@
-// How it is made; see hexmesh.hpp.
+// Construction of hexmesh; see hexmesh.hpp.
 #pragma once
 
 #include <concino/mesh/hexmesh.hpp>

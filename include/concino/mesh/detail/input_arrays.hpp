@@ -1,4 +1,4 @@
-// What view_tri and its siblings do with arrays: how an adapter says that it can read a type, checks of shapes and indices, tables.
+// Construction of view_tri and its siblings from arrays: how an adapter describes an array type, checks of shapes and indices, tables.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -19,10 +19,10 @@
 namespace concino::detail {
 
 /// How arrays of type A are read; adapters specialise it.
-///   is_view       whether copies of an A show what it shows, so that a temporary one may be taken
-///   jagged_array<N>(a)    r.row(i)[k] with k < N, r.size(), r.columns (0: not fixed), r.shape_error(N): "" or what is wrong with the shape
+///   is_view       whether copies of an A refer to the same data, so that a temporary A is allowed
+///   rows<N>(a)    r.row(i)[k] with k < N, r.size(), r.columns (0: not fixed), r.shape_error(N): "" or what is wrong with the shape
 ///   flat(a)       f.numbers()[i] with i < f.size()
-/// Both take an A or a const A, and what they return is cheap to copy and keeps no reference to an A that is a view.
+/// Both take an A or a const A. What they return is cheap to copy and has no reference to an A that is a view.
 template<class A>
 struct array_source {
   static constexpr bool is_view = false;
@@ -48,7 +48,7 @@ concept holds_lists = requires(std::remove_reference_t<A>& a) { typename decltyp
 template<class A> concept holds_numbers = requires(std::remove_reference_t<A>& a) { source_of<A>::flat(a); };
 template<class A> concept holds_indices = holds_numbers<A> && index_number<number_in<A>>;
 
-/// An index as a number, of whatever integer type it is (char too).
+/// An index as a number in a message, whatever its integer type (char too).
 template<class I>
 core::message_piece index_piece(I x) {
   return x < 0 ? core::message_piece(static_cast<std::int64_t>(x)) : core::message_piece(static_cast<std::uint64_t>(x));
@@ -105,7 +105,7 @@ auto lists_of(O& input_offsets, I& indices, const char* caller, const char* what
   return lists_between<std::remove_const_t<decltype(flat)>>(flat, std::move(where));
 }
 
-/// Refuses what cannot be told from a good index once it is cut to 32 bits; the tables check the rest.
+/// Throws on indices that could look valid once they are cut to 32 bits; the tables check the rest.
 template<class Lists>
 void check_indices(const Lists& lists, std::size_t bound, const char* caller, const char* what) {
   for (std::size_t i = 0; i < lists.size(); ++i) {
@@ -117,7 +117,7 @@ void check_indices(const Lists& lists, std::size_t bound, const char* caller, co
   }
 }
 
-/// For the time of building: tables are built by one piece of code, whatever arrays they are of.
+/// A copy that exists only during construction: so the same code builds tables from all array types.
 template<class Id, class Lists>
 std::vector<Id> copied(const Lists& lists) {
   std::vector<Id> all;
@@ -145,11 +145,11 @@ auto view_of_rows(const Points& points, const Lists& lists, const char* caller) 
 
 template<int Dimension, int Arity, template<class> class Tables, class P, class F>
 auto view_of_lists(P& input_points, F& poly_verts, const char* caller) {
-  const auto points = detail::points_of(input_points, caller);  // what is wrong with the points is told first
+  const auto points = detail::points_of(input_points, caller);  // first, so that wrong points are reported first
   return view_of_rows<Dimension, Arity, Tables>(points, detail::lists_of<Arity>(poly_verts, caller), caller);
 }
 
-/// The same where the lists are in another order than the standard one.
+/// The same for lists in another order than the standard one.
 template<template<class> class Tables, class P, class F, class Order>
 auto view_of_cells(P& input_points, F& poly_verts, Order order, const char* caller) {
   constexpr unsigned n = corners_in(Order{});
@@ -166,7 +166,7 @@ auto view_of_polygons(P& input_points, O& input_offsets, I& indices, const char*
   return construct_view<2, 0>(points, tables(surface_tables<0>(points.size(), *lists.shared_offsets(), copied<vert_id>(lists)), lists));
 }
 
-/// A face by its number, or by the complement of that where it is not wound outward.
+/// Tag: a face is given by its number, or by the complement of its number if it is not oriented outward.
 struct signs {};
 
 template<class W>

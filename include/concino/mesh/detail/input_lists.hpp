@@ -1,4 +1,4 @@
-// Arrays of the user's as a mesh reads them: numbers at equal steps in memory, lists of verts in rows or between offsets.
+// Views of the user's arrays: numbers at a constant stride in memory, lists of verts in rows or with offsets.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -12,7 +12,7 @@
 
 namespace concino::detail {
 
-/// How far apart two numbers lie; 0 where only the running program knows.
+/// The stride between two numbers; 0 if it is known only at run time.
 template<std::ptrdiff_t Step>
 struct step_of {
   constexpr step_of(std::ptrdiff_t = Step) {}
@@ -25,7 +25,7 @@ struct step_of<0> {
   constexpr operator std::ptrdiff_t() const { return step; }
 };
 
-/// Numbers that lie at equal steps.
+/// Numbers at a constant stride.
 template<class T, std::ptrdiff_t Step = 1>
 class strided {
   T* first_ = nullptr;
@@ -39,7 +39,7 @@ class strided {
   strided from(std::size_t k) const { return strided(first_ + static_cast<std::ptrdiff_t>(k) * step_, step_); }
 };
 
-/// One list of verts; N of them, or as many as it is told (N = 0).
+/// One list of verts, with N entries, or with a number of entries set at run time (N = 0).
 template<class Numbers, unsigned N>
 class input_list {
   Numbers numbers_;
@@ -72,7 +72,7 @@ class input_list {
   iterator end() const { return {numbers_, static_cast<std::uint32_t>(size())}; }
 };
 
-/// Lists of N in the rows of an array: rows.row(i)[k] is a number.
+/// Lists of N entries in the rows of an array: rows.row(i)[k] is a number.
 template<class Rows, unsigned N>
 class lists_in_rows {
   Rows rows_;
@@ -87,7 +87,7 @@ class lists_in_rows {
   input_list<row, N> operator[](std::size_t i) const { return input_list<row, N>(rows_.row(i)); }
 };
 
-/// Lists one after another in an array: list i begins at number first[i] and ends where list i + 1 begins.
+/// Consecutive lists in an array: list i begins at number first[i] and ends where list i + 1 begins.
 template<class Flat>
 class lists_between {
   Flat flat_;
@@ -102,7 +102,7 @@ class lists_between {
   row numbers(std::size_t i) const { return flat_.numbers().from((*first_)[i]); }
   input_list<row, 0> operator[](std::size_t i) const { return input_list<row, 0>(numbers(i), length(i)); }
   const std::shared_ptr<const offsets>& shared_offsets() const { return first_; }
-  /// Takes over equal offsets, so that they are held once.
+  /// Shares equal offsets of another object, so that they are stored once.
   template<class T>
   void share_offsets(const jagged_array<T, 0>& o) { first_ = o.shared_offsets(); }
 };

@@ -1,5 +1,5 @@
-// Rows of values in one flat array: `jagged_array<T, N>` with N values a row, `jagged_array<T, 0>` with as many as each row needs. All connectivity of
-// the library's own meshes lives in these.
+// jagged_array: rows of values in one flat array. `jagged_array<T, N>` has N values per row, `jagged_array<T, 0>` has rows of any lengths. All
+// connectivity of the native meshes is stored in these.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -22,7 +22,7 @@ namespace concino::detail {
 
 using offsets = std::vector<std::uint32_t>;
 
-/// Gives back the room that a growing vector has left over, unless that is little, or there is no memory for a copy. No shrink_to_fit(), which takes
+/// Frees the unused capacity of a vector, unless it is small or there is no memory for a copy. This does not call shrink_to_fit(), which takes
 /// longer to compile.
 template<class T>
 void shrink_if_wasteful(std::vector<T>& v) {
@@ -35,7 +35,7 @@ void shrink_if_wasteful(std::vector<T>& v) {
   }
 }
 
-/// Turns counts[i + 1] = size of row i into where each row begins.
+/// Turns counts[i + 1] = size of row i into the start of each row.
 inline void prefix_sum(offsets& counts) {
   std::uint64_t sum = 0;
   for (std::uint32_t& c : counts) {
@@ -53,12 +53,12 @@ class jagged_array {
   jagged_array() = default;
   explicit jagged_array(std::vector<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
   explicit jagged_array(core::flat_array<T> data) : data_(std::move(data)) { assert(data_.size() % N == 0); }
-  /// n rows that the caller is about to write.
+  /// n rows with uninitialised values.
   explicit jagged_array(std::size_t n) : data_(n * N) {}
   jagged_array(std::size_t n, const T& value) : data_(n * N, value) {}
 
   std::size_t size() const { return data_.size() / N; }
-  /// Where row i begins, of all values.
+  /// The position of the first value of row i among all values.
   std::size_t first(std::size_t i) const { return i * N; }
   const T* begin(std::size_t i) const { return data_.data() + i * N; }
   const T* end(std::size_t i) const { return data_.data() + i * N + N; }
@@ -70,12 +70,12 @@ class jagged_array {
   static constexpr std::uint32_t length(std::size_t) { return N; }
   std::size_t num_values() const { return data_.size(); }
 
-  // Edits find their memory first, which changes no row, and then cannot fail.
+  // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
-  /// After this n times add_row() cannot fail.
+  /// After this call, n calls of add_row() cannot fail.
   void reserve_rows(std::size_t n) { data_.reserve_back(n * N); }
-  /// Writes a row behind the last, where it counts after commit_row(), which cannot fail. The values may lie in these rows; if `first` is null
-  /// the caller writes them.
+  /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if `first` is null, the caller
+  /// writes them.
   T* stage_row(const T* first, [[maybe_unused]] std::size_t n) {
     assert(n == N);
     return data_.stage(first, N, N);
@@ -91,10 +91,10 @@ class jagged_array {
   }
 };
 
-/// Rows of any lengths. While nothing was edited the rows lie one after another and row i ends where row i+1 begins, so one array of
-/// offsets says all, and tables whose rows have equal lengths share it. The first edit that changes a row's length gives every row an
-/// end of its own ("loose"); a row that outgrows its room moves to the end. Reading is the same in both states: a row is what lies between first_[i]
-/// and last_[i], and packed rows just have last_ = first_ + 1.
+/// Rows of any lengths. Before the first edit the rows are consecutive ("packed"): row i ends where row i+1 begins, so one array of offsets is
+/// enough, and tables whose rows have equal lengths share it. The first edit that changes the length of a row gives every row an end of its
+/// own ("loose"). A row that exceeds its capacity moves to the end. Reading is the same in both states: row i is between first_[i] and last_[i],
+/// and packed rows have last_ = first_ + 1.
 template<class T>
 class jagged_array<T, 0> {
   std::shared_ptr<const offsets> packed_;
@@ -157,19 +157,19 @@ class jagged_array<T, 0> {
   }
 
   std::size_t size() const { return size_; }
-  /// Where row i begins, of all values. Stays what it is while no row grows but by commit_row().
+  /// The position of the first value of row i among all values. It does not change while only commit_row() adds values.
   std::size_t first(std::size_t i) const { return first_[i]; }
   const T* begin(std::size_t i) const { return data_.data() + first_[i]; }
   const T* end(std::size_t i) const { return data_.data() + last_[i]; }
   T* begin(std::size_t i) { return data_.data() + first_[i]; }
   id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
   std::uint32_t length(std::size_t i) const { return last_[i] - first_[i]; }
-  /// All that first() and lengths lead to; what edits left unused counts too.
+  /// The number of values in memory, including those that edits left unused.
   std::size_t num_values() const { return data_.size(); }
 
-  /// The offsets that other rows of the same lengths may share; null once a row was edited.
+  /// The offsets, which other tables with rows of the same lengths can share; null after an edit.
   const std::shared_ptr<const offsets>& shared_offsets() const { return packed_; }
-  /// Takes over equal offsets, so that the two tables hold them once.
+  /// Shares the equal offsets of another table, so that they are stored once.
   template<class U>
   void share_offsets(const jagged_array<U, 0>& o) {
     assert(packed_ && o.shared_offsets() && *packed_ == *o.shared_offsets());
@@ -177,9 +177,9 @@ class jagged_array<T, 0> {
     update_pointers();
   }
 
-  // Edits find their memory first, which changes no row, and then cannot fail.
+  // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
-  /// After this remove() and clear_row() cannot fail.
+  /// After this call remove() and clear_row() cannot fail.
   void make_editable() {
     if (!packed_) return;
     offsets first(size_), last(size_), room(size_);
@@ -194,25 +194,25 @@ class jagged_array<T, 0> {
     packed_.reset();
     update_pointers();
   }
-  /// After this n times add_row() cannot fail, with room for so many values in all.
+  /// After this call, n calls of add_row() with that many values in all cannot fail.
   void reserve_rows(std::size_t n, std::size_t values) {
     reserve_offsets(n);
     check_index_range(values);
     data_.reserve_back(values);
   }
-  /// After this n times push(i) cannot fail. Takes room that reserve_rows() found, so it comes before that.
+  /// After this call, n calls of push(i) cannot fail. It uses memory that reserve_rows() reserved, so it must come before that.
   void reserve_in_row(std::size_t i, std::uint32_t n) {
     make_editable();
     if (room_[i] - length(i) < n) move_row(i, std::max({std::uint32_t{4}, 2 * room_[i], length(i) + n}));
   }
-  /// Writes a row behind the last, where it counts after commit_row(), which cannot fail. The values may lie in these rows; if `first` is null
-  /// the caller writes them.
+  /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if `first` is null, the caller
+  /// writes them.
   T* stage_row(const T* first, std::size_t n, std::size_t room = 0) {
     reserve_offsets(1);
     check_index_range(std::max(n, room));
     return data_.stage(first, n, std::max(n, room));
   }
-  /// The row that was staged with the same numbers.
+  /// Adds the row that was staged with the same arguments.
   void commit_row(std::size_t n, std::size_t room = 0) {
     room = std::max(n, room);
     const std::size_t at = data_.size();
@@ -224,7 +224,7 @@ class jagged_array<T, 0> {
     update_pointers();
   }
 
-  /// A row with room for at least so many values.
+  /// Adds a row with a capacity of at least `room` values.
   template<class It>
   void add_row(It from, It to, std::size_t room = 0) {
     const auto n = static_cast<std::size_t>(to - from);
@@ -232,11 +232,11 @@ class jagged_array<T, 0> {
     commit_row(n, room);
   }
   void push(std::size_t i, const T& value) {
-    const T kept = value;  // it may lie in these rows
+    const T kept = value;  // a copy: value may be in these rows
     reserve_in_row(i, 1);
     data_[loose_last_[i]++] = kept;
   }
-  /// Takes the value out of row i; the others keep their order.
+  /// Removes the value from row i; the others keep their order.
   void remove(std::size_t i, const T& value) {
     make_editable();
     T* const e = data_.data() + loose_last_[i];
@@ -252,7 +252,7 @@ class jagged_array<T, 0> {
   }
 };
 
-/// Rows that the caller is about to write; lengths[i + 1] says how long row i is, lengths[0] is 0.
+/// Rows with uninitialised values; lengths[i + 1] is the length of row i, lengths[0] is 0.
 template<class T>
 jagged_array<T, 0> make_jagged_array(offsets lengths) {
   prefix_sum(lengths);

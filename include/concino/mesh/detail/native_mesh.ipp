@@ -1,4 +1,4 @@
-// What the meshes of the library have in common; see native_mesh.hpp.
+// The common base class of the native meshes; see native_mesh.hpp.
 #pragma once
 
 #include <concino/mesh/native_mesh.hpp>

@@ -1,4 +1,4 @@
-// The tables of the library's own surfaces; see surface_tables.hpp.
+// The tables of the native surfaces; see surface_tables.hpp.
 #pragma once
 
 #include <concino/mesh/surface_tables.hpp>

@@ -1,4 +1,4 @@
-// How it is made; see polygonmesh.hpp.
+// Construction of polygonmesh; see polygonmesh.hpp.
 #pragma once
 
 #include <concino/mesh/polygonmesh.hpp>

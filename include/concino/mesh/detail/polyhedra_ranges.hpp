@@ -1,5 +1,5 @@
-// What a mesh of general polyhedra answers without storing it: the polys around an edge, the faces at a vert, the edges of a face. Each costs
-// about the size of the elements it passes.
+// Ranges for adjacencies of general polyhedra that are not stored: the polys around an edge, the faces at a vert, the edges of a face. The cost
+// of each is about the total size of the elements that it visits.
 #pragma once
 
 #include <concino/mesh/detail/facet_adjacency_ranges.hpp>
@@ -28,7 +28,7 @@ class polys_of_faces {
           if (r == q) return true;
       return false;
     }
-    /// The faces at an edge ascend.
+    /// The faces at an edge are in ascending order.
     [[gnu::noinline]] bool met_before(id_span<face_id> faces) const {
       return std::any_of(faces.begin(), faces.end(), [this](face_id f) { return std::binary_search(first_, at_, f); });
     }
@@ -62,7 +62,7 @@ class polys_of_faces {
   iterator end() const { return {tables_, faces_.end(), faces_.end()}; }
 };
 
-/// The faces at a vert. A face has two edges there; it is listed at the one that leads to the next vert of the face.
+/// The faces at a vert. A face has two edges there; it is found at the one that leads to the next vert of the face.
 template<class Tables>
 class faces_at_edges {
   const Tables* tables_ = nullptr;
@@ -107,7 +107,7 @@ class faces_at_edges {
   iterator end() const { return {tables_, vert_, static_cast<std::uint32_t>(tables_->adj_v2e(vert_).size())}; }
 };
 
-/// The edges of a face, looked up between each two verts that follow one another.
+/// The edges of a face. Each is looked up between two consecutive verts.
 template<class Tables, class Verts>
 class edges_between {
   const Tables* tables_ = nullptr;

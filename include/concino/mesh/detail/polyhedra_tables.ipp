@@ -1,4 +1,4 @@
-// How tables of polyhedra are built and edited; see polyhedra_tables.hpp.
+// Construction and editing of tables of polyhedra; see polyhedra_tables.hpp.
 #pragma once
 
 #include <concino/mesh/polyhedra_tables.hpp>
@@ -33,7 +33,7 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
   const face_id f{faces_.bound()};
   detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "face", f.raw());
   const std::size_t n = corners.size();
-  const vert_id* const c = f2v_.stage_row(corners.data(), n);  // corners may have lain in a row that moved
+  const vert_id* const c = f2v_.stage_row(corners.data(), n);  // corners may have been in a row that moved
   const auto next = [&](std::size_t i) { return c[i + 1 == n ? 0 : i + 1]; };
   bool last_is_new = edge_between(c[n - 1], c[0]).is_none();
   std::size_t more = 0;
@@ -76,7 +76,7 @@ poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, s
       core::throw_joined<invalid_mesh>({name, " has face ", list[k].raw(), " twice; its faces must differ"});
   }
   const auto n = static_cast<std::uint32_t>(list.size());
-  const face_id* const faces = facet_adjacency_.stage_poly(n, list.data());  // list may have lain in a row that moved
+  const face_id* const faces = facet_adjacency_.stage_poly(n, list.data());  // list may have been in a row that moved
   outward_.stage_row(outward.data(), n);
   std::vector<vert_id> corners;
   std::vector<edge_id> around;
@@ -213,7 +213,7 @@ template<class Lists>
 core::flat_array<std::uint32_t> basic_polyhedra_tables<Lists>::build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e) {
   const std::size_t corner_count = f2v_.num_values();
   core::flat_array<std::uint32_t> first(vert_count + 1, 0), edge_to(vert_count);
-  // Corners by the smaller end of the edge that leaves them, with the other end beside.
+  // Half-edges, sorted by the smaller vert of their edge, with the other vert.
   struct half { std::uint32_t corner, far; };
   const auto for_each_half = [&](auto&& use) {
     std::uint32_t c = 0;
@@ -263,7 +263,7 @@ void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const 
   core::flat_array<std::uint32_t> edge_met(e2v_.size(), ~0u);
   std::fill_n(vert_met.data(), vert_count, ~0u);
 
-  // In a closed poly every edge is met twice, and verts and faces are two more than edges: room that most meshes fill exactly.
+  // In a closed poly every edge has two faces, and verts + faces = edges + 2: this memory is exact for most meshes.
   const std::size_t sides = outward_.num_values();
   core::flat_array<vert_id> verts;
   core::flat_array<edge_id> edges;

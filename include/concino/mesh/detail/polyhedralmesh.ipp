@@ -1,4 +1,4 @@
-// How it is made; see polyhedralmesh.hpp.
+// Construction of polyhedralmesh; see polyhedralmesh.hpp.
 #pragma once
 
 #include <concino/mesh/polyhedralmesh.hpp>

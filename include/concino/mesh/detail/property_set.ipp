@@ -1,4 +1,4 @@
-// Columns of values, and the set of them; see property_set.hpp.
+// Columns of property values, and the set of columns of a mesh; see property_set.hpp.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -47,7 +47,7 @@ CONCINO_INLINE void column::copy_value(const column& o, std::size_t from) {
   ++size_;
 }
 
-/// Which of the origins of one element has most in common with it, the first of several.
+/// The origin of one element with the largest weight; the first of several.
 CONCINO_INLINE std::uint32_t largest_origin(const element_origins::range& origins) {
   origin largest = origins[0];
   for (const origin x : origins)
@@ -84,7 +84,8 @@ CONCINO_INLINE void column::interpolate(const column& o, const element_origins& 
   }
 }
 
-/// Each value before is parted among the elements that name it, by their amounts. One that cannot be parted goes to the one with the largest, as a whole.
+/// Splits each old value among the elements that have it as origin, in proportion to their weights. A value that cannot be split goes to the element
+/// with the largest weight.
 CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
   struct parts {
     double total = 0, largest = -1;
@@ -140,7 +141,7 @@ CONCINO_INLINE bool column::set_rule(property_rule rule) {
     return;
   }
   if (size_ < n) {
-    // the first one made, then copied in ever larger blocks, but no larger than a cache
+    // the first value is constructed, then copied in ever larger blocks, but no larger than a cache
     type_->make(at(size_));
     for (std::size_t made = 1, more = 1; size_ + made < n; made += more) {
       more = std::min({made, n - size_ - made, std::size_t{1024}});
@@ -238,7 +239,7 @@ CONCINO_INLINE void property_set::grow(const detail::index_bounds& before, const
   try {
     resize(after);
   } catch (...) {
-    resize(before);  // only destroys
+    resize(before);  // only destroys values
     throw;
   }
 }

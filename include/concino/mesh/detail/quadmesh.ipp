@@ -1,4 +1,4 @@
-// How it is made; see quadmesh.hpp.
+// Construction of quadmesh; see quadmesh.hpp.
 #pragma once
 
 #include <concino/mesh/quadmesh.hpp>

@@ -1,4 +1,4 @@
-// Where a value stands in a row: found by looking through the row, or, where that would take long, by bisection.
+// row_lookup: finds the position of a value in a row, by linear search in short rows and by bisection in long ones.
 #pragma once
 
 #include <concino/core/sort_numbers.hpp>
@@ -10,11 +10,11 @@
 
 namespace concino::detail {
 
-/// The places in the long rows of a table, sorted by what stands there. Takes memory for long rows only, and may be out of date: a row that
-/// came later, or whose length has changed, is looked through.
+/// The positions in the long rows of a table, sorted by value. It uses memory for long rows only. It may be out of date: a row that was added later,
+/// or whose length has changed, is searched linearly.
 class row_lookup {
-  std::vector<std::uint32_t> rows_;     // the long ones, ascending
-  std::vector<std::uint32_t> first_;    // where the places of each begin in order_, and the end
+  std::vector<std::uint32_t> rows_;     // the long rows, ascending
+  std::vector<std::uint32_t> first_;    // where the positions of each begin in order_, and the end
   std::vector<std::uint32_t> order_;
 
  public:
@@ -23,7 +23,7 @@ class row_lookup {
   row_lookup() = default;
   template<class Rows>
   explicit row_lookup(const Rows& all) {
-    std::vector<std::uint64_t> sorted;  // what stands in a row, and where
+    std::vector<std::uint64_t> sorted;  // the value and its position
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::uint32_t n = all.length(i);
       if (n <= longest_scan) continue;
@@ -39,7 +39,7 @@ class row_lookup {
     shrink_if_wasteful(order_);
   }
 
-  /// The place of a value that a row of more than `longest_scan` holds once; the length of the row if it does not hold it.
+  /// The position of a value in a row of more than `longest_scan` values, in which it occurs at most once; the length of the row if it does not occur.
   template<class Row, class T>
   [[gnu::noinline]] std::uint32_t find(std::uint32_t i, const Row& row, const T& value) const {
     const auto n = static_cast<std::uint32_t>(row.size());

@@ -1,5 +1,5 @@
-// Tetrahedra and hexahedra: which local verts make their edges and faces, and which faces meet at an edge. The order of verts is that of
-// VTK and MEDIT; faces are listed as seen from outside, counter-clockwise.
+// Tables of tetrahedra and hexahedra: the local verts of their edges and faces, and the faces at each edge. The order of verts is that of
+// VTK and MEDIT; faces run counter-clockwise seen from outside.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,18 @@ struct hex_shape {
   static constexpr std::uint8_t edge_vert[12][2] = {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {4, 5}, {5, 6}, {6, 7}, {4, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 };
 
-/// What follows from the two tables above, computed once by the compiler.
+/// Tables that follow from the two above, computed at compile time.
 template<class Shape>
 struct shape_tables {
-  static constexpr unsigned valence = 3;  // edges, and faces, at a vert of either shape
+  static constexpr unsigned valence = 3;  // number of edges, and of faces, at a vert of either shape
 
   std::uint8_t face_edge[Shape::faces][Shape::face_verts] = {};  // from its i-th vert to the next
   std::uint8_t edge_face[Shape::edges][2] = {};
   std::uint8_t vert_edge[Shape::verts][valence] = {};
   std::uint8_t vert_face[Shape::verts][valence] = {};
   std::uint8_t vert_far[Shape::verts][valence] = {};                               // the other ends of vert_edge
-  std::uint8_t vert_face_vert[Shape::verts][valence][Shape::face_verts - 1] = {};   // the verts that follow in vert_face
-  std::uint8_t vert_face_edge[Shape::verts][valence][2] = {};                      // where in vert_edge the first and last of them are
+  std::uint8_t vert_face_vert[Shape::verts][valence][Shape::face_verts - 1] = {};   // the verts that follow it in vert_face
+  std::uint8_t vert_face_edge[Shape::verts][valence][2] = {};                      // the positions in vert_edge of the first and last of them
 
   constexpr shape_tables() {
     for (unsigned f = 0; f < Shape::faces; ++f)

@@ -1,4 +1,4 @@
-// How tables of surfaces are built and edited; see surface_tables.hpp. Included always, for arities that the compiled library has not.
+// Construction and editing of tables of surfaces; see surface_tables.hpp. Always included, for arities that are not in the compiled library.
 #pragma once
 
 #include <concino/mesh/surface_tables.hpp>
@@ -21,7 +21,7 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
     core::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
   detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "poly", p.raw());
   const auto n = static_cast<std::uint32_t>(corners.size());
-  const vert_id* const c = p2v_.stage_row(corners.data(), n);  // corners may have lain in a row that moved
+  const vert_id* const c = p2v_.stage_row(corners.data(), n);  // corners may have been in a row that moved
   edge_id* const e = facet_adjacency_.stage_poly(n);
   std::size_t more = 0;
   for (std::uint32_t k = 0; k < n; ++k) {
@@ -141,7 +141,7 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   core::flat_array<std::uint32_t> scratch(vert_count);
   const detail::offsets poly_of = list_at_verts(scratch);
 
-  // Every edge is met at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
+  // Every edge is found first at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
   if constexpr (Arity == 0) facet_adjacency_ = {{p2v_.shared_offsets(), core::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shared_offsets(), core::flat_array<detail::encoded_neighbour>(corner_count)}};
   else facet_adjacency_ = {per_poly<edge_id>(poly_count, edge_id{}), per_poly<detail::encoded_neighbour>(poly_count)};
   core::flat_array<std::uint32_t>& edge_to = scratch;
@@ -152,7 +152,7 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   facet_adjacency_.reserve_facets(std::min(guess, corner_count));
   detail::offsets degrees(vert_count + 1, 0);
   std::uint32_t edge_count = 0;
-  std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;  // per edge of a, where polygons may be long
+  std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;  // per edge of a, if polygons may be long
   const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) {
     if (b.raw() < a) return;
     std::uint32_t e = edge_to[b.raw()];

@@ -1,4 +1,4 @@
-// How it is made; see tetmesh.hpp.
+// Construction of tetmesh; see tetmesh.hpp.
 #pragma once
 
 #include <concino/mesh/tetmesh.hpp>

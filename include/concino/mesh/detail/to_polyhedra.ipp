@@ -1,4 +1,4 @@
-// How cells become polyhedra; see to_polyhedra.hpp.
+// Conversion of cells to polyhedra; see to_polyhedra.hpp.
 #pragma once
 
 #include <concino/mesh/face_soup.hpp>

@@ -1,4 +1,4 @@
-// How it is made; see trimesh.hpp.
+// Construction of trimesh; see trimesh.hpp.
 #pragma once
 
 #include <concino/mesh/trimesh.hpp>

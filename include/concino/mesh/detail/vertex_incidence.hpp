@@ -1,4 +1,4 @@
-// Verts and edges at every vert: filled when a mesh is built, kept when it is edited.
+// The adjacent verts and edges of every vert: construction, and updates when the mesh is edited.
 #pragma once
 
 #include <concino/mesh/detail/alive_elements.hpp>
@@ -6,8 +6,8 @@
 
 namespace concino::detail {
 
-/// Neighbours and edges of every vert from the ends of every edge. degrees[v + 1] is the number of edges at v; `next` is scratch of one
-/// number a vert.
+/// Fills the neighbours and edges of every vert from the ends of every edge. degrees[v + 1] is the number of edges at v; `next` is scratch memory
+/// with one number per vert.
 inline void fill_vertex_incidence(offsets degrees, const jagged_array<vert_id, 2>& ends, core::flat_array<std::uint32_t>& next, jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e) {
   v2v = make_jagged_array<vert_id>(std::move(degrees));
   v2e = {v2v.shared_offsets(), core::flat_array<edge_id>(v2v.num_values())};
@@ -30,21 +30,21 @@ inline edge_id edge_between(const jagged_array<vert_id, 0>& v2v, const jagged_ar
   return {};
 }
 
-/// After this commit_vertex_incidence() cannot fail.
+/// After this call commit_vertex_incidence() cannot fail.
 inline void stage_vertex_incidence(jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, jagged_array<poly_id, 0>& v2p) {
   v2v.stage_row(nullptr, 0);
   v2e.stage_row(nullptr, 0);
   v2p.stage_row(nullptr, 0);
 }
 
-/// The star that was staged.
+/// Adds the rows that were staged.
 inline void commit_vertex_incidence(jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, jagged_array<poly_id, 0>& v2p) {
   v2v.commit_row(0);
   v2e.commit_row(0);
   v2p.commit_row(0);
 }
 
-/// After this add_edge() cannot fail for n new edges, as far as the rows of one of their ends are concerned.
+/// After this call, n calls of add_edge() cannot fail because of the rows of this end v.
 inline void reserve_edges_at(jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, vert_id v, std::uint32_t n) {
   if (n == 0) return;
   v2v.reserve_in_row(v.raw(), n);
@@ -62,7 +62,7 @@ inline edge_id add_edge(alive_elements<edge_id>& edges, jagged_array<vert_id, 2>
   return e;
 }
 
-/// Both rows of a vert keep their order, so they stay parallel.
+/// Both rows of a vert keep their order, so they remain parallel.
 inline void remove_edge(alive_elements<edge_id>& edges, const jagged_array<vert_id, 2>& ends, jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, edge_id e) {
   const vert_id a = ends[e.raw()][0], b = ends[e.raw()][1];
   v2v.remove(a.raw(), b);
