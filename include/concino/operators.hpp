@@ -1,4 +1,4 @@
-// Differential operators on meshes, as sparse matrices or applied without one. Discretisations to compare the default with have headers of their own,
+// Differential operators on meshes, as sparse matrices or applied without one. Two alternative discretisations have headers of their own:
 // virtual_refinement.hpp and de_goes.hpp.
 #pragma once
 

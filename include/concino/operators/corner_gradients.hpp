@@ -1,5 +1,5 @@
-// The gradient of functions given at the verts of one poly, polygon or polyhedron: one vector for each vert. Gradient matrix, Laplacian and
-// masses are made of it.
+// The gradient of a function with values at the verts of one polygon or polyhedron: one vector for each vert. The gradient matrix, the Laplacian and
+// the masses are assembled from these vectors.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -23,9 +23,9 @@ template<class M>
                               ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
 }
 
-/// Calls share(i, the integral of the function of vert i times `sign` times the normal) over a face that is a fan of triangles about the mean point
-/// of its verts, on which the function is linear, with the mean value in the middle. around: the verts, seen from there.
-/// Result: their sum, `sign` times the vector area. Linear functions are integrated exactly.
+/// Integrates the hat functions times `sign` times the normal over a face, and calls share(i, integral) for each vert i. The face is a fan of triangles
+/// about the mean point of its verts. Functions are linear on each triangle, with the mean value at the mean point. around: the verts minus that point.
+/// Result: the sum of the integrals, `sign` times the vector area. Linear functions are integrated exactly.
 template<class F>
 vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
   const std::size_t n = around.size();
@@ -42,29 +42,29 @@ vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
 
 }  // namespace detail
 
-/// What is known of the gradients on a poly without its mesh.
+/// The gradients on a poly as arrays, independent of the mesh type.
 struct corner_gradient_arrays {
-  std::vector<vec3> place;     // of each vert, seen from the mean of the verts
+  std::vector<vec3> place;     // of each vert, relative to the mean of the verts
   std::vector<vec3> gradient;  // of each vert; not finite where the poly has no measure
   vec3 mean;                   // of the verts
   vec3 normal;                 // of a polygon: its vector area
-  double measure = 0;          // area, or volume: negative for a poly turned inside out
+  double measure = 0;          // area, or volume: negative for an inverted poly
 
-  /// Whether the poly visited last has a measure and finite points. Not for tolerances: the thinnest poly has gradients.
+  /// Whether the poly visited last has a measure and finite points. There is no tolerance: the thinnest poly has gradients.
   bool has_gradients() const;
 
  protected:
-  /// Points become places.
+  /// Makes the points in `place` relative to their mean.
   void centre();
   void visit_polygon();
 };
 
-/// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i g_i. Used again
-/// for poly after poly, so that nothing is allocated for each.
+/// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i g_i. One object serves
+/// for many polys, so that nothing is allocated for each.
 ///
-/// Polygons: the integral of u times the outward normal along the edges, each linear, over the area; normal to the vector area.
-/// Polyhedra: the integral of u n over the faces, each a fan of linear triangles about its mean point with the mean value, over the volume.
-/// The faces are those by which `volume` is measured, so linear functions have their gradient whether faces are planar or not.
+/// Polygons: the integral of u times the outward normal along the edges, divided by the area. u is linear on each edge; g_i is normal to the vector area.
+/// Polyhedra: the integral of u n over the faces, divided by the volume. Each face is a fan of linear triangles about its mean point, with the mean value.
+/// These are the faces that `volume` uses, so linear functions have their exact gradient whether faces are planar or not.
 template<EmbeddedMesh M>
 struct corner_gradients : corner_gradient_arrays {
   std::vector<vert_t<M>> verts;
@@ -77,7 +77,7 @@ struct corner_gradients : corner_gradient_arrays {
       place.push_back(to_vec3(point(m, v)));
     }
     centre();
-    if constexpr (SurfaceMesh<M>) {  // edges, or faces cut into triangles, are integrated along
+    if constexpr (SurfaceMesh<M>) {  // integrates along edges of a polygon, or over the triangles of faces
       visit_polygon();
     } else {
       gradient.assign(verts.size(), vec3{});
@@ -90,11 +90,11 @@ struct corner_gradients : corner_gradient_arrays {
   }
 
  private:
-  std::vector<std::size_t> corner_;  // of one face: where its verts stand in `verts`
-  std::vector<vec3> around_;         // of one face: its verts seen from its mean point
-  std::vector<std::pair<std::size_t, std::size_t>> sorted_;  // of polys of many verts: by number in the mesh, where they stand
+  std::vector<std::size_t> corner_;  // of one face: the positions of its verts in `verts`
+  std::vector<vec3> around_;         // of one face: its verts relative to its mean point
+  std::vector<std::pair<std::size_t, std::size_t>> sorted_;  // of polys of many verts: their positions, sorted by index in the mesh
 
-  /// Where v stands in `verts`: by looking, or, in polys of many verts, by its number.
+  /// The position of v in `verts`: by linear search, or by its index in polys of many verts.
   std::size_t corner_of(const M& m, const vert_t<M>& v) const {
     std::size_t i = 0;
     if (sorted_.empty()) {

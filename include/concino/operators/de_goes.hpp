@@ -1,4 +1,4 @@
-// A discretisation to compare the default with: the Laplacian of de Goes, Butts and Desbrun.
+// An alternative discretisation, for comparison: the polygon Laplacian of de Goes, Butts and Desbrun.
 #pragma once
 
 #include <concino/operators/detail/cotangent_weights.hpp>
@@ -7,9 +7,9 @@
 
 namespace concino {
 
-/// The mean gradient of each polygon, and how far the differences along its edges are from it. For comparison.
+/// The mean gradient of each polygon, plus a penalty for differences along its edges that deviate from it. For comparison with the default.
 /// Needs:  Embedded SurfaceMesh.
-/// Errors: of what uses it: invalid_mesh if a polygon has no area or points that are not finite.
+/// Errors: of functions that use it: invalid_mesh if a polygon has no area or points that are not finite.
 /// Source: de Goes, Butts, Desbrun 2020, "Discrete differential operators on polygonal meshes".
 struct de_goes_t {
   static constexpr bool scales_with_mesh = true;

@@ -1,4 +1,4 @@
-// Discretisations of the Laplacian are types, passed as tags: laplacian(m, uniform). The concept of the library's, and of your own.
+// Discretisations of the Laplacian: types that are passed as tags, as in laplacian(m, uniform). The concept for those of the library and your own.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -11,7 +11,7 @@
 
 namespace concino {
 
-/// A symmetric matrix over the verts of one poly, n x n. Used again for poly after poly, so that nothing is allocated for each.
+/// A symmetric matrix over the verts of one poly, n x n. One object serves for many polys, so that nothing is allocated for each.
 template<class Vert>
 struct local_matrix {
   std::vector<Vert> verts;      // of the poly, each once, in any order
@@ -39,7 +39,7 @@ concept has_masses = requires(const D& d, const M& m, const vert_t<M>& v) {
   { d.masses(m)[v] } -> std::convertible_to<double>;
 };
 
-/// For one that says so, the mesh times s has s to the dimension minus 2 times its entries.
+/// A discretisation that declares this: scaling the mesh by s multiplies its entries by s to the dimension minus 2.
 template<class D> concept scales_with_mesh = requires { requires bool(D::scales_with_mesh); };
 
 template<class D, class M> concept has_weights_or_matrices = has_neighbour_weights<D, M> || has_edge_weights<D, M> || has_poly_matrices<D, M>;
@@ -64,7 +64,7 @@ struct masses_or_points_requirement {
   }
 };
 
-// The mesh is a graph, at least.
+// M models at least PrimalGraph.
 struct graph_requirement {
   template<class, class M> static constexpr bool holds = PrimalGraph<M>;
 };
@@ -77,30 +77,30 @@ using discretisation_requirements = list<graph_requirement, weights_or_matrices_
 
 }  // namespace requirement
 
-/// A discretisation of the Laplacian on M: a type with one of three members, and perhaps a fourth.
+/// A discretisation of the Laplacian on M: a type with one of three members, and optionally a fourth.
 ///
 ///     d.neighbour_weights(m)   of any graph: a callable w; w(a, b) is the weight of two verts joined by an edge, w(b, a) the same
 ///     d.edge_weights(m)        of a mesh: a readable map w; w[e] is the weight of edge e
 ///     d.poly_matrices(m)       of a mesh: a callable k; k(p, out) fills in the local_matrix of poly p: symmetric, rows that sum to 0
 ///     d.masses(m)              a readable map; mass[v] > 0 of each vert that has edges
 ///
-/// Of several of the three the first is used. Weights add to the energy u . (-L) u as w (u(a) - u(b))^2, matrices as u . K u; neither needs to be
-/// positive term by term, but the sum must not be negative. What the members return is kept while a matrix is assembled; callables w are read from
-/// several threads, while each thread has a k of its own, which may hold memory that it uses again.
+/// If several of the three exist, the first is used. Weights add w (u(a) - u(b))^2 to the energy u . (-L) u; matrices add u . K u. Single terms may be
+/// negative, but not the sum. The returned objects live while a matrix is assembled. Callables w are shared by
+/// several threads. Each thread has its own k, which may reuse memory.
 ///
 /// Without masses, those of the mesh are used: the discretisation is integrated, in units of length to the dimension minus 2. With masses, weights
-/// and masses are taken as they are: where they have no unit, as those of `uniform`, times and amounts have none.
+/// and masses are taken as they are: if they have no unit, as those of `uniform`, times and amounts have none.
 ///
-/// The members get the mesh as it is. A discretisation that takes any M may set `static constexpr bool scales_with_mesh = true;` if its entries grow
-/// with the scale s of the mesh as s to the dimension minus 2. Its members then get a view of the mesh at a size near 1, so that problems on very small
-/// and very large meshes are solved as accurately. What depends on positions, as a conductivity may, must not set it.
+/// The members get the mesh unchanged. A discretisation that takes any M may set `static constexpr bool scales_with_mesh = true;` if its entries grow
+/// with the scale s of the mesh as s to the dimension minus 2. Its members then get a view of the mesh at a size near 1, so that very small
+/// and very large meshes are solved equally accurately. Do not set it if entries depend on positions, as a conductivity may.
 ///
 /// explain_discretisation<D, M>() names what is missing.
 template<class D, class M>
 concept Discretisation = PrimalGraph<M> && requirement::has_weights_or_matrices<std::remove_cvref_t<D>, std::remove_cvref_t<M>> &&
                          requirement::has_masses_or_points<std::remove_cvref_t<D>, std::remove_cvref_t<M>>;
 
-/// Fails to compile with one sentence that names the first thing that D, or M, lacks to be a Discretisation on M and what to write.
+/// Fails to compile with one sentence: the first requirement of Discretisation that D or M lacks, and what to write.
 template<class D, class M>
 consteval void explain_discretisation() {
   if constexpr (!Discretisation<D, M>) requirement::first_missing<requirement::discretisation_requirements, D, M>::template explain<D, M>();

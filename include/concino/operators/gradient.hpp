@@ -11,7 +11,7 @@ namespace concino {
 
 namespace detail {
 
-/// The sum of u_i g_i. Differences of u, so that constants have gradient 0 exactly and large ones cost no digits.
+/// The sum of u_i g_i. It uses differences of u, so constants have gradient exactly 0 and large constants lose no digits.
 template<class Local, class U>
 vec3 gradient_of(const Local& local, const U& u) {
   vec3 sum;
@@ -25,9 +25,9 @@ vec3 gradient_of(const Local& local, const U& u) {
 
 /// The mean gradient of u over each poly: gradient_matrix(m) times u.
 /// Needs:  EmbeddedMesh, no temporary; u[v] of every vert of a poly, a number, readable from several threads.
-/// Result: a map of vec3, in units of u over length; see gradient_matrix. Values that are not finite give gradients that are not.
+/// Result: a map of vec3, in units of u over length; see gradient_matrix. If values are not finite, neither are the gradients of their polys.
 /// Cost:   O(size of the polys) time, in parallel, O(P) memory; the same for any number of threads.
-/// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
+/// Errors: invalid_mesh, naming a poly without area or volume or with points that are not finite.
 /// Source: as gradient_matrix.
 template<class M, class U>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>

@@ -1,4 +1,4 @@
-// How much of the domain each vert stands for.
+// The mass of each vert: its share of the area or volume, as a map or a matrix.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -31,10 +31,10 @@ template<class M>
 
 }  // namespace detail
 
-/// The share of each vert in the areas or volumes around it: each poly gives equal parts to its verts.
+/// The share of each vert in the areas or volumes around it: each poly is divided equally among its verts.
 /// Needs:  EmbeddedMesh, no temporary.
-/// Result: a map of double; positive on verts of some poly with a measure, 0 on others; sums to the measure of the mesh. A poly turned
-///         inside out counts by the absolute value of its volume, since a mass is positive.
+/// Result: a map of double; positive on verts of some poly with a measure, 0 on others; sums to the measure of the mesh. An inverted poly
+///         counts by the absolute value of its volume, since a mass is positive.
 /// Cost:   O(size of the polys) time, O(V) memory.
 /// Errors: invalid_mesh if points of a poly are not finite, or so far apart that the measures sum to infinity.
 /// Source: the barycentric lumped mass of the finite element method; paper section 2.2.
@@ -42,7 +42,7 @@ template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 vert_map<M, double> vert_masses(M&& m) {
   auto mass = make_vert_map<double>(m, 0.0);
-  if constexpr (TriMesh<M> || TetMesh<M>) {  // read once
+  if constexpr (TriMesh<M> || TetMesh<M>) {  // reads the verts of each poly only once
     for (const poly_t<M> p : polys(m)) {
       std::array<vert_t<M>, arity_v<M>> corner;
       std::size_t n = 0;
@@ -84,11 +84,11 @@ struct mass_matrix_options {
   bool lumped = true;  // a diagonal matrix, of vert_masses; otherwise the Galerkin matrix, which does not lose the order of a load
 };
 
-/// The mass of functions on verts: u . M u is the integral of the square of u.
+/// The mass matrix of functions on verts: u . M u is the integral of the square of u.
 /// Needs:  EmbeddedMesh.
 /// Result: vert_index_bound(m) rows and columns, by index_of, every diagonal entry present (0 for verts of no poly; with lumped masses for
 ///         deleted ones too); sums to the measure of the mesh. Lumped: vert_masses as a diagonal. Otherwise the hat functions of the verts are projected to
-///         linear functions on each poly, and the rest is weighed by its squares at the verts. The matrix is then positive definite on the
+///         linear functions on each poly, and the squares of the remainders at the verts are added with a weight. The matrix is then positive definite on the
 ///         verts of polys that do not intersect themselves. On triangles and tets it is the mass matrix of linear elements.
 /// Cost:   lumped as vert_masses, otherwise as laplacian.
 /// Errors: invalid_mesh as vert_masses, or, unless lumped, if a poly has points that are not finite, or no area or volume; unsupported then if the
@@ -97,7 +97,7 @@ struct mass_matrix_options {
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& options = {}) {
   if (!options.lumped) {
-    if constexpr (TriMesh<M> || TetMesh<M>) return detail::simplex_mass(m);  // faster: a formula
+    if constexpr (TriMesh<M> || TetMesh<M>) return detail::simplex_mass(m);  // faster: a closed formula
     else return with_both_triangles(detail::assemble_elements<M>(m, [&] { return detail::poly_operator_of<M>([&] { return detail::virtual_mass<M>(m); }); }));
   }
   const auto mass = vert_masses(m);

@@ -1,4 +1,4 @@
-// How much of the domain each poly is: its area or volume, as a map and as the matrix by which vectors on polys are integrated.
+// The area or volume of each poly, as a map and as the mass matrix of vector fields on polys.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -23,10 +23,10 @@ double poly_mass(const char* caller, const M& m, const poly_t<M>& p) {
 
 }  // namespace detail
 
-/// The area or volume of each poly. A poly turned inside out counts by the absolute value of its volume, since a mass is positive.
+/// The area or volume of each poly. An inverted poly counts by the absolute value of its volume, since a mass is positive.
 /// Needs:  EmbeddedMesh, no temporary.
 /// Result: a map of double, 0 or more; sums to the measure of the mesh.      Cost: O(size of the polys) time, O(P) memory.
-/// Errors: invalid_mesh that names a poly whose points, or whose area or volume, are not finite.
+/// Errors: invalid_mesh, naming a poly whose points, or whose area or volume, are not finite.
 /// Source: the mass matrix of piecewise constant functions; paper section 2.2.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
@@ -37,7 +37,7 @@ poly_map<M, double> poly_masses(M&& m) {
   return mass;
 }
 
-/// The same as a diagonal matrix for vectors on polys, each mass three times: x^T M y is the integral of the scalar product of x and y.
+/// The poly masses as a diagonal matrix for vectors on polys, each mass three times: x^T M y is the integral of the scalar product of x and y.
 /// Needs:  EmbeddedMesh.
 /// Result: 3 poly_index_bound(m) rows and columns, the mass of poly p at 3p, 3p + 1 and 3p + 2; those of deleted polys are empty.
 /// Cost:   as poly_masses.      Errors: as poly_masses; unsupported if the matrix would be too large for 32-bit indices.

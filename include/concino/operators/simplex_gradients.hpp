@@ -1,5 +1,5 @@
-// The gradients of the corners of triangles and tets, where the type says that all polys are such: the numbers of corner_gradients, to rounding,
-// without lists.
+// The gradients at the corners of triangles and tets, for mesh types with only such polys. Same values as corner_gradients, up to rounding, without
+// arrays of variable size.
 #pragma once
 
 #include <concino/operators/corner_gradients.hpp>
@@ -8,10 +8,10 @@
 
 namespace concino {
 
-/// As corner_gradients, for one triangle or tet after another.
+/// The gradients at the corners of one triangle or tet. One object serves for many polys, like corner_gradients.
 ///
-/// The gradient of corner i is normal to the facet opposite to it, and its length is one over the height there. In a triangle it is that edge, turned
-/// by a quarter about the normal and divided by twice the area. In a tet it is the cross product of two edges of that facet over six times the volume.
+/// The gradient of corner i is normal to the opposite facet, and its length is one over the height above it. In a triangle it is the opposite edge, rotated
+/// by 90 degrees about the normal and divided by twice the area. In a tet it is the cross product of two edges of that facet over six times the volume.
 template<EmbeddedMesh M>
   requires(TriMesh<M> || TetMesh<M>)
 struct simplex_gradients {
@@ -19,7 +19,7 @@ struct simplex_gradients {
 
   std::array<vert_t<M>, corners> verts;
   std::array<vec3, corners> gradient;  // not finite where the poly has no measure
-  double measure = 0;                  // area, or volume: negative for a tet turned inside out
+  double measure = 0;                  // area, or volume: negative for an inverted tet
 
   void visit(const M& m, const poly_t<M>& p) {
     std::array<vec3, corners> x;
@@ -33,7 +33,7 @@ struct simplex_gradients {
     if constexpr (corners == 3) {
       const vec3 normal = cross(a, b);
       const double doubled = norm(normal), factor = 1 / doubled;
-      const vec3 across = factor * (factor * normal);  // in this order: the square of an area may be too large or too small
+      const vec3 across = factor * (factor * normal);  // in this order: the square of an area may overflow or underflow
       gradient[0] = cross(x[1] - x[2], across);
       gradient[1] = cross(b, across);
       gradient[2] = cross(across, a);
@@ -49,7 +49,7 @@ struct simplex_gradients {
     }
   }
 
-  /// Whether the poly visited last has a measure and finite points. Without a measure something was divided by 0.
+  /// Whether the poly visited last has a measure and finite points. Without a measure there was a division by 0.
   bool has_gradients() const {
     vec3 sum = gradient[0];
     for (std::size_t i = 1; i < corners; ++i) sum += gradient[i];
@@ -62,7 +62,7 @@ template<class M>
   requires TriMesh<M> || TetMesh<M>
 struct poly_gradients_of<M> { using type = simplex_gradients<M>; };
 
-/// The quicker of the two.
+/// The faster of the two types for M.
 template<class M> using poly_gradients = typename poly_gradients_of<M>::type;
 
 }  // namespace concino

@@ -1,4 +1,4 @@
-// A discretisation's part in matrices: its weights as the assembly reads them, or its matrices of polys.
+// Access to a discretisation for matrix assembly: its weights of edges, or its matrices of polys.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -54,12 +54,12 @@ struct weights_of_edges {
 
 }  // namespace detail
 
-/// Hands the weights or the matrices of a discretisation to what assembles them, whichever it has.
+/// Passes the weights or the matrices of a discretisation, whichever it has, to the function that assembles them.
 /// Needs:  PrimalGraph M, Discretisation D. on_weights(w): w.num_neighbours(v) and w.for_each_neighbour(v, f) with f(neighbour, weight), as
-///         core::assemble reads them. on_polys(make): make() gives an element of its own to each thread, as detail::assemble_elements asks for.
-/// Result: what on_weights or on_polys returned.
-/// Cost:   that of the discretisation's members, and of what is called.
-/// Errors: those of the discretisation, and of what is called.
+///         core::assemble uses them. on_polys(make): make() creates a separate element for each thread, as detail::assemble_elements requires.
+/// Result: the return value of on_weights or on_polys.
+/// Cost:   that of the discretisation's members, and of the called function.
+/// Errors: those of the discretisation, and of the called function.
 template<PrimalGraph M, Discretisation<M> D, class OnWeights, class OnPolys>
 Eigen::SparseMatrix<double> with_stiffness(const M& m, const D& discretisation, const OnWeights& on_weights, const OnPolys& on_polys) {
   if constexpr (requirement::has_neighbour_weights<D, M>) {
@@ -75,7 +75,7 @@ Eigen::SparseMatrix<double> with_stiffness(const M& m, const D& discretisation, 
 
 /// The lower triangle of minus the Laplacian.
 /// Needs:  PrimalGraph M, Discretisation D.
-/// Result: that of laplacian with the other sign, without what stands above the diagonal.
+/// Result: minus that of laplacian, without the entries above the diagonal.
 /// Cost:   as laplacian.      Errors: as laplacian.
 template<PrimalGraph M, Discretisation<M> D>
 Eigen::SparseMatrix<double> lower_stiffness(const M& m, const D& discretisation) {

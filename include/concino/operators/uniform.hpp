@@ -1,4 +1,4 @@
-// The discretisation that counts: 1 on every edge of any graph.
+// The uniform discretisation: weight 1 on every edge of any graph.
 #pragma once
 
 #include <concino/operators/discretisation.hpp>

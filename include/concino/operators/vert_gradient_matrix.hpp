@@ -12,15 +12,15 @@ namespace concino {
 
 namespace detail {
 
-/// The corners of all polys in the order of the walk, and those at each vert.
+/// The corners of all polys in the order of polys(m), and those at each vert.
 struct corner_lists {
   struct corner_at {
     std::size_t poly, corner;
   };
-  std::vector<std::size_t> first;     // of the k-th poly: its first corner; one more at the end
+  std::vector<std::size_t> first;     // of each poly: its first corner; one more at the end
   std::vector<std::size_t> vert;      // of each corner
   std::vector<vec3> gradient;         // of each corner, times the measure of the poly
-  std::vector<std::size_t> first_at;  // of each vert: where its corners begin; one more at the end
+  std::vector<std::size_t> first_at;  // of each vert: the begin of its corners; one more at the end
   std::vector<corner_at> around;
 
   template<class M>
@@ -61,7 +61,7 @@ struct corner_lists {
 
 }  // namespace detail
 
-/// The matrix whose rows 3v, 3v + 1, 3v + 2 give x, y and z of the gradient of u at vert v: the mean of the gradients of the polys around it (see
+/// The matrix whose rows 3v, 3v + 1, 3v + 2 give x, y and z of the gradient of u at vert v. That is the mean of the gradients of the polys around it (see
 /// gradient_matrix), weighted by their areas or volumes.
 /// Needs:  as gradient_matrix.
 /// Result: 3 vert_index_bound(m) rows, vert_index_bound(m) columns, by index_of; an entry for every two verts of a poly, rows sorted in each
@@ -92,9 +92,9 @@ Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
     });
   detail::make_room(caller, g, 3);
 
-  // Column v: what its corner adds to the gradient of each poly around it goes to all verts of that poly.
+  // Column v: the contribution of v to the gradient of each poly around it is added to the rows of all verts of that poly.
   struct part {
-    std::size_t vert, corner;  // corners ascend with the polys: sums are made in one order always
+    std::size_t vert, corner;  // corners ascend with the polys, so the order of summation is fixed
     bool operator<(const part& o) const { return vert != o.vert ? vert < o.vert : corner < o.corner; }
   };
   constexpr std::size_t chunk = 512;

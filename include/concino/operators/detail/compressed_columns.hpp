@@ -1,4 +1,4 @@
-// Sparse matrices filled straight into compressed columns: entries are counted, the counts made into offsets, then each entry is written to its
+// Sparse matrices filled directly in compressed columns: entries are counted, the counts are summed to offsets, then each entry is written to its
 // place.
 #pragma once
 
@@ -20,16 +20,16 @@ inline constexpr std::size_t largest_sparse_index = static_cast<std::size_t>(std
   core::throw_joined<unsupported>({caller, ": the matrix would have more ", what, " than its 32-bit indices can count; split the mesh"});
 }
 
-/// A matrix whose columns are still empty. At outerIndexPtr()[c + 1] the entries of column c are to be counted.
-/// Errors: unsupported where so many rows or columns cannot be numbered.
+/// A matrix with empty columns. The caller then counts the entries of column c in outerIndexPtr()[c + 1].
+/// Errors: unsupported if the number of rows or columns exceeds the index type.
 inline Eigen::SparseMatrix<double> empty_columns(const char* caller, std::size_t rows, std::size_t columns) {
   if (rows >= largest_sparse_index) throw_too_large(caller, "rows");
   if (columns >= largest_sparse_index) throw_too_large(caller, "columns");
   return {static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns)};
 }
 
-/// Makes room for `each` entries per one that was counted: afterwards column c begins at outerIndexPtr()[c].
-/// Errors: unsupported where so many cannot be numbered.
+/// Allocates `each` entries per counted entry. Afterwards column c begins at outerIndexPtr()[c].
+/// Errors: unsupported if the number of entries exceeds the index type.
 inline void make_room(const char* caller, Eigen::SparseMatrix<double>& a, int each = 1) {
   int* const begin = a.outerIndexPtr();
   std::int64_t sum = 0;

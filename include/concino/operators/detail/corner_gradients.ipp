@@ -1,4 +1,4 @@
-// Gradients on a poly by its places; see corner_gradients.hpp.
+// Gradients on a poly computed from the positions of its verts; see corner_gradients.hpp.
 #pragma once
 
 #include <concino/operators/corner_gradients.hpp>
@@ -20,7 +20,7 @@ CONCINO_INLINE void corner_gradient_arrays::centre() {
     mean = {};
     return;
   }
-  const vec3 origin = place[0];  // differences first: a poly far from the origin loses no digits
+  const vec3 origin = place[0];  // differences first: so a poly far from the origin loses no digits
   vec3 sum;
   for (vec3& x : place) sum += x = x - origin;
   const vec3 middle = sum / static_cast<double>(n);

@@ -1,4 +1,4 @@
-// Cotangents, one number per edge, summed over the triangles or tets at it.
+// Cotangent weights: one number per edge, summed over the triangles or tets at it.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -16,20 +16,20 @@
 
 namespace concino::detail {
 
-/// The map of an EmbeddedMesh of triangles or tets.
+/// The weights of an EmbeddedMesh of triangles or tets, as a map over edges.
 template<EmbeddedMesh M>
 class cotangent_weights {
   static constexpr int dimension = dimension_v<M>;
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
   static constexpr std::size_t edges_per_poly = dimension == 2 ? 3 : 6;
-  // The order of edges; those of polyhedra come in any, and this is the first to try.
+  // The usual order of edges in a poly. Polyhedra may have any order; this one is tried first.
   static constexpr std::size_t likely_ends[2][6][2] = {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
   const M& m_;
   const char* caller_;
   std::vector<double> weight_;
 
-  /// Whether a and b are c and d, in this order or the other: not a matter for branches, which would be missed.
+  /// Whether {a, b} equals {c, d} as a set. Has no branches, because they would be mispredicted.
   static bool are(const vert_t<M>& a, const vert_t<M>& b, const vert_t<M>& c, const vert_t<M>& d) {
     return ((int{a == c} & int{b == d}) | (int{a == d} & int{b == c})) != 0;
   }

@@ -1,4 +1,4 @@
-// The stiffness of one polygon after de Goes, Butts and Desbrun: its mean gradient, and how far the differences along its edges are from it.
+// The stiffness matrix of one polygon after de Goes, Butts and Desbrun.
 #pragma once
 
 #include <concino/operators/corner_gradients.hpp>
@@ -9,9 +9,9 @@
 
 namespace concino::detail {
 
-/// Fills in the positive semidefinite matrix K of one polygon: |p| G^T G + R^T R. G is the mean gradient, and R u the difference of u along
-/// each edge less what the mean gradient says of it (their stabilisation with lambda = 1); on triangles nothing is left of R.
-/// Needs:  Embedded SurfaceMesh.      Cost: O(n^2) for n verts, no allocation but for the largest poly.
+/// Fills in the positive semidefinite matrix K of one polygon: |p| G^T G + R^T R. G is the mean gradient. R u is the difference of u along
+/// each edge minus the difference predicted by the mean gradient (their stabilisation with lambda = 1). On triangles R is 0.
+/// Needs:  Embedded SurfaceMesh.      Cost: O(n^2) for n verts; allocates only for the largest poly.
 /// Errors: invalid_mesh if the polygon has no area or a point is not finite.
 /// Source: de Goes, Butts, Desbrun 2020, "Discrete differential operators on polygonal meshes".
 template<SurfaceMesh M>
@@ -19,7 +19,7 @@ template<SurfaceMesh M>
 class de_goes_element {
   const M& m_;
   corner_gradients<M> corners_;
-  std::vector<vec3> bend_;   // of each vert: the edge that comes in less the one that goes out, along the polygon
+  std::vector<vec3> bend_;   // of each vert: the incoming edge minus the outgoing edge, along the polygon
   std::vector<vec3> other_;  // the factor of the other vert's gradient, see below
 
  public:
@@ -32,8 +32,8 @@ class de_goes_element {
     const std::vector<vec3>& g = corners_.gradient;
     const std::size_t n = g.size();
     out.entries.resize(n * (n + 1) / 2);
-    // R = D - E G, with D the differences along edges and the rows of E the edges, flat in the plane of the polygon. So R^T R is
-    // D^T D - H^T G - G^T H + G^T E^T E G where the columns h of H = E^T D are the bends, and with |p| G^T G all is D^T D - H^T G + G^T Q
+    // R = D - E G, with D the differences along edges and the rows of E the edges projected to the plane of the polygon. So R^T R is
+    // D^T D - H^T G - G^T H + G^T E^T E G, where the columns h of H = E^T D are the bends. With |p| G^T G the total is D^T D - H^T G + G^T Q,
     // where the columns of Q are |p| g + E^T E g - h.
     other_.assign(n, vec3{});
     bend_.assign(n, vec3{});

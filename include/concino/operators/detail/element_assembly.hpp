@@ -1,4 +1,4 @@
-// Matrices over verts put together poly by poly, straight into compressed columns: no list of triplets, each poly computed once.
+// Assembly of matrices over verts, poly by poly, directly in compressed columns: without triplets, and with each poly computed once.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -15,7 +15,7 @@
 
 namespace concino::detail {
 
-/// Which entries a lower triangle has, column by column.
+/// Builds the sparsity pattern of a lower triangle, column by column.
 class pattern_builder {
   std::vector<int> rows_, seen_in_;
   std::vector<std::size_t> begin_, end_;
@@ -25,7 +25,7 @@ class pattern_builder {
   /// Errors: unsupported if 32-bit indices cannot count the rows.
   explicit pattern_builder(std::size_t size);
 
-  /// Every column at most once, in any order; it begins with its diagonal.
+  /// Begins column i with its diagonal. Each column at most once, in any order.
   void begin_column(std::size_t i);
   void add(std::size_t row) {
     const int r = static_cast<int>(row);
@@ -40,7 +40,7 @@ class pattern_builder {
   void add_new(int row);
 };
 
-/// Which entries of the lower triangle there are: the pairs of verts of one poly, and the diagonal of every vert.
+/// The sparsity pattern of the lower triangle: the pairs of verts of one poly, and the diagonal of every vert.
 template<AnyMesh M>
 void make_lower_pattern(const M& m, Eigen::SparseMatrix<double>& a) {
   pattern_builder pattern(vert_index_bound(m));
@@ -53,7 +53,7 @@ void make_lower_pattern(const M& m, Eigen::SparseMatrix<double>& a) {
   pattern.finish(a);
 }
 
-/// Adds a poly's matrix, the lower triangle row by row, to those columns. index: of its verts.
+/// Adds a poly's matrix, the lower triangle row by row, to the columns of its verts, which have these indices.
 void add_local(const std::vector<int>& index, const double* entries, Eigen::SparseMatrix<double>& a);
 
 template<class M>
@@ -63,9 +63,9 @@ void add_local(const M& m, const local_matrix<vert_t<M>>& local, std::vector<int
   add_local(index, local.entries.data(), a);
 }
 
-/// The sum of the local matrices of all polys, lower triangle. They are computed in parallel and added in the order of polys(m), so the
+/// The lower triangle of the sum of the local matrices of all polys. They are computed in parallel and added in the order of polys(m), so the
 /// bits do not depend on the number of threads.
-/// Errors: unsupported where 32-bit indices do not suffice; those of the element, for the first poly that has one.
+/// Errors: unsupported if 32-bit indices do not suffice; those of the element, for the first poly that has one.
 template<AnyMesh M>
 Eigen::SparseMatrix<double> assemble_elements(const M& m, make_poly_operator<M> make_element) {
   constexpr std::size_t blocks = 16, block = 64;
@@ -95,8 +95,8 @@ Eigen::SparseMatrix<double> assemble_elements(const M& m, make_poly_operator<M> 
   return a;
 }
 
-/// Both triangles of `sign` times the matrix with this lower triangle, and on the diagonal minus the sum of what stands beside it: constants are in the
-/// kernel as well as rounding allows.
+/// Both triangles of `sign` times the matrix with this lower triangle. Each diagonal entry becomes minus the sum of the other entries of its column, so
+/// constants are in the kernel as well as rounding allows.
 Eigen::SparseMatrix<double> with_constants_in_kernel(const Eigen::SparseMatrix<double>& lower, double sign);
 
 template<AnyMesh M>

@@ -1,4 +1,4 @@
-// Columns of matrices of polys; see element_assembly.hpp.
+// Compressed columns of matrices over polys; see element_assembly.hpp.
 #pragma once
 
 #include <concino/core/error.hpp>

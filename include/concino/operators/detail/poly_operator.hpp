@@ -1,4 +1,4 @@
-// What computes the matrices of polys, behind a table of functions.
+// An abstract base for the computation of local matrices of polys.
 #pragma once
 
 #include <concino/core/function_ref.hpp>
@@ -9,19 +9,19 @@
 
 namespace concino::detail {
 
-/// What computes the local matrix of one poly after another. Behind a table of functions, so that the assembly is compiled once for a mesh type
-/// and not once for each discretisation; the call is nothing beside the work.
+/// Computes the local matrix of one poly after another. It is type-erased, so that the assembly is compiled once per mesh type
+/// and not once per discretisation. The cost of the call is negligible.
 template<class M>
 struct poly_operator {
   virtual ~poly_operator() = default;
   virtual void operator()(const poly_t<M>& p, local_matrix<vert_t<M>>& out) = 0;
 };
 
-/// Makes one for each thread that asks.
+/// Creates one for each thread that needs it.
 template<class M>
 using make_poly_operator = function_ref<std::unique_ptr<poly_operator<M>>()>;
 
-/// The element that make() gives, which is called as element(p, out).
+/// Wraps the object that make() returns, which is called as element(p, out).
 template<class M, class Make>
 std::unique_ptr<poly_operator<M>> poly_operator_of(const Make& make) {
   struct wrapped final : poly_operator<M> {

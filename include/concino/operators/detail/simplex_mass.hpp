@@ -1,4 +1,4 @@
-// The Galerkin mass of meshes of triangles or tets by type, by edges: the same matrix as virtual elements make, several times faster.
+// The Galerkin mass of meshes of triangles or tets by type, from edges: the same matrix as that of virtual elements, several times faster.
 #pragma once
 
 #include <concino/core/assembly.hpp>
@@ -12,7 +12,7 @@
 
 namespace concino::detail {
 
-/// The area of the triangle or the volume, without a sign, of the tet with these corners.
+/// The area of the triangle, or the unsigned volume of the tet, with these corners.
 template<class M, std::size_t N>
 double simplex_measure(const M& m, const std::array<vert_t<M>, N>& corner) {
   const vec3 o = to_vec3(point(m, corner[0]));
@@ -21,7 +21,7 @@ double simplex_measure(const M& m, const std::array<vert_t<M>, N>& corner) {
   else return std::abs(dot(normal, to_vec3(point(m, corner[3])) - o)) / 6;
 }
 
-/// At each edge the integral of the product of the functions of its ends.
+/// For each edge, the integral of the product of the hat functions of its ends.
 template<AnyMesh M>
 class simplex_mass_weights {
   const M& m_;
@@ -58,13 +58,13 @@ class simplex_mass_weights {
   }
 };
 
-/// Both triangles.
+/// The mass matrix, both triangles.
 template<AnyMesh M>
 Eigen::SparseMatrix<double> simplex_mass(const M& m) {
   Eigen::SparseMatrix<double> a = core::assemble<core::whole_matrix>(
       m, simplex_mass_weights<M>(m), vert_index_bound(m), -1.0,
       [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); }, [](int, const vert_t<M>&, double) {});
-  // A simplex has `dimension` edges at a vert, and the square of the vert's function twice the integral of one.
+  // A simplex has `dimension` edges at a vert. The integral of the squared hat function of a vert is twice that of an edge.
   constexpr double factor = -2.0 / dimension_v<M>;
   for (int c = 0; c < a.cols(); ++c)
     for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k)

@@ -1,4 +1,4 @@
-// Virtual elements of order 1: stiffness and mass of one poly of any shape, by projecting functions known at its verts to linear ones.
+// Virtual elements of order 1: stiffness and mass of one poly of any shape. Functions with values at its verts are projected to linear functions.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -43,28 +43,28 @@ struct symmetric3 {
   }
 };
 
-/// The places of the verts of a thin poly in coordinates along which it is longest first, y = Q R with orthonormal columns Q that are orthogonal to
-/// constants too. What is tiny along one axis is not lost beside what is large along another.
+/// The verts of a thin poly in coordinates sorted by extent: y = Q R with orthonormal columns Q that are also orthogonal to
+/// constants. Small values along one axis are not lost next to large values along another.
 struct thin_poly_coordinates {
   vec3 axis[3];
-  std::vector<vec3> q;      // a row for each vert; where polygons are measured, the last column is 0
+  std::vector<vec3> q;      // a row for each vert; the last column is 0 for polygons
   double r[3][3] = {};      // upper triangle
-  bool is_regular = false;  // there is an extent along every axis
+  bool is_regular = false;  // the extent along every axis is positive
 
-  /// normal: of unit length, of a polygon; 0 of a polyhedron.
+  /// normal: the unit normal of a polygon; 0 for a polyhedron.
   [[gnu::cold]] void find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension);
 
-  /// R^-1 a, the gradient in these coordinates of what has the values Q a.
+  /// R^-1 a: the gradient in these coordinates of the function with values Q a.
   vec3 solve(vec3 a, std::size_t dimension) const;
 };
 
-/// What both matrices have in common, the lower triangle row by row. form: of both gradients; factor: of the squares of u - P u at the verts; constant:
-/// is added everywhere; image: scratch.
+/// The common part of both matrices, the lower triangle row by row. form: of both gradients; factor: of the squares of u - P u at the verts; constant:
+/// added to every entry; image: scratch.
 void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
                     std::vector<double>& entries);
 
-/// The projection of a poly's functions to linear ones, P u (x) = mean of u + (sum of u_i g_i) . (x - mean of the verts), and the form
-/// that both matrices have: the exact one on P u, and a multiple of the sum of squares of u - P u at the verts, which P does not see.
+/// The projection of a poly's functions to linear ones, P u (x) = mean of u + (sum of u_i g_i) . (x - mean of the verts). Both matrices have the
+/// form: the exact one on P u, plus a multiple of the sum of squares of u - P u at the verts, which P maps to 0.
 template<EmbeddedMesh M>
 class virtual_element {
  protected:
@@ -87,16 +87,16 @@ class virtual_element {
   void name_verts(local_matrix<vert_t<M>>& out) const { out.verts.assign(poly_.verts.begin(), poly_.verts.end()); }
 };
 
-/// The stiffness: u . K u is the integral of the squared gradient of P u, plus the squares of u - P u times a factor that makes rectangles and
-/// boxes the bilinear and trilinear elements as far as one factor can. It is of the order of the stiffness itself however the poly is
-/// stretched, which a power of its diameter would not be. The sum of squares of the g_i grows with the raggedness of a poly too, which would
-/// make it too stiff. Of all g_i that are exact on linear functions those with least squares are Y^-1 y_i, with Y the sum of y y^T, and come to
-/// the trace of Y^-1: the same on boxes, and what counts for polyhedra.
+/// The stiffness: u . K u is the integral of the squared gradient of P u, plus the squares of u - P u times a factor. The factor gives rectangles and
+/// boxes the bilinear and trilinear elements as far as one factor can. It has the order of the stiffness itself however the poly is
+/// stretched; a power of its diameter would not. The sum of squares of the g_i also grows with the raggedness of a poly, which would
+/// make it too stiff. Of all g_i that are exact on linear functions, Y^-1 y_i with Y the sum of y y^T have the smallest sum of squares, which is
+/// the trace of Y^-1. It is the same on boxes, and is used for polyhedra.
 /// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods"; 2014, "The hitchhiker's guide to the virtual element method".
 template<std::size_t Dimension>
 class stiffness_of_poly {
   thin_poly_coordinates thin_;
-  std::vector<vec3> image_, gradient_, unseen_;  // the last two of fill_thin
+  std::vector<vec3> image_, gradient_, unseen_;  // the last two for fill_thin
 
   static double stabilisation_factor(double n) { return Dimension == 2 ? n / 12 : std::sqrt(n / 162); }
   [[gnu::cold]] bool fill_thin(const corner_gradient_arrays& poly, double size, std::vector<double>& entries);
@@ -121,8 +121,8 @@ class virtual_stiffness : virtual_element<M> {
   }
 };
 
-/// The mass: u . M u is the integral of the square of P u, exact over the poly as it is measured, plus the squares of u - P u times the factor by
-/// which rectangles are bilinear elements. Simplices have the mass of linear elements.
+/// The mass: u . M u is the integral of the square of P u, exact over the poly as it is measured, plus the squares of u - P u times a factor. The factor
+/// makes rectangles bilinear elements. Simplices have the mass of linear elements.
 /// Source: Ahmad et al. 2013, "Equivalent projectors for virtual element methods".
 template<EmbeddedMesh M>
 class virtual_mass : virtual_element<M> {
@@ -137,7 +137,7 @@ class virtual_mass : virtual_element<M> {
     const double size = std::abs(poly.measure), n = static_cast<double>(poly.verts.size());
     moments_ = {};
     first_ = {};
-    if constexpr (SurfaceMesh<M>) add_polygon(poly);  // an area or a volume is integrated
+    if constexpr (SurfaceMesh<M>) add_polygon(poly);  // integrates over an area or over a volume
     else add_polyhedron(p);
     const double factor = this->is_simplex() ? 0 : size / (9 * n);
     if (factor > 0)
@@ -152,7 +152,7 @@ class virtual_mass : virtual_element<M> {
 
  private:
   std::vector<vec3> image_;
-  symmetric3 moments_;  // the integral of y y^T, y seen from the mean of the verts
+  symmetric3 moments_;  // the integral of y y^T, with y relative to the mean of the verts
   vec3 first_;          // the integral of y
 
   void add_polygon(const corner_gradients<M>& poly) {

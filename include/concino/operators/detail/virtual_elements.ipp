@@ -1,4 +1,4 @@
-// Virtual elements of one poly by its places and gradients; see virtual_elements.hpp.
+// Virtual elements of one poly, from positions and gradients of its verts; see virtual_elements.hpp.
 #pragma once
 
 #include <concino/operators/detail/virtual_elements.hpp>
@@ -30,7 +30,7 @@ CONCINO_INLINE void thin_poly_coordinates::find(const std::vector<vec3>& place, 
   for (std::size_t k = 0; k < dimension; ++k) {
     for (std::size_t i = 0; i < q.size(); ++i) q[i][k] = dot(axis[k], place[i]);
     for (auto& row : r) row[k] = 0;
-    for (int round = 0; round < 2; ++round) {  // Gram and Schmidt's method, twice for the digits
+    for (int round = 0; round < 2; ++round) {  // Gram-Schmidt orthogonalisation, twice for accuracy
       double mean = 0;
       for (const vec3& x : q) mean += x[k] / n;
       for (vec3& x : q) x[k] -= mean;
@@ -57,8 +57,8 @@ CONCINO_INLINE vec3 thin_poly_coordinates::solve(vec3 a, std::size_t dimension) 
   return a;
 }
 
-/// entry(i, j) = g_i . form g_j + factor (delta_ij - 1/n - y_i . g_j - y_j . g_i), where `form` already has factor times the sum of y y^T:
-/// what the squares of u - P u come to.
+/// entry(i, j) = g_i . form g_j + factor (delta_ij - 1/n - y_i . g_j - y_j . g_i), where `form` already includes factor times the sum of y y^T.
+/// The term with `factor` is the sum of the squares of u - P u.
 CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
                                    std::vector<double>& entries) {
   const std::size_t n = poly.place.size();
@@ -74,9 +74,9 @@ CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const sym
   }
 }
 
-/// The same of thin polys, where y . g is a difference of numbers far larger than itself. With y = Q R and h_i = R (g_i - R^-1 q_i) without what
-/// constants and linear functions have of it, which are rounding errors, the sum of squares of u - P u is that of u - Q Q^T u - mean and of the
-/// sum of u_i h_i. A sum of squares term by term, it is not negative.
+/// The stiffness of thin polys, where y . g is a difference of much larger numbers. Let y = Q R and h_i = R (g_i - R^-1 q_i), minus the constant and
+/// linear parts of h, which are rounding errors. Then the sum of squares of u - P u is the sum of squares of u - Q Q^T u - mean plus that of
+/// the sum of u_i h_i. As a sum of squares term by term, it is not negative.
 template<std::size_t Dimension>
 bool stiffness_of_poly<Dimension>::fill_thin(const corner_gradient_arrays& poly, double size, std::vector<double>& entries) {
   constexpr std::size_t d = Dimension;
@@ -120,20 +120,20 @@ bool stiffness_of_poly<Dimension>::fill_thin(const corner_gradient_arrays& poly,
 
 template<std::size_t Dimension>
 void stiffness_of_poly<Dimension>::fill(const corner_gradient_arrays& poly, std::vector<double>& entries) {
-  constexpr double thin = 0x1p16;  // the square of some hundred times as long as thick
+  constexpr double thin = 0x1p16;  // squared ratio of length to thickness: some hundreds, squared
   const double size = std::abs(poly.measure);
   double factor = 0;
   symmetric3 form{size, 0, 0, size, 0, size};
-  if (poly.place.size() != Dimension + 1) {  // no simplex
+  if (poly.place.size() != Dimension + 1) {  // not a simplex
     const auto n = static_cast<double>(poly.place.size());
     double squares = 0;
     for (const vec3& g : poly.gradient) squares += dot(g, g);
     symmetric3 spread;
     for (const vec3& y : poly.place) spread.add(1, y);
     if (squares * spread.trace() > thin && fill_thin(poly, size, entries)) [[unlikely]] return;
-    if constexpr (Dimension == 3) {  // of polygons the spread across them is 0
+    if constexpr (Dimension == 3) {  // in polygons the spread along the normal is 0
       const double least = spread.trace_of_inverse();
-      if (least > 0 && least < squares) squares = least;  // rounding has the last word on polys next to flat
+      if (least > 0 && least < squares) squares = least;  // in nearly flat polys this difference is only rounding
     }
     factor = size * squares * stabilisation_factor(n);
     form.add(factor, spread);

@@ -1,4 +1,4 @@
-// The stiffness of one poly as that of the triangles or tets around a virtual vert within, whose value is a mean of those of the poly's verts.
+// The stiffness of one poly by virtual refinement: that of the triangles or tets around a virtual vert inside, whose value is a mean of the poly's values.
 #pragma once
 
 #include <concino/operators/corner_gradients.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino::detail {
 
-/// A sum of squares (x - c) . A (x - c), as its matrix and A c.
+/// A sum of squares (x - c) . A (x - c), stored as its matrix and A c.
 struct sum_of_squares {
   vec3 row[3];
   vec3 right;
@@ -24,12 +24,12 @@ struct sum_of_squares {
     right += dot(d, c) * d;
   }
 
-  /// The x that makes the sum least. Directions in which it does not grow, to 6 digits of a length, are left at 0.
+  /// The x that minimises the sum. Components in directions in which it does not grow, to 6 digits of a length, are 0.
   vec3 minimum() const {
     vec3 a[3] = {row[0], row[1], row[2]}, b = right, x;
     std::size_t order[3] = {0, 1, 2}, rank = 0;
     double largest = 0;
-    for (; rank < 3; ++rank) {  // Gauss elimination with the largest of the diagonal for pivot
+    for (; rank < 3; ++rank) {  // Gaussian elimination; the pivot is the largest diagonal entry
       for (std::size_t k = rank + 1; k < 3; ++k)
         if (a[order[k]][order[k]] > a[order[rank]][order[rank]]) std::swap(order[k], order[rank]);
       const std::size_t pivot = order[rank];
@@ -49,13 +49,13 @@ struct sum_of_squares {
   }
 };
 
-/// Fills in the positive semidefinite matrix P^T K P of one poly. The virtual vert of a polygon is the mean of its verts that makes the sum of
-/// the squared areas of the triangles to the edges least; of the weights that give this point those with the least squares are taken. Polyhedra
-/// have such a vert in each face that is no triangle, and one within for which the squared volumes of the tets to the triangles on its faces
-/// count. K is the cotangent matrix of these triangles or tets, P gives virtual verts their values. A triangle or tet has no virtual vert.
-/// Needs:  EmbeddedMesh.      Cost: O(n^2) for a polygon of n verts, O(n^3) for a polyhedron; no allocation but for the largest poly.
+/// Fills in the positive semidefinite matrix P^T K P of one poly. The virtual vert of a polygon is the mean of its verts that minimises the sum of
+/// the squared areas of the triangles to the edges. Of the weights that give this point, it uses those with the smallest sum of squares. Polyhedra
+/// have such a vert in each face that is no triangle, and one inside that minimises the squared volumes of the tets to the triangles on its faces.
+/// K is the cotangent matrix of these triangles or tets; P computes the values at virtual verts. A triangle or tet has no virtual vert.
+/// Needs:  EmbeddedMesh.      Cost: O(n^2) for a polygon of n verts, O(n^3) for a polyhedron; allocates only for the largest poly.
 /// Errors: invalid_mesh if the poly has no area or volume or a point is not finite; unsupported if it is not star-shaped about its virtual
-///         vert: a virtual triangle or tet then has no measure, or is turned against the poly.
+///         vert: a virtual triangle or tet then has no measure, or is oriented opposite to the poly.
 /// Source: Bunge, Herholz, Kazhdan, Botsch 2020, "Polygon Laplacian made simple".
 template<EmbeddedMesh M>
 class virtual_refinement_element {
@@ -63,20 +63,20 @@ class virtual_refinement_element {
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
 
   const M& m_;
-  std::vector<vec3> place_;                            // of verts, then of virtual verts, seen from the first
-  std::vector<std::size_t> around_, support_, first_;  // first_[k]: where the verts that virtual vert k is the mean of begin in support_
+  std::vector<vec3> place_;                            // of verts, then of virtual verts, relative to the first
+  std::vector<std::size_t> around_, support_, first_;  // first_[k]: where in support_ the verts begin whose mean is virtual vert k
   std::vector<double> weight_;                         // and their weights
-  std::vector<std::array<std::size_t, 3>> triangles_;  // on the boundary of a polyhedron, outward
+  std::vector<std::array<std::size_t, 3>> triangles_;  // on the boundary of a polyhedron, oriented outward
   std::vector<std::array<std::size_t, corners>> simplices_;
-  std::vector<double> measure_;                        // of each simplex, times 2 or 6, positive where turned as the poly is
-  std::vector<std::size_t> slot_;                      // of polys of many verts
+  std::vector<double> measure_;                        // of each simplex, times 2 or 6, positive if oriented like the poly
+  std::vector<std::size_t> slot_;                      // for polys of many verts
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_not_star_shaped(const poly_t<M>& p) const {
     core::throw_joined<unsupported>({"Laplacian by virtual refinement: poly ", index_of(m_, p),
                                " is not star-shaped about its virtual vert; use virtual_elements, or split the poly"});
   }
 
-  /// A virtual vert that is the mean of the verts in `around_` that is nearest to the minimum of `energy`.
+  /// Adds the virtual vert: the mean of the verts in `around_` that is nearest to the minimum of the energy.
   template<class MakeEnergy>
   std::size_t add_virtual(const MakeEnergy& make_energy) {
     vec3 mean;
@@ -85,7 +85,7 @@ class virtual_refinement_element {
     sum_of_squares spread = {};
     for (const std::size_t i : around_) spread.add(place_[i] - mean, {});
     spread.right = make_energy(mean).minimum();
-    const vec3 slope = spread.minimum();  // the least squares with these sums are those that grow evenly
+    const vec3 slope = spread.minimum();  // the weights with smallest squares for these sums are linear in position
     vec3 x;
     for (const std::size_t i : around_) {
       const double w = 1 / static_cast<double>(around_.size()) + dot(slope, place_[i] - mean);
@@ -178,11 +178,11 @@ class virtual_refinement_element {
     }
   }
 
-  /// Every simplex has to have its part in the measure of the poly.
+  /// Checks that every simplex has a positive part of the measure of the poly.
   void check(const poly_t<M>& p) {
     measure_.clear();
     double whole = 0;
-    if constexpr (SurfaceMesh<M>) {  // triangles have a common normal, tets a sign
+    if constexpr (SurfaceMesh<M>) {  // triangles share a normal, tets have a sign
       vec3 sum;
       const auto normal = [&](const auto& s) { return cross(place_[s[1]] - place_[s[0]], place_[s[2]] - place_[s[0]]); };
       for (const auto& s : simplices_) sum += normal(s);
@@ -194,13 +194,13 @@ class virtual_refinement_element {
         measure_.push_back(dot(cross(place_[a] - place_[o], place_[b] - place_[o]), place_[c] - place_[o]));
         whole += measure_.back();
       }
-      if (whole < 0)  // turned inside out, like all its parts
+      if (whole < 0)  // inverted, like all its parts
         for (double& x : measure_) x = -x;
       whole = std::abs(whole);
     }
     if (!(std::isfinite(whole) && whole > 0)) throw_no_measure("Laplacian by virtual refinement", m_, p);
     for (const double x : measure_)
-      if (!(x > 1e-14 * whole)) throw_not_star_shaped(p);  // what is smaller is left by rounding
+      if (!(x > 1e-14 * whole)) throw_not_star_shaped(p);  // smaller values are rounding errors
   }
 
  public:
@@ -212,7 +212,7 @@ class virtual_refinement_element {
     if (n < corners) throw_no_measure("Laplacian by virtual refinement", m_, p);
     split(p, out.verts);
     check(p);
-    out.entries.assign(place_.size() * (place_.size() + 1) / 2, 0.0);  // of the virtual verts too, for now
+    out.entries.assign(place_.size() * (place_.size() + 1) / 2, 0.0);  // of the virtual verts too, until they are eliminated
     for (const auto& s : simplices_) {
       std::array<vec3, corners> x;
       for (std::size_t i = 0; i < corners; ++i) x[i] = place_[s[i]];
@@ -221,7 +221,7 @@ class virtual_refinement_element {
         for (std::size_t j = 0; j < corners; ++j)
           if (s[j] <= s[i]) out.at(s[i], s[j]) -= weight(i, j);
     }
-    // Virtual verts are put in terms of those before them, the last first.
+    // Expresses virtual verts by those before them, the last one first.
     for (std::size_t k = place_.size(); k-- > n;) {
       const std::size_t begin = first_[k - n], end = first_[k - n + 1];
       for (std::size_t a = begin; a < end; ++a) {
