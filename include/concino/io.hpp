@@ -1,4 +1,4 @@
-// Reading and writing files: OBJ, OFF, MEDIT .mesh, .hedra; functions on verts as text.
+// Reads and writes mesh files (OBJ, OFF, MEDIT .mesh, .hedra), and functions on verts as text.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>

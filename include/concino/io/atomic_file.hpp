@@ -1,4 +1,4 @@
-// A file appears under its name only when it is complete (POSIX; without a trace of unfinished ones on Linux).
+// Atomic replacement of a file: it gets its name only when it is complete (POSIX; on Linux, unfinished files leave no trace).
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -9,22 +9,22 @@
 
 namespace concino {
 
-/// How atomic_file writes.
+/// Options of atomic_file.
 struct atomic_file_options {
   bool sync = false;         // the file reaches the disk before it gets its name, and the name before commit() returns
-  bool must_be_new = false;  // a file that is there stays, and commit() fails
-  bool unnamed = true;       // the unfinished file has no name where the system can do that, so that it goes with the process
+  bool must_be_new = false;  // if the target exists, it is kept and commit() fails
+  bool unnamed = true;       // the unfinished file has no name, if the system supports that, so that it disappears with the process
 };
 
-/// A new file in the folder of the target, which takes its place by commit(). Unless that succeeds the target stays as it was and the new
-/// file goes. A link stays a link: the file that it names is replaced or made.
-/// Where the system has no unnamed files a process that is killed leaves a file .concino-..., which the next that writes to the same target
-/// removes.
+/// A new file in the folder of the target, which replaces the target on commit(). Unless commit() succeeds, the target stays as it was and
+/// the new file is removed. A symbolic link is kept: the file that it refers to is replaced or created.
+/// If the system has no unnamed files, a process that is killed leaves a file .concino-... . The next process that writes to the same target
+/// removes it.
 class atomic_file {
   std::string path_;       // for messages
-  std::string name_;       // of the target in its folder
-  std::string temporary_;  // the name of the unfinished file in this folder; empty: it has none
-  std::string link_name_;  // the name that an unnamed file has between being linked and being renamed
+  std::string name_;       // the name of the target in its folder
+  std::string temporary_;  // the name of the unfinished file in this folder; empty: unnamed
+  std::string link_name_;  // the name of an unnamed file after it is linked and before it is renamed
   atomic_file_options options_;
   int folder_ = -1, file_ = -1;
   bool finished_ = false, committed_ = false;
@@ -38,35 +38,35 @@ class atomic_file {
 
   bool open_unnamed();
 
-  /// A lock tells unfinished files from those of processes that were killed; these are removed.
+  /// Opens a file with a temporary name, and locks it. An existing file without a lock belongs to a process that was killed, and is removed.
   void open_named(const std::string& base);
 
   bool link_unnamed(const std::string& name);
 
  public:
-  /// The beginning of the names that unfinished files for that target may have: short, and the same each time.
+  /// The prefix of the names of unfinished files for that target: short, and the same each time.
   static std::string temporary_name(std::string_view target);
 
-  /// Errors: io_error if no file can be made there, what is there is not a file, or the path holds a character of value 0.
+  /// Errors: io_error if no file can be created there, if the target exists and is not a file, or if the path contains a character of value 0.
   explicit atomic_file(const std::string& path, const atomic_file_options& options = {});
   atomic_file(const atomic_file&) = delete;
   atomic_file& operator=(const atomic_file&) = delete;
   ~atomic_file();
 
-  /// Of the new file, to write to.
+  /// The descriptor of the new file, to write to.
   int descriptor() const { return file_; }
 
-  /// All that is left to do before the file gets its name, so that little can fail afterwards. Nothing is written any more.
+  /// Does everything that must precede the naming of the file, so that little can fail in commit(). Nothing may be written afterwards.
   void finish();
 
-  /// No memory is needed once the file is finished.
-  /// Errors: io_error; the target is as it was, unless only its folder could not be brought to the disk.
+  /// Replaces the target with the new file. Allocates no memory if finish() was called.
+  /// Errors: io_error. The target is then as it was, unless the only failure was to synchronise its folder with the disk.
   void commit();
 
   /// Whether the file has its name.
   bool is_committed() const { return committed_; }
 
-  /// Takes the file away that commit() has put there.
+  /// Removes the file that commit() has put in place.
   void undo();
 
  private:

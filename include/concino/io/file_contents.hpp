@@ -1,4 +1,4 @@
-// What readers are handed, and what they make of a file before it becomes a mesh: flat arrays, which the mesh takes over.
+// Input and output of the readers of file formats: the text of a file, and the flat arrays from which the mesh is constructed.
 #pragma once
 
 #include <concino/core/rgba.hpp>
@@ -16,15 +16,15 @@
 
 namespace concino {
 
-/// What the mesh to be made can hold, so that a reader can point at the line of what it cannot.
+/// What the type of the mesh can hold, so that a reader can report the line of an element that it cannot hold.
 struct wanted_mesh {
-  bool surface = true;      // it can be made from surface_arrays,
+  bool surface = true;      // it can be constructed from surface_arrays,
   bool cells = true;        // from cell_arrays,
   bool polyhedra = true;    // from polyhedra_arrays
-  std::uint32_t arity = 0;  // verts of every poly where fixed: 3 or 4 for surfaces, 4 or 8 for volumes
+  std::uint32_t arity = 0;  // number of verts of every poly, if fixed: 3 or 4 for surfaces, 4 or 8 for volumes; else 0
 };
 
-/// Values that a file gives to elements, in their order; those that it leaves out have the default.
+/// A value for each element, in the order of the elements. Elements without a value in the file have the default value.
 template<class T>
 class element_values {
   detail::column values_{detail::values_of<T>};
@@ -45,11 +45,12 @@ class element_values {
 /// Which of the arrays a reader has filled.
 enum class arrays_kind : std::uint8_t { surface, cells, polyhedra };
 
-/// A surface, and what a file says of its elements. Readers of surfaces fill this, in the order of the file; what they need not is empty.
+/// The contents of a file that holds a surface: its arrays, and the values of its elements. Readers fill it in the order of the file.
+/// Unused arrays stay empty.
 struct file_contents {
   arrays_kind filled = arrays_kind::surface;
   surface_arrays surface;
-  std::vector<int> vert_labels;  // empty, like all that follows, where the file has none
+  std::vector<int> vert_labels;  // empty if the file has none, like all the members below
   std::vector<int> poly_labels;
   element_values<rgba> vert_colors;
   element_values<rgba> poly_colors;
@@ -59,22 +60,22 @@ struct file_contents {
   material_table table;                          // of the materials
 };
 
-/// The same for a mesh of any dimension: `held` says which arrays count.
+/// The contents of a file that holds a surface or a volume: `filled` says which arrays are used.
 struct volume_contents : file_contents {
   cell_arrays cells;
   polyhedra_arrays polyhedra;
 };
 
-/// What readers are handed. The text is the whole file; it stays where it is while it is read.
+/// The input of a reader. The text is the whole file, and stays in place while it is read.
 struct read_context {
   std::string_view text;
   std::string_view name;  // for messages; the path, if there is one
   wanted_mesh wanted;
   load_report* report;  // never null
   const concino::progress* progress = nullptr;  // for text_cursor
-  bool is_file = false;                         // `name` is a path, and there may be more files beside it
+  bool is_file = false;                         // `name` is a path, and the same folder may contain more files to read
 
-  /// The text as words; `comment` begins a comment to the end of its line, if it is not 0.
+  /// A cursor over the words of the text. `comment`, unless 0, begins a comment that ends with its line.
   token_cursor words(char comment = 0) const { return {text, name, progress, comment}; }
 };
 

@@ -1,4 +1,4 @@
-// The bytes of a file as one text: read into memory, or mapped (POSIX).
+// The bytes of a file as one string: read into memory, or mapped (POSIX).
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -12,15 +12,16 @@
 
 namespace concino {
 
-/// How file_text reads.
+/// Options of file_text.
 struct file_access {
   bool map = false;    // map files instead of reading them
-  bool pipes = false;  // take pipes, which are read to their end
+  bool pipes = false;  // accept pipes, and read them to their end
 };
 
-/// All bytes of a file: file_text(path).text(). Frees itself. An empty file has an empty text, and so has a pipe that nobody writes to: it is not waited for.
+/// All bytes of a file: file_text(path).text(). The destructor frees them. The text of an empty file is empty, and so is that of a pipe
+/// without a writer: reading does not wait for one.
 /// Errors: io_error if the path cannot be opened or read, is not a file (a directory, a device), or has another size when it is read than
-///         when it was opened. A file that shrinks while it is mapped ends the program by SIGBUS where the text is read beyond its end.
+///         when it was opened. If a file shrinks while it is mapped, reading the text beyond its end terminates the program by SIGBUS.
 class file_text {
   const char* data_ = nullptr;
   std::size_t size_ = 0;
@@ -29,7 +30,7 @@ class file_text {
  public:
   file_text() = default;
   explicit file_text(const std::string& path, file_access access = {});
-  /// What an open file holds from where it stands; `size` is what it said to hold, 0 if it did not say.
+  /// Reads an open file from its current position. `size` is the size that the system reported, 0 if unknown.
   file_text(int fd, const std::string& path, std::uint64_t size);
 
   file_text(file_text&& o) noexcept
@@ -44,8 +45,8 @@ class file_text {
 
   std::string_view text() const { return {data_, size_}; }
 
-  /// Lets the text go, which makes room for what was read from it.
-  /// Errors: io_error if a file that is mapped has changed its size since.
+  /// Frees the text, so that its memory can be used for the mesh.
+  /// Errors: io_error if a mapped file has changed its size since it was opened.
   void close(const std::string& path);
 
  private:

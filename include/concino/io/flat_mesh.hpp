@@ -1,4 +1,4 @@
-// A mesh as writers see it: flat arrays, with elements numbered from 0 as they come in the file.
+// A mesh as flat arrays, for writers. Elements are numbered from 0 in the order of the file.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -12,12 +12,12 @@
 
 namespace concino {
 
-/// Lists one after another in memory. List i is values[offsets[i]] .. values[offsets[i+1]-1], or, where all have `arity` > 0 values,
+/// Lists stored one after another. List i is values[offsets[i]] .. values[offsets[i+1]-1]. If all lists have `arity` > 0 values, it is
 /// values[i*arity] .. values[(i+1)*arity-1].
 template<class T>
 struct flat_lists {
   std::span<const T> values;
-  std::span<const std::size_t> offsets;  // empty with an arity
+  std::span<const std::size_t> offsets;  // empty if arity > 0
   std::size_t arity = 0;
 
   std::size_t size() const { return arity ? values.size() / arity : offsets.empty() ? 0 : offsets.size() - 1; }
@@ -26,49 +26,49 @@ struct flat_lists {
   }
 };
 
-/// A property of the verts or polys of a mesh by their numbers; false where the mesh has none of that name and type.
+/// The values of a property of verts or polys, by the number of the element. Converts to false if the mesh has no such property.
 template<class T>
 struct flat_values {
   const T* values = nullptr;
-  const std::uint32_t* indices = nullptr;  // of elements in the mesh, by their numbers; null: the same
+  const std::uint32_t* indices = nullptr;  // the index in the mesh of each number; null: index and number are equal
 
   explicit operator bool() const { return values != nullptr; }
   const T& operator[](std::size_t i) const { return values[indices ? indices[i] : i]; }
 };
 
-/// Faces as lists of verts, polys as lists of faces; outward[k] says whether the face poly_faces.values[k], walked as listed, runs
-/// counter-clockwise seen from outside the poly.
+/// Polyhedra as arrays: faces are lists of verts, polys are lists of faces. outward[k] says whether the verts of face poly_faces.values[k],
+/// in the order listed, are counter-clockwise as seen from outside the poly.
 struct flat_polyhedra {
   flat_lists<vert_id> face_verts;
   flat_lists<face_id> poly_faces;
   std::span<const std::uint8_t> outward;
 };
 
-/// What writers are handed of a mesh. Arrays that lie so in the mesh, as in those of the library while nothing has been removed from them, are
-/// shown where they are; others are copies.
+/// The input of a writer: a mesh as flat arrays. If the mesh stores an array in this form, the span refers to it; otherwise to a copy.
+/// Native meshes do so as long as nothing has been removed from them.
 class flat_mesh {
  public:
   int dimension = 2;                                 // 2: a surface; 3: a volume
-  std::uint32_t arity = 0;                           // verts of every poly where the type of the mesh fixes it, else 0
+  std::uint32_t arity = 0;                           // number of verts of every poly if the type of the mesh fixes it, else 0
   std::size_t num_polys = 0;
   std::span<const vec3> points;                      // of the verts; all finite
-  flat_lists<vert_id> poly_verts;                    // of surfaces, in cyclic order; of tets and hexes, in the standard order; else empty
-  const property_set* properties = nullptr;          // null where the mesh can have none
-  std::span<const std::uint32_t> vert_indices = {};  // in the mesh, by number; empty where they are the numbers
+  flat_lists<vert_id> poly_verts;                    // surfaces: in cyclic order; tets and hexes: in the standard order; else empty
+  const property_set* properties = nullptr;          // null if the type of the mesh has none
+  std::span<const std::uint32_t> vert_indices = {};  // the index in the mesh of each number; empty if they are equal
   std::span<const std::uint32_t> poly_indices = {};
 
-  /// Of volumes.      Cost: the first call of a mesh of tets or hexes makes these lists.
+  /// The faces and polyhedra of a volume.      Cost: the first call builds these lists for a mesh of tets or hexes.
   const flat_polyhedra& polyhedra() {
     if (!has_polyhedra_) make_polyhedra();
     has_polyhedra_ = true;
     return polyhedra_;
   }
 
-  /// The index that the mesh itself gives to a vert or poly, for messages.
+  /// The index of a vert or poly in the mesh, for messages.
   std::size_t vert_index(std::size_t i) const { return vert_indices.empty() ? i : vert_indices[i]; }
   std::size_t poly_index(std::size_t i) const { return poly_indices.empty() ? i : poly_indices[i]; }
 
-  /// The property of that name if it has values of type T. Say what the file keeps by write_context::keep.
+  /// The property of that name if it has values of type T. A writer that stores it calls write_context::declare_stored.
   template<class T>
   flat_values<T> vert_values(std::string_view name) const {
     return {values<T>(element_kind::vert, name), vert_indices.empty() ? nullptr : vert_indices.data()};
@@ -77,7 +77,7 @@ class flat_mesh {
   flat_values<T> poly_values(std::string_view name) const {
     return {values<T>(element_kind::poly, name), poly_indices.empty() ? nullptr : poly_indices.data()};
   }
-  /// The same of the mesh as a whole; null where there is none.
+  /// The value of a property of the mesh as a whole; null if there is none.
   template<class T>
   const T* mesh_value(std::string_view name) const { return values<T>(element_kind::mesh, name); }
 

@@ -1,5 +1,5 @@
-// A file format: a type that names it, says what it can hold, reads it and writes it. <concino/io/off.hpp> and its siblings are such types; a
-// format of your own is another, in the same terms:
+// The concept of a file format: a type that names the format, says what it can hold, reads it and writes it. <concino/io/off.hpp> and its
+// siblings define such types. You define a format of your own in the same way:
 //
 //   struct triangle_soup {
 //     static constexpr std::string_view name = "soup";               // in messages; different for each format
@@ -9,14 +9,14 @@
 //     static void write(write_context& out, flat_mesh& m);           // writes to out.out
 //   };
 //
-// and is handed to a call:  load<trimesh>(path, triangle_soup{}),  save(m, path, standard_formats + triangle_soup{}).
-// Where it has them, a format also says
-//     static bool has_signature(std::string_view text);  whether a file begins as files of this format do: tells formats of one extension apart
-//     static constexpr bool has_binary = true;           that it has a binary form, for save_options::binary
-//     read as a template over the contents               so that programs that read surfaces only, into file_contents, need not compile volumes
+// and pass it to a call:  load<trimesh>(path, triangle_soup{}),  save(m, path, standard_formats + triangle_soup{}).
+// A format may also define
+//     static bool has_signature(std::string_view text);  whether a file begins like files of this format: distinguishes formats with the same extension
+//     static constexpr bool has_binary = true;           if it has a binary form, for save_options::binary
+//     read as a template over the contents               so that programs that read only surfaces, into file_contents, need not compile volumes
 //
-// Laws: read() fills the arrays in the order of the file, reports what it skips, and throws parse_error, by text_cursor::fail, where the file
-// breaks the format; it checks indices, or leaves that to the mesh, which throws invalid_mesh. What write() writes, read() reads as the same mesh.
+// Laws: read() fills the arrays in the order of the file and reports what it skips. Where the file breaks the format, it throws parse_error, by
+// text_cursor::fail. It checks indices, or leaves that to the mesh, which throws invalid_mesh. From what write() writes, read() reads the same mesh.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -92,8 +92,8 @@ consteval void explain_format() {
   if constexpr (!Format<F>) requirement::first_missing<requirement::format_requirements, F>::template explain<F>();
 }
 
-/// Formats that a call knows, listed when it is compiled. Where several have the extension of a path, those with the signature of the file come
-/// first, then later ones.
+/// The formats that a call knows: a list fixed at compile time. If several have the extension of a path, those whose signature the file has
+/// are preferred, then those later in the list.
 template<Format... F>
 struct format_list {
   static_assert(sizeof...(F) <= 64);
@@ -103,7 +103,7 @@ struct format_list {
     requires(sizeof...(F) > 0)
   {}
 
-  /// One for each.
+  /// The id of each format.
   static constexpr std::array<format_id, sizeof...(F)> ids() { return {format_id(F{})...}; }
 
   template<Format G>
@@ -115,7 +115,7 @@ namespace detail {
 template<class T> inline constexpr bool is_format_list = false;
 template<class... F> inline constexpr bool is_format_list<format_list<F...>> = true;
 
-/// A list of one.
+/// A list of one format.
 template<Format F>
 constexpr format_list<F> list_of(F) { return {}; }
 template<class... F>
@@ -125,7 +125,7 @@ constexpr format_list<F...> list_of(format_list<F...> all) { return all; }
 
 namespace mistake {
 
-/// A class that is given where a format is wanted, and is no options either.
+/// A class that is passed where a format is expected, and is neither a format nor options.
 template<class F>
 concept is_no_format = std::is_class_v<F> && !Format<F> && !detail::is_format_list<F> && !std::convertible_to<F, load_options> &&
                        !std::convertible_to<F, save_options> && !std::convertible_to<F, format_id>;
@@ -133,7 +133,7 @@ inline constexpr sentence complete_the_format("this is no Format: explain_format
 
 }  // namespace mistake
 
-/// What load and save take beside the path: a format, which the file then is in whatever its extension, or a list of them.
+/// A format or a list of formats, for load and save. With one format, the file is in this format, whatever its extension.
 template<class F>
 concept Formats = Format<F> || detail::is_format_list<F>;
 

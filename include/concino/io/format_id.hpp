@@ -1,4 +1,4 @@
-// The name of a file format, for a choice that is made when a program runs.
+// The name of a file format, to choose a format at run time.
 #pragma once
 
 #include <concepts>
@@ -6,7 +6,8 @@
 
 namespace concino {
 
-/// Which format a file is in; by default its extension says. Made of any format: format_id f = file_format::obj; equal where the names are.
+/// The format of a file; by default the extension determines it. Any format converts to it: format_id f = file_format::obj. Two are equal if
+/// their names are.
 class format_id {
   std::string_view name_;
 
@@ -16,13 +17,13 @@ class format_id {
     requires requires { { F::name } -> std::convertible_to<std::string_view>; F::extensions; }
   constexpr format_id(const F&) : name_(F::name) {}
 
-  /// Empty: by the extension.
+  /// Empty: the extension determines the format.
   constexpr std::string_view name() const { return name_; }
 
   friend constexpr bool operator==(format_id, format_id) = default;
 };
 
-/// One object for each format, of its type: file_format::obj, where <concino/io/obj.hpp> is included, and its siblings.
+/// An object of the type of each format: <concino/io/obj.hpp> defines file_format::obj, and its siblings the others.
 namespace file_format {
 
 inline constexpr format_id by_extension{};

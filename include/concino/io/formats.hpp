@@ -8,7 +8,7 @@
 
 namespace concino {
 
-/// What load, load_any and save know unless told otherwise; add your own: standard_formats + my_format{}.
+/// The formats that load, load_any and save know by default. Add your own: standard_formats + my_format{}.
 inline constexpr format_list<obj_format, off_format, medit_format, hedra_format> standard_formats{};
 
 }  // namespace concino

@@ -1,4 +1,4 @@
-// .hedra, the format of Cinolib: volumes of any polyhedra.
+// Reads and writes .hedra, Cinolib's format for volumes of any polyhedra.
 #pragma once
 
 #include <concino/io/detail/hedra_format.hpp>
@@ -17,7 +17,7 @@ namespace concino {
 /// Needs:  Loadable M, a volume.
 /// Result: as load.
 /// Cost:   as load.
-/// Errors: as load, but for extensions.
+/// Errors: as load, except that any extension is accepted.
 template<Loadable M>
 M load_hedra(const std::string& path, const load_options& options = {}) {
   return detail::load_with<M>(path, file_format::hedra, options);
@@ -27,7 +27,7 @@ M load_hedra(const std::string& path, const load_options& options = {}) {
 /// Needs:  a volume mesh with points, of any type.
 /// Result: as save.
 /// Cost:   as save.
-/// Errors: as save, but for extensions.
+/// Errors: as save, except that any extension is accepted.
 template<EmbeddedMesh M>
 void save_hedra(const M& m, const std::string& path, const save_options& options = {}) {
   detail::save_with(m, path, file_format::hedra, options);

@@ -1,4 +1,4 @@
-// Reads a mesh of the wanted type from a file.
+// Reads a mesh of a chosen type from a file.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -15,34 +15,34 @@
 
 namespace concino {
 
-/// Reads a mesh from a file; which of standard_formats it is in follows from the extension: .obj, .off, .mesh, .hedra, in any case.
+/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh or .hedra, in upper or lower case.
 /// Needs:  Loadable M.
-/// Result: the mesh, elements in the order of the file. Any volume becomes a polyhedralmesh, any surface a polygonmesh; the other kinds
-///         take only what they can hold. Values in the file become properties of the mesh; the mesh has only those that the file has.
+/// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh any surface; the other
+///         kinds accept only what they can hold. Values in the file become properties of the mesh; it has no others.
 ///         From every format: "label" (int) and "color" (rgba) of verts and polys. From .off: "normal" (vec3) and "texture"
 ///         (std::array<double, 2>) of verts. From .obj: "object", "group" and "material" (std::string) of polys, with colours from the .mtl
-///         files beside it; the mesh property "materials" (material_table) has all their lines. options.report lists what was skipped, turned
-///         or worth a remark.
-/// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are handed over to the mesh.
+///         files in the same folder; the mesh property "materials" (material_table) has all their lines. options.report lists what was
+///         skipped, reoriented or worth a remark.
+/// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks its format or holds a
-///         poly that M cannot. unsupported if the extension is not known, if the file holds a volume and M is a surface or the reverse, or if
-///         faces of more than 16 verts belong to very many polyhedra. cancelled.
+///         poly that M cannot hold. unsupported if the extension is unknown, if the file holds a volume and M is a surface or the reverse, or
+///         if faces of more than 16 verts belong to very many polyhedra. cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   return detail::load_standard<M>(path, options);
 }
-/// `formats`: a format, which the file is then in whatever its extension, as by load_obj and its siblings; or those that the extension chooses
-/// from: standard_formats + my_format{}. No other is compiled. See <concino/io/format.hpp>.
+/// `formats` is one format, which is used whatever the extension, as by load_obj and its siblings; or a list from which the extension chooses:
+/// standard_formats + my_format{}. No other format is compiled. See <concino/io/format.hpp>.
 template<Loadable M, Formats F>
 M load(const std::string& path, F formats, const load_options& options = {}) {
   return detail::load_with<M>(path, formats, options);
 }
 
-/// The same from memory, without material libraries. `name` is what messages call the text.
-/// Needs:  Loadable M; the format, which no extension says.
-/// Result: as load, but no colours and no "materials" of material libraries.
+/// Reads a mesh from a string in memory, without material libraries. Messages call the text `name`.
+/// Needs:  Loadable M; the format, as there is no extension.
+/// Result: as load, without the colours and the "materials" of material libraries.
 /// Cost:   one pass over the text.
-/// Errors: as load, but io_error; invalid_argument if no format is given.
+/// Errors: as load, except io_error; invalid_argument if no format is passed.
 template<Loadable M, Formats F>
 M load_text(std::string_view text, F format, const load_options& options = {}, std::string_view name = "text") {
   if constexpr (detail::is_format_list<F>)

@@ -1,4 +1,4 @@
-// Reads whatever mesh a file holds.
+// Reads a mesh of any kind from a file: the file determines the type.
 #pragma once
 
 #include <concino/io/load.hpp>
@@ -19,7 +19,7 @@ using any_mesh = std::variant<trimesh, quadmesh, polygonmesh, tetmesh, hexmesh, 
 
 namespace detail {
 
-/// Of the six kinds the most special that holds the contents.
+/// A mesh of the most special of the six kinds that can hold the contents.
 template<class Variant>
 Variant any_mesh_of(volume_contents& contents, const std::string& path, load_report* report) {
   const auto make = [&]<class M>(std::type_identity<M>) -> Variant { return mesh_of<M>(contents, path, report); };
@@ -35,19 +35,19 @@ Variant any_mesh_of(volume_contents& contents, const std::string& path, load_rep
 
 }  // namespace detail
 
-/// Reads a file as what it is; std::visit goes on from there.
+/// Reads a mesh as a variant of the six native types; std::visit calls a function with the actual mesh.
 /// Needs:  a file in one of the formats of load.
-/// Result: of the six kinds the most special that holds the file: triangles only, quads only, any polygons; tets only, hexes only, any
-///         polyhedra. A .hedra file is always a polyhedralmesh, a file without polys a polygonmesh unless it says that it is a volume.
+/// Result: a mesh of the most special kind that can hold the file: triangles only, quads only, any polygons; tets only, hexes only, any
+///         polyhedra. A .hedra file is always a polyhedralmesh. A file without polys is a polygonmesh unless it says that it is a volume.
 /// Cost:   as load.
-/// Errors: as load, but for kinds that do not fit: every kind does.
+/// Errors: as load, except for polys that do not fit the mesh: every kind of poly is accepted.
 template<class Variant = any_mesh>  // a template only so that programs that do not call it need not compile six meshes
 Variant load_any(const std::string& path, const load_options& options = {}) {
   volume_contents contents;
   detail::read_standard_file<true, true>(path, {}, options, contents);
   return detail::any_mesh_of<Variant>(contents, path, options.report);
 }
-/// `formats` as of load.
+/// `formats` as in load.
 template<class Variant = any_mesh, Formats F>
 Variant load_any(const std::string& path, F formats, const load_options& options = {}) {
   volume_contents contents;

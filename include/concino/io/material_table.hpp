@@ -1,4 +1,4 @@
-// Materials of surfaces: what the libraries of a file say of them, kept whole from load to save.
+// Materials of surfaces: all lines of the material libraries of a file, kept from load to save.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace concino {
 
-/// What a .mtl library says of one material. Polys name it by their property "material" (std::string).
+/// One material of a .mtl library. The property "material" (std::string) of a poly is the name of its material.
 struct material {
   std::string name = {};
   std::vector<std::string> lines =
@@ -17,16 +17,16 @@ struct material {
   friend bool operator==(const material&, const material&) = default;
 };
 
-/// The mesh property "materials": load makes it of all libraries that an .obj file names, save writes it.
-/// Colours of polys are in their property "color" too, which decides where the two differ.
+/// The mesh property "materials": load fills it from all libraries that an .obj file names, and save writes it.
+/// The property "color" of polys has their colours too, and takes precedence where the two differ.
 struct material_table {
-  std::vector<material> materials = {};     // of two of one name the first counts
-  std::vector<std::string> libraries = {};  // files that the mesh's file names, in order
-  std::vector<std::string> unread = {};     // of these: files that were not there, or could not be read; save names them again
+  std::vector<material> materials = {};     // if two have the same name, the first is used
+  std::vector<std::string> libraries = {};  // the names of libraries in the mesh's file, in order
+  std::vector<std::string> unread = {};     // those of them that were missing or could not be read; save names them again
   std::vector<std::string> head = {};       // lines of the libraries before their first material
 
   bool empty() const { return materials.empty() && libraries.empty() && unread.empty() && head.empty(); }
-  /// The first of that name, or null.      Cost: O(number of materials).
+  /// The first material of that name, or null.      Cost: O(number of materials).
   const material* find(std::string_view name) const {
     for (const material& m : materials)
       if (std::string_view(m.name) == name) return &m;

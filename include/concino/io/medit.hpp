@@ -1,4 +1,4 @@
-// MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids.
+// Reads and writes MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -17,7 +17,7 @@ namespace concino {
 /// Needs:  Loadable M.
 /// Result: as load.
 /// Cost:   as load.
-/// Errors: as load, but for extensions.
+/// Errors: as load, except that any extension is accepted.
 template<Loadable M>
 M load_medit(const std::string& path, const load_options& options = {}) {
   return detail::load_with<M>(path, file_format::medit, options);
@@ -27,7 +27,7 @@ M load_medit(const std::string& path, const load_options& options = {}) {
 /// Needs:  a mesh with points, of any type.
 /// Result: as save.
 /// Cost:   as save.
-/// Errors: as save, but for extensions.
+/// Errors: as save, except that any extension is accepted.
 template<EmbeddedMesh M>
 void save_medit(const M& m, const std::string& path, const save_options& options = {}) {
   detail::save_with(m, path, file_format::medit, options);

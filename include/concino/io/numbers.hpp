@@ -1,4 +1,4 @@
-// Numbers in text: independent of the locale, correctly rounded, and fast on the decimals that mesh files hold.
+// Parses numbers: independent of the locale, correctly rounded, and fast on the decimals of mesh files.
 #pragma once
 
 #include <concino/io/detail/decimals.hpp>
@@ -9,11 +9,11 @@
 namespace concino {
 
 /// Reads a real number at the beginning of a text, in decimal digits with an optional sign, point and exponent.
-/// Needs:  a text from `first` to before `last`; what follows it is not read.
-/// Result: where the number ends, or null where there is none; x is the nearest double, infinite if the number is too large. "nan" and "inf"
-///         are read too: the caller decides.
+/// Needs:  a text [first, last); nothing beyond `last` is read.
+/// Result: the end of the number, or null if there is none. x is the nearest double, infinite if the number is too large. "nan" and "inf"
+///         are read too; the caller decides whether to accept them.
 /// Cost:   linear in the number of digits.
-/// Errors: none; x is unspecified where there is no number.
+/// Errors: none; x is unspecified if there is no number.
 [[gnu::noinline]] inline const char* parse_real(const char* first, const char* last, double& x) {
   const char* p = first;
   const bool negative = p != last && *p == '-';
@@ -42,7 +42,7 @@ namespace concino {
     if (p == from || p - from > 4) return detail::parse_real_slowly(first, last, x);
     exponent += minus ? -static_cast<std::ptrdiff_t>(e) : static_cast<std::ptrdiff_t>(e);
   }
-  if (w < (std::uint64_t{1} << 53) && exponent >= -22 && exponent <= 22) {  // both exact, so one rounding
+  if (w < (std::uint64_t{1} << 53) && exponent >= -22 && exponent <= 22) {  // both are exact, so only the result is rounded
     x = static_cast<double>(w);
     if (exponent < 0) x /= detail::exact_powers_of_ten[static_cast<std::size_t>(-exponent)];
     else x *= detail::exact_powers_of_ten[static_cast<std::size_t>(exponent)];
@@ -56,10 +56,10 @@ namespace concino {
 }
 
 /// Reads an integer at the beginning of a text, in at most 18 decimal digits (leading zeros do not count) with an optional sign.
-/// Needs:  a text from `first` to before `last`; what follows it is not read.
-/// Result: where the number ends, or null where there is none or it is longer.
+/// Needs:  a text [first, last); nothing beyond `last` is read.
+/// Result: the end of the number, or null if there is none or it has more digits.
 /// Cost:   linear in the number of digits.
-/// Errors: none; i is unspecified where there is no number.
+/// Errors: none; i is unspecified if there is no number.
 inline const char* parse_integer(const char* first, const char* last, std::int64_t& i) {
   const char* p = first;
   const bool negative = p != last && *p == '-';

@@ -1,4 +1,4 @@
-// Wavefront OBJ: surfaces with colours, groups, objects and materials.
+// Reads and writes Wavefront OBJ: surfaces with colours, groups, objects and materials.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -17,7 +17,7 @@ namespace concino {
 /// Needs:  Loadable M, a surface.
 /// Result: as load.
 /// Cost:   as load.
-/// Errors: as load, but for extensions.
+/// Errors: as load, except that any extension is accepted.
 template<Loadable M>
 M load_obj(const std::string& path, const load_options& options = {}) {
   return detail::load_with<M>(path, file_format::obj, options);
@@ -27,7 +27,7 @@ M load_obj(const std::string& path, const load_options& options = {}) {
 /// Needs:  a surface mesh with points, of any type.
 /// Result: as save.
 /// Cost:   as save.
-/// Errors: as save, but for extensions.
+/// Errors: as save, except that any extension is accepted.
 template<EmbeddedMesh M>
 void save_obj(const M& m, const std::string& path, const save_options& options = {}) {
   detail::save_with(m, path, file_format::obj, options);

@@ -1,4 +1,4 @@
-// Geomview OFF: surfaces with colours, normals and texture coordinates, as text or binary.
+// Reads and writes Geomview OFF: surfaces with colours, normals and texture coordinates, as text or binary.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -17,7 +17,7 @@ namespace concino {
 /// Needs:  Loadable M, a surface.
 /// Result: as load.
 /// Cost:   as load.
-/// Errors: as load, but for extensions.
+/// Errors: as load, except that any extension is accepted.
 template<Loadable M>
 M load_off(const std::string& path, const load_options& options = {}) {
   return detail::load_with<M>(path, file_format::off, options);
@@ -27,7 +27,7 @@ M load_off(const std::string& path, const load_options& options = {}) {
 /// Needs:  a surface mesh with points, of any type.
 /// Result: as save.
 /// Cost:   as save.
-/// Errors: as save, but for extensions.
+/// Errors: as save, except that any extension is accepted.
 template<EmbeddedMesh M>
 void save_off(const M& m, const std::string& path, const save_options& options = {}) {
   detail::save_with(m, path, file_format::off, options);

@@ -1,4 +1,4 @@
-// What may be asked of load and save, and what they tell beside the mesh.
+// Options and reports of load and save.
 #pragma once
 
 #include <concino/core/progress.hpp>
@@ -10,37 +10,37 @@
 
 namespace concino {
 
-/// What a reader did not take as it stood. One sentence an entry.
+/// What a reader changed or skipped. Each entry is one sentence.
 struct load_report {
   std::size_t reoriented_polys = 0;  // cells whose verts were put into the standard order or whose faces were turned outward
-  std::vector<std::string> skipped;  // in the file, not in the mesh
+  std::vector<std::string> skipped;  // in the file, but not in the mesh
   std::vector<std::string> notes;    // anything else worth knowing
 };
 
-/// What a writer could not say in the format. One sentence an entry.
+/// What a writer could not store in the format. Each entry is one sentence.
 struct save_report {
-  std::vector<std::string> lost;   // in the mesh, not in the file
+  std::vector<std::string> lost;   // in the mesh, but not in the file
   std::vector<std::string> notes;  // anything else worth knowing
 };
 
 struct load_options {
-  format_id format = {};                   // one of the formats that the call knows; by default the extension says which
-  concino::load_report* report = nullptr;  // filled in if given; cleared first
-  concino::progress progress = {};         // told the fraction of the file read
-  /// Files are mapped into memory, not read: loading is about a tenth faster, but a file that shrinks meanwhile may end the program by
-  /// SIGBUS. Read files cannot; both are an io_error where the size is another at the end.
+  format_id format = {};                   // one of the formats that the call knows; by default the extension determines it
+  concino::load_report* report = nullptr;  // unless null, cleared and then filled in
+  concino::progress progress = {};         // called with the fraction of the file that has been read
+  /// Maps the file into memory instead of reading it. Loading is about a tenth faster, but a file that shrinks meanwhile may terminate the
+  /// program by SIGBUS; without `map` it cannot. In both cases a file whose size has changed at the end is an io_error.
   bool map = false;
 };
 
 struct save_options {
-  format_id format = {};                   // one of the formats that the call knows; by default the extension says which
-  concino::save_report* report = nullptr;  // filled in if given; cleared first
-  concino::progress progress = {};         // told the fraction of the elements written
+  format_id format = {};                   // one of the formats that the call knows; by default the extension determines it
+  concino::save_report* report = nullptr;  // unless null, cleared and then filled in
+  concino::progress progress = {};         // called with the fraction of the elements that have been written
   bool binary = false;                     // .off: 32-bit numbers, so coordinates are rounded to floats; unsupported by formats without a binary form
-  bool sync = false;                       // what is written reaches the disk before it replaces a file; else the system decides when
+  bool sync = false;                       // the new data reaches the disk before it replaces a file; otherwise the system decides when
 };
 
-/// Of what writes a file and has nothing else to choose.
+/// Options of functions that write a file and have no other choices.
 struct file_options {
   bool sync = false;  // as in save_options
 };

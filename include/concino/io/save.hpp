@@ -15,48 +15,48 @@
 
 namespace concino {
 
-/// Writes a mesh to a file; which of standard_formats follows from the extension: .obj and .off for surfaces; .mesh for triangles and quads, or for
-/// tets, hexes, prisms and pyramids, which are told by their faces; .hedra for volumes.
+/// Writes a mesh to a file. The extension determines which of standard_formats is used: .obj and .off for surfaces; .mesh for triangles and
+/// quads, or for tets, hexes, prisms and pyramids, which are recognised by their faces; .hedra for volumes.
 /// Needs:  a surface or volume mesh with points, of any type.
-/// Result: the file, complete, in the place of what was there; coordinates read back as the same numbers. Verts (and faces) are numbered as
-///         they are walked. These properties are written:
+/// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and faces) are numbered in the
+///         order of verts(m) (and faces(m)). These properties are written:
 ///         - to .mesh: "label" (int) of verts and polys;
-///         - to .obj and .off: "color" (rgba) of verts, "color" and "label" of polys, of which .off holds one;
+///         - to .obj and .off: "color" (rgba) of verts, "color" and "label" of polys (.off can hold only one of the two);
 ///         - to .off: "normal" (vec3) and "texture" (std::array<double, 2>) of verts;
 ///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials".
-///         An .obj uses the material libraries that the mesh's file named, if they are beside the new file and hold the same colours and
-///         materials. Otherwise a new library is written beside it, with the same name and .mtl, or _1.mtl and so on. Existing libraries are
-///         not changed, but those that earlier saves made for this file are removed. Both files change or neither does; even if the program
+///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file and hold the same colours
+///         and materials. Otherwise a new library is written there, with the same name and .mtl, or _1.mtl and so on. Existing libraries are
+///         not changed, but those that earlier saves created for this file are removed. Both files change or neither does; even if the program
 ///         is killed, the .obj on disk finds its materials. options.report names whatever is lost, changed or renamed.
-/// Cost:   O(size of the mesh) time. Memory: O(corners), or none for arrays that the mesh stores as the format needs them, as those of the library
-///         do until something is removed. O(corners) for .mesh, O(polys) for .obj with colours or materials.
-/// Errors: unsupported if the extension is not known, or if the format cannot hold the mesh: it names the first poly that does not fit, and
-///         formats that can hold it. invalid_mesh if a coordinate is not finite. io_error if a file cannot be written, or another program makes a
-///         library of that name meanwhile. cancelled. The target is then as it was, and no other file has been made or changed. (With
-///         options.sync, io_error also where the new file stands there but its folder cannot be brought to the disk.)
+/// Cost:   O(size of the mesh) time. Memory: O(corners), or none for arrays that the mesh stores in the form of the file, as native meshes do
+///         until something is removed. O(corners) for .mesh, O(polys) for .obj with colours or materials.
+/// Errors: unsupported if the extension is unknown, or if the format cannot hold the mesh: it names the first poly that does not fit, and
+///         formats that can hold it. invalid_mesh if a coordinate is not finite. io_error if a file cannot be written, or if another program
+///         creates a library of that name meanwhile. cancelled. The target is then as it was, and no other file has been created or changed.
+///         (With options.sync, io_error also if the new file is in place but its folder cannot be synchronised with the disk.)
 template<EmbeddedMesh M>
 void save(const M& m, const std::string& path, const save_options& options = {}) {
   detail::save_standard<dimension_v<M>>(detail::visitable_mesh<M>{m}, path, options);
 }
-/// `formats`: a format, which the file is then in whatever its extension, as by save_obj and its siblings; or those that the extension chooses
-/// from: standard_formats + my_format{}. No other is compiled. See <concino/io/format.hpp>.
+/// `formats` is one format, which is used whatever the extension, as by save_obj and its siblings; or a list from which the extension chooses:
+/// standard_formats + my_format{}. No other format is compiled. See <concino/io/format.hpp>.
 template<EmbeddedMesh M, Formats F>
 void save(const M& m, const std::string& path, F formats, const save_options& options = {}) {
   detail::save_with(m, path, formats, options);
 }
 
-/// The text that save would write.
-/// Needs:  as save; the format, which no extension says.
+/// The text that save would write, as a string.
+/// Needs:  as save; the format, as there is no extension.
 /// Result: the bytes of the file. Material libraries are not written.
 /// Cost:   as save, and the memory of the text.
-/// Errors: as save, but io_error; invalid_argument if no format is given.
+/// Errors: as save, except io_error; invalid_argument if no format is passed.
 template<EmbeddedMesh M, Formats F>
 std::string save_text(const M& m, F format, const save_options& options = {}) {
   if constexpr (detail::is_format_list<F>)
     if (options.format == format_id()) core::throw_joined<invalid_argument>({"save_text: say which format to write; text has no extension"});
   return detail::save_text_with(m, format, options);
 }
-/// One of standard_formats, chosen when the program runs.
+/// One of standard_formats, chosen at run time.
 template<EmbeddedMesh M>
 std::string save_text(const M& m, format_id format, const save_options& options = {}) {
   save_options with_format = options;

@@ -1,4 +1,4 @@
-// Functions on verts as text: a head `SCALAR_FIELD n`, then n numbers, one per line.
+// Reads and writes functions on verts as text: a first line `SCALAR_FIELD n`, then n numbers, one per line.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -16,7 +16,7 @@ namespace concino {
 
 /// Writes the value of u at every vert, in the order of verts(m).
 /// Needs:  a mesh or graph with verts; u[v] convertible to double.
-/// Result: a file that load_field reads back to the last bit, +inf and NaN included. It replaces a file of that name only when it is
+/// Result: a file from which load_field reads exactly the same values, +inf and NaN included. It replaces a file of that name only when it is
 ///         complete.
 /// Cost:   O(V).      Errors: io_error.
 template<class M, class U>
@@ -31,7 +31,7 @@ void save_field(const M& m, const U& u, const std::string& path, const file_opti
 }
 
 /// Reads such a file as a map on the verts of m, in the order of verts(m).
-/// Needs:  a mesh or graph with verts, no temporary.
+/// Needs:  a mesh or graph with verts, not a temporary.
 /// Result: a map of double.      Cost: O(V + size of the file).
 /// Errors: io_error; parse_error with the line, also if the file does not hold one number per vert.
 template<class M>

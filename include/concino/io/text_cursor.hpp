@@ -1,4 +1,4 @@
-// Reading text: where a reader stands, and how it complains. Lines are counted only when there is something to complain about.
+// A position in a text that is parsed, and the errors that name its line. Lines are counted only when an error or a note needs them.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -15,13 +15,13 @@
 
 namespace concino {
 
-/// A place in a text, with complaints that name the line and say what stands there.
+/// A position in a text. Its errors name the line and quote the word that was found there.
 ///
 ///   token_cursor in(text, "a.txt", nullptr, '#');       // words with blanks or line ends between them; # begins a comment
 ///   const auto n = in.next_count("the number of verts", 6);
 ///   for (std::uint64_t i = 0; i < n; ++i) points.push_back({in.next_real("x"), in.next_real("y"), in.next_real("z")});
 ///
-/// The text has to stay where it is. Errors: parse_error by fail() and by all that read numbers; cancelled by report_progress().
+/// The text must stay in place while it is read. Errors: parse_error by fail() and by all functions that read numbers; cancelled by report_progress().
 class text_cursor {
  public:
   const char* at;
@@ -32,11 +32,11 @@ class text_cursor {
   const char* next_report_;
   std::string_view name_;
   const concino::progress* progress_;
-  mutable const char* counted_;  // lines up to here, so that many complaints in a row cost one walk
+  mutable const char* counted_;  // lines are counted up to here, so that many calls of line_of cost one pass
   mutable std::size_t lines_ = 1;
 
  public:
-  /// `name` appears in errors. A byte order mark is skipped.
+  /// `name` is the name of the text in errors. A byte order mark is skipped.
   text_cursor(std::string_view text, std::string_view name, const concino::progress* on_progress = nullptr)
       : at(text.data()), begin_(at), end_(at + text.size()), next_report_(end_), name_(name), progress_(on_progress), counted_(begin_) {
     if (text.substr(0, 3) == "\xEF\xBB\xBF") at += 3;
@@ -49,7 +49,7 @@ class text_cursor {
   bool at_end() const { return at == end_; }
   std::uint64_t left() const { return static_cast<std::uint64_t>(end_ - at); }
 
-  /// Says how far it is, about a hundred times a file.
+  /// Reports the fraction that has been read, about a hundred times per file.
   void report_progress() {
     if (at >= next_report_ && next_report_ != end_) [[unlikely]] report_progress_now();
   }
@@ -61,7 +61,7 @@ class text_cursor {
   }
 
  public:
-  /// Line of a place, from 1; LF, CRLF and CR each end one. The end of the text counts as the end of its last line that says something.
+  /// The line of a position, from 1; LF, CRLF and CR each end a line. The end of the text counts as the end of its last line that is not blank.
   [[gnu::noinline, gnu::cold]] std::size_t line_of(const char* place) const {
     if (place == end_) while (place != begin_ && detail::is_space(place[-1])) --place;
     if (place < counted_) {
@@ -73,18 +73,18 @@ class text_cursor {
     return lines_;
   }
 
-  /// Errors: parse_error with the line of a place; by default it says what stands there.
+  /// Errors: parse_error with the line of a position; without `found` it quotes the word there.
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message expected, core::message found) const {
     throw parse_error(std::string(name_), line_of(place), core::joined(expected), core::joined(found));
   }
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, const char* expected) const { fail(place, {expected}, {found_at(place)}); }
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message expected) const { fail(place, expected, {found_at(place)}); }
-  /// Errors: unsupported, for more elements than descriptors can name.
+  /// Errors: unsupported, for more elements than there are ids.
   [[noreturn, gnu::noinline, gnu::cold]] void fail_to_count(const char* what) const {
     core::throw_joined<unsupported>({name_, ": more than 4294967294 ", what});
   }
 
-  /// What stands at a place, as errors call it: its first word, of at most 40 characters, or that a line or the file ends there.
+  /// The text at a position, for errors: its first word, at most 40 characters, or that the line or the file ends there.
   [[gnu::noinline, gnu::cold]] std::string found_at(const char* place) const {
     if (begin_ == end_) return "an empty file";
     if (place == end_) return "the end of the file";
@@ -101,12 +101,12 @@ class text_cursor {
     return core::joined({found, "'"});
   }
 
-  /// To the end of the line.
+  /// Moves to the end of the line.
   void skip_line() {
     while (at != end_ && !detail::is_line_end(*at)) ++at;
   }
 
-  /// Blanks and line ends; from `comment` to the end of its line too, if that is not 0.
+  /// Skips blanks and line ends, and unless `comment` is 0, also comments from this character to the end of the line.
   void skip_space(char comment = 0) {
     for (; at != end_; ++at) {
       if (comment && *at == comment) {
@@ -118,14 +118,14 @@ class text_cursor {
     }
   }
 
-  /// What stands here up to the next blank or line end.
+  /// Reads up to the next blank or line end.
   std::string_view word() {
     const char* from = at;
     while (at != end_ && !detail::is_space(*at)) ++at;
     return {from, static_cast<std::size_t>(at - from)};
   }
 
-  /// A finite real that ends where a blank, a line or a comment begins.
+  /// Reads a finite real number. It must be followed by a blank, a line end, a comment or the end of the text.
   double real(const char* expected, char comment = '#') {
     double x = 0;
     const char* p = parse_real(at, end_, x);
@@ -135,7 +135,7 @@ class text_cursor {
     return x;
   }
 
-  /// An integer of at most 18 digits that ends there.
+  /// Reads an integer of at most 18 digits, which must end in the same way.
   std::int64_t integer(const char* expected, char comment = '#') {
     std::int64_t i = 0;
     const char* p = parse_integer(at, end_, i);
@@ -144,24 +144,24 @@ class text_cursor {
     return i;
   }
 
-  /// Whether a number that ends at p ends there as a word: nothing else follows but a blank, a line end, a comment or a backslash.
+  /// Whether a word can end at p: only a blank, a line end, a comment or a backslash follows, or the end of the text.
   bool ends_token(const char* p, char comment) const { return p == end_ || detail::is_space(*p) || *p == comment || *p == '\\'; }
 };
 
-/// The same for formats where a line end is like any blank: numbers follow one another wherever they stand.
+/// A cursor for formats where a line end is like any other blank, so that lines have no meaning.
 struct token_cursor : text_cursor {
-  static constexpr std::uint64_t max_count = 0xFFFFFFFEu;  // elements of a kind: ids have 32 bits, and one of them means "none"
+  static constexpr std::uint64_t max_count = 0xFFFFFFFEu;  // elements of one kind: ids have 32 bits, and one of them means "none"
   char comment = 0;
 
   token_cursor(std::string_view text, std::string_view name, const concino::progress* on_progress, char comment_)
       : text_cursor(text, name, on_progress), comment(comment_) {}
 
-  /// To the next word.
+  /// Moves to the next word.
   void skip() {
-    if (!at_end() && detail::is_space(*at)) ++at;  // mostly one blank, then the next word
+    if (!at_end() && detail::is_space(*at)) ++at;  // usually one blank separates words
     if (at_end() || detail::is_space(*at) || *at == comment) skip_space(comment);
   }
-  /// The next word as a number; `expected` says what it means.
+  /// Reads the next word as a number; `expected` is its meaning, for errors.
   double next_real(const char* expected) {
     skip();
     return real(expected, comment);
@@ -170,7 +170,7 @@ struct token_cursor : text_cursor {
     skip();
     return integer(expected, comment);
   }
-  /// A number of elements that take at least `bytes` each. What a file announces is not believed: reserve no more than reservable() says, and
+  /// Reads a number of elements, each of which takes at least `bytes` in the file. The number may be wrong: reserve no more than reservable(), and
   /// read until the elements or the file end.
   std::uint64_t next_count(const char* what, std::uint64_t bytes) {
     skip();
@@ -180,9 +180,9 @@ struct token_cursor : text_cursor {
     if (static_cast<std::uint64_t>(n) > max_count && reservable(max_count + 1, bytes) > max_count) fail_to_count("elements of one kind");
     return static_cast<std::uint64_t>(n);
   }
-  /// How many of n announced elements the rest of the file can hold; the last needs no line end.
+  /// How many of n elements the rest of the file can hold; the last one needs no line end.
   std::size_t reservable(std::uint64_t n, std::uint64_t bytes) const { return static_cast<std::size_t>(std::min(n, (left() + 1) / bytes)); }
-  /// An index from 1 to `bound`, made to count from 0.
+  /// Reads an index from 1 to `bound`, and returns it minus one.
   std::uint32_t next_index(std::uint64_t bound, const char* what) {
     skip();
     std::int64_t i = 0;

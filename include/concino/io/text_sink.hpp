@@ -1,4 +1,4 @@
-// Where writers put their text: a buffer that goes to a file, or stays a string.
+// Buffered output of text, to a file or to a string.
 #pragma once
 
 #include <concino/io/detail/io_errors.hpp>
@@ -15,7 +15,7 @@
 
 namespace concino {
 
-/// Text goes to a file descriptor in large pieces, or with none is kept.
+/// A buffer for text. It writes to a file descriptor in large pieces; without a descriptor it keeps the text.
 ///
 ///   atomic_file file(path);
 ///   text_sink out(file.descriptor(), path);
@@ -23,7 +23,7 @@ namespace concino {
 ///   out.flush();
 ///   file.commit();
 ///
-/// Errors: io_error where the file cannot be written; `path` is what messages call it.
+/// Errors: io_error if the file cannot be written; messages call it `path`.
 class text_sink {
   static constexpr std::size_t piece = 1 << 18;
   std::string text_;
@@ -49,7 +49,7 @@ class text_sink {
   text_sink() = default;
   text_sink(int file, std::string path) : file_(file), path_(std::move(path)) {}
 
-  [[gnu::noinline]] text_sink& operator<<(char c) {  // there are many, and the numbers between them take longer
+  [[gnu::noinline]] text_sink& operator<<(char c) {  // not inlined: there are many calls, and the numbers between them take longer
     *reserve(1) = c;
     ++used_;
     return *this;
@@ -60,7 +60,7 @@ class text_sink {
     return *this;
   }
   text_sink& operator<<(const char* s) { return *this << std::string_view(s); }
-  /// The shortest digits that read back as the same number.
+  /// Writes the shortest decimal number that reads back as the same double.
   [[gnu::noinline]] text_sink& operator<<(double x) {
     char* const p = reserve(32);
     used_ += static_cast<std::size_t>(std::to_chars(p, p + 32, x).ptr - p);
@@ -71,7 +71,7 @@ class text_sink {
     return i < 0 ? (*this << '-').put(0 - static_cast<std::uint64_t>(i)) : put(static_cast<std::uint64_t>(i));
   }
 
-  /// Brings what is left to the file. Needs: a descriptor.
+  /// Writes the rest of the buffer to the file. Needs: a descriptor.
   void flush() {
     for (std::size_t done = 0; done < used_;) {
       const ::ssize_t n = ::write(file_, text_.data() + done, used_ - done);
@@ -82,7 +82,7 @@ class text_sink {
     used_ = 0;
   }
 
-  /// All that was written. Needs: no descriptor.
+  /// Moves the text out of the buffer. Needs: no descriptor.
   std::string release() && {
     text_.resize(used_);
     return std::move(text_);

@@ -1,4 +1,4 @@
-// What writers are handed beside the mesh.
+// The input and output of writers, except the mesh: options, output, report.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -18,16 +18,16 @@ namespace concino {
 
 class atomic_file;
 
-/// Other files that belong to the one that is written, as a material library does.
+/// Additional files that are written with a file, such as a material library.
 struct companion_files {
   virtual ~companion_files() = default;
-  /// Gives them and the file their names, all or none: calls file.commit().
+  /// Gives these files and `file` their names, all or none. Calls file.commit().
   virtual void commit_with(atomic_file& file) = 0;
 };
 
-/// Where the text goes, what was asked for, and what is reported.
+/// The output text, the options and the report of a writer.
 struct write_context {
-  /// A property that the file holds.
+  /// A property that the file stores.
   struct stored_property {
     element_kind kind;
     std::string_view name;
@@ -36,25 +36,25 @@ struct write_context {
 
   text_sink& out;
   std::string_view name;       // for messages
-  std::string_view path;       // of the file; empty where a text is asked for, which has no files beside it
+  std::string_view path;       // of the file; empty if the output is a string, which has no companion files
   const save_options& options;
   save_report& report;
   std::vector<stored_property> stored = {};
-  std::unique_ptr<companion_files> companions = {};  // made by the writer, if there are any
+  std::unique_ptr<companion_files> companions = {};  // created by the writer, if there are any
   std::size_t num_elements = 0, num_written = 0;        // verts and polys
   std::size_t num_not_finite = 0;
 
-  /// Once for every vert and poly: tells options.progress now and then. Errors: cancelled.
+  /// Called once for every vert and poly; calls options.progress from time to time. Errors: cancelled.
   void report_progress() {
     if (num_written++ % 4096 == 0)
       detail::report_progress(options.progress, std::min(1.0, static_cast<double>(num_written) / static_cast<double>(num_elements + 1)), "writing");
   }
 
-  /// Says that the file holds the property of that name with values of type T. All others are reported as lost.
+  /// Declares that the file stores the property of that name with values of type T. All others are reported as lost.
   template<class T>
   void declare_stored(element_kind kind, std::string_view property) { stored.push_back({kind, property, &typeid(T)}); }
 
-  /// A number that is no coordinate: files cannot hold those that are not finite, so they become 0, which is reported.
+  /// A number other than a coordinate, for output: files cannot hold a number that is not finite, so it becomes 0, which is reported.
   double finite(double x) {
     if (std::isfinite(x)) return x;
     ++num_not_finite;

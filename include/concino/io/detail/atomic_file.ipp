@@ -1,4 +1,4 @@
-// How a file appears under its name; see atomic_file.hpp.
+// Definitions of atomic_file.hpp.
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>
@@ -37,7 +37,7 @@ CONCINO_INLINE bool atomic_file::open_unnamed() {
   if (file_ < 0) return false;
   char source[proc_size];
   name_in_proc(file_, source);
-  if (::access(source, F_OK) == 0) return true;  // else there is no way to give it a name
+  if (::access(source, F_OK) == 0) return true;  // otherwise the file cannot get a name
   ::close(std::exchange(file_, -1));
 #endif
   return false;
@@ -55,7 +55,7 @@ CONCINO_INLINE void atomic_file::open_named(const std::string& base) {
           temporary_.swap(name);
           return;
         }
-        ::close(made);  // another has taken it for abandoned
+        ::close(made);  // another process has locked it and will remove it as abandoned
         break;
       }
       const int found = ::openat(folder_, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
@@ -104,7 +104,7 @@ CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) 
     if (exists && !S_ISREG(old.st_mode)) core::throw_joined<io_error>({path_, ": is not a file"});
     if (exists && ::faccessat(folder_, name_.c_str(), W_OK, 0) != 0) fail();
     if (!open_unnamed()) open_named(base);
-    if (exists) (void)!::fchmod(file_, old.st_mode & 07777);  // best effort: the new file is right without it
+    if (exists) (void)!::fchmod(file_, old.st_mode & 07777);  // best effort: the new file is correct without it
   } catch (...) {
     close_all();
     throw;
@@ -116,7 +116,7 @@ CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE void atomic_file::finish() {
   if (std::exchange(finished_, true)) return;
   if (options_.sync && ::fsync(file_) != 0) fail();
-  const int twin = ::dup(file_);  // some file systems tell of errors when a file is closed; this one has to stay open
+  const int twin = ::dup(file_);  // some file systems report errors when a file is closed, and file_ has to stay open
   if (twin < 0 || ::close(twin) != 0) fail();
 }
 
@@ -131,7 +131,7 @@ CONCINO_INLINE void atomic_file::undo() { ::unlinkat(folder_, name_.c_str(), 0);
 
 CONCINO_INLINE bool atomic_file::commit_unnamed() {
   if (link_unnamed(name_)) return true;
-  // A name that is taken can be replaced by renaming only.
+  // Only renaming can replace an existing file.
   for (int tries = 0; errno == EEXIST && !options_.must_be_new && tries < 100; ++tries) {
     if (!link_unnamed(link_name_)) {
       if (errno == EEXIST && ::unlinkat(folder_, link_name_.c_str(), 0) != 0 && errno != ENOENT) return false;
@@ -141,7 +141,7 @@ CONCINO_INLINE bool atomic_file::commit_unnamed() {
     if (::renameat(folder_, link_name_.c_str(), folder_, name_.c_str()) == 0) return true;
     const int why = errno;
     ::unlinkat(folder_, link_name_.c_str(), 0);
-    errno = why == ENOENT ? EEXIST : why;  // another process has taken the name away: again
+    errno = why == ENOENT ? EEXIST : why;  // another process has removed the link: try again
   }
   return false;
 }

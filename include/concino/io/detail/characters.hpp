@@ -1,4 +1,4 @@
-// Kinds of characters in text files, whatever the locale.
+// Character classes of text files, independent of the locale.
 #pragma once
 
 namespace concino::detail {

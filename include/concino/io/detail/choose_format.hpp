@@ -1,4 +1,4 @@
-// Which of the formats that a call knows a file is in.
+// Chooses the format of a file among those that a call knows.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -11,18 +11,18 @@
 
 namespace concino::detail {
 
-/// What is chosen by.
+/// The data of one format by which it is chosen.
 struct format_row {
   std::string_view name;
   const std::string_view* extensions;
   std::size_t num_extensions;
-  bool (*has_signature)(std::string_view text);  // null: nothing tells
+  bool (*has_signature)(std::string_view text);  // null: the format has no signature
   bool has_binary;
 };
 
 template<class F>
 struct format_facts {
-  // of any type that converts to texts
+  // extensions of any type that converts to std::string_view
   static constexpr auto extensions = [] {
     std::array<std::string_view, std::size(F::extensions)> all;
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::begin(F::extensions)[i];
@@ -47,14 +47,15 @@ struct all_format_rows {
 template<class... F>
 constexpr format_rows rows_of(format_list<F...>) { return {all_format_rows<F...>::rows.data(), sizeof...(F)}; }
 
-/// A bit for each format that has the extension of a path, or for the one that is asked for.
+/// The set of formats with the extension of a path, or with the name `asked`: bit i stands for format i.
 /// Errors: as check_path; unsupported if there is none, naming those that are known.
 std::uint64_t formats_for(std::string_view path, format_id asked, format_rows known);
 
-/// Of formats for one extension: the last whose signature the text has, else the last that has none, else the last. Without a text: the last.
+/// The format to use among the candidates: the last one whose signature the text has, else the last one that has no signature, else the last
+/// one. Without a text: the last one.
 std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text);
 
-/// The formats that come into question for a path, of those that a call knows.
+/// The set of formats that a path may have, among those that a call knows.
 template<Formats F>
 std::uint64_t candidates_for(std::string_view path, F formats, format_id asked) {
   if constexpr (Format<F>) {
@@ -63,13 +64,13 @@ std::uint64_t candidates_for(std::string_view path, F formats, format_id asked) 
   return formats_for(path, asked, rows_of(list_of(formats)));
 }
 
-/// The one of them that is written.
+/// The format in which a file is written.
 template<Formats F>
 std::size_t chosen_for(std::string_view path, F formats, format_id asked) {
   return choose_format(candidates_for(path, formats, asked), rows_of(list_of(formats)), nullptr);
 }
 
-/// Calls f(format) for the chosen one.
+/// Calls f(format) for the chosen format.
 template<class... F, class Function>
 void with_format(format_list<F...>, [[maybe_unused]] std::size_t chosen, [[maybe_unused]] const Function& f) {
   [[maybe_unused]] std::size_t i = 0;

@@ -1,4 +1,4 @@
-// By what a format is chosen; see choose_format.hpp.
+// Definitions of choose_format.hpp.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -11,7 +11,7 @@
 
 namespace concino::detail {
 
-/// Upper and lower case mean the same; `extension` is in lower case.
+/// Whether a path has an extension, in upper or lower case; `extension` is in lower case.
 inline bool has_extension(std::string_view path, std::string_view extension) {
   if (path.size() <= extension.size()) return false;
   const std::string_view tail = path.substr(path.size() - extension.size());

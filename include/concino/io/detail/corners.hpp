@@ -1,4 +1,4 @@
-// The verts of polys and faces while they are read.
+// Checks the verts of polys and faces that are read.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -13,7 +13,7 @@ namespace concino::detail {
 
 inline constexpr std::uint64_t max_ids = 0xFFFFFFFEu;  // 32-bit ids, one of which means "none"
 
-/// The first corner that a list of verts repeats, or its length: by sorting, for lists of many.
+/// The position of the first vert that occurs earlier in the list, or the length of the list. Sorts, for long lists.
 [[gnu::noinline, gnu::cold]] inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, std::vector<std::uint64_t>& scratch) {
   scratch.clear();
   for (std::size_t i = 0; i < n; ++i) scratch.push_back(std::uint64_t{verts[i].raw()} << 32 | i);
@@ -24,7 +24,7 @@ inline constexpr std::uint64_t max_ids = 0xFFFFFFFEu;  // 32-bit ids, one of whi
   return first;
 }
 
-/// The same, quadratic for the few corners that polys have.
+/// The position of the first vert that occurs earlier in the list, or the length of the list. Quadratic for lists as short as most polys.
 inline std::size_t first_repeated(const vert_id* verts, std::size_t n, std::vector<std::uint64_t>& scratch) {
   if (n > 32) return first_repeated_of_many(verts, n, scratch);
   for (std::size_t i = 1; i < n; ++i)

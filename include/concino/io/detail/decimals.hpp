@@ -1,4 +1,4 @@
-// What reading numbers is made of: runs of digits, and decimals that are divided by powers of ten.
+// Building blocks of parse_real and parse_integer: reading digits, and dividing by powers of ten.
 #pragma once
 
 #include <array>
@@ -24,10 +24,10 @@ struct inverse_powers_of_five {
 };
 inline constexpr inverse_powers_of_five inverse_fives = [] {
   inverse_powers_of_five t;
-  std::uint64_t five = 1;  // 5^27 is the last below 2^64
+  std::uint64_t five = 1;  // 5^27 is the largest below 2^64
   for (std::size_t k = 0; k < 28; ++k, five *= k < 28 ? 5 : 1) {
     const int bits = 64 - std::countl_zero(five);
-    // floor(2^(63 + bits) / 5^k) has its top bit set, but for 5^0, a power of two; long division, one bit at a time
+    // floor(2^(63 + bits) / 5^k) has its top bit set, except for 5^0, a power of two; long division, one bit at a time
     const int shift = 63 + bits - (k == 0 ? 1 : 0);
     std::uint64_t quotient = 0;
     uint128 rest = 0;
@@ -49,7 +49,7 @@ inline bool is_digit(char c) { return static_cast<unsigned char>(c - '0') < 10; 
 
 inline constexpr std::uint64_t small_powers_of_ten[8] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
 
-/// Eight characters at once: how many of the first are digits, and the number that these are.
+/// Reads eight characters at once: the number of leading digits, and their value.
 struct eight_characters {
   unsigned digits;
   std::uint32_t value;
@@ -58,16 +58,16 @@ struct eight_characters {
     std::uint64_t c;
     std::memcpy(&c, p, 8);
     c ^= 0x3030303030303030u;                                                       // digits become 0 to 9
-    const std::uint64_t other = ((c + 0x7676767676767676u) | c) & 0x8080808080808080u;  // the first that is set is right: no digit carries
+    const std::uint64_t other = ((c + 0x7676767676767676u) | c) & 0x8080808080808080u;  // the lowest set bit is right, as no digit carries
     digits = static_cast<unsigned>(std::countr_zero(other)) / 8;
-    c = digits == 0 ? 0 : c << (64 - 8 * digits);  // the last digit to the top, zeros in front
-    // the digits pairwise, then the pairs, then the fours: three multiplications instead of eight
+    c = digits == 0 ? 0 : c << (64 - 8 * digits);  // moves the last digit to the top; the digits in front become 0
+    // combines digits to pairs, pairs to fours, fours to the result: three multiplications instead of eight
     c = c * 10 + (c >> 8);
     value = static_cast<std::uint32_t>((((c & 0x000000FF000000FFu) * 0x000F424000000064u) + (((c >> 16) & 0x000000FF000000FFu) * 0x0000271000000001u)) >> 32);
   }
 };
 
-/// Appends the decimal digits at p to w, up to eight at a time; overflow wraps, the caller counts the digits.
+/// Appends the decimal digits at p to w, up to eight at a time. Overflow wraps: the caller counts the digits.
 inline const char* read_digits(const char* p, const char* last, std::uint64_t& w) {
   if constexpr (std::endian::native == std::endian::little) {
     while (last - p >= 8) {
@@ -84,26 +84,26 @@ inline const char* read_digits(const char* p, const char* last, std::uint64_t& w
   return p;
 }
 
-/// w / 10^k, correctly rounded, where 64 bits of 10^-k decide it; false (rarely) where they do not.
-/// Source: Lemire, Number Parsing at a Gigabyte per Second, 2021, with the doubtful cases left to the caller.
+/// Computes w / 10^k, correctly rounded, if 64 bits of 10^-k determine it. Returns false (rarely) if they do not.
+/// Source: Lemire, Number Parsing at a Gigabyte per Second, 2021; the doubtful cases are left to the caller.
 inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
   const int lead = std::countl_zero(w);
   const uint128 product = static_cast<uint128>(w << lead) * inverse_fives.reciprocal[k];
-  // The reciprocal is short by less than one unit: the true product lies in [product, product + 2^64).
+  // The reciprocal is too small by less than one unit, so the true product is in [product, product + 2^64).
   std::uint64_t high = static_cast<std::uint64_t>(product >> 64);
   const std::uint64_t low = static_cast<std::uint64_t>(product);
-  const int down = (high >> 63) ? 10 : 9;  // bits of `high` below the 53 kept and the one that rounds
+  const int down = (high >> 63) ? 10 : 9;  // the number of bits of `high` below the 53 bits of the mantissa and the rounding bit
   const std::uint64_t mask = (std::uint64_t{1} << down) - 1, rest = high & mask;
   if (rest == mask || (rest == 0 && low == 0)) return false;
   std::uint64_t mantissa = high >> down;  // 54 bits
-  mantissa = (mantissa + 1) >> 1;         // never a tie here: something follows the rounding bit
+  mantissa = (mantissa + 1) >> 1;         // never a tie here: a bit after the rounding bit is set
   const int exponent = 64 + down + 1 - lead - inverse_fives.shift[k] - static_cast<int>(k);
   const std::uint64_t scale = static_cast<std::uint64_t>(1023 + exponent) << 52;
-  x = static_cast<double>(mantissa) * std::bit_cast<double>(scale);  // both exact: mantissa <= 2^53, the scale is a power of two
+  x = static_cast<double>(mantissa) * std::bit_cast<double>(scale);  // exact: mantissa <= 2^53, and the scale is a power of two
   return true;
 }
 
-/// What from_chars does, and: a leading '+'; numbers too small for a double are 0, too large ones infinite.
+/// As std::from_chars, but accepts a leading '+'. A number too small for a double becomes 0, a number too large becomes infinite.
 [[gnu::noinline]] inline const char* parse_real_slowly(const char* first, const char* last, double& x) {
   const char* p = first;
   if (p != last && *p == '+') {
@@ -115,7 +115,7 @@ inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
   if (problem == std::errc::result_out_of_range) {
     const bool negative = *p == '-';
     if (negative) ++p;
-    long magnitude = 0;  // of the leading digit, as a power of ten, from its place before or after the point
+    long magnitude = 0;  // the power of ten of the leading digit, from its position before or after the point
     bool point = false, leading = true;
     for (; p != end && (*p == '.' || is_digit(*p)); ++p) {
       if (*p == '.') point = true;

@@ -1,4 +1,4 @@
-// How files are read or mapped; see file_text.hpp.
+// Definitions of file_text.hpp.
 #pragma once
 
 #include <concino/core/large_pages.hpp>
@@ -29,7 +29,7 @@ namespace concino {
       if (fd >= 0) ::close(fd);
     }
   };
-  // Without O_NONBLOCK opening a pipe that nobody writes to would wait for ever.
+  // Without O_NONBLOCK, opening a pipe without a writer would block for ever.
   open_file file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
   if (file.fd < 0) detail::throw_io_error(path, "cannot be opened", errno);
   struct ::stat info {};
@@ -75,7 +75,7 @@ CONCINO_INLINE file_text::~file_text() {
 
 namespace detail {
 
-// Reads up to `n` bytes, once; an interrupted call is repeated.
+// Calls a function that reads up to n bytes, again if a signal interrupted it.
 template<class Call>
 std::size_t read_some(const std::string& path, const Call& call) {
   for (;;) {
@@ -85,7 +85,7 @@ std::size_t read_some(const std::string& path, const Call& call) {
   }
 }
 
-// The next `size` bytes of a regular file that stands at `start`, in parts that several threads read. Such parts do not move the file's position.
+// Reads the `size` bytes of a regular file from position `start`, in parts by several threads. This does not move the file's position.
 inline void read_parts(int fd, const std::string& path, ::off_t start, char* data, std::size_t size) {
   constexpr std::size_t part = std::size_t{4} << 20;
   const auto run = [&](std::size_t i) {
@@ -112,7 +112,7 @@ CONCINO_INLINE void file_text::read(int fd, const std::string& path, std::uint64
     room = n;
   };
   if (size >= SIZE_MAX) throw std::bad_alloc();
-  make_room(size ? static_cast<std::size_t>(size) + 1 : 1 << 16);  // one more byte, to see a file grow
+  make_room(size ? static_cast<std::size_t>(size) + 1 : 1 << 16);  // one more byte, to notice that a file has grown
   constexpr std::uint64_t large = std::uint64_t{8} << 20;
   if (const ::off_t start = size < large ? -1 : ::lseek(fd, 0, SEEK_CUR); start >= 0) {
     detail::read_parts(fd, path, start, const_cast<char*>(data_), static_cast<std::size_t>(size));

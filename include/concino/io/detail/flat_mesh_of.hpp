@@ -1,4 +1,4 @@
-// Any mesh as flat arrays, without a copy of what lies so in the mesh.
+// Converts any mesh to a flat_mesh, without copying arrays that the mesh already stores in this form.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -11,12 +11,12 @@
 
 namespace concino::detail {
 
-/// Lists that are collected one by one: shown where they lie as long as each begins where the one before it ends, else copied.
+/// Collects lists one by one. It refers to the originals as long as each list begins where the previous one ends, and copies them otherwise.
 template<class T>
 class list_collector {
   const T* first_ = nullptr;
   std::vector<T> copies_;
-  std::vector<std::size_t> offsets_;  // once lists differ in length
+  std::vector<std::size_t> offsets_;  // as soon as lists differ in length
   std::size_t lists_ = 0, values_ = 0, arity_ = 0;
   bool is_copy_;
 
@@ -27,17 +27,18 @@ class list_collector {
 
   void refer_to(const T* first, const T* last);
   void push(T x) { copies_.push_back(x); }
-  /// Ends a list that was pushed.
+  /// Ends a list whose values were added by push().
   void end_list() { end(copies_.size() - values_); }
 
   flat_lists<T> lists() const;
 };
 
-/// Elements as they are walked: their indices, where these are not 0, 1, 2 ...; of each index the number.
+/// Numbers the elements in the order of iteration. `indices` maps numbers to indices and `numbers` maps back; both are empty if the indices are
+/// 0, 1, 2, ... in this order.
 struct element_numbers {
   std::vector<std::uint32_t> indices, numbers;
   std::size_t size = 0;
-  bool lists_hold_numbers = true;  // the ids of elements are their numbers, so that lists of them may stay where they are
+  bool lists_hold_numbers = true;  // the ids of elements are equal to their numbers, so lists of ids need not be copied
 
   template<class X>
   void add(const X& x, std::size_t index, std::size_t bound) {
@@ -65,7 +66,7 @@ class flat_mesh_of final : public flat_mesh {
   list_collector<face_id> poly_faces_;
   std::vector<std::uint8_t> outward_;
 
-  /// A list of verts or faces as numbers.
+  /// Adds a list of verts or faces, as numbers.
   template<class Id, class X, class R>
   static void add_list(list_collector<Id>& lists, const element_numbers& of, const M& m, const R& range) {
     if constexpr (std::is_same_v<R, id_span<Id>>) {
@@ -112,7 +113,7 @@ class flat_mesh_of final : public flat_mesh {
   static bool can_refer_to(const element_numbers& of) { return std::is_same_v<std::remove_cvref_t<R>, id_span<Id>> && of.lists_hold_numbers; }
 
  public:
-  /// The mesh has to stay as it is meanwhile.
+  /// The mesh must not change as long as this object is used.
   explicit flat_mesh_of(const M& m) : mesh_(m), poly_verts_(true), face_verts_(true), poly_faces_(true) {
     dimension = dimension_v<M>;
     arity = static_cast<std::uint32_t>(arity_v<M>);

@@ -1,4 +1,4 @@
-// Lists and numbers that are collected from meshes; see flat_mesh_of.hpp.
+// Definitions of flat_mesh_of.hpp.
 #pragma once
 
 #include <concino/io/detail/flat_mesh_of.hpp>

@@ -1,11 +1,11 @@
-// What the .hedra format is: its reader is defined in read_hedra.hpp, its writer in write_hedra.hpp.
+// The type of the .hedra format. Its reader is defined in read_hedra.hpp, its writer in write_hedra.hpp.
 #pragma once
 
 #include <concino/io/format.hpp>
 
 namespace concino {
 
-/// Volumes of any polyhedra; no properties.
+/// The .hedra format: volumes of any polyhedra, without properties.
 struct hedra_format {
   static constexpr std::string_view name = "hedra";
   static constexpr std::string_view extensions[] = {".hedra"};

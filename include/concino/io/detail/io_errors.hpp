@@ -1,4 +1,4 @@
-// Why a file cannot be read or written.
+// Throws io_error with the reason that the system reports.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,5 +1,5 @@
-// Reading files and texts in any of the formats of the library. What is wanted of the mesh is known when the program runs, so the compiled library
-// has it; and it has all that makes its own meshes.
+// Reads files and texts in any of the library's formats. The wanted kind of mesh is an argument, not a type, so these functions are part of the
+// compiled library. It also contains the functions that load native meshes.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino::detail {
 
-/// As read_file and read_text, with standard_formats.
+/// The same as read_file and read_text, with standard_formats.
 template<bool Surfaces, bool Volumes, class Contents>
 void read_standard_file(const std::string& path, const wanted_mesh& wanted, const load_options& options, Contents& contents);
 template<bool Surfaces, bool Volumes, class Contents>
@@ -35,7 +35,7 @@ M make_from_standard_text(std::string_view text, std::string_view name, const lo
   return mesh_of<M>(contents, name, options.report);
 }
 
-/// The same, defined in the compiled library only.
+/// The same as make_from_standard_file for a native mesh, defined in the compiled library only.
 template<class M>
 M make_precompiled_from_file(const std::string& path, const load_options& options);
 template<class M>

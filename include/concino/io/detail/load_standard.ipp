@@ -1,4 +1,4 @@
-// How files and texts are read in any of the formats of the library, and how its own meshes are made of them; see load_standard.hpp.
+// Definitions of load_standard.hpp.
 #pragma once
 
 #include <concino/io/detail/load_standard.hpp>

@@ -1,4 +1,4 @@
-// What all that load meshes share, whatever the formats.
+// The implementation of all functions that load meshes, for any list of formats.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -19,7 +19,7 @@ namespace concino {
 
 namespace detail {
 
-/// Polys that are all of one size are so for the mesh too, however the reader has listed them.
+/// Replaces the offsets by an arity if all polys have the same size.
 inline void drop_equal_offsets(surface_arrays& a) {
   if (a.arity != 0 || a.offsets.size() < 2 || a.offsets.front() != 0 || a.offsets.back() != a.verts.size()) return;
   const std::uint32_t size = a.offsets[1];
@@ -30,11 +30,11 @@ inline void drop_equal_offsets(surface_arrays& a) {
   a.offsets.clear();
 }
 
-/// Whether it can be read without the arrays of volumes: always where surfaces are not asked of it.
+/// Whether a format can be read without the arrays of volumes. True for formats that hold no surfaces, as no surface is read from them.
 template<class F>
 inline constexpr bool reads_surfaces_alone = !F::holds_surfaces || requires(const read_context& in, file_contents& out) { F::read(in, out); };
 
-/// Readers of what is not wanted are not compiled.
+/// Reads in format F. Readers of surfaces or volumes that are not wanted are not compiled.
 template<Format F, bool Surfaces, bool Volumes, class Contents>
 void read_as(const read_context& context, Contents& out) {
   *context.report = {};
@@ -44,7 +44,7 @@ void read_as(const read_context& context, Contents& out) {
   report_progress(*context.progress, 1.0, "reading");
 }
 
-/// Of what M can be.
+/// Constructs a mesh from the contents, if M can hold them.
 template<class M>
 M mesh_of(file_contents& contents, std::string_view, load_report* report) {
   M m(std::move(contents.surface));
@@ -70,7 +70,7 @@ M mesh_of(volume_contents& contents, std::string_view name, load_report* report)
   }
 }
 
-/// What M can hold.
+/// The contents that M can hold.
 template<class M>
 inline constexpr wanted_mesh wanted_for{from_surface<M>, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
 
@@ -79,11 +79,11 @@ template<class M> inline constexpr bool wants_volumes = from_cells<M> || from_po
 template<class... F>
 constexpr bool all_read_surfaces_alone(format_list<F...>) { return (reads_surfaces_alone<F> && ...); }
 
-/// What readers of these formats fill for M.
+/// The type of contents that readers of these formats fill for M.
 template<class M, Formats F>
 using contents_for = contents_of<wants_volumes<M> || !all_read_surfaces_alone(list_of(F{}))>;
 
-/// Reads a file if there is one, which is closed as soon as it is read; else the text.
+/// Reads a text in the chosen format. If it is the text of `file`, closes the file as soon as it is read.
 template<bool Surfaces, bool Volumes, class... F, class Contents>
 void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const wanted_mesh& wanted, const load_options& options,
                Contents& contents, file_text* file = nullptr) {
@@ -93,7 +93,7 @@ void read_text(std::string_view text, std::string_view name, format_list<F...> k
   if (file) file->close(std::string(name));
 }
 
-/// The format of an open file, of those in the mask.
+/// The format of an open file, among the candidates (a bit mask).
 template<class... F>
 std::size_t format_of(const file_text& file, format_list<F...> known, std::uint64_t candidates) {
   const std::string_view text = file.text();
@@ -126,7 +126,7 @@ M load_with(const std::string& path, F formats, const load_options& options) {
 
 }  // namespace detail
 
-/// What load() can make: anything constructible from surface_arrays, cell_arrays or polyhedra_arrays, which are themselves of the kind.
+/// A type that load() can return: one constructible from surface_arrays, cell_arrays or polyhedra_arrays. These arrays are Loadable too.
 template<class M> concept Loadable = detail::from_surface<M> || detail::from_cells<M> || detail::from_polyhedra<M>;
 
 }  // namespace concino

@@ -1,6 +1,5 @@
-// The .mtl file beside an .obj file that is saved. No library that is there is ever changed: a new one gets a name that is free, and
-// becomes visible before the .obj file that names it, so that at any moment the .obj file that is there finds the materials it was written
-// with.
+// The .mtl file of an .obj file that is saved. An existing library is never changed: a new one gets an unused name, and appears before the .obj
+// file that names it. So the .obj file on disk finds its materials at any moment.
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>
@@ -24,7 +23,7 @@
 
 namespace concino::detail {
 
-/// A name as a line can hold it. `changed` tells whether it is another.
+/// A name in the form that a line of a file can hold. Sets `changed` if it differs.
 [[gnu::noinline]] inline std::string line_name(std::string name, bool& changed) {
   const auto hide = [&](char& c) {
     c = '_';
@@ -37,7 +36,7 @@ namespace concino::detail {
   return name;
 }
 
-/// A line of a material as a library can hold it; empty if it cannot, because it says nothing or begins another material.
+/// A line of a material in the form that a library can hold. It is empty if there is none, because the line is blank or begins another material.
 [[gnu::noinline, gnu::cold]] inline std::string library_line(std::string line) {
   for (char& c : line)
     if (is_line_end(c)) c = ' ';
@@ -48,14 +47,13 @@ namespace concino::detail {
   return line;
 }
 
-/// The first line of a library that save writes, by which a later save knows that nobody has changed the text since. `file` is the .obj
-/// file.
+/// The first line of a library that save writes. By its checksum a later save knows whether the text has been changed. `file` is the .obj file.
 [[gnu::noinline, gnu::cold]] inline std::string signature_of(std::string_view file, std::string_view text) {
   return core::joined({signature_begins, file, signature_goes_on, core::hash_text(text), "\n"});
 }
 
-/// The lines of an .obj file that name libraries, without the keyword; none if there is no such file. It may be large: it is read in
-/// pieces. Errors: io_error.
+/// The lines of an .obj file that name libraries, without the keyword; none if the file does not exist. Reads it in pieces, as it may be large.
+/// Errors: io_error.
 [[gnu::noinline, gnu::cold]] inline std::vector<std::string> library_lines(const std::string& path, std::size_t piece = 1 << 18) {
   struct open_file {
     int fd;
@@ -88,27 +86,27 @@ namespace concino::detail {
   }
 }
 
-/// The materials of one save of one .obj file: in libraries that are there, or in a new one.
+/// Stores the materials of an .obj file that is saved: finds existing libraries, or writes a new one.
 class material_library_file final : public companion_files {
   struct old_library {
     std::string path;
     struct ::stat info;
   };
   std::string obj_path_;
-  std::string path_;    // the same, links followed
+  std::string path_;    // the same with all links followed
   std::string folder_;  // with a slash, or empty
   std::string file_name_;
   bool sync_;
   std::optional<atomic_file> file_;
-  std::vector<old_library> outdated_;  // that earlier saves of this very file made
+  std::vector<old_library> outdated_;  // written by earlier saves of this very file
 
-  /// a.obj: a.mtl, a_1.mtl, a_2.mtl ...
+  /// The name of a library: for a.obj they are a.mtl, a_1.mtl, a_2.mtl, ...
   std::string name_of(std::size_t attempt) const {
     const std::size_t dot = file_name_.rfind('.');
     const std::string tail = attempt == 0 ? std::string(".mtl") : core::joined({"_", attempt, ".mtl"});
     std::size_t size = std::min(dot == std::string::npos ? file_name_.size() : dot, 255 - tail.size());
     if (size < file_name_.size())
-      while (size > 0 && (static_cast<unsigned char>(file_name_[size]) & 0xC0) == 0x80) --size;  // no part of a character of UTF-8
+      while (size > 0 && (static_cast<unsigned char>(file_name_[size]) & 0xC0) == 0x80) --size;  // does not cut a UTF-8 character
     bool ignored = false;
     return core::joined({line_name(file_name_.substr(0, size), ignored), tail});
   }
@@ -120,7 +118,7 @@ class material_library_file final : public companion_files {
     });
   }
 
-  /// Whether a line names that library, perhaps among others.
+  /// Whether a line contains the name of that library, possibly among others.
   static bool names_library(std::string_view line, std::string_view name) {
     for (std::size_t i = 0; (i = line.find(name, i + 1)) != line.npos;)
       if (is_blank(line[i - 1]) || line[i - 1] == '/' || line[i - 1] == '\\') return true;
@@ -133,7 +131,7 @@ class material_library_file final : public companion_files {
     return end != text.npos && text.substr(0, end + 1) == signature_of(file_name_, text.substr(end + 1));
   }
 
-  /// Whether an earlier save made the library of that name for this file, and nobody has changed it since.
+  /// Whether the library of that name was written by an earlier save of this file and not changed since. If so, adds it to outdated_.
   bool add_if_outdated(std::string_view name) {
     const std::string path = core::joined({folder_, name});
     struct ::stat info {};
@@ -166,7 +164,7 @@ class material_library_file final : public companion_files {
     file_->finish();
   }
 
-  /// Whether the libraries that the mesh came with still define the materials as they are.
+  /// Whether the libraries in `table` exist and still define all needed materials, with the same lines.
   bool defines_all(const material_table& table, const std::vector<material>& needed, load_report& unused_report) const {
     const concino::progress silent;
     const read_context beside{{}, obj_path_, {}, &unused_report, &silent, true};
@@ -176,12 +174,12 @@ class material_library_file final : public companion_files {
   }
 
   struct numbered_libraries {
-    std::string found;   // the first library that holds all
-    std::string unused;  // the first free name
-    std::string other;   // the first library before both that holds others
+    std::string found;   // the first library that defines all needed materials
+    std::string unused;  // the first unused name
+    std::string other;   // the first library before both that defines others
   };
 
-  /// Looks at name_of(0), name_of(1), ... up to the second free name, and collects outdated libraries among them.
+  /// Checks name_of(0), name_of(1), ... up to the second unused name, and collects the outdated libraries among them.
   numbered_libraries find_numbered(const std::vector<material>& needed, const std::vector<std::string>& undefined,
                                    const std::vector<std::string>& old_lines, load_report& unused_report) {
     numbered_libraries r;
@@ -193,7 +191,7 @@ class material_library_file final : public companion_files {
       if (::stat(path.c_str(), &info) != 0) {
         if (errno != ENOENT) throw_io_error(path, "cannot be written", errno);
         if (std::any_of(old_lines.begin(), old_lines.end(), [&](const std::string& line) { return names_library(line, name); }))
-          continue;  // the old file must not find what is not its own
+          continue;  // the old .obj file must not find a library that was not written for it
         if (num_free++ == 0) r.unused = name;
         continue;
       }
@@ -209,7 +207,7 @@ class material_library_file final : public companion_files {
     return r;
   }
 
-  /// Libraries that the new file names again are not outdated.
+  /// Removes from outdated_ the libraries that the new file names again.
   void keep_named_again(const material_table& table) {
     std::erase_if(outdated_, [&](const old_library& o) {
       return std::find(table.unread.begin(), table.unread.end(), std::string_view(o.path).substr(folder_.size())) != table.unread.end();
@@ -231,15 +229,15 @@ class material_library_file final : public companion_files {
   }
 
  public:
-  /// If the path is a link, a new library goes beside the file that it names.
+  /// If the path is a link, a new library is written to the folder of the file that it refers to.
   material_library_file(const std::string& path, bool sync) : obj_path_(path), path_(resolve_links(path)), sync_(sync) {
     folder_ = path_.substr(0, path_.rfind('/') + 1);
     bool ignored = false;
     file_name_ = line_name(path_.substr(folder_.size()), ignored);
   }
 
-  /// Finds libraries that define all `needed` materials as they are, or writes a new one, which gets its name by commit_with(). Materials
-  /// in `undefined` must not be defined by a library that the mesh did not come with.
+  /// Finds libraries that define all `needed` materials with the same lines, or writes a new one, which gets its name in commit_with(). A library
+  /// that is not in `table` must not define the materials in `undefined`.
   /// Result: the names for the mtllib lines.      Errors: io_error.
   [[gnu::noinline, gnu::cold]] std::vector<std::string> choose_or_write(const std::vector<material>& needed,
                                                                         const std::vector<std::string>& undefined,
@@ -265,7 +263,7 @@ class material_library_file final : public companion_files {
   }
 
   /// Gives the library its name, then the .obj file; or neither. Then removes outdated libraries.
-  /// Errors: io_error; nothing has changed then, unless only a folder could not be brought to the disk.
+  /// Errors: io_error. Nothing has changed then, unless the only failure was to synchronise a folder with the disk.
   [[gnu::noinline, gnu::cold]] void commit_with(atomic_file& file) override {
     try {
       if (file_) file_->commit();

@@ -1,11 +1,11 @@
-// What the MEDIT format is: its reader is defined in read_medit.hpp, its writer in write_medit.hpp.
+// The type of the MEDIT format. Its reader is defined in read_medit.hpp, its writer in write_medit.hpp.
 #pragma once
 
 #include <concino/io/format.hpp>
 
 namespace concino {
 
-/// Surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids; "label" of verts and polys.
+/// The MEDIT format: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids; "label" of verts and polys.
 struct medit_format {
   static constexpr std::string_view name = "medit";
   static constexpr std::string_view extensions[] = {".mesh"};
@@ -16,7 +16,7 @@ struct medit_format {
     in.skip();
     return in.word() == "MeshVersionFormatted";
   }
-  template<std::derived_from<file_contents> Contents>  // programs that read surfaces only need not compile volumes
+  template<std::derived_from<file_contents> Contents>  // a template so that programs that read only surfaces need not compile volumes
   static void read(const read_context& in, Contents& out);
   static void write(write_context& out, flat_mesh& m);
 };

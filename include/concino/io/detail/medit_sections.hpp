@@ -1,4 +1,4 @@
-// The sections of MEDIT files that hold polys.
+// A table of the sections of MEDIT files that hold polys.
 #pragma once
 
 #include <concino/mesh/standard_cells.hpp>

@@ -1,4 +1,4 @@
-// Names that files give to polys: a line of text holds until the next one.
+// Names of polys in files where a name applies to all polys up to the next name.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -11,10 +11,10 @@
 
 namespace concino::detail {
 
-/// Different names, numbered from 0 in the order in which they came.
+/// A set of names, numbered from 0 in the order of insertion.
 class name_table {
   std::vector<std::string> names_;
-  std::vector<std::uint32_t> slots_;  // open addressed, at most half full: 0 or number + 1
+  std::vector<std::uint32_t> slots_;  // hash table with open addressing, at most half full: 0 or number + 1
 
   std::size_t slot_of(std::string_view name) const;
 
@@ -27,26 +27,26 @@ class name_table {
   const std::string& operator[](std::size_t i) const { return names_[i]; }
   std::size_t find(std::string_view name) const;
 
-  /// The number of a name, which gets one if it has none.
+  /// The number of a name. Inserts the name if it is new.
   std::size_t add(std::string_view name);
 };
 
-/// For each poly a name, kept as the polys at which it changes. Before the first change, and where the name is empty, a poly has none.
+/// A name for each poly, stored as the polys at which it changes. Polys before the first change, and polys with an empty name, have none.
 class name_runs {
   std::vector<std::string> names_;
-  std::vector<std::uint32_t> first_;  // poly of each
+  std::vector<std::uint32_t> first_;  // the first poly of each run
 
  public:
-  /// From poly `first` on; polys come in order.
+  /// Sets the name from poly `first` on. `first` never decreases.
   void change(std::size_t first, std::string name);
 
-  /// Once all polys are known: changes after the last of them are forgotten.
+  /// Drops changes after the last poly. Called once the number of polys is known.
   void end(std::size_t polys);
 
   bool empty() const { return names_.empty(); }
   void clear();
 
-  /// f(first, end, name) for every run, the nameless ones too, in order.
+  /// Calls f(first, end, name) for every run in order, including those without a name.
   template<class F>
   void for_each(std::size_t polys, const F& f) const {
     const std::size_t begin = empty() ? polys : first_[0];
@@ -63,10 +63,10 @@ class name_runs {
     return true;
   }
 
-  /// Bytes of the longest name.
+  /// The length of the longest name in bytes.
   std::size_t longest() const;
 
-  /// Names f(name) in the place of all names.
+  /// Replaces every name by f(name).
   template<class F>
   void rename(const F& f) {
     name_runs renamed;
@@ -79,7 +79,7 @@ class name_runs {
   void drop_last();
 };
 
-/// Numbers names from 1 in the order in which they are met; no name is 0.
+/// Numbers names from 1 in the order of their first occurrence; 0 stands for no name.
 class name_numbers {
   name_table names_;
 
@@ -87,7 +87,7 @@ class name_numbers {
   int operator()(std::string_view name) { return name.empty() ? 0 : static_cast<int>(names_.add(name)) + 1; }
 };
 
-/// A name that says a number, as writers make them where there is a number but no name: "label_7", "color_3".
+/// Whether a name is a prefix and a number, such as "label_7" or "color_3". Writers use such names for numbers without a name.
 bool is_number(std::string_view name, std::string_view prefix, int& number);
 
 }  // namespace concino::detail

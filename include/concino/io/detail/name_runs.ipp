@@ -1,4 +1,4 @@
-// Names and their numbers; see name_runs.hpp.
+// Definitions of name_runs.hpp.
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>
@@ -68,7 +68,7 @@ CONCINO_INLINE void name_runs::drop_last() {
   const char* const end = name.data() + name.size();
   if (parse_integer(name.data(), end, n) != end || n != static_cast<int>(n)) return false;
   number = static_cast<int>(n);
-  // no "label_007": it would not be written again
+  // rejects "label_007": a writer would not write it in this form
   const char* const digit = name.data() + (name[0] == '-');
   return name[0] != '+' && (*digit != '0' || name.size() == 1);
 }

@@ -1,11 +1,11 @@
-// What the OBJ format is: its reader is defined in read_obj.hpp, its writer in write_obj.hpp.
+// The type of the OBJ format. Its reader is defined in read_obj.hpp, its writer in write_obj.hpp.
 #pragma once
 
 #include <concino/io/format.hpp>
 
 namespace concino {
 
-/// Verts and polygons of any size; "color" of verts and polys, "label", "object", "group" and "material" of polys, "materials" of the mesh.
+/// The OBJ format: verts and polygons of any size; "color" of verts and polys, "label", "object", "group" and "material" of polys, "materials" of the mesh.
 struct obj_format {
   static constexpr std::string_view name = "obj";
   static constexpr std::string_view extensions[] = {".obj"};

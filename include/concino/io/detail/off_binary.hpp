@@ -1,4 +1,4 @@
-// What the first word of an OFF file says, and the binary form: 32-bit integers and floats, big-endian as Geomview has it, or little-endian.
+// The first word of an OFF file, and the reader of binary files: 32-bit integers and floats, big-endian as in Geomview, or little-endian.
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
@@ -8,7 +8,7 @@
 
 namespace concino::detail {
 
-/// [ST][C][N][4][n]OFF
+/// The first word of an OFF file: [ST][C][N][4][n]OFF.
 struct off_header {
   bool texture = false, color = false, normal = false, homogeneous = false, any_dimension = false, binary = false;
   std::uint64_t dimension = 3;
@@ -27,14 +27,13 @@ struct off_header {
     return word == "OFF";
   }
 
-  /// Of each vert.
+  /// How many numbers each vert has.
   std::uint64_t numbers(std::uint64_t color_size = 4) const {
     return dimension + homogeneous + (normal ? 3 : 0) + (color ? color_size : 0) + (texture ? 2 : 0);
   }
 };
 
-/// Adds the poly whose corners begin at `first`, found at `place`. Errors: parse_error if a vert is twice in it or it does not fit the
-/// wanted mesh.
+/// Adds the poly at `place`, whose corners begin at `first`. Errors: parse_error if it has a vert twice or the wanted mesh cannot hold it.
 inline void check_poly(const text_cursor& in, const char* place, std::size_t first, std::vector<std::uint64_t>& scratch,
                        const wanted_mesh& wanted, surface_arrays& out, std::uint32_t& arity) {
   const std::size_t size = out.verts.size() - first;
@@ -54,7 +53,7 @@ class off_binary_reader {
   const wanted_mesh& wanted_;
   load_report& report_;
   bool little_ = false;
-  const char* line_;  // errors name the line of the word BINARY: after it there are no lines
+  const char* line_;  // errors name the line of the word BINARY, as there are no lines after it
 
  public:
   off_binary_reader(text_cursor& in, off_header& header, const wanted_mesh& wanted, load_report& report)
@@ -112,10 +111,10 @@ class off_binary_reader {
     return little_ ? x << 24 | (x & 0xFF00u) << 8 | (x >> 8 & 0xFF00u) | x >> 24 : x;
   }
 
-  /// Whether the file makes sense in little-endian numbers, and in big-endian ones it does not.
+  /// Whether the file is valid with little-endian numbers and invalid with big-endian ones.
   [[gnu::noinline, gnu::cold]] bool is_little() { return fits(true) && !fits(false); }
 
-  /// Whether the counts of verts and polys, and of corners and colours of each poly, lead to no place beyond the end of the file.
+  /// Whether the counts of verts and polys, and of the corners and colours of each poly, stay within the file.
   [[gnu::noinline, gnu::cold]] bool fits(bool little) {
     const char* const begin = in_.at;
     const std::uint64_t dimension = header_.dimension;
@@ -157,7 +156,7 @@ class off_binary_reader {
     return c;
   }
 
-  /// Of elements that take at least `bytes` each.
+  /// Reads a number of elements, each of which takes at least `bytes` in the file.
   std::uint64_t count(const char* what, std::uint64_t bytes) {
     const std::uint32_t n = word(what);
     if (n > 0x7FFFFFFFu) fail(in_.at - 4, core::joined({what, ", not negative"}));

@@ -1,4 +1,4 @@
-// How an OFF file says what it holds: its first word, its counts, and whether lines matter.
+// Reads the beginning of an OFF file: its first word, its counts, and whether its lines have a meaning.
 #pragma once
 
 #include <concino/io/detail/off_binary.hpp>
@@ -9,7 +9,7 @@ namespace concino::detail {
 class off_cursor : protected text_cursor {
  protected:
   off_header header_;
-  bool per_line_ = true;          // a vert a line, which may have more numbers than it needs; else numbers wherever they stand
+  bool per_line_ = true;          // each vert has a line of its own, which may have additional numbers; else line ends are like blanks
   std::uint32_t color_size_ = 4;  // of verts
 
   using text_cursor::text_cursor;
@@ -18,7 +18,7 @@ class off_cursor : protected text_cursor {
   void blanks() {
     while (at != end() && is_blank(*at)) ++at;
   }
-  /// To the next number of a vert.
+  /// Moves to the next number of a vert.
   void gap() {
     if (per_line_) blanks();
     else skip_space('#');
@@ -28,7 +28,7 @@ class off_cursor : protected text_cursor {
     return real(expected);
   }
 
-  /// The word may be missing: then the file begins with its counts.
+  /// Reads the first word. It may be missing: then the file begins with its counts.
   [[gnu::noinline, gnu::cold]] void header_word() {
     const char* const from = at;
     while (at != end() && !is_space(*at) && *at != '#') ++at;
@@ -55,7 +55,7 @@ class off_cursor : protected text_cursor {
     }
   }
 
-  /// At least `bytes` each.
+  /// Reads a number of elements, each of which takes at least `bytes` in the file.
   [[gnu::noinline, gnu::cold]] std::uint64_t count(const char* what, std::uint64_t bytes) {
     const char* const from = at;
     const std::int64_t n = integer(what);
@@ -65,7 +65,8 @@ class off_cursor : protected text_cursor {
     return static_cast<std::uint64_t>(n);
   }
 
-  /// The number of edges is not used, and may be missing: then the line ends, and the next one does not hold a number alone.
+  /// Reads the numbers of verts and polys. The number of edges is ignored. It may be missing, if the line ends before it and the next line is not
+  /// a single number.
   [[gnu::noinline, gnu::cold]] std::pair<std::uint64_t, std::uint64_t> counts() {
     skip_space('#');
     const std::uint64_t verts = count("the number of verts", 2 * header_.numbers(3));
@@ -89,7 +90,7 @@ class off_cursor : protected text_cursor {
     return {verts, polys};
   }
 
-  /// Lines from here that say something.
+  /// The number of lines from here on that are neither blank nor only a comment.
   [[gnu::noinline]] std::uint64_t lines_left() const {
     std::uint64_t n = 0;
     bool says = false, comment = false;
@@ -106,8 +107,8 @@ class off_cursor : protected text_cursor {
     return n + says;
   }
 
-  /// Files of a vert a line may say more than they need; a file may also hold its numbers wherever it likes. The first line
-  /// and the number of lines tell.
+  /// Finds out whether each vert has a line of its own, with additional numbers perhaps, or line ends have no meaning. The first line and the
+  /// number of lines decide.
   [[gnu::noinline, gnu::cold]] void choose_layout(std::uint64_t verts, std::uint64_t polys) {
     const char* const back = at;
     std::uint64_t numbers = 0;

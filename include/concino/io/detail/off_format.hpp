@@ -1,11 +1,11 @@
-// What the OFF format is: its reader is defined in read_off.hpp, its writer in write_off.hpp.
+// The type of the OFF format. Its reader is defined in read_off.hpp, its writer in write_off.hpp.
 #pragma once
 
 #include <concino/io/format.hpp>
 
 namespace concino {
 
-/// Verts and polygons of any size; "color" of verts and polys, "label" of polys that have no colour, "normal" and "texture" of verts.
+/// The OFF format: verts and polygons of any size; "color" of verts and polys, "label" of polys that have no colour, "normal" and "texture" of verts.
 struct off_format {
   static constexpr std::string_view name = "off";
   static constexpr std::string_view extensions[] = {".off"};

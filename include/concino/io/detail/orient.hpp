@@ -1,4 +1,4 @@
-// Turning the faces of polyhedra outward.
+// Orients the faces of polyhedra outward.
 #pragma once
 
 #include <concino/mesh/arrays.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino::detail {
 
-/// The verts of one poly's faces, turned outward, for cell_recogniser.
+/// The shape of poly p. Passes the verts of its faces to cell_recogniser, counter-clockwise as seen from outside.
 inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recogniser& known) {
   known.clear();
   for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i) {
@@ -25,7 +25,7 @@ inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recog
   return known.recognise();
 }
 
-/// Six times the volume of poly p by the fans about the mean points of its faces, as its outward flags say.
+/// Six times the volume of poly p: each face is split into triangles at its mean point, with the sign of its outward flag.
 inline double six_times_volume(const polyhedra_arrays& m, std::size_t p) {
   double sum = 0;
   if (m.poly_offsets[p] == m.poly_offsets[p + 1]) return sum;
@@ -39,8 +39,8 @@ inline double six_times_volume(const polyhedra_arrays& m, std::size_t p) {
   return sum;
 }
 
-/// Whether the faces of a polyhedron agree at every edge that two of them share: the quick answer for the many that need no repair. The edges
-/// of one polyhedron at a time are kept in a small table, open addressed, at most a quarter full.
+/// Checks whether the faces of a polyhedron are consistently oriented at every edge that two of them share. This is fast, for the majority that
+/// needs no repair. The edges of one polyhedron are in a small hash table with open addressing, at most a quarter full.
 template<class Arrays>
 class winding_check {
   struct entry {
@@ -52,7 +52,7 @@ class winding_check {
   std::vector<std::uint32_t> used_;
 
  public:
-  /// Whether they agree, for certain; false may also mean that it is not known.
+  /// True if the faces are consistently oriented; false if they are not or if it is not known.
   bool operator()(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
     std::size_t sides = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
@@ -70,7 +70,7 @@ class winding_check {
         const std::uint64_t edge = a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
         std::uint64_t at = (edge * 0x9e3779b97f4a7c15u >> 32) & mask;
         for (int probes = 0; table_[at].faces != 0 && table_[at].edge != edge; at = (at + 1) & mask)
-          if (++probes == max_probes) {  // edges chosen so that they collide: the long way is n log n
+          if (++probes == max_probes) {  // the edges collide on purpose: face_orienter takes n log n
             for (const std::uint32_t u : used_) table_[u] = {0, 0, 0};
             return false;
           }
@@ -91,21 +91,21 @@ class winding_check {
   }
 };
 
-/// Makes the faces of one poly after the other agree on what is outside, by walking from face to face over the edges that two of them share.
-/// Faces of a poly are numbered by their places in its list.
+/// Orients the faces of one poly at a time consistently, by a search from face to face through the edges that two of them share.
+/// The faces of a poly are numbered by their positions in its list.
 template<class Arrays>
 class face_orienter {
   struct incidence {
     std::uint64_t edge;  // smaller vert, larger vert
     std::uint32_t face;
-    bool up;  // walked outward, the face runs from the smaller to the larger
+    bool up;  // the outward orientation of the face runs from the smaller vert to the larger
   };
   struct link {
     std::uint32_t to;
     bool agree;
   };
   std::vector<incidence> incidences_;
-  std::vector<std::uint32_t> first_link_;  // the links of face f end before first_link_[f], where those of f + 1 begin
+  std::vector<std::uint32_t> first_link_;  // the links of face f end before first_link_[f], and those of f + 1 begin there
   std::vector<std::uint32_t> component_, queue_;
   std::vector<link> links_;
   std::vector<std::uint8_t> flip_;
@@ -124,7 +124,7 @@ class face_orienter {
     std::sort(incidences_.begin(), incidences_.end(), [](const incidence& x, const incidence& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
   }
 
-  /// Two faces at an edge agree if one runs up and the other down. Edges with one face, or more than two, say nothing.
+  /// Calls use for the two faces of each edge. They agree if one runs up and the other down. Edges with one face, or more than two, are ignored.
   template<class Use>
   void for_each_pair(const Use& use) const {
     for (std::size_t i = 0, j; i < incidences_.size(); i = j) {
@@ -144,7 +144,7 @@ class face_orienter {
     });
   }
 
-  /// Which faces of the component of `seed` to flip, so that they agree with most of its faces: the sign of the whole is decided by the volume.
+  /// Finds the faces to flip in the component of `seed`, so that all agree with the majority. The sign of the volume is corrected later.
   void orient_component(std::uint32_t seed) {
     queue_.assign(1, seed);
     component_[seed] = seed;
@@ -184,8 +184,8 @@ class face_orienter {
   }
 };
 
-/// Makes the faces of each poly agree on what is outside, and the outside such that volumes are positive. Polys that are right, or without
-/// volume and consistent, stay as they are.
+/// Orients the faces of each poly consistently, and outward, so that its volume is positive. Polys that are already oriented so, or that are
+/// consistent and have no volume, are not changed.
 /// Result: how many polys changed.   Cost: O(n log n) in the edges of a poly.
 template<std::same_as<polyhedra_arrays> Arrays>  // a template only so that programs without volumes need not compile it
 std::size_t orient_polyhedra(Arrays& m) {

@@ -1,4 +1,4 @@
-// Paths that the system would take for others.
+// Checks paths and resolves symbolic links.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -8,11 +8,11 @@
 
 namespace concino::detail {
 
-/// A character of value 0 would end the path for the system, which then opened another file.
-/// Errors: io_error that shows where it stands.
+/// Checks that a path contains no character of value 0, at which the system would end the path and open another file.
+/// Errors: io_error that shows its position.
 void check_path(std::string_view path);
 
-/// The path with all links followed, whether or not there is a file in the end.
+/// The path with all links followed, whether or not the file exists.
 std::string resolve_links(const std::string& path);
 
 }  // namespace concino::detail

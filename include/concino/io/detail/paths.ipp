@@ -1,4 +1,4 @@
-// Paths that the system would take for others; see paths.hpp.
+// Definitions of paths.hpp.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -26,7 +26,7 @@ namespace concino::detail {
     char buffer[PATH_MAX + 1];
     if (::realpath(at.c_str(), buffer)) return buffer;
     const ::ssize_t size = ::readlink(at.c_str(), buffer, PATH_MAX);
-    if (size < 0) return at;  // no link, or nothing there
+    if (size < 0) return at;  // not a link, or it does not exist
     const std::string_view to(buffer, static_cast<std::size_t>(size));
     at = core::joined({std::string_view(at).substr(0, to.starts_with('/') ? 0 : at.rfind('/') + 1), to});
   }

@@ -1,4 +1,4 @@
-// Properties on their way from files into meshes.
+// Stores the values of elements in a file as properties of a mesh.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-/// The property `name`, of values that are copied as bytes: the i-th goes to the element with index where[i].
+/// Sets the property `name` to values that are copied as bytes: the i-th value belongs to the element with index where[i].
 void set_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
                         const std::vector<std::uint32_t>& where, std::size_t bound);
 
@@ -19,8 +19,8 @@ void set_poly_property(property_set& all, file_contents& contents, const std::ve
 
 void report_skipped(const file_contents& contents, load_report& report);
 
-/// What the file says about elements as properties, where the mesh can have them: "label", "color", "normal", "texture", "object", "group",
-/// "material"; "materials" of the mesh itself. Elements are walked in the order of the file.
+/// Sets the properties of a mesh from the values in a file, if the mesh can have properties: "label", "color", "normal", "texture", "object",
+/// "group" and "material" of elements, "materials" of the mesh itself. The mesh has its elements in the order of the file.
 template<class M>
 void set_properties(M& m, file_contents& contents, load_report* report) {
   if constexpr (HasProperties<M>) {

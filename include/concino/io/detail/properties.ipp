@@ -1,4 +1,4 @@
-// Properties on their way from files into meshes; see properties.hpp.
+// Definitions of properties.hpp.
 #pragma once
 
 #include <concino/io/detail/properties.hpp>

@@ -1,4 +1,4 @@
-// .hedra, the format of Cinolib for volumes of any polyhedra.
+// The reader of .hedra, Cinolib's format for volumes of any polyhedra.
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
@@ -10,7 +10,7 @@
 
 namespace concino::detail {
 
-/// Contents: volume_contents. A template only so that programs that read no volumes need not compile it.
+/// Reads a .hedra file. Contents is volume_contents; a template only so that programs that read no volumes need not compile it.
 template<class Contents>
 class hedra_reader : token_cursor {
   const wanted_mesh& wanted_;
@@ -43,7 +43,7 @@ class hedra_reader : token_cursor {
   }
 
  private:
-  /// Room for all of n lists, told from the first few; no more than the text can hold.
+  /// The expected number of entries of n lists, estimated from the first few; no more than the text can hold.
   std::size_t expected(std::size_t entries, std::uint64_t lists, std::uint64_t n) const {
     const double all = static_cast<double>(entries) / static_cast<double>(lists) * static_cast<double>(n);
     return entries + std::min(with_margin(all), static_cast<std::size_t>(end() - at) / 2 + 1);
@@ -82,7 +82,7 @@ class hedra_reader : token_cursor {
   }
 
   void polys(std::uint64_t n) {
-    std::vector<std::uint32_t> last_poly(out_.num_faces(), ~0u);  // that had the face
+    std::vector<std::uint32_t> last_poly(out_.num_faces(), ~0u);  // the last poly that had each face
     std::uint64_t poly_corners = 0;
     core::reserve_large(out_.poly_offsets, reservable(n, 4) + 1);
     out_.poly_offsets.push_back(0);
@@ -114,7 +114,7 @@ class hedra_reader : token_cursor {
     check_poly_corners(poly_corners, out_.face_verts.size(), out_.poly_faces.size(), core::joined({name(), ": "}));
   }
 
-  /// For meshes of tets or hexes only.
+  /// The polyhedra as cells in the standard order, for meshes of only tets or only hexes.
   cell_arrays cells() {
     cell_recogniser known;
     cell_arrays cells;
@@ -149,12 +149,11 @@ class hedra_reader : token_cursor {
 namespace concino {
 
 /// Needs:  text of a .hedra file: numbers in any layout.
-/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces do not agree on the outside, or are inside out, are put right
-///         and counted.
+/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces are not oriented consistently and outward are corrected and counted.
 /// Cost:   O(size of the text), and sorting the edges of each polyhedron.
 /// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
-///         polyhedron that the wanted mesh cannot hold, text after the last; unsupported if faces of more than 16 verts belong to very many
-///         polyhedra.
+///         polyhedron that the wanted mesh cannot hold, or text after the last one; unsupported if faces of more than 16 verts belong to very
+///         many polyhedra.
 template<std::same_as<volume_contents> Contents>
 void hedra_format::read(const read_context& in, Contents& out) {
   detail::hedra_reader<Contents>(in).read(out);

@@ -1,4 +1,4 @@
-// MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids, with labels ("references").
+// The reader of MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids, with labels ("references").
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-/// Programs that read surfaces only need not compile volumes.
+/// Reads a MEDIT file. Programs that read only surfaces need not compile the code for volumes.
 template<bool Volumes>
 class medit_reader : token_cursor {
   const wanted_mesh& wanted_;
@@ -19,11 +19,11 @@ class medit_reader : token_cursor {
   std::vector<vec3> points_;
   std::vector<int> vert_labels_, poly_labels_;
   std::vector<vert_id> verts_;             // of the polys, one after another
-  std::vector<std::uint32_t> poly_begin_;  // of each poly in verts_, once they differ in size
+  std::vector<std::uint32_t> poly_begin_;  // where each poly begins in verts_, once they differ in size
   std::vector<std::uint8_t> shapes_;       // cell_shape of each poly, once they differ
   std::size_t polys_ = 0;
   const medit_section* only_ = nullptr;    // the section of all polys so far
-  std::uint64_t num_rounded_ = 0;          // references that are no integers
+  std::uint64_t num_rounded_ = 0;          // references that are not integers
   const char* first_rounded_ = nullptr;
 
   struct part {
@@ -31,7 +31,7 @@ class medit_reader : token_cursor {
     const char* at;  // before the count
     std::uint64_t count;
   };
-  std::vector<part> deferred_;  // surfaces, until it is known that there are no cells; cells that come before the verts
+  std::vector<part> deferred_;  // sections of surfaces, until it is known that there are no cells; sections of cells before the verts
 
  public:
   medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report) {}
@@ -83,13 +83,13 @@ class medit_reader : token_cursor {
         }
       skip();
       std::int64_t n = 0;
-      parse_integer(at, end(), n);  // most sections begin with how many rows they have
+      parse_integer(at, end(), n);  // most sections begin with the number of their rows
       report_skipped(keyword.substr(0, 40), n > 0 ? static_cast<std::uint64_t>(n) : 0);
       skip_section();
     }
   }
 
-  /// To the next word that begins with a letter.
+  /// Moves to the next word that begins with a letter.
   [[gnu::noinline]] void skip_section() {
     for (bool after_space = true; !at_end(); ++at) {
       if (*at == comment) {
@@ -121,7 +121,7 @@ class medit_reader : token_cursor {
     return static_cast<int>(label);
   }
 
-  /// Some programs write references as reals. Beyond 32 bits: any integer that is too large.
+  /// Reads a reference that is a real number, as some programs write them. If it exceeds 32 bits, the result does too.
   [[gnu::noinline, gnu::cold]] std::int64_t real_label(const char* what) {
     const char* const from = at;
     const double x = std::clamp(real(what, comment), -0x1p40, 0x1p40), rounded = std::round(x);
@@ -129,14 +129,14 @@ class medit_reader : token_cursor {
     return static_cast<std::int64_t>(rounded);
   }
 
-  /// Labels are kept from the first on that is not zero; `n` elements came before.
+  /// Adds the label of element n. Labels are stored only if one of them is not zero.
   static void add_label(std::vector<int>& labels, std::size_t n, int label) {
     if (label == 0 && labels.empty()) return;
     labels.resize(n);
     labels.push_back(label);
   }
 
-  std::uint64_t min_bytes() const { return static_cast<std::uint64_t>(2 * dimension_ + 2); }  // of a vertex: digits and blanks
+  std::uint64_t min_bytes() const { return static_cast<std::uint64_t>(2 * dimension_ + 2); }  // of a vertex: its digits and blanks
 
   void vertices() {
     const std::uint64_t n = next_count("the number of vertices", min_bytes());
@@ -162,7 +162,7 @@ class medit_reader : token_cursor {
       if (s.arity != arity || (arity != 4 && arity != 8)) throw_wrong_arity_of(s, arity);
     }
     if (!s.volume && wanted_.surface && wanted_.arity && s.arity != wanted_.arity) throw_wrong_arity_of(s, wanted_.arity);
-    if (only_ && only_ != &s && shapes_.empty()) {  // from here on every poly says what it is
+    if (only_ && only_ != &s && shapes_.empty()) {  // from here on the shape of every poly is stored
       shapes_.resize(polys_);
       for (std::uint8_t& shape : shapes_) shape = static_cast<std::uint8_t>(only_->shape);
       for (std::size_t p = 0; p <= polys_; ++p) poly_begin_.push_back(static_cast<std::uint32_t>(p * only_->arity));
@@ -208,7 +208,7 @@ class medit_reader : token_cursor {
         if (p.count > 0) report_skipped(p.section->keyword, p.count);
         continue;
       }
-      // Where the kind is wrong anyway, load() says so better than the line of some element would.
+      // If the file has the wrong kind of mesh, the error that load() throws is clearer than the line of one element.
       if (has_cells ? !Volumes : !wanted_.surface) {
         polys_ += p.count;
         continue;
@@ -269,9 +269,9 @@ class medit_reader : token_cursor {
 namespace concino {
 
 /// Needs:  text of a MEDIT file: keywords, counts and rows in any layout, sections in any order, `#` comments, Dimension 2 (z is 0) or 3.
-/// Result: a volume if there is any cell, else a surface. Elements keep their order. Cells of negative volume are turned into the standard
-///         order and counted. References become labels unless all are zero; those that are no integers are rounded and counted. Surface elements of a volume, and sections that a mesh has no
-///         place for, are reported as skipped.
+/// Result: a volume if there is any cell, else a surface. Elements keep their order. The verts of cells of negative volume are put into the
+///         standard order, and these cells are counted. References become labels unless all are zero; those that are not integers are rounded
+///         and counted. Surface elements of a volume, and sections that a mesh cannot store, are reported as skipped.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the
 ///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,

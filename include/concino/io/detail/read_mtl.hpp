@@ -1,4 +1,4 @@
-// Wavefront's material libraries, .mtl. Nothing that is wrong with a library is an error: it becomes a note.
+// The reader of Wavefront's material libraries, .mtl. A fault in a library is not an error: it becomes a note in the report.
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
@@ -12,21 +12,21 @@
 
 namespace concino::detail {
 
-/// All libraries of a file, as one.
+/// All libraries of a file, combined into one.
 struct material_library {
   material_table table;
-  name_table all;                // of table.materials
-  name_table names;              // of the materials that have a colour
-  element_values<rgba> colors;     // of each
+  name_table all;                // the names of table.materials
+  name_table names;              // the names of the materials that have a colour
+  element_values<rgba> colors;     // the colour of each
   std::size_t num_textures = 0;  // map_Kd and the like
   std::size_t num_redefined = 0;
-  std::string redefined = {};    // the first of them
+  std::string redefined = {};    // the name of the first of them
 };
 
-/// Keywords of lines that say a colour; `in` stands after the keyword and the blanks after it.
-/// Result: whether the line says the colour of its material.      Errors: parse_error; the colour is as it was.
+/// Reads a colour or an opacity from a line; `in` is after the keyword and its blanks.
+/// Result: whether the line defines the colour of its material.      Errors: parse_error; the colour is as it was.
 [[gnu::noinline, gnu::cold]] inline bool read_color(text_cursor& in, std::string_view keyword, rgba& color) {
-  if (in.at_end() || is_letter(*in.at)) return false;  // Kd spectral, Kd xyz: other ways to say a colour
+  if (in.at_end() || is_letter(*in.at)) return false;  // Kd spectral, Kd xyz: colours in other forms, which are ignored
   if (keyword == "Kd") {
     float x[3];
     for (float& part : x) {
@@ -40,11 +40,11 @@ struct material_library {
   return false;
 }
 
-/// The first line of a library that save has made; see material_library_file.hpp.
+/// The first line of a library written by save; see material_library_file.hpp.
 inline constexpr std::string_view signature_begins = "# Materials of ", signature_goes_on = ", written by concino; checksum ";
 inline bool is_signature(std::string_view line) { return line.starts_with(signature_begins) && line.find(signature_goes_on) != line.npos; }
 
-/// Moves on to the next line.   Result: the text from `from`, which is on this one, to its end, without the blanks there.
+/// Moves to the next line.   Result: the text from `from` to the end of the current line, without trailing blanks.
 [[gnu::noinline, gnu::cold]] inline std::string_view rest_of_line(text_cursor& in, const char* from) {
   in.at = from;
   in.skip_line();
@@ -53,7 +53,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
   return std::string_view(from, static_cast<std::size_t>(to - from));
 }
 
-/// A name up to a # after a blank, without the blanks there.
+/// The part of a text before a comment (a # after a blank), without trailing blanks.
 [[gnu::noinline, gnu::cold]] inline std::string_view without_comment(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '#' && (i == 0 || is_blank(text[i - 1]))) text = text.substr(0, i);
@@ -61,8 +61,8 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
   return text;
 }
 
-/// Adds what a text says: newmtl, and all lines up to the next one, of which Kd and d give a colour; of materials of one name the first
-/// counts.
+/// Adds the materials of a text: newmtl, and all lines up to the next newmtl. Lines Kd and d define a colour. Of materials with the same name,
+/// the first is used.
 [[gnu::noinline, gnu::cold]] inline void read_mtl(std::string_view text, std::string_view name, material_library& library, load_report& report) {
   text_cursor in(text, name);
   material now;
@@ -114,7 +114,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
   end_material();
 }
 
-/// A material that says a colour in numbers and nothing else.
+/// Whether a material defines a colour in numbers, and nothing else.
 [[gnu::noinline, gnu::cold]] inline bool is_only_color(const material& m) {
   for (const std::string& line : m.lines) {
     const std::size_t keyword = line.starts_with("Kd ") ? 3 : line.starts_with("d ") ? 2 : line.size();
@@ -123,11 +123,11 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
   return true;
 }
 
-/// Where the library of that name is, if it is beside the file `of`, or, where this is a link, beside the file that it names; else empty.
+/// The path of the library of that name, if it is in the folder of the file `of` or, if this is a link, of the file it refers to; else empty.
 [[gnu::noinline, gnu::cold]] inline std::string library_beside(std::string_view of, std::string name) {
   for (char& c : name)
     if (c == '\\') c = '/';
-  if (name.starts_with('/') || (name.size() > 1 && name[1] == ':')) name.erase(0, name.rfind('/') + 1);  // a path of another machine
+  if (name.starts_with('/') || (name.size() > 1 && name[1] == ':')) name.erase(0, name.rfind('/') + 1);  // an absolute path, probably of another machine
   if (name.empty() || name.find('\0') != name.npos) return {};
   const auto beside = [&](std::string_view file) {
     std::string path = core::joined({file.substr(0, file.rfind('/') + 1), name});
@@ -140,11 +140,11 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
   return path;
 }
 
-/// Reads libraries, each once, whatever it is called and however often.
+/// Reads each library once, even if it is named several times or by several names.
 class material_library_reader {
   const read_context& context_;
   material_library& library_;
-  name_table seen_;  // files, by the bytes of their numbers
+  name_table seen_;  // identifies a file by the bytes of its device and inode numbers
 
  public:
   enum class result { absent, unreadable, read };
@@ -171,7 +171,7 @@ class material_library_reader {
   }
 };
 
-/// The libraries that lines of a file name, one or more on a line.
+/// Reads the libraries that the lines of a file name. A line names one or more.
 [[gnu::noinline, gnu::cold]] inline void read_libraries(const read_context& context, const std::vector<std::string>& lines, material_library& library) {
   load_report& report = *context.report;
   material_library_reader read(context, library);
@@ -198,7 +198,7 @@ class material_library_reader {
     }
     missing.clear();
     bool any = false;
-    for (std::size_t at = 0; at < line.size();) {  // a name may have blanks, and a line many names
+    for (std::size_t at = 0; at < line.size();) {  // a name may contain blanks, and a line several names
       const std::size_t end = std::min(line.find(' ', at), line.size());
       if (end > at) {
         const std::string name = line.substr(at, end - at);
@@ -221,22 +221,22 @@ class material_library_reader {
     report.notes.push_back(core::joined({library.num_redefined, " materials are defined again otherwise: the first definition counts; '", library.redefined, "'"}));
 }
 
-/// Materials and colours of the polys from the libraries that a file names. Materials that writers made up for colours are no materials
-/// any more: they lose their names.
+/// Sets the materials and colours of the polys from the libraries that a file names. Materials that a writer has created only for a colour lose
+/// their names.
 [[gnu::noinline, gnu::cold]] inline void assign_materials(const read_context& context, const std::vector<std::string>& lines, std::size_t polys, file_contents& contents) {
   load_report& report = *context.report;
   material_library library;
   read_libraries(context, lines, library);
   if (library.num_textures) report.skipped.push_back(core::joined({library.num_textures, " textures of materials (map_Kd and the like)"}));
   bool any = false;
-  name_table missing;  // one note for all
+  name_table missing;  // they are reported in one note
   contents.materials.for_each(polys, [&](std::size_t, std::size_t, std::string_view name) {
     const bool known = library.names.find(name) != name_table::none;
     any = any || known;
     if (!known && !name.empty()) missing.add(name);
   });
   if (any && missing.size() > 0) {
-    std::size_t first = 0;  // of the alphabet
+    std::size_t first = 0;  // the alphabetically first
     for (std::size_t i = 1; i < missing.size(); ++i)
       if (std::string_view(missing[i]) < missing[first]) first = i;
     report.notes.push_back(core::joined({missing.size(), " materials have no colour in a library: white; '", missing[first], "'"}));

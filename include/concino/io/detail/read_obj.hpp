@@ -1,4 +1,5 @@
-// Wavefront OBJ: verts and polygons of any size, with colours, groups and materials. What a mesh has no place for is counted and reported.
+// The reader of Wavefront OBJ: verts and polygons of any size, with colours, groups and materials. Lines that a mesh cannot store are counted and
+// reported.
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
@@ -14,15 +15,15 @@ class obj_reader : text_cursor {
   const wanted_mesh& wanted_;
   file_contents& extra_;
   surface_arrays& out_;
-  std::vector<std::string> libraries_;                                       // of materials
-  std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // how many there are in the end, once that is known
-  std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // largest index met
+  std::vector<std::string> libraries_;                                       // the names of material libraries
+  std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // the final numbers, once they are known
+  std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // the largest index so far
   std::uint64_t num_textures_ = 0, num_normals_ = 0, num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
   std::size_t first_other_ = 0;
   std::string other_;
   std::uint32_t arity_ = 0;
   std::vector<std::uint64_t> scratch_;
-  static constexpr std::size_t max_name = 1000;  // bytes of the names that polys get
+  static constexpr std::size_t max_name = 1000;  // the length of the names of polys, in bytes
 
  public:
   obj_reader(const read_context& c, file_contents& out)
@@ -33,8 +34,8 @@ class obj_reader : text_cursor {
     if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), {"verts and faces"}, {"an empty file"});
     make_room(all);
     lines();
-    // Indices may name what comes later in the file, so the bounds are known only now. A file that breaks them is read once more, with
-    // them, to find the line.
+    // Indices may refer to elements later in the file, so their bounds are known only now. If an index is out of range, the file is read again
+    // with the bounds, to find the line.
     if (max_point_ > out_.points.size() || max_texture_ > num_textures_ || max_normal_ > num_normals_) {
       points_ = out_.points.size(), textures_ = num_textures_, normals_ = num_normals_;
       restart(all.data());
@@ -60,7 +61,7 @@ class obj_reader : text_cursor {
     core::reserve_large(out_.verts, with_margin(scale * static_cast<double>(corners)));
   }
 
-  /// Ends with an error: what does not lead to it stays as it is.
+  /// Reads the file again to throw the error. Members that do not influence the error are not reset.
   [[gnu::noinline, gnu::cold]] void restart(const char* from) {
     out_.points.clear();
     out_.offsets.clear();
@@ -78,12 +79,12 @@ class obj_reader : text_cursor {
       const char c = *at, d = at + 1 != end() ? at[1] : '\n';
       if (c == 'v' && (is_space(d) || d == '\\')) vert();
       else if (c == 'f' && (is_space(d) || d == '\\')) face();
-      else if (c == '#') text_cursor::skip_line();  // a backslash at the end of a comment joins nothing
+      else if (c == '#') text_cursor::skip_line();  // a backslash at the end of a comment does not join lines
       else other();
     }
   }
 
-  /// Blanks, and line ends after a backslash.
+  /// Skips blanks, and line ends after a backslash.
   void blanks() {
     while (at != end()) {
       if (is_blank(*at)) ++at;
@@ -122,7 +123,7 @@ class obj_reader : text_cursor {
     after_point();
   }
 
-  /// A weight or a colour.
+  /// Reads the weight or the colour after the coordinates of a vert.
   [[gnu::noinline]] void after_point() {
     double x[3] = {};
     std::size_t n = 0;
@@ -139,7 +140,7 @@ class obj_reader : text_cursor {
     extra_.vert_colors.push_back(rgba{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
   }
 
-  /// An index of the file, from 1 or from the end of what has been read so far, to one from 1.
+  /// Converts an index of the file to one that counts from 1. Negative indices count back from the last element read so far.
   std::uint64_t absolute(const char* place, std::int64_t i, std::uint64_t so_far, std::uint64_t bound, const char* what) const {
     if (i < 0) i += static_cast<std::int64_t>(so_far) + 1;
     if (i < 1 || static_cast<std::uint64_t>(i) > bound)
@@ -167,7 +168,7 @@ class obj_reader : text_cursor {
     end_face(line, first);
   }
 
-  /// The indices of a texture coordinate and a normal, each of which may be missing; checked, not kept.
+  /// Reads the indices of a texture coordinate and a normal, each of which may be missing. They are checked, but not stored.
   const char* attributes(const char* corner, const char* p) {
     std::int64_t i = 0;
     if (const char* q = parse_integer(++p, end(), i)) {
@@ -198,7 +199,7 @@ class obj_reader : text_cursor {
 
   std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
 
-  /// What is left of the line, without blanks around it and without a comment, which needs a blank before it.
+  /// The rest of the line, without surrounding blanks and without a comment. A comment must follow a blank.
   [[gnu::noinline]] std::string name_to_end_of_line() {
     std::string name;
     while (at != end() && !is_line_end(*at)) {
@@ -215,7 +216,7 @@ class obj_reader : text_cursor {
     return name;
   }
 
-  /// Labels from the names of groups or objects, materials and colours from the libraries.
+  /// Sets labels from the names of groups or objects, and materials and colours from the libraries.
   [[gnu::noinline, gnu::cold]] void end_names() {
     const std::size_t n = out_.num_polys();
     for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) names->end(n);
@@ -281,15 +282,14 @@ class obj_reader : text_cursor {
 namespace concino {
 
 /// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
-/// Result: its verts and polys, in the order of the file; isolated verts and equal positions stay as they are. `v x y z r g b` gives
-/// colours
-///         of verts, white where there is none. `o`, `g` and `usemtl` give names of polys, of 1000 bytes at most. Labels number the groups, or the objects where
-///         there are no groups, from 1 as they come; groups that are all called label_<number> are labels and nothing else. The libraries'
-///         Kd and d give colours of polys; materials called color_<number> that say nothing else are colours and no materials. All that
-///         the libraries say is kept in `table`.
+/// Result: its verts and polys, in the order of the file; isolated verts and equal positions are kept. `v x y z r g b` defines the colour of a
+///         vert; the others are white. `o`, `g` and `usemtl` define names of polys, of at most 1000 bytes. Labels number the groups (the
+///         objects if there are no groups) from 1, in the order of the file. If all groups are called label_<number>, they become labels only.
+///         Kd and d in the libraries define colours of polys. A material called color_<number> that defines nothing else becomes a colour only.
+///         `table` holds all lines of the libraries.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line of a number that is none or not finite, of an index out of range, of a poly of fewer than three
-///         verts or with a vert twice, of a poly that the wanted mesh cannot hold; of an empty file.
+/// Errors: parse_error naming the line of a number that is invalid or not finite, of an index out of range, of a poly of fewer than three
+///         verts or with a vert twice, or of a poly that the wanted mesh cannot hold; parse_error if the file is empty.
 inline void obj_format::read(const read_context& in, file_contents& out) { detail::obj_reader(in, out).read(*in.report); }
 
 }  // namespace concino

@@ -1,4 +1,4 @@
-// Geomview OFF: verts and polygons of any size, with colours, normals and texture coordinates; as text or binary.
+// The reader of Geomview OFF: verts and polygons of any size, with colours, normals and texture coordinates; as text or binary.
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
@@ -14,10 +14,10 @@ class off_reader : off_cursor {
   surface_arrays& out_;
   std::uint32_t arity_ = 0;
   std::vector<std::uint64_t> scratch_;
-  bool colors_of_polys_ = true;              // what follows the corners on a line is a colour
-  bool wraps_ = false;                       // polys go on in the next line
-  std::vector<std::uint32_t> whole_colors_;  // verts with colours of integers, all 0 or 1
-  std::uint64_t largest_part_ = 0;           // of such colours
+  bool colors_of_polys_ = true;              // the numbers after the corners on a line are a colour
+  bool wraps_ = false;                       // polys may continue on the next line
+  std::vector<std::uint32_t> whole_colors_;  // verts whose colours are integers, all 0 or 1
+  std::uint64_t largest_part_ = 0;           // the largest integer of the verts' colours
   std::uint64_t num_extra_ = 0, num_odd_ = 0;
 
  public:
@@ -101,7 +101,7 @@ class off_reader : off_cursor {
     }
   }
 
-  /// Some numbers of a colour: integers from 0 to 255, or reals from 0 to 1.
+  /// The numbers of a colour: integers from 0 to 255, or reals from 0 to 1.
   struct color_parts {
     double x[4] = {0, 0, 0, 0};
     std::uint32_t size = 0;
@@ -167,7 +167,7 @@ class off_reader : off_cursor {
     }
   }
 
-  /// Corners of n polys, if the others are like those so far, within what the file can hold.
+  /// The expected number of corners of n polys, extrapolated from the polys so far; no more than the file can hold.
   std::size_t expected_corners(std::uint64_t n) const {
     const double by_mean = static_cast<double>(out_.verts.size()) / 4096 * static_cast<double>(n) * 1.01;
     return out_.verts.size() + static_cast<std::size_t>(std::min(by_mean, static_cast<double>(left()) / 2));
@@ -198,7 +198,7 @@ class off_reader : off_cursor {
     fail(at, {"the index of a vert from 0 to ", out_.points.size() - 1});
   }
 
-  /// A poly goes on in the next line only where the file has lines enough for the others: else its line is too short.
+  /// Continues a poly on the next line, if enough lines remain for the other polys. Otherwise its line is too short, which is an error.
   [[gnu::noinline]] void go_on(std::uint64_t others) {
     if (!wraps_) wraps_ = lines_left() > others;
     if (!wraps_) fail(at, "the index of a vert");
@@ -224,7 +224,7 @@ class off_reader : off_cursor {
     }
   }
 
-  /// Those that came last may have had none.
+  /// Completes the arrays of attributes, as the last polys may have none, and reports what was skipped.
   [[gnu::noinline, gnu::cold]] void finish_attributes() {
     if (!extra_.poly_labels.empty()) extra_.poly_labels.resize(out_.num_polys());
     if (!extra_.poly_colors.empty()) extra_.poly_colors.resize(out_.num_polys());
@@ -249,15 +249,15 @@ class off_reader : off_cursor {
 namespace concino {
 
 /// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, then BINARY and numbers of 32 bits, or text with comments.
-/// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: coordinates that are missing are 0, those
-///         beyond the third are reported as skipped. Colours, normals and texture coordinates of verts; colours of polys, white where there
-///         is none, and indices of colours as labels. Integers from 0 to 255 and reals from 0 to 1 are told apart colour by colour; only
-///         where no integer of the verts exceeds 1 they are parts too, as Geomview has it.
-///         Binary numbers are big-endian; where only little-endian ones give a file that makes sense, these are read, and a note says so.
+/// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: missing coordinates are 0, those beyond the
+///         third are reported as skipped. Colours, normals and texture coordinates of verts; colours of polys (white if a poly has none), and
+///         indices of colours as labels. Each colour may be integers from 0 to 255 or reals from 0 to 1. If no integer of the verts exceeds 1,
+///         these integers are parts from 0 to 1 too, as in Geomview.
+///         Binary numbers are big-endian. If the file is valid only with little-endian numbers, it is read so, and a note says so.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line (in binary files, the byte) of what is no number or not finite, of counts that are negative or
+/// Errors: parse_error naming the line (in binary files, the byte) of a number that is invalid or not finite, of counts that are negative or
 ///         larger than the file, of an index out of range, of a poly of fewer than three verts or with a vert twice, of a poly that the
-///         wanted mesh cannot hold, of w = 0, of the end of a file that is cut off.
+///         wanted mesh cannot hold, of w = 0, or of the end of a file that is cut off.
 inline void off_format::read(const read_context& in, file_contents& out) { detail::off_reader(in, out).read(); }
 
 }  // namespace concino

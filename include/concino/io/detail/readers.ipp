@@ -1,4 +1,4 @@
-// The readers of all formats, in the compiled library only.
+// Compiles the readers of all formats into the compiled library.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -14,7 +14,7 @@ template void hedra_format::read<volume_contents>(const read_context&, volume_co
 template void medit_format::read<file_contents>(const read_context&, file_contents&);
 template void medit_format::read<volume_contents>(const read_context&, volume_contents&);
 
-// They are inline, for files that include them; this makes the compiler write them here.
+// The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
 [[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&obj_format::read, &off_format::read};
 }  // namespace

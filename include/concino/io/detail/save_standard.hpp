@@ -1,4 +1,4 @@
-// Writing in any of the formats of the library. It knows of the mesh no more than its dimension, so the compiled library has it.
+// Writes meshes in any of the library's formats. It depends only on the dimension of the mesh, so it is part of the compiled library.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-/// As save_flat and flat_text, with standard_formats.
+/// The same as save_flat and flat_text, with standard_formats.
 template<int Dimension>
 void save_standard(flat_mesh_source mesh, const std::string& path, const save_options& options);
 template<int Dimension>

@@ -1,4 +1,4 @@
-// How meshes are written in any of the formats of the library; see save_standard.hpp.
+// Definitions of save_standard.hpp.
 #pragma once
 
 #include <concino/io/detail/save_standard.hpp>

@@ -1,4 +1,4 @@
-// What all that save meshes share, whatever the formats.
+// The implementation of all functions that save meshes, for any list of formats.
 #pragma once
 
 #include <concino/core/function_ref.hpp>
@@ -15,16 +15,17 @@
 
 namespace concino::detail {
 
-/// Errors: invalid_mesh if a coordinate is not finite, naming the vert by its index.
+/// Checks the coordinates. Errors: invalid_mesh if one is not finite, naming the vert by its index.
 void check_points(std::string_view name, const flat_mesh& m);
 
-/// What remains to be reported once all is written.
+/// Reports what was lost. Called after the whole mesh is written.
 [[gnu::cold]] void report_lost(const write_context& c, const flat_mesh& m, std::string_view format);
 
-/// Hands a mesh as flat arrays to what writes them.
+/// A function that passes a mesh, as flat arrays, to a writer.
 using flat_mesh_source = function_ref<void(function_ref<void(flat_mesh&)>)>;
 
-/// Writers of what meshes of that dimension are not are not compiled. Returns the files beside this one, null where there are none.
+/// Writes a mesh in the chosen format. Writers for meshes of the other dimension are not compiled. Returns the companion files, or null if there
+/// are none.
 template<int Dimension, class... F>
 std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mesh, std::string_view name, std::string_view path, format_list<F...> known,
                                             std::size_t chosen, const save_options& options) {
@@ -41,7 +42,7 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
         G::write(context, flat);
         report_lost(context, flat, row.extensions[0]);
       });
-    } else if constexpr (Dimension == 2) {  // other formats can be named
+    } else if constexpr (Dimension == 2) {  // the message names formats that hold surfaces
       context.throw_cannot_hold(row.extensions[0], {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
     } else {
       context.throw_cannot_hold(row.extensions[0], {"volumes"}, ".mesh or .hedra");
@@ -85,7 +86,7 @@ void visit_flat_mesh(const M& m, function_ref<void(flat_mesh&)> f) {
   }
 }
 
-/// A flat_mesh_source.
+/// A flat_mesh_source for a mesh of type M.
 template<class M>
 struct visitable_mesh {
   const M& m;

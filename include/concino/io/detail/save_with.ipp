@@ -1,4 +1,4 @@
-// What is checked before a mesh is written and reported afterwards, and the flat arrays of the meshes of the library; see save_with.hpp.
+// Definitions of save_with.hpp.
 #pragma once
 
 #include <concino/io/detail/save_with.hpp>
@@ -19,7 +19,7 @@
 
 namespace concino::detail {
 
-/// Says which properties a format drops: all but those in `stored`.
+/// Reports the properties that a format drops: all except those in `stored`.
 [[gnu::cold]] CONCINO_INLINE void report_lost_properties(const property_set& all, const std::vector<write_context::stored_property>& stored,
                                                                  std::string_view format, std::vector<std::string>& lost) {
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -1,4 +1,4 @@
-// How many lines of which kind a text probably has, told from short pieces all over it: room for what will be read is then made once.
+// Estimates how many lines of each kind a text has, from short samples of it, so that arrays can be reserved once.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace concino::detail {
 
-/// Calls visit(line start, end of the text) for the lines that begin in the pieces, and returns by what their counts are to be multiplied; 0 for a text
-/// so short that making room does not matter.
+/// Calls visit(line start, end of the text) for the lines that begin in the samples. Returns the factor by which to multiply their counts, or 0
+/// for a text so short that reserving does not matter.
 template<class F>
 double sample_lines(std::string_view text, F&& visit) {
   constexpr std::size_t pieces = 512, length = 512;
@@ -21,7 +21,7 @@ double sample_lines(std::string_view text, F&& visit) {
   return static_cast<double>(text.size()) / (pieces * length);
 }
 
-/// Words of the line that begins at `at`.
+/// The number of words of the line that begins at `at`.
 inline std::size_t words_of_line(const char* at, const char* end) {
   std::size_t n = 0;
   for (bool in_word = false; at != end && *at != '\n' && *at != '\r'; ++at) {
@@ -32,7 +32,7 @@ inline std::size_t words_of_line(const char* at, const char* end) {
   return n;
 }
 
-/// A capacity for about n values: a little too large, so that the last few do not make everything move.
+/// A capacity for about n values: a little larger, so that the last few values do not cause a reallocation.
 inline std::size_t with_margin(double n) { return static_cast<std::size_t>(n * 1.01) + 16; }
 
 }  // namespace concino::detail

@@ -1,4 +1,4 @@
-// Numbers as writers of all formats write them.
+// Formats numbers for the writers of all formats.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -13,13 +13,13 @@ namespace concino::detail {
 
 [[gnu::noinline]] inline void write_point(text_sink& out, const vec3& p) { out << p.x << ' ' << p.y << ' ' << p.z; }
 
-/// The shortest digits that a reader of doubles makes the same float of; with a point where they must not look like an integer.
+/// Writes the shortest decimal number that becomes the same float when it is read as a double. If is_real, it has a decimal point.
 [[gnu::noinline]] inline void write_part(text_sink& out, float x, bool is_real) {
   char digits[32];
   const char* end = std::to_chars(digits, digits + 32, x).ptr;
   double back = 0;
   parse_real(digits, end, back);
-  if (static_cast<float>(back) != x) end = std::to_chars(digits, digits + 32, static_cast<double>(x)).ptr;  // it was rounded twice
+  if (static_cast<float>(back) != x) end = std::to_chars(digits, digits + 32, static_cast<double>(x)).ptr;  // rounding twice gave another float
   const std::string_view text(digits, static_cast<std::size_t>(end - digits));
   out << text;
   if (is_real && text.find_first_of(".e") == text.npos) out << ".0";

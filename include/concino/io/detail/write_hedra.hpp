@@ -1,4 +1,4 @@
-// Writes volumes as .hedra.
+// The writer of .hedra: volumes.
 #pragma once
 
 #include <concino/io/detail/hedra_format.hpp>

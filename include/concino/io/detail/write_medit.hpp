@@ -1,4 +1,4 @@
-// Writes MEDIT .mesh: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids, told by their faces.
+// The writer of MEDIT .mesh: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids, recognised by their faces.
 #pragma once
 
 #include <concino/io/detail/medit_sections.hpp>
@@ -8,9 +8,9 @@
 
 namespace concino::detail {
 
-/// The polys in the order of the mesh: what each is, and its verts as numbers of the file in the order of the format.
+/// The polys in the order of the mesh: the shape of each, and its verts as numbers of the file, in the order of the format.
 struct medit_rows {
-  std::vector<std::uint8_t> section;  // place in medit_sections
+  std::vector<std::uint8_t> section;  // index in medit_sections
   std::vector<std::uint32_t> verts;
   std::size_t count[std::size(medit_sections)] = {};
 

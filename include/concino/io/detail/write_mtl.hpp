@@ -1,4 +1,4 @@
-// The materials of the polys of an OBJ file, and what its material library has to define.
+// Chooses the materials of the polys of an OBJ file, and collects the materials that its library must define.
 #pragma once
 
 #include <concino/io/detail/material_library_file.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino::detail {
 
-/// The colour that the lines of a material say; `is_taken`: whether a reader gives it to polys.
+/// The colour that the lines of a material define. Sets is_taken to whether a reader assigns it to polys.
 [[gnu::noinline, gnu::cold]] inline rgba color_of(const std::vector<std::string>& lines, bool& is_taken) {
   rgba color;
   is_taken = false;
@@ -24,46 +24,46 @@ namespace concino::detail {
     while (!in.at_end() && is_blank(*in.at)) ++in.at;
     try {
       is_taken = read_color(in, word, color) || is_taken;
-    } catch (const parse_error&) {  // as for the reader: the line says nothing
+    } catch (const parse_error&) {  // ignored, as by the reader
     }
   }
   return color;
 }
 
-/// The material of each poly: its property "material" where that says one, with the colour of the poly; else one made up for its colour.
-/// Polys of one material in different colours need materials of their own, which differ in the colour alone.
+/// Chooses the name of the material of each poly: its property "material", unless this is empty; otherwise a new material for its colour.
+/// If polys have the same material but different colours, new materials are added, which differ only in the colour.
 class mtl_names {
   static constexpr std::uint32_t none = ~0u;
 
   struct name_info {
-    std::uint32_t in_table = none;  // place in needed_
-    rgba color = {};                // that the table says; else the default
-    bool is_colored = false;        // some poly has another colour than this
-    bool is_used = false;           // some poly has this colour
-    bool is_defined = false;        // the name means one colour already
+    std::uint32_t in_table = none;  // index in needed_
+    rgba color = {};                // the colour in the table; else the default
+    bool is_colored = false;        // a poly has a colour other than this
+    bool is_used = false;           // a poly has this colour
+    bool is_defined = false;        // the name already stands for one colour
   };
 
   write_context& c_;
-  material_library_file* library_;                    // where materials go; null: there is no file beside this one
-  flat_values<std::string> material_;         // of polys, if they have any
-  flat_values<rgba> color_;                   // the same
+  material_library_file* library_;                    // null: the output is a string, which has no library
+  flat_values<std::string> material_;         // of polys; false if they have none
+  flat_values<rgba> color_;                   // of polys; false if they have none
   const material_table* table_;               // null: none
-  std::vector<material> table_materials_;     // as lines can hold them
-  std::vector<material> needed_;              // what the library has to hold, those of the table first
+  std::vector<material> table_materials_;     // in the form that lines can hold
+  std::vector<material> needed_;              // the materials that the library must define, those of the table first
   name_table names_;                          // of materials; 0: no material
   std::vector<name_info> info_;               // of each name
-  bool table_colors_ = false;                 // some poly has a material of the table that says a colour
-  name_table colored_names_;                  // names with colours, as bytes
-  std::vector<std::uint32_t> key_material_;   // a name for each of these
-  std::vector<std::uint32_t> poly_material_;  // the same for polys as they are walked
-  std::vector<std::string> undefined_;        // names that no library shall define
-  std::uint32_t recent_[256] = {};            // numbers in colored_names_, by a short hash
+  bool table_colors_ = false;                 // a poly has a material of the table that defines a colour
+  name_table colored_names_;                  // pairs of name and colour, as bytes
+  std::vector<std::uint32_t> key_material_;   // the name of the material of each pair
+  std::vector<std::uint32_t> poly_material_;  // the name of the material of each poly, in the order of polys(m)
+  std::vector<std::string> undefined_;        // names that no library may define
+  std::uint32_t recent_[256] = {};            // a cache of numbers in colored_names_, by a short hash
   std::size_t num_polys_ = 0, last_number_ = 0, num_renamed_ = 0, num_duplicates_ = 0, num_bad_lines_ = 0;
   std::size_t last_poly_ = ~std::size_t{0};
   std::uint32_t last_name_ = 0;
 
  public:
-  bool changed = false;  // names that no line can hold
+  bool changed = false;  // some names had to be changed, as no line can hold them
 
   [[gnu::noinline, gnu::cold]] mtl_names(write_context& c, material_library_file* library, const flat_values<std::string>& material,
                                                   const flat_values<rgba>& color, const material_table* table)
@@ -102,7 +102,7 @@ class mtl_names {
 
   bool any() const { return material_ || color_; }
 
-  /// For every poly, before assign_material(): what names there are, and in which colours.
+  /// Called for every poly before assign_material(): records its material and whether its colour is that of the material.
   void register_poly(std::size_t poly) {
     name_info& a = info_[name_of(poly)];
     ++num_polys_;
@@ -111,7 +111,7 @@ class mtl_names {
     (color_[poly] == a.color ? a.is_used : a.is_colored) = true;
   }
 
-  /// For every poly, in the order of polys(m): chooses the name of its material.
+  /// Chooses the name of the material of a poly. Called for every poly, in the order of polys(m).
   [[gnu::noinline]] void assign_material(std::size_t poly) {
     const std::uint32_t name = name_of(poly);
     if (!color_) {
@@ -132,7 +132,7 @@ class mtl_names {
     poly_material_.push_back(key_material_[recent]);
   }
 
-  /// Once all polys have their materials: writes the lines that name the libraries.
+  /// Writes the lines that name the libraries. Called after all polys have their materials.
   [[gnu::noinline, gnu::cold]] void end() {
     const auto lost = [&](std::size_t n, const char* what, const char* why) {
       if (n) c_.report.lost.push_back(core::joined({what, n, why}));
@@ -157,7 +157,7 @@ class mtl_names {
     return static_cast<std::uint32_t>(i);
   }
 
-  /// The property "material" of a poly, as a line can hold it.
+  /// The property "material" of a poly, in the form that a line can hold, as a number in names_.
   std::uint32_t name_of(std::size_t poly) {
     if (!material_) return 0;
     if (last_poly_ == ~std::size_t{0} || std::string_view(material_[last_poly_]) != material_[poly])
@@ -166,15 +166,15 @@ class mtl_names {
     return last_name_;
   }
 
-  /// The material of polys with this name and colour, which is defined if it has to be.
+  /// The material of polys with this name and colour. Defines it if necessary.
   [[gnu::noinline, gnu::cold]] std::uint32_t material_for(std::uint32_t name, const rgba& color) {
     const name_info a = info_[name];
     if (a.in_table != none && color == a.color) return name;
     if (a.in_table == none && table_colors_ && color == rgba{} && (name == 0 || !a.is_colored)) {
-      if (name != 0) undefined_.push_back(names_[name]);  // white because no library defines it
+      if (name != 0) undefined_.push_back(names_[name]);  // the poly is white because no library defines the material
       return name;
     }
-    if (a.in_table != none && !a.is_used) {  // no poly has the colour of the table: it is replaced
+    if (a.in_table != none && !a.is_used) {  // no poly has the colour in the table, so it is replaced
       info_[name].is_used = true;
       set_color(needed_[a.in_table].lines, color);
       return name;
@@ -192,7 +192,7 @@ class mtl_names {
     return made;
   }
 
-  /// A new name: color_1, or name_1.
+  /// Creates a new name: color_1, or name_1.
   std::uint32_t make_up(std::uint32_t name) {
     const std::string base = core::joined({name == 0 ? std::string_view("color") : std::string_view(names_[name]), "_"});
     std::string made;
@@ -213,12 +213,12 @@ class mtl_names {
     return std::move(line).release();
   }
 
-  /// Replaces what the lines say of the colour and of the opacity, where that is another.
+  /// Replaces the lines for the colour and the opacity, if they differ.
   [[gnu::noinline, gnu::cold]] void set_color(std::vector<std::string>& lines, const rgba& color) {
     bool is_taken = false;
     const rgba said = color_of(lines, is_taken);
     const bool opacity = !(color.a == said.a), parts = !is_taken || !(said == rgba{color.r, color.g, color.b, said.a});
-    bool kd = !parts, d = !opacity;  // whether they are there
+    bool kd = !parts, d = !opacity;  // whether the lines exist
     std::vector<std::string> other;
     for (std::string& line : lines) {
       const std::string_view word = std::string_view(line).substr(0, line.find_first_of(" \t"));

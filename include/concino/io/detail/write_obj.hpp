@@ -1,4 +1,4 @@
-// Writes surfaces as Wavefront OBJ, and the material library that holds the colours of their polys.
+// The writer of Wavefront OBJ: surfaces, and the material library with the colours of their polys.
 #pragma once
 
 #include <concino/io/detail/obj_format.hpp>
@@ -6,7 +6,7 @@
 
 namespace concino::detail {
 
-/// Names of polys on lines of their own, where they change.
+/// Writes a line with the name of a poly (object, group, material) whenever it changes.
 class obj_names {
   write_context& c_;
   std::string_view keyword_;
@@ -25,13 +25,13 @@ class obj_names {
   }
 };
 
-/// What says_number reads back.
+/// The name of a group for a label, which is_number recognises.
 inline std::string label_name(int label) {
   const std::uint64_t size = label < 0 ? 0 - static_cast<std::uint64_t>(label) : static_cast<std::uint64_t>(label);
   return core::joined({label < 0 ? "label_-" : "label_", size});
 }
 
-/// Whether a reader finds the labels again by numbering the names.
+/// Whether the labels are equal to the numbers that a reader would assign to the names.
 inline bool labels_number(std::size_t polys, const flat_values<std::string>& names, const flat_values<int>& labels) {
   name_numbers number;
   for (std::size_t p = 0; p < polys; ++p)

@@ -1,4 +1,4 @@
-// Writes surfaces as Geomview OFF: text, or binary where that is asked for.
+// The writer of Geomview OFF: surfaces, as text, or as binary on request.
 #pragma once
 
 #include <concino/core/rgba.hpp>
@@ -11,7 +11,7 @@
 
 namespace concino::detail {
 
-/// The integers from 0 to 255 that a reader makes this colour of; false where there are none.
+/// Finds the integers from 0 to 255 from which a reader obtains this colour. Returns false if there are none.
 inline bool bytes_of(const rgba& c, int (&bytes)[4]) {
   const float parts[] = {c.r, c.g, c.b, c.a};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -22,7 +22,7 @@ inline bool bytes_of(const rgba& c, int (&bytes)[4]) {
   return true;
 }
 
-/// Numbers of a file, as text with blanks before them or as 32 bits, big-endian.
+/// Writes numbers, as text with a blank before each, or as 32 bits, big-endian.
 class off_numbers {
   write_context& c_;
   bool binary_;
@@ -32,7 +32,7 @@ class off_numbers {
   }
 
  public:
-  bool rounded = false;  // a coordinate is no float
+  bool rounded = false;  // a coordinate cannot be represented as a float
 
   off_numbers(write_context& c, bool binary) : c_(c), binary_(binary) {}
 

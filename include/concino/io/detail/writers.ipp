@@ -1,4 +1,4 @@
-// The writers of all formats, in the compiled library only.
+// Compiles the writers of all formats into the compiled library.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -10,7 +10,7 @@
 #ifdef CONCINO_COMPILED
 namespace concino {
 
-// They are inline, for files that include them; this makes the compiler write them here.
+// The writers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
 [[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write, &medit_format::write, &obj_format::write, &off_format::write};
 }  // namespace
