@@ -1,5 +1,5 @@
-// Adjacencies that follow from the others on every mesh: adj_e2e, the edges that share a vert with an edge, and in volumes adj_f2f, the
-// faces that share an edge with a face. Traits that can do better offer their own.
+// Derived adjacencies, for every mesh: adj_e2e, the edges that share a vert with an edge, and in volumes adj_f2f, the
+// faces that share an edge with a face. If the traits have these members, they are used instead.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -10,7 +10,7 @@ namespace detail {
 
 struct end_sentinel {};
 
-/// The edges at one end of an edge, then those at the other, without the edge itself and without those that were at the first end too.
+/// The edges at one end of an edge, then those at the other end, without the edge itself and without repetition.
 template<class M>
 class edges_of_edge {
   using edge = edge_t<M>;
@@ -62,8 +62,8 @@ class edges_of_edge {
   end_sentinel end() const { return {}; }
 };
 
-/// The faces at one edge of a face after the other, without the face itself and without those that an earlier edge has shown. Remembers
-/// how far it is at the edge by a number: a ring of the mesh may not be kept in an iterator, which can be copied.
+/// The faces at each edge of a face, without the face itself and without those at an earlier edge. The position at the edge is stored as
+/// a number: an iterator must be copyable, so it cannot store a ring of the mesh.
 template<class M>
 class faces_of_face {
   using edge = edge_t<M>;
@@ -86,7 +86,7 @@ class faces_of_face {
   class iterator {
     const faces_of_face* r_;
     base_iterator e_;
-    std::size_t edges_ = 0, faces_ = 0;  // edges behind e_, and faces behind x_ at e_
+    std::size_t edges_ = 0, faces_ = 0;  // number of edges before e_, and of faces before x_ at e_
     face x_{};
 
     bool is_repeated(const face& x) const {
@@ -95,7 +95,7 @@ class faces_of_face {
         if (r_->is_at(x, *it)) return true;
       return false;
     }
-    /// The first face from number faces_ on at this or a later edge that is to be shown.
+    /// Moves to the next face to list, from number faces_ on at this edge, or at a later edge.
     void find() {
       for (; e_ != r_->face_edges_.end(); ++e_, ++edges_, faces_ = 0) {
         auto&& fan = adj_e2f(*r_->m_, *e_);
@@ -132,7 +132,7 @@ class faces_of_face {
 
 /// The edges that share a vert with e, each once.
 /// Needs:  AnyMesh M; e is an edge of m.
-/// Result: a range of edges without e: those at the one end, then those at the other. What the traits return, where they have adj_e2e.
+/// Result: a range of edges without e: those at one end, then those at the other. If the traits have adj_e2e, what that returns.
 /// Cost:   proportional to the edges at the ends of e; nothing is allocated.
 /// Errors: none.
 inline constexpr struct adj_e2e_verb : detail::verb {
@@ -147,7 +147,7 @@ inline constexpr struct adj_e2e_verb : detail::verb {
 
 /// The faces of a volume that share an edge with f, each once.
 /// Needs:  VolumeMesh M; f is a face of m.
-/// Result: a range of faces without f: those at one edge of f after the other. What the traits return, where they have adj_f2f.
+/// Result: a range of faces without f, in the order of the edges of f. If the traits have adj_f2f, what that returns.
 /// Cost:   proportional to the edges of f, times the faces at an edge squared, times the edges of a face; nothing is allocated.
 /// Errors: none.
 inline constexpr struct adj_f2f_verb : detail::verb {

@@ -1,4 +1,4 @@
-// Typed descriptors of the library's own meshes: which vert, edge, face or poly is meant. Foreign meshes keep their own.
+// Typed descriptors of the native meshes: vert_id, edge_id, face_id, poly_id. Foreign meshes keep their own descriptors.
 #pragma once
 
 #include <compare>
@@ -8,8 +8,8 @@
 
 namespace concino {
 
-/// Names one element by its index. Regular, ordered, 32 bits, unrelated to integers and to ids of other kinds:
-/// `vert_id{3} == poly_id{3}` and `vert_id{2.5}` do not compile. A default id names no element; `is_none()` tells.
+/// The id of one element: its index with a type. Regular, ordered, 32 bits, unrelated to integers and to ids of other kinds:
+/// `vert_id{3} == poly_id{3}` and `vert_id{2.5}` do not compile. A default id refers to no element; `is_none()` is true for it.
 template<class Tag>
 class id {
   unsigned raw_ = ~0u;

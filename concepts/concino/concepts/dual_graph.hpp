@@ -1,11 +1,11 @@
-// DualGraph: polys, joined where they share an edge (surface) or a face (volume). Algorithms that only step from poly to poly
-// name this concept and so run on polygons and polyhedra alike.
+// DualGraph: polys as nodes, joined where they share an edge (surface) or a face (volume). Algorithms that only visit neighbouring polys
+// require this concept, so that they run on polygons and polyhedra alike.
 //
 // Laws:
 //   DG1  index_of is below poly_index_bound and differs between polys
-//   DG2  walking polys(m) meets num_polys(m) polys, each once, and the same ones when walked again; `contains`, where offered, agrees
+//   DG2  iterating over polys(m) yields num_polys(m) polys, each once, and the same ones on every pass; `contains`, if defined, agrees
 //   DG3  q is in adj_p2p(p) exactly if p is in adj_p2p(q)
-//   DG4  adj_p2p(p) holds neither p itself nor any poly twice, and only polys of m
+//   DG4  adj_p2p(p) contains neither p itself nor any poly twice, and only polys of m
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>

@@ -1,4 +1,4 @@
-// end_verts(m, e): the two ends of an edge by name.
+// end_verts(m, e): the two ends of an edge as a pair with named members.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>

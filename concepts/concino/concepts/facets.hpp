@@ -1,14 +1,14 @@
-// Facets: what separates polys. The edges of a surface, the faces of a volume. What algorithms on both say instead of asking for the dimension;
-// derived on every AnyMesh from what its traits have.
+// Facets: the edges of a surface, the faces of a volume. They separate polys. Algorithms for both dimensions use these verbs, which are derived
+// for every AnyMesh from the members of its traits.
 //
-// Laws, which follow from those of the mesh as long as answers do not depend on what else is asked:
-//   FC1  index_of of facets is below facet_index_bound and differs; walking facets(m) meets num_facets(m), each once
+// Laws, which follow from those of the mesh if no verb changes the result of another:
+//   FC1  index_of of facets is below facet_index_bound and differs; iterating over facets(m) yields num_facets(m), each once
 //   FC2  adj_facet2p mirrors adj_p2facet, nothing twice; the verts adj_facet2v(x) are verts of each poly of x
-//   FC3  other_polys(m, p, x) is adj_facet2p(x) without p, and all of them over the facets of p are adj_p2p(p)
-//   FC4  is_boundary(m, x) of a facet is that adj_facet2p(x) is one poly; of anything else that it has such a facet
+//   FC3  other_polys(m, p, x) is adj_facet2p(x) without p; together, those of all facets of p are adj_p2p(p)
+//   FC4  is_boundary(m, x) of a facet: adj_facet2p(x) is one poly; of any other element: it has such a facet
 //
-// Where nothing else is said:
-// Needs:  the verb that it stands for, of edges on a surface, of faces in a volume.
+// Contract of the verbs below, unless they have their own:
+// Needs:  the verb of the same meaning for edges (surface) or for faces (volume).
 // Result: what that verb returns.
 // Cost:   that of the verb; nothing is added.
 // Errors: those of the verb.
@@ -30,12 +30,12 @@ struct facet_of<M> { using type = face_t<M>; };
 
 }  // namespace detail
 
-/// What bounds polys and, where it has one poly only, the mesh: edges of surfaces, faces of volumes.
+/// The type of facets, edges of surfaces or faces of volumes: what bounds polys and, if it has only one poly, the mesh.
 template<class M> using facet_t = typename detail::facet_of<std::remove_cvref_t<M>>::type;
 
 namespace detail {
 
-/// Whether the range has one element and no more.
+/// Whether the range has exactly one element.
 template<class R>
 constexpr bool is_single(const R& range) {
   auto it = range.begin();
@@ -58,7 +58,7 @@ inline constexpr struct facets_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m) const { return faces(m); }
 } facets{};
 
-/// How many facets that walk finds.
+/// The number of facets in facets(m).
 inline constexpr struct num_facets_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -91,7 +91,7 @@ inline constexpr struct adj_p2facet_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return adj_p2f(m, p); }
 } adj_p2facet{};
 
-/// The polys of a facet, two inside of a manifold, one at the boundary: adj_e2p or adj_f2p.
+/// The polys of a facet: in a manifold, two in the interior and one at the boundary. adj_e2p or adj_f2p.
 inline constexpr struct adj_facet2p_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -102,7 +102,7 @@ inline constexpr struct adj_facet2p_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const { return adj_f2p(m, f); }
 } adj_facet2p{};
 
-/// The verts of a facet, in cyclic order where it is a face: adj_e2v or adj_f2v.
+/// The verts of a facet, in cyclic order if it is a face: adj_e2v or adj_f2v.
 inline constexpr struct adj_facet2v_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -163,9 +163,9 @@ class polys_without {
 
 }  // namespace detail
 
-/// The polys of facet x other than p: what lies across x.
+/// The polys of facet x other than p.
 /// Needs:  adj_facet2p; p is a poly of x.
-/// Result: a range of polys: none at the boundary, one inside of a manifold, several where it is none.
+/// Result: a range of polys: none at the boundary, one in the interior of a manifold, several at a non-manifold facet.
 /// Cost:   proportional to the polys of x; nothing is allocated.
 /// Errors: none.
 inline constexpr struct other_polys_verb : detail::verb {
@@ -175,9 +175,9 @@ inline constexpr struct other_polys_verb : detail::verb {
   constexpr auto operator()(const M& m, poly_t<M> p, facet_t<M> x) const { return detail::polys_without<M>(m, p, x); }
 } other_polys{};
 
-/// Whether a facet has exactly one poly, whether a vert, edge or poly has such a facet.
+/// Whether an element is on the boundary: a facet with exactly one poly, or a vert, edge or poly that has such a facet.
 /// Needs:  AnyMesh M; x is an element of m.
-/// Result: true or false. False at facets of no poly and where three polys or more meet.
+/// Result: true or false. False for facets without polys and for facets with three polys or more.
 /// Cost:   O(1) for a facet; else proportional to the facets of x.
 /// Errors: none.
 inline constexpr struct is_boundary_verb : detail::verb {
@@ -196,7 +196,7 @@ inline constexpr struct is_boundary_verb : detail::verb {
       if (at_facet(m, x)) return true;
     return false;
   }
-  // The facets at a vert or an edge have two names, and an edge is a facet itself on a surface.
+  // The facets at a vert have different names, and an edge is itself a facet of a surface.
   template<SurfaceMesh M> static constexpr bool at_vert(const M& m, const vert_t<M>& v) { return any(m, adj_v2e(m, v)); }
   template<VolumeMesh M> static constexpr bool at_vert(const M& m, const vert_t<M>& v) { return any(m, adj_v2f(m, v)); }
   template<SurfaceMesh M> static constexpr bool at_edge(const M& m, const edge_t<M>& e) { return at_facet(m, e); }

@@ -1,4 +1,5 @@
-// A half-edge mesh becomes a SurfaceMesh by about ten one-liners: say how its half-edges are linked, and inherit all adjacencies.
+// halfedge_kernel: the base class of mesh_traits for half-edge meshes. Write about ten one-line functions that link the half-edges, and inherit all
+// adjacencies.
 //
 //   struct my_links {
 //     using vert = ..., edge = ..., poly = ..., halfedge = ...;         // descriptors, std::regular
@@ -6,37 +7,37 @@
 //     static halfedge opposite(const my_mesh& m, halfedge h);
 //     static vert target(const my_mesh& m, halfedge h);
 //     static bool is_border(const my_mesh& m, halfedge h);              // has h no poly?
-//     static poly poly_of(const my_mesh& m, halfedge h);                // asked only where h is not at the border
+//     static poly poly_of(const my_mesh& m, halfedge h);                // called only if h is not at the border
 //     static edge edge_of(const my_mesh& m, halfedge h);
 //     static bool is_isolated(const my_mesh& m, vert v);                // has v no edge?
-//     static halfedge halfedge_of(const my_mesh& m, vert v);            // one that leaves v; asked only where v is not isolated
+//     static halfedge halfedge_of(const my_mesh& m, vert v);            // one that leaves v; called only if v is not isolated
 //     static halfedge halfedge_of(const my_mesh& m, edge e);            // either of the two
 //     static halfedge halfedge_of(const my_mesh& m, poly p);            // one along p
 //     static std::size_t num_verts(const my_mesh& m);                   // num_edges, num_polys alike
-//     // Where the border has no half-edges, say so; has_opposite then stands for is_border, and opposite is asked only where it is true:
+//     // If the border has no half-edges, declare so. has_opposite then replaces is_border, and opposite is called only if it is true:
 //     //   static constexpr bool has_border_halfedges = false;
 //     //   static bool has_opposite(const my_mesh& m, halfedge h);
-//     //   static halfedge previous(const my_mesh& m, halfedge h);         // optional; else found by a walk along the poly
-//     // verts(m), vert_index_bound(m), index_of(m, v) and so on: not needed where the descriptors are vert_id, edge_id and poly_id
-//     // numbered without gaps.  point(m, v) for Embedded, arity, set_point ... as in any mesh_traits.
+//     //   static halfedge previous(const my_mesh& m, halfedge h);         // optional; otherwise found by a walk along the poly
+//     // verts(m), vert_index_bound(m), index_of(m, v) and so on: not needed if the descriptors are vert_id, edge_id and poly_id
+//     // without gaps in their numbers.  point(m, v) for Embedded, arity, set_point ... as in any mesh_traits.
 //   };
 //   template<> struct concino::mesh_traits<my_mesh> : concino::halfedge_kernel<my_mesh, my_links> {};
 //
-// What is still missing: explain_surface_mesh<my_mesh>() does not compile, and says in one sentence what to write next, of the links too; then
-// explain_embedded<my_mesh>(). explain_halfedge_links<my_links, my_mesh>() asks for the links alone.
+// If something is missing, explain_surface_mesh<my_mesh>() does not compile, and its message says what to write next, also in the links; then
+// explain_embedded<my_mesh>(). explain_halfedge_links<my_links, my_mesh>() checks the links alone.
 //
-// Half-edges hold oriented manifolds only: surfaces whose edges have at most two polys that run them in opposite directions. For any other
-// mesh use indexed_surface. The fans of polys at a vert must be linked by the border half-edges, from one fan to the next, as OpenMesh and
-// CGAL do; without border half-edges a vert has one fan.
+// Half-edges can represent oriented manifolds only: surfaces whose edges have at most two polys, which have opposite directions along them. For other
+// meshes use indexed_surface. The fans of polys at a vert must be linked by the border half-edges, from one fan to the next, as in OpenMesh and
+// CGAL; without border half-edges a vert has one fan.
 //
-// Laws (check_laws names the first that is broken; assert_halfedge_links checks these alone):
-//   HE1  stepping with next from halfedge_of(p) meets half-edges of p only and comes back; at the border it meets border half-edges
-//   HE2  no two verts are joined by more than two polys' half-edges, and by two only in opposite directions
-//   HE3  opposite(h) is another half-edge, at the border too, whose opposite is h; edge_of gives both the same edge, halfedge_of one of them
-//   HE4  stepping from halfedge_of(v) to next(opposite(h)) meets every half-edge that leaves v and comes back
+// Laws (check_laws names the first that is violated; assert_halfedge_links checks these alone):
+//   HE1  repeated next from halfedge_of(p) yields half-edges of p only and returns to the start; at the border it yields border half-edges
+//   HE2  two verts are joined by at most two half-edges with polys, and by two only in opposite directions
+//   HE3  opposite(h) is another half-edge, at the border too, whose opposite is h; edge_of is the same edge for both, halfedge_of one of them
+//   HE4  repeated next(opposite(h)) from halfedge_of(v) yields every half-edge that leaves v and returns to the start
 #pragma once
 
-#include <concino/concepts/requirement.hpp>  // first, so that compilers name few headers on the way to a sentence
+#include <concino/concepts/requirement.hpp>  // first, so that compilers list few headers before the message
 
 #include <concino/concepts/halfedge_links.hpp>
 #include <concino/concepts/detail/halfedge_rings.hpp>
@@ -44,8 +45,8 @@
 
 namespace concino {
 
-/// mesh_traits from links: inherit mesh_traits<M> from it.
-/// Cost: every ring in time proportional to its length, adj_p2p besides that to the polys across; nothing is stored. Without border
+/// Derives mesh_traits from links: mesh_traits<M> inherits from it.
+/// Cost: every range takes time proportional to its length, adj_p2p also to the lengths of the neighbouring polys; nothing is stored. Without border
 /// half-edges and without `previous`, a vert at the border costs the size of the polys there.
 template<class M, class K>
 struct halfedge_kernel : K {
@@ -115,7 +116,7 @@ struct halfedge_kernel : K {
   }
 };
 
-/// Links that do not name all of their types give nothing: asking about M answers "no", and explain_surface_mesh<M>() what is missing.
+/// If the links lack one of their types, there are no members: M models no concept, and explain_surface_mesh<M>() says what is missing.
 template<class M, class K>
   requires(!requirement::names_link_types<K>)
 struct halfedge_kernel<M, K> : K {

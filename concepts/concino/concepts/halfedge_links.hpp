@@ -1,4 +1,4 @@
-// HalfedgeLinks: what is said about the half-edges of a mesh so that halfedge_kernel gives all of its adjacencies; halfedge_kernel.hpp lists it.
+// HalfedgeLinks: the links between half-edges from which halfedge_kernel derives all adjacencies; halfedge_kernel.hpp lists its members.
 #pragma once
 
 #include <concino/concepts/requirement.hpp>
@@ -157,7 +157,7 @@ using halfedge_links_requirements = list<link_types_requirement, next_requiremen
 
 }  // namespace requirement
 
-/// K says how the half-edges of M are linked: the list above.
+/// K has the links of the half-edges of M: the members listed in halfedge_kernel.hpp.
 template<class K, class M>
 concept HalfedgeLinks = requirement::has_link_types<K> && requirement::has_next<K, M> && requirement::has_opposite<K, M> &&
                         requirement::has_target<K, M> && requirement::has_has_opposite<K, M> && requirement::has_is_border<K, M> &&

@@ -1,11 +1,11 @@
-// AnyMesh: a surface or a volume; Embedded: its verts have coordinates; EmbeddedMesh: both, what most algorithms on meshes name.
+// AnyMesh: a surface or a volume; Embedded: its verts have coordinates; EmbeddedMesh: both, which most algorithms on meshes require.
 //
 // Laws:
 //   EM1  point(m, v) is three finite numbers
-//   EM2  where polys are hexes by type, not all of them look as if their corners were listed in lexicographic order
+//   EM2  if the type fixes that polys are hexes, not all of them look as if their corners were listed in lexicographic order
 #pragma once
 
-// From the bottom up, so that compilers name few headers on the way to a sentence.
+// In this order, from the base up, so that compilers list few headers before the message.
 #include <concino/concepts/requirement.hpp>
 #include <concino/concepts/mesh_traits.hpp>
 #include <concino/concepts/primal_graph.hpp>
@@ -29,7 +29,7 @@ struct dimension_requirement {
 
 }  // namespace requirement
 
-/// SurfaceMesh or VolumeMesh, written so that compilers say what the one lacks that `dimension` asks for.
+/// SurfaceMesh or VolumeMesh, written so that compilers report what is missing for the one that `dimension` selects.
 template<class M>
 concept AnyMesh = PrimalGraph<M> && DualGraph<M> && requirement::has_dimension<M> && (SurfaceMesh<M> || requirement::is_volume<M>) &&
                   (VolumeMesh<M> || requirement::is_surface<M>);
@@ -37,7 +37,7 @@ concept AnyMesh = PrimalGraph<M> && DualGraph<M> && requirement::has_dimension<M
 namespace requirement {
 
 struct surface_or_volume_requirement {
-  template<class M> static constexpr bool holds = AnyMesh<M>;  // explained as what the dimension asks for
+  template<class M> static constexpr bool holds = AnyMesh<M>;  // explained as SurfaceMesh or VolumeMesh, according to the dimension
 };
 template<class M>
 struct check<surface_or_volume_requirement, M>
@@ -58,7 +58,8 @@ struct point_requirement {
   }
 };
 
-// A forgotten &: what is returned, or set, belongs to a copy of the mesh that is gone. Views and meshes as small as a pointer may be copied.
+// Detects a forgotten &: the point that is returned or set belongs to a copy of the mesh, which no longer exists. Views and trivially copyable meshes
+// may be copied.
 template<class M> concept is_copied_freely = is_view_v<M> || std::is_trivially_copyable_v<std::remove_cvref_t<M>>;
 template<class M, class P>
 concept point_is_of_a_copy = (std::is_lvalue_reference_v<P> || std::is_pointer_v<P>) &&
@@ -103,7 +104,7 @@ using mutable_points_requirements = list<embedded_requirements, set_point_requir
 template<class M>
 concept Embedded = requirement::is_adapted<M> && requirement::has_vert<M> && requirement::has_point<M> && requirement::has_point_of_the_mesh<M>;
 
-/// A mesh with coordinates, a graph of verts with coordinates: all that most algorithms need.
+/// A mesh, or a graph of verts, with coordinates: all that most algorithms need.
 template<class M> concept EmbeddedMesh = AnyMesh<M> && Embedded<M>;
 template<class M> concept EmbeddedGraph = PrimalGraph<M> && Embedded<M>;
 
@@ -143,7 +144,7 @@ consteval void explain_embedded_graph() {
 /// Whether x is an element of m now.
 /// Needs:  mesh_traits<M>::index_of for elements of its kind.
 /// Result: true or false.
-/// Cost:   that of `contains` where the traits offer it, constant time on the meshes of this library; else a walk over the elements of its kind.
+/// Cost:   that of `contains` if the traits have it (constant time on the meshes of this library); else a search through the elements of its kind.
 /// Errors: none.
 inline constexpr struct contains_verb : detail::verb {
   using verb::operator();

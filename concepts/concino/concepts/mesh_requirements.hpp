@@ -1,4 +1,4 @@
-// The requirements that surfaces and volumes share: a dimension, edges and the adjacencies of both.
+// The requirements that surfaces and volumes have in common: a dimension, edges and adjacencies.
 #pragma once
 
 #include <concino/concepts/dual_graph.hpp>
@@ -24,7 +24,7 @@ struct volume_dimension_requirement {
   }
 };
 
-// Explained before a type that is missing, since it changes the signatures of the rest: it holds of types that are not there.
+// Explained before missing types, since equal types change the overloads of the other members. It holds if a type is missing.
 template<class M> concept has_distinct_descriptors =
     !requires { requires std::same_as<vert_t<M>, edge_t<M>>; } && !requires { requires std::same_as<vert_t<M>, poly_t<M>>; } &&
     !requires { requires std::same_as<edge_t<M>, poly_t<M>>; };
@@ -161,13 +161,13 @@ struct arity_8_requirement {
   }
 };
 
-/// What surfaces and volumes have to have alike, beside dimension and different descriptors.
+/// The requirements common to surfaces and volumes, except dimension and distinct descriptors.
 using mesh_requirements = list<primal_graph_requirements, dual_graph_requirements, edge_requirement, edges_requirement, num_edges_requirement,
                                edge_index_bound_requirement, edge_index_of_requirement, adj_e2v_requirement, adj_e2p_requirement, adj_v2e_requirement,
                                adj_v2p_requirement, adj_p2v_requirement, adj_p2e_requirement>;
 
 }  // namespace concino::requirement
 
-// Whoever includes the parts can ask for what is missing: explain_surface_mesh<M>(), explain_volume_mesh<M>().
+// For users who include only a part: explain_surface_mesh<M>() and explain_volume_mesh<M>() say what is missing.
 #include <concino/concepts/surface_mesh.hpp>
 #include <concino/concepts/volume_mesh.hpp>

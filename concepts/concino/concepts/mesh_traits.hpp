@@ -1,21 +1,21 @@
-// The one way in: specialise `mesh_traits` for a mesh type and every algorithm of the library runs on it.
+// mesh_traits: the customisation point for mesh types. Specialise it for a mesh type, and every algorithm of the library runs on that type.
 //
-// What a specialisation says (all static; only what the wanted concept lists is needed, see the concept headers):
+// The members of a specialisation (all static; only those that the concept in question lists are needed, see the concept headers):
 //
 //   using vert = ...; edge, face, poly       descriptor types, std::regular, all different
 //   dimension                                2: surface, 3: volume
-//   arity                                    verts of every poly, where that is fixed
-//   is_view                                  true: cheap to copy, does not own what it shows (maps then keep a copy of it)
+//   arity                                    the number of verts of every poly, if that is fixed
+//   is_view                                  true: cheap to copy, does not own its elements (maps then keep a copy of it)
 //   verts(m) num_verts(m) vert_index_bound(m) index_of(m, v)    and the same for edges, faces, polys
-//   adj_v2v(m, v) ...                        neighbours: a2b gives the b's of one a
-//   face_is_outward(m, p, f)                 seen from outside poly p, f's verts run counter-clockwise
+//   adj_v2v(m, v) ...                        adjacencies: a2b returns the b's of one a
+//   face_is_outward(m, p, f)                 whether f's verts run counter-clockwise seen from outside poly p
 //   point(m, v) set_point(m, v, x)           coordinates
-//   contains(m, x)                           optional: is x an element now, in constant time
-//   edges_in_order                           optional: static constexpr bool; false where adj_p2e or adj_f2e breaks SM7 or VM8: then the verbs sort
+//   contains(m, x)                           optional: whether x is an element of m now, in constant time
+//   edges_in_order                           optional: static constexpr bool; false if adj_p2e or adj_f2e violates SM7 or VM8: then the verbs sort
 //
-// Include the adapter, or specialise, before anything asks about the type: an algorithm called, a concept named. A specialisation for one
-// type that comes later is an error. So is a later one for many types, as adapters have, with g++; clang++ takes it without a word, but keeps
-// the answer "no" for the types that were asked about.
+// Include the adapter, or specialise, before the first use of the type with this library: a call of an algorithm, a check of a concept. A later
+// specialisation for one type is an error. So is a later one for many types, as adapters have, with g++; clang++ accepts it without a warning, but
+// the types used before still model no concept.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -24,7 +24,7 @@
 
 namespace concino {
 
-/// Nothing is known about the type: every question is answered "no", none is an error.
+/// The base of mesh_traits that are not specialised: the type models no concept, and asking is not an error.
 struct no_traits {};
 
 template<class M>
@@ -40,10 +40,10 @@ template<class M> using poly_t = typename traits<M>::poly;
 
 namespace requirement {
 
-// What stands behind the concept is there to be read in the compiler's message.
+// A comment on the same line, since compilers print that line in their message.
 template<class M>
 concept is_adapted = !std::is_base_of_v<no_traits, traits<M>>;  // else include <concino/adapters/openmesh.hpp> or a sibling, or specialise mesh_traits
-// The commonest reason is a forgotten adapter.
+// The most common reason is a missing adapter.
 struct adapted_requirement {
   template<class M> static constexpr bool holds = is_adapted<M>;
   template<class M> static consteval void explain() {
@@ -51,18 +51,18 @@ struct adapted_requirement {
   }
 };
 
-// A base that traits may inherit from and that has requirements of its own, such as halfedge_kernel, says so by
+// A base class of traits that has its own requirements, such as halfedge_kernel, declares
 //   using base_requirements = requirement::bound<...>;
 template<class M> concept has_base_requirements = requires { typename traits<M>::base_requirements; };
 struct base_requirement {
-  template<class M> static constexpr bool holds = true;  // where the traits have no such base; else see below
+  template<class M> static constexpr bool holds = true;  // if the traits have no such base; else see below
 };
 template<has_base_requirements M>
 struct check<base_requirement, M> : std::bool_constant<traits<M>::base_requirements::template holds<M>> {
   using first_missing = typename traits<M>::base_requirements;
 };
 
-/// What every list of requirements on mesh_traits begins with. Without what a base needs nothing can be had of it, so that this is explained first.
+/// The first requirements of every list on mesh_traits. Without those of the base nothing else holds, so they are explained first.
 using traits_requirements = list<adapted_requirement, base_requirement>;
 
 }  // namespace requirement
@@ -86,24 +86,24 @@ struct view_of<T> : std::bool_constant<T::is_view> {};
 
 }  // namespace detail
 
-/// 2 for surfaces, 3 for volumes, 0 where the traits do not say.
+/// 2 for surfaces, 3 for volumes, 0 if the traits have no dimension.
 template<class M> inline constexpr int dimension_v = detail::dimension_of<traits<M>>::value;
-/// Verts of every poly where the type fixes it, else 0.
+/// The number of verts of every poly if the type fixes it, else 0.
 template<class M> inline constexpr int arity_v = detail::arity_of<traits<M>>::value;
-/// Whether M shows another mesh rather than owning one.
+/// Whether M is a view of another mesh and does not own its elements.
 template<class M> inline constexpr bool is_view_v = detail::view_of<traits<M>>::value;
 
 namespace requirement {
 
-/// What a result may refer to after the call: a mesh with a name, or a view, which is copied. A function that returns a map asks for
-/// this of its argument, so that handing it a temporary mesh does not compile instead of leaving a dangling pointer.
+/// An argument that a result may refer to after the call: an lvalue, or a view, which is copied. Functions that return maps require this of
+/// their mesh, so that a call with a temporary mesh does not compile, instead of leaving a dangling pointer.
 template<class M> concept is_lvalue_or_view = std::is_lvalue_reference_v<M> || is_view_v<M>;
 
 }  // namespace requirement
 
-/// Parameter types of deleted functions that say what to write instead of a call that cannot compile: g++ shows the sentence in the type of the
-/// parameter, clang++ the line of the function. A class converts to such a type where it makes that mistake; a conversion and `...` are the
-/// worst match there is, so that any function that takes the call is preferred.
+/// Parameter types of deleted functions, with a text that says what to write instead of a call that cannot compile. g++ prints the text in the type
+/// of the parameter, clang++ prints the line of the function. Arguments with that mistake convert to such a type. The conversion and `...` have the
+/// lowest rank in overload resolution, so that any function that accepts the call is preferred.
 namespace mistake {
 
 template<std::size_t N>
@@ -114,7 +114,7 @@ struct sentence {
   }
 };
 
-/// Made of a class of which no mesh_traits are known.
+/// Converts from a class without mesh_traits.
 template<sentence Remedy>
 struct no_mesh_traits {
   template<class M>
@@ -123,7 +123,7 @@ struct no_mesh_traits {
 };
 inline constexpr sentence include_adapter("include the adapter of the mesh's library, #include <concino/adapters/openmesh.hpp> or a sibling, or specialise concino::mesh_traits");
 
-/// Made of a mesh without a name, which would be gone when the result is used.
+/// Converts from a temporary mesh, which would no longer exist when the result is used.
 template<sentence Remedy>
 struct temporary_mesh {
   template<class M>
@@ -132,14 +132,14 @@ struct temporary_mesh {
 };
 inline constexpr sentence name_the_mesh("the result refers to the mesh, which must not be a temporary: give it a name, auto m = ...;");
 
-/// The type of a default template argument: compilers show it where no parameter can say what is wrong.
+/// The type of a default template argument with a text: compilers print it, for mistakes that no parameter type can express.
 template<sentence Remedy> struct remedy {};
 
 }  // namespace mistake
 
 namespace detail {
 
-/// What the verbs have in common.
+/// The common base class of the verbs.
 struct verb {
   void operator()(mistake::no_mesh_traits<mistake::include_adapter>, ...) const = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 };

@@ -1,11 +1,11 @@
-// oriented_edges(m, p): the edges of a polygon as it is walked, each with the vert where the walk enters it and the one where it leaves.
+// oriented_edges(m, p): the edges of a polygon in cyclic order, each with its start and end vert.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
 
 namespace concino {
 
-/// An edge that is walked from one of its ends to the other.
+/// An edge with a direction.
 template<class M>
 struct oriented_edge {
   edge_t<M> edge;
@@ -14,7 +14,7 @@ struct oriented_edge {
 
 namespace detail {
 
-/// The edges of a polygon in step with its verts, which the laws SM7 and VM8 allow.
+/// Iterates over the edges and verts of a polygon at the same time, which the laws SM7 and VM8 allow.
 template<class M, class X, class Verts, class Edges>
 class oriented_ring {
   using vert = vert_t<M>;
@@ -66,7 +66,7 @@ class oriented_ring {
 
 }  // namespace detail
 
-/// The edges of poly p of a surface, or of face f of a volume, as the polygon is walked: for (const auto& [e, from, to] : oriented_edges(m, p)).
+/// The edges of poly p of a surface, or of face f of a volume, in cyclic order: for (const auto& [e, from, to] : oriented_edges(m, p)).
 /// Needs:  SurfaceMesh (poly) or VolumeMesh (face).
 /// Result: a range of oriented_edge<M>: the k-th goes from the k-th vert of adj_p2v or adj_f2v to the next one, the last to the first.
 /// Cost:   that of adj_p2v and adj_p2e, or of adj_f2v and adj_f2e; nothing is allocated.

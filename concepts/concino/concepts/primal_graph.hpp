@@ -1,10 +1,10 @@
-// PrimalGraph: verts, joined by edges. The concept of shortest paths, searches and everything else that never asks for a poly.
+// PrimalGraph: verts as nodes, joined by edges. The concept for shortest paths, searches and all other algorithms that need no polys.
 //
 // Laws (the compiler cannot check them; check_laws of <concino/validate.hpp> does):
 //   PG1  index_of is below vert_index_bound and differs between verts
-//   PG2  walking verts(m) meets num_verts(m) verts, each once, and the same ones when walked again; `contains`, where offered, agrees
+//   PG2  iterating over verts(m) yields num_verts(m) verts, each once, and the same ones on every pass; `contains`, if defined, agrees
 //   PG3  w is in adj_v2v(v) exactly if v is in adj_v2v(w)
-//   PG4  adj_v2v(v) holds neither v itself nor any vert twice, and only verts of m
+//   PG4  adj_v2v(v) contains neither v itself nor any vert twice, and only verts of m
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>

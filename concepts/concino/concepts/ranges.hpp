@@ -1,4 +1,4 @@
-// What an algorithm may ask of a range of elements, and the small ranges that meshes return.
+// ElementRange: what algorithms require of a range of elements. Also the small ranges that meshes return.
 #pragma once
 
 #include <compare>
@@ -8,8 +8,8 @@
 
 namespace concino {
 
-/// Can be walked from begin to end, as often as one likes, and yields Ts (values or references, so that `auto x : r` makes a T).
-/// Nothing else: no size, no index, begin and end may differ in type, and iterators live no longer than the range.
+/// A multi-pass range of Ts (values or references, so that `auto x : r` makes a T).
+/// Nothing else is required: no size, no index; begin and end may differ in type, and iterators may be invalid when the range is destroyed.
 template<class R, class T>
 concept ElementRange = requires(const R& r, decltype(r.begin()) it) {
   requires std::copyable<decltype(r.begin())> && std::same_as<std::remove_cvref_t<decltype(*it)>, T>;
@@ -17,9 +17,9 @@ concept ElementRange = requires(const R& r, decltype(r.begin()) it) {
   ++it;
 };
 
-/// How many elements a range has, of those that verbs return.
+/// The number of elements in a range that a verb returns.
 /// Needs:  begin() and end().
-/// Result: as many as a walk meets.      Cost: O(1) where the elements lie in an array, else a walk.      Errors: none.
+/// Result: the number of elements.      Cost: O(1) if the elements are in an array, else a pass over the range.      Errors: none.
 inline constexpr struct num_elements_verb {
   template<class R>
     requires requires(const R& range, decltype(range.begin()) it) { it != range.end(); ++it; }
@@ -35,7 +35,7 @@ inline constexpr struct num_elements_verb {
   }
 } num_elements{};
 
-/// Elements that lie one after another in memory owned by the mesh.
+/// A range of consecutive elements in memory that the mesh owns.
 template<class T>
 class id_span {
   const T* first_ = nullptr;
@@ -55,7 +55,7 @@ class id_span {
   constexpr T operator[](std::size_t i) const { return first_[i]; }
 };
 
-/// Elements 0 .. bound-1, without those that `dead` marks (null: none is).
+/// Elements 0 .. bound-1, without those that `dead` marks (null: none are marked).
 template<class Id>
 class id_range {
   unsigned first_ = 0;
@@ -92,7 +92,7 @@ class id_range {
   constexpr iterator begin() const { return {first_, bound_, dead_}; }
   constexpr iterator end() const { return {bound_, bound_, nullptr}; }
 
-  /// Loops in parallel take such parts: the elements of this range from index `first` to before `last`.
+  /// The elements of this range with index `first` or more and less than `last`, for parallel loops.
   constexpr id_range part(std::size_t first, std::size_t last) const {
     id_range r(last, dead_);
     r.first_ = static_cast<unsigned>(first);
@@ -101,7 +101,7 @@ class id_range {
   constexpr std::size_t index_bound() const { return bound_; }
 };
 
-/// Elements 0 .. bound-1, without those that a function denies: what ids_where makes. Iterators live no longer than the range.
+/// Elements 0 .. bound-1 for which a function returns true: the result of ids_where. Iterators must not outlive the range.
 template<class Id, class Alive>
 class filtered_id_range {
   unsigned bound_;
@@ -133,9 +133,9 @@ class filtered_id_range {
 };
 
 /// The elements of a mesh whose indices have gaps: ids_where<vert_id>(bound, [&m](unsigned i) { return !m.is_deleted(i); }).
-/// Needs:  Id(i) makes an element from an unsigned; alive(i) for all i below bound, the same each time.
-/// Result: an ElementRange of Id. It holds a copy of `alive`, so what that refers to must outlive the range.
-/// Cost:   a walk asks about every i once.
+/// Needs:  Id(i) makes an element from an unsigned; alive(i) for all i below bound, with the same result each time.
+/// Result: an ElementRange of Id. It stores a copy of `alive`, so what that refers to must outlive the range.
+/// Cost:   a pass over the range calls alive(i) once for every i.
 /// Errors: none.
 template<class Id, class Alive>
 constexpr auto ids_where(std::size_t bound, const Alive& alive) { return filtered_id_range<Id, Alive>(bound, alive); }

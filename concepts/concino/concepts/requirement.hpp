@@ -1,4 +1,4 @@
-// Requirements of concepts, each stated once. A requirement is a named concept, has_verts<M>, and beside it a struct with the sentence that says what
+// The requirements of concepts, each written once. A requirement is a named concept, has_verts<M>, and a struct with the message that says what
 // to write:
 //
 //   struct verts_requirement {
@@ -6,9 +6,9 @@
 //     template<class M> static consteval void explain() { static_assert(detail::missing<M>, "concino: mesh_traits<M> needs verts: ..."); }
 //   };
 //
-// A concept is the conjunction of the named concepts; its list holds the structs in the order in which they are explained; its function explain_...
-// walks that list and stops at the first that does not hold. tests/must_not_compile/explain makes the tests from the lists. A sentence stands in its
-// struct, on one line, because compilers print neither a string that is a template argument (clang++ 14 prints numbers) nor one on several lines well.
+// A concept is the conjunction of the named concepts. Its list has the structs in the order in which they are explained. Its function explain_...
+// stops at the first one that does not hold. tests/must_not_compile/explain makes the tests from the lists. Each message is in its struct and on
+// one line: clang++ 14 prints a string that is a template argument as numbers, and compilers print strings on several lines badly.
 #pragma once
 
 #include <concepts>
@@ -19,22 +19,22 @@ namespace concino {
 
 namespace detail {
 
-/// False, but only once the types are known: what the assertions of explain() stand on.
+/// False, but only once the types are known; explain() uses it in its assertions.
 template<class... T> inline constexpr bool missing = false;
 
 }  // namespace detail
 
 namespace requirement {
 
-/// The requirements of a concept, in the order in which they are explained. A list may hold lists.
+/// The requirements of a concept, in the order in which they are explained. A list may contain lists.
 template<class... R> struct list {};
 
-/// What explain_... calls when all that its list holds is there, and the concept is false all the same.
+/// What explain_... calls if the whole list holds, but the concept is false.
 struct nothing_missing {
   template<class... T> static consteval void explain() { static_assert(detail::missing<T...>, "concino: the list of requirements does not hold all that the concept needs"); }
 };
 
-/// Whether requirement or list R holds for the types T; `first_missing` is the requirement itself, of a list the first one that does not hold.
+/// Whether requirement or list R holds for the types T; `first_missing` is the requirement itself, or the first one of a list that does not hold.
 template<class R, class... T>
 struct check : std::bool_constant<R::template holds<T...>> {
   using first_missing = R;
@@ -48,8 +48,8 @@ struct check<list<>, T...> : std::true_type {
 
 template<class List, class... T> using first_missing = typename check<List, T...>::first_missing;
 
-/// A list on the types T, whatever is asked about: what a base needs that traits may inherit from (base_requirement of mesh_traits.hpp), or what one of
-/// several types has to be.
+/// A list with fixed types T, which ignores the types that are passed: the requirements of a base class of traits (base_requirement of
+/// mesh_traits.hpp), or of one of several types.
 template<class List, class... T>
 struct bound {
   template<class...> static constexpr bool holds = check<List, T...>::value;
@@ -60,12 +60,12 @@ struct bound {
 
 namespace detail {
 
-// What is wrong with a member of mesh_traits, or of links, that is there: each fails to compile with a sentence, and returns true where the member is
-// missing. Asked in an assertion above the one that names the member, so that this sentence comes first. IsThere: whether there is a member of that
-// name; functions with several overloads do not show it. One line per message, so that compilers show it in one.
+// Messages for a member of mesh_traits, or of links, that exists but is wrong. Each function fails to compile with a message, and returns true if the
+// member is missing. It is called in an assertion above the one that names the member, so that its message comes first. IsThere: whether the member
+// exists; it is false for functions with several overloads. One line per message, so that compilers print it in one line.
 // clang-format off
 
-/// The function cannot be called as it has to be, or returns something that does not convert.
+/// The function cannot be called as required, or its result does not convert to the required type.
 template<bool IsThere, bool IsCallable, class... T>
 consteval bool explain_result() {
   static_assert(!IsThere || IsCallable || missing<T...>, "concino: the member is there, but cannot be called: it has to be static and public, and to take the mesh as const M& and elements of the types that are named for them");
@@ -73,13 +73,13 @@ consteval bool explain_result() {
   return true;
 }
 
-/// The same of a function that a verb calls with a const M and elements of the types X.
+/// The same for a function that a verb calls with a const M and elements of the types X.
 template<bool IsThere, class Verb, class M, class... X>
 consteval bool explain_value() {
   return explain_result<IsThere, std::is_invocable_v<Verb, const std::remove_cvref_t<M>&, X...>, M, X...>();
 }
 
-/// The function, called so, returns what is no ElementRange of Ts.
+/// The function, called like that, returns something that is no ElementRange of Ts.
 template<bool IsThere, class T, class Verb, class M, class... X>
 consteval bool explain_range() {
   if constexpr (std::is_invocable_v<Verb, const std::remove_cvref_t<M>&, X...>) {
@@ -121,7 +121,7 @@ consteval bool explain_regular() {
   return true;
 }
 
-/// The number is there, but is another one.
+/// The constant exists, but has another value.
 template<bool IsThere, class M>
 consteval bool explain_constant() {
   static_assert(!IsThere || missing<M>, "concino: the member is there, but has another value, or none that is known when compiling");

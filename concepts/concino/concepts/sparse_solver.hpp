@@ -1,17 +1,17 @@
-// SparseSolver: factorise a matrix once, solve with many right-hand sides. Handed in as the last argument of every problem that ends in
-// a linear system.
+// SparseSolver: factorises a sparse matrix once and solves for many right-hand sides. It is the last argument of every algorithm that solves
+// linear systems.
 //
 // Laws:
-//   SS1  after factorize(a) has returned, solve(b) is the x with a x = b up to rounding errors, as often as asked
-//   SS2  a matrix or a right-hand side that cannot be solved is an exception derived from concino::error, never a result that is not finite
+//   SS1  after factorize(a) has returned, solve(b) is the x with a x = b up to rounding errors, for any number of calls
+//   SS2  a matrix or a right-hand side that cannot be solved causes an exception derived from concino::error, never a result that is not finite
 //
-// What a solver may have besides, and problems ask for:
-//   static constexpr bool reads_both_triangles = true    symmetric matrices come whole; otherwise as their lower triangle
-//   static constexpr bool solves_least_squares = true    factorises matrices with more rows than columns, and solves for the nearest
+// Optional members, which algorithms check for:
+//   static constexpr bool reads_both_triangles = true    symmetric matrices are passed complete; otherwise as their lower triangle
+//   static constexpr bool solves_least_squares = true    factorises matrices with more rows than columns, and solves least-squares problems
 //   bool is_iterative() const                                solves to a tolerance: values far smaller than the largest have no correct digits
-//   double residual() const                              of solvers that iterate: of the last solve, which may miss its tolerance if that was allowed
-//   options() const                                      what makes another solver like it; otherwise others are made by default, or as copies
-//   void use_order_of(const S&)                          takes over the order that another has found, for matrices of the same pattern
+//   double residual() const                              of iterative solvers: of the last solve, which may miss its tolerance if that was allowed
+//   options() const                                      the arguments for a similar solver; without it, further solvers are default-constructed or copied
+//   void use_order_of(const S&)                          reuses the elimination order that another solver has found, for matrices of the same pattern
 #pragma once
 
 #include <concino/concepts/requirement.hpp>

@@ -1,16 +1,16 @@
 // SurfaceMesh: verts, edges and polygons with the adjacencies between them.
 //
-// Laws, beside those of both graphs:
-//   SM1  index_of of edges is below edge_index_bound and differs; walking edges(m) meets num_edges(m), each once
+// Laws, in addition to those of both graphs:
+//   SM1  index_of of edges is below edge_index_bound and differs; iterating over edges(m) yields num_edges(m), each once
 //   SM2  adj_e2v(e) is two different verts, in the same order each time, adj_v2e mirrors it, and adj_v2v(v) is the far ends of adj_v2e(v)
-//   SM3  adj_p2v(p) walks the polygon: each two verts that follow one another, the last and the first too, are the ends of one of
+//   SM3  adj_p2v(p) is the polygon in cyclic order: two consecutive verts, also the last and the first, are the ends of one of
 //        adj_p2e(p); no vert twice, as many edges as verts
 //   SM4  adj_e2p mirrors adj_p2e and adj_v2p mirrors adj_p2v, nothing twice
 //   SM5  adj_p2p(p) is the polys that share an edge with p
-//   SM6  where the type fixes the arity, adj_p2v(p) is that many verts
-//   SM7  the k-th edge of adj_p2e(p) joins the k-th vert of adj_p2v(p) and the next one, the last the last and the first
+//   SM6  if the type fixes the arity, adj_p2v(p) is that many verts
+//   SM7  the k-th edge of adj_p2e(p) joins the k-th vert of adj_p2v(p) and the next one; the last edge joins the last vert and the first
 //
-// A model whose own lists come in another order says so in its traits, static constexpr bool edges_in_order = false; and the verb sorts.
+// A model whose lists have another order declares static constexpr bool edges_in_order = false; in its traits, and the verbs sort.
 #pragma once
 
 #include <concino/concepts/mesh_requirements.hpp>
@@ -31,7 +31,7 @@ concept SurfaceMesh = PrimalGraph<M> && DualGraph<M> && requirement::is_surface<
                       requirement::has_adj_e2v<M> && requirement::has_adj_e2p<M> && requirement::has_adj_v2e<M> && requirement::has_adj_v2p<M> &&
                       requirement::has_adj_p2v<M> && requirement::has_adj_p2e<M>;
 
-/// Surfaces of triangles, of quads: known when compiling.
+/// Surfaces of triangles, of quads, if the type fixes that at compile time.
 template<class M> concept TriMesh = SurfaceMesh<M> && requirement::has_arity_3<M>;
 template<class M> concept QuadMesh = SurfaceMesh<M> && requirement::has_arity_4<M>;
 

@@ -1,8 +1,8 @@
-// The verbs: what algorithms say. Each is a function object that forwards to mesh_traits, so that no function of another library
-// can be picked instead, and each vanishes where the traits lack the member.
+// The verbs: the functions with which algorithms access a mesh. Each is a function object that forwards to mesh_traits, so that argument-dependent
+// lookup never finds a function of another library. A verb cannot be called if the traits lack the member.
 //
-// Needs:  a member of mesh_traits<M> of the same name; elements of m, which is not checked: contains(m, x) tells.
-// Result: what that member returns: ranges of elements to be walked, numbers as std::size_t, points as the mesh has them.
+// Needs:  a member of mesh_traits<M> of the same name; elements of m, which is not checked: use contains(m, x).
+// Result: what that member returns: ranges of elements, numbers as std::size_t, points of the type that the mesh has.
 // Cost:   that of the member; nothing is added.
 // Errors: those of the member.
 #pragma once
@@ -21,7 +21,7 @@ template<class M> struct order_of_edges;  // in sorted_edges.hpp, which brings t
 
 }  // namespace detail
 
-/// All live elements of one kind, in an order that does not change while the mesh does not.
+/// All existing elements of one kind, in an order that does not change while the mesh does not.
 inline constexpr struct verts_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -50,7 +50,7 @@ inline constexpr struct polys_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m) const { return traits<M>::polys(m); }
 } polys{};
 
-/// How many elements that walk finds.
+/// The number of elements in that range.
 inline constexpr struct num_verts_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -79,7 +79,7 @@ inline constexpr struct num_polys_verb : detail::verb {
   constexpr std::size_t operator()(const M& m) const { return static_cast<std::size_t>(traits<M>::num_polys(m)); }
 } num_polys{};
 
-/// Exclusive upper bound of index_of; an array of this size holds a value for every element. Deleted elements leave gaps.
+/// Exclusive upper bound of index_of: an array of this size has a value for every element. Deleted elements leave gaps.
 inline constexpr struct vert_index_bound_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -116,7 +116,7 @@ inline constexpr struct index_of_verb : detail::verb {
   constexpr std::size_t operator()(const M& m, const X& x) const { return static_cast<std::size_t>(traits<M>::index_of(m, x)); }
 } index_of{};
 
-/// Where a vert lies: p[0], p[1], p[2].
+/// The position of a vert: p[0], p[1], p[2].
 inline constexpr struct point_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -132,7 +132,7 @@ inline constexpr struct set_point_verb : detail::verb {
   constexpr void operator()(M& m, vert_t<M> v, const P& p) const { traits<M>::set_point(m, v, p); }
 } set_point{};
 
-/// Whether face f of poly p, walked as adj_f2v does, runs counter-clockwise seen from outside p.
+/// Whether face f of poly p, in the order of adj_f2v, runs counter-clockwise seen from outside p.
 inline constexpr struct face_is_outward_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -204,8 +204,8 @@ inline constexpr struct adj_f2v_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m, face_t<M> f) const { return traits<M>::adj_f2v(m, f); }
 } adj_f2v{};
 
-/// The edges of f, following its verts: edge k joins the verts k and k + 1 of adj_f2v. Where the traits say edges_in_order = false, they are sorted:
-/// k^2 comparisons for k edges up to 8, above them a walk over the edges at the ends of each.
+/// The edges of f in the order of its verts: edge k joins the verts k and k + 1 of adj_f2v. If the traits say edges_in_order = false, they are sorted:
+/// k^2 comparisons for k edges up to 8; for more, a search through the edges at the ends of each.
 inline constexpr struct adj_f2e_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -219,7 +219,7 @@ inline constexpr struct adj_f2e_verb : detail::verb {
   void operator()(const M& m, face_t<M> f) const = delete;  // edges_in_order = false: to sort, adj_f2e needs adj_f2v, adj_e2v, adj_v2e and adj_e2f
 } adj_f2e{};
 
-/// The polys on the sides of f.
+/// The polys of f, on its two sides.
 inline constexpr struct adj_f2p_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -235,8 +235,8 @@ inline constexpr struct adj_p2v_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2v(m, p); }
 } adj_p2v{};
 
-/// The edges of p. Of a surface they follow its verts: edge k joins the verts k and k + 1 of adj_p2v. Those of a tet join its verts 01 02 03 12 13 23.
-/// Where the traits say edges_in_order = false, they are sorted as those of a face are.
+/// The edges of p. On a surface they are in the order of its verts: edge k joins the verts k and k + 1 of adj_p2v. Those of a tet join its verts
+/// 01 02 03 12 13 23. If the traits say edges_in_order = false, they are sorted as those of a face are.
 inline constexpr struct adj_p2e_verb : detail::verb {
   using verb::operator();
   template<class M>
@@ -258,7 +258,7 @@ inline constexpr struct adj_p2f_verb : detail::verb {
   constexpr decltype(auto) operator()(const M& m, poly_t<M> p) const { return traits<M>::adj_p2f(m, p); }
 } adj_p2f{};
 
-/// The polys across an edge of p (surface) or a face of p (volume).
+/// The polys behind the edges of p (surface) or behind the faces of p (volume).
 inline constexpr struct adj_p2p_verb : detail::verb {
   using verb::operator();
   template<class M>

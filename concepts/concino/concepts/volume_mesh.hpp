@@ -1,20 +1,20 @@
 // VolumeMesh: verts, edges, faces and polyhedra with the adjacencies between them.
 //
-// Laws, beside those of both graphs and SM1, SM2 (edges are as in a surface):
-//   VM1  index_of of faces is below face_index_bound and differs; walking faces(m) meets num_faces(m), each once
-//   VM2  adj_f2v(f) walks the face: each two verts that follow one another are the ends of one of adj_f2e(f); no vert twice, as many
+// Laws, in addition to those of both graphs and SM1, SM2 (edges are as in a surface):
+//   VM1  index_of of faces is below face_index_bound and differs; iterating over faces(m) yields num_faces(m), each once
+//   VM2  adj_f2v(f) is the face in cyclic order: two consecutive verts are the ends of one of adj_f2e(f); no vert twice, as many
 //        edges as verts
 //   VM3  adj_e2f mirrors adj_f2e, adj_v2f mirrors adj_f2v, adj_f2p mirrors adj_p2f, nothing twice
 //   VM4  adj_p2v(p) and adj_p2e(p) are the verts and edges of p's faces, adj_v2p and adj_e2p mirror them, nothing twice
 //   VM5  adj_p2p(p) is the polys that share a face with p
-//   VM6  a poly each of whose edges lies in two of its faces is wound consistently: of these two one, turned outward, runs along the edge
-//        and the other against it
-//   VM7  where polys are tets or hexes by type, adj_p2v lists 4 or 8 verts in the standard order: the tet's faces are 0 2 1, 0 1 3,
+//   VM6  if each edge of a poly is in two of its faces, the poly is oriented consistently: of the two faces, oriented outward, one has the
+//        direction of the edge and the other the opposite one
+//   VM7  if the type fixes that polys are tets or hexes, adj_p2v lists 4 or 8 verts in the standard order: the tet's faces are 0 2 1, 0 1 3,
 //        0 3 2, 1 2 3, the hex's 0 3 2 1, 1 2 6 5, 4 5 6 7, 3 0 4 7, 0 1 5 4, 2 3 7 6, in any order
-//   VM8  the k-th edge of adj_f2e(f) joins the k-th vert of adj_f2v(f) and the next one, the last the last and the first; where polys are tets by
-//        type, the edges of adj_p2e(p) join the verts 01 02 03 12 13 23 of adj_p2v(p)
+//   VM8  the k-th edge of adj_f2e(f) joins the k-th vert of adj_f2v(f) and the next one; the last edge joins the last vert and the first. If the
+//        type fixes that polys are tets, the edges of adj_p2e(p) join the verts 01 02 03 12 13 23 of adj_p2v(p)
 //
-// A model whose own lists come in another order says so in its traits, static constexpr bool edges_in_order = false; and the verbs sort.
+// A model whose lists have another order declares static constexpr bool edges_in_order = false; in its traits, and the verbs sort.
 #pragma once
 
 #include <concino/concepts/mesh_requirements.hpp>
@@ -23,7 +23,7 @@ namespace concino {
 
 namespace requirement {
 
-// As of the others above: it holds where a type is not there.
+// As for the other types: it holds if a type is missing.
 template<class M> concept has_distinct_faces =
     !requires { requires std::same_as<vert_t<M>, face_t<M>>; } && !requires { requires std::same_as<edge_t<M>, face_t<M>>; } &&
     !requires { requires std::same_as<poly_t<M>, face_t<M>>; };
@@ -160,7 +160,7 @@ concept VolumeMesh = PrimalGraph<M> && DualGraph<M> && requirement::is_volume<M>
                      requirement::has_adj_f2v<M> && requirement::has_adj_f2e<M> && requirement::has_adj_f2p<M> && requirement::has_adj_v2f<M> &&
                      requirement::has_adj_e2f<M> && requirement::has_adj_p2f<M> && requirement::has_face_is_outward<M>;
 
-/// Volumes of tetrahedra, of hexahedra: known when compiling.
+/// Volumes of tetrahedra, of hexahedra, if the type fixes that at compile time.
 template<class M> concept TetMesh = VolumeMesh<M> && requirement::has_arity_4<M>;
 template<class M> concept HexMesh = VolumeMesh<M> && requirement::has_arity_8<M>;
 

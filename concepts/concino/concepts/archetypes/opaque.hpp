@@ -1,4 +1,4 @@
-// The weakest descriptor, range, number and point that the concepts admit: what archetypes give out instead of the real ones.
+// The weakest descriptor, range, number and point that the concepts allow. Archetypes return them instead of the real ones.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -7,8 +7,8 @@ namespace concino::archetypes {
 
 struct access;
 
-/// A descriptor that is std::regular and nothing else: no order, no hash, no null, no number inside to be had, and none made of empty braces
-/// where its type is not named.
+/// A descriptor that is std::regular and nothing else: no order, no hash, no null value, no access to an index, and no construction from {}
+/// without the name of the type.
 template<class Base, class Tag>
 class opaque {
   Base base_{};
@@ -21,7 +21,7 @@ class opaque {
   friend constexpr bool operator==(const opaque& a, const opaque& b) { return a.base_ == b.base_; }
 };
 
-/// The only door in and out of an opaque descriptor; archetypes and their traits hold the key.
+/// The only access to the content of an opaque descriptor, for archetypes and their traits.
 struct access {
   template<class O, class Base> static constexpr O wrap(const Base& b) { return O(b, 0); }
   template<class Base, class Tag> static constexpr const Base& base(const opaque<Base, Tag>& o) { return o.base_; }
@@ -36,7 +36,7 @@ class index_like {
   constexpr operator std::size_t() const { return n_; }
 };
 
-/// A truth value: converts to bool.
+/// A boolean value: converts to bool.
 class boolean_like {
   bool b_;
 
@@ -64,8 +64,8 @@ class point_like {
   constexpr coordinate operator[](int i) const { return coordinate(x_[i]); }
 };
 
-/// Elements to be walked and nothing else. The range can be neither copied nor moved and its iterators live no longer than it; they are
-/// copied, advanced by ++, read (giving a value, not a reference) and compared by != with an end of another type.
+/// A range with iteration and nothing else. The range cannot be copied or moved, and its iterators must not outlive it. Iterators can be
+/// copied, incremented by ++, dereferenced (to a value, not a reference) and compared by != with an end of another type.
 template<class R, class O>
 class range {
   R base_;
@@ -104,8 +104,8 @@ class range {
   constexpr sentinel end() const { return sentinel(base_.end()); }
 };
 
-/// The range that `make()` returns, with every element of it made an O.
-/// Needs:  make() returns a range of what O wraps.      Result: a range to be walked where it is, neither copied nor moved.
+/// The range that `make()` returns, with every element converted to an O.
+/// Needs:  make() returns a range of elements that O wraps.      Result: a range that cannot be copied or moved.
 /// Cost:   that of make().                              Errors: those of make().
 template<class O, class F>
 constexpr auto rewrap(const F& make) { return range<decltype(make()), O>(make, 0); }

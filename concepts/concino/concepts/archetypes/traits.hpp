@@ -1,11 +1,11 @@
-// The archetype class and its mesh_traits, which offer exactly the parts asked for.
+// The class template archetype and its mesh_traits, which have exactly the selected parts.
 #pragma once
 
 #include <concino/concepts/archetypes/opaque.hpp>
 
 namespace concino::archetypes {
 
-/// What is left of a mesh.
+/// The parts of a mesh that an archetype can have.
 enum parts : unsigned {
   primal = 1,                    ///< verts and adj_v2v
   dual = 2,                      ///< polys and adj_p2p
@@ -18,7 +18,7 @@ constexpr parts operator|(parts a, parts b) { return static_cast<parts>(static_c
 /// Needs:  sets of the parts above.      Result: true if each part of `some` is one of `all`.      Cost: O(1).      Errors: none.
 constexpr bool has(parts all, parts some) { return (static_cast<unsigned>(all) & static_cast<unsigned>(some)) == static_cast<unsigned>(some); }
 
-/// A view of m that offers the parts P and hides the rest.
+/// A view of m that has the parts P and hides the rest.
 template<class M, parts P>
 class archetype {
   const M* m_;
@@ -27,7 +27,7 @@ class archetype {
   constexpr explicit archetype(const M& m) : m_(&m) {}
   constexpr const M& base() const { return *m_; }
 
-  /// An opaque descriptor for an element of base(), and back.
+  /// Conversion of an element of base() to an opaque descriptor, and back.
   template<class V = M> constexpr auto vert(const vert_t<V>& x) const { return access::wrap<opaque<vert_t<V>, vert_tag>>(x); }
   template<class V = M> constexpr auto edge(const edge_t<V>& x) const { return access::wrap<opaque<edge_t<V>, edge_tag>>(x); }
   template<class V = M> constexpr auto face(const face_t<V>& x) const { return access::wrap<opaque<face_t<V>, face_tag>>(x); }
@@ -35,7 +35,7 @@ class archetype {
   template<class Base, class Tag> constexpr Base base(const opaque<Base, Tag>& o) const { return access::base(o); }
 };
 
-/// The same archetype as a mesh that owns its elements: not a view, and not to be copied or moved. For algorithms that keep a mesh or
+/// The same archetype as a mesh that owns its elements: it is not a view and cannot be copied or moved. For algorithms that store a mesh or
 /// a pointer to it.
 template<class A>
 struct owner : A {
@@ -73,7 +73,7 @@ struct mesh_traits<archetypes::archetype<M, P>> : archetypes::vert_type<M, has(P
  private:
   using A = archetypes::archetype<M, P>;
   using T = traits<M>;
-  // Written out rather than taken from the bases, where they may be missing.
+  // Not the types of the base classes, which may be missing.
   template<class X> using v = archetypes::opaque<vert_t<X>, vert_tag>;
   template<class X> using e = archetypes::opaque<edge_t<X>, edge_tag>;
   template<class X> using f = archetypes::opaque<face_t<X>, face_tag>;

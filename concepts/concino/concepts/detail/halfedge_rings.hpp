@@ -1,4 +1,4 @@
-// The rings that halfedge_kernel gives: walks around a vert or along a poly, computed as they are walked.
+// The ranges that halfedge_kernel returns: traversals around a vert or along a poly, computed lazily.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -7,8 +7,8 @@ namespace concino::detail {
 
 enum class ring_kind { v2v, v2e, v2p, p2v, p2e };
 
-/// Gives border half-edges to links that have none. The border half-edge of an edge is named by the half-edge on its other side; the
-/// next one along the border is found by a walk round the vert between them.
+/// Adds border half-edges to links that have none. The border half-edge of an edge is stored as the half-edge on its other side; the
+/// next one along the border is found by a walk around the vert between them.
 template<class M, class K>
 struct border_halfedges {
   using vert = typename K::vert;
@@ -52,10 +52,10 @@ struct border_halfedges {
 
 template<class M, class K, bool HasBorder> struct complete_links { using type = K; };
 template<class M, class K> struct complete_links<M, K, false> { using type = border_halfedges<M, K>; };
-/// Links in which the border has half-edges: K, or what is made of it.
+/// Links with border half-edges: K itself, or border_halfedges of it.
 template<class M, class K> using links_with_border = typename complete_links<M, K, !requires { requires !K::has_border_halfedges; }>::type;
 
-/// What the half-edges that leave a vert, or go along a poly, show: their far ends, edges or polys.
+/// The elements at the half-edges that leave a vert, or that go along a poly: far ends, edges or polys.
 template<class M, class K, ring_kind Ring>
 class halfedge_ring {
   using halfedge = typename K::halfedge;
@@ -117,7 +117,7 @@ class halfedge_ring {
     r.empty_ = false;
     return r;
   }
-  /// Calls f(x) for all of them in the same order: the loop that one would write by hand, without the state of an iterator.
+  /// Calls f(x) for all of them in the same order, as a plain loop without an iterator's state.
   template<class F>
   constexpr void for_each(F&& f) const {
     if (empty_) return;
@@ -136,7 +136,7 @@ class halfedge_ring {
   iterator end() const { return {}; }
 };
 
-/// The polys across the edges of a poly, each once and without the poly itself.
+/// The polys behind the edges of a poly, each once and without the poly itself.
 template<class M, class K>
 class halfedge_neighbours {
   using halfedge = typename K::halfedge;
@@ -149,8 +149,8 @@ class halfedge_neighbours {
     const halfedge o = K::opposite(m, h);
     return !K::is_border(m, o) && K::poly_of(m, o) == q;
   }
-  /// Whether q, the poly behind `at`, is also behind an edge of p from `first` up to `at`. Walks along p and around q at once: the shorter
-  /// way decides, except where q borders p more than once. Not inlined, and all by value, so that loops around it keep theirs in registers.
+  /// Whether q, the poly behind `at`, is also behind an edge of p from `first` up to `at`. It walks along p and around q at the same time and stops
+  /// after the shorter walk, unless q is adjacent to p more than once. Not inlined and by value, so that loops around it keep their values in registers.
   [[gnu::noinline]] static bool is_adjacent_between(const M& m, poly p, poly q, halfedge first, halfedge at) {
     const halfedge start = K::opposite(m, at);
     halfedge g = start;
@@ -172,7 +172,7 @@ class halfedge_neighbours {
     halfedge first_{}, at_{};
     bool done_ = true;
     unsigned num_visited_ = 0;
-    // The first polys that were shown: enough to know all of a triangle's or quad's. Named one by one, since a descriptor's default
+    // The first polys found: enough to detect all repetitions in a triangle or quad. Constructed one by one, since a descriptor's default
     // constructor may be explicit.
     poly recent_[4] = {poly(), poly(), poly(), poly()};
 
@@ -219,8 +219,8 @@ class halfedge_neighbours {
   };
 
   halfedge_neighbours(const M& m, const poly& p) : m_(&m), p_(p) {}
-  /// Calls f(q) for all of them in the same order. One place calls f, so that compilers put its body here; the last four polys that were
-  /// shown (p: none yet) are variables, not an array, so that they are registers, and of these a triangle looks at two.
+  /// Calls f(q) for all of them in the same order. f is called at one place only, so that compilers inline it. The last four polys found (p: none yet)
+  /// are variables, not an array, so that they stay in registers; a triangle uses two of them.
   template<class F>
   constexpr void for_each(F&& f) const {
     const M& m = *m_;
@@ -247,8 +247,8 @@ class halfedge_neighbours {
       f(q);
     } while (!(h == first));
   }
-  /// Calls f(q) for the poly across each edge: one that lies across several edges comes several times, and p itself comes where it lies on
-  /// both sides of an edge. For loops in which that changes nothing: they need not pay for telling polys apart.
+  /// Calls f(q) for the poly behind each edge. A poly behind several edges is repeated, and p itself occurs if it is on both sides of an
+  /// edge. For loops in which repetitions do no harm: they avoid the cost of finding them.
   template<class F>
   constexpr void for_each_with_repeats(F&& f) const {
     const M& m = *m_;
@@ -263,7 +263,7 @@ class halfedge_neighbours {
   iterator end() const { return {}; }
 };
 
-/// None, one or two elements, held in the range itself.
+/// Zero, one or two elements, stored in the range itself.
 template<class T>
 class up_to_two {
   T x_[2] = {T(), T()};

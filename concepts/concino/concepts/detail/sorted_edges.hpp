@@ -1,14 +1,14 @@
-// Brings the edges of a polygon, or of a tet, into the order that the laws ask for, where a model lists them otherwise and says so.
+// Sorts the edges of a polygon, or of a tet, into the order of the laws, for models that declare edges_in_order = false.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
 
 namespace concino::detail {
 
-/// Said by a model whose lists come in an order of their own: static constexpr bool edges_in_order = false;
+/// True for models that declare that their lists have another order: static constexpr bool edges_in_order = false;
 template<class M> concept lists_edges_unordered = requires { requires !traits<M>::edges_in_order; };
 
-/// What is asked about polygons that are polys, and about those that are faces.
+/// The adjacencies used for polygons that are polys, and for those that are faces.
 template<class M>
 struct edges_of_polys {
   using type = poly_t<M>;
@@ -24,7 +24,7 @@ struct edges_of_faces {
   static decltype(auto) owners(const M& m, const edge_t<M>& e) { return traits<M>::adj_e2f(m, e); }
 };
 
-/// The edges of x, found by their ends.
+/// Finds an edge of x by its ends.
 template<class M, class Of>
 class edge_finder {
   using vert = vert_t<M>;
@@ -39,7 +39,7 @@ class edge_finder {
   bool joins(const edge& e, const vert& a, const vert& b) const {
     const auto& ends = traits<M>::adj_e2v(*m_, e);
     auto it = ends.begin();
-    if (!(it != ends.end())) return false;  // laws may be broken: no bound is
+    if (!(it != ends.end())) return false;  // the edge may violate the law that it has two verts
     const vert c = *it;
     ++it;
     if (!(it != ends.end())) return false;
@@ -53,11 +53,11 @@ class edge_finder {
   }
 
  public:
-  static constexpr std::size_t max_compared = 8;  // of more edges each is looked for at its ends
+  static constexpr std::size_t max_compared = 8;  // with more edges, each is searched at its ends
 
   edge_finder(const M& m, const owner& x) : m_(&m), x_(x), listed_(Of::edges(m, x)) {}
 
-  /// The edge of x between a and b; where there is none, which breaks a law, some edge of x.
+  /// The edge of x between a and b; if there is none, which violates a law, some edge of x.
   edge among_all(const vert& a, const vert& b) const {
     edge some{};
     for (const edge e : listed_) {
@@ -66,7 +66,7 @@ class edge_finder {
     }
     return some;
   }
-  /// The same by a walk in step over the edges at a and those at b: as long as the shorter of the two.
+  /// The same by a simultaneous walk over the edges at a and those at b; it ends with the shorter of the two.
   edge at_ends(const vert& a, const vert& b) const {
     const auto& from_a = traits<M>::adj_v2e(*m_, a);
     const auto& from_b = traits<M>::adj_v2e(*m_, b);
@@ -82,7 +82,7 @@ class edge_finder {
   }
 };
 
-/// Edge k joins the verts k and k + 1, the last one the last vert and the first.
+/// The sorted edges of a polygon: edge k joins the verts k and k + 1; the last edge joins the last vert and the first.
 template<class M, class Of>
 class edges_along_ring {
   using vert = vert_t<M>;
@@ -131,7 +131,7 @@ class edges_along_ring {
   sentinel end() const { return {}; }
 };
 
-/// The edges of a tet: 01 02 03 12 13 23.
+/// The sorted edges of a tet: 01 02 03 12 13 23.
 template<class M>
 class edges_of_tet {
   using vert = vert_t<M>;
@@ -170,8 +170,8 @@ class edges_of_tet {
 template<class M, int = dimension_v<M>> struct sorted_edges_of_poly { using type = edges_along_ring<M, edges_of_polys<M>>; };
 template<class M> struct sorted_edges_of_poly<M, 3> { using type = edges_of_tet<M>; };
 
-/// What the verbs ask. Of polys the order means something on surfaces and for tets, of faces always. What is no list of edges is left as it is, so
-/// that explain_...() can say what is wrong with it.
+/// Whether the verbs sort. The order is defined for the polys of surfaces and for tets, and for all faces. If the member does not return a range of
+/// edges, the verbs do not sort, so that explain_...() can say what is wrong with it.
 template<class M>
 struct order_of_edges {
   static constexpr bool sorts_those_of_polys = lists_edges_unordered<M> && (dimension_v<M> == 2 || (dimension_v<M> == 3 && arity_v<M> == 4)) &&
@@ -186,7 +186,7 @@ struct order_of_edges {
 
 namespace concino::requirement {
 
-// What the verbs find edges by: their ends, of a polygon with many edges, which a tet is not, also the edges at its verts.
+// What sorting uses: the ends of edges; for polygons with many edges, so not for tets, also the edges at verts.
 template<class M>
 concept has_edges_by_ends = requires(const M& m, edge_t<M> e) { { traits<M>::adj_e2v(m, e) } -> ElementRange<vert_t<M>>; };
 template<class M>
@@ -194,7 +194,7 @@ concept has_polys_edges_by_ends = has_edges_by_ends<M> && requires(const M& m, p
 template<class M>
 concept has_edges_at_verts = requires(const M& m, vert_t<M> v) { { traits<M>::adj_v2e(m, v) } -> ElementRange<edge_t<M>>; };
 
-/// The edges of polys, of faces, are listed in order, or sorting them, which edges_in_order = false asks for, has what it needs.
+/// The edges of polys (of faces) need no sorting, or the traits have all that sorting needs.
 template<class M>
 concept can_sort_edges_of_polys = !concino::detail::order_of_edges<M>::sorts_those_of_polys || (dimension_v<M> == 3 && has_polys_edges_by_ends<M>) ||
     (has_polys_edges_by_ends<M> && has_edges_at_verts<M> &&

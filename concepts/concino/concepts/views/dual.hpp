@@ -1,4 +1,4 @@
-// dual(m): the polys of a mesh as a graph and nothing else, for algorithms that must be told which graph is meant.
+// dual(m): the dual graph of a mesh and nothing else, to select the graph for algorithms that run on either one.
 #pragma once
 
 #include <concino/concepts/views/forward.hpp>
@@ -21,7 +21,7 @@ struct mesh_traits<views::dual_view<M>> : detail::forward_polys<views::dual_view
 };
 
 /// Needs:  DualGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
-/// Result: models DualGraph, but no PrimalGraph: its nodes are the polys of m, joined where they share an edge (surface) or a face
+/// Result: models DualGraph, but no PrimalGraph: its nodes are the polys of m, joined if they share an edge (surface) or a face
 ///         (volume).
 /// Cost:   none.
 /// Errors: none.

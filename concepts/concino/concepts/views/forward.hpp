@@ -1,11 +1,11 @@
-// What views are made of: a mesh that is shown, and mesh_traits that pass questions on to it.
+// Base classes for views: one refers to a base mesh, the others are mesh_traits that forward to it.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
 
 namespace concino::views {
 
-/// The mesh a view shows: by address where it owns its elements, as a copy where it is a view itself.
+/// The base mesh of a view: stored by address if it owns its elements, as a copy if it is a view itself.
 template<class M, bool = is_view_v<M>>
 class view_base {
   const M* m_;
@@ -28,7 +28,7 @@ class view_base<V, true> {
 
 namespace concino::detail {
 
-/// Verts and adj_v2v of what view V shows.
+/// Forwards verts and adj_v2v to the base mesh of view V.
 template<class V, class M>
 struct forward_verts {
   using vert = vert_t<M>;
@@ -40,7 +40,7 @@ struct forward_verts {
   static decltype(auto) adj_v2v(const V& m, const vert& x) { return traits<M>::adj_v2v(m.base(), x); }
 };
 
-/// Polys and adj_p2p.
+/// Forwards polys and adj_p2p.
 template<class V, class M>
 struct forward_polys {
   using poly = poly_t<M>;
@@ -52,7 +52,7 @@ struct forward_polys {
   static decltype(auto) adj_p2p(const V& m, const poly& x) { return traits<M>::adj_p2p(m.base(), x); }
 };
 
-/// Both graphs, edges, and what surfaces and volumes have alike.
+/// Forwards both graphs, edges, and the adjacencies common to surfaces and volumes.
 template<class V, class M>
 struct forward_edges : forward_verts<V, M>, forward_polys<V, M> {
   using vert = vert_t<M>;
@@ -76,7 +76,7 @@ struct forward_edges : forward_verts<V, M>, forward_polys<V, M> {
   static decltype(auto) adj_p2e(const V& m, const poly& x) { return concino::adj_p2e(m.base(), x); }
 };
 
-/// What volumes have besides.
+/// Forwards what volumes have in addition.
 template<class V, class M>
 struct forward_faces : forward_edges<V, M> {
   using vert = vert_t<M>;
@@ -99,20 +99,20 @@ struct forward_faces : forward_edges<V, M> {
   static bool face_is_outward(const V& m, const poly& p, const face& f) { return concino::face_is_outward(m.base(), p, f); }
 };
 
-/// The most of these that M models.
+/// The largest of these sets that M models.
 template<class V, class M, int = VolumeMesh<M> ? 3 : SurfaceMesh<M> ? 2 : PrimalGraph<M> ? 1 : 0> struct forward_all;
 template<class V, class M> struct forward_all<V, M, 1> : forward_verts<V, M> {};
 template<class V, class M> struct forward_all<V, M, 2> : forward_edges<V, M> {};
 template<class V, class M> struct forward_all<V, M, 3> : forward_faces<V, M> {};
 
-/// Points, where M has them.
+/// Forwards points, if M has them.
 template<class V, class M, bool = Embedded<M>> struct forward_points {};
 template<class V, class M>
 struct forward_points<V, M, true> {
   static decltype(auto) point(const V& m, const vert_t<M>& x) { return traits<M>::point(m.base(), x); }
 };
 
-/// The arity of polys, where it is fixed.
+/// The arity of polys, if it is fixed.
 template<int Arity> struct fixed_arity { static constexpr int arity = Arity; };
 template<> struct fixed_arity<0> {};
 

@@ -1,4 +1,4 @@
-// primal(m): the verts of a mesh as a graph and nothing else, for algorithms that must be told which graph is meant.
+// primal(m): the primal graph of a mesh and nothing else, to select the graph for algorithms that run on either one.
 #pragma once
 
 #include <concino/concepts/views/forward.hpp>
@@ -22,7 +22,7 @@ struct mesh_traits<views::primal_view<M>> : detail::forward_verts<views::primal_
 };
 
 /// Needs:  PrimalGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
-/// Result: models PrimalGraph, and Embedded where M does, but no DualGraph. Its descriptors are those of m.
+/// Result: models PrimalGraph, and Embedded if M does, but no DualGraph. Its descriptors are those of m.
 /// Cost:   none.
 /// Errors: none.
 template<PrimalGraph M> constexpr auto primal(const M& m) { return views::primal_view<M>(m); }

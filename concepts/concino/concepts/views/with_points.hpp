@@ -1,4 +1,4 @@
-// with_points(m, map): a mesh with the coordinates of a map instead of, or for want of, its own.
+// with_points(m, map): a mesh whose coordinates are the values of a map. It replaces or adds points.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -45,9 +45,9 @@ struct mesh_traits<views::with_points_view<M, P>> : detail::forward_all<views::w
 };
 
 /// Needs:  PrimalGraph M; points[v] is a point p with p[0], p[1], p[2] for each vert v. A mesh that owns its elements must outlive the
-///         view, so a temporary one is refused. A map with a name must outlive it too; a temporary map is kept in the view.
-/// Result: models what M models, and Embedded. Its descriptors are those of m, and where m has named properties it shows them.
-/// Cost:   none; copying the view copies a map that it keeps.
+///         view, so a temporary one is refused. A map that is an lvalue must outlive it too; a temporary map is stored in the view.
+/// Result: models what M models, and Embedded. Its descriptors are those of m, and it has the named properties of m, if there are any.
+/// Cost:   none; copying the view copies a map that is stored in it.
 /// Errors: none.
 template<PrimalGraph M, class P>
   requires requirement::gives_points<P, vert_t<M>>
