@@ -1,4 +1,4 @@
-// Is this mesh what it claims to be? Everything of the module validate.
+// Validation of meshes: defects and broken concept laws.
 #pragma once
 
 #include <concino/validate/check_laws.hpp>

@@ -1,4 +1,4 @@
-// What check_laws finds.
+// The findings of check_laws.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 
 namespace concino {
 
-/// One law of a concept, broken at one place. The laws are listed in the concept headers (<concino/concepts/primal_graph.hpp> ...).
+/// One violation of a law of a concept. The laws are listed in the concept headers (<concino/concepts/primal_graph.hpp> ...).
 struct broken_law {
   std::string law;      ///< "PG3"
-  std::string what;     ///< a sentence: what was found there
-  std::string witness;  ///< the elements, by letter and index_of: "v7 v9"
+  std::string what;     ///< a sentence: what was found
+  std::string witness;  ///< the elements concerned, by letter and index_of: "v7 v9"
 };
 
 namespace detail {
 
-/// Collects broken laws, at most a handful of each: the first witnesses explain a mistake, the millionth does not.
+/// Collects broken laws, at most a few of each: the first witnesses explain a mistake, further ones do not.
 class law_log {
   std::vector<broken_law> found_;
 

@@ -1,4 +1,4 @@
-// check_laws: does a mesh keep what its concepts promise beyond what the compiler sees? For the tests of anybody's mesh or adapter.
+// check_laws: checks the semantic requirements of concepts, which the compiler cannot check. For tests of meshes and adapters.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -32,7 +32,7 @@ void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) 
   }
 }
 
-/// A few hexes may look like anything; where all of them look like lexicographic order, their lists are in that order.
+/// Checks the corner order of hexes. A few hexes may have any shape, but if all of them look like lexicographic order, their lists are in that order.
 template<HexMesh M>
 void check_corner_order(const M& m, law_log& log) {
   hex_order_checks order_of;
@@ -46,32 +46,32 @@ void check_corner_order(const M& m, law_log& log) {
 
 }  // namespace detail
 
-/// Checks the laws of every concept that M models, and returns those that m breaks; empty if it keeps them all.
-/// Needs:  PrimalGraph or DualGraph M; AnyMesh and Embedded are checked where M models them.
-/// Result: at most four witnesses per law, in the order of the concepts. Inconsistent meshes (indices out of bounds, one-sided adjacency,
-///         endless walks, exceptions) are reported, never dereferenced: only elements produced by the element ranges are queried.
-///         Where the indices of a kind of elements (PG1, DG1, SM1, VM1) or the links of half-edges (HE1 .. HE4) are wrong, repair these
-///         first: what follows from them is not reported. The laws of facets FC1 .. FC4 follow from the laws of the mesh, and are not reported
-///         where one of those is broken.
-/// Cost:   O(elements + adjacencies) time and memory, adjacencies as the mesh lists them: n equal triangles have n^2 neighbours.
-/// Errors: std::bad_alloc passes. All else that the mesh throws is reported as a broken law.
+/// Checks the laws of every concept that M models, and returns those that m breaks; empty if it satisfies all.
+/// Needs:  PrimalGraph or DualGraph M; AnyMesh and Embedded are checked if M models them.
+/// Result: at most four witnesses per law, in the order of the concepts. Inconsistent meshes (indices out of bounds, asymmetric adjacency,
+///         endless ranges, exceptions) are reported, never dereferenced: only elements produced by the element ranges are queried.
+///         If the indices of a kind of elements (PG1, DG1, SM1, VM1) or the links of half-edges (HE1 .. HE4) are wrong, repair these
+///         first: their consequences are not reported. The laws of facets FC1 .. FC4 follow from the laws of the mesh, and are not reported
+///         if one of those is broken.
+/// Cost:   O(elements + adjacencies) time and memory, counting adjacencies as the mesh lists them: n equal triangles have n^2 neighbours.
+/// Errors: std::bad_alloc is passed on. Any other exception of the mesh is reported as a broken law.
 template<class M>
   requires PrimalGraph<M> || DualGraph<M>
 std::vector<broken_law> check_laws(const M& m) {
   detail::law_log log;
   if constexpr (detail::halfedge_mesh<M>) {
-    detail::law_log elements;  // checked again below, with what depends on them
+    detail::law_log elements;  // checked again below, together with its dependants
     detail::halfedge_laws<M> laws(m, log);
     if (laws.read_elements_of_mesh(elements) && !laws.check()) return log.take();
   }
   if constexpr (AnyMesh<M>) {
     const auto primal = detail::check_primal_graph(m, log);
     const auto dual = detail::check_dual_graph(m, log);
-    if constexpr (SurfaceMesh<M>) detail::check_surface_mesh(m, primal, dual, log);  // each concept has its laws
+    if constexpr (SurfaceMesh<M>) detail::check_surface_mesh(m, primal, dual, log);  // each concept has its own laws
     else detail::check_volume_mesh(m, primal, dual, log);
     if (log.empty()) detail::facet_laws<M>(m, primal, dual, log).check();
     if constexpr (Embedded<M>) detail::check_points(m, primal.nodes, log);
-    if constexpr (Embedded<M> && HexMesh<M>)  // only hexes come in orders that one can mistake
+    if constexpr (Embedded<M> && HexMesh<M>)  // only hexes have commonly confused orders
       if (log.empty()) detail::check_corner_order(m, log);
   } else {
     if constexpr (PrimalGraph<M>) {

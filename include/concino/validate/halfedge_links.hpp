@@ -1,4 +1,4 @@
-// assert_halfedge_links: can the half-edges of a mesh hold what it is made of, and are they linked as halfedge_kernel needs? The laws HE1 ..
+// assert_halfedge_links: checks that the half-edges of a surface are linked as halfedge_kernel requires. The laws HE1 ..
 // HE4 of <concino/concepts/halfedge_kernel.hpp>.
 #pragma once
 
@@ -7,12 +7,12 @@
 
 namespace concino {
 
-/// Throws unless the half-edges of m are linked as halfedge_kernel needs, and m is a surface that half-edges can hold.
+/// Throws unless the half-edges of m are linked as halfedge_kernel requires, and half-edges can represent the surface m.
 /// Needs:  SurfaceMesh M whose mesh_traits come from halfedge_kernel.
-/// Result: none. Of m nothing but its half-edges is looked at; check_laws(m) includes this and looks at all the rest.
+/// Result: none. It only examines the half-edges of m; check_laws(m) includes this and checks everything else.
 /// Cost:   O(half-edges) time and memory.
-/// Errors: invalid_mesh that names the cause: a vert with several fans of polys, an edge of more than two, polys whose orientations disagree,
-///         border half-edges that do not exist, or the link that is wrong.
+/// Errors: invalid_mesh, naming the cause: a vert with several fans of polys, an edge of more than two polys, polys of opposite orientation,
+///         missing border half-edges, or the wrong link.
 template<class M>
   requires detail::halfedge_mesh<M>
 void assert_halfedge_links(const M& m) {

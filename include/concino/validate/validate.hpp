@@ -1,4 +1,4 @@
-// validate: what is wrong with a mesh, said in typed records and in sentences. Never an exception for a bad mesh.
+// validate: finds the defects of a mesh, as typed records and as sentences. A bad mesh never causes an exception.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -33,15 +33,15 @@ void check_duplicates(const M& m, const R& all, std::size_t count, const Ring& r
 }  // namespace detail
 
 /// The defects of m and facts about it as a whole: `for (auto& defect : validate(m)) ... defect.kind, defect.element, defect.what`.
-/// Needs:  AnyMesh M that keeps the laws of its concept (else see check_laws); where M is Embedded, shapes are checked too.
-/// Result: a validation_report. Each defect is told once, at the place that explains it: what follows from a face of three polys, from
-///         an open poly or from a vert that is no point is not told again. Sizes are zero where they are as far as the coordinates say:
-///         edges when their ends are equal, areas and volumes when moving the coordinates by their rounding errors could make them
-///         0; larger tolerances are options. Polygons of more than three verts are looked at along their vector area.
-///         Nothing depends on the scale of the mesh, up to the largest and smallest numbers there are.
-/// Cost:   O(elements + adjacencies) time and memory, where the verbs of m cost no more than they give; polygons of n verts O(n log n), to
-///         see if they touch themselves.
-/// Errors: invalid_argument if a tolerance is negative or not a number; cancelled. None for whatever is wrong with the mesh.
+/// Needs:  AnyMesh M that satisfies the laws of its concept (otherwise see check_laws); if M is Embedded, shapes are checked too.
+/// Result: a validation_report. Each defect is reported once, at its cause: consequences of a face of three polys, of
+///         an open poly or of a non-finite point are not reported again. A size is zero if it is zero as far as the coordinates tell:
+///         the ends of the edge are equal, or moving the coordinates by their rounding errors could make the area or volume
+///         0. Larger tolerances are options. Polygons of more than three verts are projected along their vector area.
+///         The result does not depend on the scale of the mesh, within the range of floating-point numbers.
+/// Cost:   O(elements + adjacencies) time and memory, if the verbs of m cost no more than the size of their results; polygons of n verts O(n log n), to
+///         check if they touch themselves.
+/// Errors: invalid_argument if a tolerance is negative or not a number; cancelled. No defect of the mesh is an error.
 /// Source: Tarjan 1975 for fans, components and windings; the definitions of manifolds are those of Hoffmann 1989, "Geometric and Solid Modeling".
 template<AnyMesh M>
 validation_report<M> validate(const M& m, const validate_options& options = {}) {
@@ -49,7 +49,7 @@ validation_report<M> validate(const M& m, const validate_options& options = {}) 
   validation_report<M> report;
   detail::defect_log<M> log(m, report, options);
   std::vector<std::uint8_t> sound(VolumeMesh<M> ? poly_index_bound(m) : 0);
-  // Surfaces and volumes have different defects.
+  // surfaces and volumes have different defects
   if constexpr (SurfaceMesh<M>) report.facts = detail::check_surface<M>(m, detail::surface_scope<M, M>{}, log);
   else report.facts = detail::check_volume(m, sound, log);
   log.stage(0.7, 1);

@@ -1,4 +1,4 @@
-// Where checks put what they find: names of elements, the limit of records, and progress.
+// The log of defects: names of elements, the limit of records, and progress.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -10,14 +10,14 @@
 
 namespace concino {
 
-/// What validate looks for.
+/// The options of validate.
 struct validate_options {
-  defect_kinds kinds = {};           // the kinds to look for; all. The facts are found in any case.
-  std::size_t max_per_kind = 100;   // records kept of each kind, 0 or more; further defects are counted
-  double length_tolerance = 0;       // >= 0, times the diagonal of the box of the mesh: edges up to this length have none
-  double size_tolerance = 0;         // >= 0, times the diagonal of an element's box, squared (areas) or cubed (volumes): sizes up to this are none
-  double planarity_tolerance = 0.05; // >= 0, times the diagonal of a polygon's box: how far off its plane verts may lie
-  concino::progress progress = {};   // told "validate"
+  defect_kinds kinds = {};           // the kinds to look for; default: all. The facts are always computed.
+  std::size_t max_per_kind = 100;   // maximum number of records of each kind, 0 or more; further defects are only counted
+  double length_tolerance = 0;       // >= 0, times the diagonal of the bounding box of the mesh: edges up to this length count as zero
+  double size_tolerance = 0;         // >= 0, times the diagonal of an element's box, squared (areas) or cubed (volumes): sizes up to this count as zero
+  double planarity_tolerance = 0.05; // >= 0, times the diagonal of a polygon's box: allowed distance of verts from its plane
+  concino::progress progress = {};   // called with "validate"
 };
 
 namespace detail {
@@ -37,10 +37,10 @@ class defect_log {
   bool wants_any(std::initializer_list<defect_kind> kinds) const { return options_->kinds.holds_any(kinds); }
   const validate_options& options() const { return *options_; }
 
-  /// A record to fill in with others and what; null where the kind is not wanted or enough are known.
+  /// Adds a record, whose `others` and `what` the caller fills in; null if the kind is not wanted or its limit is reached.
   defect<M>* add(defect_kind kind, const mesh_element<M>& x) { return wants(kind) ? report_->add(kind, x, options_->max_per_kind) : nullptr; }
 
-  /// "vert 7"
+  /// A name such as "vert 7".
   template<class X>
   std::string name(const X& x) const {
     const char* kind = "face ";
@@ -49,14 +49,14 @@ class defect_log {
     else if constexpr (std::same_as<X, poly_t<M>>) kind = "poly ";
     return core::joined({kind, index_of(*m_, x)});
   }
-  /// "edge 7 from vert 1 to vert 2"
+  /// A name such as "edge 7 from vert 1 to vert 2".
   std::string edge_name(const edge_t<M>& e) const {
     std::string text = name(e);
     const char* join = " from ";
     for (const vert_t<M> v : adj_e2v(*m_, e)) text += core::joined({std::exchange(join, " to "), name(v)});
     return text;
   }
-  /// Adds some of the elements of a range to the others of a record.   Result: "poly 3, poly 4 and poly 5", "poly 3, ... and 9 more"
+  /// Adds some elements of a range to `others` of a record.   Result: "poly 3, poly 4 and poly 5", "poly 3, ... and 9 more"
   template<class R>
   std::string list(defect<M>& d, const R& range) const {
     constexpr std::size_t most = 6;
@@ -73,7 +73,7 @@ class defect_log {
     return text;
   }
 
-  /// The next `work` calls of step() take the progress up to `to`.
+  /// The next `work` calls of step() advance the progress to `to`.
   void stage(double to, std::size_t work) {
     from_ = to_;
     to_ = to;

@@ -1,4 +1,4 @@
-// Elements on the same verts, in any order and sense.
+// Finds elements with the same verts, in any order and direction.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace concino::detail {
 
-/// Calls found(x, y) for each x of the range `all` whose verts, ring(x), are as a set those of an earlier one, y.
-/// Cost: expected linear in the verts of all rings: sets are compared only where 64 bits of a hash agree.
+/// Calls found(x, y) for each x of the range `all` whose verts, ring(x), form the same set as those of an earlier element y.
+/// Cost: expected linear in the verts of all rings: sets are compared only if 64-bit hashes agree.
 template<class X, class M, class R, class Ring, class Found>
 void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, const Found& found) {
   const auto mixed = [](std::uint64_t x) {  // the finaliser of splitmix64
@@ -27,7 +27,7 @@ void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ri
   std::size_t size = 16;
   while (size < 2 * count) size *= 2;
   std::vector<entry> table(size);
-  std::vector<std::uint64_t> met(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 where it is in the sets of comparison c
+  std::vector<std::uint64_t> met(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 mark the verts of the sets of comparison c
   std::uint64_t comparison = 0;
   const auto same_verts = [&](const X& x, const X& y) {
     const std::uint64_t in_x = 2 * ++comparison, in_both = in_x + 1;

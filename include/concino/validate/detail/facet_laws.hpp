@@ -1,5 +1,5 @@
-// The laws of facets (FC1 .. FC4). They follow from those of the mesh, so that they are checked where these hold. What breaks them then is an answer
-// that depends on what else is asked meanwhile: here ranges are walked within one another, as algorithms do.
+// The laws of facets (FC1 .. FC4). They follow from the laws of the mesh and are checked only if those hold. They then fail if a result depends
+// on other queries in between. So ranges are iterated within one another here, as algorithms do.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -24,7 +24,7 @@ class facet_laws {
   element_table<facet> xs_;
   adjacency_lists x2p_, p2x_, x2v_;
 
-  /// What the mesh throws within check(a) breaks `law`.
+  /// Calls check(a) for all elements; an exception of the mesh breaks `law`.
   template<class A, class Check>
   void for_each(const element_table<A>& as, const char* law, const char* verb, const Check& check) {
     for (position a = 0; a < as.size() && !log_.full(law); ++a) {
@@ -52,7 +52,7 @@ class facet_laws {
     }
   }
 
-  /// FC3: what other_polys shows of x is what adj_facet2p lists, but for p. `across[q] == p` of what it shows.
+  /// FC3: other_polys of x are the polys of adj_facet2p without p. Sets `across[q]` to p for each such q.
   void check_other_polys(position p, position x, std::vector<position>& across) {
     const auto listed = x2p_[x];
     const auto call = [&] { return core::joined({"other_polys(", ps_.name(p), ", ", xs_.name(x), ")"}); };
@@ -72,7 +72,7 @@ class facet_laws {
       log_.add("FC3", core::joined({call(), " is not adj_facet2p(", xs_.name(x), ") without ", ps_.name(p)}), core::joined({ps_.name(p), " ", xs_.name(x)}));
   }
 
-  /// FC3: over all facets of p these are adj_p2p(p).
+  /// FC3: other_polys over all facets of p are adj_p2p(p).
   void check_adjacent_polys() {
     std::vector<position> across(ps_.size(), no_position);
     for_each(ps_, "FC3", "other_polys", [&](position p) {
@@ -119,7 +119,7 @@ class facet_laws {
         xs_(read_elements<facet>(m, dimension_v<M> == 2 ? 'e' : 'f', facets, num_facets, facet_index_bound, "FC1", "FC1", log)) {}
 
   void check() {
-    if (!log_.empty()) return;  // what follows would say the same again
+    if (!log_.empty()) return;  // further checks would report the same faults again
     x2p_ = read_adjacency(m_, xs_, ps_, adj_facet2p, "FC2", "adj_facet2p", log_);
     p2x_ = read_adjacency(m_, ps_, xs_, adj_p2facet, "FC2", "adj_p2facet", log_);
     x2v_ = read_adjacency(m_, xs_, vs_, adj_facet2v, "FC2", "adj_facet2v", log_);
@@ -133,7 +133,7 @@ class facet_laws {
     check_boundary(ps_, p2x_);
     check_boundary(vs_, transposed(x2v_, vs_.size()));
     if constexpr (VolumeMesh<M>) {  // the edges of a surface are its facets
-      law_log again;  // faults of the edges themselves have been found before
+      law_log again;  // faults of the edges themselves have been reported already
       const auto es = read_elements<edge_t<M>>(m_, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", again);
       const adjacency_lists x2e = read_adjacency(m_, xs_, es, adj_f2e, "VM2", "adj_f2e", again);
       if (again.empty()) check_boundary(es, transposed(x2e, es.size()));

@@ -1,4 +1,4 @@
-// What can be wrong with the shape of elements: points, lengths, areas, volumes, planarity, polygons that meet themselves.
+// Checks of the shape of elements: points, lengths, areas, volumes, planarity, self-intersecting polygons.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -10,7 +10,7 @@
 
 namespace concino::detail {
 
-/// The checks of one polygon after the other: polys of a surface, faces of a volume.
+/// Checks one polygon after another: polys of a surface, faces of a volume.
 template<class M>
 class polygon_checks {
   local_points local_;
@@ -25,8 +25,8 @@ class polygon_checks {
     for (const vert_t<M> v : ring) points.push_back(to_vec3(point(m, v)));
     const std::size_t n = points.size();
     for (const vec3& p : points)
-      if (!is_finite(p)) return;  // told of the vert
-    if (n < 3) return;            // told as degenerate
+      if (!is_finite(p)) return;  // reported at the vert
+    if (n < 3) return;            // reported as degenerate
     const auto add_zero = [&](const char* why) {
       if (defect<M>* d = log.add(defect_kind::zero_size, x)) d->what = core::joined({log.name(x), " has no area: ", why});
     };
@@ -67,7 +67,7 @@ class polygon_checks {
   static std::string below_tolerance() { return "it is below the tolerance"; }
   static double rounded(double x) { return std::round(x * 100) / 100; }
 
-  /// A normal of the points where their area vector says nothing; zero if they lie on one line.
+  /// A normal of the points for the case that their area vector is zero; zero if they lie on one line.
   vec3 widest_normal() const {
     const std::vector<vec3>& points = local_.points;
     vec3 farthest, best;
@@ -78,8 +78,8 @@ class polygon_checks {
     return local_.is_zero_area(best, 3) ? vec3() : best / norm(best);
   }
 
-  /// Looking along the normal. A planar polygon keeps its exact coordinates: leaving out the one in which the normal is largest neither
-  /// makes nor mends a touch.
+  /// Projects along the normal. A planar polygon keeps its exact coordinates: the one in which the normal is largest is dropped, which neither
+  /// creates nor removes a contact.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> find_self_intersection(const vec3& normal, bool bent) {
     const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
     flat_.clear();
@@ -140,11 +140,11 @@ void check_cell_size(const M& m, const poly_t<M>& p, local_points& local, std::v
   }
 }
 
-/// By index, the hexes whose corners look like a lexicographic order. Those that are only mirrored are told as inverted cells.
+/// By index, the hexes whose corners look like a lexicographic order. Hexes that are only mirrored are reported as inverted cells.
 template<VolumeMesh M>
 std::vector<std::uint8_t> check_hex_orders(const M& m, defect_log<M>& log) {
   std::vector<std::uint8_t> other(arity_v<M> == 8 ? poly_index_bound(m) : 0);
-  if constexpr (arity_v<M> == 8) {  // only hexes come in orders that one can mistake
+  if constexpr (arity_v<M> == 8) {  // only hexes have commonly confused orders
     hex_order_checks order_of;
     for (const poly_t<M> p : polys(m)) {
       const hex_order order = order_of(m, p);
@@ -157,7 +157,7 @@ std::vector<std::uint8_t> check_hex_orders(const M& m, defect_log<M>& log) {
   return other;
 }
 
-/// `sound` by index: the polys of a volume that are closed and wound consistently; others enclose nothing.
+/// `sound`, by index: the polys of a volume that are closed and wound consistently; others enclose no volume.
 template<AnyMesh M>
 void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>& sound, defect_log<M>& log) {
   log.stage(1, num_verts(m) + num_edges(m) + num_polys(m));
@@ -170,7 +170,7 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
       d->what = core::joined({log.name(v), " is at (", core::number_text(x.x), ", ", core::number_text(x.y), ", ", core::number_text(x.z), "), which is no point"});
   }
   if (log.wants(defect_kind::zero_size)) {
-    const double shortest = all.is_empty() ? 0 : log.options().length_tolerance * distance(0.25 * all.min, 0.25 * all.max);  // a quarter does not overflow
+    const double shortest = all.is_empty() ? 0 : log.options().length_tolerance * distance(0.25 * all.min, 0.25 * all.max);  // a quarter cannot overflow
     for (const edge_t<M> e : edges(m)) {
       log.step();
       vec3 end[2];
@@ -184,13 +184,13 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
   }
   if (!log.wants_any({defect_kind::zero_size, defect_kind::inverted_cell, defect_kind::self_touching, defect_kind::non_planar, defect_kind::corner_order})) return;
   polygon_checks<M> check_polygon;
-  if constexpr (SurfaceMesh<M>) {  // polys are polygons themselves, or have them as faces
+  if constexpr (SurfaceMesh<M>) {  // polys of a surface are polygons; those of a volume have polygons as faces
     for (const poly_t<M> p : polys(m)) {
       log.step();
       check_polygon(m, p, adj_p2v(m, p), log);
     }
   } else {
-    // Of a hex in another order no face and no volume means anything.
+    // In a hex of another order, faces and volume are meaningless.
     const std::vector<std::uint8_t> misread = check_hex_orders(m, log);
     const auto is_misread = [&](const poly_t<M>& p) { return !misread.empty() && misread[index_of(m, p)]; };
     for (const face_t<M> f : faces(m)) {

@@ -6,7 +6,7 @@
 
 namespace concino::detail {
 
-/// A graph as it was read, for the laws that build on it.
+/// The tables of a graph, for laws that build on it.
 template<class D>
 struct graph_tables {
   element_table<D> nodes;
@@ -24,7 +24,7 @@ void check_graph(const graph_tables<D>& g, const char* symmetry, const char* loo
                 core::joined({n.name(a), " ", n.name(b)}));
         return !log.full(symmetry);
       },
-      [](position, position) { return true; });  // the same pair from the other side
+      [](position, position) { return true; });  // symmetric pair
   for (position a = 0; a < g.next.size() && !log.full(loops); ++a)
     for (const position b : g.next[a])
       if (a == b) log.add(loops, core::joined({verb, "(", g.nodes.name(a), ") holds ", g.nodes.name(a), " itself"}), g.nodes.name(a));

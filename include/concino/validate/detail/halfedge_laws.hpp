@@ -1,4 +1,4 @@
-// The laws HE1 .. HE4 of <concino/concepts/halfedge_kernel.hpp>: how half-edges are linked, and what they can hold.
+// The laws HE1 .. HE4 of <concino/concepts/halfedge_kernel.hpp>: the links of half-edges, and which surfaces they can represent.
 #pragma once
 
 #include <concino/concepts/halfedge_kernel.hpp>
@@ -12,8 +12,8 @@ namespace concino::detail {
 /// Surfaces whose mesh_traits come from halfedge_kernel.
 template<class M> concept halfedge_mesh = SurfaceMesh<M> && requires { typename traits<M>::halfedge_links; };
 
-/// Order of checking: a half-edge is asked about only after what gave it was found to be sound, since links of a mesh that half-edges cannot
-/// hold lead to half-edges that do not exist.
+/// Checks the laws HE1 .. HE4 in order. A half-edge is queried only if its source was found to be sound, because wrong links may lead to half-edges that
+/// do not exist.
 template<halfedge_mesh M>
 class halfedge_laws {
   using K = typename traits<M>::halfedge_links;
@@ -29,7 +29,7 @@ class halfedge_laws {
   element_table<edge_t<M>> es_;
   element_table<poly_t<M>> ps_;
   std::vector<step> steps_;
-  std::vector<halfedge> halves_;  // 2 e and 2 e + 1: those of the edge at position e
+  std::vector<halfedge> halves_;  // 2 e and 2 e + 1: the half-edges of the edge at position e
 
   static constexpr const char* remedy = ": half-edges cannot hold that, use indexed_surface";
   static std::string number(const char* kind, std::size_t i) { return core::joined({kind, " ", i}); }
@@ -42,7 +42,7 @@ class halfedge_laws {
  public:
   halfedge_laws(const M& m, law_log& log) : m_(m), log_(log) {}
 
-  /// Reads the elements, for which other laws stand.
+  /// Reads the elements. Other laws check them.
   bool read_elements_of_mesh(law_log& log) {
     vs_ = read_elements<vert_t<M>>(m_, 'v', verts, num_verts, vert_index_bound, "PG1", "PG2", log);
     es_ = read_elements<edge_t<M>>(m_, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", log);
@@ -50,7 +50,7 @@ class halfedge_laws {
     return log.empty();
   }
 
-  /// True where all laws hold. To be called where the elements could be read.
+  /// Whether all laws hold. Call it only if the elements could be read.
   bool check() {
     try {
       return walk_polys() && check_polys_of_edges() && check_borders_exist() && check_pairs() && walk_around_verts();
@@ -74,7 +74,7 @@ class halfedge_laws {
       const halfedge start = K::halfedge_of(m_, ps_.items[p]);
       const std::size_t first = steps_.size();
       halfedge h = start, mark = start;
-      std::size_t limit = 1;  // a walk that goes round without its start meets the mark again, which moves on at 1, 3, 7, 15 ... steps
+      std::size_t limit = 1;  // a cycle without its start meets the mark again, which moves on at 1, 3, 7, 15 ... steps
       do {
         const std::size_t k = steps_.size() - first;
         if (K::is_border(m_, h)) {
@@ -104,7 +104,7 @@ class halfedge_laws {
     return sound("HE1");
   }
 
-  /// steps_ with those between the same two verts beside one another: by the larger vert, then stably by the smaller.
+  /// Sorts steps_ so that steps between the same two verts are adjacent: by the larger vert, then stably by the smaller.
   void sort_steps() {
     std::vector<step> sorted(steps_.size());
     std::vector<std::size_t> place(vs_.size() + std::size_t{1});
@@ -142,9 +142,9 @@ class halfedge_laws {
     return sound("HE2");
   }
 
-  /// Libraries without border half-edges answer `opposite` there with one value for all, or with the half-edge itself.
+  /// Libraries without border half-edges return one value for all of them from `opposite`, or the half-edge itself.
   bool check_borders_exist() {
-    const step* first = nullptr;  // of those at the border
+    const step* first = nullptr;  // the first step at the border
     for (std::size_t i = 0, n = 0; i < steps_.size(); i += n) {
       n = i + 1 < steps_.size() && same_verts(steps_[i], steps_[i + 1]) ? 2 : 1;
       if (n == 2) continue;
@@ -207,8 +207,8 @@ class halfedge_laws {
     return halves_[i] == h ? i : halves_[i + 1] == h ? i + 1 : none;
   }
 
-  /// Marks and counts the half-edges that are met by stepping around v from start, and those of them at the border.
-  /// Result: why that fails, or null.
+  /// Marks and counts the half-edges around v, beginning with start, and counts those at the border.
+  /// Result: null, or a text why it failed.
   struct counts { std::size_t all = 0, at_border = 0; };
   const char* walk_around(position v, const halfedge& start, std::vector<std::uint8_t>& met, counts& count) const {
     halfedge h = start;
@@ -237,7 +237,7 @@ class halfedge_laws {
     if (!sound("HE3")) return false;
 
     std::vector<std::uint8_t> met(halves_.size());
-    std::vector<position> torn;  // verts some of whose half-edges were not met
+    std::vector<position> torn;  // verts with half-edges that were not visited
     for (position v = 0; v < vs_.size() && !log_.full("HE4"); ++v) {
       if (K::is_isolated(m_, vs_.items[v])) {
         if (leaving[v]) fault("HE4", {vert_name(v), ": is_isolated is true, but half-edges leave it"}, vs_.name(v));
@@ -251,7 +251,7 @@ class halfedge_laws {
     }
     if (!sound("HE4")) return false;
     if (torn.empty()) return true;
-    // An open fan has one border half-edge that leaves its vert; a closed one is met as a round without any.
+    // An open fan has one border half-edge that leaves its vert; a closed fan is a cycle without any.
     std::vector<std::size_t> fans(vs_.items.size());
     std::fill(met.begin(), met.end(), 0);
     for (std::size_t i = 0; i < halves_.size(); ++i) {

@@ -1,4 +1,4 @@
-// In which order the corners of a hex seem to be listed, told from its points.
+// Recognises in which order the corners of a hex are listed, from its points.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -7,8 +7,8 @@
 
 namespace concino::detail {
 
-/// Whether the corners of hexes are listed in another order than the standard one: all angles turn the right way when the list is read so,
-/// and some do not as it is.
+/// Whether the corners of hexes are listed in another order than the standard one: in the other order all corner angles have the right orientation,
+/// in the standard order some do not.
 class hex_order_checks {
   local_points local_;
 
@@ -21,7 +21,7 @@ class hex_order_checks {
   }
 
  public:
-  /// The order that p looks like; standard where it is that, or none fits.
+  /// The order in which p seems to be listed; standard if it fits, or if no order fits.
   template<class M>
   hex_order operator()(const M& m, const poly_t<M>& p) {
     local_.points.clear();
@@ -35,7 +35,7 @@ class hex_order_checks {
 
 inline bool is_lexicographic(hex_order order) { return order == hex_order::lexicographic || order == hex_order::mirrored_lexicographic; }
 
-/// What an order is called, and what reads it.
+/// The name of an order, and how to read it.
 inline const char* hex_order_remedy(hex_order order) {
   return order == hex_order::lexicographic ? "lexicographic order: read the lists with hex_order::lexicographic"
                                            : "mirrored lexicographic order: read the lists with hex_order::mirrored_lexicographic";

@@ -1,5 +1,5 @@
-// How the laws are checked: elements and adjacencies are read once into arrays over positions (the order of the walk), guarding against
-// everything a broken mesh may answer; the laws are then statements about those arrays.
+// Tables for law checks: elements and adjacencies are read once into arrays over positions (the order of iteration), guarding against
+// any wrong result of a broken mesh. The laws are then statements about these arrays.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -18,14 +18,14 @@ namespace concino::detail {
 using position = std::uint32_t;
 inline constexpr position no_position = ~position{0};
 
-/// The elements of one kind in the order of their walk. An element that breaks the laws of indices is left out.
+/// The elements of one kind in the order of iteration. Elements that break the laws of indices are left out.
 template<class D>
 struct element_table {
   char letter;
   std::vector<D> items;
   std::vector<std::size_t> index;  // by position
   std::vector<position> slot;      // by index
-  bool sound = true;               // nothing was left out
+  bool sound = true;               // no element was left out
 
   position size() const { return static_cast<position>(items.size()); }
   std::string name(position i) const { return core::joined({letter, index[i]}); }
@@ -40,7 +40,7 @@ struct element_table {
   }
 };
 
-/// Fills the table of one kind of elements, and logs what is at fault: the law `indices` where index_of is, `counting` where the walk is.
+/// Fills the table of one kind of elements, and logs faults: of index_of under the law `indices`, of the range under the law `counting`.
 template<class D, class M>
 class element_reader {
   const M& m_;
@@ -75,7 +75,7 @@ class element_reader {
       if (i >= t.slot.size()) t.slot.resize(std::max(i + 1, std::min(bound_, 2 * t.slot.size())), no_position);
       t.items.push_back(x);
       t.index.push_back(i);
-      t.slot[i] = t.size() - 1;  // last: a slot names an item that is there, even where copying x throws
+      t.slot[i] = t.size() - 1;  // last: a slot always names an existing item, even if copying x throws
       if constexpr (requires { traits<M>::contains(m_, x); })
         if (!traits<M>::contains(m_, x)) fault(counting_, core::joined({"contains denies a ", kind_, " that the walk meets"}), i);
     }
@@ -85,7 +85,7 @@ class element_reader {
   element_reader(const M& m, element_table<D>& table, std::size_t num, std::size_t bound, const char* indices, const char* counting, law_log& log)
       : m_(m), table_(table), num_(num), bound_(bound), indices_(indices), counting_(counting), log_(log) {}
 
-  /// A walk that does not end meets an index for the second time, or leaves the count far behind.
+  /// Iterates over a range. If it does not end, an index occurs a second time, or the count is far exceeded.
   template<class R>
   void walk(R&& range) {
     auto it = range.begin();
@@ -99,7 +99,7 @@ class element_reader {
     if (!ended) table_.sound = false;
   }
 
-  /// Ranges are multi-pass, and keep their order while the mesh does not change.
+  /// Checks that the range is multi-pass and keeps its order while the mesh does not change.
   template<class R>
   void walk_again(R&& range) {
     if (!table_.sound) return;
@@ -111,7 +111,7 @@ class element_reader {
   }
 };
 
-/// Reads all elements of a kind; breaks `indices` where index_of is at fault and `counting` where the walk is.
+/// Reads all elements of a kind; faults of index_of break the law `indices`, faults of the range the law `counting`.
 template<class D, class M, class Walk, class Num, class Bound>
 element_table<D> read_elements(const M& m, char letter, const Walk& walk, const Num& num_of, const Bound& bound_of, const char* indices,
                                const char* counting, law_log& log) {
@@ -142,7 +142,7 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
   return t;
 }
 
-/// For each a of a table its b's, all by position, in the order in which the mesh gave them.
+/// For each a of a table its adjacent b's, all by position, in the order of the mesh.
 struct adjacency_lists {
   std::vector<std::size_t> offsets{0};
   std::vector<position> items;
@@ -152,7 +152,7 @@ struct adjacency_lists {
   void close() { offsets.push_back(items.size()); }
 };
 
-/// Reads one adjacency. Every one holds elements of the mesh only, none twice, and gives the same each time: else `law` is broken.
+/// Reads one adjacency. Each ring must contain only elements of the mesh, none twice, and be the same each time; otherwise `law` is broken.
 template<class M, class A, class B, class Ring>
 adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const element_table<B>& to, const Ring& ring_of, const char* law,
                  const char* verb, law_log& log) {
@@ -163,7 +163,7 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
     const auto call = [&] { return core::joined({verb, "(", from.name(a), ")"}); };
     try {
       auto&& ring = ring_of(m, from.items[a]);
-      std::size_t faults = 0;  // an endless ring has many
+      std::size_t faults = 0;  // an endless ring has many faults
       for (auto it = ring.begin(); faults < 16 && it != ring.end(); ++it) {
         const B x = *it;
         const position b = to.find(m, x);
@@ -174,7 +174,7 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
         }
         if (faults++ > 0) continue;  // one witness per ring
         if (b != no_position) log.add(law, core::joined({call(), " holds ", to.name(b), " twice"}), core::joined({from.name(a), " ", to.name(b)}));
-        else if (to.sound)  // else it may be one that was left out of the table and has been reported
+        else if (to.sound)  // otherwise it may have been left out of the table, and reported before
           log.add(law, core::joined({call(), " holds something that is not a ", to.kind(), " of the mesh"}),
                   core::joined({from.name(a), " ", to.letter, index_of(m, x)}));
       }
@@ -196,7 +196,7 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
   return r;
 }
 
-/// For each b the a's whose ring holds it.
+/// For each b the a's whose ring contains it.
 inline adjacency_lists transposed(const adjacency_lists& ab, position num_b) {
   adjacency_lists t;
   t.offsets.assign(num_b + std::size_t{1}, 0);
@@ -209,7 +209,7 @@ inline adjacency_lists transposed(const adjacency_lists& ab, position num_b) {
   return t;
 }
 
-/// For each a the b's of its m's: adj_a2b that follows from adj_a2m and adj_m2b. May name a b several times.
+/// For each a the b's of its m's: the adj_a2b that follows from adj_a2m and adj_m2b. A b may occur several times.
 inline adjacency_lists composed(const adjacency_lists& am, const adjacency_lists& mb) {
   adjacency_lists r;
   for (position a = 0; a < am.size(); ++a) {
@@ -219,7 +219,7 @@ inline adjacency_lists composed(const adjacency_lists& am, const adjacency_lists
   return r;
 }
 
-/// Calls only_in_x(a, b) and only_in_y(a, b) for what one ring of a holds and the other lacks; either returns false to stop.
+/// Calls only_in_x(a, b) and only_in_y(a, b) for the elements b of a's ring that only one of x and y contains; either returns false to stop.
 template<class InX, class InY>
 void compare_sets(const adjacency_lists& x, const adjacency_lists& y, position num_b, const InX& only_in_x, const InY& only_in_y) {
   std::vector<position> in_x(num_b, no_position), in_y(num_b, no_position);
@@ -233,7 +233,7 @@ void compare_sets(const adjacency_lists& x, const adjacency_lists& y, position n
   }
 }
 
-/// adj_b2a is adj_a2b seen from the other side.
+/// Checks that adj_b2a is the transpose of adj_a2b.
 template<class A, class B>
 void check_mirror(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& ab, const adjacency_lists& ba, const char* law,
                   const char* a2b, const char* b2a, law_log& log) {
@@ -246,7 +246,7 @@ void check_mirror(const element_table<A>& as, const element_table<B>& bs, const 
       [&](position a, position b) { return one_sided(bs.name(b), as.name(a), b2a, a2b); });
 }
 
-/// A ring of `verb` is, as a set, what follows from other adjacencies, called `rule`.
+/// Checks that each ring of `verb` is, as a set, the result of other adjacencies, called `rule`.
 template<class A, class B>
 void check_same(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& given, const adjacency_lists& expected, const char* law,
                 const char* verb, const char* rule, law_log& log) {

@@ -1,4 +1,4 @@
-// The points of one element, moved and scaled so that nothing over- or underflows, and how exactly they are known.
+// The points of one element, translated and scaled so that nothing overflows or underflows, and their accuracy.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -10,15 +10,15 @@
 
 namespace concino::detail {
 
-/// Fill `points`, call fit(): then they are relative to the first of them, in units of `unit`, with the largest coordinate in [0.5, 1).
-/// Scaling is by powers of two, so sizes are as exact as before, whatever the size of the mesh.
+/// Fill `points` and call fit(). Then they are relative to the first of them, in units of `unit`, with the largest coordinate in [0.5, 1).
+/// Scaling is by powers of two, so sizes are equally accurate for any size of the mesh.
 struct local_points {
   std::vector<vec3> points;
-  vec3 box;         // sides of their box, in units
-  vec3 error;       // what rounding of the mesh's coordinates may have moved a point, in each direction, in units
+  vec3 box;         // extent of their bounding box, in units
+  vec3 error;       // maximal effect of the rounding of coordinates on a point, in each direction, in units
   double size = 0;  // diagonal of the box, in units
 
-  /// False: some point is not finite, or all are the same.
+  /// False if some point is not finite, or all are equal.
   bool fit() {
     double most = 0;
     for (const vec3& p : points) {
@@ -51,26 +51,26 @@ struct local_points {
     return true;
   }
 
-  /// Whether an area vector of n corners is zero as far as their coordinates say.
+  /// Whether an area vector of n corners is zero within the accuracy of their coordinates.
   bool is_zero_area(const vec3& a, std::size_t n) const {
     const double k = 2 * static_cast<double>(n);
     return std::abs(a.x) <= k * (box.y * error.z + box.z * error.y) && std::abs(a.y) <= k * (box.x * error.z + box.z * error.x) &&
            std::abs(a.z) <= k * (box.x * error.y + box.y * error.x);
   }
-  /// The same for a volume.
+  /// The largest volume of n corners that is zero within the accuracy of their coordinates.
   double zero_volume(std::size_t n) const {
     return 2 * static_cast<double>(n) * (box.y * box.z * error.x + box.x * box.z * error.y + box.x * box.y * error.z);
   }
 
  private:
-  static double to_one(double x) {  // a power of two that takes x into [0.5, 1), or as near as it can
+  static double to_one(double x) {  // the power of two that scales x into [0.5, 1), or the nearest possible one
     int e = 0;
     std::frexp(x, &e);
     return std::ldexp(1.0, -std::max(e, -1000));
   }
 };
 
-/// Half the sum of cross products along the rim, points[first] .. points[last - 1], about the first of them.
+/// Half the sum of cross products along the polygon points[first] .. points[last - 1], relative to the first of them.
 inline vec3 vector_area(const std::vector<vec3>& points, std::size_t first, std::size_t last) {
   vec3 doubled;
   for (std::size_t i = first + 2; i < last; ++i) doubled += cross(points[i - 1] - points[first], points[i] - points[first]);

@@ -1,4 +1,4 @@
-// The laws that surfaces and volumes share: edges (SM1, SM2), closed walks around polygons, and neighbours across a side.
+// The laws that surfaces and volumes share: edges (SM1, SM2), vert cycles of polygons, and polys that share a facet.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -35,10 +35,10 @@ edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, la
   return t;
 }
 
-/// Which way a polygon walks along one of its edges: with adj_e2v, against it, or not at all.
+/// How a polygon traverses one of its edges: in the direction of adj_e2v, in the opposite one, or not at all.
 enum class sense : std::uint8_t { along, against, astray };
 
-/// Checks that each polygon's verts, in their order, walk along its edges and meet each once. Gives the sense of each entry of `edges_of`.
+/// Checks that each polygon's verts, in their order, follow its edges and meet each edge once. Returns the sense of each entry of `edges_of`.
 template<class A, class V, class E>
 std::vector<sense> check_cycles(const element_table<A>& polygons, const element_table<V>& vs, const element_table<E>& es,
                                 const adjacency_lists& verts_of, const adjacency_lists& edges_of, const adjacency_lists& e2v, const char* law, const char* a2v,
@@ -61,12 +61,12 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
     for (std::size_t k = edges_of.offsets[a]; k < edges_of.offsets[a + std::size_t{1}]; ++k) {
       const position e = edges_of.items[k];
       const auto ends = e2v[e];
-      if (ends.size() != 2) continue;  // reported with the edge
+      if (ends.size() != 2) continue;  // reported at the edge
       bool on_rim = false;
       if (owner[ends[0]] == a && owner[ends[1]] == a) {
         const position i = at[ends[0]], j = at[ends[1]];
         const bool along = (i + 1) % n == j, against = (j + 1) % n == i;
-        // Each place of the walk takes one edge; a polygon of two verts has two places with the same ends.
+        // Each step of the cycle takes one edge; a polygon of two verts has two steps with the same ends.
         if (along && walked[ends[0]] != a) {
           walked[ends[0]] = a;
           senses[k] = sense::along;
@@ -91,8 +91,8 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
   return senses;
 }
 
-/// adj_p2p(p) is the polys that share a side (an edge or a face) with p. Stops at the first difference of each p, so that a side which
-/// claims every poly costs no more than the answers that were given.
+/// Checks that adj_p2p(p) are the polys that share a side (an edge or a face) with p. Stops at the first difference of each p. So a side that
+/// claims every poly costs no more than the size of the adjacencies read.
 template<class P, class S>
 void check_neighbours(const element_table<P>& ps, const element_table<S>& sides, const adjacency_lists& p2p, const adjacency_lists& p2s, const adjacency_lists& s2p,
                       const char* law, law_log& log) {
@@ -121,7 +121,7 @@ void check_neighbours(const element_table<P>& ps, const element_table<S>& sides,
   }
 }
 
-/// What the traits list, before the verbs sort it: it is their law that is checked.
+/// What the traits list, before the verbs sort it: the law applies to this list.
 struct listed_p2e {
   template<class M> decltype(auto) operator()(const M& m, const poly_t<M>& p) const { return traits<M>::adj_p2e(m, p); }
 };
@@ -129,7 +129,7 @@ struct listed_f2e {
   template<class M> decltype(auto) operator()(const M& m, const face_t<M>& f) const { return traits<M>::adj_f2e(m, f); }
 };
 
-/// The k-th edge of a poly or face of n verts joins those numbered ends_of(k, n).
+/// Checks that the k-th edge of a poly or face of n verts joins the verts numbered ends_of(k, n).
 template<class P, class V, class E, class Ends>
 void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs, const element_table<E>& es, const adjacency_lists& p2v, const adjacency_lists& p2e,
                           const adjacency_lists& e2v, const Ends& ends_of, const char* law, const char* edge_verb, const char* vert_verb, law_log& log) {

@@ -1,4 +1,4 @@
-// Walks one polygon after the other and says how it runs along each of its edges.
+// Traverses one polygon after another and reports the direction of each of its edges.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -8,23 +8,23 @@
 
 namespace concino::detail {
 
-/// The concepts do not say that adj_p2e is in the order of adj_p2v, so ends of edges are looked up by the place of verts in the polygon.
+/// The concepts do not require that adj_p2e has the order of adj_p2v, so the ends of edges are looked up by the position of verts in the polygon.
 template<class M>
 class oriented_edge_walker {
-  std::vector<std::uint64_t> place_;  // by vert index: 1 + how many verts were walked before, over all polygons
+  std::vector<std::uint64_t> place_;  // by vert index: 1 + the number of verts visited before, over all polygons
   std::uint64_t next_ = 1;
 
  public:
   struct summary {
     std::uint32_t verts = 0;
-    bool repeats = false;  // a vert twice
+    bool repeats = false;  // some vert occurs twice
     bool is_degenerate() const { return verts < 3 || repeats; }
   };
 
   explicit oriented_edge_walker(const M& m) : place_(vert_index_bound(m)) {}
 
-  /// on_vert(v, index) for each vert; on_edge(e, place_a, place_b, forward) for each edge, with the places of its two ends in the polygon,
-  /// counted from 0, and whether the polygon goes from the first end to the second.
+  /// Calls on_vert(v, index) for each vert and on_edge(e, place_a, place_b, forward) for each edge. The places are the positions of its two ends in the
+  /// polygon, counted from 0; forward says whether the polygon goes from the first end to the second.
   template<class Verts, class Edges, class OnVert, class OnEdge>
   summary walk(const M& m, const Verts& vert_list, const Edges& edge_list, const OnVert& on_vert, const OnEdge& on_edge) {
     summary r;

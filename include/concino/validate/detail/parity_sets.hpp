@@ -1,4 +1,4 @@
-// Disjoint sets of things that are turned or not: can all polys be wound to agree?
+// Disjoint sets with parity: can all polys be oriented consistently?
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace concino::detail {
 
-/// Sets over 0 .. n-1, each at first of one thing; every thing is turned or not relative to the root of its set.
-/// Source: Tarjan 1975, linking by size, paths compressed.
+/// Disjoint sets over 0 .. n-1, initially of one element each. Each element is turned or not, relative to the root of its set.
+/// Source: Tarjan 1975, linking by size, with path compression.
 class parity_sets {
   std::vector<std::uint32_t> parent_, size_;
   std::vector<std::uint8_t> turned_;  // relative to the parent
@@ -19,7 +19,7 @@ class parity_sets {
  public:
   explicit parity_sets(std::size_t n) : parent_(n), size_(n, 1), turned_(n) { std::iota(parent_.begin(), parent_.end(), std::uint32_t{0}); }
 
-  /// The root, and whether x is turned relative to it.
+  /// The root of x, and whether x is turned relative to it.
   std::pair<std::uint32_t, bool> find(std::uint32_t x) {
     path_.clear();
     while (parent_[x] != x) {
@@ -35,8 +35,8 @@ class parity_sets {
     return {x, turned};
   }
 
-  /// Joins the sets of a and b, such that b is turned relative to a, or is not.
-  /// Result: false if they were one set already and that says otherwise.
+  /// Joins the sets of a and b; `turned` says whether b is turned relative to a.
+  /// Result: false if they were in one set already and that contradicts `turned`.
   bool join(std::uint32_t a, std::uint32_t b, bool turned) {
     auto [root_a, turned_a] = find(a);
     auto [root_b, turned_b] = find(b);

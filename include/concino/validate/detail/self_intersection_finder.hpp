@@ -1,4 +1,4 @@
-// Does the boundary of a polygon in the plane meet itself?
+// Finds self-intersections of the boundary of a polygon in the plane.
 #pragma once
 
 #include <algorithm>
@@ -18,17 +18,17 @@ namespace concino::detail {
 
 using plane_point = std::array<double, 2>;
 
-/// Keeps its working memory from polygon to polygon.
+/// Finds self-intersections of polygons. It reuses its memory from polygon to polygon.
 class self_intersection_finder {
  public:
   self_intersection_finder() = default;
-  /// patience: how many edges, on average, each is compared with before edges are kept in order.
+  /// patience: with how many others each edge is compared, on average, before edges are kept sorted.
   explicit self_intersection_finder(std::size_t patience) : patience_(patience) {}
 
-  /// Two edges that meet elsewhere than edges that follow one another do, edge i from corner i to the next; none if the polygon is simple.
-  /// Edges without length are passed over; where a point is on a line up to rounding it is on it.
+  /// Two edges that intersect, other than consecutive edges in their common corner; none if the polygon is simple. Edge i runs from corner i to the next.
+  /// Edges without length are skipped. A point counts as on a line if it is so up to rounding.
   /// Cost: O(n log n).
-  /// Source: sweep over the edges sorted along an axis; where many lie above one another, Shamos and Hoey 1976; orientation with the error
+  /// Source: sweep over the edges sorted along an axis; if many overlap along it, Shamos and Hoey 1976; orientation with the error
   ///         bound of Shewchuk 1997.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> operator()(std::span<const plane_point> corners) {
     edges_.clear();
@@ -45,7 +45,7 @@ class self_intersection_finder {
  private:
   struct polygon_edge {
     plane_point a, b;
-    std::uint32_t number, rank;  // in the polygon, and without the edges that have no length
+    std::uint32_t number, rank;  // position in the polygon, and position among edges with length
     double low(std::size_t k) const { return std::min(a[k], b[k]); }
     double high(std::size_t k) const { return std::max(a[k], b[k]); }
     const plane_point& first() const { return std::min(a, b); }
@@ -67,7 +67,7 @@ class self_intersection_finder {
   }
 
   found sweep() {
-    // along the axis in which edges are short: then few are met at a time
+    // along the axis in which edges are short: then few edges overlap at a time
     std::array<double, 2> total{0, 0}, low{edges_[0].a}, high{edges_[0].a};
     for (const polygon_edge& s : edges_)
       for (std::size_t k = 0; k < 2; ++k) {
@@ -98,7 +98,7 @@ class self_intersection_finder {
     return std::nullopt;
   }
 
-  /// The edges that cross the line of the sweep, from low to high. Points are swept in the order of their coordinates, so that no edge
+  /// Compares edges that cross the sweep line, from low to high. Points are swept in lexicographic order of their coordinates, so no edge
   /// is parallel to the line.
   struct is_below {
     const std::vector<polygon_edge>* edges;
@@ -111,11 +111,11 @@ class self_intersection_finder {
     }
   };
 
-  /// Edges that meet are neighbours in that order before the sweep comes to where they do; so only neighbours are compared.
+  /// Sweeps with sorted edges. Edges that intersect become neighbours in this order before the sweep reaches the intersection; so only neighbours are compared.
   found sweep_in_order() {
     std::sort(edges_.begin(), edges_.end(), [](const polygon_edge& s, const polygon_edge& t) { return s.rank < t.rank; });
     const std::uint32_t count = static_cast<std::uint32_t>(edges_.size());
-    std::vector<std::uint32_t> corners(count);  // corner i: where edge i begins
+    std::vector<std::uint32_t> corners(count);  // corner i: the start of edge i
     for (std::uint32_t i = 0; i < count; ++i) corners[i] = i;
     std::sort(corners.begin(), corners.end(), [this](std::uint32_t i, std::uint32_t j) { return edges_[i].a < edges_[j].a; });
     for (std::uint32_t k = 1; k < count; ++k)
@@ -138,7 +138,7 @@ class self_intersection_finder {
       for (const std::uint32_t s : two) {
         if (edges_[s].first() != edges_[i].a) continue;
         const auto [at, fresh] = crossed.insert(s);
-        if (!fresh) return pair_of(edges_[s], edges_[*at]);  // on one line with another edge
+        if (!fresh) return pair_of(edges_[s], edges_[*at]);  // collinear with another edge
         place[s] = at;
         if (at != crossed.begin()) compare(std::prev(at), at);
         if (std::next(at) != crossed.end()) compare(at, std::next(at));
@@ -148,7 +148,7 @@ class self_intersection_finder {
     return std::nullopt;
   }
 
-  // 1: c is to the left of ab, -1: to the right, 0: on its line, up to rounding
+  // 1: c is left of ab, -1: right of it, 0: on its line, up to rounding
   static int turn(const plane_point& a, const plane_point& b, const plane_point& c) {
     const double left = (a[0] - c[0]) * (b[1] - c[1]), right = (a[1] - c[1]) * (b[0] - c[0]), t = left - right;
     const double bound = 4 * std::numeric_limits<double>::epsilon() * (std::abs(left) + std::abs(right));
@@ -165,10 +165,10 @@ class self_intersection_finder {
     if ((t.rank + 1) % n == s.rank) return folds_back(t, s);
     const int sa = turn(t.a, t.b, s.a), sb = turn(t.a, t.b, s.b), ta = turn(s.a, s.b, t.a), tb = turn(s.a, s.b, t.b);
     if (sa * sb > 0 || ta * tb > 0) return false;
-    // Parallel to each other or to nothing: on one line the boxes decide, and else they are overlapped by what crosses.
+    // parallel, or one edge lies on the line of the other: the bounding boxes decide
     return s.high(0) >= t.low(0) && t.high(0) >= s.low(0) && s.high(1) >= t.low(1) && t.high(1) >= s.low(1);
   }
-  // t begins where s ends
+  // whether t, which begins where s ends, runs back along s
   static bool folds_back(const polygon_edge& s, const polygon_edge& t) {
     if (turn(s.a, s.b, t.b) != 0) return false;
     return (s.a[0] - s.b[0]) * (t.b[0] - t.a[0]) + (s.a[1] - s.b[1]) * (t.b[1] - t.a[1]) > 0;

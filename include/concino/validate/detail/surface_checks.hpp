@@ -1,4 +1,4 @@
-// What can be wrong with the connectivity of a surface, and of the boundary of a volume, which is a surface too.
+// Checks of the connectivity of a surface, and of the boundary of a volume, which is a surface too.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -8,11 +8,11 @@
 
 namespace concino::detail {
 
-/// How the checks of a surface S are told about the mesh M: S is M itself, or the boundary of M, whose polys are faces of M.
+/// How defects of a surface S are reported for the mesh M. S is M itself, or the boundary of M, whose polys are faces of M.
 template<class M, class S>
 struct surface_scope {
   static constexpr bool is_boundary = !std::same_as<M, S>;
-  const std::vector<std::uint8_t>* reported_edges = nullptr;  // by index, not 0: something else has been told of this edge; null: of none
+  const std::vector<std::uint8_t>* reported_edges = nullptr;  // by edge index, not 0: another defect was reported for this edge; null: for none
 
   bool is_reported(std::size_t edge_index) const { return reported_edges && (*reported_edges)[edge_index]; }
   static const char* where() { return is_boundary ? " of the boundary" : ""; }
@@ -28,7 +28,7 @@ void check_edge_ends(const M& m, const edge_t<M>& e, defect_log<M>& log) {
   if (defect<M>* d = log.add(defect_kind::degenerate_element, e)) d->what = core::joined({log.edge_name(e), " is a loop; the ends of an edge differ"});
 }
 
-/// Checks one surface: corners of polygons are united across edges; the sets left at a vert are its fans, and a manifold has one per vert.
+/// Checks one surface. Corners of polygons are united through common edges; the sets at a vert are its fans, and a manifold has one per vert.
 template<class M, SurfaceMesh S>
 class surface_checker {
   static constexpr bool is_boundary = surface_scope<M, S>::is_boundary;
@@ -40,9 +40,9 @@ class surface_checker {
   const S& s_;
   const surface_scope<M, S>& scope_;
   defect_log<M>& log_;
-  disjoint_sets fans_;    // of corners, numbered in the walk over polys
-  disjoint_sets pieces_;  // of verts that polys join
-  disjoint_sets loops_;   // of verts that border edges join
+  disjoint_sets fans_;    // of corners, numbered in the order of polys
+  disjoint_sets pieces_;  // of verts connected by polys
+  disjoint_sets loops_;   // of verts connected by border edges
   std::vector<shared_by> edge_use_;
   std::vector<std::uint8_t> on_border_;  // by vert index
   mesh_facts facts_;
@@ -54,7 +54,7 @@ class surface_checker {
     return count;
   }
 
-  /// Walks each poly once: its corners join those of the first poly at each edge, its verts join one piece.
+  /// Visits each poly once: unites its corners with those of the first poly at each edge, and its verts into one component.
   void join_polys() {
     std::vector<corner_pair> first_corners(edge_index_bound(s_));
     oriented_edge_walker<S> edge_walker(s_);
@@ -137,7 +137,7 @@ class surface_checker {
     return fans_at;
   }
 
-  /// Counts components and border loops by their roots, and finds verts of none or of several fans.
+  /// Counts components and border loops by their roots, and finds verts without a fan or with several.
   void check_verts() {
     const std::vector<std::uint32_t> fans_at = count_fans();
     for (const vert_t<S> v : verts(s_)) {
@@ -164,7 +164,7 @@ class surface_checker {
     }
   }
 
-  /// Reports clashes of a surface; those of the boundary of a volume are reported at its faces.
+  /// Checks orientability. Reports inconsistent windings of a surface; those of the boundary of a volume are reported at its faces.
   bool check_orientability() {
     if constexpr (is_boundary) {
       bool orientable = true;
@@ -178,7 +178,7 @@ class surface_checker {
     }
   }
 
-  /// Sum over pieces of (2 - loops - chi) / 2.
+  /// The sum over components of (2 - loops - chi) / 2.
   std::size_t genus() const {
     return static_cast<std::size_t>(
         (2 * static_cast<std::ptrdiff_t>(facts_.components) - static_cast<std::ptrdiff_t>(facts_.boundary_loops) - facts_.euler_characteristic) / 2);
@@ -200,7 +200,7 @@ class surface_checker {
   }
 };
 
-/// Result: facts of the surface.
+/// Result: the facts about the surface.
 template<class M, SurfaceMesh S>
 mesh_facts check_surface(const S& s, const surface_scope<M, S>& scope, defect_log<M>& log) {
   return surface_checker<M, S>(s, scope, log).check();

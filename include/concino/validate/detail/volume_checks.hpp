@@ -1,4 +1,4 @@
-// What can be wrong with the connectivity of a volume.
+// Checks of the connectivity of a volume.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -7,14 +7,14 @@
 
 namespace concino::detail {
 
-/// How often the faces of one poly run along an edge, valid where `poly` is that poly.
+/// How often the faces of one poly traverse an edge; valid if `poly` is that poly.
 struct edge_in_poly {
-  std::uint32_t poly = ~0u;  // number in the walk over polys
+  std::uint32_t poly = ~0u;  // number in the order of polys
   std::uint32_t faces = 0;
   std::uint32_t forward = 0;
 };
 
-/// Checks one volume, and last its boundary as a surface.
+/// Checks a volume, and finally its boundary as a surface.
 template<VolumeMesh M>
 class volume_checker {
   const M& m_;
@@ -25,8 +25,8 @@ class volume_checker {
   std::vector<edge_in_poly> edge_use_;
   std::vector<std::uint8_t> vert_used_, reported_edges_;  // by index
   oriented_edge_walker<M> edge_walker_;
-  std::vector<edge_t<M>> touched_;  // edges of the poly that is checked
-  std::uint32_t number_ = 0;        // of that poly in the walk over polys
+  std::vector<edge_t<M>> touched_;  // edges of the current poly
+  std::uint32_t number_ = 0;        // of that poly in the order of polys
   mesh_facts facts_;
 
   /// Counts the faces of p at each of its edges.   Result: the number of faces of p.
@@ -65,7 +65,7 @@ class volume_checker {
     }
   }
 
-  /// Whether p, whose edges are touched_, is closed, wound consistently and has enough faces.
+  /// Checks that p, whose edges are touched_, is closed, wound consistently and has enough faces.
   void check_poly(const poly_t<M>& p, std::uint32_t face_count) {
     std::vector<edge_t<M>> open;
     const edge_t<M>* clash = nullptr;
@@ -134,7 +134,7 @@ class volume_checker {
   }
 
   void add_non_manifold_face(const face_t<M>& f, std::uint32_t poly_count) {
-    for (const edge_t<M> e : adj_f2e(m_, f)) reported_edges_[index_of(m_, e)] = 1;  // more than two boundary faces there follow from this
+    for (const edge_t<M> e : adj_f2e(m_, f)) reported_edges_[index_of(m_, e)] = 1;  // more than two boundary faces there are a consequence of this
     if (defect<M>* d = log_.add(defect_kind::non_manifold_face, f)) {
       const std::string list = log_.list(*d, adj_f2p(m_, f));
       d->what = core::joined({log_.name(f), " has ", poly_count, " polys (", list, "); at most 2 fit"});
@@ -169,7 +169,7 @@ class volume_checker {
         " have their outside on the same side of ", log_);
   }
 
-  /// The genus of a volume is that of its boundary.
+  /// Checks the boundary. The genus of a volume is that of its boundary.
   void check_boundary() {
     const auto surface = boundary(m_);
     const mesh_facts skin = check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&reported_edges_}, log_);
@@ -196,7 +196,7 @@ class volume_checker {
   }
 };
 
-/// Result: facts of the volume, and in `sound` by index of polys whether they are closed and wound consistently, so that they have a volume.
+/// Result: the facts about the volume. Sets `sound`, by index: polys that are closed and wound consistently, so that they have a volume.
 template<VolumeMesh M>
 mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log) {
   return volume_checker<M>(m, sound, log).check();

@@ -9,14 +9,14 @@
 
 namespace concino::detail {
 
-/// The faces of a cell in the standard order, wound counter-clockwise seen from outside; -1 ends a face of fewer verts.
+/// The faces of a tet or hex in the standard order, counter-clockwise seen from outside; -1 ends a face of fewer verts.
 template<int Arity> inline constexpr std::array<std::array<int, 4>, 0> standard_faces{};
 template<>
 inline constexpr std::array<std::array<int, 4>, 4> standard_faces<4>{{{0, 2, 1, -1}, {0, 1, 3, -1}, {0, 3, 2, -1}, {1, 2, 3, -1}}};
 template<> inline constexpr std::array<std::array<int, 4>, 6> standard_faces<8>{
     {{0, 3, 2, 1}, {1, 2, 6, 5}, {4, 5, 6, 7}, {3, 0, 4, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}}};
 
-/// Which standard face the local verts `face` are, from any of its verts on; -1 if none.
+/// The number of the standard face with the local verts `face`, starting at any of them; -1 if none.
 template<int Arity>
 int standard_face(std::span<const int> face) {
   for (std::size_t s = 0; s < standard_faces<Arity>.size(); ++s) {
@@ -31,7 +31,7 @@ int standard_face(std::span<const int> face) {
   return -1;
 }
 
-/// VM7: the verts of tets and hexes come in the standard order.
+/// VM7: the verts of tets and hexes are in the standard order.
 template<int Arity, class P, class V>
 void check_standard_order(const element_table<P>& ps, const element_table<V>& vs, const adjacency_lists& p2v, const adjacency_lists& p2f, const adjacency_lists& f2v,
                           const std::vector<bool>& outward, law_log& log) {
@@ -60,7 +60,7 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
   }
 }
 
-/// VM6: where each edge of a poly lies in two of its faces, these, turned outward, run along it in opposite senses.
+/// VM6: an edge of a poly that lies in two of its faces is traversed by them in opposite directions, if they are turned outward.
 template<class P, class E>
 void check_winding(const element_table<P>& ps, const element_table<E>& es, const adjacency_lists& p2f, const adjacency_lists& f2e,
                    const std::vector<sense>& senses, const std::vector<bool>& outward, law_log& log) {
@@ -139,7 +139,7 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
       }
     }
   check_winding(ps, es, p2f, f2e, senses, outward, log);
-  // The law of tets and hexes.
+  // the laws of tets and hexes
   if constexpr (arity_v<M> == 4 || arity_v<M> == 8) check_standard_order<arity_v<M>>(ps, vs, p2v, p2f, f2v, outward, log);
   if constexpr (arity_v<M> == 4 && !lists_edges_unordered<M>) {  // in other volumes the edges of a poly have no order
     static constexpr std::pair<std::size_t, std::size_t> ends[6] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};

@@ -1,4 +1,4 @@
-// Which polys agree on their windings, across what they share: the edges of a surface, the faces of a volume.
+// Finds polys with inconsistent windings at shared edges (surfaces) or faces (volumes).
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-/// The polys at one edge (face): how many, the first two by index, and how many run forward (turn their outside to its front).
+/// The polys at one edge (face): their number, the first two by index, and how many traverse it forward (turn their outside to its front).
 struct shared_by {
   std::uint32_t polys = 0;
   std::uint32_t forward = 0;
@@ -21,9 +21,9 @@ struct shared_by {
   bool clashes() const { return polys == 2 && forward != 1; }
 };
 
-/// Tells clashes, where they could be mended by turning polys, and else once per piece that it is not orientable.
-/// `shared` by index of the elements of the range `all`; polys_of(x) are the polys at x. Only pairs count: where more polys meet, or one
-/// of two is not sound, there is no right winding.                    Result: whether all is orientable.
+/// Reports inconsistent windings if turning polys could repair them; otherwise reports once per component that it is not orientable.
+/// `shared`: by index of the elements of the range `all`; polys_of(x) are the polys at x. Only pairs count: if more polys meet, or one
+/// of two is not sound, no winding is right.                    Result: whether all polys are orientable.
 template<class M, class R, class PolysOf>
 bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std::vector<shared_by>& shared, std::size_t poly_bound, const char* clash_text,
                     defect_log<M>& log) {
@@ -36,7 +36,7 @@ bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std
   for (const shared_by& s : shared)
     if (s.polys == 2 && !pieces.join(s.poly[0], s.poly[1], s.clashes())) contradictions.push_back(s.poly[0]);
   enum : std::uint8_t { mendable, one_sided, reported };
-  std::vector<std::uint8_t> state(poly_bound, mendable);  // by root of a piece
+  std::vector<std::uint8_t> state(poly_bound, mendable);  // by root of a component
   for (const std::uint32_t p : contradictions) state[pieces.find(p).first] = one_sided;
 
   const auto full_name = [&](const auto& x) {
