@@ -1,4 +1,4 @@
-// Breadth-first search: how many steps away is everything, in what order it is reached, and from where.
+// Breadth-first search: the number of steps to every node, the order of the search, and predecessors.
 #pragma once
 
 #include <concino/core/function_ref.hpp>
@@ -18,23 +18,23 @@
 
 namespace concino {
 
-/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them: an edge, between polys of a volume a face;
-/// void where the mesh does not offer it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them: an edge, or a face between polys of a volume;
+/// void if the mesh has no access to it.
 template<class Node, class Crossed = void>
 struct bfs_options {
-  std::vector<Node> targets = {};                // stop when all of them are reached; none: go everywhere
+  std::vector<Node> targets = {};                // stop when all of them are reached; none: search everything
   bool nearest_target = false;                   // stop when one of them is reached
-  function_ref<bool(Node)> may_enter = nullptr;  // false: the search does not step on this node (empty: it may on all). Sources are exempt.
-  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the search does not step across this edge or face (empty: it may across all)
-  predecessors_ref<Node> predecessors = nullptr;     // pointer to a map of nodes by nodes, filled with where each was reached from
-  crossed_ref<Node, Crossed> crossed = nullptr;      // pointer to a map of nodes by edges or faces, filled with what each was reached across
-  function_ref<bool(Node, int)> visit = nullptr;     // called with each node and its hops as it is reached; false: the search is over (empty: never)
-  int max_hops = std::numeric_limits<int>::max();    // >= 0; no step beyond this many
+  function_ref<bool(Node)> may_enter = nullptr;  // false: the search does not enter this node (empty: it may enter all). Sources are exempt.
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the search does not cross this edge or face (empty: it may cross all)
+  predecessors_ref<Node> predecessors = nullptr;     // pointer to a map of nodes by nodes, filled with the predecessor of each
+  crossed_ref<Node, Crossed> crossed = nullptr;      // pointer to a map of nodes by edges or faces, filled with the one crossed to reach each
+  function_ref<bool(Node, int)> visit = nullptr;     // called with each node and its hops when it is reached; false: stop the search (empty: never)
+  int max_hops = std::numeric_limits<int>::max();    // >= 0; nodes farther than this are not reached
 };
 
 namespace detail {
 
-/// The search without what costs time in its loop when nobody asked for it.
+/// The search without the optional features that slow down its loop.
 template<bool Asks, class G, class S>
 auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(typename G::node)> may_enter) {
   using node = typename G::node;
@@ -66,10 +66,10 @@ auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(
   return hops;
 }
 
-/// Stands for the sources of a forest: the first node that is not reached yet, again and again.
+/// Tag for the sources of a forest: each tree starts at the first node that is not reached yet.
 struct all_nodes {};
 
-/// The same search with everything. Reports: with crossed and visit too, which cost time where nobody asked for them.
+/// The same search with all options. Reports: with crossed and visit too, which take time even if they are not used.
 template<bool Reports, class G, class S>
 auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
@@ -77,7 +77,7 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
   int* const value = hops.data();
   bounded_fifo<node> queue(g.bound());
   target_set targets(g, options.targets, options.nearest_target, "bfs");
-  int limit = options.max_hops;  // no step beyond this; -1 when visit has ended the search
+  int limit = options.max_hops;  // maximum number of hops; -1 when visit has ended the search
   bool is_over = false;
 
   const auto reach = [&](const node& x, const node& before, int h, [[maybe_unused]] const auto& put_crossed) {
@@ -150,13 +150,13 @@ auto bfs_forest(const G& g, const bfs_options<typename G::node, crossed_t<G>>& o
 
 }  // namespace detail
 
-/// Fewest steps from `source` along edges (source a vert) or from poly to poly (source a poly); from the nearest of several sources
-/// where a container or braces of them are given.
+/// Fewest steps from `source` along edges (source a vert) or from poly to poly (source a poly). With several sources, in a container or braces, the
+/// steps from the nearest one.
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; may_cross and crossed need the edges or faces of an AnyMesh.
 /// Result: a map of int: hops[x], 0 at the sources, -1 where unreached. With targets, it is complete up to the farthest target, or with
-///         nearest_target up to the nearest, and -1 beyond. The predecessor of a node is the first among those one step nearer that was
-///         reached. Sources are reached in their order. The neighbours of a node are reached in the order of the mesh, or in that of the edges
-///         or faces around it if `crossed` or may_cross is given. When visit(x, hops) returns false, only the nodes that it was called with count
+///         nearest_target up to the nearest, and -1 beyond. The predecessor of a node is the one that was reached first among the neighbours
+///         one step nearer. Sources are reached in their order. The neighbours of a node are reached in the order of the mesh, or in that of the edges
+///         or faces around it if `crossed` or may_cross is set. When visit(x, hops) returns false, only the nodes for which it was called count
 ///         as reached.
 /// Cost:   O(V + E) time, O(V) memory.
 /// Errors: invalid_mesh if a source or target is not an element of m; invalid_argument if there is no source or max_hops < 0.
@@ -184,12 +184,12 @@ auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node
   return detail::bfs(detail::graph_of<M, S>{m}, sources, options);
 }
 
-/// Breadth-first trees of everything: a search from the first node, then from the first that is not reached yet, until none is left. Nodes are
-/// the verts of a mesh or, of dual(m), its polys.
+/// Breadth-first forest of a whole graph: a search from the first node, then from the first that is not reached yet, and so on. Nodes are
+/// the verts of a mesh, or its polys if the argument is dual(m).
 /// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; may_cross and crossed need the edges or faces of an AnyMesh.
-/// Result: a map of int: hops[x] from the root of the tree of x, 0 at the roots, -1 where may_enter bars. The nodes of a tree are reached one
-///         after another, as bfs reaches them, so visit(x, 0) tells where the next tree begins. With max_hops no tree is higher than that: nodes
-///         farther away begin trees of their own. When targets are reached or visit returns false, no further tree begins.
+/// Result: a map of int: hops[x] from the root of the tree of x, 0 at the roots, -1 where may_enter is false. The nodes of a tree are reached one
+///         after another, in the order of bfs, so visit(x, 0) is the start of the next tree. With max_hops no tree is higher than that: nodes
+///         farther away start trees of their own. When targets are reached or visit returns false, no further tree starts.
 /// Cost:   O(V + E) time, O(V) memory.
 /// Errors: invalid_mesh if a target is not an element of m; invalid_argument if max_hops < 0.
 /// Source: Moore 1959.

@@ -1,22 +1,22 @@
-// Boost.Graph on any mesh: primal(m) and dual(m) are graphs of Boost's, maps of concino are property maps of Boost's.
+// Boost.Graph on any mesh: primal(m) and dual(m) model its graph concepts, and boost_map(map) is a Boost property map.
 //
 //   auto label = cn::make_vert_map<int>(m);
 //   int k = boost::connected_components(cn::primal(m), cn::boost_map(label));                       // label[v]
-//   boost::dijkstra_shortest_paths(cn::dual(m), p, boost::distance_map(cn::boost_map(distance)));   // straight lengths, unless told others
+//   boost::dijkstra_shortest_paths(cn::dual(m), p, boost::distance_map(cn::boost_map(distance)));   // Euclidean lengths by default
 //
-// What Boost means on these graphs:
+// The concepts of Boost on these graphs:
 //   - They are undirected, without parallel edges, and model VertexListGraph, EdgeListGraph, AdjacencyGraph, IncidenceGraph and
-//     BidirectionalGraph. Vertices are the verts or polys of the mesh; edges are pairs of them, found while walking. Nothing is copied.
-//   - num_vertices(g) is the index bound: Boost sizes by it the arrays that it indexes by vertex_index, and removed elements leave gaps.
-//     vertices(g) walks over the elements that are there, so gaps are no vertices of their own; but where Boost divides by num_vertices(g)
-//     (relative_betweenness_centrality) or expects to meet as many (topological orders, planarity), it wants a mesh without gaps.
-//   - get(boost::vertex_index, g), get(boost::edge_weight, g) (straight distance of verts, or of the means of polys' verts) and
-//     get(boost::edge_index, g) are property maps, which Boost takes where it is told no other. The last numbers all edges, in O(V + E).
-//   - directed(g) has two arcs for every edge, and get(boost::edge_reverse, g): for flows. (push_relabel_max_flow of Boost wants arcs whose
-//     opposite has no capacity; boykov_kolmogorov_max_flow and edmonds_karp_max_flow take any.)
-//   - An array of results will do instead of a map: make_iterator_property_map(array.begin(), get(boost::vertex_index, g)).
-//   - Algorithms find these functions by their argument. In your own code they are found so too, but where `using namespace concino` is in
-//     force, edges and num_edges mean the verbs of meshes; say concino::views::edges(g) and concino::views::num_edges(g) there.
+//     BidirectionalGraph. Vertices are the verts or polys of the mesh; edges are pairs of them, computed during iteration. Nothing is copied.
+//   - num_vertices(g) is the index bound: Boost uses it as the size of arrays that it indexes by vertex_index, and removed elements leave gaps.
+//     vertices(g) has only the existing elements, so gaps are not vertices. But algorithms that divide by num_vertices(g)
+//     (relative_betweenness_centrality) or expect that many vertices (topological orders, planarity) need a mesh without gaps.
+//   - get(boost::vertex_index, g), get(boost::edge_weight, g) (Euclidean distance of verts, or of the means of polys' verts) and
+//     get(boost::edge_index, g) are property maps, which Boost uses by default. The last one numbers all edges, in O(V + E).
+//   - directed(g) has two arcs for every edge, and get(boost::edge_reverse, g): for flows. (push_relabel_max_flow of Boost needs arcs whose
+//     opposite has no capacity; boykov_kolmogorov_max_flow and edmonds_karp_max_flow accept any.)
+//   - An array of results can be used instead of a map: make_iterator_property_map(array.begin(), get(boost::vertex_index, g)).
+//   - Argument-dependent lookup finds these functions, in algorithms and in your own code. But after `using namespace concino`,
+//     edges and num_edges are the verbs of meshes; write concino::views::edges(g) and concino::views::num_edges(g) there.
 #pragma once
 
 #include <concino/graph/detail/boost_functions.hpp>
@@ -31,8 +31,8 @@
 
 namespace concino {
 
-/// A concino map as a property map of Boost: boost_map(map), or boost_map<Key>(map) where the map does not say its key_type.
-/// Needs:  map[x] for each x of type Key. Maps that yield proxies say their value_type. A map with a name must outlive the result.
+/// A concino map as a property map of Boost: boost_map(map), or boost_map<Key>(map) if the map has no key_type.
+/// Needs:  map[x] for each x of type Key. Maps that return proxies have a value_type. A map that is an lvalue must outlive the result.
 /// Result: lvalue, read-write or readable, as map[x] is. Copies of it share one map.      Cost: none.      Errors: none of its own.
 template<class Key, class P>
   requires ReadableMap<P, Key>
@@ -45,14 +45,14 @@ template<class P>
   requires ReadableMap<P, typename std::remove_cvref_t<P>::key_type>
 auto boost_map(P&& map) { return concino::boost_map<typename std::remove_cvref_t<P>::key_type>(std::forward<P>(map)); }
 
-/// Edges' lengths, capacities ... from a callable, asked anew each time.
+/// Lengths, capacities or other values of edges from a callable, which is called on each access.
 /// Needs:  g: primal(m), dual(m) or directed(...); f(source, target) is a value, and the same both ways unless g is directed.
 /// Result: a readable property map of g's edges.      Cost: none.      Errors: those of f.
 template<detail::boost_view G, class F>
   requires std::is_invocable_v<const F&, detail::node_in<G>, detail::node_in<G>>
 auto boost_weights(const G&, F f) { return detail::map_of_ends<detail::edge_in<G>, F>(std::move(f)); }
 
-/// A value per edge of primal(m) or dual(m), per arc of directed(...): `init`, or what init(source, target) says.
+/// A value per edge of primal(m) or dual(m), or per arc of directed(...): `init`, or what init(source, target) returns.
 /// Needs:  g: primal(m), dual(m) or directed(...); init, or what it returns, converts to T.
 /// Result: an lvalue property map, whose copies share their values.      Cost: O(V + E) time and memory.
 /// Errors: invalid_mesh if some w is a neighbour of v, but not v of w; those of init.
@@ -67,11 +67,11 @@ auto boost_edge_map(const G& g, const I& init = I()) {
   }
 }
 
-/// The graph with two arcs, there and back, for every edge: what flow algorithms run on.
-/// Needs:  g: primal(m) or dual(m), as which the mesh must live; descriptors whose default value names no element, as all of this library.
-/// Result: directed, models what g models; edges(d) are all arcs, get(boost::edge_reverse, d)[a] leads back along a.
+/// The graph with two opposite arcs for every edge, as flow algorithms need.
+/// Needs:  g: primal(m) or dual(m); the mesh must outlive the result, as for g; descriptors whose default value is no element, as all of this library.
+/// Result: directed, models what g models; edges(d) are all arcs, get(boost::edge_reverse, d)[a] is the opposite arc of a.
 /// Cost:   O(V + E) time, 8 bytes per node and arc, for the arcs' numbers.
-/// Errors: invalid_mesh if some w is a neighbour of v, but not v of w; unsupported if a default descriptor names an element.
+/// Errors: invalid_mesh if some w is a neighbour of v, but not v of w; unsupported if a default descriptor is an element.
 template<class G>
   requires detail::is_undirected<G>
 auto directed(const G& g) {
@@ -105,7 +105,7 @@ struct graph_traits<G> {
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
 
-  /// Flows and matchings take this for "no vertex".
+  /// The value that flows and matchings use for "no vertex".
   static vertex_descriptor null_vertex() {
     if constexpr (std::is_arithmetic_v<vertex_descriptor>) return std::numeric_limits<vertex_descriptor>::max();
     else return vertex_descriptor();

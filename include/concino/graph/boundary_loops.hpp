@@ -1,4 +1,4 @@
-// The border of a surface, as loops of edges.
+// The boundary of a surface, as loops of edges.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -15,12 +15,12 @@ namespace concino {
 template<class M>
 struct boundary_loops_result {
   std::size_t count = 0;            // borders: connected components of the graph of boundary edges
-  std::vector<edge_walk<M>> loops;  // every boundary edge in one of them
+  std::vector<edge_walk<M>> loops;  // every boundary edge occurs in exactly one of them
 };
 
 namespace detail {
 
-/// Boundary edges with the direction in which their only poly walks them, waiting at both of their ends.
+/// Boundary edges with the direction that they have in their only poly, in lists at both of their ends.
 template<class M>
 class border_edges {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -32,8 +32,8 @@ class border_edges {
   };
   const M& m_;
   std::vector<boundary_edge> edges_;
-  std::vector<std::uint32_t> out_, in_;  // by vert: the first edge that leaves or enters it; lists go on in next_out, next_in
-  std::vector<std::uint32_t> degree_;    // by vert: edges there that are not taken
+  std::vector<std::uint32_t> out_, in_;  // by vert: the first edge that leaves or enters it; the lists continue in next_out, next_in
+  std::vector<std::uint32_t> degree_;    // by vert: the number of edges there that are not taken
 
   void pass_taken(std::uint32_t& i, std::uint32_t boundary_edge::*next) {
     while (i != none && edges_[i].taken) i = edges_[i].*next;
@@ -59,7 +59,7 @@ class border_edges {
     out_.assign(vert_index_bound(m), none);
     in_ = out_;
     degree_.assign(out_.size(), 0);
-    for (std::size_t i = edges_.size(); i-- > 0;) {  // backwards, so that lists run forwards
+    for (std::size_t i = edges_.size(); i-- > 0;) {  // backwards, so that the lists are in ascending order
       edges_[i].next_out = std::exchange(out_[index_of(m, edges_[i].from)], static_cast<std::uint32_t>(i));
       edges_[i].next_in = std::exchange(in_[index_of(m, edges_[i].to)], static_cast<std::uint32_t>(i));
       ++degree_[index_of(m, edges_[i].from)];
@@ -73,7 +73,7 @@ class border_edges {
   const vert_t<M>& to(std::size_t i) const { return edges_[i].to; }
   bool is_odd(const vert_t<M>& v) const { return degree_[index_of(m_, v)] % 2; }
 
-  /// Takes an edge that waits at v and goes along it, forwards if one leaves v. False if none waits.
+  /// Takes an edge at v and moves v to its other end; an edge that leaves v has priority. False if there is none.
   bool step(vert_t<M>& v, edge_t<M>& e) {
     const std::size_t slot = index_of(m_, v);
     pass_taken(out_[slot], &boundary_edge::next_out);
@@ -105,12 +105,12 @@ class border_edges {
 
 }  // namespace detail
 
-/// The border of a surface: its edges with exactly one poly.
+/// The boundary of a surface: its edges with exactly one poly, as loops.
 /// Needs:  SurfaceMesh M.
-/// Result: loops, together every boundary edge once. A loop is a simple cycle, walked as its polys are; where these are wound alike it has
-///         the surface on its left. Where borders touch at a vert, each loop passes it once; they are several loops but one border, so that
-///         `count` may be less than their number. Only where an odd number of boundary edges meet at a vert (an edge with three polys may
-///         end there), what is left over after the cycles is walks that are not closed, one for two such verts. The same mesh always gives the same loops.
+/// Result: loops, together every boundary edge once. A loop is a simple cycle, in the direction that its edges have in their polys; if these are
+///         oriented consistently, the surface is on its left. Where borders touch at a vert, each loop passes it once. They are several loops but one
+///         border, so `count` may be less than their number. Only if an odd number of boundary edges meet at a vert (an edge with three polys may
+///         end there) do open walks remain after the cycles, one for two such verts. The same mesh always gives the same loops.
 /// Cost:   O(elements) time and memory.      Errors: none.
 template<SurfaceMesh M>
 boundary_loops_result<M> boundary_loops(const M& m) {
@@ -119,7 +119,7 @@ boundary_loops_result<M> boundary_loops(const M& m) {
   if (border.size() == 0) return result;
   result.count = border.num_components();
 
-  // Go ahead until a vert is met twice, and take what lies between out as a cycle.
+  // Walk until a vert is met for the second time, then move the part in between to the result, as a cycle.
   constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> place(vert_index_bound(m), nowhere);
   edge_walk<M> walk;
@@ -146,7 +146,7 @@ boundary_loops_result<M> boundary_loops(const M& m) {
     for (const vert_t<M>& w : walk.verts) place[index_of(m, w)] = nowhere;
     if (!walk.edges.empty()) result.loops.push_back(walk);
   };
-  // A walk from a vert with an odd number of edges left ends at another such vert. After these, all walks come back.
+  // A walk from a vert with an odd number of edges left ends at another such vert. After these, all walks return to their start.
   for (std::size_t i = 0; i < border.size(); ++i)
     for (const vert_t<M>& v : {border.from(i), border.to(i)})
       if (!border.is_taken(i) && border.is_odd(v)) go_from(v);

@@ -1,4 +1,4 @@
-// Which verts lie on the boundary of a surface or a volume.
+// boundary_verts(m): the boundary verts of a surface or a volume, as a map of bool.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -7,7 +7,8 @@
 
 namespace concino {
 
-/// Which verts lie on the boundary: those of facets with exactly one poly. One walk over all facets, where is_boundary(m, v) asks the facets of one vert.
+/// Whether each vert is on the boundary: it belongs to a facet with exactly one poly. This is one pass over all facets; is_boundary(m, v) tests the
+/// facets of one vert.
 /// Needs:  AnyMesh, no temporary.
 /// Result: a map of bool.                                                          Cost: O(verts of all facets) time, a byte per vert.
 /// Errors: none.

@@ -1,4 +1,4 @@
-// Connected components: which elements hang together, and how many pieces there are.
+// Connected components: a label for every element, and the number of components.
 #pragma once
 
 #include <concino/core/function_ref.hpp>
@@ -13,14 +13,14 @@
 
 namespace concino {
 
-/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has no access to it.
 template<class Node, class Crossed = void>
 struct connected_components_options {
   function_ref<bool(Node)> may_enter = nullptr;      // false: the node belongs to no component (empty: all do)
-  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: this edge or face does not join what lies on its sides (empty: all do)
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: this edge or face does not connect its two nodes (empty: all do)
 };
 
-/// cc[x] is the number of the component of x, -1 if x was not to be entered. Components are numbered from 0 in the order in which a walk over
+/// cc[x] is the number of the component of x, -1 if may_enter(x) is false. Components are numbered from 0 in the order in which an iteration over
 /// all nodes meets them.
 template<class Map>
 struct component_labels {
@@ -34,8 +34,8 @@ struct component_labels {
 
 namespace detail {
 
-/// Unites each node with its neighbours of less index: nodes of near index lie near in memory, so this reads the mesh and the labels
-/// almost in order, where a search would jump. A function of its own, so that its loop has all registers.
+/// Unites each node with its neighbours of smaller index. Nodes with similar indices are close in memory, so the mesh and the labels are read
+/// almost in order, while a search would jump. A separate function, so that its loop can use all registers.
 template<class G>
 [[gnu::noinline]] void unite_neighbours(G g, disjoint_sets& sets) {
   for (const auto v : g.nodes()) {
@@ -62,7 +62,7 @@ auto connected_components(const G& g, const connected_components_options<typenam
     for (const node v : g.nodes()) {
       if (may_enter && !may_enter(v)) continue;
       const std::size_t i = g.index(v);
-      label[i] = 0;  // to be entered
+      label[i] = 0;  // may be entered
       for_each_open_neighbour(g, v, nullptr, options.may_cross, [&](const node& w) {
         if (const std::size_t j = g.index(w); label[j] == 0) sets.unite(i, j);
       });
@@ -86,10 +86,10 @@ auto connected_components(const G& g, const connected_components_options<typenam
 
 }  // namespace detail
 
-/// The connected components of the verts of a mesh or, of dual(m), of its polys. Nodes or arcs that
-/// may_enter and may_cross bar part them further.
+/// The connected components of the verts of a mesh, or of its polys if the argument is dual(m). may_enter excludes nodes and may_cross excludes arcs,
+/// which can divide components further.
 /// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; may_cross needs the edges or faces of an AnyMesh.
-/// Result: cc.count; cc[x] is 0 .. cc.count - 1, numbered by the first element that a walk over all meets; -1 for barred nodes.
+/// Result: cc.count; cc[x] is 0 .. cc.count - 1, numbered by the first element in the order of iteration; -1 for excluded nodes.
 /// Cost:   O(V + E) up to an inverse Ackermann factor in time, O(V) memory.
 /// Errors: none of its own.
 /// Source: Galler, Fisher 1964; paper section 2.1, "Architecture".

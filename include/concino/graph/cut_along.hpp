@@ -1,4 +1,4 @@
-// Opens a surface along edges, as scissors do.
+// cut_along(m, edges): cuts a surface open along edges.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -14,29 +14,29 @@ namespace concino {
 
 template<class M>
 struct cut_along_result {
-  surface_arrays surface;        // to make a trimesh, quadmesh or polygonmesh of
-  std::vector<vert_t<M>> verts;  // verts[i]: which vert of m vert i of the surface is, or is a copy of
-  std::vector<poly_t<M>> polys;  // polys[i]: which poly of m poly i of the surface is
+  surface_arrays surface;        // from which a trimesh, quadmesh or polygonmesh can be constructed
+  std::vector<vert_t<M>> verts;  // verts[i]: the vert of m that vert i of the surface is, or of which it is a copy
+  std::vector<poly_t<M>> polys;  // polys[i]: the poly of m that poly i of the surface is
 
-  /// The same by indices, of use for transfer_properties(m, mesh_of_surface, cut.correspondence(m)); edges follow from their verts.
+  /// The same by indices, for transfer_properties(m, mesh_of_surface, cut.correspondence(m)); edges follow from their verts.
   concino::correspondence correspondence(const M& m) const { return {origins_of(m, verts), {}, {}, origins_of(m, polys)}; }
 };
 
-/// The surface m with verts copied, so that polys on either side of the given edges do not share those edges any more. A vert is copied
-/// where the cut, together with borders of m, parts its polys. So a cut that ends inside of the surface keeps its last vert, and a single
-/// edge with both ends inside opens nothing.
-/// Needs:  Embedded SurfaceMesh M, open, closed or not manifold; cut: edges of m in braces or in a container, or a container of walks such
-///         as homology_generators gives. An edge may be given several times.
-/// Result: arrays with the polys of m in their order and winding, their number of verts in `arity` where the type fixes it. The
+/// The surface m with duplicated verts, so that the two polys at a cut edge do not share it any more. A vert is duplicated
+/// if the cut, together with the boundary of m, separates its polys. So a cut that ends in the interior of the surface keeps its last vert, and a single
+/// edge with both ends in the interior opens nothing.
+/// Needs:  Embedded SurfaceMesh M, with or without boundary, manifold or not; cut: edges of m in braces or in a container, or a container of walks,
+///         such as the result of homology_generators. An edge may occur several times.
+/// Result: arrays with the polys of m in their order and orientation, with their number of verts in `arity` if the type fixes it. The
 ///         first num_verts(m) verts are those of m in their order; copies follow, at the same points.
-/// Cost:   O(elements of m + edges given) time, but for the union of corners, and memory.
+/// Cost:   O(elements of m + length of cut) time, but for the union of corners, and memory.
 /// Errors: invalid_mesh if an edge is not one of m.
 template<SurfaceMesh M, class Cut = std::initializer_list<edge_t<M>>>
   requires Embedded<M>
 cut_along_result<M> cut_along(const M& m, const Cut& cut) {
   std::vector<unsigned char> edge_is_cut(edge_index_bound(m));
-  std::vector<unsigned char> splits(vert_index_bound(m));  // verts of the cut: others are left as they are
-  std::vector<edge_t<M>> known(edge_is_cut.size());  // so that asking whether m has an edge is quick on every mesh
+  std::vector<unsigned char> splits(vert_index_bound(m));  // verts of the cut: others do not change
+  std::vector<edge_t<M>> known(edge_is_cut.size());  // so that the test whether m has an edge is fast on every mesh
   for (const edge_t<M> e : edges(m)) known[index_of(m, e)] = e;
   const auto take = [&](const edge_t<M>& e) {
     if (index_of(m, e) >= known.size() || !(known[index_of(m, e)] == e))
@@ -62,7 +62,7 @@ cut_along_result<M> cut_along(const M& m, const Cut& cut) {
   detail::corner_classes<M> corners(m, [&](std::size_t e) { return edge_is_cut[e] != 0; });
   s.arity = static_cast<std::uint32_t>(arity_v<M>);
   if (s.arity == 0) s.offsets.push_back(0);
-  std::vector<std::uint32_t> class_number;  // of classes at verts that split, by the corner that stands for them
+  std::vector<std::uint32_t> class_number;  // of classes at verts that split, by the root corner of the class
   std::vector<unsigned char> is_used(splits.size());
   for (const poly_t<M> p : polys(m)) {
     std::size_t corner = corners.first[index_of(m, p)];

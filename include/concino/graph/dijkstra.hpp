@@ -1,4 +1,4 @@
-// Shortest paths: how far away is everything, along edges or from poly to poly.
+// Shortest paths by Dijkstra's algorithm: the distance of every node, along edges or from poly to poly.
 #pragma once
 
 #include <concino/core/function_ref.hpp>
@@ -18,17 +18,17 @@
 
 namespace concino {
 
-/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them: an edge, between polys of a volume a face;
-/// void where the mesh does not offer it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them: an edge, or a face between polys of a volume;
+/// void if the mesh has no access to it.
 template<class Node, class Crossed = void>
 struct dijkstra_options {
-  std::vector<Node> targets = {};                // stop when all of them are reached; none: go everywhere
+  std::vector<Node> targets = {};                // stop when all of them are reached; none: search everything
   bool nearest_target = false;                   // stop when one of them is reached
-  function_ref<bool(Node)> may_enter = nullptr;  // false: no path may step on this node (empty: on all). Sources are exempt.
-  detail::may_cross_t<Crossed> may_cross = nullptr;                   // false: no path may cross this edge or face (empty: all)
-  predecessors_ref<Node> predecessors = nullptr;                      // pointer to a map of nodes by nodes, filled with the last but one of each path
-  crossed_ref<Node, Crossed> crossed = nullptr;                       // pointer to a map of nodes by edges or faces, filled with the last that each path crosses
-  function_ref<bool(Node, double)> visit = nullptr;                   // called with each node and its distance, nearest first; false: the search is over (empty: never)
+  function_ref<bool(Node)> may_enter = nullptr;  // false: no path may enter this node (empty: all may be entered). Sources are exempt.
+  detail::may_cross_t<Crossed> may_cross = nullptr;                   // false: no path may cross this edge or face (empty: all may be crossed)
+  predecessors_ref<Node> predecessors = nullptr;                      // pointer to a map of nodes by nodes, filled with the last node but one of each path
+  crossed_ref<Node, Crossed> crossed = nullptr;                       // pointer to a map of nodes by edges or faces, filled with the last one on each path
+  function_ref<bool(Node, double)> visit = nullptr;                   // called with each node and its distance, nearest first; false: stop (empty: never)
   function_ref<double(Node)> initial_distance = nullptr;              // of each source, in units of length, any sign; +inf: none (empty: 0 for all)
   double max_distance = std::numeric_limits<double>::infinity();      // >= 0, in units of length; nodes farther than this are not reached
 };
@@ -42,8 +42,8 @@ template<class G>
                                       length < 0 ? core::number_text(length) : std::string("not a number"), "; lengths must be 0 or more"});
 }
 
-/// What a source begins with.
-/// Errors: invalid_argument if that is not a number or -inf.
+/// The initial distance of a source.
+/// Errors: invalid_argument if it is not a number or is -inf.
 template<class Options, class G>
 double initial_distance_of(const Options& options, const G& g, const typename G::node& source, const char* caller) {
   if (!options.initial_distance) return 0;
@@ -53,7 +53,7 @@ double initial_distance_of(const Options& options, const G& g, const typename G:
                                         "; give a number, or +inf for no source"});
 }
 
-/// Full: with may_enter, may_cross, predecessors, crossed and visit, which are not even asked for otherwise.
+/// Full: with may_enter, may_cross, predecessors, crossed and visit, which are otherwise not even tested.
 template<bool Full, class G, class S, class L>
 auto search_by_length(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* caller) {
   using node = typename G::node;
@@ -120,18 +120,18 @@ auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_opt
 
 }  // namespace detail
 
-/// Shortest distances from `source` along edges (source a vert) or from poly to poly (source a poly); from the nearest of several
-/// sources where a container or braces of them are given. Without a length, an arc is as long as the straight line between the verts,
+/// Shortest distances from `source` along edges (source a vert) or from poly to poly (source a poly). With several sources, in a container or
+/// braces, the distance from the nearest one. Without a length function, an arc has the Euclidean length between the verts,
 /// or between the means of the verts of the polys.
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; length(from, to) >= 0. Without a length: Embedded, and AnyMesh for polys.
 ///         may_cross and crossed need the edges or faces of an AnyMesh.
 /// Result: a map of double: distance[x] in units of length, +inf where unreached. With targets, it is exact for all nodes that are not
 ///         farther than the farthest target, or with nearest_target than the nearest, and +inf for the others. It does not depend on the
-///         order of elements of equal distance. Of predecessors by which a path is equally short, that stands which was settled first; it
-///         is the same in every run. With initial distances, a source that is reached from another on a shorter way is no beginning any more.
-///         When visit(x, distance) returns false, the nodes that it was called with are all that is reached.
+///         order of elements of equal distance. If several predecessors give equally short paths, the one settled first is stored; it
+///         is the same in every run. With initial distances, a source with a shorter path from another source no longer counts as a source.
+///         When visit(x, distance) returns false, only the nodes for which it was called are reached.
 /// Cost:   O(E log V) time, O(V) memory.
-/// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number.
+/// Errors: invalid_mesh if a source or target is not an element of m, or if a length that the search reads is negative or not a number.
 ///         invalid_argument if there is no source, max_distance is negative or not a number, or an initial distance is not a number or -inf.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S>

@@ -1,4 +1,4 @@
-// Disjoint sets of indices that are united one after another (union-find).
+// Disjoint sets of indices with union and find (union-find).
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -9,12 +9,12 @@
 
 namespace concino {
 
-/// A partition of 0 .. size() - 1 into sets: components of a graph while its edges come one by one, fans of corners, Kruskal's trees. Each set
-/// is known by its root, its least index, whatever the order in which sets were united.
+/// A partition of 0 .. size() - 1 into sets, for components of a graph while edges are added, fans of corners, Kruskal's trees. The root of a
+/// set is its smallest index, whatever the order in which sets were united.
 /// Needs:  indices below size().
 /// Cost:   O(inverse Ackermann function of size()) amortised a call; 4 bytes an index.
 /// Errors: invalid_argument for 2^32 indices or more.
-/// Source: Tarjan, van Leeuwen 1984 (paths are halved as they are walked).
+/// Source: Tarjan, van Leeuwen 1984 (path halving).
 class disjoint_sets {
   std::vector<std::uint32_t> parent_;
 
@@ -32,17 +32,17 @@ class disjoint_sets {
 
   std::size_t size() const { return parent_.size(); }
 
-  /// Adds the index size(), alone in a set, and returns it.
+  /// Adds the index size() as a set of its own, and returns it.
   std::size_t add() {
     const std::size_t i = expect_32_bits(parent_.size() + 1) - 1;
     parent_.push_back(static_cast<std::uint32_t>(i));
     return i;
   }
 
-  /// No indices are left; their memory is kept for the next.
+  /// Removes all indices; their memory is kept for later ones.
   void clear() { parent_.clear(); }
 
-  /// The least index of the set of i.
+  /// The smallest index of the set of i.
   std::size_t root(std::size_t i) {
     while (parent_[i] != i) {
       parent_[i] = parent_[parent_[i]];
@@ -53,7 +53,7 @@ class disjoint_sets {
 
   bool are_united(std::size_t a, std::size_t b) { return root(a) == root(b); }
 
-  /// Unites the sets of a and b; false if they are one already.
+  /// Unites the sets of a and b; false if they are the same set already.
   bool unite(std::size_t a, std::size_t b) {
     a = root(a);
     b = root(b);
@@ -62,7 +62,7 @@ class disjoint_sets {
     return true;
   }
 
-  /// The same for inner loops that know both roots; the root of both.
+  /// The same for inner loops that know both roots; returns the root of the union.
   std::size_t unite_roots(std::size_t a, std::size_t b) {
     if (b < a) {
       parent_[a] = static_cast<std::uint32_t>(b);
@@ -72,7 +72,7 @@ class disjoint_sets {
     return a;
   }
 
-  /// How many sets there are.      Cost: O(size()).
+  /// The number of sets.      Cost: O(size()).
   std::size_t num_sets() const {
     std::size_t n = 0;
     for (std::size_t i = 0; i < parent_.size(); ++i) n += parent_[i] == i;

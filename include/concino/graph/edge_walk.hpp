@@ -1,4 +1,4 @@
-// A way along the edges of a mesh: what boundary loops and generators of homology are made of.
+// edge_walk: a walk along the edges of a mesh. Boundary loops and homology generators are edge walks.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -7,7 +7,7 @@
 
 namespace concino {
 
-/// Verts in the order in which they are met, and the edges between them: edges[i] joins verts[i] and verts[i + 1]. Where the walk is closed
+/// The verts of a walk in order, and the edges between them: edges[i] joins verts[i] and verts[i + 1]. If the walk is closed,
 /// the last edge joins the last vert and the first, which is not repeated.
 template<class M>
 struct edge_walk {

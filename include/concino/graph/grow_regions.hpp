@@ -1,4 +1,4 @@
-// Regions that grow from seeds, conquering element after adjacent element.
+// Region growing: regions grow from seeds by adding adjacent elements.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -15,22 +15,22 @@
 namespace concino {
 
 enum class growth {
-  accumulated,  // next is what costs least from its seed on, all steps summed: each node goes to the seed from which it is cheapest
-  step          // next is what costs least in the last step, however far the region has grown already
+  accumulated,  // the smallest total cost from the seed comes next: each node goes to the seed from which it is cheapest
+  step          // the smallest cost of the last step comes next, however far the region has grown already
 };
 
-/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has no access to it.
 template<class Node, class Crossed = void>
 struct grow_regions_options {
-  growth priority = growth::accumulated;             // what is conquered next
-  function_ref<bool(Node)> may_enter = nullptr;      // false: belongs to no region (empty: any may). Seeds are exempt.
+  growth priority = growth::accumulated;             // which element is added next
+  function_ref<bool(Node)> may_enter = nullptr;      // false: the node belongs to no region (empty: any may). Seeds are exempt.
   detail::may_cross_t<Crossed> may_cross = nullptr;  // false: no region grows across this edge or face (empty: across all)
-  double max_cost = std::numeric_limits<double>::infinity();  // >= 0; what costs more, summed or in one step as priority says, is left
+  double max_cost = std::numeric_limits<double>::infinity();  // >= 0; elements with a larger cost, total or of one step as priority says, are left out
 };
 
 namespace detail {
 
-/// What the step from v to w costs; cost says a number or, if it returns bool, whether the step may be made.
+/// The cost of the step from v to w; cost returns a number or, if it returns bool, whether the step is allowed.
 template<class G, class C>
 double cost_of_step(const G& g, const C& cost, const typename G::node& v, const typename G::node& w) {
   if constexpr (std::is_same_v<std::remove_cvref_t<decltype(cost(v, w))>, bool>) {
@@ -44,7 +44,7 @@ double cost_of_step(const G& g, const C& cost, const typename G::node& v, const 
   }
 }
 
-/// A node that a region may take. Claims of equal cost and label are honoured in the order in which they were made.
+/// A node that a region may take. Claims of equal cost and label are served in the order in which they were made.
 template<class Node>
 struct region_claim {
   double cost;
@@ -73,7 +73,7 @@ auto grow_regions(const G& g, const S& seeds, const C& cost, const grow_regions_
   auto labels = make_node_map<int>(g, -1);
   int* const label = labels.data();
   struct offer { double cost; int label; };
-  auto best = std::vector<offer>(summed ? g.bound() : 0, offer{infinity, 0});  // made on nodes that wait
+  auto best = std::vector<offer>(summed ? g.bound() : 0, offer{infinity, 0});  // the best claims on nodes in the queue
 
   const auto conquer = [&](const node& v, int l, double so_far) {
     for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const node& w) {
@@ -120,19 +120,19 @@ auto grow_regions(const G& g, const S& seeds, const C& cost, const grow_regions_
 
 namespace requirement {
 
-/// A callable that says what the step from one node to another costs, or whether it may be made.
+/// A function that returns the cost of the step from one node to another, or whether the step is allowed.
 template<class C, class N> concept is_cost = is_length<C, N>;
 
 }  // namespace requirement
 
-/// Regions around seeds (verts, or polys): each takes adjacent elements, at every step all regions together the one that costs least. Where
-/// cost is a predicate (returns bool), a region may make the steps for which it is true, and all steps cost 1: the regions grow ring by ring.
+/// Regions around seeds (verts, or polys). In each step one region takes an adjacent element: the one that costs least among all regions. If
+/// cost is a predicate (returns bool), only steps for which it is true are allowed, and all steps cost 1: the regions grow ring by ring.
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; cost(from, to) >= 0, +inf for never, `from` in the region and `to` in none.
 ///         may_cross needs the edges or faces of an AnyMesh.
-/// Result: a map of int: rg[x] is the place of the region's seed among the seeds, -1 where none came. A seed given twice counts where it
-///         stands first. Of regions that reach an element at equal cost, that of the earlier seed takes it.
+/// Result: a map of int: rg[x] is the position of the region's seed among the seeds, -1 for elements in no region. The first of equal seeds
+///         counts. If several regions reach an element at equal cost, that of the earlier seed takes it.
 /// Cost:   O(E log E) time, O(V + E) memory.
-/// Errors: invalid_mesh if a seed is not an element of m, or if a cost met on the way is negative or not a number; invalid_argument if
+/// Errors: invalid_mesh if a seed is not an element of m, or if a cost that is read is negative or not a number; invalid_argument if
 ///         there is no seed, or max_cost is negative or not a number.
 /// Source: Adams, Bischof 1994 (growth::step); Erwig 2000, graph Voronoi diagrams (growth::accumulated); paper section 2.1, "Architecture".
 template<class M, class S, class C>

@@ -1,4 +1,4 @@
-// Loops that generate the first homology of a closed surface: around each handle and through it.
+// Homology generators: loops on a closed surface around each handle and through it.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -10,15 +10,15 @@
 namespace concino {
 
 struct homology_options {
-  bool from_root = true;  // false: loops without the way from the root of their component and back, which are simple cycles
+  bool from_root = true;  // false: omit the path from the root of the component and back, so that loops are simple cycles
 };
 
-/// Loops of which every closed walk on the surface is a sum, up to borders of parts of the surface, and none of which is a sum of others.
+/// A basis of the first homology group of a closed surface: every closed walk is homologous to a unique sum of these loops.
 /// Needs:  SurfaceMesh M that is closed and manifold: two polys at every edge, one fan of polys at every vert (or none).
-/// Result: closed walks, component by component, short ones first: 2g for a component of genus g, each closing one edge of the rest of
-///         tree_cotree(m) through its tree. All loops of a component begin at its first vert, so they hang together, and cutting the
-///         surface along all of them leaves a disk (of genus 0: the sphere, whole). No system of loops at that vert that does so has
-///         fewer steps. The ways that a loop goes there and back are left out with from_root = false: simple cycles that need not meet.
+/// Result: closed walks, component by component, short ones first: 2g for a component of genus g. Each is closed by one edge of the rest of
+///         tree_cotree(m), through its tree. All loops of a component begin at its first vert, so they are connected, and cutting the
+///         surface along all of them leaves a disk (of genus 0: the whole sphere). No system of loops at that vert that does so has
+///         fewer steps. With from_root = false the parts that a loop traverses twice are omitted: simple cycles that need not meet.
 ///         A component that is not orientable has 2 - chi loops; they generate its homology with coefficients modulo 2.
 /// Cost:   O(elements + edges of the loops) time, but for the union of polys, and memory.
 /// Errors: invalid_mesh that names the first edge or vert where the surface is not closed or not manifold.
@@ -33,7 +33,7 @@ std::vector<edge_walk<M>> homology_generators(const M& m, const homology_options
   loops.reserve(t.rest.size());
   for (const edge_t<M>& e : t.rest) {
     auto [a, b] = t.ends(m, e);
-    edge_walk<M> there, back;  // from either end up the tree, to the root or to where both ways meet
+    edge_walk<M> there, back;  // from either end up the tree, to the root or to the first common vert
     const auto climb = [&](vert_t<M>& v, edge_walk<M>& way) {
       const std::size_t i = index_of(m, v);
       way.verts.push_back(v);

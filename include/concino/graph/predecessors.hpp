@@ -1,4 +1,4 @@
-// Where the ways of a search come from: a map that bfs and dijkstra fill if asked, and the way to a node read off it.
+// Predecessors of a search: a map that bfs and dijkstra fill on request, and the path to a node in it.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -12,7 +12,7 @@ namespace concino {
 
 namespace detail {
 
-/// A pointer to any map of Keys by Values that can be written, or to none.
+/// A pointer to any writable map of Keys by Values, or null.
 template<class Key, class Value>
 class written_map {
   void* map_ = nullptr;
@@ -34,8 +34,8 @@ class written_map {
 
 }  // namespace detail
 
-/// Refers to a map that a search writes: p[x] becomes the node before x on the way to it, x itself for sources and for what the search did
-/// not reach. Any map of nodes by nodes will do, that of make_vert_map<vert_t<M>>(m) or of make_poly_map<poly_t<M>>(m) for one:
+/// A reference to a map that a search writes: p[x] becomes the node before x on the path to it, or x itself for sources and unreached nodes.
+/// Any map of nodes by nodes can be used, such as that of make_vert_map<vert_t<M>>(m) or of make_poly_map<poly_t<M>>(m):
 ///   auto from = make_vert_map<vert_id>(m);
 ///   bfs(m, a, {.predecessors = &from});
 template<class Node>
@@ -43,8 +43,8 @@ class predecessors_ref : public detail::written_map<Node, Node> {
   using detail::written_map<Node, Node>::written_map;
 };
 
-/// Refers to a map that a search writes: c[x] becomes the edge or face across which x was reached from its predecessor. Of sources and of what
-/// the search did not reach it says nothing.
+/// A reference to a map that a search writes: c[x] becomes the edge or face between x and its predecessor. It is not written for sources and
+/// unreached nodes.
 ///   auto along = make_vert_map<edge_id>(m);
 ///   bfs(m, a, {.crossed = &along});
 template<class Node, class Crossed>
@@ -52,7 +52,7 @@ class crossed_ref : public detail::written_map<Node, Crossed> {
   using detail::written_map<Node, Crossed>::written_map;
 };
 
-/// Of graphs that do not say what lies between their nodes: takes no map, and tells whoever gives one why.
+/// The type of `crossed` for graphs without crossings: it accepts no map, and its message says why.
 template<class Node>
 class crossed_ref<Node, void> {
  public:
@@ -63,10 +63,10 @@ class crossed_ref<Node, void> {
   constexpr explicit operator bool() const { return false; }
 };
 
-/// The nodes on the way to `end` in the tree that a search wrote to `predecessors`, from the source on; `end` alone if the search did not
+/// The nodes on the path to `end` in the tree that a search wrote to `predecessors`, from the source on; `end` alone if the search did not
 /// reach it.
 /// Needs:  predecessors[x] as bfs and dijkstra write it: following it ends at a node that is its own predecessor.
-/// Result: at least one node, `end` last.      Cost: O(nodes on the way).      Errors: none of its own.
+/// Result: at least one node, `end` last.      Cost: O(nodes on the path).      Errors: none of its own.
 template<class P, class Node>
   requires ReadableMap<P, Node>
 std::vector<Node> path_to(const P& predecessors, const Node& end) {

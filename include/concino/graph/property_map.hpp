@@ -1,4 +1,4 @@
-// Property maps of Boost, which libraries built on Boost.Graph give out, as maps of concino: as_map(pm)[x] reads and writes by get and put.
+// as_map(pm): a Boost property map, from a library built on Boost.Graph, as a concino map. as_map(pm)[x] calls get and put.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -16,7 +16,7 @@ template<class P> concept is_property_map = requires { typename boost::property_
 
 }  // namespace requirement
 
-/// What stands for pm[x] where a property map gives out no reference.
+/// A proxy for pm[x], for property maps that return no reference.
 template<class P>
 class property_map_value {
   using traits = boost::property_traits<P>;
@@ -36,7 +36,7 @@ class property_map_value {
   }
 };
 
-/// A property map of Boost with the brackets of a map.
+/// A property map of Boost with operator[].
 template<requirement::is_property_map P>
 class property_map_as_map {
   using category = typename boost::property_traits<P>::category;
@@ -56,9 +56,9 @@ class property_map_as_map {
   }
 };
 
-/// Needs:  a property map of Boost, handed on as cheaply as these are copied. Maps that have pm[x], such as those of CGAL::Surface_mesh,
+/// Needs:  a property map of Boost, which is cheap to copy. Maps that have pm[x], such as those of CGAL::Surface_mesh,
 ///         are maps already.
-/// Result: a ReadableMap where pm is readable, a WritableMap where pm is writable or an lvalue map.      Cost: none; nothing is copied but pm.
+/// Result: a ReadableMap if pm is readable, a WritableMap if pm is writable or an lvalue map.      Cost: none; nothing is copied but pm.
 /// Errors: none of its own.
 template<requirement::is_property_map P>
 auto as_map(const P& pm) { return property_map_as_map<P>(pm); }

@@ -1,4 +1,4 @@
-// The shortest path from one element to another, or from the nearest of several to the nearest of several.
+// The shortest path from one element to another, or between two sets of elements.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -9,17 +9,17 @@
 
 namespace concino {
 
-/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has no access to it.
 template<class Node, class Crossed = void>
 struct shortest_path_options {
-  function_ref<bool(Node)> may_enter = nullptr;       // false: the path may not step on this node (empty: on all). Sources are exempt.
-  detail::may_cross_t<Crossed> may_cross = nullptr;   // false: the path may not cross this edge or face (empty: all)
-  double max_distance = std::numeric_limits<double>::infinity();  // >= 0, in units of length; a path longer than this is none
+  function_ref<bool(Node)> may_enter = nullptr;       // false: the path may not enter this node (empty: it may enter all). Sources are exempt.
+  detail::may_cross_t<Crossed> may_cross = nullptr;   // false: the path may not cross this edge or face (empty: it may cross all)
+  double max_distance = std::numeric_limits<double>::infinity();  // >= 0, in units of length; longer paths do not count
 };
 
 namespace requirement {
 
-/// T is a node, or a container of nodes, of the graph that S means.
+/// T is a node, or a container of nodes, of the graph selected by S.
 template<class M, class S, class T> concept is_target = is_source<M, S> && is_source<M, T> && std::same_as<concino::detail::node_of<M, S>, concino::detail::node_of<M, T>>;
 
 }  // namespace requirement
@@ -50,15 +50,15 @@ auto shortest_path(const G& g, const S& source, const T& target, const L& length
 }  // namespace detail
 
 /// The shortest path between two verts along edges, or between two polys from poly to poly. Source and target may each be a container or
-/// braces of several: the path then joins the two that are nearest to each other. Without a length, an arc is as long as the straight line
+/// braces of several: the path then joins the nearest pair. Without a length function, an arc has the Euclidean length
 /// between the verts, or between the means of the verts of the polys.
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; length(from, to) >= 0. Without a length: Embedded, and AnyMesh for polys.
 ///         may_cross needs the edges or faces of an AnyMesh.
-/// Result: the verts or polys of the path from source to target, both included: one where they are the same, none where there is no path.
-///         Of targets equally near the first is taken, of equally short paths the one that dijkstra's predecessors show: the same in
+/// Result: the verts or polys of the path from source to target, both included: one if they are the same, none if there is no path.
+///         Of targets equally near the first is taken; of equally short paths, the one in dijkstra's predecessors, which is the same in
 ///         every run.
 /// Cost:   O(E log V) time, O(V) memory; the search stops at the nearest target.
-/// Errors: invalid_mesh if a source or target is not an element of m, or if a length met on the way is negative or not a number.
+/// Errors: invalid_mesh if a source or target is not an element of m, or if a length that the search reads is negative or not a number.
 ///         invalid_argument if there is no source or no target, or max_distance is negative or not a number.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S, class T = std::initializer_list<detail::node_of<M, S>>>

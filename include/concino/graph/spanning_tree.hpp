@@ -1,4 +1,4 @@
-// Spanning trees: the fewest and shortest arcs that hold together what hangs together.
+// Minimum spanning trees: the shortest arcs that connect each component.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -17,21 +17,21 @@
 namespace concino {
 
 enum class tree_method {
-  kruskal,  // takes arcs from the shortest to the longest, unless their ends are joined already
-  prim      // grows the tree of one component after the other from its first node
+  kruskal,  // takes arcs from the shortest to the longest, unless their ends are connected already
+  prim      // grows one tree per component, one after the other, each from its first node
 };
 
-/// Node is a vert (primal graph) or a poly (dual graph); Crossed what lies between two of them, void where the mesh does not offer it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has no access to it.
 template<class Node, class Crossed = void>
 struct spanning_tree_options {
   using arc = std::pair<Node, Node>;
   tree_method method = tree_method::kruskal;         // both give the same tree
-  function_ref<bool(arc, arc)> before = nullptr;     // a strict weak order in which arcs are preferred (empty: shorter ones); ends by index_of
-  function_ref<bool(Node)> may_enter = nullptr;      // false: the tree has not this node (empty: it has all)
-  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the tree does not cross this edge or face (empty: it may all)
+  function_ref<bool(arc, arc)> before = nullptr;     // a strict weak order of preference of arcs (empty: shorter ones first); ends by index_of
+  function_ref<bool(Node)> may_enter = nullptr;      // false: the tree does not contain this node (empty: it contains all)
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the tree does not cross this edge or face (empty: it may cross all)
 };
 
-/// What spanning_tree finds. `edges`, the mesh edge of each arc, is there for the primal graph of a mesh that has edges.
+/// The result of spanning_tree. `edges`, the mesh edge of each arc, exists for the primal graph of a mesh that has edges.
 template<class Node, class Edge = void>
 struct spanning_tree_result {
   std::vector<std::pair<Node, Node>> arcs;
@@ -60,8 +60,8 @@ class tree_builder {
   struct candidate {
     double length;
     std::size_t low, high;
-    std::pair<node, node> ends;  // of lower and of higher index
-    bool upward;                 // found on the way from the lower to the higher
+    std::pair<node, node> ends;  // of smaller and of larger index
+    bool upward;                 // found from the node of smaller index
     stored_edge via;
   };
 
@@ -69,7 +69,7 @@ class tree_builder {
   const spanning_tree_options<node, crossed_t<G>>& options_;
   spanning_tree_result<node, edge> tree_;
 
-  /// A total order, so that there is one least tree: of arcs that count alike, first the one of lesser indices.
+  /// A total order, so that there is one minimum tree: of equivalent arcs, the one of smaller indices comes first.
   bool less(const candidate& a, const candidate& b) const {
     if (options_.before) {
       if (options_.before(a.ends, b.ends)) return true;
@@ -169,14 +169,14 @@ concept has_default_lengths = Embedded<concino::detail::base_mesh_t<std::remove_
 
 }  // namespace requirement
 
-/// The shortest spanning tree of each component of the verts of a mesh or, of dual(m), of its polys; or the
-/// tree that prefers arcs by another order. Without a length, an arc is as long as the straight line between the verts, or between the
+/// The minimum spanning tree of each component of the verts of a mesh, or of its polys if the argument is dual(m); or the
+/// tree that prefers arcs by another order. Without a length function, an arc has the Euclidean length between the verts, or between the
 /// means of the verts of the polys.
-/// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; length(v, w) is asked from lower to higher index_of, may be negative, and is +inf for no arc.
+/// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; length(v, w) is called from smaller to larger index_of, may be negative, and is +inf for no arc.
 ///         Without a length: Embedded, and AnyMesh for polys. may_cross needs the edges or faces of an AnyMesh.
-/// Result: st.arcs: pairs of nodes, as many as nodes less components; st.edges: their edges, of verts of a mesh with edges; st.weight.
-///         By Kruskal in the order taken, lower index first; by Prim as the trees grow, outward. Both take the same arcs: of those that
-///         count alike first the ones whose lower, then whose higher index is less.
+/// Result: st.arcs: pairs of nodes, as many as nodes minus components; st.edges: their edges, for verts of a mesh with edges; st.weight.
+///         By Kruskal in the order taken, smaller index first; by Prim as the trees grow, outward. Both take the same arcs: of equivalent
+///         arcs first those whose smaller index, then whose larger index is smaller.
 /// Cost:   O(E log E) time, O(V + E) memory.
 /// Errors: invalid_mesh if a length is not a number or -inf.
 /// Source: Kruskal 1956; Prim 1957; paper section 2.1, "Architecture".

@@ -1,4 +1,4 @@
-// A tree of verts and a tree of polys that share no edge, and the few edges of a closed surface that are in neither.
+// Tree-cotree decomposition: a tree of verts and a tree of polys that share no edge, and the few edges of a closed surface that are in neither.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -48,12 +48,12 @@ void expect_closed_manifold(const M& m, const char* caller) {
   }
 }
 
-/// The decomposition, and how to climb its tree.
+/// The decomposition, with the parents of the tree.
 template<SurfaceMesh M>
 struct tree_cotree_tables : tree_cotree_result<M> {
   static constexpr std::uint32_t unreached = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> hops, component;  // by vert: steps to the root, and which root
-  std::vector<edge_t<M>> up_edge;              // by vert: the way to the root
+  std::vector<std::uint32_t> hops, component;  // by vert: steps to the root, and the number of the root
+  std::vector<edge_t<M>> up_edge;              // by vert: the edge towards the root
   std::vector<vert_t<M>> up_vert;
 
   tree_cotree_tables(const M& m, const char* caller) {
@@ -73,7 +73,7 @@ struct tree_cotree_tables : tree_cotree_result<M> {
  private:
   std::vector<unsigned char> in_tree_;
 
-  /// A search of its own: bfs_forest, whose visitor and maps are type-erased, takes a tenth to a fifth longer for all of tree_cotree.
+  /// A separate search: with bfs_forest, whose visitor and maps are type-erased, tree_cotree takes a tenth to a fifth longer in all.
   void grow_tree(const M& m) {
     const auto bound = vert_index_bound(m);
     hops.assign(bound, unreached);
@@ -108,9 +108,9 @@ struct tree_cotree_tables : tree_cotree_result<M> {
     }
   }
 
-  /// Of all trees of polys, the one whose edges close the longest loops, so that those of the rest are as short as can be.
+  /// Builds the tree of polys whose edges close the longest loops, so that the loops of the remaining edges are as short as possible.
   void grow_cotree(const M& m) {
-    std::vector<std::size_t> begins_at;  // where the edges that close loops of so many steps begin in a list from long to short
+    std::vector<std::size_t> begins_at;  // loops by number of steps: where their edges begin in a list from long to short
     const auto steps = [&](const edge_t<M>& e) {
       const auto [a, b] = ends(m, e);
       return std::size_t{hops[index_of(m, a)]} + hops[index_of(m, b)];
@@ -141,11 +141,11 @@ struct tree_cotree_tables : tree_cotree_result<M> {
 
 }  // namespace detail
 
-/// Every edge of a closed surface is in a spanning tree of the verts, or crossed by a spanning tree of the polys, or one of the rest. These
-/// are 2 - chi per component: 2g where it is orientable and of genus g. Without the edges of tree and rest the surface is a disk.
+/// Partitions the edges of a closed surface: those in a spanning tree of the verts, those crossed by a spanning tree of the polys, and the rest. The rest
+/// are 2 - chi per component: 2g if it is orientable and of genus g. Without the edges of tree and rest the surface is a disk.
 /// Needs:  SurfaceMesh M that is closed and manifold: two polys at every edge, one fan of polys at every vert (or none). It need not be
 ///         orientable, and may have several components.
-/// Result: edges. The tree is breadth-first, from the first vert of each component; rest is sorted by the steps of the loops that its
+/// Result: edges. The tree is breadth-first, from the first vert of each component; rest is sorted by the number of steps of the loops that its
 ///         edges close through the tree, shortest first. The same mesh always gives the same trees.
 /// Cost:   O(elements) time, but for the union of polys, and memory.
 /// Errors: invalid_mesh that names the first edge or vert where the surface is not closed or not manifold.

@@ -1,4 +1,4 @@
-// Pairs of iterators of one type, as Boost wants them, over ranges of elements that promise much less.
+// any_iterator: pairs of iterators of one type, as Boost requires, over ranges with much weaker guarantees.
 #pragma once
 
 #include <concino/concepts/halfedge_kernel.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino::detail {
 
-/// Whether iterators of what a verb returns as an R are good after R is gone.
+/// Whether iterators of the range R that a verb returns remain valid after R is destroyed.
 template<class R>
 inline constexpr bool is_borrowed_range = std::is_lvalue_reference_v<R> || std::ranges::enable_borrowed_range<std::remove_cvref_t<R>>;
 template<class T> inline constexpr bool is_borrowed_range<id_span<T>> = true;
@@ -28,8 +28,8 @@ template<class R> using end_of = decltype(std::declval<const std::remove_referen
 template<class R>
 concept has_plain_iterators = is_borrowed_range<R> && std::same_as<begin_of<R>, end_of<R>> && std::regular<begin_of<R>>;
 
-/// Where a walk along a range of type R is. The weakest range will do: one that can be neither copied nor moved, whose iterators live no
-/// longer than it and compare with nothing but an end of another type. Such a range is kept, shared by all copies of the iterator.
+/// A position in a range of type R. The weakest range is enough: one that can be neither copied nor moved, whose iterators must not outlive it
+/// and can be compared only with an end of another type. Such a range is stored once and shared by all copies of the iterator.
 template<class R>
 class any_iterator {
   struct range {
@@ -63,7 +63,7 @@ class any_iterator {
   friend bool operator==(const any_iterator& a, const any_iterator& b) { return a.range_ && b.range_ ? a.taken_ == b.taken_ : a.range_ == b.range_; }
 };
 
-/// The same for ranges whose iterators need no help.
+/// The same for ranges whose iterators are sufficient themselves.
 template<has_plain_iterators R>
 class any_iterator<R> {
   begin_of<R> it_{};
@@ -83,7 +83,7 @@ class any_iterator<R> {
   friend bool operator==(const any_iterator& a, const any_iterator& b) { return a.it_ == b.it_; }
 };
 
-/// What all iterators given to Boost have alike. They yield values, and may be walked again.
+/// The common base class of all iterators for Boost. They return values and are multi-pass.
 template<class Self, class Value>
 struct forward_iterator {
   using iterator_category = std::forward_iterator_tag;

@@ -22,7 +22,7 @@ class directed_view : public view_base<G> {
   const auto& numbers() const { return numbers_; }
 };
 
-// Boost's algorithms call these without a namespace, and find them because the views live here.
+// Boost's algorithms call these unqualified, and find them by argument-dependent lookup, because the views are in this namespace.
 template<detail::boost_view G>
 auto vertices(const G& g) {
   using iterator = detail::node_iterator<detail::node_in<G>, detail::nodes_in<G>>;
@@ -98,7 +98,7 @@ template<detail::boost_view G>
 auto get(boost::edge_weight_t, const G& g) { return detail::distance_map<G>(detail::distances(g)); }
 template<class G>
 auto get(boost::edge_reverse_t, const directed_view<G>&) { return detail::opposite_map<detail::edge_in<directed_view<G>>>(); }
-/// One value by its name; for many, take the map once.
+/// The value at one key; for many values, get the map once.
 template<detail::boost_view G, class Tag>
   requires(!std::is_same_v<Tag, boost::vertex_index_t>) && requires(Tag tag, const G& g) { get(tag, g); }
 auto get(Tag tag, const G& g, const detail::edge_in<G>& e) { return get(tag, g)[e]; }

@@ -1,4 +1,4 @@
-// What Boost.Graph walks along: the neighbours of a node, the edges at it, all edges. Found while walking, nothing is copied.
+// Iterators for Boost.Graph: over the neighbours of a node, the edges at it, all edges. Edges are computed during iteration, nothing is copied.
 #pragma once
 
 #include <concino/concepts/views/dual.hpp>
@@ -41,7 +41,7 @@ template<class G> using edge_in = node_pair<node_in<G>, is_directed<G>>;
 template<class G> using nodes_in = decltype(std::declval<const base_graph_t<G>&>().nodes());
 template<class G> using ring_in = decltype(std::declval<const base_graph_t<G>&>().neighbours(std::declval<const node_in<G>&>()));
 
-/// A graph that iterators and maps keep: as it is where copies cost nothing, else one copy that all of them share.
+/// A graph stored in iterators and maps: by value if copies cost nothing, else as one copy that all of them share.
 template<class G, bool = std::is_trivially_copyable_v<G>>
 class graph_storage {
   std::optional<G> g_;
@@ -61,7 +61,7 @@ class graph_storage<G, false> {
   const G& get() const { return *g_; }
 };
 
-/// All elements of a range: nodes of a graph, neighbours of a node.
+/// An iterator over a range of nodes: those of a graph, or the neighbours of a node.
 template<class Node, class R>
 class node_iterator : public forward_iterator<node_iterator<Node, R>, Node> {
   any_iterator<R> at_;
@@ -80,7 +80,7 @@ class node_iterator : public forward_iterator<node_iterator<Node, R>, Node> {
   friend bool operator!=(const node_iterator& a, const node_iterator& b) { return !(a == b); }
 };
 
-/// The edges at one node, as seen from it (Outwards), or from their other ends.
+/// An iterator over the edges at one node, directed away from it (Outwards) or towards it.
 template<class Edge, class R, bool Outwards>
 class incidence_iterator : public forward_iterator<incidence_iterator<Edge, R, Outwards>, Edge> {
   using node = decltype(Edge::source);
@@ -108,7 +108,7 @@ class incidence_iterator : public forward_iterator<incidence_iterator<Edge, R, O
   friend bool operator!=(const incidence_iterator& a, const incidence_iterator& b) { return !(a == b); }
 };
 
-/// All edges: undirected ones once, from the end of lower index; directed ones all.
+/// An iterator over all edges: undirected ones once, from the end of smaller index; directed ones all.
 template<class G>
 class edge_iterator : public forward_iterator<edge_iterator<G>, edge_in<G>> {
   using nodes = node_iterator<node_in<G>, nodes_in<G>>;
@@ -143,7 +143,7 @@ class edge_iterator : public forward_iterator<edge_iterator<G>, edge_in<G>> {
 
  public:
   edge_iterator() = default;
-  /// The end if first == last.
+  /// The end iterator if first == last.
   edge_iterator(const G& g, nodes first, nodes last) : g_(g), node_(std::move(first)), last_node_(std::move(last)) {
     if (node_ == last_node_) return;
     enter();

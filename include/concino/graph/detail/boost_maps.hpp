@@ -1,4 +1,4 @@
-// Property maps of Boost over maps of concino, over callables, and over the indices and numbers of nodes and edges.
+// Boost property maps: of concino maps, of callables, and of the indices and numbers of nodes and edges.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -15,7 +15,7 @@
 
 namespace concino::detail {
 
-/// A map of the caller's: by address where it has a name, else kept, shared by all copies of the property map.
+/// A map of the caller's: by address if it is an lvalue, else stored and shared by all copies of the property map.
 template<class P> inline P* base_map(P* p) { return p; }
 template<class P> inline P* base_map(const std::shared_ptr<P>& p) { return p.get(); }
 
@@ -45,7 +45,7 @@ class map_of_map : public boost::put_get_helper<result_of<P, Key>, map_of_map<P,
   reference operator[](const Key& x) const { return (*base_map(map_))[x]; }
 };
 
-/// f(source, target) of an edge. Shared by all copies, so that a map can be assigned though callables with captures cannot.
+/// f(source, target) of an edge. f is shared by all copies, so that the map is assignable although callables with captures are not.
 template<class Edge, class F> using called_with_ends = std::invoke_result_t<const F&, decltype(Edge::source), decltype(Edge::source)>;
 template<class Edge, class F>
 class map_of_ends : public boost::put_get_helper<called_with_ends<Edge, F>, map_of_ends<Edge, F>> {
@@ -92,11 +92,11 @@ class edge_index_map : public boost::put_get_helper<std::size_t, edge_index_map<
   edge_index_map(const undirected_form<G>& g, std::shared_ptr<const edge_numbers<is_directed<G>>> numbers)
       : g_(g), numbers_(std::move(numbers)) {}
   std::size_t operator[](const key_type& e) const { return (*numbers_)(base_graph(g_.get()), e); }
-  /// How many edges have a number.
+  /// The number of edges.
   std::size_t size() const { return numbers_->size(); }
 };
 
-/// The same arc in the other direction.
+/// The opposite arc.
 template<class Edge>
 struct opposite_map : boost::put_get_helper<Edge, opposite_map<Edge>> {
   using key_type = Edge;
@@ -124,7 +124,7 @@ class edge_value_map : public boost::put_get_helper<T&, edge_value_map<G, T>> {
   T& operator[](const key_type& e) const { return values_.get()[index_[e]]; }
 };
 
-/// Straight distances: of verts, of the means of polys' verts (each computed once).
+/// Euclidean distances: of verts, or of the means of polys' verts (each computed once).
 template<class M>
 struct vert_distance {
   graph_storage<M> m;

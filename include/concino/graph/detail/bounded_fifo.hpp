@@ -1,4 +1,4 @@
-// The queue of breadth-first search: every node enters at most once, so the room is known beforehand.
+// bounded_fifo: the queue of breadth-first search. Every node enters at most once, so the capacity is known in advance.
 #pragma once
 
 #include <concino/core/large_pages.hpp>
@@ -8,7 +8,7 @@
 
 namespace concino::detail {
 
-/// First in, first out, for at most `room` nodes ever. Memory is not touched before it is needed, pushing checks nothing.
+/// A first-in, first-out queue with at most `room` push operations in all. Memory is not touched before it is needed; push does no checks.
 template<class Node>
 class bounded_fifo {
   std::allocator<Node> memory_;
@@ -27,7 +27,7 @@ class bounded_fifo {
 
   bool empty() const { return head_ == tail_; }
   void push(const Node& x) { std::construct_at(nodes_ + tail_++, x); }
-  /// Who will be popped n pops after the next; null if it is not known yet.
+  /// The node that will be popped n pops after the next one; null if it is not known yet.
   const Node* peek(std::size_t n) const { return head_ + n < tail_ ? nodes_ + head_ + n : nullptr; }
   Node pop() { return nodes_[head_++]; }
 };

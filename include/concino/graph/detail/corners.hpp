@@ -1,4 +1,4 @@
-// Corners of polygons, joined around verts: what is one vert of a surface, and what would be several if it were cut.
+// Classes of corners around the verts of a surface. Each class becomes one vert if the surface is cut along edges.
 #pragma once
 
 #include <concino/concepts/oriented_edges.hpp>
@@ -8,8 +8,8 @@
 
 namespace concino::detail {
 
-/// Corner i of a poly, in the order of adj_p2v, is number first[index of the poly] + i. Two corners of a vert are one class if one can turn
-/// from the one to the other around the vert without crossing an edge e that is_cut(index of e). Nearly linear time.
+/// Corner i of a poly, in the order of adj_p2v, has the number first[index of the poly] + i. Two corners of a vert are in one class if they are
+/// connected around the vert through edges e for which is_cut(index of e) is false. Nearly linear time.
 template<SurfaceMesh M>
 struct corner_classes {
   std::vector<std::size_t> first;
@@ -41,7 +41,7 @@ struct corner_classes {
 
  private:
   static constexpr std::size_t unknown = std::numeric_limits<std::size_t>::max();
-  struct corner_pair {  // the corners of the poly met first at an edge, by index of the verts
+  struct corner_pair {  // the corners of the first poly at an edge, at its vert of lower and of higher index
     std::size_t low = unknown, high = unknown;
   };
 

@@ -1,5 +1,5 @@
-// What lies between two nodes of a graph: the edge along which verts are joined, the edge (surface) or face (volume) that polys share.
-// Known where the mesh offers it; views of one graph, primal(m) and dual(m), ask the mesh they show.
+// What lies between two nodes of a graph: the edge between two verts, the edge (surface) or face (volume) between two polys.
+// It is known if the mesh has these adjacencies; for primal(m) and dual(m), the mesh m is used.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -12,7 +12,7 @@
 
 namespace concino::detail {
 
-/// m, or where m is a view of one of its graphs, the mesh.
+/// m, or its base mesh if m is primal(...) or dual(...).
 template<class M> const M& base_mesh(const M& m) { return m; }
 template<class M> decltype(auto) base_mesh(const views::primal_view<M>& m) { return base_mesh(m.base()); }
 template<class M> decltype(auto) base_mesh(const views::dual_view<M>& m) { return base_mesh(m.base()); }
@@ -22,7 +22,7 @@ template<class M> using base_mesh_t = std::remove_cvref_t<decltype(base_mesh(std
 template<class M> concept crosses_edges_between_verts = requirement::has_adj_v2e<M> && requirement::has_adj_e2v<M>;
 template<class M> concept crosses_facets_between_polys = requires(const M& m, poly_t<M> p, facet_t<M> x) { adj_p2facet(m, p), adj_facet2p(m, x); };
 
-/// `type`: what is crossed on the way from node to node, void where the mesh does not say.
+/// `type`: what is crossed between two nodes, void if the mesh has no access to it.
 template<class G> struct crossing { using type = void; };
 template<class M>
   requires crosses_edges_between_verts<base_mesh_t<M>>
@@ -34,7 +34,7 @@ struct crossing<dual_graph<M>> { using type = facet_t<base_mesh_t<M>>; };
 template<class G> using crossed_t = typename crossing<G>::type;
 template<class M, class S> using crossed_of = crossed_t<graph_of<M, S>>;
 
-/// Stands where nothing can be crossed: takes no predicate, and tells whoever gives one why.
+/// The type of may_cross for graphs without crossings: it accepts no predicate, and its message says why.
 struct nothing_to_cross {
   constexpr nothing_to_cross() = default;
   constexpr nothing_to_cross(std::nullptr_t) {}
@@ -46,7 +46,7 @@ template<class C> struct crossing_test { using type = function_ref<bool(C)>; };
 template<> struct crossing_test<void> { using type = nothing_to_cross; };
 template<class C> using may_cross_t = typename crossing_test<C>::type;
 
-/// Calls visit(w, x) for each neighbour w of v and each edge or face x between them: as often as the two share one.
+/// Calls visit(w, x) for each neighbour w of v and each edge or face x between them, so several times if they share several.
 template<class M, class F>
   requires(!std::is_void_v<crossed_t<primal_graph<M>>>)
 void for_each_crossing(const primal_graph<M>& g, const vert_t<M>& v, const F& visit) {
@@ -64,7 +64,7 @@ void for_each_crossing(const dual_graph<M>& g, const poly_t<M>& p, const F& visi
     for (const poly_t<M> q : other_polys(m, p, x)) visit(q, x);
 }
 
-/// Calls visit(w, x) for each of these that may_cross and may_enter (either may be empty) let pass.
+/// Calls visit(w, x) for those of these for which may_cross and may_enter (either may be empty) are true.
 template<class G, class F>
 void for_each_open_crossing(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
                           const function_ref<bool(crossed_t<G>)>& may_cross, const F& visit) {
@@ -73,13 +73,13 @@ void for_each_open_crossing(const G& g, const typename G::node& v, function_ref<
   });
 }
 
-/// Calls visit(w) for the neighbours of v that may_cross and may_enter (either may be empty) let pass; with may_cross perhaps more than once.
+/// Calls visit(w) for the neighbours of v for which may_cross and may_enter (either may be empty) are true; with may_cross, possibly more than once.
 template<class G, class F>
 void for_each_open_neighbour(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
                    [[maybe_unused]] const may_cross_t<crossed_t<G>>& may_cross, const F& visit) {
   if constexpr (!std::is_void_v<crossed_t<G>>) {
     if (may_cross) {
-      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {  // not by for_each_open_crossing, which would slow down the loop below
+      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {  // without for_each_open_crossing, which would slow down the loop below
         if (may_cross(x) && (!may_enter || may_enter(w))) visit(w);
       });
       return;
@@ -89,7 +89,7 @@ void for_each_open_neighbour(const G& g, const typename G::node& v, function_ref
     if (!may_enter || may_enter(w)) visit(w);
 }
 
-/// The same with may_enter and may_cross of a search's options: calls visit(w, put_crossed). put_crossed() notes what lies between v and w in the map
+/// The same with may_enter and may_cross of a search's options: calls visit(w, put_crossed). put_crossed() stores what lies between v and w in the map
 /// options.crossed, if there is one.
 template<class G, class Options, class F>
 void for_each_recorded_neighbour(const G& g, const typename G::node& v, const Options& options, const F& visit) {

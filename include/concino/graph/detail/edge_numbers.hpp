@@ -1,4 +1,4 @@
-// Edges of a graph as pairs of nodes, and numbers for them from 0 up.
+// edge_numbers: the edges of a graph as pairs of nodes, numbered from 0.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -11,8 +11,8 @@
 
 namespace concino::detail {
 
-/// The edge between two nodes, seen from one of them. Undirected: the same edge as seen from the other; directed: another edge.
-/// It remembers where among the neighbours of one end it was met, so that its number is found without a search.
+/// The edge between two nodes, with a direction. Undirected: equal to the opposite edge; directed: different from it.
+/// It stores its position among the neighbours of one end, so that its number is found without a search.
 template<class Node, bool Directed>
 struct node_pair {
   Node source{}, target{};
@@ -26,10 +26,10 @@ struct node_pair {
   friend bool operator!=(const node_pair& a, const node_pair& b) { return !(a == b); }
 };
 
-/// Numbers of all edges of a graph (undirected), or of all arcs, two per edge (directed).
+/// The numbers of all edges of a graph (undirected), or of all arcs, two per edge (directed).
 template<bool Directed>
 class edge_numbers {
-  std::vector<std::size_t> first_;  // by index of a node: its first arc; the others follow as the neighbours do
+  std::vector<std::size_t> first_;  // by node index: its first arc; the others follow in the order of the neighbours
   std::vector<std::size_t> table_;  // by arc: the opposite arc (directed), the number of the edge (undirected)
   std::size_t count_ = 0;
 
@@ -38,8 +38,8 @@ class edge_numbers {
                                 ", but not the other way round; check_laws names the law that is broken, and where"});
   }
 
-  /// table_[arc] = the arc in the opposite direction. Arcs are sorted by where they lead; then the arcs of one node are marked at their
-  /// targets, which are the sources of those that lead to it.
+  /// Sets table_[arc] = the opposite arc. Arcs are sorted by target. Then, for each node, its arcs are marked at their
+  /// targets, which are the sources of the arcs that lead to the node.
   template<class G>
   void match_arcs(const G& g) {
     struct incoming { std::size_t from, arc; };
@@ -76,7 +76,7 @@ class edge_numbers {
     table_.resize(count_);
     match_arcs(g);
     if constexpr (!Directed) {
-      // An edge has the number that its lower arc has among lower arcs.
+      // An edge has the number that its smaller arc has among the smaller arcs.
       count_ = 0;
       for (std::size_t arc = 0; arc < table_.size(); ++arc) {
         const std::size_t opposite = table_[arc];

@@ -1,4 +1,4 @@
-// One graph for algorithms that run on verts as well as on polys: nodes, neighbours and index, picked by the type of the node.
+// One graph interface for algorithms on verts and on polys: nodes, neighbours and index. The type of the node selects the graph.
 #pragma once
 
 #include <concino/concepts/dual_graph.hpp>
@@ -17,7 +17,7 @@
 
 namespace concino::detail {
 
-/// Verts joined by edges.
+/// The graph of verts, joined by edges.
 template<PrimalGraph M>
 struct primal_graph {
   using mesh = M;
@@ -32,7 +32,7 @@ struct primal_graph {
   decltype(auto) neighbours(const node& v) const { return adj_v2v(m, v); }
 };
 
-/// Polys joined by shared edges (surfaces) or faces (volumes).
+/// The graph of polys, joined by shared edges (surfaces) or faces (volumes).
 template<DualGraph M>
 struct dual_graph {
   using mesh = M;
@@ -47,14 +47,14 @@ struct dual_graph {
   decltype(auto) neighbours(const node& p) const { return adj_p2p(m, p); }
 };
 
-// Which graph does X mean? The one whose nodes are of that very type, else the only one whose nodes X converts to (handles of a
-// library often come in a plain and a smart flavour).
+// Selects the graph for a type X: the one whose nodes have exactly that type, else the only one to whose nodes X converts (handles of a
+// library often have a plain and a smart variant).
 template<class M, class X> concept is_vert_type = PrimalGraph<M> && std::same_as<X, vert_t<M>>;
 template<class M, class X> concept names_poly = DualGraph<M> && std::same_as<X, poly_t<M>>;
 template<class M, class X> concept converts_to_vert = PrimalGraph<M> && std::convertible_to<X, vert_t<M>>;
 template<class M, class X> concept converts_to_poly = DualGraph<M> && std::convertible_to<X, poly_t<M>>;
 
-/// None: what the options of a function name where it is not known which graph is meant, so that its constraints come to say why.
+/// No graph: used in the options of a function if the graph is unknown, so that the constraints of the function are checked and explain the error.
 struct no_graph {
   using mesh = void;
   struct node {};
@@ -67,7 +67,7 @@ template<class M, class X>
   requires names_poly<M, X> || (converts_to_poly<M, X> && !is_vert_type<M, X> && !converts_to_vert<M, X>)
 struct graph_for<M, X> { using type = dual_graph<std::remove_cvref_t<M>>; };
 
-/// What a source says: itself if it is a node (be that an array of coordinates), what it holds if it is a container of nodes.
+/// The type of node in a source: the source itself if it is a node (which may be an array of coordinates), its value type if it is a container of nodes.
 template<class M, class S> struct element_of_source { using type = S; };
 template<class M, core::iterable S>
   requires(!is_vert_type<M, S> && !names_poly<M, S>)
@@ -93,7 +93,7 @@ void expect_node(const G& g, const typename G::node& x, const char* caller, cons
   core::throw_joined<invalid_mesh>({caller, ": the ", role, " is no ", G::element_name, " of the mesh; take one from ", G::element_name, "s(m)"});
 }
 
-/// The graph that is meant where no source says so: that of the verts; of dual(m), which says so by its name, that of the polys.
+/// The graph of algorithms without a source: that of the verts, or of the polys if the argument is dual(m).
 template<class M> struct graph_by_default { using type = no_graph; };
 template<PrimalGraph M> struct graph_by_default<M> { using type = primal_graph<M>; };
 template<DualGraph M> struct graph_by_default<views::dual_view<M>> { using type = dual_graph<views::dual_view<M>>; };
@@ -104,7 +104,7 @@ template<class M> using default_node_of = typename default_graph_of<M>::node;
   core::throw_joined<invalid_argument>({caller, ": there is no ", role, "; give at least one ", word});
 }
 
-/// Calls visit(node) for the one source or each of several, after checking that the mesh has it.
+/// Calls visit(node) for the one source or each of several, after checking that the mesh contains it.
 /// Errors: invalid_argument if there is none.
 template<class G, class S, class F>
 void for_each_source(const G& g, const S& source, const char* caller, F&& visit, const char* role = "source") {
@@ -133,13 +133,13 @@ template<class M> inline constexpr bool is_dual_view_v<views::dual_view<M>> = tr
 template<class M> concept is_dual_view = is_dual_view_v<std::remove_cvref_t<M>>;
 template<class M> concept is_graph = PrimalGraph<M> || is_dual_view<M>;  // of the polys of m write connected_components(dual(m)), spanning_tree(dual(m))
 
-/// X names polys rather than verts of M, whatever else M offers.
+/// X is a type for polys rather than verts of M, whether or not M has them.
 template<class M, class X> concept converts_to_vert_type = std::convertible_to<X, vert_t<M>>;
 template<class M, class X> concept is_poly_type = std::same_as<X, poly_t<M>> || (std::convertible_to<X, poly_t<M>> && !converts_to_vert_type<M, X>);
 template<class M, class X> concept is_no_poly_type = !is_poly_type<M, X>;
 template<class M, class S> concept is_vert_or_poly = !std::same_as<concino::detail::graph_of<M, S>, concino::detail::no_graph>;
 
-/// S is a vert or a poly of M, or a container of either, and M has the graph of these. Written so that compilers say what that graph lacks.
+/// S is a vert or a poly of M, or a container of either, and M has that graph. Written so that compilers report what that graph lacks.
 template<class M, class S>
 concept is_source = (PrimalGraph<M> || is_poly_type<M, concino::detail::source_element<M, S>>) &&
                     (DualGraph<M> || is_no_poly_type<M, concino::detail::source_element<M, S>>) && is_vert_or_poly<M, S>;

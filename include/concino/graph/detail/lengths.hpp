@@ -1,4 +1,4 @@
-// Lengths of arcs as shortest paths see them: the caller's callable, or Euclidean distance between verts or between polys' centres.
+// Lengths of arcs for shortest paths: from the caller's function, or Euclidean distances between verts or between polys' centres.
 #pragma once
 
 #include <concino/core/flat_array.hpp>
@@ -12,7 +12,7 @@
 
 namespace concino::detail {
 
-/// from(v)(w, gap) is the length of the arc v -> w. Where the length is known not to be below gap it may be +inf instead: a longer step
+/// from(v)(w, gap) is the length of the arc v -> w. If the length is known to be at least gap, it may be +inf instead: a longer step
 /// would not improve anything.
 template<class L>
 struct input_lengths {
@@ -27,16 +27,16 @@ struct input_lengths {
   }
 };
 
-/// The distance of a and b, or +inf if it is sure to be at least gap. Comparing squares first saves most square roots; the margin
-/// keeps the answer to the last bit what it is without that comparison.
+/// The distance of a and b, or +inf if it is certainly at least gap. Comparing squares first avoids most square roots; the margin
+/// makes the result identical to the last bit to that without the comparison.
 inline double distance_below(const vec3& a, const vec3& b, double gap) {
   const vec3 step = a - b;
   if (dot(step, step) > gap * gap * (1 + 4e-15) + 1e-290) return std::numeric_limits<double>::infinity();
   return norm(step);
 }
 
-/// Between verts. A neighbour that is as near as v itself cannot improve, and its coordinates are not looked at; if they are no numbers,
-/// the step from that neighbour to v has said so before.
+/// Distances between verts. A neighbour that is as near as v itself cannot improve, so its coordinates are not read. If they are not numbers,
+/// the step from that neighbour to v has reported it before.
 template<Embedded M>
 struct euclidean_vert_lengths {
   const M& m;
@@ -53,7 +53,7 @@ struct euclidean_vert_lengths {
   }
 };
 
-/// Between the centres of polys, each computed once.
+/// Distances between the centres of polys, each computed once.
 template<EmbeddedMesh M>
 class euclidean_poly_lengths {
   const M& m_;
@@ -85,12 +85,12 @@ auto default_lengths(const dual_graph<M>& g) { return euclidean_poly_lengths<bas
 
 namespace concino::requirement {
 
-/// The graph that S means has coordinates to measure by: of verts, or of the verts of polys.
+/// The graph selected by S has coordinates for lengths: of verts, or of the verts of polys.
 template<class M, class S>
 concept has_lengths = is_source<M, S> && Embedded<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> &&
                       (AnyMesh<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> || is_no_poly_type<M, concino::detail::source_element<M, S>>);
 
-/// A callable that says how long the arc from one node to another is.
+/// A function that returns the length of the arc from one node to another.
 template<class L, class N> concept is_length = requires(const L& length, const N& v) { static_cast<double>(length(v, v)); };
 
 }  // namespace concino::requirement

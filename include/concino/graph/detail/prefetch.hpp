@@ -1,5 +1,5 @@
-// Having the processor bring in what will be read soon. Searches jump through memory; what they will need next is known a little earlier,
-// and asking for all of it at once hides most of the waiting.
+// Prefetching of memory that will be read soon. Searches jump through memory, but know a little earlier what they will need. Early
+// requests hide most of the latency.
 #pragma once
 
 #include <concino/concepts/ranges.hpp>
@@ -10,7 +10,7 @@ namespace concino::detail {
 
 inline void prefetch(const void* p) { __builtin_prefetch(p); }
 
-/// Where the entries of a row of neighbours lie, for the ranges that lie in memory: walking those twice costs next to nothing.
+/// The address of the entries of a row of neighbours, for ranges that are stored in memory: iterating over these twice costs very little.
 template<class T>
 const void* row_address(const id_span<T>& r) { return r.begin(); }
 template<class R>

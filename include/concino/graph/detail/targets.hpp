@@ -1,4 +1,4 @@
-// The targets of a search: which nodes they are, and when the search has met enough of them.
+// target_set: the targets of a search, and whether enough of them were reached.
 #pragma once
 
 #include <concino/graph/detail/graph_of.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-/// Which of the nodes are targets. meet(slot) says whether the search has now met all of them, or the first if one is enough.
+/// A set of nodes, the targets. meet(slot) returns whether the search has now reached all of them, or the first if one is enough.
 class target_set {
   std::vector<unsigned char> is_target_;
   std::size_t left_ = 0;
