@@ -1,4 +1,4 @@
-// Meshes made from nothing, or from another mesh.
+// Mesh generation: grids, boxes, spheres, tori, Voronoi meshes; dual meshes and agglomeration of a mesh.
 #pragma once
 
 #include <concino/generate/agglomerate.hpp>

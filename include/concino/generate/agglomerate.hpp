@@ -1,4 +1,4 @@
-// Polys merged by label into larger ones of any shape.
+// Agglomeration: merges polys with the same label into larger polys of any shape.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -22,8 +22,8 @@
 namespace concino {
 
 struct agglomerate_options {
-  bool properties = true;                            // whether named properties come along, where m shows such
-  concino::correspondence* correspondence = nullptr;  // filled if given: which elements of m those of the result were made of
+  bool properties = true;                            // whether named properties are transferred, if m has any
+  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of the result were made
 };
 
 namespace requirement {
@@ -37,7 +37,7 @@ template<class L, class M> concept is_label_map = ReadableMap<L, poly_t<M>> && r
 
 namespace detail {
 
-/// Calls take(label, polys) for every label in ascending order, its polys as m walks them.
+/// Calls take(label, polys) for every label in ascending order. The polys of a label are in the order of polys(m).
 template<AnyMesh M, class L, class Take>
 void for_each_label(const M& m, const L& labels, const Take& take) {
   using value = std::remove_cvref_t<decltype(labels[std::declval<const poly_t<M>&>()])>;
@@ -56,7 +56,7 @@ void for_each_label(const M& m, const L& labels, const Take& take) {
   }
 }
 
-/// Numbers the marked of the elements that a walk meets, by index.
+/// Numbers the marked elements of a range in its order. The result is by index of the element.
 template<class M, class R>
 std::vector<std::uint32_t> numbered_marked(const M& m, const R& elements, std::vector<std::uint32_t> mark) {
   std::uint32_t n = 0;
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> numbered_marked(const M& m, const R& elements, std::v
   return mark;
 }
 
-/// The origins of the elements of a union of polys: copies of verts and faces, and polys by their measure.
+/// The origins of the elements of merged polys: verts and faces are copies; the polys of a union are weighted by their measures.
 template<EmbeddedMesh M>
 class merge_origins {
   const M& m_;
@@ -99,7 +99,7 @@ class merge_origins {
     }
     c_.polys.add(merged_);
   }
-  /// Numbers by index of m. Takes the properties of m along.
+  /// Sets the correspondence and transfers the properties of m. The new numbers of verts and faces are by index of m.
   template<class To>
   void finish(To& result, const std::vector<std::uint32_t>& vert_number, const std::vector<std::uint32_t>& face_number) {
     if (!is_wanted_) return;
@@ -123,14 +123,14 @@ template<AnyMesh M, class V>
 }  // namespace detail
 
 /// Merges all polys of one label into one poly, convex or not.
-/// Needs:  EmbeddedMesh; labels[p] is an integer. The polys of one label are wound alike and make a disk (surfaces) or a ball (volumes). They
-///         are connected through edges or faces, and their border is one ring of verts, or one sphere of faces, that nowhere touches itself.
-/// Result: a polygonmesh or polyhedralmesh with a poly for each label, numbered by ascending label. Faces and verts inside a union are left
-///         out, and those of no poly; the others are numbered as m walks them. All verts and all faces on the border of a union stay: a polygon
-///         may have flat corners where only two polys meet, and two polyhedra may share several faces in one plane. Named properties come along by
-///         their rules; what becomes one poly is weighted by its measure.
+/// Needs:  EmbeddedMesh; labels[p] is an integer. The polys of one label are oriented consistently and form a disk (surfaces) or a ball (volumes).
+///         They are connected through edges or faces. Their boundary is one cycle of verts, or one sphere of faces, that does not touch itself.
+/// Result: a polygonmesh or polyhedralmesh with a poly for each label, numbered by ascending label. Faces and verts inside a union, or of no poly,
+///         are left out; the others keep the order of m. All verts and all faces on the boundary of a union stay: a polygon may have flat corners
+///         where only two polys meet, and two polyhedra may share several faces in one plane. Named properties are transferred by their rules,
+///         and polys that become one are weighted by their measures.
 /// Cost:   O(elements + P log P) time, O(elements) memory.
-/// Errors: invalid_mesh that names the label, one of its polys and where it is no disk or ball. A label of a single poly is taken as it is.
+/// Errors: invalid_mesh that names the label, one of its polys and where it is not a disk or ball. A union of one poly is not checked.
 /// Source: agglomerated meshes as in Bassi, Botti, Colombo, Di Pietro, Tesini 2012.
 template<SurfaceMesh M, class L>
   requires Embedded<M> && requirement::is_label_map<L, M>

@@ -1,4 +1,4 @@
-// The surface of a box, and the box itself: make_box<M>().
+// Meshes of a box: make_box<M>() returns its surface, or the solid box if M is a volume.
 #pragma once
 
 #include <concino/generate/detail/box_surface.hpp>
@@ -6,14 +6,15 @@
 
 namespace concino {
 
-/// The closed surface of a box, wound outward; of a kind of volumes the box itself, as make_grid.
+/// The closed surface of a box, oriented outward. If M is a volume: the solid box, as make_grid.
 /// Needs:  as make_grid.
-/// Result: on each side a grid of quads, cells[0] x cells[1] on those across z and so on; two triangles a quad where M is of triangles.
+/// Result: a grid of quads on each of the six rectangles, cells[0] x cells[1] on those perpendicular to z, and so on. If M has triangles, each
+///         quad is split into two.
 /// Cost:   O(cells) time and memory.
 /// Errors: as make_grid.
 template<requirement::can_be_generated M>
 M make_box(const grid_options& options = {}) {
-  if constexpr (dimension_v<M> == 3) {  // a solid box; of a surface its six sides
+  if constexpr (dimension_v<M> == 3) {  // a volume is a solid box, a surface its six rectangles
     return make_grid<M>(options);
   } else {
     detail::check_grid("make_box", options, 3);

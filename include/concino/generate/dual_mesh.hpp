@@ -1,4 +1,4 @@
-// The dual of a mesh: a vert for each poly, a poly for each vert.
+// The dual mesh: it has a vert for each poly and a poly for each vert.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -8,19 +8,19 @@
 
 namespace concino {
 
-/// What becomes of verts on the boundary.
+/// How verts on the boundary are treated. A cell is the dual poly of a vert.
 enum class dual_boundary {
-  clipped,    // their cells end there: at the vert, the midpoints of its boundary edges and, in volumes, the centroids of its boundary faces
-  discarded,  // they have no cell
+  clipped,    // their cells end at the boundary: at the vert, the midpoints of its boundary edges and, in volumes, the centroids of its boundary faces
+  discarded,  // they have no cells
 };
 
 struct dual_mesh_options {
-  dual_boundary boundary = dual_boundary::clipped;  // what becomes of verts on the boundary
+  dual_boundary boundary = dual_boundary::clipped;  // how verts on the boundary are treated
 };
 
 namespace detail {
 
-/// Keeps the dual verts that some loop uses.
+/// Removes the dual verts that no loop uses.
 inline void drop_unused(std::vector<vec3>& points, std::vector<vert_id>& loops) {
   std::vector<std::uint32_t> number(points.size());
   for (const vert_id v : loops) number[v.raw()] = 1;
@@ -38,15 +38,15 @@ inline void drop_unused(std::vector<vec3>& points, std::vector<vert_id>& loops) 
 
 /// The dual mesh: a vert at the centroid of each poly, a poly for each vert, and an edge between polys that share an edge (surfaces) or a face
 /// (volumes). In volumes it has a face for each edge, through the polys around it; that face need not be planar.
-/// Needs:  EmbeddedMesh, manifold: at most two polys at an edge (face), the polys around each vert one disk (ball).
-/// Result: a polygonmesh or polyhedralmesh. Poly i is the cell of the i-th vert of verts(m) that has one: of the verts of some poly all
-///         (clipped) or the inner ones (discarded). With clipped cells vert i is the i-th poly of polys(m), others follow, and the dual
-///         covers what m covers: it has the same measure where m lies in a plane or all boundary faces of the volume are planar. Two polys that
-///         share several edges (faces) stay joined through the midpoint (centroid) of each. Windings are those of m; cells of volumes
-///         face outward where those of m do.
-/// Cost:   O(size of the mesh), but for the square of the number of polys around one vert (surface) or edge (volume).
-/// Errors: invalid_mesh that names the vert, edge, face or poly that is not manifold, not closed or not at a finite point, or an inner vert
-///         of a volume that has two edges only.
+/// Needs:  EmbeddedMesh, manifold: at most two polys at an edge (face); the polys around each vert form one disk (ball).
+/// Result: a polygonmesh or polyhedralmesh. Poly i is the cell of the i-th vert of verts(m) that has a cell. All verts that belong to polys have
+///         one (clipped), or only those in the interior (discarded). With clipped cells, vert i is the dual of the i-th poly of polys(m), and more
+///         verts follow. The dual then covers the same region as m: it has the same measure if m lies in a plane or all boundary faces of the volume
+///         are planar. Two polys that share several edges (faces) are connected through the midpoint (centroid) of each. The orientation is that
+///         of m; the faces of dual polyhedra are outward if those of m are.
+/// Cost:   O(size of the mesh), plus the squares of the numbers of polys around each vert (surface) or edge (volume).
+/// Errors: invalid_mesh that names the vert, edge, face or poly that is not manifold, not closed or not at a finite point, or an interior vert
+///         of a volume that has only two edges.
 /// Source: paper section 2.2, "mesh dualization"; the barycentric dual, as in Hirani 2003, "Discrete exterior calculus".
 template<SurfaceMesh M>
   requires Embedded<M>

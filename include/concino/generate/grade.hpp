@@ -1,4 +1,4 @@
-// Cells that grow from one end of the mesh to the other.
+// Grading: moves verts so that cells grow from one end of the mesh to the other.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -16,10 +16,10 @@ namespace concino {
 
 /// Moves every vert along each axis from x to min + (max - min) ((x - min) / (max - min))^power, within the bounding box of m.
 /// Needs:  MutablePoints M with verts; powers above 0: above 1 cells are small at min, below 1 at max.
-/// Result: m, with the same bounding box. An axis along which m has no extent, or whose power is 1, is left alone.
+/// Result: m, with the same bounding box. Coordinates along an axis do not change if m has no extent there or the power is 1.
 /// Cost:   O(V) time, O(V) memory.
 /// Errors: invalid_argument if a power is not finite or not above 0; invalid_mesh that names a vert without a finite point, or says that m is wider
-///         than the largest number there is. m stays as it is then.
+///         than the largest double. m is then unchanged.
 template<MutablePoints M>
   requires requirement::has_verts<M> && (!std::is_const_v<M>)
 void grade(M& m, const vec3& powers) {

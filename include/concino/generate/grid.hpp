@@ -1,4 +1,4 @@
-// Rectangles and boxes cut into cells of every kind: make_grid<M>().
+// Grids: rectangles and boxes divided into cells of any kind, by make_grid<M>().
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -10,20 +10,20 @@
 namespace concino {
 
 struct grid_options {
-  std::array<std::size_t, 3> cells = {8, 8, 8};  // along x, y, z, 1 or more; a flat grid reads the first two
+  std::array<std::size_t, 3> cells = {8, 8, 8};  // along x, y, z, 1 or more; a surface uses the first two
   vec3 min = {0, 0, 0};                          // finite
-  vec3 max = {1, 1, 1};                          // finite, above min; a flat grid lies at z = min.z and reads x and y
+  vec3 max = {1, 1, 1};                          // finite, above min; a surface lies at z = min.z and uses x and y
 };
 
 namespace detail {
 
-/// Equal steps from min to max. The ends are met exactly.
+/// Equally spaced values from min to max. The first and the last are exact.
 class spaced {
   double min_ = 0, max_ = 0, extent_ = 0, n_ = 1;
   std::size_t last_ = 1;
 
  public:
-  /// Errors: invalid_argument if the n + 1 values would not all differ.
+  /// Errors: invalid_argument if the n + 1 values would not all be different.
   spaced(const char* what, const char* axis, double min, double max, std::size_t n)
       : min_(min), max_(max), extent_(max - min), n_(static_cast<double>(n)), last_(n) {
     if (!std::isfinite(min) || !std::isfinite(max) || !(min < max) || !std::isfinite(extent_))
@@ -57,12 +57,12 @@ inline surface_arrays quad_grid(const grid_options& o) {
   return a;
 }
 
-/// Rows of hexagons, every other row shifted by half a cell: rows are parted by zigzag lines, and straight walls lead from line to line.
-/// Verts stand on the lines at half cells i = 0 .. 2 nx; walls of row j stand at those i that are odd as j is.
+/// Rows of hexagons, every other row shifted by half a cell. Zigzag lines separate the rows, and vertical edges connect the lines.
+/// The verts of a line are at half cells i = 0 .. 2 nx; row j has its vertical edges at the i with the same parity as j.
 inline surface_arrays honeycomb(const grid_options& o) {
   const auto [nx, ny, unused] = o.cells;
-  const std::size_t ends = 2 * nx, top = (ny - 1) % 2;  // where walls meet the uppermost line
-  // A sixth of a row up and down: the hexagons are regular but for stretching.
+  const std::size_t ends = 2 * nx, top = (ny - 1) % 2;  // parity of the vertical edges at the uppermost line
+  // Zigzags of a sixth of a row up and down: the hexagons are affine images of regular ones.
   const spaced x("make_grid", "x", o.min.x, o.max.x, ends), y("make_grid", "y", o.min.y, o.max.y, 6 * ny);
   const auto has = [&, cells_up = ny](std::size_t i, std::size_t line) {
     if (line == 0) return i % 2 == 0;
@@ -115,20 +115,20 @@ inline cell_arrays hex_grid(const grid_options& o) {
 
 }  // namespace detail
 
-/// A rectangle in the plane z = min.z, or a box, cut into cells of M's kind.
-/// Needs:  M is one of the six meshes, or one that can add verts and polys.
-/// Result: surfaces face up. Quads: cells[0] x cells[1] of them; triangles: two a quad; polygons of any size: cells[1] rows of hexagons, each
+/// A rectangle in the plane z = min.z, or a box, divided into cells of the kind of M.
+/// Needs:  M is one of the six native meshes, or a mesh that can add verts and polys.
+/// Result: surfaces are oriented upward. Quads: cells[0] x cells[1]; triangles: two per quad; polygons of any size: cells[1] rows of hexagons, every
 ///         other row shifted by half a cell and ending in halves, cut straight at the border (quads, pentagons, hexagons).
-///         Volumes: hexes, six tets a cube around its diagonal (Kuhn), or the hexes as polyhedra. Verts are numbered row by row, x fastest.
+///         Volumes: hexes; six tets per cube around its diagonal (Kuhn); or the hexes as polyhedra. Verts are numbered row by row, x fastest.
 /// Cost:   O(cells) time and memory.
-/// Errors: invalid_argument that names the field: no cells, more than 32-bit descriptors can tell apart, a box that is not finite, is empty or
-///         so thin that its cells cannot be told apart. unsupported if a mesh of another library refuses a poly.
+/// Errors: invalid_argument that names the field: no cells, more cells than 32-bit descriptors, a box that is not finite, is empty or is so thin
+///         that rounding makes verts coincide. unsupported if a mesh of another library refuses a poly.
 /// Source: Kuhn 1960 (six tets).
 template<requirement::can_be_generated M>
 M make_grid(const grid_options& options = {}) {
   detail::check_grid("make_grid", options, dimension_v<M>);
   const double x = static_cast<double>(options.cells[0]), y = static_cast<double>(options.cells[1]), z = static_cast<double>(options.cells[2]);
-  if constexpr (dimension_v<M> == 3) {  // what is built of cubes or of squares
+  if constexpr (dimension_v<M> == 3) {  // volumes are built of cubes, surfaces of squares
     detail::check_element_counts<M>("make_grid", "cells", (x + 1) * (y + 1) * (z + 1), x * y * z);
     return detail::construct_from_hexes<M>(detail::hex_grid(options));
   } else if constexpr (arity_v<M> > 0) {  // triangles and quads; general polygons are hexagons

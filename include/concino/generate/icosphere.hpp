@@ -1,4 +1,4 @@
-// Spheres of nearly equal triangles.
+// Spheres of triangles of nearly equal size, by subdividing an icosahedron.
 #pragma once
 
 #include <concino/concepts/oriented_edges.hpp>
@@ -21,7 +21,7 @@ inline surface_arrays icosahedron() {
         x[(axis + 1) % 3] = t / length;
         a.points.push_back(x);
       }
-  const auto joined_by_edge = [&](std::size_t i, std::size_t j) { return dot(a.points[i], a.points[j]) > 0.4; };  // 1 / sqrt(5) if so, else below 0
+  const auto joined_by_edge = [&](std::size_t i, std::size_t j) { return dot(a.points[i], a.points[j]) > 0.4; };  // 1 / sqrt(5) if joined, else below 0
   for (std::size_t i = 0; i < 12; ++i)
     for (std::size_t j = i + 1; j < 12; ++j)
       for (std::size_t k = j + 1; k < 12; ++k) {
@@ -32,7 +32,7 @@ inline surface_arrays icosahedron() {
   return a;
 }
 
-/// Four triangles for each, new verts pushed out to the unit sphere.
+/// Splits each triangle into four, with the new verts projected to the unit sphere.
 inline surface_arrays quartered_on_sphere(const surface_arrays& triangles) {
   const trimesh m(triangles);
   surface_arrays a{triangles.points, {}, {}, 3};
@@ -57,12 +57,12 @@ inline surface_arrays quartered_on_sphere(const surface_arrays& triangles) {
 
 }  // namespace detail
 
-/// A sphere of triangles of nearly the same size: a regular icosahedron whose triangles are quartered again and again on the sphere.
+/// A sphere of triangles of nearly the same size: an icosahedron whose triangles are split into four repeatedly on the sphere.
 /// Needs:  nothing.
-/// Result: 20 * 4^subdivisions triangles, 10 * 4^subdivisions + 2 verts, all on the sphere, wound outward.
-/// Cost:   linear in these.
-/// Errors: invalid_argument if subdivisions is above 12, so that polys would not fit 32-bit descriptors, radius is not finite and above 0, or
-///         centre is not finite.
+/// Result: 20 * 4^subdivisions triangles, 10 * 4^subdivisions + 2 verts, all on the sphere, oriented outward.
+/// Cost:   linear in these numbers.
+/// Errors: invalid_argument if subdivisions is above 12 (there would be more polys than 32-bit descriptors), if radius is not finite and above 0,
+///         or if centre is not finite.
 /// Source: Baumgardner, Frederickson 1985, "Icosahedral discretization of the two-sphere".
 inline trimesh icosphere(unsigned subdivisions, double radius = 1, const vec3& centre = {}) {
   if (subdivisions > 12) core::throw_joined<invalid_argument>({"icosphere: subdivisions is ", subdivisions, "; it must be at most 12"});

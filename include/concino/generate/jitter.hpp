@@ -1,4 +1,4 @@
-// Verts moved at random, by a share of what their edges allow.
+// Random perturbation: moves verts by a fraction of the length of their shortest edges.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -18,18 +18,18 @@
 namespace concino {
 
 struct jitter_options {
-  std::uint64_t seed = 1;     // another seed, other moves
-  bool keep_boundary = true;  // verts of the border of a surface, or of the boundary of a volume, stay
-  bool in_plane = true;       // surfaces: moves lie in the plane perpendicular to the sum of the vector areas around the vert
+  std::uint64_t seed = 1;     // of the random numbers; any value
+  bool keep_boundary = true;  // verts on the boundary do not move
+  bool in_plane = true;       // surfaces: verts move in the plane perpendicular to the sum of the vector areas around the vert
 };
 
 /// Moves the interior verts of m at random, each by at most `amount` times its shortest edge along every axis.
 /// Needs:  MutablePoints AnyMesh. Cells of good shape stay valid up to an amount of about 0.2.
-/// Result: m; how far a vert may move follows from the points before the call. A flat surface stays in its plane (options.in_plane). Verts
-///         without edges stay, and with in_plane those around which the vector areas cancel out. The random numbers depend on the seed and
-///         the order of verts(m) alone, on every machine.
+/// Result: m; the edges are measured before any vert moves. A flat surface stays in its plane (options.in_plane). Verts without edges do not move;
+///         with in_plane, neither do verts around which the vector areas cancel out. The random numbers depend only on the seed and the order
+///         of verts(m), and are the same on every machine.
 /// Cost:   O(V + E) time, O(V) memory.
-/// Errors: invalid_argument if amount is not finite or below 0; invalid_mesh that names a vert without a finite point. m stays as it is then.
+/// Errors: invalid_argument if amount is not finite or below 0; invalid_mesh that names a vert without a finite point. m is then unchanged.
 /// Source: random_stream: Steele, Lea, Flood 2014 (SplitMix64).
 template<AnyMesh M>
   requires MutablePoints<M> && (!std::is_const_v<M>)
@@ -40,7 +40,7 @@ void jitter(M& m, double amount, const jitter_options& options = {}) {
   const auto stays = options.keep_boundary ? boundary_verts(m) : make_vert_map<bool>(m, false);
 
   std::vector<vec3> normal;
-  if constexpr (SurfaceMesh<M>) {  // volumes have no plane to stay in
+  if constexpr (SurfaceMesh<M>) {  // only a surface has a tangent plane
     if (options.in_plane) {
       normal.resize(vert_index_bound(m));
       for (const poly_t<M> p : polys(m)) {
@@ -54,7 +54,7 @@ void jitter(M& m, double amount, const jitter_options& options = {}) {
   detail::random_stream random(options.seed);
   for (const vert_t<M> v : verts(m)) {
     const vec3 x = to_vec3(point(m, v));
-    const double dx = random.between(-1, 1), dy = random.between(-1, 1), dz = random.between(-1, 1);  // also where not needed: each vert has its own
+    const double dx = random.between(-1, 1), dy = random.between(-1, 1), dz = random.between(-1, 1);  // even if unused: each vert has its own
     const std::size_t i = index_of(m, v);
     double shortest = std::numeric_limits<double>::infinity();
     if (!stays[v])
@@ -68,7 +68,7 @@ void jitter(M& m, double amount, const jitter_options& options = {}) {
       const double length = norm(normal[i]);
       const vec3 n = normal[i] / length;
       step -= dot(n, step) * n;
-      if (!is_finite(step)) step = {};  // no plane
+      if (!is_finite(step)) step = {};  // there is no plane
     }
     moved.push_back(x + amount * shortest * step);
   }

@@ -1,4 +1,4 @@
-// Labels that part a mesh into random pieces, most of them concave, that agglomerate() can merge.
+// Random labels that partition a mesh into pieces, mostly concave, that agglomerate() can merge.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -17,14 +17,14 @@ namespace concino {
 
 namespace detail {
 
-/// Whether a poly may join a disk or ball so that it stays one: what the two share has to be a path of edges, or a disk of faces.
+/// Whether a disk or ball remains one if a poly is added: they must share exactly a path of edges, or a disk of faces.
 template<AnyMesh M>
 class link_condition {
   const M& m_;
-  const int* label_;  // by index of a poly
+  const int* label_;  // by index of the poly
   stamped_array<std::uint32_t> side_of_;
   stamped_array<unsigned char> shared_vert_;
-  disjoint_sets sets_;  // of shared faces that hang together across edges
+  disjoint_sets sets_;  // of shared faces that are connected through edges
 
   template<class R>
   bool holds(const R& polys, int label) const {
@@ -39,9 +39,9 @@ class link_condition {
 
   bool operator()(const poly_t<M>& p, int label) {
     shared_vert_.clear();
-    std::ptrdiff_t chi = 0;  // of what is shared
+    std::ptrdiff_t chi = 0;  // Euler characteristic of the shared elements
     std::size_t pieces = 0;
-    if constexpr (SurfaceMesh<M>) {  // what is shared has one dimension less: paths, or patches of faces
+    if constexpr (SurfaceMesh<M>) {  // the shared elements have one dimension less: edges of a surface, faces of a volume
       for (const edge_t<M> e : adj_p2e(m_, p)) {
         if (!holds(adj_e2p(m_, e), label)) continue;
         --chi, ++pieces;
@@ -75,11 +75,11 @@ class link_condition {
 
 }  // namespace detail
 
-/// Parts m into random pieces of about `size` polys each, ragged and mostly concave, every one of them a disk (surfaces) or a ball (volumes).
-/// Needs:  AnyMesh, no temporary; size of 1 or more.
-/// Result: a map of int, 0 up to the number of pieces less one, that agglomerate(m, labels) takes. Pieces grow from random polys by steps of
-///         random length and leave out what would close a ring or touch itself; polys left over make smaller pieces. Where polys are
-///         no manifold or not wound alike, pieces are single polys. The same for the same seed on every machine.
+/// Partitions m into random pieces of about `size` polys each, ragged and mostly concave. Each piece is a disk (surfaces) or a ball (volumes).
+/// Needs:  AnyMesh, not a temporary; size of 1 or more.
+/// Result: a map of int, from 0 to the number of pieces minus one, for agglomerate(m, labels). Pieces grow from random polys by steps of random
+///         length. A poly that would close a ring, or make a piece touch itself, is not added; the remaining polys form smaller pieces. Where polys
+///         are not manifold or not oriented consistently, pieces are single polys. The same seed gives the same labels on every machine.
 /// Cost:   O(E log E) time, times the polys at a vert; O(elements) memory.
 /// Errors: invalid_argument if size is 0.
 /// Source: first-passage percolation: Eden 1961; Hammersley, Welsh 1965.
@@ -102,7 +102,7 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
     int label;
     poly on;
   };
-  // Not grow_regions: a claim that is refused because the piece would touch itself may be right later, so all claims on a poly have to wait.
+  // Not grow_regions: a claim that is refused because the piece would touch itself may be allowed later, so all claims on a poly are queued.
   const auto later = [](const claim& a, const claim& b) { return a.time != b.time ? a.time > b.time : a.number > b.number; };
   std::priority_queue<claim, std::vector<claim>, decltype(later)> queue(later);
   std::vector<std::vector<poly>> pieces;
@@ -134,7 +134,7 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
     grow();
   }
 
-  // What the local test could not see, on meshes that are no manifolds.
+  // On meshes that are not manifold, the local test is not sufficient.
   detail::merged_boundary<mesh> border(m);
   for (std::size_t l = 0, grown = pieces.size(); l < grown; ++l) {
     if (!border.read(pieces[l])) continue;

@@ -1,4 +1,4 @@
-// Points spread at random in a box: the sites of Voronoi meshes, the probes of tests.
+// Random points in a box, for the sites of Voronoi meshes and for tests.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -9,10 +9,10 @@
 
 namespace concino {
 
-/// n points in a box, independent and uniform.
+/// n points in a box, independent and uniformly distributed.
 /// Needs:  a finite box that is not empty; it may be flat.
-/// Result: the same points for the same seed, to the last bit, on every machine; the first n of a longer list are the list of n.
-/// Cost:   O(n).      Errors: invalid_argument where the box is empty or not finite.
+/// Result: the same points for the same seed, to the last bit, on every machine. The first n of a longer list are the list of n.
+/// Cost:   O(n).      Errors: invalid_argument if the box is empty or not finite.
 /// Source: SplitMix64, Steele, Lea and Flood 2014.
 inline std::vector<vec3> random_points(std::size_t n, const box& domain, std::uint64_t seed = 1) {
   if (domain.is_empty() || !is_finite(domain.max - domain.min))

@@ -1,4 +1,4 @@
-// Spheres and balls: make_sphere<M>().
+// Spheres (surfaces) and balls (volumes): make_sphere<M>().
 #pragma once
 
 #include <concino/generate/detail/box_surface.hpp>
@@ -8,7 +8,7 @@
 namespace concino {
 
 struct sphere_options {
-  std::size_t cells = 8;  // 1 or more, along each side of the cube that is made round
+  std::size_t cells = 8;  // 1 or more, along each edge of the cube that is projected to the sphere
   double radius = 1;      // finite, above 0
   vec3 centre = {0, 0, 0};  // finite
 };
@@ -17,7 +17,7 @@ namespace detail {
 
 inline vec3 in_even_cube(const lattice_place& at, std::size_t n) { return {even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)}; }
 
-/// The surface of a cube, seen from its centre on the unit sphere.
+/// The surface of a cube, projected from its centre to the unit sphere.
 inline surface_arrays cube_sphere(std::size_t n) {
   const box_surface skin({n, n, n});
   surface_arrays a{{}, {}, {}, 4};
@@ -30,7 +30,7 @@ inline surface_arrays cube_sphere(std::size_t n) {
   return a;
 }
 
-/// A core of n^3 hexes in layers of hexes.
+/// A core of n^3 hexes, surrounded by layers of hexes.
 inline cell_arrays hex_ball(std::size_t n) {
   const box_surface skin({n, n, n});
   const std::size_t layers = layers_around(n), row = n + 1, core = row * row * row;
@@ -69,15 +69,15 @@ Arrays placed(Arrays a, double radius, const vec3& centre) {
 
 }  // namespace detail
 
-/// A sphere, wound outward; of a kind of volumes a solid ball.
-/// Needs:  M is one of the six meshes, or one that can add verts and polys.
-/// Result: a cube of `cells` a side whose surface is projected to the sphere, evenly by angle. Quads: 6 cells^2 of them; triangles: two a quad;
-///         polygons of any size: the dual of these triangles, most of them hexagons that are not quite planar. Volumes: a core of cells^3 hexes
-///         and (cells + 1) / 2 layers of 6 cells^2 around it; tets, six a hex; or the hexes as polyhedra. All verts of the boundary lie on
-///         the sphere. See icosphere() for more even triangles.
+/// A sphere, oriented outward. If M is a volume: a solid ball.
+/// Needs:  M is one of the six native meshes, or a mesh that can add verts and polys.
+/// Result: a cube with `cells` quads along each edge, whose surface is projected to the sphere, evenly by angle. Quads: 6 cells^2; triangles: two
+///         per quad; polygons of any size: the dual of these triangles, mostly hexagons that are not quite planar. Volumes: a core of cells^3
+///         hexes and (cells + 1) / 2 layers of 6 cells^2 hexes around it; tets, six per hex; or the hexes as polyhedra. All verts of the
+///         boundary lie on the sphere. The triangles of icosphere() are more uniform.
 /// Cost:   O(verts) time and memory.
-/// Errors: invalid_argument that names the field: no cells or more than 32-bit descriptors can tell apart, a radius that is not finite and above
-///         0, a centre that is not finite. unsupported if a mesh of another library refuses a poly.
+/// Errors: invalid_argument that names the field: no cells or more than 32-bit descriptors, a radius that is not finite and above 0, a centre that
+///         is not finite. unsupported if a mesh of another library refuses a poly.
 /// Source: the equiangular cubed sphere of Ronchi, Iacono, Paolucci 1996; tets by Dompierre et al. 1999.
 template<requirement::can_be_generated M>
 M make_sphere(const sphere_options& options = {}) {
@@ -85,7 +85,7 @@ M make_sphere(const sphere_options& options = {}) {
   detail::check_positive("make_sphere", "radius", options.radius);
   detail::check_finite("make_sphere", "centre", options.centre);
   const double n = static_cast<double>(options.cells), skin = 6 * n * n;
-  if constexpr (dimension_v<M> == 3) {  // a ball; of a surface its skin
+  if constexpr (dimension_v<M> == 3) {  // a volume is a ball, a surface its boundary
     detail::check_element_counts<M>("make_sphere", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (skin + 2), n * n * n + (n + 1) / 2 * skin);
     return detail::construct_from_hexes<M>(detail::placed(detail::hex_ball(options.cells), options.radius, options.centre));
   } else {

@@ -1,4 +1,4 @@
-// Tori, hollow and solid: make_torus<M>().
+// Tori: make_torus<M>() returns the surface, or the solid torus if M is a volume.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -12,12 +12,12 @@ struct torus_options {
   std::array<std::size_t, 2> cells = {32, 16};  // around the axis, and around the tube; 3 or more
   double radius = 1;                            // of the circle in the middle of the tube; finite, above 0
   double tube_radius = 0.4;                     // above 0, below radius
-  vec3 centre = {0, 0, 0};                      // the axis runs through it along z
+  vec3 centre = {0, 0, 0};                      // the axis passes through it along z
 };
 
 namespace detail {
 
-/// A disk of radius 1 in x and y: a core of n x n quads in layers of quads.
+/// A disk of radius 1 in x and y: a core of n x n quads, surrounded by layers of quads.
 inline surface_arrays quad_disk(std::size_t n) {
   const std::size_t layers = layers_around(n), row = n + 1, core = row * row, rim = 4 * n;
   surface_arrays a{{}, {}, {}, 4};
@@ -41,13 +41,13 @@ inline surface_arrays quad_disk(std::size_t n) {
   return a;
 }
 
-/// A point of the solid torus: the fraction `turn` of a whole turn around the axis, at `out` and `up` in the tube.
+/// A point of the solid torus: at the fraction `turn` of a whole turn around the axis, with coordinates `out` and `up` in the disk of the tube.
 inline vec3 in_torus(const torus_options& o, double turn, double out, double up) {
   const double angle = 6.28318530717958647692 * turn, far = o.radius + o.tube_radius * out;
   return o.centre + vec3{far * std::cos(angle), far * std::sin(angle), o.tube_radius * up};
 }
 
-/// A point of the torus, by steps of cells.
+/// A point of the torus. Its coordinates around the axis and around the tube are in cells.
 inline vec3 on_torus(const torus_options& o, double around, double tube) {
   const double angle = 6.28318530717958647692 * (tube / static_cast<double>(o.cells[1]));
   return in_torus(o, around / static_cast<double>(o.cells[0]), std::cos(angle), std::sin(angle));
@@ -73,7 +73,7 @@ inline cell_arrays hex_torus(const torus_options& o) {
   a.verts.reserve(n * 2 * disk.verts.size());
   for (std::size_t i = 0; i < n; ++i) {
     const double turn = static_cast<double>(i) / static_cast<double>(n);
-    for (const vec3& x : disk.points) a.points.push_back(in_torus(o, turn, x.y, x.x));  // so that the disk faces the next slice
+    for (const vec3& x : disk.points) a.points.push_back(in_torus(o, turn, x.y, x.x));  // swapped, so that the disk is oriented towards the next slice
     for (std::size_t q = 0; q < disk.verts.size(); q += 4)
       for (const std::size_t at : {i, (i + 1) % n})
         for (std::size_t k = 0; k < 4; ++k) a.verts.push_back(vert_id{at * layer + disk.verts[q + k].raw()});
@@ -83,15 +83,15 @@ inline cell_arrays hex_torus(const torus_options& o) {
 
 }  // namespace detail
 
-/// A torus about the z axis, wound outward; of a kind of volumes a solid one.
-/// Needs:  M is one of the six meshes, or one that can add verts and polys.
-/// Result: cells[0] x cells[1] quads; triangles: two a quad; polygons of any size: the dual of these triangles, hexagons that are not quite
+/// A torus about an axis parallel to z, oriented outward. If M is a volume: a solid torus.
+/// Needs:  M is one of the six native meshes, or a mesh that can add verts and polys.
+/// Result: cells[0] x cells[1] quads; triangles: two per quad; polygons of any size: the dual of these triangles, hexagons that are not quite
 ///         planar. Volumes: cells[0] slices, each of a disk with a core of n x n hexes, n = cells[1] / 4 rounded up, and (n + 1) / 2 layers of
-///         4 n around it; tets, six a hex; or the hexes as polyhedra. All verts of the boundary lie on the torus.
+///         4 n hexes around it; tets, six per hex; or the hexes as polyhedra. All verts of the boundary lie on the torus.
 /// Cost:   O(verts) time and memory.
-/// Errors: invalid_argument, which names the field, if there are fewer than 3 cells or more than 32-bit descriptors can tell apart. The same if a
-///         radius is not finite and above 0, the tube is as thick as the ring or thicker, or the centre is not finite. unsupported if a mesh of
-///         another library refuses a poly.
+/// Errors: invalid_argument, which names the field, if there are fewer than 3 cells or more cells than 32-bit descriptors. The same if a radius is
+///         not finite and above 0, if tube_radius is not below radius, or if the centre is not finite. unsupported if a mesh of another library
+///         refuses a poly.
 /// Source: tets by Dompierre et al. 1999.
 template<requirement::can_be_generated M>
 M make_torus(const torus_options& options = {}) {
@@ -103,7 +103,7 @@ M make_torus(const torus_options& options = {}) {
                                             "; it must be below radius, which is ", core::number_text(options.radius)});
   detail::check_finite("make_torus", "centre", options.centre);
   const double n = static_cast<double>(options.cells[0]), k = static_cast<double>(options.cells[1]);
-  if constexpr (dimension_v<M> == 3) {  // a solid torus; of a surface its skin
+  if constexpr (dimension_v<M> == 3) {  // a volume is a solid torus, a surface its boundary
     const double core = (k + 3) / 4 + 1, around = 4 * core * (core / 2 + 1);
     detail::check_element_counts<M>("make_torus", "cells", n * (core * core + around), n * (core * core + around));
     return detail::construct_from_hexes<M>(detail::hex_torus(options));
@@ -111,7 +111,7 @@ M make_torus(const torus_options& options = {}) {
     detail::check_element_counts<M>("make_torus", "cells", 2 * n * k, n * k);
     surface_arrays quads = detail::quad_torus(options);
     if constexpr (arity_v<M> == 0) {  // general polygons are the dual of triangles
-      const auto place = [&](std::size_t t) {  // in the middle of the triangle, by angle: the quad's lower right half, then its upper left one
+      const auto place = [&](std::size_t t) {  // the middle of the triangle, by angles: first the lower right triangle of the quad, then the upper left one
         const double right = t % 2 ? 1 / 3.0 : 2 / 3.0, up = 1 - right;
         return detail::on_torus(options, static_cast<double>(t / 2 % options.cells[0]) + right, static_cast<double>(t / 2 / options.cells[0]) + up);
       };

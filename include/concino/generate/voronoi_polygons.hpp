@@ -9,17 +9,17 @@
 namespace concino {
 
 struct voronoi_options {
-  unsigned relax = 0;  // how often sites move to the centroids of their cells first (Lloyd): cells become rounder and more alike
+  unsigned relax = 0;  // number of Lloyd iterations: sites move to the centroids of their cells, so that cells become rounder and more uniform
 };
 
-/// The Voronoi cells of sites in a rectangle: poly i is what is nearer to site i than to any other site.
-/// Needs:  sites, a container of points (z is ignored) or points in braces, inside the rectangle (x and y of `domain`) or on its border; no
-///         two the same.
-/// Result: a conforming mesh in the plane z = domain.min.z that fills the rectangle, its polys convex and counter-clockwise. Where four or
-///         more sites lie on one circle, as in a grid, their cells share one vert. Verts closer than 2^-39 of the longest side become one,
-///         and sites are read to 2^-49 of it. Scales exactly with powers of 2; the same for any number of threads.
+/// The Voronoi diagram of sites in a rectangle: poly i is the set of points that are nearer to site i than to any other site.
+/// Needs:  sites, a container of points (z is ignored) or points in braces, inside the rectangle (x and y of `domain`) or on its border; all
+///         different.
+/// Result: a conforming mesh in the plane z = domain.min.z that fills the rectangle. Its polys are convex and counter-clockwise. If four or more
+///         sites lie on one circle, as in a grid, their cells share one vert. Verts closer than 2^-39 of the longest side are merged, and sites
+///         are rounded to 2^-49 of it. Scales exactly with powers of 2. The result does not depend on the number of threads.
 /// Cost:   O(n) time and memory for sites of about even density, in parallel.
-/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding.
+/// Errors: invalid_argument naming the site that is not finite, is outside, equals another, or whose cell is thinner than the rounding.
 ///         invalid_argument if there is no site, or if the rectangle is empty, is more than 2^32 times as long as wide, or is not finite, min.z
 ///         included.
 /// Source: Ray, Sokolov, Lefebvre and Levy 2018; Lloyd 1982.
@@ -33,7 +33,7 @@ polygonmesh voronoi_polygons(const Sites& sites, const box& domain, const vorono
     surface_arrays a;
     for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back(cells.point(v));
     a.offsets.push_back(0);
-    for (std::uint32_t i = 0; i < lattice.size(); ++i) {  // one loop each
+    for (std::uint32_t i = 0; i < lattice.size(); ++i) {  // each cell has one loop
       for (const std::uint32_t v : cells.verts(i)) a.verts.push_back(vert_id{v});
       a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
     }

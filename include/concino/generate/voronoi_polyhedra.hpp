@@ -6,13 +6,14 @@
 
 namespace concino {
 
-/// The Voronoi cells of sites in a box: poly i is what is nearer to site i than to any other site.
-/// Needs:  sites, a container of points or points in braces, inside the box or on its border; no two the same.
-/// Result: a conforming mesh that fills the box, its polys convex, its faces planar but for rounding. Where more than four sites lie on one
-///         sphere, as in a grid, their cells share one vert, and faces and edges without size are left out. Verts closer than 2^-39 of the
-///         longest side become one, and sites are read to 2^-49 of it. Scales exactly with powers of 2; the same for any number of threads.
+/// The Voronoi diagram of sites in a box: poly i is the set of points that are nearer to site i than to any other site.
+/// Needs:  sites, a container of points or points in braces, inside the box or on its boundary; all different.
+/// Result: a conforming mesh that fills the box. Its polys are convex, and its faces are planar up to rounding. If more than four sites lie on
+///         one sphere, as in a grid, their cells share one vert, and faces and edges without size are left out. Verts closer than 2^-39 of the
+///         longest side are merged, and sites are rounded to 2^-49 of it. Scales exactly with powers of 2. The result does not depend on the
+///         number of threads.
 /// Cost:   O(n) time and memory for sites of about even density, in parallel.
-/// Errors: invalid_argument naming the site that is not finite, outside, the same as another, or whose cell is thinner than rounding.
+/// Errors: invalid_argument naming the site that is not finite, is outside, equals another, or whose cell is thinner than the rounding.
 ///         invalid_argument if there is no site, or if the box is empty, not finite, or more than 2^32 times as long as wide.
 /// Source: as voronoi_polygons.
 template<class Sites = std::initializer_list<vec3>>
@@ -25,11 +26,11 @@ polyhedralmesh voronoi_polyhedra(const Sites& sites, const box& domain, const vo
     for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back(cells.point(v));
     a.face_offsets.push_back(0);
     a.poly_offsets.push_back(0);
-    std::vector<face_id> face_of;  // per loop
+    std::vector<face_id> face_of;  // by loop
     for (std::uint32_t i = 0; i < lattice.size(); ++i) {
       for (std::uint32_t l = cells.first_loop(i); l < cells.first_loop(i + 1); ++l) {
         const std::uint32_t other = cells.beyond(l);
-        if (other < i) {  // the face was made with the cell beyond it
+        if (other < i) {  // the face was added with the cell on its other side
           std::uint32_t there = cells.first_loop(other);
           while (cells.beyond(there) != i) ++there;
           face_of.push_back(face_of[there]);

@@ -1,4 +1,4 @@
-// The skin of a box of cells: which corners of cells lie on it, numbered, and its quads.
+// The surface of a box of cells: its verts, numbered, and its quads.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@ namespace concino::detail {
 
 using lattice_place = std::array<std::size_t, 3>;
 
-/// Where corner (i, j) stands on the way around nx x ny cells, counter-clockwise from (0, 0).
+/// The position of corner (i, j) in the boundary cycle of nx x ny cells, counter-clockwise from (0, 0).
 constexpr std::size_t boundary_cycle_number(std::size_t i, std::size_t j, std::size_t nx, std::size_t ny) {
   if (j == 0) return i;
   if (i == nx) return nx + j;
@@ -18,7 +18,7 @@ constexpr std::size_t boundary_cycle_number(std::size_t i, std::size_t j, std::s
 
 class box_surface {
   lattice_place n_;
-  std::size_t lid_, boundary_cycle_;  // verts of the lowest layer, which is full, and of those between, which are rims
+  std::size_t lid_, boundary_cycle_;  // number of verts of the lowest layer, which is full, and of each layer between, a boundary cycle
 
  public:
   explicit constexpr box_surface(const lattice_place& cells) : n_(cells), lid_((cells[0] + 1) * (cells[1] + 1)), boundary_cycle_(2 * (cells[0] + cells[1])) {}
@@ -33,7 +33,7 @@ class box_surface {
   }
 
   template<class F>
-  void for_each_vert(F&& f) const {  // as numbered
+  void for_each_vert(F&& f) const {  // in the order of the numbers
     const auto [nx, ny, nz] = n_;
     for (std::size_t k = 0; k <= nz; ++k) {
       if (k == 0 || k == nz) {
@@ -48,7 +48,7 @@ class box_surface {
     }
   }
 
-  /// Four corners each, counter-clockwise seen from outside.
+  /// Calls f with the four corners of each quad, counter-clockwise as seen from outside.
   template<class F>
   void for_each_quad(F&& f) const {
     for (std::size_t axis = 0; axis < 3; ++axis)

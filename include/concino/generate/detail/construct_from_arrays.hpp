@@ -1,4 +1,4 @@
-// What generated meshes have in common: their arrays as a mesh of any kind, native or not, and the checks of what was asked for.
+// Constructs generated meshes of any type, native or not, from flat arrays, and checks the arguments of generators.
 #pragma once
 
 #include <concino/convert/convert.hpp>
@@ -17,15 +17,15 @@ namespace concino {
 
 namespace requirement {
 
-/// A mesh that can be generated: of flat arrays (the six meshes of this library), or by adding vert after vert and poly after poly.
+/// A mesh that can be generated: from flat arrays (the six native meshes), or by adding verts and polys one by one.
 template<class M> concept can_be_generated = AnyMesh<M> && (is_constructible_from_arrays<M> || is_built_by_adding<M>);
 
 }  // namespace requirement
 
 namespace detail {
 
-/// A surface of these polygons.
-/// Errors: unsupported if M refuses one.
+/// Constructs a surface from polygons.
+/// Errors: unsupported if M refuses a polygon.
 template<class M>
 M construct_from_arrays(surface_arrays a) {
   if constexpr (from_surface<M>) {
@@ -36,7 +36,7 @@ M construct_from_arrays(surface_arrays a) {
   }
 }
 
-/// Two triangles a quad, cut from its first vert to its third.
+/// Splits each quad into two triangles, from its first vert to its third.
 inline surface_arrays cut_quads(surface_arrays quads) {
   surface_arrays a{std::move(quads.points), {}, {}, 3};
   a.verts.reserve(quads.verts.size() / 2 * 3);
@@ -45,15 +45,15 @@ inline surface_arrays cut_quads(surface_arrays quads) {
   return a;
 }
 
-/// A surface of these quads: as they are, or cut where M is of triangles.
+/// Constructs a surface from quads, which are split if M has triangles.
 template<class M>
 M construct_from_quads(surface_arrays quads) {
-  if constexpr (arity_v<M> == 3) return construct_from_arrays<M>(cut_quads(std::move(quads)));  // quads are cut into triangles
+  if constexpr (arity_v<M> == 3) return construct_from_arrays<M>(cut_quads(std::move(quads)));  // quads are split into triangles
   else return construct_from_arrays<M>(std::move(quads));
 }
 
-/// Six tets a hex. Every quad is cut at its vert of least number, so that two hexes that share it agree; in a grid that is numbered row by
-/// row all six surround one diagonal of the cube.
+/// Splits each hex into six tets. Every quad is split at its vert of the smallest number, so that two hexes that share it agree. In a grid that is
+/// numbered row by row, the six tets surround one diagonal of the cube.
 /// Source: Kuhn 1960; Dompierre, Labbe, Vallet, Camarero 1999, "How to subdivide pyramids, prisms and hexahedra into tetrahedra".
 inline cell_arrays tets_of(cell_arrays hexes) {
   cell_arrays a{std::move(hexes.points), {}, 4};
@@ -70,16 +70,16 @@ inline cell_arrays tets_of(cell_arrays hexes) {
       }
       if (has_apex) continue;
       const vert_id a0 = v[f[least]], a1 = v[f[(least + 1) % 4]], a2 = v[f[(least + 2) % 4]], a3 = v[f[(least + 3) % 4]];
-      a.verts.insert(a.verts.end(), {a0, a2, a1, apex, a0, a3, a2, apex});  // faces run counter-clockwise seen from outside, so these turn
+      a.verts.insert(a.verts.end(), {a0, a2, a1, apex, a0, a3, a2, apex});  // faces are counter-clockwise seen from outside, so these are reversed
     }
   }
   return a;
 }
 
-/// A volume of these hexes: as they are, as polyhedra, or cut into tets.
+/// Constructs a volume from hexes: as hexes, as polyhedra, or split into tets.
 template<class M>
 M construct_from_hexes(cell_arrays hexes) {
-  if constexpr (arity_v<M> == 4) {  // hexes are cut into tets
+  if constexpr (arity_v<M> == 4) {  // hexes are split into tets
     if constexpr (from_cells<M>) {
       return M(tets_of(std::move(hexes)));
     } else {
@@ -94,11 +94,11 @@ M construct_from_hexes(cell_arrays hexes) {
   }
 }
 
-/// Refuses more elements than 32-bit descriptors can tell apart. Of volumes `polys` counts hexes.
+/// Throws if there are more elements than 32-bit descriptors. For volumes, `polys` counts hexes.
 template<class M>
 void check_element_counts(const char* what, const char* option, double vert_count, double polys) {
   double corners = polys * 4;
-  if constexpr (dimension_v<M> == 3) {  // how many corners there will be
+  if constexpr (dimension_v<M> == 3) {  // the number of corners depends on the kind of mesh
     corners = polys * 24;  // six tets of four, or six faces of four
     if (arity_v<M> == 4) polys *= 6;
   } else {

@@ -1,4 +1,4 @@
-// What the dual of a surface and that of a volume have in common: a vert for each poly, one for each facet that needs it, and loops around hubs.
+// The common part of dual meshes of surfaces and volumes: a vert for each poly, a vert for each facet that needs one, and loops around centres.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -10,8 +10,8 @@
 
 namespace concino::detail {
 
-/// Facets are the edges of a surface and the faces of a volume; hubs are the verts of a surface and the edges of a volume. The polys around
-/// a hub give a loop of dual verts: a dual polygon, or a face of dual polyhedra.
+/// The verts of a dual mesh and its loops around centres. Centres are the verts of a surface and the edges of a volume. The polys around a centre
+/// give a loop of dual verts: a dual polygon, or a face of dual polyhedra.
 template<class M>
 class dual_parts {
   static constexpr bool is_surface = SurfaceMesh<M>;
@@ -19,9 +19,9 @@ class dual_parts {
  public:
   static constexpr std::uint32_t none = ~0u;
 
-  std::vector<vec3> points;  // of dual verts: those of polys come first, in the order of polys(m)
+  std::vector<vec3> points;  // of the dual verts: those of polys come first, in the order of polys(m)
 
-  /// Sides: of the faces of a volume.
+  /// For a volume, the last argument is the oriented_edge_table of its faces.
   template<class... Sides>
   dual_parts(const M& m, bool clipped, const Sides&... sides) : m_(m), polys_at_(facet_index_bound(m), {none, none}), fans_(centre_bound()) {
     read_polys();
@@ -29,20 +29,20 @@ class dual_parts {
     add_facet_verts(clipped);
   }
 
-  /// The number of poly p among polys(m), which is that of its dual vert.
+  /// The position of poly p in polys(m), which is the number of its dual vert.
   std::uint32_t number_of(const poly_t<M>& p) const { return poly_number_[index_of(m_, p)]; }
-  /// The polys of a facet by number, `none` where there is none; whether it has any, or just one.
+  /// The numbers of the polys of a facet, or `none`; whether it has any poly; and whether it has exactly one.
   const std::array<std::uint32_t, 2>& polys_of(std::size_t facet) const { return polys_at_[facet]; }
   bool is_used(std::size_t facet) const { return polys_at_[facet][0] != none; }
   bool is_border(std::size_t facet) const { return is_used(facet) && polys_at_[facet][1] == none; }
-  /// Whether a hub has polys around it, and whether it lies at the border.
+  /// Whether a centre has polys around it, and whether it is on the boundary.
   bool has_polys(std::size_t centre) { return !fans_[centre].empty(); }
   bool is_border_centre(std::size_t centre) {
     for (const sector& w : fans_[centre])
       if (is_border(w.in) || is_border(w.out)) return true;
     return false;
   }
-  /// How many verts all loops have, but for those of facets and hubs.
+  /// The total number of verts of all loops, without the verts of facets and centres.
   std::size_t num_corners() const { return fans_.size(); }
 
   std::uint32_t add_vert(const vec3& x) {
@@ -51,8 +51,8 @@ class dual_parts {
   }
   std::uint32_t facet_vert(std::size_t facet) const { return facet_vert_[facet]; }
 
-  /// Adds the loop around a hub to `loop`, counter-clockwise. At the border it ends with hub_vert.
-  /// Errors: invalid_mesh if the polys are no fan.
+  /// Appends the loop around a centre to `loop`, counter-clockwise. On the boundary it ends with centre_vert.
+  /// Errors: invalid_mesh if the polys around the centre are not one fan.
   void add_loop(std::size_t centre, std::uint32_t centre_vert, std::vector<vert_id>& loop) {
     const fan_kind kind = fans_.arrange(centre, [&](std::uint32_t f) { return is_border(f); });
     if (kind == fan_kind::broken) throw_no_dual(is_surface ? "the polys around vert " : "the polys around edge ", centre, " are no single fan");
@@ -74,7 +74,7 @@ class dual_parts {
   sector_fans fans_;
 
   std::size_t centre_bound() const {
-    if constexpr (is_surface) return vert_index_bound(m_);  // hubs are what facets meet in
+    if constexpr (is_surface) return vert_index_bound(m_);  // centres are where facets meet: verts of a surface, edges of a volume
     else return edge_index_bound(m_);
   }
 
@@ -93,8 +93,8 @@ class dual_parts {
     }
   }
 
-  /// Facets at the border have a dual vert of their own where cells are clipped there. So have all facets that two polys share if they
-  /// share more than one: without them dual edges would coincide.
+  /// Adds a dual vert for each boundary facet if cells are clipped there. If two polys share more than one facet, each of these gets a dual vert
+  /// too: without it dual edges would coincide.
   void add_facet_verts(bool clipped) {
     std::vector<std::uint32_t> seen_from(points.size(), none), seen_through(points.size(), none);
     facet_vert_.assign(facet_index_bound(m_), none);
@@ -119,7 +119,7 @@ class dual_parts {
   }
 
   vec3 centre_of(const facet_t<M>& x) const {
-    if constexpr (is_surface) {  // centroids are of polygons and polyhedra
+    if constexpr (is_surface) {  // an edge has a midpoint; centroid() is for polygons and polyhedra
       const auto [a, b] = end_verts(m_, x);
       return 0.5 * to_vec3(point(m_, a)) + 0.5 * to_vec3(point(m_, b));
     } else {

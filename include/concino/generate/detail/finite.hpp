@@ -1,4 +1,4 @@
-// What functions that move points refuse.
+// Checks the points of functions that move verts.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>

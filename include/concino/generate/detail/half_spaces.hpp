@@ -1,5 +1,5 @@
-// The planes that bound a Voronoi cell, their common points, and on which side of another plane these lie: in doubles where these suffice, else
-// in integers.
+// The half-spaces that bound a Voronoi cell, the corners where their planes meet, and exact tests of the side of a plane on which a corner lies.
+// They use doubles where these suffice, and integers otherwise.
 #pragma once
 
 #include <concino/generate/detail/site_lattice.hpp>
@@ -19,23 +19,23 @@ template<class T> constexpr T det(const std::array<T, 3>& a, const std::array<T,
   return a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
 }
 
-/// What bounds the cell of one site, seen from it, in lattice steps: {y : 2 n.y <= c}. The first 2 D are the walls of the box, minus before
-/// plus in each direction, the others bisectors. Sites carry infinitely small weights, larger ones for lower indices, so that no plane ever
-/// passes through the common point of D others.
+/// The half-spaces whose intersection is the cell of one site: {y : 2 n.y <= c}, with the site at the origin, in lattice steps. The first 2 D are
+/// the walls of the box (minus before plus in each direction), the others bisectors. Sites have infinitesimal weights, larger for lower indices,
+/// so that no plane ever passes through the common point of D others.
 /// Source: Edelsbrunner and Muecke 1990, "Simulation of simplicity".
 template<int D>
 class half_spaces {
  public:
   static constexpr std::uint32_t no_site = ~0u;
-  static constexpr double unit = 0x1p-53 * 64;  // more roundings than any sum here sees
+  static constexpr double unit = 0x1p-53 * 64;  // more than the rounding errors of any sum here
 
   /// The common point of D planes.
   struct corner {
     std::array<std::uint32_t, D> planes;
-    std::array<double, D> y;  // twice the place times w
+    std::array<double, D> y;  // twice the position times w
     double w;
-    double y_size, w_size;  // by these the rounding errors of y and w are bounded
-    double squared_radius;   // at least the square of the distance from the site
+    double y_size, w_size;  // bounds for the rounding errors of y and w, in multiples of `unit`
+    double squared_radius;   // an upper bound of the squared distance from the site
   };
 
   void begin(const site_lattice<D>& sites, std::uint32_t site) {
@@ -60,10 +60,10 @@ class half_spaces {
   }
   void drop_last() { planes_.pop_back(); }
   std::uint32_t last() const { return static_cast<std::uint32_t>(planes_.size() - 1); }
-  /// The site beyond a plane; of walls no_site.
+  /// The site on the other side of a plane; no_site for walls.
   std::uint32_t beyond(std::uint32_t plane) const { return planes_[plane].other; }
 
-  /// The corner of D planes, given so that their normals have a positive determinant.
+  /// The corner of D planes. They are in an order in which their normals have a positive determinant.
   corner meet(const std::array<std::uint32_t, D>& at) const {
     corner v{at, {}, 0, 0, 1, 0};
     solve<double>(at, [](const half_space& p) { return p.rounded_n; }, [](const half_space& p) { return p.rounded_c; }, v.y, v.w);
@@ -80,14 +80,14 @@ class half_spaces {
     return v;
   }
 
-  /// Where a corner is, as seen from the site, to a few steps of the lattice.
+  /// The position of a corner relative to the site, accurate to a few lattice steps.
   std::array<double, D> place(corner v) const {
     if (unit * (v.y_size + size_of(v) / v.w * v.w_size) > 8 * v.w) solve_well(v);
     for (double& x : v.y) x /= 2 * v.w;
     return v.y;
   }
 
-  /// Whether a corner lies beyond plane m.
+  /// Whether a corner lies outside half-space m.
   bool is_beyond(const corner& v, std::uint32_t m) const {
     const half_space& p = planes_[m];
     double f = -p.rounded_c * v.w;
@@ -101,9 +101,9 @@ class half_spaces {
  private:
   struct half_space {
     std::array<std::int64_t, D> n;
-    std::array<double, D> rounded_n;  // exact, too
+    std::array<double, D> rounded_n;  // exact as well
     int128 c;
-    double rounded_c, length;  // length: of n, at least
+    double rounded_c, length;  // length: an upper bound of the length of n
     std::uint32_t other;
   };
 
@@ -121,7 +121,7 @@ class half_spaces {
     planes_.push_back(p);
   }
 
-  /// The common point of D planes, homogeneous, in any numbers.
+  /// Computes the common point of D planes in homogeneous coordinates, with numbers of type T.
   template<class T, class Normal, class Offset>
   void solve(const std::array<std::uint32_t, D>& at, const Normal& normal, const Offset& offset, std::array<T, D>& y, T& w) const {
     const auto a = normal(planes_[at[0]]), b = normal(planes_[at[1]]);
@@ -146,7 +146,7 @@ class half_spaces {
     solve<int256>(at, exact_normal, [](const half_space& p) { return int256(p.c); }, y, w);
   }
 
-  /// All digits right.
+  /// Computes a corner with all digits correct.
   void solve_well(corner& v) const {
     std::array<int256, D> y;
     int256 w;
@@ -173,7 +173,7 @@ class half_spaces {
     for (std::size_t k = 0; k < D; ++k) f = f + int256(p.n[k]) * y[k];
     if (f.sign() != 0) return f.sign() > 0;
 
-    // D + 2 sites on one sphere: the weights decide, that of the lowest index that matters. c is |n|^2 + weight here - weight of the other.
+    // D + 2 sites lie on one sphere: the weights decide, first that of the lowest relevant index. c is |n|^2 + own weight - weight of the other.
     std::uint32_t lowest = no_site;
     int sign = 0;
     const auto weigh = [&](std::uint32_t site, const int256& weight) {

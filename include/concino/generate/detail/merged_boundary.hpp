@@ -1,4 +1,4 @@
-// What several polys of a mesh have as their border when they are taken as one, and whether that one is a disk or a ball.
+// The boundary of the union of several polys of a mesh, and whether the union is a disk or a ball.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -12,14 +12,14 @@
 
 namespace concino::detail {
 
-/// Why polys are no disk or ball; no text: they are.
+/// The reason why polys do not form a disk or ball. Without a text, they do.
 struct merge_fault {
   const char* text = "";
-  std::size_t index = ~std::size_t{0};  // of the element that ends the text, if it names one
+  std::size_t index = ~std::size_t{0};  // of the element to name at the end of the text, if any
   explicit operator bool() const { return *text != 0; }
 };
 
-/// Values at some elements of one kind, all forgotten in constant time.
+/// Values of some elements of one kind, which can be cleared in constant time.
 template<class T>
 class stamped_array {
   std::vector<std::uint32_t> stamp_;
@@ -31,7 +31,7 @@ class stamped_array {
   void clear() { ++now_; }
   bool has(std::size_t i) const { return stamp_[i] == now_; }
   T& operator[](std::size_t i) { return value_[i]; }
-  /// True the first time since clear().
+  /// Sets a value unless it is set. Returns whether it was not set since clear().
   bool add(std::size_t i, const T& x) {
     if (has(i)) return false;
     stamp_[i] = now_;
@@ -40,7 +40,7 @@ class stamped_array {
   }
 };
 
-/// The polys given last, and whether they hang together across edges (surfaces) or faces (volumes).
+/// A set of polys, with a test whether they are connected through edges (surfaces) or faces (volumes).
 template<AnyMesh M>
 class merged_polys {
   const M& m_;
@@ -50,7 +50,7 @@ class merged_polys {
  public:
   explicit merged_polys(const M& m) : m_(m), in_(poly_index_bound(m)) {}
 
-  /// A search of its own: it takes time in proportion to the polys given, where bfs fills a map of all polys.
+  /// Replaces the set. Returns whether the polys are connected. Its own search takes time proportional to the set; bfs would fill a map of all polys.
   bool set(std::span<const poly_t<M>> polys) {
     in_.clear();
     for (const poly_t<M>& p : polys) in_.add(index_of(m_, p), 1);
@@ -77,13 +77,13 @@ class merged_polys {
 
 template<class M> class merged_boundary;
 
-/// Of a surface: the border is the ring of verts of one polygon.
+/// On a surface, the boundary of the union is the cycle of verts of one polygon.
 template<SurfaceMesh M>
 class merged_boundary<M> {
   struct boundary_edge { vert_t<M> from, to; };
   const M& m_;
   merged_polys<M> members_;
-  stamped_array<std::uint32_t> leaving_, first_from_;  // by vert: the edge that leaves it; by edge inside: where the first poly begins it
+  stamped_array<std::uint32_t> leaving_, first_from_;  // by vert: the boundary edge from it; by interior edge: its first vert in the first poly
   stamped_array<unsigned char> met_;
   std::vector<boundary_edge> edges_;
   std::vector<vert_t<M>> ring_;
@@ -94,7 +94,7 @@ class merged_boundary<M> {
 
   const std::vector<vert_t<M>>& ring() const { return ring_; }
 
-  /// Finds the ring around `polys`, one or more. A single poly is taken as it is.
+  /// Finds the boundary cycle of one or more polys. A single poly is not checked.
   merge_fault read(std::span<const poly_t<M>> polys) {
     ring_.clear();
     if (polys.size() == 1) {
@@ -135,7 +135,7 @@ class merged_boundary<M> {
   }
 };
 
-/// Of a volume: the border is the faces of one polyhedron.
+/// In a volume, the boundary of the union is the faces of one polyhedron.
 template<VolumeMesh M>
 class merged_boundary<M> {
  public:
@@ -144,7 +144,7 @@ class merged_boundary<M> {
  private:
   const M& m_;
   merged_polys<M> members_;
-  stamped_array<unsigned char> inside_, met_vert_, times_;   // by face: whether the first poly has it outward; by edge: faces of the border there
+  stamped_array<unsigned char> inside_, met_vert_, times_;   // by face: whether the first poly has it outward; by edge: the number of its boundary faces
   stamped_array<std::uint32_t> first_face_;                  // by edge
   std::vector<boundary_face> faces_;
 
@@ -155,7 +155,7 @@ class merged_boundary<M> {
 
   const std::vector<boundary_face>& boundary_faces() const { return faces_; }
 
-  /// Finds the faces around `polys`, one or more. A single poly is taken as it is.
+  /// Finds the boundary faces of one or more polys. A single poly is not checked.
   merge_fault read(std::span<const poly_t<M>> polys) {
     faces_.clear();
     if (polys.size() == 1) {

@@ -1,4 +1,4 @@
-// The oriented edges of all faces of a volume: from which vert along which edge each face runs.
+// A table of the oriented edges of all faces of a volume.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -9,14 +9,14 @@
 
 namespace concino::detail {
 
-/// An oriented edge of a face, by index.
+/// An oriented edge of a face, as indices of its edge and its first vert.
 struct indexed_oriented_edge {
   std::uint32_t from;
   std::uint32_t edge : 31;
-  std::uint32_t forward : 1;  // from the first end of the edge to the second
+  std::uint32_t forward : 1;  // its direction is from the first end of the edge to the second
 };
 
-/// The oriented edges of all faces in one list.
+/// The oriented edges of all faces, in one array.
 template<VolumeMesh M>
 class oriented_edge_table {
   std::vector<std::uint32_t> first_;      // by face
@@ -43,7 +43,7 @@ class oriented_edge_table {
   }
 
   std::span<const indexed_oriented_edge> of(std::size_t face) const { return {edges_.data() + first_[face], edges_.data() + first_[face + 1]}; }
-  /// The last of adj_e2v, for edges of some face.
+  /// The last vert of adj_e2v, for an edge that belongs to a face.
   std::uint32_t second_end(std::size_t edge) const { return second_end_[edge]; }
 };
 

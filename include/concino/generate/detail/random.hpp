@@ -1,4 +1,4 @@
-// Numbers that look random and are the same on every machine and with every compiler.
+// A pseudorandom number generator with the same results on every machine and with every compiler.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-/// Source: SplitMix64, Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators".
+/// The SplitMix64 generator.      Source: Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators".
 class random_stream {
   std::uint64_t state_;
 
@@ -20,9 +20,9 @@ class random_stream {
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return x ^ (x >> 31);
   }
-  /// In [0, 1), a multiple of 2^-53.
+  /// The next number in [0, 1), a multiple of 2^-53.
   constexpr double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-  /// In [low, high]. The fused step is spelled out, so that no compiler's choice to fuse or not shows in the last bit.
+  /// The next number in [low, high]. std::fma is explicit, so that the last bit does not depend on whether a compiler contracts the expression.
   double between(double low, double high) { return std::clamp(std::fma(unit(), high - low, low), low, high); }
 };
 

@@ -1,4 +1,4 @@
-// Fills the fans around verts of a surface or edges of a volume from its polys.
+// Collects the sectors of all polys around the verts of a surface or the edges of a volume.
 #pragma once
 
 #include <concino/concepts/oriented_edges.hpp>
@@ -13,7 +13,7 @@ template<class... Pieces>
   core::throw_joined<invalid_mesh>({"dual_mesh: ", pieces..., "; validate() lists what is wrong with the mesh"});
 }
 
-/// Polys are named in the fans by number_of(p), facets and hubs by index.
+/// Collects the sectors around the verts of a surface. Polys are identified by number_of(p), facets and centres by index.
 template<SurfaceMesh M, class NumberOf>
 void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans) {
   for (const poly_t<M> p : polys(m))
@@ -32,7 +32,7 @@ void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans) {
   }
 }
 
-/// Errors: invalid_mesh that names a poly whose surface is not closed.
+/// Collects the sectors around the edges of a volume. Errors: invalid_mesh that names a poly whose surface is not closed.
 template<VolumeMesh M, class NumberOf>
 void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans, const oriented_edge_table<M>& sides) {
   for (const poly_t<M> p : polys(m))
@@ -45,7 +45,7 @@ void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans, cons
       const bool outward = face_is_outward(m, p, f);
       for (const indexed_oriented_edge& s : sides.of(facet)) {
         sector& w = fans.at(s.edge, n);
-        std::uint32_t& side = (s.forward != 0) == outward ? w.out : w.in;  // the poly is left through the face that runs along the edge
+        std::uint32_t& side = (s.forward != 0) == outward ? w.out : w.in;  // the face whose outward orientation follows the edge is `out`
         if (side != sector::none) throw_no_dual("poly ", index_of(m, p), " has more than two faces at edge ", std::size_t{s.edge});
         side = facet;
       }

@@ -1,4 +1,4 @@
-// Lloyd's iteration: sites move to the centroids of their Voronoi cells.
+// Lloyd's iteration, which moves sites to the centroids of their Voronoi cells.
 #pragma once
 
 #include <concino/generate/detail/voronoi_complex.hpp>
@@ -6,7 +6,7 @@
 
 namespace concino::detail {
 
-/// diagram(sites, domain) after `rounds` rounds. D: the coordinates that count.
+/// The diagram(sites, domain) after `rounds` iterations. D is the number of coordinates that are used.
 template<std::size_t D, class Sites, class Diagram>
 auto with_relaxed_sites(const Sites& given, const box& domain, unsigned rounds, const Diagram& diagram) {
   std::vector<vec3> sites;

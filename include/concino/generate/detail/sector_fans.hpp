@@ -8,8 +8,8 @@
 
 namespace concino::detail {
 
-/// A poly as seen from its hub, a vert of a surface or an edge of a volume. Turning counter-clockwise one enters it through facet `in` and
-/// leaves it through `out`: edges of a surface, faces of a volume. Around an edge one turns as seen from its second end, looking at the first.
+/// The part of a poly at a centre: a vert of a surface or an edge of a volume. Counter-clockwise around the centre, the sector begins at facet `in`
+/// and ends at facet `out`. Around an edge, counter-clockwise is as seen from its second end, looking at the first.
 struct sector {
   static constexpr std::uint32_t none = ~0u;
   std::uint32_t poly, in, out;
@@ -17,9 +17,9 @@ struct sector {
 
 enum class fan_kind { closed, open, broken };
 
-/// The wedges of all hubs, in two steps: count them, then add them poly after poly.
+/// The sectors of all centres. They are stored in two passes: first count them, then add them poly by poly.
 class sector_fans {
-  std::vector<std::uint32_t> first_, end_;  // by hub
+  std::vector<std::uint32_t> first_, end_;  // by centre
   core::flat_array<sector> sectors_;
 
  public:
@@ -31,7 +31,7 @@ class sector_fans {
     end_.assign(first_.begin(), first_.end() - 1);
     sectors_.resize(first_.back());
   }
-  /// The wedge of a poly, made at the first call; between the calls for one hub and poly there is none for another poly.
+  /// The sector of a poly, added by the first call. All calls for one centre and one poly must precede those for another poly.
   sector& at(std::size_t centre, std::uint32_t poly) {
     std::uint32_t& end = end_[centre];
     if (end > first_[centre] && sectors_[end - 1].poly == poly) return sectors_[end - 1];
@@ -42,8 +42,8 @@ class sector_fans {
   std::size_t size() const { return sectors_.size(); }
   std::span<sector> operator[](std::size_t centre) { return {sectors_.data() + first_[centre], sectors_.data() + end_[centre]}; }
 
-  /// Brings the wedges of a hub into their order, from border to border where the fan is open. A poly that is wound against the one before
-  /// it is turned. Quadratic in the number of wedges.
+  /// Sorts the sectors of a centre in cyclic order, from boundary to boundary if the fan is open. If a poly is oriented against the previous one,
+  /// its sector is reversed. Quadratic in the number of sectors.
   template<class IsBorder>
   fan_kind arrange(std::size_t centre, const IsBorder& is_border) {
     const std::span<sector> fan = (*this)[centre];

@@ -1,4 +1,4 @@
-// Cells that meet in verts which are one but for rounding: the edges between these vanish.
+// Merges the verts of Voronoi cells that differ only by rounding, and removes the edges between them.
 #pragma once
 
 #include <concino/generate/detail/site_lattice.hpp>
@@ -6,17 +6,17 @@
 
 namespace concino::detail {
 
-/// The cells of sites as loops of verts. In a plane a cell has one loop, counter-clockwise; in space one for each face, counter-clockwise seen
-/// from outside.
+/// The cells of sites as loops of verts. In the plane, a cell has one loop, counter-clockwise. In space, it has one loop for each face,
+/// counter-clockwise as seen from outside.
 template<int D>
 struct cell_loops {
   using place = std::array<double, D>;
 
-  std::vector<place> places;                // per vert, in lattice steps
-  std::vector<std::uint8_t> walls;          // per vert, a bit for each wall of the box it lies on
-  std::vector<std::uint32_t> loop_offsets;  // per cell: its first loop
-  std::vector<std::uint32_t> neighbours;    // per loop: the cell or wall beyond
-  std::vector<std::uint32_t> vert_offsets;  // per loop: its first vert
+  std::vector<place> places;                // by vert, in lattice steps
+  std::vector<std::uint8_t> walls;          // by vert: a bit for each wall of the box on which it lies
+  std::vector<std::uint32_t> loop_offsets;  // by cell: its first loop
+  std::vector<std::uint32_t> neighbours;    // by loop: the cell or wall behind it
+  std::vector<std::uint32_t> vert_offsets;  // by loop: its first vert
   std::vector<std::uint32_t> loop_verts;
 };
 
@@ -25,7 +25,7 @@ struct cell_loops {
                                   " is thinner than rounding of the size of the box; remove the site or one of those next to it"});
 }
 
-/// For each vert which of those it becomes one with stands for all: they hang together by edges too short to matter.
+/// The sets of verts to merge: those connected by negligibly short edges.
 template<int D>
 disjoint_sets close_verts(const cell_loops<D>& c) {
   constexpr double close = 512;  // lattice steps: below 2^-39 of the longest side of the box
@@ -40,7 +40,7 @@ disjoint_sets close_verts(const cell_loops<D>& c) {
   return same;
 }
 
-/// Where the verts that become one are: at the place of the one on most walls, moved onto the walls of the others. By number of the root.
+/// The positions of merged verts, by the root of their set: the position of the vert on the most walls, moved onto the walls of the others.
 template<int D>
 std::vector<typename cell_loops<D>::place> common_places(const cell_loops<D>& c, disjoint_sets& same, const site_lattice<D>& sites) {
   const auto count = [](std::uint8_t bits) {
@@ -51,7 +51,7 @@ std::vector<typename cell_loops<D>::place> common_places(const cell_loops<D>& c,
   std::vector<std::uint32_t> best(c.places.size());
   std::vector<std::uint8_t> walls = c.walls;
   for (std::uint32_t v = 0; v < best.size(); ++v) {
-    const std::size_t r = same.root(v);  // not above v
+    const std::size_t r = same.root(v);  // <= v
     if (r == v || count(c.walls[v]) > count(c.walls[best[r]])) best[r] = v;
     walls[r] |= c.walls[v];
   }
@@ -66,8 +66,8 @@ std::vector<typename cell_loops<D>::place> common_places(const cell_loops<D>& c,
   return places;
 }
 
-/// Verts joined by edges too short to matter become one. Edges and loops without size vanish, for all cells around alike; verts are numbered
-/// as loops first meet them.
+/// Merges verts connected by negligibly short edges. Removes edges and loops without size, consistently in all cells that have them. Numbers the
+/// verts in the order of their first occurrence in loops.
 /// Errors: invalid_argument that names a site whose cell vanishes, or touches itself.
 template<int D>
 void merge_short_edges(cell_loops<D>& c, const site_lattice<D>& sites) {
@@ -77,7 +77,7 @@ void merge_short_edges(cell_loops<D>& c, const site_lattice<D>& sites) {
   c.walls.clear();
   constexpr std::uint32_t unnamed = ~0u;
   std::vector<std::uint32_t> name(places.size(), unnamed);
-  std::size_t loops = 0, out = 0;  // kept, in place
+  std::size_t loops = 0, out = 0;  // numbers of loops and corners that are kept; the arrays are compacted in place
   for (std::uint32_t cell = 0, loop = 0, from = 0; cell + 1 < c.loop_offsets.size(); ++cell) {
     const std::size_t first_loop = loops;
     for (const std::uint32_t last = c.loop_offsets[cell + 1]; loop < last; ++loop) {

@@ -1,4 +1,4 @@
-// The sites of a Voronoi diagram on a lattice as fine as rounding, so that which site is nearer is decided in integers, and in a grid of bins.
+// The sites of a Voronoi diagram, rounded to an integer lattice so that distances are compared exactly, and sorted into a grid of bins.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -18,7 +18,7 @@ template<int D>
 class site_lattice {
  public:
   using place = std::array<std::int64_t, D>;
-  static constexpr int bits = 49;  // the determinants of D + 1 bisectors then fit into 256 bits
+  static constexpr int bits = 49;  // so that the determinants of D + 1 bisectors fit into 256 bits
 
   template<class Sites>
   site_lattice(const Sites& sites, const box& domain) : domain_(domain) {
@@ -55,15 +55,15 @@ class site_lattice {
   const place& operator[](std::size_t i) const { return places_[i]; }
   std::int64_t side(std::size_t k) const { return size_[k]; }
 
-  /// A point given in lattice steps, back in the box; its walls exactly.
+  /// Converts a coordinate from lattice steps back to the box. Walls of the box are exact.
   double from_lattice(double x, std::size_t k) const {
     if (x >= static_cast<double>(size_[k])) return domain_.max[k];
     return std::clamp(domain_.min[k] + std::ldexp(x, exponent_), domain_.min[k], domain_.max[k]);
   }
   const box& domain() const { return domain_; }
 
-  /// Calls visit(j) for the other sites near site i, ring of bins after ring, until no site farther than reach() away is left out: reach() is
-  /// asked again after each ring and in lattice steps.
+  /// Calls visit(j, squared distance) for the other sites near site i, one ring of bins after the other, until no site within reach() is left.
+  /// reach() is a distance in lattice steps, and is called again after each ring.
   template<class Reach, class Visit>
   void for_each_near(std::uint32_t i, const Reach& reach, std::vector<std::pair<double, std::uint32_t>>& ring, const Visit& visit) const {
     const place& x = places_[i];
@@ -74,7 +74,7 @@ class site_lattice {
       collect(i, centre, s, reach(), ring);
       std::sort(ring.begin(), ring.end());
       for (const auto& [squared, j] : ring) visit(j, squared);
-      // What was not yet seen lies beyond the block of bins up to ring s.
+      // The remaining sites lie outside the block of bins up to ring s.
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < D; ++k) {
         if (centre[k] - s > 0) nearest = std::min(nearest, static_cast<double>(x[k] - (centre[k] - s) * width_[k]));
@@ -86,11 +86,11 @@ class site_lattice {
 
  private:
   box domain_;
-  int exponent_ = 0;  // a step of the lattice is 2^exponent_
-  place size_{};      // of the box
+  int exponent_ = 0;  // the lattice step is 2^exponent_
+  place size_{};      // of the box, in lattice steps
   std::vector<place> places_;
   place bins_{}, width_{};
-  std::vector<std::uint32_t> first_, sites_;  // sites by bin
+  std::vector<std::uint32_t> first_, sites_;  // the sites of each bin
 
   std::int64_t to_lattice(double x, std::size_t k) const { return std::llround(std::ldexp(x - domain_.min[k], -exponent_)); }
   std::int64_t bin_of(std::int64_t x, std::size_t k) const { return std::min(x / width_[k], bins_[k] - 1); }
@@ -101,10 +101,10 @@ class site_lattice {
     return static_cast<std::size_t>(b);
   }
 
-  /// Bins as near to cubes as the box allows, two sites in each on average.
+  /// Sorts the sites into bins that are as close to cubes as the box allows, with two sites in each on average.
   void sort_into_bins() {
     bins_.fill(0);
-    for (std::size_t again = 0; again < D; ++again) {  // sides shorter than a bin get one, the others share the sites anew
+    for (std::size_t again = 0; again < D; ++again) {  // a side shorter than a bin gets one bin; the numbers along the other sides are then computed again
       double content = 2 / static_cast<double>(places_.size());
       int free = 0;
       for (std::size_t k = 0; k < D; ++k)
@@ -127,7 +127,7 @@ class site_lattice {
     for (std::uint32_t i = 0; i < size(); ++i) sites_[next[bin_of(places_[i])]++] = i;
   }
 
-  /// The sites in the bins whose largest distance to the bin `centre`, counted in bins, is s; those farther than `reach` from site i left out.
+  /// Collects the sites within `reach` of site i in the bins at Chebyshev distance s from the bin `centre`, counted in bins.
   void collect(std::uint32_t i, const place& centre, std::int64_t s, double reach, std::vector<std::pair<double, std::uint32_t>>& out) const {
     place low, high, at;
     for (std::size_t k = 0; k < D; ++k) {
@@ -138,7 +138,7 @@ class site_lattice {
     for (;;) {
       bool edge = s == 0;
       for (std::size_t k = 1; k < D; ++k) edge = edge || std::abs(at[k] - centre[k]) == s;
-      // Along the first direction: all bins, or only those at the two ends.
+      // Along the first axis: all bins, or only those at the two ends.
       const std::int64_t step = edge ? 1 : 2 * s;
       for (at[0] = edge ? low[0] : centre[0] - s; at[0] <= high[0]; at[0] += step)
         if (at[0] >= low[0]) take(i, at, reach, out);

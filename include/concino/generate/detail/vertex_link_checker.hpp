@@ -1,4 +1,4 @@
-// Whether the polys around a vert of a volume hang together as its dual cell needs it.
+// Checks that the polys around a vert of a volume form a ball, so that its dual cell is a closed manifold.
 #pragma once
 
 #include <concino/generate/detail/dual_parts.hpp>
@@ -6,17 +6,18 @@
 
 namespace concino::detail {
 
-/// The polys around a vert make a ball, or half a ball at the boundary: else its dual cell would be no closed manifold.
+/// Checks that the polys around a vert form a ball, or half a ball on the boundary. Otherwise its dual cell would not be a closed manifold.
 template<VolumeMesh M>
 class vertex_link_checker {
   const M& m_;
   dual_parts<M>& parts_;
-  std::vector<std::uint32_t> slot_;  // of a poly, by number, among those at the vert
+  std::vector<std::uint32_t> slot_;  // by number of a poly: its position among the polys at the vert
 
  public:
   vertex_link_checker(const M& m, dual_parts<M>& parts) : m_(m), parts_(parts), slot_(parts.points.size()) {}
 
-  /// Seen from v on a small sphere its edges are verts, its faces edges and its polys polys of a polygon mesh: one sphere, or one disk.
+  /// Checks the link of v: on a small sphere around v, its edges, faces and polys are the verts, edges and polys of a polygon mesh, which must be
+  /// one sphere or one disk.
   /// Errors: invalid_mesh that names v.
   void check(const vert_t<M>& v, bool on_border) {
     std::size_t np = 0, nf = 0, ne = 0;

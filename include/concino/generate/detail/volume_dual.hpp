@@ -1,4 +1,4 @@
-// The polyhedra around the verts of a volume: a face for each edge, closed at the border where cells are clipped there.
+// The dual mesh of a volume: a polyhedron for each vert and a face for each edge. Clipped cells get additional faces on the boundary.
 #pragma once
 
 #include <concino/generate/detail/vertex_link_checker.hpp>
@@ -6,7 +6,7 @@
 
 namespace concino::detail {
 
-/// Hubs are edges: see dual_parts.
+/// Builds the dual mesh of a volume. The centres of dual_parts are edges.
 template<VolumeMesh M>
   requires Embedded<M>
 class volume_dual {
@@ -18,7 +18,7 @@ class volume_dual {
   dual_parts<M> parts_;
   vertex_link_checker<M> link_checker_;
   std::vector<unsigned char> on_border_;            // by vert index
-  std::vector<std::uint32_t> face_of_, middle_of_;  // by edge index: the dual face, and the dual vert at the midpoint of a border edge
+  std::vector<std::uint32_t> face_of_, middle_of_;  // by edge index: the dual face, and the dual vert at the midpoint of a boundary edge
   polyhedra_arrays arrays_;
 
   void find_border_verts() {
@@ -29,7 +29,7 @@ class volume_dual {
 
   void close_face() { arrays_.face_offsets.push_back(static_cast<std::uint32_t>(arrays_.face_verts.size())); }
 
-  /// A face for each edge one of whose verts has a cell.
+  /// Adds a face for each edge that has a vert with a cell.
   void add_faces_of_edges() {
     for (const edge_t<M> e : edges(m_)) {
       const std::size_t i = index_of(m_, e);
@@ -65,13 +65,13 @@ class volume_dual {
       const std::size_t k = index_of(m_, e);
       if (face_of_[k] == none) continue;
       arrays_.poly_faces.push_back(face_id{face_of_[k]});
-      arrays_.outward.push_back(oriented_edges_.second_end(k) != i);  // loops turn as seen from the second end
+      arrays_.outward.push_back(oriented_edges_.second_end(k) != i);  // loops are counter-clockwise as seen from the second end
     }
     if (on_border_[i]) close_cell_at_border(v);
     arrays_.poly_offsets.push_back(static_cast<std::uint32_t>(arrays_.poly_faces.size()));
   }
 
-  /// A quad in each border face at v: v, the midpoint of the next edge, the face's dual vert, the midpoint of the edge before.
+  /// Adds a quad in each boundary face at v: v, the midpoint of the next edge, the dual vert of the face, the midpoint of the previous edge.
   void close_cell_at_border(const vert_t<M>& v) {
     const std::size_t i = index_of(m_, v);
     const std::uint32_t own = parts_.add_vert(to_vec3(point(m_, v)));
@@ -82,7 +82,7 @@ class volume_dual {
       while (ring[k].from != i) ++k;
       const std::uint32_t before = middle_of_[ring[k == 0 ? ring.size() - 1 : k - 1].edge], after = middle_of_[ring[k].edge];
       arrays_.poly_faces.push_back(face_id{arrays_.num_faces()});
-      for (const poly_t<M> p : adj_f2p(m_, f)) arrays_.outward.push_back(face_is_outward(m_, p, f));  // one poly
+      for (const poly_t<M> p : adj_f2p(m_, f)) arrays_.outward.push_back(face_is_outward(m_, p, f));  // a boundary face has one poly
       for (const std::uint32_t x : {own, after, parts_.facet_vert(index_of(m_, f)), before}) arrays_.face_verts.push_back(vert_id{x});
       close_face();
     }
@@ -93,7 +93,7 @@ class volume_dual {
       : m_(m), clipped_(clipped), oriented_edges_(m), parts_(m, clipped, oriented_edges_), link_checker_(m, parts_), on_border_(vert_index_bound(m)),
         face_of_(edge_index_bound(m), none), middle_of_(edge_index_bound(m), none) {}
 
-  /// Result: the dual; where cells are not clipped some points may be of no face.
+  /// Result: the dual mesh. If cells are not clipped, some points may belong to no face.
   polyhedra_arrays build() && {
     find_border_verts();
     core::reserve_large(arrays_.face_verts, parts_.num_corners());

@@ -1,12 +1,12 @@
-// One cell of a Voronoi diagram: a box cut by the bisectors to other sites, by exact decisions, so that neighbours agree on all they share.
+// One cell of a Voronoi diagram: a box cut by the bisectors to other sites. All decisions are exact, so neighbouring cells agree on shared elements.
 #pragma once
 
 #include <concino/generate/detail/half_spaces.hpp>
 
 namespace concino::detail {
 
-/// The cell of one site, seen from it. Each vert has exactly D planes, counter-clockwise; what in truth is one vert may come as several in
-/// the same place.
+/// The cell of one site, with the site as origin. Each vert has exactly D planes, counter-clockwise. A vert where more planes meet is represented
+/// by several verts at the same position.
 /// Source: cutting as Ray, Sokolov, Lefebvre and Levy 2018, "Meshless Voronoi on the GPU".
 template<int D>
 class voronoi_cell {
@@ -28,7 +28,7 @@ class voronoi_cell {
     find_security_radius();
   }
 
-  /// Takes away what is nearer to the other site.
+  /// Removes the part that is nearer to the other site.
   void cut(const site_lattice<D>& sites, std::uint32_t other) {
     planes_.add_bisector(sites, other);
     const std::uint32_t m = planes_.last();
@@ -57,12 +57,12 @@ class voronoi_cell {
     find_security_radius();
   }
 
-  /// No site farther away than this can cut.
+  /// The distance beyond which no site can cut the cell.
   double security_radius() const { return security_radius_; }
   const std::vector<vert>& verts() const { return verts_; }
-  /// The site beyond a plane; of walls, the first 2 D planes, none.
+  /// The site on the other side of a plane; none for walls, which are the first 2 D planes.
   std::uint32_t beyond(std::uint32_t plane) const { return planes_.beyond(plane); }
-  /// Where a vert is, as seen from the site.
+  /// The position of a vert relative to the site.
   std::array<double, D> place(const vert& v) const { return planes_.place(v); }
 
  private:
@@ -79,8 +79,8 @@ class voronoi_cell {
     security_radius_ = 2 * std::sqrt(squared) * (1 + planes_.unit);
   }
 
-  /// Keeps in rim_ what separates the verts that go from those that stay: two planes (D = 2, {plane, whether it comes first}) or edges
-  /// {plane, plane}.
+  /// Updates horizon_ for a vert that is removed. It separates removed verts from the others: two planes (D = 2, {plane, whether it comes first})
+  /// or edges {plane, plane}.
   void toggle(const std::array<std::uint32_t, D>& at) {
     if constexpr (D == 2) {
       toggle_one({at[0], 1u}, {at[0], 0u});

@@ -1,4 +1,4 @@
-// All cells of a Voronoi diagram glued together: verts and faces that neighbours share become one.
+// All cells of a Voronoi diagram, in which neighbouring cells share their verts and faces.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -9,12 +9,12 @@
 
 namespace concino::detail {
 
-/// The Voronoi cells of sites.
+/// The Voronoi diagram of sites.
 template<int D>
 class voronoi_complex : private cell_loops<D> {
  public:
   using typename cell_loops<D>::place;
-  using key = std::array<std::uint32_t, D + 1>;  // the sites and walls that make a vert, ascending; wall k of the box is number of sites + k
+  using key = std::array<std::uint32_t, D + 1>;  // the sites and walls that define a vert, ascending; wall k of the box is number of sites + k
 
   explicit voronoi_complex(const site_lattice<D>& sites) : sites_(sites) {
     const std::size_t n = sites.size(), chunk = 256, chunks = (n + chunk - 1) / chunk;
@@ -40,22 +40,22 @@ class voronoi_complex : private cell_loops<D> {
   }
   /// The loops of a cell are numbered from first_loop(cell) to first_loop(cell + 1) - 1.
   std::uint32_t first_loop(std::uint32_t cell) const { return loop_offsets[cell]; }
-  /// The site beyond a loop, or its wall (see key); in a plane it means nothing.
+  /// The site behind a loop, or its wall (see key); meaningless in the plane.
   std::uint32_t beyond(std::uint32_t loop) const { return neighbours[loop]; }
   std::span<const std::uint32_t> verts(std::uint32_t loop) const {
     return {loop_verts.data() + vert_offsets[loop], loop_verts.data() + vert_offsets[loop + 1]};
   }
 
  private:
-  /// What one chunk of cells found, cell after cell.
+  /// The verts and loops of a chunk of cells, cell after cell.
   struct part {
     std::vector<key> keys;
-    std::vector<place> places;                  // of those verts of whose key the cell's site is the lowest
-    std::vector<std::uint32_t> num_verts;        // per cell
-    std::vector<std::uint32_t> num_loops;        // per cell
-    std::vector<std::uint32_t> beyond;           // per loop
-    std::vector<std::uint32_t> num_loop_verts;   // per loop
-    std::vector<std::uint32_t> loop_verts;       // as numbered within the cell
+    std::vector<place> places;                  // of verts for which the cell's site is the lowest in their key
+    std::vector<std::uint32_t> num_verts;        // by cell
+    std::vector<std::uint32_t> num_loops;        // by cell
+    std::vector<std::uint32_t> beyond;           // by loop: the site or wall behind it
+    std::vector<std::uint32_t> num_loop_verts;   // by loop
+    std::vector<std::uint32_t> loop_verts;       // numbers within the cell
   };
   struct scratch {
     std::vector<std::pair<double, std::uint32_t>> ring;
@@ -104,7 +104,7 @@ class voronoi_complex : private cell_loops<D> {
       out.beyond.push_back(generator((*b)[0]));
       out.num_loop_verts.push_back(static_cast<std::uint32_t>(e - b));
       auto at = b;
-      for (auto n = b; n != e; ++n) {  // the vert between this plane and that one, and then the one between that one and the next
+      for (auto n = b; n != e; ++n) {  // adds the vert between two consecutive planes around the loop, then moves on to the next pair
         const auto& p = cell.verts()[(*at)[2]].planes;
         out.loop_verts.push_back((*at)[2]);
         std::uint32_t next;
@@ -118,7 +118,7 @@ class voronoi_complex : private cell_loops<D> {
     out.num_loops.push_back(loops);
   }
 
-  /// The first cell of a vert's key makes it, the others find it there: the key says where.
+  /// Merges the verts of all cells. The first cell in the key of a vert creates it, and the other cells look it up there.
   void glue(const std::vector<part>& parts) {
     std::vector<std::size_t> first_vert{0};
     std::vector<key> keys;

@@ -1,4 +1,4 @@
-// Integers of 256 bits: what the determinants of a Voronoi diagram on a lattice need to be exact.
+// Integers of 256 bits, for exact determinants in Voronoi diagrams on a lattice.
 #pragma once
 
 #include <cmath>
@@ -9,9 +9,9 @@ namespace concino::detail {
 __extension__ typedef __int128 int128;
 __extension__ typedef unsigned __int128 uint128;
 
-/// Two's complement, wraps on overflow.
+/// A 256-bit integer: two's complement, wraps on overflow.
 class int256 {
-  std::uint64_t limb_[4] = {0, 0, 0, 0};  // lowest first
+  std::uint64_t limb_[4] = {0, 0, 0, 0};  // the lowest first
 
  public:
   constexpr int256() = default;
