@@ -1,4 +1,4 @@
-// From a mesh of one kind to a mesh of another.
+// Conversion of a mesh to another mesh type.
 #pragma once
 
 #include <concino/convert/convert.hpp>

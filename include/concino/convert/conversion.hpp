@@ -1,4 +1,4 @@
-// What convert_with_correspondence() gives back: a mesh, and which of its elements stand for those of the mesh that it was made from.
+// The result of convert_with_correspondence(): a mesh, and the correspondence between its elements and those of the original.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -17,7 +17,7 @@ namespace concino {
 
 namespace detail {
 
-/// face_t<M>, or of a surface something that nothing is.
+/// face_t<M> if M is a volume, otherwise a type that nothing converts to.
 template<class M>
 struct face_if_any {
   struct type {};
@@ -28,7 +28,8 @@ struct face_if_any<M> { using type = face_t<M>; };
 
 }  // namespace detail
 
-/// Names of elements hold while neither mesh is changed. The mesh that was converted has to stay where it is; of a view a copy is kept.
+/// A converted mesh with its correspondence to the original, which is valid as long as neither mesh is changed. The original must stay in place;
+/// if it is a view, a copy of the view is stored.
 template<class To, class From>
 class conversion {
   using source_face = typename detail::face_if_any<From>::type;
@@ -36,9 +37,9 @@ class conversion {
 
   vert_map<From, vert_t<To>> verts_;
   poly_map<From, poly_t<To>> polys_;
-  std::vector<std::uint32_t> faces_;  // by index of a face, where the new mesh has faces of its own numbers: that number
+  std::vector<std::uint32_t> faces_;  // by index of a face: its number in the new mesh, if the new mesh numbers faces as they were passed
 
-  /// By index of the new elements: the index of the one that each stands for.
+  /// By index of an element of the new mesh: the index of the corresponding element of the original.
   template<class R, class Of>
   element_origins origins(const R& elements, std::size_t bound, const Of& of) const {
     std::vector<std::uint32_t> source(bound, element_origins::none);
@@ -56,7 +57,7 @@ class conversion {
   const vert_t<To>& vert_of(const vert_t<From>& v) const { return verts_[v]; }
   const poly_t<To>& poly_of(const poly_t<From>& p) const { return polys_[p]; }
 
-  /// Found at one of its verts.                                              Cost: the edges there.
+  /// The edge of the new mesh that corresponds to e. Searches the edges at one of its verts.      Cost: O(number of edges there).
   edge_t<To> edge_of(const edge_t<From>& e) const {
     const auto ends = end_verts(from(), e);
     const vert_t<To> a = vert_of(ends.first), b = vert_of(ends.second);
@@ -68,7 +69,8 @@ class conversion {
     return edge_t<To>();
   }
 
-  /// Found at one of its verts, by all of them, unless the new mesh numbers faces as they were given.      Cost: the faces there.
+  /// The face of the new mesh that corresponds to f. Unless the numbers of faces are known, searches the faces at one of its verts for one with
+  /// the same verts.      Cost: O(number of faces there).
   face face_of(const source_face& f) const
     requires(dimension_v<From> == 3)
   {
@@ -88,7 +90,7 @@ class conversion {
     return face();
   }
 
-  /// Where the elements of the new mesh come from, of one kind or of all.
+  /// The origins of the elements of the new mesh, for one kind or for all kinds.
   element_origins vert_origins() const {
     return origins(verts(from()), vert_index_bound(mesh), [&](const auto& x) { return vert_of(x); });
   }
@@ -105,7 +107,8 @@ class conversion {
   }
   concino::correspondence correspondence() const { return {vert_origins(), edge_origins(), face_origins(), poly_origins()}; }
 
-  /// Values from one map to another: to[vert_of(v)] = from_map[v] for all verts, or for the edges, faces or polys that `from_map` has values of.
+  /// Copies values to a map on the new mesh: to[vert_of(v)] = from_map[v] for all verts, or the same for edges, faces or polys if `from_map` is a
+  /// map on these.
   template<class A, class B>
     requires(ReadableMap<A, vert_t<From>>)
   void transfer(const A& from_map, B&& to) const {

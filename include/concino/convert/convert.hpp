@@ -1,5 +1,5 @@
-// From any mesh to any other of the same dimension: auto to = convert<To>(from). Properties come along; convert_with_correspondence<To>(from) also
-// says which element of the one stands for which of the other.
+// Converts any mesh to any other type of the same dimension: auto to = convert<To>(from). Properties are transferred.
+// convert_with_correspondence<To>(from) also returns the correspondence between the elements.
 #pragma once
 
 #include <concino/convert/conversion.hpp>
@@ -15,20 +15,20 @@
 
 namespace concino {
 
-/// What convert() could not bring along.
+/// What convert() could not transfer.
 struct convert_report {
-  std::vector<std::string> lost;  // one sentence a property
+  std::vector<std::string> lost;  // one sentence per property
 };
 
 struct convert_options {
-  bool properties = true;                // whether named properties come along, where both meshes hold such
-  convert_report* report = nullptr;      // filled if given; cleared first
-  concino::progress progress = nullptr;  // told "converting"
+  bool properties = true;                // whether named properties are transferred, if both meshes can have them
+  convert_report* report = nullptr;      // unless null, cleared and then filled in
+  concino::progress progress = nullptr;  // called with the fraction done and "converting"
 };
 
 namespace requirement {
 
-/// A mesh that can be made: from flat arrays, or by adding vert after vert and poly after poly.
+/// A mesh that convert() can construct: from flat arrays, or by adding verts and polys one by one.
 template<class To> concept is_constructible_from_arrays = concino::detail::from_surface<To> || concino::detail::from_cells<To> || concino::detail::from_polyhedra<To>;
 template<class To> concept is_built_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To> &&
     (dimension_v<To> == 2 || arity_v<To> == 4 || arity_v<To> == 8);
@@ -39,7 +39,7 @@ concept can_be_converted_from = AnyMesh<To> && EmbeddedMesh<From> && dimension_v
 
 namespace detail {
 
-/// Elements of a native mesh, numbered from 0 as those of m are walked.
+/// Maps the elements of m, in the order of their range, to the elements 0, 1, 2, ... of a native mesh.
 template<class Map, class R>
 Map numbered_as_walked(Map names, const R& elements) {
   std::uint32_t n = 0;
@@ -85,7 +85,7 @@ conversion<To, From> convert_by_adding(const From& m) {
     }
   };
   constexpr auto arity = static_cast<std::uint32_t>(arity_v<To>);
-  if constexpr (dimension_v<From> == 2) {  // a polygon is given by its verts, a polyhedron by faces
+  if constexpr (dimension_v<From> == 2) {  // a polygon is a list of verts, a polyhedron a list of faces
     for (const poly_t<From> p : polys(m)) {
       corners.clear();
       for (const vert_t<From> v : adj_p2v(m, p)) corners.push_back(vert_names[v]);
@@ -107,7 +107,7 @@ void convert_properties(conversion<To, From>& c, convert_report& report) {
   if constexpr (ShowsProperties<From>) {
     const property_set& given = traits<From>::properties(c.from());
     if constexpr (HasProperties<To>) {
-      correspondence of;  // kinds of elements that have properties
+      correspondence of;  // only for the kinds of elements that have properties
       if (given.has(element_kind::vert)) of.verts = c.vert_origins();
       if (given.has(element_kind::edge)) of.edges = c.edge_origins();
       if (given.has(element_kind::face)) of.faces = c.face_origins();
@@ -125,10 +125,10 @@ void convert_properties(conversion<To, From>& c, convert_report& report) {
 
 }  // namespace detail
 
-/// The same mesh as a To, and which of its elements stand for those of m.
-/// Needs:  as convert; m is no temporary and stays where it is as long as the result is asked about its elements.
-/// Result: c.mesh, and c.vert_of(v), c.edge_of(e), c.face_of(f), c.poly_of(p) name in it what stands for an element of m. Values of maps are taken
-///         along by c.transfer(map, map_of_the_new_mesh); c.correspondence() says it by indices.
+/// Converts m to a mesh of type To, and returns the correspondence between the elements too.
+/// Needs:  as convert; m is not a temporary, and stays in place as long as elements of the result are looked up.
+/// Result: c.mesh is the new mesh. c.vert_of(v), c.edge_of(e), c.face_of(f) and c.poly_of(p) are its elements that correspond to elements of m.
+///         c.transfer(map, map_of_the_new_mesh) copies the values of maps. c.correspondence() is the correspondence by indices.
 /// Cost:   as convert.
 /// Errors: as convert.
 template<class To, class M>
@@ -147,14 +147,14 @@ conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const 
   return c;
 }
 
-/// The same mesh as a To: auto polygons = convert<polygonmesh>(m).
-/// Needs:  EmbeddedMesh M and a To of the same dimension. To is one of the six meshes of this library, which are made from flat arrays, or can
-///         add verts and polys (in volumes tets or hexes): OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly.
-/// Result: a To. Verts, polys and, in a polyhedralmesh, faces are numbered as m walks them; gaps of deleted elements are closed. Named properties of
-///         this library's meshes, and of submesh() and with_points() of them, come along under their names.
+/// Converts m to a mesh of type To: auto polygons = convert<polygonmesh>(m).
+/// Needs:  EmbeddedMesh M and a To of the same dimension. To is one of the six native meshes, which are constructed from flat arrays, or can add
+///         verts and polys (in volumes tets or hexes): OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly.
+/// Result: a To. Verts, polys and, in a polyhedralmesh, faces are numbered in the order of m, without gaps for deleted elements. Named properties
+///         of native meshes, and of submesh() and with_points() of them, are transferred under their names.
 /// Cost:   O(elements) time and memory; for properties of edges or faces, times the edges or faces at a vert.
-/// Errors: unsupported that names the poly which a To cannot hold: of another size, no tet or hex, or refused by the library that To is of; m stays
-///         as it is. cancelled.
+/// Errors: unsupported that names the poly which a To cannot hold: of another size, not a tet or hex, or refused by the library of To. m is not
+///         changed. cancelled.
 template<class To, class M>
   requires requirement::can_be_converted_from<To, M>
 To convert(const M& m, const convert_options& options = {}) {

@@ -1,4 +1,4 @@
-// The flat arrays of any mesh: what a mesh of this library, or a file, is made from.
+// Converts any mesh to the flat arrays from which native meshes are constructed and files are written.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -12,7 +12,7 @@
 
 namespace concino::detail {
 
-/// Elements numbered from 0 in the order of a walk, by their index.
+/// Numbers elements from 0 in the order of their range. The result is by index of the element.
 template<class M, class R>
 std::vector<std::uint32_t> numbered(const M& m, const R& elements, std::size_t bound) {
   std::vector<std::uint32_t> number(bound, ~0u);
@@ -37,7 +37,7 @@ std::vector<vec3> points_of(const M& m) {
                              " verts (a polygonmesh takes any polygon)"});
 }
 
-/// `vert_number`: by index. Arity 0: polys of any size, else all of that.
+/// The arrays of a surface. `vert_number` is by index of the vert. With arity 0 polys have any size, otherwise all have `arity` verts.
 template<SurfaceMesh M>
 surface_arrays arrays_of(const M& m, const std::vector<std::uint32_t>& vert_number, std::uint32_t arity) {
   surface_arrays a;
@@ -75,14 +75,14 @@ polyhedra_arrays polyhedra_of(const M& m, const std::vector<std::uint32_t>& vert
   return a;
 }
 
-/// Calls take(p, corners) for every poly, its `arity` verts in the standard order: as they are listed where the mesh is known to list them so,
-/// else told from its faces.
-/// Errors: unsupported that names a poly which is no such cell.
+/// Calls take(p, corners) for every poly, with its `arity` verts in the standard order. They come from adj_p2v if the mesh type lists them in this
+/// order, otherwise from the faces.
+/// Errors: unsupported that names a poly which is not such a cell.
 template<VolumeMesh M, class Take>
 void for_each_cell(const M& m, const std::vector<std::uint32_t>& vert_number, std::uint32_t arity, const Take& take) {
   cell_recogniser known;
   for (const poly_t<M> p : polys(m)) {
-    if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {  // tets and hexes need no recognising
+    if constexpr (arity_v<M> == 4 || arity_v<M> == 8) {  // tets and hexes list their verts in the standard order
       if (arity == arity_v<M>) {
         vert_id corners[8];
         std::size_t n = 0;
