@@ -1,4 +1,4 @@
-// Sizes, places and directions: points, lengths, areas, volumes, centroids, normals, angles, boxes.
+// Geometry of meshes: points, lengths, areas, volumes, centroids, normals, angles, boxes, queries.
 #pragma once
 
 #include <concino/core/rgba.hpp>

@@ -1,4 +1,4 @@
-// The smallest box along the axes that holds all verts of a mesh, or those of one poly, face or edge.
+// Axis-aligned bounding boxes of a mesh, or of one poly, face or edge.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -10,14 +10,14 @@
 
 namespace concino {
 
-/// All points x with min <= x <= max in each coordinate; empty where min > max, as it is at first.
+/// All points x with min <= x <= max in each coordinate; empty if min > max, as by default.
 struct box {
   vec3 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   vec3 max = -min;
 
   bool is_empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
   vec3 centre() const { return 0.5 * min + 0.5 * max; }
-  /// From corner to corner; 0 if empty.
+  /// The length of the diagonal; 0 if empty.
   double diagonal() const { return is_empty() ? 0 : norm(max - min); }
 
   void add(const vec3& x) {
@@ -28,8 +28,8 @@ struct box {
   }
 };
 
-/// The box of all verts of m, those of no poly included.
-/// Needs:  Embedded M with verts.      Result: an empty box where there are no verts.      Cost: O(V).      Errors: none.
+/// The bounding box of all verts of m, including those of no poly.
+/// Needs:  Embedded M with verts.      Result: a box, empty if there are no verts.      Cost: O(V).      Errors: none.
 template<Embedded M>
   requires requirement::has_verts<M>
 box bounding_box(const M& m) {
@@ -38,9 +38,8 @@ box bounding_box(const M& m) {
   return b;
 }
 
-/// The box of the verts of poly p, face f or edge e, and so of every point of its edges; of faces that are not planar and are spanned by their
-/// verts as well.
-/// Needs:  Embedded M with adj_p2v, adj_f2v or adj_e2v.      Result: a box.      Cost: O(verts of it).      Errors: none.
+/// The bounding box of the verts of poly p, face f or edge e. It contains every point of its edges, and of non-planar faces spanned by its verts.
+/// Needs:  Embedded M with adj_p2v, adj_f2v or adj_e2v.      Result: a box.      Cost: O(number of its verts).      Errors: none.
 template<Embedded M>
   requires requires(const M& m, poly_t<M> p) { adj_p2v(m, p); }
 box bounding_box(const M& m, const poly_t<M>& p) {

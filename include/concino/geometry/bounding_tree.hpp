@@ -1,4 +1,4 @@
-// A tree of boxes over the polys of any mesh: the nearest one, those that a ray or a box meets, the one that holds a point, inside or outside.
+// A bounding volume hierarchy of the polys of any mesh. Queries: nearest poly, polys hit by a ray or a box, poly that contains a point, inside or outside.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -28,14 +28,14 @@ struct pieces_of<M> { using type = tet_pieces<M>; };
 
 }  // namespace detail
 
-/// Made by bounding_tree(m); answers for the mesh as it was then. Polygons of more than three verts are the triangles of triangulate_polygon;
-/// polyhedra are solid, each face of more than three verts fanned about its mean point as in `volume`. What is called exact is so as far as orient2d
-/// and orient3d are, for coordinates divided by the largest one.
+/// The result of bounding_tree(m), for the mesh as it was then. Polygons of more than three verts are the triangles of triangulate_polygon;
+/// polyhedra are solid, with each face of more than three verts as a fan about its mean point as in `volume`. Results called exact are as exact as orient2d
+/// and orient3d, for coordinates divided by the largest one.
 ///
-/// Queries may come from several threads at once. Of several polys that answer equally well the first in polys(m) is given. Every query takes
-/// O(log n) time where polys are well spread, plus the size of its answer; a polyhedron that is looked at costs as many steps as its faces have
-/// verts.
-/// Errors of every query: invalid_argument where a point is not finite.
+/// Several threads may query at once. If several polys are equally good answers, the result is the first of them in polys(m). Every query takes
+/// O(log n) time if polys are well distributed, plus the size of its result. Testing one polyhedron takes time proportional to the total number of
+/// verts of its faces.
+/// Errors of every query: invalid_argument if a point is not finite.
 template<class M>
 class poly_tree {
   using pieces = typename detail::pieces_of<M>::type;
@@ -49,7 +49,7 @@ class poly_tree {
   using mesh_type = M;
 
   explicit poly_tree(const M& m) : mesh_(m), pieces_(m) {
-    if constexpr (SurfaceMesh<M>) facts_ = detail::facts_of(m, pieces_);  // volumes know inside from outside by their polys
+    if constexpr (SurfaceMesh<M>) facts_ = detail::facts_of(m, pieces_);  // volumes need no such facts: their polys define inside and outside
     std::vector<std::uint32_t> order;
     boxes_ = detail::build_box_tree(pieces_.size(), pieces::leaf_size, [&](std::size_t i) { return pieces_.box_of(i); }, order);
     pieces_.arrange(order);
@@ -57,8 +57,8 @@ class poly_tree {
 
   const M& mesh() const { return mesh_.get(); }
 
-  /// The point of the surface, or of the solid polys of the volume, that is nearest to x.
-  /// Result: x itself at distance 0 inside a volume; false if there are no polys.
+  /// The point of the surface, or of the solid polys of the volume, nearest to x.
+  /// Result: x itself at distance 0 inside a volume; converts to false if there are no polys.
   closest_hit<M> closest(const vec3& x) const {
     require_finite(x, "closest");
     if constexpr (pieces::are_solid)
@@ -70,9 +70,9 @@ class poly_tree {
     return {pieces_.poly(found->first), nearest, pieces_.distance_in_mesh(x, nearest, y, found->second), true};
   }
 
-  /// Where the ray from `origin` first meets a poly, rims included: it slips through no edge or vert. Surfaces are met from both sides; a polygon
-  /// seen from its edge is not, but its neighbours are. In a solid poly the ray begins to meet it at its origin.
-  /// Result: parameter in lengths of `direction`, which may have any; 0 exactly where the origin lies on or in a poly.
+  /// The first hit of the ray from `origin` with a poly, including its boundary: the ray passes through no edge or vert unnoticed. Surfaces are hit from
+  /// both sides. A polygon seen edge-on is not hit, but its neighbours are. A ray that starts in a solid poly hits it at its origin.
+  /// Result: parameter in lengths of `direction`, which may have any length; exactly 0 if the origin lies on or in a poly.
   /// Errors: invalid_argument if the direction is 0 or not finite or max_parameter is negative or not a number.
   crossing_hit<M> ray(const vec3& origin, const vec3& direction, const ray_options& options = {}) const {
     const detail::tree_ray r(pieces_, boxes_, origin, direction, options);
@@ -80,7 +80,7 @@ class poly_tree {
     return crossing ? r.template hit<M>(rank, crossing) : crossing_hit<M>{};
   }
 
-  /// All polys that the ray meets, each where it is met first, in the order of their parameters.      Errors: as ray.
+  /// The first hit of the ray with each poly that it hits, sorted by parameter.      Errors: as ray.
   std::vector<crossing_hit<M>> ray_all(const vec3& origin, const vec3& direction, const ray_options& options = {}) const {
     const detail::tree_ray r(pieces_, boxes_, origin, direction, options);
     std::vector<crossing_hit<M>> hits;
@@ -88,20 +88,20 @@ class poly_tree {
     return hits;
   }
 
-  /// All polys that have a point in common with the box, its sides included, in the order of polys(m). Exact.
-  /// Result: none for an empty box; sides may be infinite.      Errors: none.
+  /// All polys that have a point in common with the box, including its boundary, in the order of polys(m). Exact.
+  /// Result: none for an empty box; bounds may be infinite.      Errors: none.
   std::vector<poly_t<M>> in_box(const box& wanted) const {
     std::vector<poly_t<M>> met;
     for (const std::size_t rank : detail::pieces_in_box(pieces_, boxes_, pieces_.to_tree(wanted))) met.push_back(pieces_.poly(rank));
     return met;
   }
 
-  /// The poly that holds x. Exact: where polys tile, one of them is found for every point, those on shared faces, edges and verts included, and
-  /// always the same; where polys overlap, one of those that hold x.
-  /// Volumes:  the poly in which x lies; nothing outside of all.
-  /// Surfaces: the poly in which x lies as seen along the coordinate axis along which the surface shows the largest area, counted with sign (z for a
-  ///           closed surface); of several over one another, the nearest. So for a surface in a plane x need not be in the plane to the last bit; for
-  ///           a terrain it is the poly under x. Nothing where x is beside the surface in that view. Polys seen from their edge hold nothing.
+  /// The poly that contains x. Exact. If polys tile a domain, every point of it has a result, always the same poly, even on shared faces,
+  /// edges and verts. If polys overlap, it is one of those that contain x.
+  /// Volumes:  the poly in which x lies; none if x is outside of all.
+  /// Surfaces: the poly that contains x in the projection along a coordinate axis: the axis along which the surface shows the largest signed area (z for a
+  ///           closed surface). If there are several, the nearest. So x need not be exactly in the plane of a planar surface; for
+  ///           a terrain it is the poly under x. None if x is beside the surface in that projection. Polys seen edge-on contain nothing.
   std::optional<poly_t<M>> locate(const vec3& x) const {
     require_finite(x, "locate");
     const vec3 y = pieces_.to_tree(x);
@@ -110,8 +110,8 @@ class poly_tree {
     return found ? std::optional<poly_t<M>>(pieces_.poly(*found)) : std::nullopt;
   }
 
-  /// Whether x is inside of a closed surface or on it, or in some poly of a volume. Exact, also where the way out passes edges and verts.
-  /// Errors: invalid_mesh if the surface has an edge with an odd number of polys: it has no inside.
+  /// Whether x is inside or on a closed surface, or in some poly of a volume. Exact, even for points in line with edges and verts.
+  /// Errors: invalid_mesh if the surface has an edge with an odd number of polys: it then has no inside.
   bool is_inside(const vec3& x, [[maybe_unused]] const inside_options& options = {}) const {
     require_finite(x, "is_inside");
     if constexpr (pieces::are_solid) return locate(x).has_value();
@@ -127,13 +127,13 @@ class poly_tree {
   }
 };
 
-/// A tree over the polys of m.
-/// Needs:  EmbeddedMesh, no temporary; of any shape, concave, non-planar, degenerate, open or not manifold.
-/// Result: a poly_tree, with the queries closest, ray, ray_all, in_box, locate and is_inside. It keeps copies of the points and does not follow later
+/// A bounding volume hierarchy of the polys of m.
+/// Needs:  EmbeddedMesh, no temporary; of any shape: concave, non-planar, degenerate, open or non-manifold.
+/// Result: a poly_tree, with the queries closest, ray, ray_all, in_box, locate and is_inside. It contains copies of the points and ignores later
 ///         changes of m.
-/// Cost:   O(n log n) time for n triangles of a surface or polys of a volume, in parallel; some 70 bytes a triangle, 100 a tet.
-/// Errors: invalid_mesh where a vert of a poly is not finite.
-/// Source: MacDonald and Booth 1990 for the tree; the queries name theirs.
+/// Cost:   O(n log n) time for n triangles of a surface or polys of a volume, in parallel; some 70 bytes per triangle, 100 per tet.
+/// Errors: invalid_mesh if a vert of a poly is not finite.
+/// Source: MacDonald and Booth 1990 for the tree; for the queries see there.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_tree<std::remove_cvref_t<M>> bounding_tree(M&& m) {

@@ -1,4 +1,4 @@
-// Where polys lie: the mean of their verts, and their centre of mass.
+// Centres of polys: the mean of their verts, and the centre of mass.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -22,7 +22,7 @@ vec3 mean_of(const Loop& loop, const At& at) {
   return n > 0 ? sum / n : sum;
 }
 
-/// Where the sum overflows.
+/// The mean of points whose sum overflows.
 template<class M, class Loop>
 vec3 large_mean_of(const M& m, const Loop& loop) {
   const local_frame frame = frame_of_loop(m, loop);
@@ -36,7 +36,7 @@ template<class M>
 
 }  // namespace detail
 
-/// The mean of the verts of poly p: a point that exists for every poly, degenerate and non-planar ones included, and that is cheap.
+/// The mean of the verts of poly p: cheap, and defined for every poly, including degenerate and non-planar ones.
 /// Needs:  Embedded M with adj_p2v.      Result: a point, in units of the mesh.      Cost: O(verts of p).      Errors: none.
 template<Embedded M>
   requires requires(const M& m, poly_t<M> p) { adj_p2v(m, p); }
@@ -48,11 +48,11 @@ vec3 vert_mean(const M& m, const poly_t<M>& p) {
 
 namespace detail {
 
-/// First moments of the signed triangles (or, seen from an origin, tets) of the fan of a polygon about its mean.
+/// First moments of the signed triangles of a polygon's fan about its mean (or of the tets from an origin to these triangles).
 struct moments {
-  vec3 first;        // sum of part x centre of the part
-  double total = 0;  // sum of parts
-  double size = 0;   // sum of |parts|: what rounding errors are measured by
+  vec3 first;        // sum of measure times centre of the parts
+  double total = 0;  // sum of the signed measures of the parts
+  double size = 0;   // sum of the absolute measures: the scale of rounding errors
 
   void add(double part, const vec3& centre) {
     first += part * centre;
@@ -79,12 +79,12 @@ void for_each_fan_side(const M& m, const Loop& loop, Part&& part) {
   for_each_fan_side_through<vert_t<M>>(loop, points_by_vert(m), part);
 }
 
-/// The moments of a polygon seen along its vector area, about `origin`.
+/// The moments about `origin` of a polygon projected along its vector area.
 template<class V, class Loop, class At>
 moments polygon_moments(const Loop& loop, const At& at, const vec3& origin) {
   const vec3 normal = area_vector_through<V>(loop, at);
   moments sum;
-  const auto add = [&](const vec3& a, const vec3& b) __attribute__((always_inline)) {  // g++ would not inline it, which takes a fifth longer
+  const auto add = [&](const vec3& a, const vec3& b) __attribute__((always_inline)) {  // g++ would not inline it, which takes a fifth more time
     sum.add(dot(cross(a - origin, b - origin), normal), ((a - origin) + (b - origin)) / 3);
   };
   for_each_fan_side_through<V>(loop, at, add);
@@ -107,7 +107,7 @@ moments polyhedron_moments(const M& m, const poly_t<M>& p, const At& at, const v
 /// The moments of a polygon or of a polyhedron.
 template<class M, class At>
 moments moments_of(const M& m, const poly_t<M>& p, const At& at, const vec3& origin) {
-  if constexpr (SurfaceMesh<M>) return polygon_moments<vert_t<M>>(adj_p2v(m, p), at, origin);  // an area or a volume is integrated
+  if constexpr (SurfaceMesh<M>) return polygon_moments<vert_t<M>>(adj_p2v(m, p), at, origin);  // moments of an area or of a volume
   else return polyhedron_moments(m, p, at, origin);
 }
 template<class M, class At>
@@ -115,15 +115,15 @@ moments moments_of(const M& m, const face_t<M>& f, const At& at, const vec3& ori
   return polygon_moments<vert_t<M>>(adj_f2v(m, f), at, origin);
 }
 
-/// The centre of mass; `origin`, a point near it, where there is no area or volume but rounding errors.
+/// The centre of mass; `origin`, a point near it, if the area or volume is only rounding errors.
 inline vec3 centre_of(const moments& sum, const vec3& origin) {
   return std::abs(sum.total) > 1e-12 * sum.size ? origin + sum.first / sum.total : origin;
 }
 
-/// Whether the moments, first ones too, have all digits.
+/// Whether the moments, including the first ones, are accurate to all digits.
 inline bool keeps_digits(const moments& sum) { return sum.size > 1e-200 && sum.size < 1e200; }
 
-/// The centre where numbers over- or underflow on the way: the moments are taken in a frame about as large as 1.
+/// The centre for numbers that would overflow or underflow: the moments are computed in a frame of a size near 1.
 template<class M, class X>
 vec3 centre_in(const local_frame& frame, const M& m, const X& x, const vec3& origin) {
   if (!frame.is_finite()) return centre_of(moments_of(m, x, points_by_vert(m), origin), origin);
@@ -133,7 +133,7 @@ vec3 centre_in(const local_frame& frame, const M& m, const X& x, const vec3& ori
   const vec3 centre = frame.from_local(local + scaled.first / scaled.total);
   return is_finite(centre) ? centre : origin;
 }
-// Nothing but the mesh and the element goes there, so that the common case keeps its sums in registers.
+// Only the mesh and the element are passed, so that the common case keeps its sums in registers.
 template<class M>
 [[gnu::noinline, gnu::cold]] vec3 centroid_at_any_scale(const M& m, const poly_t<M>& p) {
   return centre_in(frame_of_poly(m, p), m, p, vert_mean(m, p));
@@ -145,10 +145,10 @@ template<class M>
 
 }  // namespace detail
 
-/// The centre of mass of poly p, filled with constant density. Polygons that are not planar are seen along their vector area; polyhedra
-/// have each face fanned from its mean point, as `volume` does.
+/// The centre of mass of poly p with constant density. Non-planar polygons are projected along their vector area; polyhedra
+/// have each face as a fan about its mean point, as in `volume`.
 /// Needs:  EmbeddedMesh.
-/// Result: a point, in units of the mesh; the mean of the verts where p has no area or volume but rounding errors.
+/// Result: a point, in units of the mesh; the mean of the verts if the area or volume of p is only rounding errors.
 /// Cost:   O(verts of the polygon or of the faces).      Errors: none.
 template<EmbeddedMesh M>
 vec3 centroid(const M& m, const poly_t<M>& p) {
@@ -158,8 +158,8 @@ vec3 centroid(const M& m, const poly_t<M>& p) {
   return detail::centroid_at_any_scale(m, p);
 }
 
-/// The centre of mass of face f of a volume, as that of a polygon of a surface.
-/// Needs:  Embedded VolumeMesh.      Result: a point, in units of the mesh; the mean of the verts where f has no area.
+/// The centre of mass of face f of a volume, computed as for a polygon of a surface.
+/// Needs:  Embedded VolumeMesh.      Result: a point, in units of the mesh; the mean of the verts if f has no area.
 /// Cost:   O(verts of f).      Errors: none.
 template<VolumeMesh M>
   requires Embedded<M>

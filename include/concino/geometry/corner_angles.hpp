@@ -1,4 +1,4 @@
-// Angles at the corners of polygons, and by how much those around a vert miss a full turn.
+// Angles at the corners of polygons, and angle defects at verts.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -15,8 +15,8 @@ namespace concino {
 
 namespace detail {
 
-/// The angle from the step at -> after to the step at -> before, in [0, pi]; more than pi where it turns against `normal`, which a triangle
-/// cannot (0: no such check).
+/// The angle from the vector at -> after to the vector at -> before, in [0, pi]; more than pi if it turns against `normal`. A triangle has no
+/// such corner, so a normal of 0 skips this check.
 inline double angle_at_corner(const vec3& before, const vec3& at, const vec3& after, const vec3& normal) {
   vec3 out = after - at, back = before - at, turn = cross(out, back);
   double cosine = dot(out, back);
@@ -29,10 +29,10 @@ inline double angle_at_corner(const vec3& before, const vec3& at, const vec3& af
   const double angle = std::atan2(norm(turn), cosine);
   if (!(dot(turn, normal) < 0)) return angle;
   const double outer = 2 * std::numbers::pi - angle;
-  return outer < 2 * std::numbers::pi ? outer : 0;  // rounding makes a whole turn of nearly one
+  return outer < 2 * std::numbers::pi ? outer : 0;  // rounding may turn nearly a whole turn into a whole one
 }
 
-/// Calls f(k, before, at, after) for each corner of a polygon, k its number in the walk, but the first one last.
+/// Calls f(k, before, at, after) for each corner of a polygon, the first one last; k is its position in the loop.
 template<class M, class Loop, class F>
 void for_each_corner(const M& m, const Loop& loop, F&& f) {
   vec3 first, second, before, at;
@@ -58,7 +58,7 @@ std::size_t num_corners(const M&, const Loop& loop) {
   return n;
 }
 
-/// What corners of the polygon are compared with to find out whether they are concave: its normal, or 0 for a triangle, which has none.
+/// The normal that decides whether corners of the polygon are concave; 0 for a triangle, which has no concave corner.
 template<class M, class Loop>
 vec3 normal_for_angles(const M& m, const Loop& loop, std::size_t corners) {
   return corners <= 3 ? vec3{} : direction_of_areas(m, [&](const auto& visit) { visit(loop, 1.0); });
@@ -89,9 +89,9 @@ double angle_in_loop(const M& m, const Loop& loop, const vert_t<M>& v, const cha
 
 /// The angle inside poly p of a surface, or inside face f of a volume, at its corner v.
 /// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face) with index_of.
-/// Result: in radians, in [0, 2 pi): the angle in space between the two edges at v, more than pi where the corner is concave seen along the
-///         vector area. Those of a planar polygon of n verts sum to (n - 2) pi. The same at every scale; 0 where an edge at v has no length;
-///         not a number only where points are not finite.
+/// Result: in radians, in [0, 2 pi): the angle in space between the two edges at v, more than pi if the corner is concave in the projection along the
+///         vector area. The angles of a planar polygon of n verts sum to (n - 2) pi. Independent of scale; 0 if an edge at v has no length;
+///         not a number only if points are not finite.
 /// Cost:   O(verts of the polygon).      Errors: invalid_argument if v is no vert of the polygon.
 template<SurfaceMesh M>
   requires Embedded<M>
@@ -104,10 +104,10 @@ double corner_angle(const M& m, const face_t<M>& f, const vert_t<M>& v) {
   return detail::angle_in_loop(m, adj_f2v(m, f), v, "face", index_of(m, f));
 }
 
-/// The angle defect at each vert, a discrete Gaussian curvature: a full turn, or half a turn at the border, minus the corner angles there.
+/// The angle defect at each vert, a discrete Gaussian curvature: 2 pi (or pi at the border) minus the sum of the corner angles there.
 /// Needs:  Embedded SurfaceMesh, no temporary.
-/// Result: a map of double, in radians: 2 pi - the sum of angles inside, pi - the sum at the border. In general each edge at v with k polys
-///         adds (k - 2) pi / 2 to the first. So where polys are planar, the sum over all verts is 2 pi times the Euler characteristic, on
+/// Result: a map of double, in radians: 2 pi minus the sum of angles in the interior, pi minus the sum at the border. In general each edge at v with k
+///         polys adds (k - 2) pi / 2 to the first. So if polys are planar, the sum over all verts is 2 pi times the Euler characteristic, on
 ///         non-manifold surfaces too. Verts of no poly have 0 and do not count in it.
 /// Cost:   O(corners + edges of verts), parallel but for the sums; the same for any number of threads.      Errors: none.
 /// Source: Descartes' theorem; Gauss-Bonnet for polyhedral surfaces, Banchoff 1967, "Critical points and curvature for embedded polyhedra".

@@ -1,4 +1,4 @@
-// Angles between polygons that meet at an edge: of two polys of a surface, of two faces of a polyhedron.
+// Dihedral angles: between two polys of a surface, or two faces of a polyhedron, at their common edge.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -13,7 +13,7 @@ namespace concino {
 
 namespace detail {
 
-/// An edge as the angles at it see it: where it begins, which way it leads.
+/// An edge with a direction: its start and its unit direction.
 template<class M>
 struct directed_edge {
   vert_t<M> from, to;
@@ -28,7 +28,7 @@ struct directed_edge {
     direction = unit_vector(step_about_one(to_vec3(point(m, from)), to_vec3(point(m, to))));
   }
 
-  /// 1 if the loop walks along the edge, -1 if it comes the other way, 0 if neither.
+  /// 1 if the loop traverses the edge in its direction, -1 if in the opposite one, 0 if neither.
   template<class Loop>
   int traversal_sign(const Loop& loop) const {
     bool from_first = false, to_first = false, at_from = false, at_to = false, any = false;
@@ -48,27 +48,27 @@ struct directed_edge {
   }
 };
 
-/// A polygon at an edge: the direction from the edge into it, at right angles to both the edge and its normal.
+/// A polygon at an edge: the direction from the edge into the polygon, orthogonal to the edge and to the normal.
 struct polygon_at_edge {
   vec3 inward;
-  int sign = 0;  // of its walk along the edge, as seen from the side of its outward normal
+  int sign = 0;  // of its traversal of the edge, as seen from the side of its outward normal
 
   polygon_at_edge() = default;
   polygon_at_edge(const vec3& normal, const vec3& direction, int loop_sign, bool outward)
       : inward(static_cast<double>(loop_sign) * cross(normal, direction)), sign(outward ? loop_sign : -loop_sign) {}
 };
 
-/// The angle from a to b, on the side that a's normal points away from.
+/// The angle from a to b, on the side opposite to a's normal.
 inline double interior_angle(const polygon_at_edge& a, const polygon_at_edge& b, const vec3& direction) {
   const double cosine = dot(a.inward, b.inward), sine = -static_cast<double>(a.sign) * dot(cross(a.inward, b.inward), direction);
   if (cosine == 0 && sine == 0) return std::numbers::pi;
   const double angle = std::atan2(sine, cosine);
-  if (!(angle < 0)) return angle + 0.0;  // never the negative 0
+  if (!(angle < 0)) return angle + 0.0;  // turns -0 into 0
   const double outer = angle + 2 * std::numbers::pi;
-  return outer < 2 * std::numbers::pi ? outer : 0;  // rounding makes a whole turn of nearly one
+  return outer < 2 * std::numbers::pi ? outer : 0;  // rounding may turn nearly a whole turn into a whole one
 }
 
-/// normal_of(p): of a poly.
+/// normal_of(p): the normal of poly p.
 template<class M, class Normal>
 double dihedral_angle_with(const M& m, const edge_t<M>& e, const Normal& normal_of) {
   polygon_at_edge two[2];
@@ -83,12 +83,12 @@ double dihedral_angle_with(const M& m, const edge_t<M>& e, const Normal& normal_
 
 }  // namespace detail
 
-/// The interior angle of a surface at edge e: that between its two polys on the side from which their normals point away.
+/// The interior angle of a surface at edge e: the angle between its two polys on the side opposite to their normals.
 /// Needs:  Embedded SurfaceMesh.
 /// Result: in radians, in [0, 2 pi): pi where the surface is flat, less where it is convex, such as pi / 2 on a cube, more where it is
-///         concave. Polygons are seen by their vector areas. pi, as if nothing were bent, where there is no angle: at edges with another
-///         number of polys than two, or without length, and at polys without area. Where the two polys are wound against each other the
-///         side is that of the first of adj_e2p. The same at every scale; not a number only where points are not finite.
+///         concave. The planes of polygons are those of their vector areas. pi, as on a flat surface, where there is no angle: at edges without
+///         exactly two polys, or without length, and at polys without area. If the two polys are wound against each other, the
+///         side is that of the first of adj_e2p. Independent of scale; not a number only if points are not finite.
 /// Cost:   O(verts of the two polys).      Errors: none.
 template<SurfaceMesh M>
   requires Embedded<M>
@@ -98,9 +98,9 @@ double dihedral_angle(const M& m, const edge_t<M>& e) {
 
 /// The interior angle of polyhedron p at its edge e, between its two faces there.
 /// Needs:  Embedded VolumeMesh.
-/// Result: in radians, in [0, 2 pi), more than pi where p is concave. Faces are seen by their vector areas, so that the angles of the polys
-///         all around an edge sum to 2 pi, with planar faces or not. pi where e has no length or a face there no area, and where p has more or
-///         less than two faces at e. The same at every scale; not a number only where points are not finite.
+/// Result: in radians, in [0, 2 pi), more than pi where p is concave. The planes of faces are those of their vector areas, so the angles of the polys
+///         all around an edge sum to 2 pi, with planar faces or not. pi if e has no length or a face there no area, or if p does not have exactly
+///         two faces at e. Independent of scale; not a number only if points are not finite.
 /// Cost:   O(verts of the faces of p).      Errors: invalid_argument if e is no edge of p.
 template<VolumeMesh M>
   requires Embedded<M>
@@ -122,7 +122,7 @@ double dihedral_angle(const M& m, const poly_t<M>& p, const edge_t<M>& e) {
 
 /// The interior angles of a surface at all edges.
 /// Needs:  Embedded SurfaceMesh, no temporary.      Result: a map of double, as dihedral_angle.
-/// Cost:   O(corners), every normal computed once, times the verts of polys where these are many; parallel.      Errors: none.
+/// Cost:   O(corners) for polys with few verts: every normal is computed once; otherwise times the verts of polys. Parallel.      Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 edge_map<M, double> dihedral_angles(M&& m) {

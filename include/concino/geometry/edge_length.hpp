@@ -1,4 +1,4 @@
-// How long edges are.
+// Lengths of edges.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>

@@ -1,4 +1,4 @@
-// How large elements are: areas of polygons, volumes of polyhedra, and the measure of a poly or facet of either dimension.
+// Areas of polygons, volumes of polyhedra, and the measure of a poly or facet in either dimension.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -17,7 +17,7 @@ namespace concino {
 
 namespace detail {
 
-/// Of points so far apart that the sum overflows on the way.
+/// The vector area for points so far apart that the sum overflows.
 template<class M, class Loop>
 [[gnu::noinline, gnu::cold]] vec3 large_area_vector(const M& m, const Loop& loop, const vec3& otherwise) {
   const local_frame frame = frame_of_loop(m, loop);
@@ -63,10 +63,10 @@ template<class M, class At>
   }
 }
 
-/// The size of p in the points at(v), of either dimension.
+/// The area or volume of p with the points at(v).
 template<class M, class At>
 [[gnu::always_inline]] inline double measure_through(const M& m, const poly_t<M>& p, const At& at) {
-  if constexpr (SurfaceMesh<M>) return norm(area_vector_through<vert_t<M>>(adj_p2v(m, p), at));  // an area is of verts in a cycle, a volume of faces
+  if constexpr (SurfaceMesh<M>) return norm(area_vector_through<vert_t<M>>(adj_p2v(m, p), at));  // an area needs the cycle of verts, a volume the faces
   else return volume_through(m, p, at);
 }
 
@@ -88,10 +88,10 @@ template<class M>
 
 }  // namespace detail
 
-/// The vector area of poly p of a surface, or of face f of a volume: normal to it and as long as its area.
-/// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face, walked as adj_f2v does).
-/// Result: half the sum of the cross products along the boundary; for a polygon that is not planar it is shorter than any surface
-///         spanned by it. Units of length^2, scales exactly; 0 for a degenerate polygon. Components too large for a double are infinite.
+/// The vector area of poly p of a surface, or of face f of a volume: normal to it, with its area as length.
+/// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face, in the order of adj_f2v).
+/// Result: half the sum of the cross products along the boundary; for a non-planar polygon it is shorter than the area of any surface
+///         that it bounds. Units of length^2, scales exactly; 0 for a degenerate polygon. Components too large for a double are infinite.
 /// Cost:   O(verts of the polygon).      Errors: none.
 /// Source: Sunday 2002, "Fast polygon area and Newell normal computation"; paper section 2.2.
 template<SurfaceMesh M>
@@ -118,13 +118,13 @@ double area(const M& m, const face_t<M>& f) {
   return detail::safe_area(m, adj_f2v(m, f));
 }
 
-/// The volume of poly p: enclosed by its faces, each of them, planar or not, fanned from its mean point, so that neighbours tile space
+/// The volume of poly p: enclosed by its faces. Each face, planar or not, is a fan about its mean point, so that neighbours tile space
 /// without gap or overlap.
-/// Needs:  Embedded VolumeMesh; faces of p that close up.
-/// Result: positive where face_is_outward tells the truth, negative for a poly turned inside out; in units of length^3, scales exactly;
-///         0 for a degenerate poly; infinite, of finite points never NaN, where it is too large for a double.
+/// Needs:  Embedded VolumeMesh; the faces of p are closed.
+/// Result: positive if face_is_outward is right, negative for an inverted poly; in units of length^3, scales exactly;
+///         0 for a degenerate poly; infinite if it is too large for a double, but never NaN for finite points.
 /// Cost:   O(verts of the faces of p).      Errors: none.
-/// Source: the divergence theorem: a fan of triangles about c, seen from o, encloses (c - o) . A / 3 with A its vector area.
+/// Source: the divergence theorem: a fan of triangles about c, from the origin o, encloses (c - o) . A / 3 with A its vector area.
 template<VolumeMesh M>
   requires Embedded<M>
 double volume(const M& m, const poly_t<M>& p) {
@@ -133,15 +133,15 @@ double volume(const M& m, const poly_t<M>& p) {
   return detail::large_volume(m, p, size);
 }
 
-/// The area of a polygon or the volume of a polyhedron: what algorithms on surfaces and volumes alike call the size of a poly.
+/// The measure of a poly: the area of a polygon or the volume of a polyhedron. For algorithms on both surfaces and volumes.
 /// Needs:  EmbeddedMesh.      Result: as area and volume.      Cost: as those.      Errors: none.
 template<EmbeddedMesh M>
 double measure(const M& m, const poly_t<M>& p) {
-  if constexpr (SurfaceMesh<M>) return area(m, p);  // what `measure` means
+  if constexpr (SurfaceMesh<M>) return area(m, p);  // the measure depends on the dimension
   else return volume(m, p);
 }
 
-/// The length of an edge of a surface or the area of a face of a volume: the size of a facet.
+/// The measure of a facet: the length of an edge of a surface or the area of a face of a volume.
 /// Needs:  EmbeddedMesh.      Result: as edge_length and area.      Cost: as those.      Errors: none.
 template<SurfaceMesh M>
   requires Embedded<M>
@@ -162,7 +162,7 @@ poly_map<M, double> measures(M&& m) {
 
 /// The sum of the measures of all polys: the area of a surface, the volume of a volume.
 /// Needs:  EmbeddedMesh.
-/// Result: polys that are turned inside out count negative; infinite where the sum is too large.      Cost: O(size of the mesh).      Errors: none.
+/// Result: inverted polys count negative; infinite if the sum is too large.      Cost: O(size of the mesh).      Errors: none.
 template<EmbeddedMesh M>
 double total_measure(const M& m) {
   double sum = 0;

@@ -1,8 +1,8 @@
-// Unit normals of polygons and of verts: the directions of vector areas, so that no way of cutting a polygon into triangles is preferred and
-// polygons that are not planar have one, too.
+// Unit normals of polygons and verts: the directions of vector areas. They do not depend on a triangulation, and non-planar polygons
+// have them too.
 //
-// All of them are the zero vector where there is no area, and the same at every scale: areas too small or too large for a double are no
-// obstacle. Only coordinates that are not finite give something that is not a number.
+// A normal is the zero vector if there is no area. It does not depend on scale: areas too small or too large for a double are
+// handled. Only coordinates that are not finite give NaN.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -18,7 +18,7 @@ namespace concino {
 
 namespace detail {
 
-/// 1 or -1 for a face of the boundary, by whether it runs counter-clockwise seen from outside; 0 for others.
+/// 1 or -1 for a face of the boundary, by whether it is counter-clockwise seen from outside; 0 for others.
 template<class M>
 double outward_sign(const M& m, const face_t<M>& f) {
   if (!is_boundary(m, f)) return 0;
@@ -28,9 +28,9 @@ double outward_sign(const M& m, const face_t<M>& f) {
 
 }  // namespace detail
 
-/// The direction of the vector area of poly p of a surface, or of face f of a volume, walked as adj_f2v does.
+/// The unit direction of the vector area of poly p of a surface, or of face f of a volume in the order of adj_f2v.
 /// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face).
-/// Result: length 1, pointing to where the verts run counter-clockwise; 0 without area.      Cost: O(verts of the polygon).
+/// Result: length 1, on the side from which the verts are counter-clockwise; 0 without area.      Cost: O(verts of the polygon).
 /// Errors: none.
 /// Source: Sunday 2002, "Fast polygon area and Newell normal computation".
 template<SurfaceMesh M>
@@ -44,10 +44,10 @@ vec3 normal(const M& m, const face_t<M>& f) {
   return detail::direction_of_areas(m, [&](const auto& visit) { visit(adj_f2v(m, f), 1.0); });
 }
 
-/// The direction of the sum of the vector areas around vert v: of the polys at v on a surface; in a volume of the boundary faces at v, turned
+/// The unit direction of the sum of the vector areas around vert v: of the polys at v on a surface; in a volume, of the boundary faces at v, turned
 /// outward.
 /// Needs:  EmbeddedMesh.
-/// Result: length 1; 0 where areas cancel or there are none, as inside a volume.      Cost: O(size of the polygons at v).      Errors: none.
+/// Result: length 1; 0 if areas cancel or there are none, as inside a volume.      Cost: O(size of the polygons at v).      Errors: none.
 /// Source: weights by area, Taubin 1995, "Estimating the tensor of curvature of a surface from a polyhedral approximation".
 template<EmbeddedMesh M>
 vec3 vert_normal(const M& m, const vert_t<M>& v) {
@@ -66,7 +66,7 @@ poly_map<M, vec3> poly_normals(M&& m) {
   return n;
 }
 
-/// The normals of all faces of a volume, each as adj_f2v walks it.
+/// The normals of all faces of a volume, each in the order of adj_f2v.
 /// Needs:  Embedded VolumeMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel.      Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && VolumeMesh<M> && Embedded<M>
@@ -78,8 +78,8 @@ face_map<M, vec3> face_normals(M&& m) {
 
 namespace detail {
 
-/// Adds up vector areas at verts and turns the sums, and with them the areas, into unit vectors. The sums are taken in the order of the walk
-/// and by one thread, so that they are the same for any number of them; everything else is parallel.
+/// Sums vector areas at verts, then normalises the sums and the areas. One thread computes the sums in the order of polys, so that they do not
+/// depend on the number of threads; everything else is parallel.
 template<class M, class Areas, class Normals>
 void sum_areas_of_polys(const M& m, Areas& area, Normals& sum) {
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { area[p] = area_vector_of(m, adj_p2v(m, p)); });
@@ -112,16 +112,16 @@ void sum_areas_of_boundary(const M& m, Normals& sum) {
 
 }  // namespace detail
 
-/// The normals of all verts.
+/// The unit normals of all verts.
 /// Needs:  EmbeddedMesh, no temporary.
-/// Result: a map of vec3, as vert_normal but for the order in which areas are summed; the same for any number of threads.
-/// Cost:   O(corners) time; every vector area is computed once, one is kept per poly of a surface. Parallel but for the sums.
+/// Result: a map of vec3, as vert_normal except for the order in which areas are summed; the same for any number of threads.
+/// Cost:   O(corners) time; every vector area is computed once, and a surface stores one per poly. Parallel except for the sums.
 /// Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 vert_map<M, vec3> vert_normals(M&& m) {
   auto n = make_vert_map<vec3>(m);
-  if constexpr (SurfaceMesh<M>) {  // all polys count, so that areas may be kept per poly
+  if constexpr (SurfaceMesh<M>) {  // all polys count, so one area per poly can be stored
     poly_map<M, vec3> area(m, poly_index_bound(m), detail::unwritten{});
     detail::sum_areas_of_polys(m, area, n);
   } else {
@@ -130,16 +130,16 @@ vert_map<M, vec3> vert_normals(M&& m) {
   return n;
 }
 
-/// What poly_normals and vert_normals return.
+/// The results of poly_normals and vert_normals.
 template<class M>
 struct surface_normals_of {
   poly_map<M, vec3> polys;
   vert_map<M, vec3> verts;
 };
 
-/// The normals of all polys and verts of a surface, in about the time of one of both: no vector area is computed twice.
+/// The normals of all polys and verts of a surface, in about the time of one of the two: no vector area is computed twice.
 /// Needs:  Embedded SurfaceMesh, no temporary.      Result: the maps that poly_normals and vert_normals return.
-/// Cost:   O(corners); parallel but for the sums at verts.      Errors: none.
+/// Cost:   O(corners); parallel except for the sums at verts.      Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 surface_normals_of<std::remove_cvref_t<M>> surface_normals(M&& m) {

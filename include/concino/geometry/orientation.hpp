@@ -1,4 +1,4 @@
-// On which side? The sign of a determinant of points, exact whatever the rounding: orient2d and orient3d.
+// Exact orientation predicates orient2d and orient3d: the sign of a determinant of points, independent of rounding.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -31,9 +31,9 @@ inline constexpr double unit_roundoff = 0x1p-53;
 
 }  // namespace detail
 
-/// Whether a, b, c turn to the left (1), to the right (-1) or lie on one line (0), in the plane of x and y.
+/// Whether a, b, c turn left (1), turn right (-1) or are collinear (0), in the plane of x and y.
 /// Needs:  finite coordinates whose products neither overflow nor underflow: 0 or magnitudes from about 1e-140 to 1e150.
-/// Result: exact.                                      Cost: a handful of operations; some hundred where the points are nearly on one line.
+/// Result: exact.                                      Cost: a few operations; some hundred if the points are nearly collinear.
 /// Errors: none.
 /// Source: Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric predicates".
 inline int orient2d(const vec3& a, const vec3& b, const vec3& c) {
@@ -44,10 +44,10 @@ inline int orient2d(const vec3& a, const vec3& b, const vec3& c) {
   return detail::orient2d_exactly(a.x, a.y, b.x, b.y, c.x, c.y);
 }
 
-/// Whether d lies on the side of the plane through a, b, c from which these run counter-clockwise (1), on the other (-1) or on it (0). It is the sign of
+/// Whether d lies on the side of the plane through a, b, c from which these are counter-clockwise (1), on the other side (-1) or on it (0). It is the sign of
 /// the volume of the tet a, b, c, d in the standard order.
 /// Needs:  finite coordinates whose triple products neither overflow nor underflow: 0 or magnitudes from about 1e-95 to 1e100.
-/// Result: exact.                                      Cost: some dozen operations; some thousand where the points are nearly in one plane.
+/// Result: exact.                                      Cost: some dozen operations; some thousand if the points are nearly coplanar.
 /// Errors: none.
 /// Source: Shewchuk 1997, as orient2d.
 inline int orient3d(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {

@@ -1,4 +1,4 @@
-// The polygons that are seen from outside: those of a surface, and of a volume the faces at its boundary.
+// The outer polygons of a mesh: the polys of a surface, or the boundary faces of a volume.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -20,10 +20,10 @@ void visit_outer_faces(const M& m, const R& some, const Visit& visit) {
 
 }  // namespace detail
 
-/// Calls visit(p, loop, is_outward) for each polygon of m that is seen from outside, or for those at vert v. In a surface p is the polygon, in a
-/// volume the poly that it belongs to. loop is the range of its verts; is_outward says whether they run counter-clockwise seen from outside.
+/// Calls visit(p, loop, is_outward) for each outer polygon of m, or for those at vert v. In a surface p is the polygon, in a
+/// volume the poly of the face. loop is the range of its verts; is_outward says whether they are counter-clockwise seen from outside.
 /// Needs:  AnyMesh; visit takes poly_t<M>, a range of verts that lives as long as the call, and bool.
-/// Result: none; of a surface all polys, of a volume the faces with exactly one poly, as the mesh lists them.
+/// Result: none. It visits all polys of a surface, or the faces of a volume with exactly one poly, in the order of the mesh.
 /// Cost:   O(polys) of a surface, O(faces) of a volume; those at v.      Errors: those of visit.
 template<SurfaceMesh M, class Visit>
 void for_each_outer_polygon(const M& m, const Visit& visit) {

@@ -1,4 +1,4 @@
-// What one closed polygon of verts says: its mean point and its vector area. Surfaces' polys and volumes' faces are both measured by it.
+// The mean point and the vector area of a closed polygon of verts. Used for polys of surfaces and faces of volumes.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -6,8 +6,8 @@
 
 namespace concino {
 
-/// A polygon's mean of verts and its vector area: the integral of the normal over any surface that it bounds, as long as the area
-/// where the polygon is planar, and pointing to where the verts run counter-clockwise.
+/// The mean of the verts of a polygon and its vector area: the integral of the normal over any surface that it bounds. Its length is the area
+/// if the polygon is planar. It points to the side from which the verts are counter-clockwise.
 struct polygon_shape {
   vec3 mean;
   vec3 area;
@@ -68,15 +68,15 @@ auto points_by_vert(const M& m) {
 /// The shape of the polygon through `loop`, a range of verts in cyclic order.
 /// Needs:  Embedded M.
 /// Result: see polygon_shape. Differences to the first vert are summed, so that a polygon far from the origin loses no digits; the same
-///         polygon gives the same bits wherever it is used. Fewer than three verts, or all on one line: no area.
+///         polygon gives the same bits wherever it is used. No area if there are fewer than three verts, or if all are collinear.
 /// Cost:   O(verts).      Errors: none.
 template<Embedded M, class Loop>
 polygon_shape shape_of(const M& m, const Loop& loop) {
   return detail::shape_through<vert_t<M>>(loop, detail::points_by_vert(m));
 }
 
-/// The vector area alone.
-/// Needs:  Embedded M.      Result: the area of shape_of, to the bit.      Cost: O(verts), half of that.      Errors: none.
+/// The vector area only.
+/// Needs:  Embedded M.      Result: the area of shape_of, with the same bits.      Cost: O(verts), half of that of shape_of.      Errors: none.
 template<Embedded M, class Loop>
 vec3 area_vector_of(const M& m, const Loop& loop) {
   return detail::area_vector_through<vert_t<M>>(loop, detail::points_by_vert(m));

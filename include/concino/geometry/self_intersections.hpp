@@ -1,4 +1,4 @@
-// Where a surface meets itself: pairs of polys with more in common than the verts and edges they share, by exact tests.
+// Self-intersections of a surface, by exact tests: pairs of polys with more in common than shared verts and edges.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -27,7 +27,7 @@ inline bool are_apart(const triangle_points& s, const triangle_points& t) {
   return false;
 }
 
-/// The axis along which a triangle shows most of its area.
+/// The coordinate axis along which the projection of a triangle has the largest area.
 inline std::size_t widest_axis(const triangle_points& t) {
   const vec3 n = cross(t[1] - t[0], t[2] - t[0]);
   std::size_t axis = 0;
@@ -36,7 +36,7 @@ inline std::size_t widest_axis(const triangle_points& t) {
   return axis;
 }
 
-/// Whether a line through corner i of s, which is corner j of t, and along a side of s parts the rest of both as seen along axis k.
+/// Whether, projected along axis k, the line of a side of s at corner i separates s and t. Corner j of t is the same point as corner i.
 inline bool are_separated_at_corner(const triangle_points& s, std::size_t i, const triangle_points& t, std::size_t j, std::size_t k) {
   const vec3 corner = project_along(s[i], k), d = project_along(t[(j + 1) % 3], k), e = project_along(t[(j + 2) % 3], k);
   for (const std::size_t side : {1u, 2u}) {
@@ -47,11 +47,11 @@ inline bool are_separated_at_corner(const triangle_points& s, std::size_t i, con
   return false;
 }
 
-/// Whether two triangles with area have a point in common that is not on a vert or edge that both have. Corners at the same point are shared,
-/// whatever their numbers. s_rim, t_rim: whether the side from a corner to the next is an edge of the poly that the triangle is part of.
+/// Whether two triangles with area have a common point that is not on a common vert or edge. Corners at the same point are common,
+/// whatever their indices. s_rim, t_rim: whether the side from a corner to the next is an edge of the poly that contains the triangle.
 template<class Rim, class OtherRim>
 bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_rim, OtherRim&& t_rim) {
-  std::size_t shared = 0, own = 0, other = 0;  // own, other: where the last shared corner is; with two, the sums say where the third is
+  std::size_t shared = 0, own = 0, other = 0;  // own, other: position of the last common corner; with two of them, the sums give the position of the third
   std::size_t sum = 0, other_sum = 0;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
@@ -64,9 +64,9 @@ bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_
       }
   if (shared == 0) return triangles_meet(s, t);
   if (shared == 3) return true;
-  // neighbours in or near one plane are the rule: seen from above they are told apart with little work
+  // most neighbours are nearly coplanar: a projection separates them with little work
   const std::size_t axis = widest_axis(s);
-  if (shared == 1) {  // a common point other than the corner lies in the way of the side across the corner of one of the two
+  if (shared == 1) {  // a further common point implies that the side opposite to the corner of one triangle meets the other triangle
     if (are_separated_at_corner(s, own, t, other, axis) || are_separated_at_corner(t, other, s, own, axis)) return false;
     const auto across = [](const triangle_points& x, std::size_t corner, const triangle_points& y) {
       const vec3 &p = x[(corner + 1) % 3], &q = x[(corner + 2) % 3];
@@ -75,8 +75,8 @@ bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_
     return across(s, own, t) || across(t, other, s);
   }
   const std::size_t third = 3 - sum, other_third = 3 - other_sum, from = (third + 1) % 3;
-  if (!s_rim(from) || !t_rim((other_third + 1) % 3)) return true;  // the common side is a diagonal of one poly: it runs through that
-  for (const std::size_t k : {axis, (axis + 1) % 3, (axis + 2) % 3}) {  // do both lie on the same side of the common edge, and in one plane?
+  if (!s_rim(from) || !t_rim((other_third + 1) % 3)) return true;  // the common side is a diagonal of one poly, so the other meets its interior
+  for (const std::size_t k : {axis, (axis + 1) % 3, (axis + 2) % 3}) {  // are both on the same side of the common edge, and coplanar?
     const vec3 p = project_along(s[from], k), q = project_along(s[(from + 1) % 3], k);
     const int here = orient2d(p, q, project_along(s[third], k));
     if (here != 0) return orient2d(p, q, project_along(t[other_third], k)) == here && orient3d(s[0], s[1], s[2], t[other_third]) == 0;
@@ -86,13 +86,13 @@ bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_
 
 }  // namespace detail
 
-/// Pairs of polys that have a point in common which is not on a vert or an edge that they share: crossing, overlapping in a plane, or touching
-/// with a vert on a face or an edge. Verts at the same point count as one, so that seams of unmerged verts are no contact.
-/// Needs:  Embedded SurfaceMesh; closed, open or not manifold.
-/// Result: each pair once, the poly that comes first in polys(m) first, sorted in that order. Exact for triangles; other polygons are the triangles
-///         of triangulate_polygon. Triangles without area have no inside that could be met and are left out.
-/// Cost:   O(n log n) time where boxes of triangles overlap few others, in parallel; memory as bounding_tree.
-/// Errors: invalid_mesh where a vert of a poly is not finite.
+/// Pairs of polys with a common point that is not on a common vert or edge: they cross, overlap in a plane, or one touches the other
+/// with a vert on a face or an edge. Verts at the same point count as one, so seams of unmerged verts are not intersections.
+/// Needs:  Embedded SurfaceMesh; closed, open or non-manifold.
+/// Result: each pair once, with the poly that comes first in polys(m) first, sorted in that order. Exact for triangles; other polygons are the triangles
+///         of triangulate_polygon. Triangles without area have no interior and are skipped.
+/// Cost:   O(n log n) time if boxes of triangles overlap few others, in parallel; memory as bounding_tree.
+/// Errors: invalid_mesh if a vert of a poly is not finite.
 /// Source: the test of Guigue and Devillers 2003, with the exact predicates of Shewchuk 1997.
 template<SurfaceMesh M>
   requires Embedded<M>

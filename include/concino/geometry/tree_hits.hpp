@@ -1,4 +1,4 @@
-// What a tree over the polys of a mesh answers, and what it can be told.
+// Results and options of the queries of a poly_tree.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -8,7 +8,7 @@
 
 namespace concino {
 
-/// What is nearest to a point: `point` of `poly`, at `distance`. False where there are no polys.
+/// The nearest point: `point` of `poly`, at `distance`. Converts to false if there are no polys.
 template<class M>
 struct closest_hit {
   poly_t<M> poly{};
@@ -19,7 +19,7 @@ struct closest_hit {
   explicit operator bool() const { return found; }
 };
 
-/// Where a ray meets a poly: at `point`, which is origin + parameter * direction but for rounding. False where it meets none.
+/// A hit of a ray with a poly at `point`, which is origin + parameter * direction up to rounding. Converts to false if there is no hit.
 template<class M>
 struct crossing_hit {
   poly_t<M> poly{};
@@ -35,14 +35,14 @@ struct ray_options {
   double max_parameter = std::numeric_limits<double>::infinity();
 };
 
-/// When a point is inside of a closed surface.
+/// The rule by which a point is inside a closed surface.
 enum class inside_rule {
-  winding,  // the surface winds round it, counted with sign: needs polygons that are wound alike; where closed parts overlap, all is inside
-  parity    // a way out crosses the surface an odd number of times: any winding will do; of two closed parts in each other, the inner one is hollow
+  winding,  // signed winding number not 0: needs consistently oriented polygons; if closed parts overlap, all of them is inside
+  parity    // odd number of crossings on a path to the outside: any orientation is allowed; of two nested closed parts, the inner one is hollow
 };
 
 struct inside_options {
-  inside_rule rule = inside_rule::winding;  // for closed surfaces; volumes do not ask
+  inside_rule rule = inside_rule::winding;  // for closed surfaces; ignored for volumes
 };
 
 }  // namespace concino

@@ -1,4 +1,4 @@
-// Cuts a polygon in space into triangles without new points: what pictures, areas and triangle-only formats need.
+// Triangulation of a polygon in space without new points, for drawing, areas and formats with triangles only.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -16,14 +16,14 @@ namespace concino {
 /// Three corners of a polygon, counted from 0.
 using polygon_triangle = std::array<std::uint32_t, 3>;
 
-/// Triangulates polygon after polygon and keeps its working memory in between; one object per thread.
+/// Triangulates one polygon after another and reuses its memory; use one object per thread.
 class polygon_triangulator {
  public:
-  /// The polygon cut into triangles along diagonals.
-  /// Needs:  the corners in cyclic order; concave, non-planar, with collinear or repeated corners is fine.
-  /// Result: max(n, 2) - 2 triangles wound as the polygon is, valid until the next call. Seen along the vector area of a polygon that
-  ///         is simple in that view, none is flipped and they cover it; where it is not simple or has no area, they still join all
-  ///         corners.                                           Cost: O(n) for most; ears are looked up in a grid when n is large.
+  /// Triangulates a polygon by diagonals.
+  /// Needs:  the corners in cyclic order; concave, non-planar, collinear or repeated corners are allowed.
+  /// Result: max(n, 2) - 2 triangles with the orientation of the polygon, valid until the next call. If the projection of the polygon along its vector
+  ///         area is simple, none is inverted there and they cover it. If it is not simple or has no area, they still join all
+  ///         corners.                                           Cost: O(n) for most; ears are looked up in a grid if n is large.
   /// Source: ear clipping, Meisters 1975; the plane is that of the vector area.
   std::span<const polygon_triangle> operator()(std::span<const vec3> corners) {
     triangles_.clear();
@@ -40,14 +40,14 @@ class polygon_triangulator {
  private:
   struct point2 { double x, y; };
   using index = std::uint32_t;
-  // What counts as an ear. Later ones are for polygons that touch or cross themselves, where no better ear is left.
+  // The condition for an ear. The later ones are for polygons that touch or intersect themselves, if no better ear is left.
   enum class ear { clear, touched, flat, any };
 
   std::vector<polygon_triangle> triangles_;
   std::vector<point2> q_;
   std::vector<index> next_, prev_, now_, later_, grid_offsets_, grid_;
   std::vector<std::uint8_t> reflex_, gone_, wait_;
-  index cells_ = 0;  // per side; 0: no grid
+  index cells_ = 0;  // per axis; 0: no grid
   point2 low_ = {0, 0}, cell_ = {0, 0};
   index left_ = 0;
 
@@ -58,7 +58,7 @@ class polygon_triangulator {
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   }
 
-  // Into the plane of the vector area, scaled to about 1 so that no product over- or underflows. False: there is no such plane.
+  // Projects to the plane of the vector area, scaled to about 1 to avoid overflow and underflow. False if there is no such plane.
   bool flatten(std::span<const vec3> corners) {
     const vec3 o = corners[0];
     double size = 0;
@@ -84,14 +84,14 @@ class polygon_triangulator {
     for (std::size_t i = 2; i < n; ++i) triangles_.push_back({0, static_cast<index>(i - 1), static_cast<index>(i)});
   }
 
-  // All triangles of the fan from corner 0 upright: then 0 sees the whole polygon.
+  // Whether all triangles of the fan from corner 0 have positive area: then corner 0 sees the whole polygon.
   bool fan_fits() const {
     for (index i = 2; i < size(); ++i)
       if (!(turn(0, i - 1, i) > 0)) return false;
     return true;
   }
 
-  // The diagonal whose smaller triangle is larger; on a concave quad it is the one inside.
+  // Takes the diagonal that maximises the smaller triangle; in a concave quad it is the inner one.
   void cut_quad() {
     const double from0 = std::min(turn(0, 1, 2), turn(0, 2, 3)), from1 = std::min(turn(1, 2, 3), turn(1, 3, 0));
     if (from1 > from0) triangles_.insert(triangles_.end(), {{1, 2, 3}, {1, 3, 0}});
@@ -129,7 +129,7 @@ class polygon_triangulator {
     for (index v = 0; v < n; ++v) ++grid_offsets_[cell(v) + 1];
     for (std::size_t c = 1; c < grid_offsets_.size(); ++c) grid_offsets_[c] += grid_offsets_[c - 1];
     grid_.resize(n);
-    for (index v = n; v-- > 0;) grid_[--grid_offsets_[cell(v) + 1]] = v;  // offsets move one place down as the cells fill from behind
+    for (index v = n; v-- > 0;) grid_[--grid_offsets_[cell(v) + 1]] = v;  // fills each cell from its end, so offsets move one position down
     for (std::size_t c = 0; c + 1 < grid_offsets_.size(); ++c) grid_offsets_[c] = grid_offsets_[c + 1];
     grid_offsets_.back() = n;
   }
@@ -168,7 +168,7 @@ class polygon_triangulator {
     }
   }
 
-  // In rounds, in each of which no two neighbours are cut off: cutting one after another would give a fan of slivers.
+  // Clips ears in rounds; no two neighbours are clipped in one round, because that would give a fan of slivers.
   void clip_ears() {
     const index n = left_ = size();
     next_.resize(n);
@@ -200,7 +200,7 @@ class polygon_triangulator {
         if (gone_[v] || wait_[v] || !is_ear(v, kind)) continue;
         clip(v);
         if (kind == ear::clear) continue;
-        if (++retreats <= 16) kind = ear::clear;  // one bad place should not spoil the rest; bounded, so that the whole stays fast
+        if (++retreats <= 16) kind = ear::clear;  // one bad corner should not spoil the rest; the number of retries is bounded for speed
       }
       for (const index v : later_) wait_[v] = 0;
       now_.swap(later_);
@@ -213,9 +213,9 @@ class polygon_triangulator {
   }
 };
 
-/// The triangles of one polygon; for many use a polygon_triangulator.
+/// The triangles of one polygon. For many polygons use a polygon_triangulator.
 /// Needs:  as polygon_triangulator.
-/// Result: as polygon_triangulator, to be kept.
+/// Result: as polygon_triangulator, as a vector of its own.
 /// Cost:   as polygon_triangulator, and its working memory.
 /// Errors: none.
 /// Source: as polygon_triangulator.

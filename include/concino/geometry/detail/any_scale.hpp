@@ -1,5 +1,5 @@
-// Directions at any scale: where squares or products of coordinates over- or underflow, the same is computed once more of points that were
-// multiplied by a power of two, which changes no digit.
+// Directions at any scale: if squares or products of coordinates overflow or underflow, the computation is repeated with points
+// multiplied by a power of two, which is exact.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -10,7 +10,7 @@
 
 namespace concino::detail {
 
-/// Whether a sum of squares, or of products of squares, has all its digits.
+/// Whether a sum of squares, or of products of squares, is accurate to all digits.
 inline bool keeps_digits(double squared) { return squared > 1e-280 && squared < 1e290; }
 
 inline double largest_component(const vec3& a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); }
@@ -19,19 +19,19 @@ inline vec3 times_power_of_two(const vec3& a, int exponent) {
   return {std::ldexp(a.x, exponent), std::ldexp(a.y, exponent), std::ldexp(a.z, exponent)};
 }
 
-/// Of about the size 1, in the direction of a; 0 and vectors that are not finite as they are.
+/// A multiple of a with a length of about 1; unchanged if a is 0 or not finite.
 inline vec3 about_one(const vec3& a) {
   const double size = largest_component(a);
   return size > 0 && std::isfinite(size) ? times_power_of_two(a, -std::ilogb(size)) : a;
 }
 
-/// b - a, but that it cannot overflow, for points of any size.
+/// A multiple of b - a that cannot overflow, for points of any size.
 inline vec3 step_about_one(const vec3& a, const vec3& b) {
   const vec3 step = b - a;
   return is_finite(step) ? about_one(step) : about_one(0.25 * b - 0.25 * a);
 }
 
-/// a at length 1, or what `otherwise` finds where a is 0 or has not all its digits.
+/// a scaled to length 1, or the result of `otherwise` if a is 0 or not accurate to all digits.
 template<class F>
 vec3 unit_or(const vec3& a, F&& otherwise) {
   const double squared = dot(a, a);
@@ -39,7 +39,7 @@ vec3 unit_or(const vec3& a, F&& otherwise) {
   return otherwise();
 }
 
-/// a at length 1; 0 stays 0, and what is not finite becomes not a number.
+/// a scaled to length 1; 0 remains 0, and vectors that are not finite give NaN.
 inline vec3 unit_vector(const vec3& a) {
   return unit_or(a, [&] {
     const vec3 b = about_one(a);
@@ -48,10 +48,10 @@ inline vec3 unit_vector(const vec3& a) {
   });
 }
 
-/// Points moved and multiplied by a power of two, so that one of them is the origin and the farthest from it about as far as 1.
+/// Translates points and multiplies them by a power of two. One of them becomes the origin, and the farthest one is at a distance of about 1.
 class local_frame {
   vec3 base_;
-  double shrink_ = 1;  // differences of the largest doubles are none
+  double shrink_ = 1;  // differences of the largest doubles overflow
   int exponent_ = 0;
   bool is_finite_ = true;
 
@@ -71,11 +71,11 @@ class local_frame {
     for_each([&](const vec3& x) { size = std::max(size, largest_component(shrink_ * x - shrink_ * base_)); });
     if (size > 0 && std::isfinite(size)) exponent_ = -std::ilogb(size);
   }
-  /// Whether all points are.
+  /// Whether all points are finite.
   bool is_finite() const { return is_finite_; }
   vec3 operator()(const vec3& x) const { return times_power_of_two(shrink_ * x - shrink_ * base_, exponent_); }
   vec3 from_local(const vec3& x) const { return (shrink_ * base_ + times_power_of_two(x, -exponent_)) / shrink_; }
-  /// Of a length, area or volume, by its dimension; infinite where it is too large.
+  /// The original value of a length, area or volume, by its dimension; infinite if it is too large.
   double from_local(double size, int dimension) const { return std::ldexp(size, dimension * ((shrink_ < 1 ? 4 : 0) - exponent_)); }
 };
 
@@ -88,7 +88,7 @@ local_frame frame_of_loop(const M& m, const Loop& loop) {
 }
 template<class M>
 void for_each_point_of(const M& m, const poly_t<M>& p, auto&& visit) {
-  if constexpr (SurfaceMesh<M>) {  // the points that the measure is computed of
+  if constexpr (SurfaceMesh<M>) {  // the points from which the measure is computed
     for (const vert_t<M> v : adj_p2v(m, p)) visit(to_vec3(point(m, v)));
   } else {
     for (const face_t<M> f : adj_p2f(m, p))
@@ -106,15 +106,15 @@ auto points_by_vert_in(const M& m, const local_frame& frame) {
   return [&](const vert_t<M>& v) { return frame(to_vec3(point(m, v))); };
 }
 
-/// The direction of a sum of vector areas, each with a sign, of polygons so small or large that these have no digits. for_each(visit) calls
+/// The direction of a signed sum of vector areas, for polygons so small or large that the sum is not accurate. for_each(visit) calls
 /// visit(loop, sign) for every polygon.
 template<class M, class ForEach>
 [[gnu::noinline, gnu::cold]] vec3 direction_of_areas_at_any_scale(const M& m, const ForEach& for_each) {
-  double farthest = 0, size = 0;  // of the origin; of the polygons
+  double farthest = 0, size = 0;  // the largest distance from the origin; the size of the polygons
   for_each([&](const auto& loop, double) {
     for (const vert_t<M> v : loop) farthest = std::max(farthest, largest_component(to_vec3(point(m, v))));
   });
-  const double shrink = farthest > 0x1p1020 ? 0.0625 : 1.0;  // differences of the largest doubles are none
+  const double shrink = farthest > 0x1p1020 ? 0.0625 : 1.0;  // differences of the largest doubles overflow
   const auto for_each_corner = [&](const auto& loop, auto&& corner) {
     vec3 first;
     bool any = false;
@@ -140,7 +140,7 @@ template<class M, class ForEach>
   return unit_vector(sum);
 }
 
-/// The direction of a sum of vector areas; 0 where they cancel or there are none.
+/// The direction of a sum of vector areas; 0 if they cancel or there are none.
 template<class M, class ForEach>
 vec3 direction_of_areas(const M& m, const ForEach& for_each) {
   vec3 sum;

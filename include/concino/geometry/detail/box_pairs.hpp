@@ -1,4 +1,4 @@
-// Pairs of items of a tree whose leaves have boxes that meet: the tree is walked against itself.
+// Finds pairs of items of a tree whose leaves have intersecting boxes, by traversing the tree against itself.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -10,7 +10,7 @@
 namespace concino::detail {
 
 class box_pairs {
-  using node_pair = std::array<std::uint32_t, 2>;  // the same node twice: the pairs within it
+  using node_pair = std::array<std::uint32_t, 2>;  // the same node twice: all pairs within it
 
   const std::vector<box_node>& nodes_;
 
@@ -20,7 +20,7 @@ class box_pairs {
     b.max = n.max;
     return b;
   }
-  /// The pairs of children of a pair that is not of two leaves; the deeper ones first in, so that few wait.
+  /// Adds the pairs of children of a pair that is not of two leaves; deeper pairs first, so that few are pending.
   void split(const node_pair& p, std::vector<node_pair>& later) const {
     const box_node &a = nodes_[p[0]], &b = nodes_[p[1]];
     const auto add = [&](std::uint32_t x, std::uint32_t y) {
@@ -44,7 +44,7 @@ class box_pairs {
   explicit box_pairs(const box_tree& tree) : nodes_(tree.nodes()) {}
 
   /// Calls visit(part, i, j) once for each pair i, j of different items, in parallel for different parts, which are 0 to parts - 1.
-  /// prepare(parts) is called before.
+  /// Calls prepare(parts) first.
   template<class Prepare, class Visit>
   void for_each(Prepare&& prepare, Visit&& visit) const {
     std::vector<node_pair> start, next;

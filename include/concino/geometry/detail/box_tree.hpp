@@ -1,5 +1,5 @@
-// A binary tree of boxes around numbered items, in one flat array, and the two ways in which queries walk it. Which items end up together says
-// box_tree_build.hpp.
+// A binary tree of boxes around numbered items, in one flat array, and its two kinds of traversal. box_tree_build.hpp decides how items are
+// grouped.
 #pragma once
 
 #include <concino/geometry/bounding_box.hpp>
@@ -16,8 +16,8 @@ namespace concino::detail {
 
 struct box_node {
   vec3 min, max;            // of all items below
-  std::uint32_t first = 0;  // an inner node's left child, which the right one follows; a leaf's first item
-  std::uint32_t count = 0;  // the items of a leaf; 0: an inner node
+  std::uint32_t first = 0;  // an inner node's left child, which the right one follows; or a leaf's first item
+  std::uint32_t count = 0;  // the number of items of a leaf; 0: an inner node
 
   void add(const box& b) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -33,7 +33,7 @@ struct box_node {
     const std::size_t i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
     return min[i] <= x[i] && x[i] <= max[i] && min[j] <= x[j] && x[j] <= max[j];
   }
-  /// The squared distance from x, 0 inside.
+  /// The squared distance from x; 0 if x is inside.
   double squared_distance(const vec3& x) const {
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -44,9 +44,9 @@ struct box_node {
   }
 };
 
-/// Items are numbered in the order of the leaves.
+/// A tree of boxes. Items are numbered in the order of the leaves.
 class box_tree {
-  /// Twice what a build of 2^32 items can reach.
+  /// Twice the depth that a tree of 2^32 items can reach.
   static constexpr std::size_t max_levels = 128;
 
   std::vector<box_node> nodes_;
@@ -57,7 +57,8 @@ class box_tree {
 
   const std::vector<box_node>& nodes() const { return nodes_; }
 
-  /// Visits the items of all leaves whose nodes, up to the root, are kept, in their order, until a visit says true; whether one did.
+  /// Visits, in order, the items of all leaves for which keep(node) is true on the path from the root. Ends when a visit returns true, and returns whether
+  /// one did.
   template<class Keep, class Visit>
   bool walk(Keep&& keep, Visit&& visit) const {
     if (nodes_.empty() || !keep(nodes_[0])) return false;
@@ -85,8 +86,8 @@ class box_tree {
     }
   }
 
-  /// Visits items, near ones first, as long as the lower bound of their nodes is at most `limit`, which visits may lower; infinite bounds are left
-  /// out.
+  /// Visits items, near ones first, while the lower bound of their nodes is at most `limit`, which visits may lower. Infinite bounds are
+  /// skipped.
   template<class LowerBound, class Visit>
   void search(LowerBound&& lower_bound, const double& limit, Visit&& visit) const {
     constexpr double none = std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
-// Builds a box_tree from the top: each node is cut where that leaves the least surface for a ray or point to meet, in time O(n log n) for any input.
+// Builds a box_tree from the top: each node is split to minimise the expected cost of queries (surface area), in time O(n log n) for any input.
 // Source: MacDonald and Booth 1990 for the measure (surface area heuristic); Wald 2007, "On fast construction of SAH-based bounding volume
-// hierarchies", for the cuts at a few places only.
+// hierarchies", for the restriction to a few split positions.
 #pragma once
 
 #include <concino/core/large_pages.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-/// What is sorted: a box in single precision, which decides nothing but how fast the tree is.
+/// An item to sort: a box in single precision, which affects only the speed of the tree.
 struct box_item {
   float min[3], max[3];
   std::uint32_t id;
@@ -41,7 +41,7 @@ class box_tree_builder {
   std::vector<box_item>& items_;
   std::uint32_t leaf_size_, free_levels_;
 
-  /// Cuts at the middle of the items, whatever their shapes.
+  /// Splits at the middle of the items, whatever their shapes.
   std::uint32_t halve(const range& r, std::size_t axis) const {
     const std::uint32_t middle = r.first + (r.last - r.first) / 2;
     const auto at = [&](std::uint32_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -64,7 +64,7 @@ class box_tree_builder {
     for (std::size_t k = 1; k < 3; ++k)
       if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
     const float width = high[axis] - low[axis], scale = static_cast<float>(bins) / width;
-    // cuts that leave nearly all on one side are good for speed, but a long row of them would take O(n^2)
+    // very uneven splits are good for speed, but a long sequence of them would take O(n^2)
     if (!(width > 0) || !(scale < extent::inf) || r.level > free_levels_) return halve(r, axis);
     const auto bin_of = [&](const box_item& item) {
       return std::min(bins - 1, static_cast<std::size_t>((item.twice_centre(axis) - low[axis]) * scale));
@@ -104,7 +104,7 @@ class box_tree_builder {
     return static_cast<std::uint32_t>(middle - begin);
   }
 
-  /// The nodes below `r`, which itself has the number `root` and is nodes[0] here; those added get numbers from 1.
+  /// Builds the nodes below `r`, which itself has the index `root` and is nodes[0] here; new nodes are numbered from 1.
   template<class Small>
   void grow(std::vector<box_node>& nodes, const range& r, Small&& set_aside) const {
     std::vector<range> later{r};
@@ -130,7 +130,7 @@ class box_tree_builder {
     for (std::size_t n = items.size(); n > 1; n /= 2) free_levels_ += 2;
   }
 
-  /// The nodes, children behind their parents, without boxes; items are sorted by leaf.
+  /// The nodes without boxes, children after their parents; sorts the items by leaf.
   std::vector<box_node> operator()() const {
     const auto n = static_cast<std::uint32_t>(items_.size());
     std::vector<box_node> nodes;
@@ -161,7 +161,7 @@ class box_tree_builder {
   }
 };
 
-/// The tree of n items, at most leaf_size in a leaf. box_of(i): the box of item i. order: the numbers that the items had before, by leaf.
+/// The tree of n items, at most leaf_size per leaf. box_of(i): the box of item i. order: the original index of each item, by leaf.
 template<class BoxOf>
 box_tree build_box_tree(std::size_t n, std::uint32_t leaf_size, BoxOf&& box_of, std::vector<std::uint32_t>& order) {
   std::vector<box_item> items;

@@ -1,4 +1,4 @@
-// Exact sums and products of doubles: a number is kept as a sum of doubles that do not overlap, the smallest first.
+// Exact sums and products of doubles: a number is the sum of non-overlapping doubles, the smallest first.
 #pragma once
 
 #include <cmath>
@@ -16,25 +16,25 @@ inline void two_sum(double a, double b, double& sum, double& rest) {
   const double bb = sum - a;
   rest = (a - (sum - bb)) + (b - bb);
 }
-/// a * b = product + rest, exactly, barring underflow.
+/// a * b = product + rest, exactly, unless it underflows.
 inline void two_product(double a, double b, double& product, double& rest) {
   product = a * b;
   rest = std::fma(a, b, -product);
 }
 
-/// A sum of at most N doubles, exact. Parts that are 0 are left out where that is easily seen: coordinates of few digits stay cheap.
+/// An exact sum of at most N doubles. Zero components are dropped if that is easily seen: this keeps coordinates of few digits cheap.
 template<std::size_t N>
 struct expansion {
   double part[N] = {};
   std::size_t size = 0;
 
-  /// The largest part that is not 0 decides.
+  /// The sign of the largest component that is not 0.
   int sign() const {
     for (std::size_t i = size; i > 0; --i)
       if (part[i - 1] != 0) return part[i - 1] > 0 ? 1 : -1;
     return 0;
   }
-  /// this += x; room for one part more must be left.   Source: Shewchuk 1997, grow-expansion.
+  /// Adds x; there must be capacity for one more component.   Source: Shewchuk 1997, grow-expansion.
   void add(double x) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < size; ++i) {
@@ -51,7 +51,7 @@ template<std::size_t N, std::size_t M>
 expansion<N + M> sum(const expansion<N>& a, const expansion<M>& b) {
   expansion<N + M> r;
   for (std::size_t i = 0; i < a.size; ++i) r.part[r.size++] = a.part[i];
-  // each part of b is added above those that came before: what b adds so far lies below
+  // each component of b is added above the previous ones: earlier results lie below it
   for (std::size_t j = 0; j < b.size; ++j) {
     double x = b.part[j];
     for (std::size_t i = j; i < r.size; ++i) two_sum(x, r.part[i], x, r.part[i]);

@@ -1,4 +1,4 @@
-// The triangles that the polys of a surface are made of.
+// The triangles of the polys of a surface, as items of a tree.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -10,7 +10,7 @@
 
 namespace concino::detail {
 
-/// Item i is a triangle of the poly with rank owner(i).
+/// Triangles as items: item i is a triangle of the poly with rank owner(i).
 template<SurfaceMesh M>
 class polygon_pieces : public ranked_polys<M> {
   using base = ranked_polys<M>;
@@ -54,7 +54,7 @@ class polygon_pieces : public ranked_polys<M> {
   static constexpr bool are_solid = false;
 
   explicit polygon_pieces(const M& m) : base(m) {
-    if constexpr (TriMesh<M>) {  // a triangle is one piece
+    if constexpr (TriMesh<M>) {  // a triangle is one item
       corners_ = core::large_vector(this->num_ranks(), std::array<corner_index, 3>{});
       owners_ = core::large_vector(this->num_ranks(), std::uint32_t{0});
       for (std::size_t r = 0; r < corners_.size(); ++r) {

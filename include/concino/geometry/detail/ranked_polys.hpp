@@ -1,5 +1,5 @@
-// The points of a mesh and its polys by rank, which is their place in the order of polys(m). Points are kept times a power of two that makes the
-// largest coordinate about 1: that is exact, and keeps the products in predicates and distances from overflow and underflow.
+// The points of a mesh and its polys by rank, which is their position in polys(m). Points are scaled by a power of two that makes the
+// largest coordinate about 1. This is exact, and avoids overflow and underflow of products in predicates and distances.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -18,7 +18,7 @@ namespace concino::detail {
 
 using corner_index = std::uint32_t;
 
-/// Values in the order of the leaves of a tree.
+/// Sorts values into the order of the leaves of a tree.
 template<class T>
 void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
   auto arranged = core::large_vector(order.size(), T{});
@@ -26,7 +26,7 @@ void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
   values = std::move(arranged);
 }
 
-/// Gives numbers from 0 in the order in which they are first asked for, so that what is used together ends up together in memory.
+/// Assigns numbers from 0 in the order of first use, so that values used together are close together in memory.
 class first_come_numbers {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   std::vector<std::uint32_t> number_;
@@ -53,9 +53,9 @@ class ranked_polys {
   std::vector<poly_t<M>> polys_;
 
  protected:
-  std::vector<vec3> points_;  // by index of vert; what a kind of poly needs beside comes behind
-  double largest_ = 0;        // coordinate of a corner of a poly
-  int exponent_ = 0;          // of the unit
+  std::vector<vec3> points_;  // by index of vert; followed by further points of the kind of poly
+  double largest_ = 0;        // magnitude of a coordinate of a corner of a poly
+  int exponent_ = 0;          // of the unit of length
   double to_tree_ = 1, to_mesh_ = 1;
 
   static double magnitude(const vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
@@ -67,14 +67,14 @@ class ranked_polys {
     for (const vert_t<M> v : verts(m)) points_[index_of(m, v)] = to_vec3(point(m, v));
   }
 
-  /// To be called for each corner of the poly p; those of other verts do not matter.
+  /// Call it for each corner of poly p. Verts of no poly do not matter.
   void see(const M& m, const poly_t<M>& p, corner_index v) {
     const vec3& x = points_[v];
     if (!is_finite(x))
       core::throw_joined<invalid_mesh>({"bounding_tree: poly ", index_of(m, p), " has a vert whose point is not finite; validate(m) lists all of them"});
     largest_ = std::max(largest_, magnitude(x));
   }
-  /// To be called when all corners were seen.
+  /// Call it after all corners.
   void scale() {
     std::frexp(largest_, &exponent_);
     exponent_ = std::min(std::max(exponent_, -1000), 1000);
@@ -89,17 +89,17 @@ class ranked_polys {
 
   vec3 to_mesh(const vec3& x) const { return to_mesh_ * x; }
   vec3 to_tree(const vec3& x) const { return to_tree_ * x; }
-  /// x in the units of the tree, but not so far away that its squared distance overflows: it comes nearer along the line to the origin, from where
-  /// too all of the mesh is equally far but for rounding.
+  /// x in the units of the tree, limited so that its squared distance does not overflow. A point that is too far is moved along the line to the origin;
+  /// seen from there, too, all of the mesh is equally far up to rounding.
   vec3 to_tree_within_reach(const vec3& x) const {
     const double far = magnitude(x);
     return far * to_tree_ <= 0x1p200 ? to_tree_ * x : x / far * 0x1p200;
   }
-  /// The distance of two points, given in the mesh and in the tree.
+  /// The distance of two points, both passed in units of the mesh and of the tree.
   double distance_in_mesh(const vec3& x, const vec3& y, const vec3& x_in_tree, const vec3& y_in_tree) const {
     return magnitude(x) * to_tree_ <= 0x1p200 ? to_mesh_ * distance(x_in_tree, y_in_tree) : distance(x, y);
   }
-  /// Infinite sides stay so.
+  /// The box in the units of the tree. Infinite bounds remain infinite.
   box to_tree(const box& b) const {
     box r;
     r.min = to_tree_ * b.min;

@@ -1,4 +1,4 @@
-// A ray against triangles and boxes, such that no ray slips between two triangles that share an edge.
+// Watertight intersection of a ray with triangles and boxes: no ray passes between two triangles that share an edge.
 #pragma once
 
 #include <concino/geometry/bounding_box.hpp>
@@ -11,17 +11,17 @@
 
 namespace concino::detail {
 
-/// A ray turned so that it runs along the third axis, from 0; triangles are sheared to it and looked at from above, where the sign of each edge is
-/// exact. Points are those of a tree: of magnitude 1 at most.
+/// A ray transformed to run along the third axis, from 0. Triangles are sheared accordingly and tested in projection, where the sign of each edge is
+/// exact. Points are in units of a tree: of magnitude 1 at most.
 /// Source: Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection"; Ize 2013, "Robust BVH ray traversal", for the boxes.
 class ray_test {
-  vec3 origin_, step_, slope_;  // slope: 1 / step where that is not 0
+  vec3 origin_, step_, slope_;  // slope: 1 / step where step is not 0
   std::size_t x_ = 0, y_ = 1, z_ = 2;
   double shear_x_ = 0, shear_y_ = 0, pad_ = 0;
 
  public:
   struct crossing {
-    double parameter = std::numeric_limits<double>::infinity();  // infinite: none
+    double parameter = std::numeric_limits<double>::infinity();  // infinite: no crossing
     vec3 point;
 
     explicit operator bool() const { return parameter < std::numeric_limits<double>::infinity(); }
@@ -37,11 +37,11 @@ class ray_test {
     y_ = (z_ + 2) % 3;
     shear_x_ = step[x_] / step[z_];
     shear_y_ = step[y_] / step[z_];
-    // what shearing may be off by; boxes are widened by more than that, so that no triangle is missed that the test below would hit
+    // a bound of shearing errors; boxes are widened by more than that, so that no triangle is missed that the test below would hit
     pad_ = 0x1p-48 * (2 + std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)}));
   }
 
-  /// Where the ray enters the box, or 0 inside, or infinity: a lower bound of the parameters of all that is in it.
+  /// The parameter at which the ray enters the box, 0 if it starts inside, or infinity. A lower bound of the parameters of all items in the box.
   double enters(const vec3& low, const vec3& high) const {
     double first = 0, last = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -57,7 +57,7 @@ class ray_test {
     return first * (1 - 0x1p-50) <= last * (1 + 0x1p-50) ? first * (1 - 0x1p-50) : std::numeric_limits<double>::infinity();
   }
 
-  /// Where the ray crosses the triangle, rim included; one seen from its edge is not crossed.
+  /// Where the ray crosses the triangle, boundary included; a triangle seen edge-on is not crossed.
   crossing operator()(const vec3& a, const vec3& b, const vec3& c) const {
     const vec3 p = sheared(a), q = sheared(b), r = sheared(c);
     double u = q.x * r.y - q.y * r.x, v = r.x * p.y - r.y * p.x, w = p.x * q.y - p.y * q.x;
@@ -71,7 +71,7 @@ class ray_test {
     v /= whole;
     w /= whole;
     double t = (u * p.z + v * q.z + w * r.z) / step_[z_];
-    if (t < 0x1p-30) {  // before or behind is decided exactly; from a point of the triangle the parameter is 0
+    if (t < 0x1p-30) {  // the sign is decided exactly; for an origin on the triangle the parameter is 0
       const int side = orient3d(a, b, c, origin_);
       if (side != 0 && (side > 0) == (whole * step_[z_] > 0)) return {};
       t = side == 0 ? 0 : std::max(t, 0.0);

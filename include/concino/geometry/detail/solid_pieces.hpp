@@ -1,5 +1,5 @@
-// The polys of a volume as solids: tets by their corners, others by their faces, each of more than three verts fanned about its mean point, as in
-// `volume`; both polys at a face see the same triangles, so solids tile as their polys do.
+// The polys of a volume as solids: tets by their corners, others by their faces. Each face of more than three verts is a fan about its mean point, as in
+// `volume`. Both polys at a face have the same triangles, so solids tile space if their polys do.
 #pragma once
 
 #include <concino/geometry/detail/ranked_polys.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-/// Item i is the tet with rank owner(i).
+/// Tets as items: item i is the tet with rank owner(i).
 template<VolumeMesh M>
 class tet_pieces : public ranked_polys<M> {
   using base = ranked_polys<M>;
@@ -54,7 +54,7 @@ class tet_pieces : public ranked_polys<M> {
     f(b, c, d);
     f(a, d, c);
   }
-  /// Whether x, thought of as moved, is inside.
+  /// Whether the perturbed x is inside.
   bool holds(std::size_t i, const vec3& x) const { return perturbed_inside_tet(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), x); }
   void arrange(const std::vector<std::uint32_t>& order) {
     detail::arrange(corners_, order);
@@ -66,19 +66,19 @@ class tet_pieces : public ranked_polys<M> {
   }
 };
 
-/// Item i is the polyhedron with rank owner(i).
+/// Polyhedra as items: item i is the polyhedron with rank owner(i).
 template<VolumeMesh M>
 class polyhedron_pieces : public ranked_polys<M> {
   using base = ranked_polys<M>;
   using base::points_;
 
   struct ring {
-    std::uint32_t first = 0, size = 0;  // of corners_
-    corner_index mean = 0;              // of points_, where size > 3
+    std::uint32_t first = 0, size = 0;  // range of corners_
+    corner_index mean = 0;              // index in points_, if size > 3
   };
-  std::vector<ring> rings_;  // one a face
+  std::vector<ring> rings_;  // one per face
   std::vector<corner_index> corners_;
-  std::vector<std::uint32_t> oriented_rings_;      // twice a ring, 1 more where it is outward; those of an item in a row
+  std::vector<std::uint32_t> oriented_rings_;      // twice a ring, plus 1 if it is outward; those of an item are consecutive
   std::vector<std::size_t> first_ring_;  // by item
   std::vector<std::uint32_t> owners_;
 
@@ -87,7 +87,7 @@ class polyhedron_pieces : public ranked_polys<M> {
     const vec3 origin = points_[corners_[r.first]];
     for (std::uint32_t k = 1; k < r.size; ++k) sum += points_[corners_[r.first + k]] - origin;
     r.mean = static_cast<corner_index>(points_.size());
-    points_.push_back(origin + sum / static_cast<double>(r.size));  // as shape_of says
+    points_.push_back(origin + sum / static_cast<double>(r.size));  // as in shape_of
   }
 
  public:
@@ -95,7 +95,7 @@ class polyhedron_pieces : public ranked_polys<M> {
   static constexpr bool are_solid = true;
 
   explicit polyhedron_pieces(const M& m) : base(m), rings_(face_index_bound(m)), first_ring_{0}, owners_(this->num_ranks()) {
-    core::reserve_large(oriented_rings_, 2 * rings_.size());  // a guess, right where all faces are shared
+    core::reserve_large(oriented_rings_, 2 * rings_.size());  // an estimate, exact if all faces are shared
     core::reserve_large(corners_, 4 * rings_.size());
     core::reserve_large(first_ring_, this->num_ranks() + 1);
     for (std::size_t r = 0; r < this->num_ranks(); ++r) {
@@ -127,11 +127,11 @@ class polyhedron_pieces : public ranked_polys<M> {
     for (std::size_t s = first_ring_[i]; s < first_ring_[i + 1]; ++s) {
       const ring& r = rings_[oriented_rings_[s] / 2];
       for (std::uint32_t k = 0; k < r.size; ++k) b.add(points_[corners_[r.first + k]]);
-      if (r.size > 3) b.add(points_[r.mean]);  // may lie outside of the others by rounding
+      if (r.size > 3) b.add(points_[r.mean]);  // rounding may put it outside of the others
     }
     return b;
   }
-  /// Counter-clockwise seen from outside.
+  /// Calls f for each triangle of item i, counter-clockwise seen from outside.
   template<class F>
   void for_each_triangle(std::size_t i, F&& f) const {
     for (std::size_t s = first_ring_[i]; s < first_ring_[i + 1]; ++s) {
@@ -144,7 +144,7 @@ class polyhedron_pieces : public ranked_polys<M> {
         for (std::uint32_t k = 0; k < r.size; ++k) triangle(points_[c[k]], points_[c[k + 1 < r.size ? k + 1 : 0]], points_[r.mean]);
     }
   }
-  /// Whether the surface of the poly winds round x, thought of as moved.
+  /// Whether the winding number of the poly around the perturbed x is not 0.
   bool holds(std::size_t i, const vec3& x) const {
     int times = 0;
     for_each_triangle(i, [&](const vec3& p, const vec3& q, const vec3& r) { times += crossing_above(p, q, r, x); });

@@ -1,4 +1,4 @@
-// What a tree over a surface needs to know of it as a whole.
+// Facts about a whole surface that its tree needs.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -14,10 +14,10 @@ struct surface_facts {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::size_t open_edge = none;  // the index of the first edge with an odd number of polys, if any has
-  std::size_t axis = 2;          // seen along it, the surface shows the largest area, counted with sign; z for closed ones, which show none
+  std::size_t axis = 2;          // the axis along which the projected signed area is largest; z for closed surfaces, whose signed area is 0
 };
 
-/// pieces: those of m.
+/// pieces: the triangles of m.
 template<SurfaceMesh M, class Pieces>
 surface_facts facts_of(const M& m, const Pieces& pieces) {
   surface_facts facts;
@@ -37,7 +37,7 @@ surface_facts facts_of(const M& m, const Pieces& pieces) {
   return facts;
 }
 
-/// How far the triangle a, b, c is from x along axis k, where x lies in it as seen along that axis.
+/// The distance of triangle a, b, c from x along axis k, if the projection of the triangle along this axis contains x.
 inline double height_difference(const vec3& a, const vec3& b, const vec3& c, const vec3& x, std::size_t k) {
   const std::size_t i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
   const auto part = [&](const vec3& p, const vec3& q) { return (p[i] - x[i]) * (q[j] - x[j]) - (p[j] - x[j]) * (q[i] - x[i]); };

@@ -1,4 +1,4 @@
-// The queries of a tree that ask about a point or a box, on pieces of any kind, in the units of the tree and by rank.
+// Point and box queries of a tree, for items of any kind, in the units of the tree and by rank.
 #pragma once
 
 #include <concino/geometry/closest_point.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino::detail {
 
-/// Of the box of three points.
+/// The squared distance from x to the bounding box of three points.
 inline double squared_distance_to_box(const vec3& x, const vec3& a, const vec3& b, const vec3& c) {
   const auto beyond = [](double p, double u, double v, double w) {
     const double low = std::min(std::min(u, v), w), high = std::max(std::max(u, v), w);
@@ -24,13 +24,13 @@ inline double squared_distance_to_box(const vec3& x, const vec3& a, const vec3& 
   return dx * dx + dy * dy + dz * dz;
 }
 
-/// The rank of the poly whose triangles have the point nearest to x, and that point.
+/// The rank of the poly with the point nearest to x, and that point.
 template<class Pieces>
 std::optional<std::pair<std::size_t, vec3>> nearest_piece(const Pieces& pieces, const box_tree& boxes, const vec3& x) {
   double least = std::numeric_limits<double>::infinity();
   std::size_t best = 0;
   vec3 nearest;
-  // a little less than the distance of the box, so that of polys equally near none is left out by rounding and the first can be told
+  // slightly less than the distance of the box: then rounding skips none of several equally near polys, and the first can be found
   boxes.search([&](const box_node& n) { return n.squared_distance(x) * (1 - 0x1p-50); }, least, [&](std::size_t i) {
     const std::size_t rank = pieces.owner(i);
     pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) {
@@ -47,10 +47,10 @@ std::optional<std::pair<std::size_t, vec3>> nearest_piece(const Pieces& pieces, 
   return std::pair{best, nearest};
 }
 
-/// How a point is looked up: thought of as moved by a little, so that it lies on no rim, or as it is, where rims count.
+/// How a point is located: perturbed, so that it lies on no boundary; or unperturbed, where boundaries count.
 enum class point_location { perturbed, unperturbed };
 
-/// The rank of the solid poly that holds x, or of the polygon that does as seen along `axis`.
+/// The rank of the solid poly that contains x, or of the polygon that contains x in the projection along `axis`.
 template<class Pieces>
 std::optional<std::size_t> containing_piece(const Pieces& pieces, const box_tree& boxes, [[maybe_unused]] std::size_t axis, const vec3& x, point_location how) {
   std::optional<std::size_t> found;
@@ -60,7 +60,7 @@ std::optional<std::size_t> containing_piece(const Pieces& pieces, const box_tree
       if (how == point_location::perturbed) holds = pieces.holds(i, x);
       else pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) { holds = holds || is_on_triangle(a, b, c, x); });
       if (holds && (!found || pieces.owner(i) < *found)) found = pieces.owner(i);
-      return holds && how == point_location::perturbed;  // of polys that tile no other one does
+      return holds && how == point_location::perturbed;  // if polys tile, no other one contains the perturbed point
     });
   } else {
     double least = std::numeric_limits<double>::infinity();
@@ -86,11 +86,11 @@ std::optional<std::size_t> containing_piece(const Pieces& pieces, const box_tree
   return found;
 }
 
-/// What a closed surface has to do with a point.
+/// The position of a point relative to a closed surface.
 struct surroundings {
-  int winding = 0;         // how often it winds round the point
-  unsigned crossings = 0;  // how often the way up meets it
-  bool touches = false;    // whether the point lies on it; the others are not known then
+  int winding = 0;         // the winding number around the point
+  unsigned crossings = 0;  // the number of crossings of the upward ray
+  bool touches = false;    // whether the point lies on the surface; the others are then unknown
 };
 
 template<class Pieces>
@@ -109,12 +109,12 @@ surroundings surface_around(const Pieces& pieces, const box_tree& boxes, const v
   return s;
 }
 
-/// The ranks of the polys that have a point in common with the box, given in the units of the tree; sorted.
+/// The ranks of the polys that have a point in common with the box, which is in the units of the tree; sorted.
 template<class Pieces>
 std::vector<std::size_t> pieces_in_box(const Pieces& pieces, const box_tree& boxes, box b) {
   std::vector<std::size_t> ranks;
   if (boxes.nodes().empty() || !boxes.nodes()[0].meets(b)) return ranks;
-  for (std::size_t k = 0; k < 3; ++k) {  // what lies beyond all polys says nothing, and may be infinite
+  for (std::size_t k = 0; k < 3; ++k) {  // clips to the bounds of the tree; bounds of the box may be infinite
     b.min[k] = std::max(b.min[k], boxes.nodes()[0].min[k]);
     b.max[k] = std::min(b.max[k], boxes.nodes()[0].max[k]);
   }

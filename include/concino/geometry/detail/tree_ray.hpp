@@ -1,4 +1,4 @@
-// A ray on its way through a tree.
+// Ray queries of a tree.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino::detail {
 
-/// In the units of the tree; its direction is brought to a magnitude of about 1 by a power of two.
+/// A ray in the units of the tree. Its direction is scaled to a magnitude of about 1 by a power of two.
 template<class Pieces>
 class tree_ray {
   using crossing = ray_test::crossing;
@@ -21,7 +21,7 @@ class tree_ray {
   const Pieces& pieces_;
   const box_tree& boxes_;
   vec3 origin_;
-  int shift_;   // a parameter here times 2^shift is one of the caller
+  int shift_;   // a parameter here times 2^shift is one of the caller's
   double end_;
   ray_test test_;
 
@@ -41,7 +41,7 @@ class tree_ray {
     return {std::ldexp(direction.x, -e), std::ldexp(direction.y, -e), std::ldexp(direction.z, -e)};
   }
 
-  /// Tells visit(rank, crossing) of items near the ray.
+  /// Calls visit(rank, crossing) for items near the ray.
   template<class Visit>
   void search(const double& limit, Visit&& visit) const {
     boxes_.search([&](const box_node& n) { return test_.enters(n.min, n.max); }, limit, [&](std::size_t i) {
@@ -60,7 +60,7 @@ class tree_ray {
       : pieces_(pieces), boxes_(boxes), origin_(pieces.to_tree(origin)), shift_(pieces.exponent() - exponent_of(checked(origin, direction, options))),
         end_(std::ldexp(options.max_parameter, -shift_)), test_(origin_, near_one(direction)) {}
 
-  /// The first poly that is met, or no crossing.
+  /// The first poly that the ray hits, or no crossing.
   std::pair<std::size_t, crossing> first() const {
     std::pair<std::size_t, crossing> best{0, {}};
     double limit = end_;
@@ -72,7 +72,7 @@ class tree_ray {
     return best;
   }
 
-  /// Every poly that is met, where it is met first, by parameter and then by rank.
+  /// The first hit of every poly, sorted by parameter and then by rank.
   std::vector<std::pair<std::size_t, crossing>> all() const {
     std::vector<std::pair<std::size_t, crossing>> met;
     search(end_, [&](std::size_t rank, const crossing& c) { met.push_back({rank, c}); });

@@ -1,4 +1,4 @@
-// What triangles have in common with segments, triangles and boxes, by exact predicates; they and their rims count whole.
+// Exact intersection predicates of triangles with segments, triangles and boxes. All include their boundaries.
 #pragma once
 
 #include <concino/geometry/bounding_box.hpp>
@@ -26,11 +26,11 @@ inline bool segments_meet2d(const vec3& p, const vec3& q, const vec3& a, const v
   return on(sp, a, b, p) || on(sq, a, b, q) || on(sa, p, q, a) || on(sb, p, q, b);
 }
 
-/// Whether the segment from p to q and the triangle have a point in common. sp and sq: their sides of its plane, by orient3d.
+/// Whether the segment from p to q and the triangle have a point in common. sp and sq: the orient3d of p and q relative to its plane.
 /// Needs: has_area(t).
 inline bool segment_meets_triangle(const vec3& p, int sp, const vec3& q, int sq, const triangle_points& t) {
   if (sp * sq > 0) return false;
-  if (sp != 0 || sq != 0) {  // the line through p and q crosses the plane between them: does it run through the triangle?
+  if (sp != 0 || sq != 0) {  // the line through p and q crosses the plane between them: does it pass through the triangle?
     const int u = orient3d(p, q, t[0], t[1]), v = orient3d(p, q, t[1], t[2]), w = orient3d(p, q, t[2], t[0]);
     return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
   }
@@ -44,7 +44,7 @@ inline bool segment_meets_triangle(const vec3& p, int sp, const vec3& q, int sq,
   return false;
 }
 
-/// On which sides of the plane of t the corners of s lie.
+/// The orientations of the corners of s relative to the plane of t.
 inline std::array<int, 3> orientations_to_plane(const triangle_points& t, const triangle_points& s) {
   return {orient3d(t[0], t[1], t[2], s[0]), orient3d(t[0], t[1], t[2], s[1]), orient3d(t[0], t[1], t[2], s[2])};
 }
@@ -53,7 +53,7 @@ inline bool all_on_one_side(const std::array<int, 3>& sides) {
 }
 
 /// Whether two triangles have a point in common.
-/// Needs: both have area.      Source: each cuts the other only if an edge of one meets the other, as in Guigue and Devillers 2003.
+/// Needs: both have area.      Source: they intersect only if an edge of one meets the other, as in Guigue and Devillers 2003.
 inline bool triangles_meet(const triangle_points& s, const triangle_points& t) {
   const auto of_s = orientations_to_plane(t, s);
   if (all_on_one_side(of_s)) return false;
@@ -66,7 +66,7 @@ inline bool triangles_meet(const triangle_points& s, const triangle_points& t) {
   return false;
 }
 
-/// Whether the triangle, with or without area, and the box have a point in common: whether no line or plane along a side of one of them parts them.
+/// Whether the triangle, with or without area, and the box have a point in common, by the separating axis theorem.
 /// Source: Akenine-Moller 2001, "Fast 3D triangle-box overlap testing", with exact predicates for the dot products.
 inline bool triangle_meets_box(const triangle_points& t, const box& b) {
   const auto beyond = [&](std::size_t k) {
@@ -89,7 +89,7 @@ inline bool triangle_meets_box(const triangle_points& t, const box& b) {
     for (std::size_t i = 0; i < 3; ++i) {
       const vec3 &from = p[i], &to = p[i < 2 ? i + 1 : 0];
       const int side = orient2d(from, to, corner[0]);
-      if (side == 0 || side == turn) continue;  // parted only if all corners lie where the triangle does not
+      if (side == 0 || side == turn) continue;  // separated only if all corners lie on the other side
       bool all = true;
       for (std::size_t c = 1; c < 4 && all; ++c) all = orient2d(from, to, corner[c]) == side;
       if (all) return false;
