@@ -1,4 +1,4 @@
-// Linear systems.
+// Solvers for sparse linear systems.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>

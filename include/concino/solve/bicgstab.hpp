@@ -1,4 +1,4 @@
-// Square sparse systems of any kind by iteration: what is too large for a factorisation.
+// An iterative solver for square sparse systems of any kind that are too large for a factorisation.
 #pragma once
 
 #include <concino/core/equilibrate.hpp>
@@ -18,26 +18,26 @@
 namespace concino {
 
 struct bicgstab_options {
-  double tolerance = 1e-12;    // of the residual, see below; in (0, 1)
-  int max_iterations = 0;      // 0: twice as many as there are unknowns
-  double drop = 1e-4;          // entries of the incomplete factors that are smaller, relative to their row, are left out; in [0, 1)
-  int fill = 10;               // at most so many times the entries of the matrix in the incomplete factors; positive
-  bool accept_missed_tolerance = false;  // true: solve returns the best it has reached; has_converged() says whether that meets the tolerance
+  double tolerance = 1e-12;    // of the residual, see bicgstab; in (0, 1)
+  int max_iterations = 0;      // 0: twice the number of unknowns
+  double drop = 1e-4;          // smaller entries of the incomplete factors, relative to their row, are dropped; in [0, 1)
+  int fill = 10;               // maximal entries of the incomplete factors, as a multiple of those of the matrix; positive
+  bool accept_missed_tolerance = false;  // true: solve returns the best result so far; has_converged() says whether it meets the tolerance
 };
 
-/// Solves square systems, symmetric or not, by stabilised bi-conjugate gradients, with an incomplete LU factorisation to speed them up. A
-/// SparseSolver of memory proportional to the entries of the matrix. The whole matrix is read, both triangles of a symmetric one too. Rows and
-/// columns are scaled by powers of two first. `factorize` keeps a scaled copy of the matrix and prepares: there is no analysis to save.
+/// Solves square systems, symmetric or not, by stabilised bi-conjugate gradients, with an incomplete LU factorisation as preconditioner. A
+/// SparseSolver with memory proportional to the entries of the matrix. Reads the whole matrix, also both triangles of a symmetric one. Rows and
+/// columns are scaled by powers of two first. `factorize` stores a scaled copy of the matrix and the preconditioner; no analysis is reused.
 /// residual() is the largest of three numbers: |b - A x| / |b| of the scaled system, and the largest |b - A x|_i / (|b|_i + max_j |a_ij| max|x|) of
-/// all rows i, of the given and of the scaled system. Large entries of some rows, such as penalties, do not hide the others. A small residual of a badly
-/// conditioned system does not mean a small error. Where rounding errors allow no better, residuals of single rows of at most 1e-14 are accepted
-/// if |b - A x| / |b| is at most 1e-6. Solutions so large that b is no more than rounding errors of A x are never accepted.
-/// iterations(), residual() and has_converged() describe the last solve; therefore one object must not solve in several threads at once.
+/// all rows i, of the original and of the scaled system. Large entries of some rows, such as penalties, do not hide the others. A small residual of a badly
+/// conditioned system does not mean a small error. If rounding errors allow no better, residuals of single rows of at most 1e-14 are accepted
+/// if |b - A x| / |b| is at most 1e-6. Solutions so large that b is within the rounding errors of A x are never accepted.
+/// iterations(), residual() and has_converged() describe the last solve. So one object must not solve in several threads at once.
 /// Errors: invalid_argument if an option is out of its range. factorize throws solver_error, with the reason, if the matrix is not square, or has
 ///         entries that are not finite, or a row or column of zeros. solve throws it if nothing was factorised, or the right-hand side has
-///         another size or is not finite. solve throws it too if the tolerance is missed, after max_iterations or because the iteration stagnates or
-///         breaks down; it names iterations, residual and tolerance. Singular matrices end so, unless the iteration finds a solution for that
-///         right-hand side.
+///         another size or is not finite. solve also throws it if the tolerance is missed, after max_iterations or because the iteration stagnates or
+///         breaks down; the message contains iterations, residual and tolerance. Singular matrices fail in this way, unless the iteration finds a
+///         solution for that right-hand side.
 /// Source: van der Vorst 1992; Saad 1994; Eigen's BiCGSTAB and IncompleteLUT.
 class bicgstab {
   bicgstab_options options_;
@@ -109,7 +109,7 @@ class bicgstab {
   bool has_converged() const { return has_converged_; }
 
  private:
-  /// Solves for what is left, again and again, while that halves the residual: the iteration only estimates it, and stagnates or breaks down without notice.
+  /// Solves repeatedly for the remainder while that halves the residual. The iteration only estimates the residual, and may stagnate or break down unnoticed.
   Eigen::VectorXd iterate(const Eigen::VectorXd& b) const {
     const std::int64_t most = options_.max_iterations > 0 ? options_.max_iterations : 2 * static_cast<std::int64_t>(size_);
     const auto at_a_time = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(size_)));
@@ -135,7 +135,7 @@ class bicgstab {
     return x;
   }
 
-  /// Of the scaled system.
+  /// The residual of the scaled system.
   double largest_residual(const Eigen::VectorXd& r, const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
     double largest = 0, largest_in_units = 0, worst = 0;
     for (Eigen::Index i = 0; i < size_; ++i) {

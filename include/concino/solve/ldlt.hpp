@@ -1,4 +1,4 @@
-// Symmetric sparse systems by factorisation.
+// A direct solver for symmetric sparse systems, by L D L^T factorisation.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -14,20 +14,20 @@
 
 namespace concino {
 
-/// Factorises a symmetric matrix as L D L^T, fill-reducing, and solves with it. A SparseSolver.
-/// Only the lower triangle of the matrix is read. Matrices may be indefinite, but pivots are not exchanged for that: D is diagonal.
-/// A matrix with the pattern of the one factorised before, explicit zeros included, is factorised in the order found then.
-/// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite, or is singular (the row
-///         is named). solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the solution is
-///         not finite. A failed factorize leaves nothing to solve with.
+/// Factorises a symmetric matrix as L D L^T, with a fill-reducing order, and solves with it. A SparseSolver.
+/// Reads only the lower triangle of the matrix. Matrices may be indefinite, but there is no pivoting: D is diagonal.
+/// A matrix with the pattern of the previously factorised one, explicit zeros included, reuses its order.
+/// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite, or is singular (the message
+///         names the row). solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the solution is
+///         not finite. After a failed factorize, nothing is factorised.
 /// Source: approximate minimum degree ordering, Amestoy, Davis, Duff 1996; factorisation, Davis 2005 (Algorithm 849); substitution by supernodes, Ng,
 ///         Peyton 1993.
 class ldlt {
   detail::elimination_order order_;
   detail::sparse_factor factors_;  // of the reordered matrix
   detail::supernodes supernodes_;
-  core::sparsity_pattern pattern_;  // that the order was found for
-  bool is_analysed_ = false;          // factors_ knows the pattern too
+  core::sparsity_pattern pattern_;  // of the matrix for which the order was computed
+  bool is_analysed_ = false;          // factors_ has analysed the pattern too
   Eigen::Index size_ = -1;
 
  public:
@@ -40,18 +40,18 @@ class ldlt {
 
   void factorize(const Eigen::SparseMatrix<double>& matrix) { factorize_within(matrix, any_number); }
 
-  /// factorize, unless the factor would have more than `most` entries below the diagonal: then the result is false, nothing is factorised,
-  /// and the cost was that of ordering.
+  /// factorize, unless the factor would have more than `most` entries below the diagonal. Then the result is false, nothing is factorised,
+  /// and the cost is that of ordering.
   bool factorize_within(const Eigen::SparseMatrix<double>& matrix, std::int64_t most);
 
-  /// Takes over the order that another has found, so that a matrix of the pattern it was found for need not be ordered again. There is nothing to solve
-  /// with until the next factorize.
+  /// Copies the order of another solver, so that a matrix of the same pattern need not be ordered again. Afterwards nothing is factorised
+  /// until the next factorize.
   void use_order_of(const ldlt& other);
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:
-  /// A pivot is a diagonal entry minus what elimination takes away: where nothing but rounding errors is left, it says nothing.
+  /// Rejects pivots that are only rounding errors. A pivot is a diagonal entry minus the contributions of elimination.
   void check_pivots(const Eigen::SparseMatrix<double>& a);
 };
 

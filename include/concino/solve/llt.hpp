@@ -1,4 +1,4 @@
-// Symmetric positive definite sparse systems by factorisation.
+// A direct solver for symmetric positive definite sparse systems, by Cholesky factorisation.
 #pragma once
 
 #include <concino/core/system_checks.hpp>
@@ -10,13 +10,13 @@
 
 namespace concino {
 
-/// Factorises a symmetric positive definite matrix as L L^T, fill-reducing, and solves with it. A SparseSolver; use it where an indefinite
+/// Factorises a symmetric positive definite matrix as L L^T, with a fill-reducing order, and solves with it. A SparseSolver; use it if an indefinite
 /// matrix should be an error.
-/// Only the lower triangle of the matrix is read. A matrix with the pattern of the one factorised before, explicit zeros included, is
-/// factorised in the order found then.
+/// Reads only the lower triangle of the matrix. A matrix with the pattern of the previously factorised one, explicit zeros included,
+/// reuses its order.
 /// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite, or is not positive definite
-///         (the row is named). solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the
-///         solution is not finite. A failed factorize leaves nothing to solve with.
+///         (the message names the row). solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the
+///         solution is not finite. After a failed factorize, nothing is factorised.
 /// Source: Eigen's SimplicialLLT with approximate minimum degree ordering (Amestoy, Davis, Duff 1996).
 class llt {
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors_;
@@ -68,7 +68,7 @@ class llt {
       }
       return;
     }
-    // Eigen does not say where it stopped; in the same order, LDL^T meets the same pivot
+    // Eigen does not report the row at which it stopped; LDL^T in the same order has the same pivot
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> again(a);
     const Eigen::VectorXd pivots = again.vectorD();
     for (Eigen::Index k = 0; k < pivots.size(); ++k) check(again.permutationPinv().indices()[k], pivots[k]);

@@ -1,4 +1,4 @@
-// Square sparse systems of any kind by factorisation.
+// A direct solver for square sparse systems of any kind, by LU factorisation.
 #pragma once
 
 #include <concino/core/equilibrate.hpp>
@@ -13,13 +13,13 @@
 
 namespace concino {
 
-/// Factorises a square matrix, symmetric or not, as L U with row exchanges, fill-reducing, and solves with it. A SparseSolver.
-/// The whole matrix is read, both triangles of a symmetric one too. Rows and columns are scaled by powers of two first, to entries near 1, so that
-/// unknowns and equations may come in different units. A matrix with the pattern of the one factorised before is factorised in the order found then.
+/// Factorises a square matrix, symmetric or not, as L U with row exchanges and a fill-reducing order, and solves with it. A SparseSolver.
+/// Reads the whole matrix, also both triangles of a symmetric one. Rows and columns are scaled by powers of two first, to entries near 1, so that
+/// unknowns and equations may have different units. A matrix with the pattern of the previously factorised one reuses its order.
 /// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite, or is singular to
-///         working precision, that is, its condition is beyond some 1e13. Then it names a column that depends on others: an unknown that is not
-///         determined. solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the solution is
-///         not finite. A failed factorize leaves nothing to solve with.
+///         working precision, that is, its condition number exceeds about 1e13. Then the message names a column that depends on others: an undetermined
+///         unknown. solve throws it if nothing was factorised, the right-hand side has another size, or an entry of it or of the solution is
+///         not finite. After a failed factorize, nothing is factorised.
 /// Source: Eigen's SparseLU (Demmel, Eisenstat, Gilbert, Li, Liu 1999) with column approximate minimum degree ordering (Davis et al. 2004).
 class lu {
   using factors = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>;
@@ -34,7 +34,7 @@ class lu {
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
     size_ = -1;
     Eigen::SparseMatrix<double> a;
-    a = matrix;  // Eigen's copy constructor leaks where memory runs out
+    a = matrix;  // Eigen's copy constructor leaks if memory runs out
     a.makeCompressed();
     core::check_square("lu", a);
     core::check_entries("lu", a);
@@ -74,14 +74,14 @@ class lu {
   void check_factors() const {
     const char* const depends = "is a combination of others to working precision";
     if (factors_.info() != Eigen::Success) {
-      const std::string said = factors_.lastErrorMessage();  // ends with the place of the column, from 1
+      const std::string said = factors_.lastErrorMessage();  // ends with the position of the column, from 1
       const auto digits = said.find_last_not_of("0123456789") + 1;
       if (digits == said.size()) core::throw_joined<solver_error>({"lu: the matrix cannot be factorised: ", said});
       const long place = std::atol(said.c_str() + digits) - 1;
       const auto& places = factors_.colsPermutation().indices();
       throw_singular(std::find(places.data(), places.data() + places.size(), place) - places.data(), depends);
     }
-    // Pivots that should be 0 are rounding errors. Two steps of inverse iteration grow by 1 over the least singular value.
+    // Pivots that should be 0 appear as rounding errors. Two steps of inverse iteration grow by 1 over the smallest singular value.
     Eigen::VectorXd x(factors_.cols());
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = 1 + static_cast<double>(i * 7919 % 101) / 101;
     double growth = 0;

@@ -1,4 +1,4 @@
-// Least squares, and square systems, by orthogonal factorisation.
+// A direct solver for least-squares problems and square systems, by QR factorisation.
 #pragma once
 
 #include <concino/core/equilibrate.hpp>
@@ -10,19 +10,19 @@
 
 namespace concino {
 
-/// Factorises a matrix of at least as many rows as columns as Q R with column exchanges, and finds the x that brings a x closest to b: the
-/// solution where there is one. A SparseSolver; it loses no digits to normal equations, but R fills up: for some thousand unknowns at most.
-/// The whole matrix is read, both triangles of a symmetric one too. Columns are scaled by powers of two first, so that units of unknowns do
-/// not matter. A matrix with the pattern of the one factorised before is factorised in the order found then.
+/// Factorises a matrix of at least as many rows as columns as Q R with column exchanges, and computes the x that minimises |a x - b|: the
+/// solution if there is one. A SparseSolver. It loses no digits to normal equations, but R fills in: for some thousand unknowns at most.
+/// Reads the whole matrix, also both triangles of a symmetric one. Columns are scaled by powers of two first, so that units of unknowns do
+/// not matter. A matrix with the pattern of the previously factorised one reuses its order.
 /// Errors: factorize throws solver_error, with the reason, if the matrix has fewer rows than columns, entries that are not finite, or columns that
-///         depend on others to working precision (one is named). solve throws it if nothing was factorised, the right-hand side has another
-///         size, or an entry of it or of the solution is not finite. A failed factorize leaves nothing to solve with.
+///         depend on others to working precision (the message names one). solve throws it if nothing was factorised, the right-hand side has another
+///         size, or an entry of it or of the solution is not finite. After a failed factorize, nothing is factorised.
 /// Source: Eigen's SparseQR, with column approximate minimum degree ordering (Davis et al. 2004).
 class qr {
   Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors_;
   core::sparsity_pattern pattern_;
   std::vector<double> column_scale_;
-  std::vector<int> kept_;  // rows with entries; Eigen takes no others
+  std::vector<int> kept_;  // rows with entries; Eigen accepts no others
   Eigen::Index rows_ = -1;
 
  public:

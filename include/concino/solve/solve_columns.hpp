@@ -1,4 +1,4 @@
-// Many right-hand sides by one factorisation.
+// Solves for many right-hand sides with one factorisation.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
@@ -9,7 +9,7 @@ namespace concino {
 
 /// Solves with a factorised matrix for every column of b.
 /// Needs:  a SparseSolver that has factorised.
-/// Result: the solutions, column by column; each is what solver.solve gives for it.
+/// Result: the solutions, column by column; each is the result of solver.solve for that column.
 /// Cost:   as many solves as columns; nothing is factorised.
 /// Errors: as solver.solve.
 template<class Solver>

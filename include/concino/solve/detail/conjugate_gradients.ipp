@@ -74,7 +74,7 @@ CONCINO_INLINE Eigen::VectorXd conjugate_gradients::solve(const Eigen::VectorXd&
 }
 
 CONCINO_INLINE double conjugate_gradients::dot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-  double sum[4] = {};  // several, so that additions need not wait for each other
+  double sum[4] = {};  // several, so that additions are independent
   const Eigen::Index n = x.size() / 4 * 4;
   for (Eigen::Index i = 0; i < n; i += 4)
     for (Eigen::Index k = 0; k < 4; ++k) sum[k] += x[i + k] * y[i + k];
@@ -128,7 +128,7 @@ CONCINO_INLINE void conjugate_gradients::iterate(const Eigen::VectorXd& b, Eigen
   for (Eigen::Index i = 0; i < size_; ++i) x[i] = 0;
   detail::energy_gains gained;
   preconditioner_.solve(a_, r, z);
-  double along = dot(r, z);  // |r|^2 as the preconditioner measures it
+  double along = dot(r, z);  // |r|^2 in the norm of the preconditioner
   double left = unknown;     // the square of the error
   residual_ = 1;
   for (;;) {
@@ -141,7 +141,7 @@ CONCINO_INLINE void conjugate_gradients::iterate(const Eigen::VectorXd& b, Eigen
     for (double turn = 0; !is_stuck && iterations_ < most;) {
       for (Eigen::Index i = 0; i < size_; ++i) p[i] = turn == 0 ? z[i] : z[i] + turn * p[i];
       const products product = multiply(p, q);
-      if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;  // no definite matrix
+      if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;  // the matrix is not definite
       const double step = along / product.energy;
       for (Eigen::Index i = 0; i < size_; ++i) {
         x[i] += step * p[i];

@@ -1,4 +1,4 @@
-// The error of conjugate gradients in the energy norm, estimated from what the iterations gain.
+// Estimates the error of conjugate gradients in the energy norm, from the gains of the iterations.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace concino::detail {
 
-/// Each iteration of conjugate gradients takes a known amount, its gain, from the square of the error in the energy norm: the sum of all gains to come is
-/// what is left of it.
+/// Each iteration of conjugate gradients reduces the square of the error in the energy norm by a known amount, its gain. So the squared error is the sum
+/// of all gains to come.
 /// Source: Hestenes, Stiefel 1952, theorem 6:1; Golub, Meurant 1997.
 class energy_gains {
   std::vector<double> gain_;  // since the last start
@@ -35,11 +35,11 @@ class energy_gains {
   bool has_any() const { return !gain_.empty(); }
   double all() const { return all_; }
 
-  /// Whether the last iteration gained rounding errors only.
+  /// Whether the gain of the last iteration was rounding errors only.
   bool is_exhausted() const { return !(gain_.back() > 1e-30 * since_start_); }
 
-  /// An estimate of the square of the error that is left: if the last two windows of iterations gained G and g < G, those to come gain a geometric series.
-  /// +inf where that cannot be told.
+  /// An estimate of the square of the remaining error. If the last two windows of iterations gained G and g < G, further gains form a geometric series.
+  /// +inf if there is no estimate.
   double left() const {
     const std::size_t n = window();
     if (gain_.size() < 2 * n) return std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ class energy_gains {
     return fall > 0 ? last * std::max(last / fall, 1e-4) : std::numeric_limits<double>::infinity();
   }
 
-  /// What the last iterations gained, at least one: a lower bound of the square of the error before them.
+  /// The gain of the last iterations, at least one: a lower bound of the square of the error before them.
   double recent() const { return is_exhausted() ? gain_.back() : sum_of_last(std::min(gain_.size(), window()), 0); }
 };
 

@@ -1,4 +1,4 @@
-// An incomplete Cholesky factorisation: what makes conjugate gradients converge in few steps. Loops over flat arrays, because Eigen's own takes
+// An incomplete Cholesky factorisation, the preconditioner of conjugate gradients. Uses loops over flat arrays, because Eigen's own takes
 // two seconds to compile.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace concino::detail {
 
-/// Numbers the rows of a symmetric matrix, given by its lower triangle, breadth first: neighbours lie near each other in memory, and an incomplete
-/// factorisation in this order is as good as any with its entries. Not bfs_forest: solvers know matrices, not graphs.
+/// Numbers the rows of a symmetric matrix, passed as its lower triangle, breadth first. Neighbours are then close in memory, and an incomplete
+/// factorisation in this order is as good as any with the same entries. Not bfs_forest: solvers use matrices, not graphs.
 inline std::vector<int> breadth_first_order(const Eigen::SparseMatrix<double>& lower) {
   const auto n = static_cast<int>(lower.cols());
   const int *const starts = lower.outerIndexPtr(), *const rows = lower.innerIndexPtr();
@@ -52,7 +52,7 @@ inline std::vector<int> breadth_first_order(const Eigen::SparseMatrix<double>& l
   return order;
 }
 
-/// The transpose; its columns are sorted, so of an upper triangle it is a lower one whose columns begin with the diagonal.
+/// The transpose, with sorted columns. So the transpose of an upper triangle is a lower one whose columns begin with the diagonal.
 inline Eigen::SparseMatrix<double> sorted_transpose(const Eigen::SparseMatrix<double>& a) {
   const auto n = static_cast<int>(a.rows());
   Eigen::SparseMatrix<double> r(a.cols(), n);
@@ -69,12 +69,12 @@ inline Eigen::SparseMatrix<double> sorted_transpose(const Eigen::SparseMatrix<do
   return r;
 }
 
-/// L with L L^T near a matrix, with entries where its lower triangle has some. First what has no place is added to the diagonal, all but a small
-/// part: then the rows of L L^T have nearly the sums of the matrix, and of n steps needed otherwise some root of n are left. Single
-/// pivots that come out small are lifted. Where many do, what has no place is dropped, and the diagonal is raised until all are positive.
+/// L with L L^T near a matrix, with the pattern of its lower triangle. At first fill-in outside the pattern is added to the diagonal, except for a small
+/// part. Then the row sums of L L^T are nearly those of the matrix, and the number of steps, n otherwise, is reduced to some root of n. Single
+/// small pivots are increased. If there are many, fill-in is dropped instead, and the diagonal is raised until all pivots are positive.
 /// Source: Meijerink, van der Vorst 1977; Gustafsson 1978 (sums kept); Manteuffel 1980 (diagonal raised).
 class incomplete_cholesky {
-  std::vector<double> l_;  // beside the entries of the matrix; on the diagonal 1 / l
+  std::vector<double> l_;  // parallel to the entries of the matrix; on the diagonal 1 / l
 
   bool try_to_factorize(const Eigen::SparseMatrix<double>& a, double raise, double keep) {
     const auto n = static_cast<int>(a.cols());
@@ -82,7 +82,7 @@ class incomplete_cholesky {
     l_.assign(a.valuePtr(), a.valuePtr() + a.nonZeros());
     double* const l = l_.data();
     for (int c = 0; c < n; ++c) l[starts[c]] *= 1 + raise;
-    int lifted = 0;  // pivots
+    int lifted = 0;  // number of increased pivots
     for (int c = 0; c < n; ++c) {
       const int first = starts[c], end = starts[c + 1];
       const double given = a.valuePtr()[first];
@@ -113,13 +113,13 @@ class incomplete_cholesky {
   }
 
  public:
-  /// a: a lower triangle with a positive diagonal; each column is sorted, so begins with its diagonal entry.
+  /// a: a lower triangle with a positive diagonal; each column is sorted, so it begins with its diagonal entry.
   void factorize(const Eigen::SparseMatrix<double>& a) {
     if (try_to_factorize(a, 0, 0.97) || try_to_factorize(a, 0, 0)) return;
     for (double raise = 1e-3; !try_to_factorize(a, raise, 0); raise *= 4) {}
   }
 
-  /// z = (L L^T)^-1 r. a: what was factorised.
+  /// z = (L L^T)^-1 r. a: the factorised matrix.
   void solve(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
     const auto n = static_cast<int>(a.cols());
     const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr();

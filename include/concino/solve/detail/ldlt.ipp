@@ -47,7 +47,7 @@ CONCINO_INLINE void ldlt::use_order_of(const ldlt& other) {
   size_ = -1;
   is_analysed_ = false;
   if (this == &other) return;
-  pattern_.forget();  // in case that there is no memory for the order
+  pattern_.forget();  // in case that memory for the order runs out
   order_ = detail::elimination_order(other.order_);
   pattern_ = other.pattern_;
 }

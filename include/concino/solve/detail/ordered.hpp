@@ -1,4 +1,4 @@
-// A symmetric matrix in an order of elimination that keeps its factor small.
+// A fill-reducing elimination order of a symmetric matrix.
 #pragma once
 
 #include <Eigen/OrderingMethods>
@@ -11,13 +11,13 @@
 
 namespace concino::detail {
 
-/// Orders by approximate minimum degree (Amestoy, Davis, Duff 1996) and keeps the order for further matrices of that pattern. Loops, because Eigen's
-/// expressions take long to compile.
+/// Computes an approximate minimum degree order (Amestoy, Davis, Duff 1996) and keeps it for further matrices of the same pattern. Uses loops, because
+/// Eigen's expressions take long to compile.
 struct elimination_order {
   std::vector<int> place;  // of each row
-  std::vector<int> row;    // at each place
+  std::vector<int> row;    // at each place: the inverse
 
-  /// row_at: the row at each place.
+  /// Stores an order. row_at: the row at each place.
   void keep(std::vector<int> row_at) {
     std::vector<int> new_place(row_at.size());
     for (std::size_t i = 0; i < row_at.size(); ++i) new_place[static_cast<std::size_t>(row_at[i])] = static_cast<int>(i);
@@ -25,7 +25,7 @@ struct elimination_order {
     place.swap(new_place);
   }
 
-  /// The order depends on where a, which is compressed, has entries, in either triangle.
+  /// Computes the order. It depends only on the pattern of a, which is compressed, in either triangle.
   void find(const Eigen::SparseMatrix<double>& a) {
     Eigen::SparseMatrix<double> pattern;
     make_symmetric_pattern(a, pattern);
@@ -40,7 +40,7 @@ struct elimination_order {
     const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = place.data();
     const auto n = static_cast<int>(a.cols());
     Eigen::SparseMatrix<double> upper(n, n);
-    int* const next = upper.outerIndexPtr();  // of column c at c + 1, first how many, then where the next goes, in the end where it ends
+    int* const next = upper.outerIndexPtr();  // entry c + 1, for column c: first the count, then the next position, finally the end
     for (int c = 0; c < n; ++c)
       for (int k = starts[c]; k < starts[c + 1]; ++k)
         if (rows[k] >= c && std::max(to[rows[k]], to[c]) + 2 <= n) ++next[std::max(to[rows[k]], to[c]) + 2];
@@ -58,7 +58,7 @@ struct elimination_order {
   }
 
  private:
-  /// Entries, of any value, wherever a or its transpose has one.
+  /// A pattern with an entry, of any value, wherever a or its transpose has one.
   static void make_symmetric_pattern(const Eigen::SparseMatrix<double>& a, Eigen::SparseMatrix<double>& pattern) {
     const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), n = static_cast<int>(a.cols());
     std::vector<int> across(static_cast<std::size_t>(n) + 1), column(static_cast<std::size_t>(a.nonZeros()));  // the transpose
@@ -70,7 +70,7 @@ struct elimination_order {
     pattern.resize(n, n);
     pattern.resizeNonZeros(2 * a.nonZeros());
     int *const begin = pattern.outerIndexPtr(), *const to = pattern.innerIndexPtr(), at = 0;
-    for (int c = 0; c < n; ++c) {  // both are sorted, and are merged
+    for (int c = 0; c < n; ++c) {  // both are sorted, so they can be merged
       const int *up = column.data() + across[static_cast<std::size_t>(c)], *const up_end = column.data() + across[static_cast<std::size_t>(c) + 1];
       const int *down = rows + starts[c], *const down_end = rows + starts[c + 1];
       while (up != up_end || down != down_end) {

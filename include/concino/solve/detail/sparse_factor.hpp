@@ -1,4 +1,4 @@
-// The factors of a symmetric matrix, L D L^T.
+// The L D L^T factors of a symmetric matrix.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -13,22 +13,22 @@
 
 namespace concino::detail {
 
-/// L with ones on the diagonal and a diagonal D: the product is a symmetric matrix given by its upper triangle, compressed, in its own order. Loops over
-/// flat arrays, because Eigen's SimplicialLDLT takes as long to compile as all else in a small program.
+/// L with ones on the diagonal and a diagonal D. Their product is a symmetric matrix, passed as its upper triangle, compressed, in its own order. Uses loops
+/// over flat arrays, because Eigen's SimplicialLDLT takes as long to compile as everything else in a small program.
 /// Source: Davis, Algorithm 849, 2005.
 class sparse_factor {
-  std::vector<int> parent_;  // of each column in the elimination tree; -1 of roots
+  std::vector<int> parent_;  // of each column in the elimination tree; -1 for roots
   Eigen::SparseMatrix<double> l_;
   std::vector<double> pivots_;
 
  public:
-  /// Below the diagonal.
+  /// The entries of L below the diagonal.
   const Eigen::SparseMatrix<double>& lower() const { return l_; }
   /// The diagonal D, up to the first 0.
   const std::vector<double>& pivots() const { return pivots_; }
 
-  /// Finds where L has entries. Returns false, and finds nothing, if those below the diagonal are more than `most`.
-  /// Cost:   as many steps as it counts, a small part of a factorisation.
+  /// Finds the pattern of L. Returns false, and finds nothing, if it has more than `most` entries below the diagonal.
+  /// Cost:   as many steps as entries counted, a small part of a factorisation.
   bool analyse(const Eigen::SparseMatrix<double>& upper, std::int64_t most) {
     const int n = static_cast<int>(upper.cols());
     most = std::min<std::int64_t>(most, std::numeric_limits<int>::max());
@@ -55,7 +55,7 @@ class sparse_factor {
     return true;
   }
 
-  /// Computes the factors of a matrix of the pattern that was analysed, row after row of L: each solves with the rows above. Stops at a pivot of 0.
+  /// Computes the factors of a matrix of the analysed pattern, one row of L after another: each solves with the rows above. Stops at a pivot of 0.
   void factorize(const Eigen::SparseMatrix<double>& upper) {
     const int n = static_cast<int>(upper.cols());
     const int *const begin = l_.outerIndexPtr(), *const from = upper.innerIndexPtr(), *const parent = parent_.data();
@@ -65,9 +65,9 @@ class sparse_factor {
     std::vector<int> end(begin, begin + n), seen(static_cast<std::size_t>(n), -1), columns(static_cast<std::size_t>(n));
     std::vector<double> sums(static_cast<std::size_t>(n));
     int *const ends = end.data(), *const last_seen = seen.data(), *const column = columns.data();
-    double *const y = sums.data(), *const d = pivots_.data();  // y: of row r, what is left of it; 0 elsewhere
+    double *const y = sums.data(), *const d = pivots_.data();  // y: the remainder of row r; 0 elsewhere
     for (int r = 0; r < n; ++r) {
-      int first = n;  // columns in which the row has entries, each before its parent, stand at column[first, n)
+      int first = n;  // the columns in which the row has entries, each before its parent, are column[first, n)
       last_seen[r] = r;
       for (int k = upper.outerIndexPtr()[r]; k < upper.outerIndexPtr()[r + 1]; ++k) {
         int i = from[k], length = 0;

@@ -1,4 +1,4 @@
-// Substitution with a sparse factor, many columns at a time.
+// Substitution with a sparse factor by supernodes, many columns at a time.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -9,14 +9,14 @@
 
 namespace concino::detail {
 
-/// Neighbouring columns of a factor that have entries in the same rows below their own, so that each such block is dense: what it is multiplied
-/// with is copied together, and rows are read once a block. The factor stays as it is: the values of each column end with those in the common rows.
+/// Supernodes: neighbouring columns of a factor with entries in the same rows below them, so that each such block is dense. The values that
+/// multiply it are gathered, and rows are read once per block. The factor is not changed: the values of each column end with those in the common rows.
 /// Source: Ng, Peyton 1993, "Block sparse Cholesky algorithms on advanced uniprocessor computers".
 class supernodes {
-  std::vector<int> begin_;  // the first column of each, and the number of columns
-  std::size_t largest_ = 0;  // columns and common rows of one
+  std::vector<int> begin_;  // the first column of each supernode, and the number of columns
+  std::size_t largest_ = 0;  // number of columns and common rows of the largest supernode
 
-  /// The columns of one: column i has entries in rows i + 1, ..., height - 1, the last of which are the common rows.
+  /// The columns of one supernode: column i has entries in rows i + 1, ..., height - 1; the last of these are the common rows.
   struct block {
     const int* starts;
     const double* values;
@@ -25,7 +25,7 @@ class supernodes {
     /// The entry of a column in a row below it.
     const double* entry(int row, int column) const { return values + starts[column] + (row - column - 1); }
 
-    /// solve_upper reads columns last to first, which machines do not foresee: it asks for what it reads some time after these columns.
+    /// Prefetches for solve_upper, which reads columns last to first; hardware does not predict that.
     void prefetch_before(int i, int count) const {
 #if defined(__GNUC__)
       constexpr int ahead = 1024, in_a_cache_line = 8;
@@ -35,7 +35,7 @@ class supernodes {
 #endif
     }
 
-    /// Substitution forward with columns i, ..., i + count - 1; y: of the rows.
+    /// Forward substitution with columns i, ..., i + count - 1; y: the values of the rows.
     template<int count>
     void subtract(int i, double* y) const {
       const int below = i + count;
@@ -53,10 +53,10 @@ class supernodes {
       }
     }
 
-    /// Substitution backward with them.
+    /// Backward substitution with these columns.
     template<int count>
     void collect(int i, double* y) const {
-      constexpr int lanes = 4;  // sums that the machine can add to at once
+      constexpr int lanes = 4;  // independent sums that the processor can compute at once
       const int below = i + count, n = height - below;
       const double *v[count], *const x = y + below;
       double sum[count][lanes] = {};
@@ -90,7 +90,7 @@ class supernodes {
     begin_.push_back(n);
   }
 
-  /// x = (1 + l)^-1 x for the l that was given to find. Where x is 0 and stays so, nothing is read.
+  /// x = (1 + l)^-1 x for the l passed to find. Skips columns where x is 0 and stays 0.
   void solve_lower(const Eigen::SparseMatrix<double>& l, Eigen::VectorXd& solution) const {
     double* const x = solution.data();
     std::vector<double> copies(largest_);
