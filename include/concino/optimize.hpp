@@ -1,4 +1,4 @@
-// Least squares, quadratic programmes, and systems some of whose unknowns or relations are given.
+// Least squares, quadratic programs, and linear systems with known values or constraints.
 #pragma once
 
 #include <concino/optimize/constrained.hpp>

@@ -1,4 +1,4 @@
-// Minima of quadratic functions under linear equations, by Lagrange multipliers.
+// Minima of quadratic functions under linear equality constraints, by Lagrange multipliers.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
@@ -15,19 +15,19 @@ namespace concino {
 struct constrained_result {
   Eigen::VectorXd x;
   Eigen::VectorXd multipliers;   // one per row of C: K x + C^T multipliers = b; 0 for redundant rows
-  std::size_t redundant = 0;     // rows of C that follow from rows before them, and were left out
+  std::size_t redundant = 0;     // number of rows of C that depend on earlier rows, and were dropped
 };
 
-/// The stationary point of x^T K x / 2 - b^T x among all x with C x = d: the minimum where K is positive definite in directions that C leaves free.
-/// K itself may be singular, as the Laplacian of a mesh without boundary values is, if C determines what K does not.
-/// Needs:  K: symmetric, n x n, both triangles; C: m x n, any rank. solver: a SparseSolver for symmetric indefinite matrices; ldlt and others
-///         that read one triangle will do, but ldlt does not exchange pivots and so fails on some systems that lu, the default, solves.
+/// The stationary point of x^T K x / 2 - b^T x among all x with C x = d. It is the minimum if K is positive definite in the null space of C.
+/// K itself may be singular, as the Laplacian of a mesh without boundary values is, if C determines the rest.
+/// Needs:  K: symmetric, n x n, both triangles; C: m x n, any rank. solver: a SparseSolver for symmetric indefinite matrices. ldlt and others
+///         that read one triangle are allowed, but ldlt does not exchange pivots, so it fails on some systems that lu, the default, solves.
 /// Result: x, the multipliers, and the number of redundant constraints. A constraint is redundant if its row depends on the rows before it up to
 ///         rounding errors, some 1e-15 of its largest entry, in any units of rows. Its right side must then agree with theirs up to 1e-9 of
-///         the numbers it is made of. Rows that differ by a little more are constraints, and lose as many digits as they have in common.
-/// Cost:   one factorisation of n + m unknowns, and an elimination of C with its fill.
-/// Errors: solver_error if a constraint contradicts those before it (its row is named), if K and C leave x undetermined, or if something is not
-///         finite or of the wrong size.
+///         the numbers from which it is computed. Rows that differ by a little more are constraints, and lose as many digits as they have in common.
+/// Cost:   one factorisation of n + m unknowns, and an elimination of C with its fill-in.
+/// Errors: solver_error if a constraint contradicts those before it (the message names its row), if K and C leave x undetermined, or if an entry is not
+///         finite or a size is wrong.
 /// Source: Nocedal, Wright, Numerical Optimization, 2006, section 16.1.
 template<class Solver = lu>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -65,7 +65,7 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
     for (Eigen::SparseMatrix<double>::InnerIterator it(c, column); it; ++it)
       if (const int row = place[static_cast<std::size_t>(it.row())]; row >= 0 && !space.is_nearly_dependent) couple(row, column, it.value());
   }
-  if (space.is_nearly_dependent)  // as they are, they would lose more digits
+  if (space.is_nearly_dependent)  // the original rows would lose more digits
     for (int i = 0; i < m; ++i)
       for (const auto& [column, value] : space.reduced[static_cast<std::size_t>(i)].entries) couple(n + i, column, value);
   Eigen::SparseMatrix<double> whole(n + m, n + m);

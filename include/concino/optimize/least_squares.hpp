@@ -1,4 +1,4 @@
-// The x that brings A x closest to b, with values given for some unknowns.
+// Sparse linear least squares, with known values of some unknowns.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
@@ -21,7 +21,7 @@ namespace concino {
 
 namespace requirement {
 
-/// The solver takes matrices with more rows than columns, as qr does.
+/// A solver for matrices with more rows than columns, as qr is.
 template<class S> concept solves_least_squares = requires { requires std::remove_cvref_t<S>::solves_least_squares; };
 
 }  // namespace requirement
@@ -29,17 +29,17 @@ template<class S> concept solves_least_squares = requires { requires std::remove
 struct least_squares_result {
   Eigen::VectorXd x;
   double residual = 0;   // |b - A x|, or the root of sum w_i (b - A x)_i^2
-  bool used_qr = false;  // by qr, also where another solver lost too many digits
+  bool used_qr = false;  // whether qr was used, also because another solver lost too many digits
 };
 
 namespace detail {
 
-/// Beyond this the factor of an orthogonal factorisation may be too large.
+/// The maximum number of unknowns for qr; for more its factor may be too large.
 inline constexpr Eigen::Index max_unknowns_of_qr = 10'000;
 
-/// Solves the normal equations of j y = b, and for what is left as long as that helps: with a condition number K of j, each correction takes
-/// the error down by K^2 times the rounding unit e, to about K e + K^2 e |r| / |y|, as orthogonal factorisation has it.
-/// Result: whether corrections fell, and so far. Where the first is not small, K^2 e is not, and digits are lost that corrections cannot bring back.
+/// Solves the normal equations of j y = b, then for the remainder as long as that helps. With a condition number K of j, each correction multiplies
+/// the error by K^2 times the rounding unit e, down to about K e + K^2 e |r| / |y|, as in orthogonal factorisation.
+/// Result: whether corrections decreased, and enough. If the first is not small, K^2 e is not small, and digits are lost that corrections cannot recover.
 /// Errors: those of the solver.
 template<class Solver>
 bool solve_normal_equations(const Eigen::SparseMatrix<double>& j, const Eigen::VectorXd& b, Solver& solver, Eigen::VectorXd& y) {
@@ -103,14 +103,14 @@ least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<doubl
 
 }  // namespace detail
 
-/// Minimises |A x - b| over all x with x_i = v for the pairs (i, v) of `given`, braces or any container.
-/// Needs:  A: any shape; its columns of unknowns not given are independent. solver: a SparseSolver for positive definite matrices,
-///         which gets the normal equations, columns scaled and the result corrected until only rounding errors are left (Bjorck 1987); or qr, which
-///         gets A. Where columns are nearly dependent, so that corrections do not fall, qr is used by itself, up to 10,000 unknowns.
-/// Result: x, with given values exact, what is left, |A x - b|, and whether qr was used.      Cost: one factorisation of A^T A, or of A, or both.
+/// Minimises |A x - b| over all x with x_i = v for the pairs (i, v) of `given`, in braces or any container.
+/// Needs:  A: any shape, but the columns of its unknowns are independent. solver: a SparseSolver for positive definite matrices,
+///         which gets the normal equations. Columns are scaled, and the result is corrected until only rounding errors are left (Bjorck 1987). Or qr, which
+///         gets A. If columns are nearly dependent, so that corrections do not decrease, qr is used automatically, up to 10,000 unknowns.
+/// Result: x, with known values exact, the residual |A x - b|, and whether qr was used.      Cost: one factorisation of A^T A, or of A, or both.
 /// Errors: solver_error if A has entries that are not finite, or columns that depend on others (beyond 10,000 unknowns: or nearly so). solver_error if
 ///         b has another size or entries that are not finite. invalid_argument if an index is out of range, or a value is not finite or is given
-///         twice and differently.
+///         twice with different values.
 /// Source: Bjorck 1987 (corrected semi-normal equations).
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -118,9 +118,9 @@ least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const E
   return detail::least_squares("least_squares", A, b, given, solver);
 }
 
-/// The same, with a weight w_i per row: minimises sum w_i (A x - b)_i^2. A row of weight 0 says nothing.
+/// Weighted least squares, with a weight w_i per row: minimises sum w_i (A x - b)_i^2. Rows of weight 0 are ignored.
 /// Needs:  as least_squares, of A with each row multiplied by the square root of its weight; w: one number per row, finite, 0 or more.
-/// Result: as least_squares; what is left is the square root of the sum.      Cost: as least_squares.
+/// Result: as least_squares; the residual is the square root of the sum.      Cost: as least_squares.
 /// Errors: as least_squares; invalid_argument if w has another size than A has rows, or a weight is negative or not finite.
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>

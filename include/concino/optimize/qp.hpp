@@ -1,4 +1,4 @@
-// Quadratic programs: the least of a convex quadratic function where linear functions stay between bounds.
+// Quadratic programs: the minimum of a convex quadratic function under linear inequality constraints.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -12,10 +12,10 @@ namespace concino {
 /// Minimises 1/2 x'Hx + g'x subject to low <= Ax <= high. Equal bounds give equality constraints; infinite bounds are ignored; bounds of x are
 /// rows of A.
 /// Needs:  H symmetric (both triangles) and positive semidefinite, n x n; g of n; A m x n; low <= high of m, which may be -inf and +inf.
-/// Result: see qp_result. `status` says whether the minimum was found; programs without a feasible point and without a minimum are recognised, with
-///         a certificate that can be checked by hand. Equations only are solved by one factorisation. Otherwise by operator splitting on one
-///         factorisation (few more where its weights are changed), then, with `polish`, exactly for the bounds found active.
-/// Cost:   a factorisation of n + m unknowns, and one substitution per iteration; some ten to some thousand of them.
+/// Result: see qp_result. `status` says whether the minimum was found. Infeasible and unbounded programs are recognised, with
+///         a certificate that can be checked by hand. Programs with equations only are solved by one factorisation. Others by operator splitting with one
+///         factorisation (a few more if its weights change), then, with `polish`, exactly for the active bounds.
+/// Cost:   a factorisation of n + m unknowns, and one substitution per iteration; some ten to some thousand iterations.
 /// Errors: invalid_argument if sizes do not fit, a number is not finite (bounds may be infinite), some low > high, H is not symmetric, or an
 ///         option is out of range. solver_error if H is not positive semidefinite, or numbers grow too large. cancelled.
 /// Source: Stellato, Banjac, Goulart, Bemporad, Boyd 2020, "OSQP: an operator splitting solver for quadratic programs"; paper section 4.

@@ -1,4 +1,4 @@
-// Square systems in which some unknowns have given values.
+// Square linear systems with known values of some unknowns.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
@@ -16,7 +16,7 @@ namespace concino {
 
 namespace detail {
 
-/// The matrix with 1, in a unit of its own, in place of rows and columns of given unknowns: rows keep their numbers, by which solvers name them.
+/// The matrix with the rows and columns of known unknowns replaced by 1 in suitable units. Rows keep their numbers, which solvers use in messages.
 inline Eigen::SparseMatrix<double> without_known_values(const known_values& problem, const Eigen::SparseMatrix<double>& a) {
   double largest = 0;
   for (Eigen::Index k = 0; k < a.nonZeros(); ++k) largest = std::max(largest, std::abs(a.valuePtr()[k]));
@@ -40,7 +40,7 @@ inline Eigen::SparseMatrix<double> without_known_values(const known_values& prob
   return r;
 }
 
-/// b less what given unknowns contribute; 0 in their rows.
+/// b minus the contributions of known unknowns; 0 in their rows.
 inline Eigen::VectorXd load_of_unknowns(const known_values& problem, const Eigen::SparseMatrix<double>& a, Eigen::VectorXd b) {
   for (int c = 0; c < a.cols(); ++c)
     if (problem.unknown[static_cast<std::size_t>(c)] < 0)
@@ -52,15 +52,15 @@ inline Eigen::VectorXd load_of_unknowns(const known_values& problem, const Eigen
 
 }  // namespace detail
 
-/// The x with x_i = v for the pairs (i, v) of `given`, braces or any container, and (A x)_j = b_j in all other rows j. Rows and columns of given
-/// unknowns are taken out, what they contribute goes to the right-hand side: what was symmetric or definite stays so.
-/// Needs:  A: square, both triangles. solver: a SparseSolver: the default for symmetric positive definite matrices, lu for others. Of rows of given
-///         unknowns, neither A nor b says anything.
-/// Result: x, given values exact, solved until nothing but rounding errors is left, which is checked; of solvers that iterate, to their tolerance.
-/// Cost:   one factorisation of what is left of A.
+/// The x with x_i = v for the pairs (i, v) of `given`, in braces or any container, and (A x)_j = b_j in all other rows j. Rows and columns of known
+/// unknowns are removed and their contributions go to the right-hand side, so the system stays symmetric or definite if it was.
+/// Needs:  A: square, both triangles. solver: a SparseSolver: the default for symmetric positive definite matrices, lu for others. Rows of known
+///         unknowns are ignored in A and b.
+/// Result: x, with known values exact, solved until only rounding errors are left, which is checked; iterative solvers solve to their tolerance.
+/// Cost:   one factorisation of the reduced A.
 /// Errors: solver_error if A is not square, b has another size, or an entry is not finite. solver_error, with the reason and the row of A, if the
-///         solver cannot factorise what is left. solver_error if x does not solve the system, as where A is not symmetric but the solver reads one
-///         triangle. invalid_argument if an index is out of range, or a value is not finite or is given twice and differently.
+///         solver cannot factorise the reduced A. solver_error if x does not solve the system, as when A is not symmetric but the solver reads one
+///         triangle. invalid_argument if an index is out of range, or a value is not finite or is given twice with different values.
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 Eigen::VectorXd solve_with_values(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& given, Solver&& solver = {}) {

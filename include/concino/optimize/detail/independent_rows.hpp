@@ -1,4 +1,4 @@
-// Which rows of a system of constraints are independent, which follow from others, and which contradict them.
+// Classifies the rows of a system of constraints: independent, dependent on others, or contradicting them.
 #pragma once
 
 #include <concino/core/number_text.hpp>
@@ -19,17 +19,17 @@ namespace concino::detail {
 struct reduced_row {
   std::vector<std::pair<int, double>> entries;  // divided by the pivot, which comes first
   double value;
-  double terms;  // the sum of what value is the sum of, each taken positive
-  double noise;  // what entries may be off by
+  double terms;  // the sum of the absolute values of the terms of value
+  double noise;  // a bound of the errors of entries
   double pivot;
-  std::vector<std::pair<int, double>> taken;  // reduced rows that were taken away, numbers and factors
+  std::vector<std::pair<int, double>> taken;  // reduced rows that were subtracted: numbers and factors
 };
 
-/// Independent rows of constraints, as they are given and reduced by those before.
+/// Independent rows of constraints, in their original form and reduced by earlier rows.
 struct row_space {
   std::vector<int> independent;
-  std::vector<reduced_row> reduced;  // as many
-  bool is_nearly_dependent = false;  // of some row, little is left
+  std::vector<reduced_row> reduced;  // as many as original rows
+  bool is_nearly_dependent = false;  // the reduction left little of some row
 
   /// The multipliers of the original rows, from those of the reduced rows.
   void multipliers_of_original_rows(std::vector<double>& of_reduced) const {
@@ -44,19 +44,19 @@ struct row_space {
 class row_elimination {
   using row_matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-  /// What is left of a right side, and how far to believe what is left of its row.
+  /// A reduced right side, and the accuracy of its reduced row.
   struct reduced_side {
     double value, terms, noise;
     std::vector<std::pair<int, double>> taken;
   };
   struct largest_entry {
-    int column = -1;  // none
+    int column = -1;  // of the pivot; -1: none
     double size = 0;
   };
 
   row_space space_;
   std::vector<int> pivot_of_;  // by column: the reduced row whose pivot it is, or -1
-  std::vector<double> row_;    // the row that is being reduced; zero but where is_touched_
+  std::vector<double> row_;    // the row being reduced; zero except where is_touched_
   std::vector<char> is_touched_;
   std::vector<int> touched_;                                                   // columns
   std::priority_queue<int, std::vector<int>, std::greater<int>> waiting_;  // pivots to eliminate, oldest first
@@ -79,7 +79,7 @@ class row_elimination {
     return scale;
   }
 
-  /// Takes multiples of the reduced rows away, so that nothing is left in the columns of their pivots.
+  /// Subtracts multiples of the reduced rows until the columns of their pivots are zero.
   reduced_side eliminate(double value, double scale) {
     reduced_side r{value, std::abs(value), 8 * std::numeric_limits<double>::epsilon() * scale, {}};
     double steps = 0;
@@ -134,7 +134,7 @@ class row_elimination {
   explicit row_elimination(Eigen::Index columns)
       : pivot_of_(static_cast<std::size_t>(columns), -1), row_(static_cast<std::size_t>(columns)), is_touched_(row_.size()) {}
 
-  /// Reduces row i of `rows`, whose right side is `value`, and keeps it if it is independent of those before.
+  /// Reduces row i of `rows`, whose right side is `value`, and keeps it if it is independent of earlier rows.
   void add(const char* caller, const row_matrix& rows, int i, double value) {
     const double scale = load(rows, i);
     reduced_side left = eliminate(value, scale);
@@ -152,10 +152,10 @@ class row_elimination {
   row_space take() && { return std::move(space_); }
 };
 
-/// The rows of C x = d, in their order, that do not follow from those before; by elimination with the largest entry of each row as its pivot.
-/// A row counts as dependent if elimination leaves no entry above rounding errors: those of its largest entry, and those of the rows that it is reduced
-/// by, which are larger where little was left of these. It contradicts the others if then more than 1e-9 of the d involved is left.
-/// Errors: solver_error if a row contradicts those before; it is named.
+/// The rows of C x = d, in their order, that do not depend on earlier rows; by elimination with the largest entry of each row as its pivot.
+/// A row is dependent if elimination leaves no entry above rounding errors. These are the errors of its largest entry, and of the rows that reduce
+/// it, which are larger if the reduction left little of them. A dependent row contradicts the others if more than 1e-9 of the d involved is then left.
+/// Errors: solver_error if a row contradicts earlier ones; the message names it.
 inline row_space independent_rows(const char* caller, const Eigen::SparseMatrix<double>& c, const Eigen::VectorXd& d) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows = c;
   rows.makeCompressed();

@@ -1,4 +1,4 @@
-// Conditions x_i = v_i taken out of a linear system: the columns of the unknowns that are left, and the right-hand side that makes up for the rest.
+// Eliminates conditions x_i = v_i from a linear system: keeps the columns of the other unknowns and corrects the right-hand side.
 #pragma once
 
 #include <concino/core/number_text.hpp>
@@ -14,8 +14,8 @@
 namespace concino::detail {
 
 struct known_values {
-  Eigen::VectorXd x;          // given values; 0 elsewhere
-  std::vector<int> unknown;   // its number among those to find, -1 if given
+  Eigen::VectorXd x;          // known values; 0 elsewhere
+  std::vector<int> unknown;   // its number among the other unknowns, -1 if known
   int unknowns = 0;
 
   /// Errors: invalid_argument if an index is out of range or given two different values, or a value is not finite.
@@ -57,7 +57,7 @@ struct known_values {
     return r;
   }
 
-  /// Puts what was found beside what was given, which stays as it is to the last bit.
+  /// Combines computed and known values; known values are exact to the last bit.
   Eigen::VectorXd with(const Eigen::VectorXd& found) const {
     Eigen::VectorXd r = x;
     for (std::size_t i = 0; i < unknown.size(); ++i)

@@ -1,4 +1,4 @@
-// How a quadratic program is solved, step by step, and polished.
+// The solution of a quadratic program by operator splitting, and its polishing.
 #pragma once
 
 #include <concino/optimize/detail/qp_splitting.hpp>
@@ -6,7 +6,7 @@
 
 namespace concino::detail {
 
-/// One program: by the equations alone where there is nothing else, otherwise by operator splitting.
+/// Solves one program: by one linear system if it has equations only, otherwise by operator splitting.
 class qp_solver {
   const sparse_matrix& h_;
   const Eigen::VectorXd& g_;
@@ -24,7 +24,7 @@ class qp_solver {
     return std::max(largest(h_ * x + g_ + a_.transpose() * y), feasible_residual(x));
   }
 
-  /// The program with those rows held at their bounds: a linear system, regularised and corrected until it is solved.
+  /// Solves the program with the active rows fixed at their bounds: a linear system, regularised and corrected until it is solved.
   bool solve_with_active(const std::vector<Eigen::Index>& active, const Eigen::VectorXd& bound, qp_result& r) const {
     const Eigen::Index n = g_.size(), k = static_cast<Eigen::Index>(active.size());
     std::vector<int> place(static_cast<std::size_t>(a_.rows()), -1);
@@ -62,7 +62,7 @@ class qp_solver {
     for (Eigen::Index i = 0; i < k; ++i) {
       const Eigen::Index row = active[static_cast<std::size_t>(i)];
       if (low_[row] < high_[row] && ((bound[i] == low_[row] && best_y[i] > 0) || (bound[i] == high_[row] && best_y[i] < 0))) {
-        if (std::abs(best_y[i]) > 1e-9 * (1 + largest(best_y))) return false;  // this bound pushes the wrong way
+        if (std::abs(best_y[i]) > 1e-9 * (1 + largest(best_y))) return false;  // the multiplier has the wrong sign for this bound
         best_y[i] = 0;
       }
       all[row] = best_y[i];
@@ -126,7 +126,7 @@ class qp_solver {
   }
 
  private:
-  /// How far rows and gradient are off, and the largest of the terms that these are differences of.
+  /// The errors of rows and gradient, and the largest of the terms whose differences they are.
   struct relative_residuals {
     double primal, primal_scale, dual, dual_scale;
 
@@ -144,7 +144,7 @@ class qp_solver {
     return r;
   }
 
-  /// Equations only, or nothing: one linear system.   Result: whether it gave the minimum.
+  /// Solves programs with equations only, or without rows: one linear system.   Result: whether it gave the minimum.
   bool solve_equations(qp_result& r) const {
     std::vector<Eigen::Index> all;
     for (Eigen::Index i = 0; i < low_.size(); ++i) all.push_back(i);
@@ -159,7 +159,7 @@ class qp_solver {
             std::max({largest(hx), largest(g_), largest(aty)})};
   }
 
-  /// Whether the last step proves that there is no minimum; the proof is put into r.
+  /// Whether the last step proves that there is no minimum; stores the certificate in r.
   static bool find_certificate(const scaled_qp& p, const splitting_iterates& iterates, qp_result& r) {
     const Eigen::VectorXd dy = iterates.multiplier_change(), dx = iterates.x_change();
     if (proves_infeasible(p, dy, 1e-6)) {
@@ -175,7 +175,7 @@ class qp_solver {
     return false;
   }
 
-  /// The terms that residuals are differences of.
+  /// The scale of the terms whose differences are the residuals.
   double scale_of(const qp_result& r) const {
     return 1e-3 + std::max({largest(h_ * r.x), largest(g_), largest(a_.transpose() * r.multipliers), largest(a_ * r.x)});
   }

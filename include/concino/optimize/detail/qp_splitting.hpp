@@ -1,4 +1,4 @@
-// The parts of the operator splitting for quadratic programs: scaling, the system that is solved in every step, the steps, and the certificates.
+// The parts of the operator splitting for quadratic programs: scaling, the linear system of each step, the steps, and the certificates.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -62,7 +62,7 @@ struct scaled_qp {
   }
 };
 
-/// The quasi-definite matrix (H + shift, A^T; A, -1 / weight), lower triangle, factorised without pivoting, which it allows.
+/// The quasi-definite matrix (H + shift, A^T; A, -1 / weight), lower triangle. Its factorisation needs no pivoting.
 /// Source: Vanderbei 1995, "Symmetric quasidefinite matrices".
 class quasidefinite {
   Eigen::SimplicialLDLT<sparse_matrix> factors_;
@@ -98,7 +98,7 @@ class quasidefinite {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return size_ == 0 ? b : Eigen::VectorXd(factors_.solve(b)); }
 };
 
-/// What the operator splitting moves, in the scaled program: x, multipliers y, and the values z of the rows, within their bounds.
+/// The iterates of the operator splitting, in the scaled program: x, multipliers y, and the values z of the rows, within their bounds.
 class splitting_iterates {
   static constexpr double shift = 1e-6, relaxation = 1.6;
   const scaled_qp& p_;
@@ -114,7 +114,7 @@ class splitting_iterates {
   }
 
  public:
-  /// Begins at x and multipliers of the program that is not scaled.   Errors: solver_error if H + shift is not positive definite.
+  /// Starts at x and multipliers of the unscaled program.   Errors: solver_error if H + shift is not positive definite.
   splitting_iterates(const scaled_qp& p, const Eigen::VectorXd& x, const Eigen::VectorXd& multipliers)
       : p_(p), weight_(p.low.size()), b_(p.g.size() + p.low.size()) {
     factorize();
@@ -140,26 +140,26 @@ class splitting_iterates {
     }
   }
 
-  /// The weights that make both residuals fall alike. `ratio` is that of the primal to the dual one, each relative to its terms.
+  /// Adapts the weights so that both residuals decrease equally. `ratio` is the primal residual over the dual one, each relative to its terms.
   void balance(double ratio) {
-    if (!(ratio > 5 || ratio < 0.2)) return;  // neither lags behind
+    if (!(ratio > 5 || ratio < 0.2)) return;  // the residuals are balanced
     const double better = std::clamp(rho_ * ratio, 1e-6, 1e6);
     if (better == rho_) return;
     rho_ = better;
     factorize();
   }
 
-  // of the program that is not scaled
+  // of the unscaled program
   Eigen::VectorXd x() const { return x_.cwiseProduct(p_.column); }
   Eigen::VectorXd multipliers() const { return y_.cwiseProduct(p_.row) / p_.objective; }
   Eigen::VectorXd row_values() const { return z_.cwiseQuotient(p_.row); }
 
-  // of the last step, scaled
+  // changes in the last step, scaled
   Eigen::VectorXd x_change() const { return x_ - x_before_; }
   Eigen::VectorXd multiplier_change() const { return y_ - y_before_; }
 };
 
-/// Whether dy proves that no x satisfies low <= Ax <= high: A^T dy = 0 and the bounds it looks at contradict each other.
+/// Whether dy proves that no x satisfies low <= Ax <= high: A^T dy = 0 and the bounds selected by dy contradict each other.
 inline bool proves_infeasible(const scaled_qp& p, const Eigen::VectorXd& dy, double tolerance) {
   const double size = largest(dy);
   if (!(size > 0) || !std::isfinite(size)) return false;
@@ -174,7 +174,7 @@ inline bool proves_infeasible(const scaled_qp& p, const Eigen::VectorXd& dy, dou
   return support < -tolerance * size && largest(p.a.transpose() * dy) <= tolerance * size;
 }
 
-/// Whether the objective falls without end along dx.
+/// Whether the objective decreases without bound along dx.
 inline bool proves_unbounded(const scaled_qp& p, const Eigen::VectorXd& dx, double tolerance) {
   const double size = largest(dx);
   if (!(size > 0) || !std::isfinite(size) || !(p.g.dot(dx) < -tolerance * size)) return false;
