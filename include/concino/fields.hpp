@@ -1,4 +1,4 @@
-// Functions on meshes.
+// Fields: functions on the verts of a mesh, such as solutions of equations and distances.
 #pragma once
 
 #include <concino/fields/exact_geodesics.hpp>
