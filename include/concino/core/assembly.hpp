@@ -1,4 +1,4 @@
-// Weights on edges as a sparse matrix, filled straight into compressed columns: no list of triplets, each weight read as it is needed.
+// Assembly of a sparse matrix from edge weights, directly into compressed columns: no list of triplets, each weight is read when it is needed.
 #pragma once
 
 #include <concino/concepts/primal_graph.hpp>
@@ -11,17 +11,17 @@
 
 namespace concino::core {
 
-/// Sorts a column by row. Columns are short but for the hubs of fans, so both are served.
+/// Sorts a column by row. Most columns are short, but those of verts with many neighbours are long; both are fast.
 void sort_column(int* rows, double* values, std::size_t n);
 
-/// Sets up a matrix of which the places after `a.outerIndexPtr()[0]` hold the numbers of entries of the columns.
+/// Allocates a matrix whose array `a.outerIndexPtr()` has the number of entries of each column, from the second place on.
 /// Errors: unsupported if 32-bit indices cannot count the entries.
 void make_room_for_counted(Eigen::SparseMatrix<double>& a);
 
 /// Errors: unsupported if 32-bit indices cannot count the rows.
 void check_rows(std::size_t size);
 
-/// Every entry, where every vert has a column.
+/// All entries, if every vert has a column.
 struct whole_matrix {
   static constexpr bool is_whole = true;
   static constexpr bool wants(int, int) { return true; }
@@ -31,9 +31,9 @@ struct lower_triangle {
   static constexpr bool wants(int row, int column) { return row >= column; }
 };
 
-/// The matrix with `sign` times the sum of the weights at a vert on the diagonal and minus `sign` times the weights beside it.
-/// column(v) is the row and column of vert v, negative where it has none: such a neighbour adds to the diagonal and is reported to
-/// outside(column of v, neighbour, weight), by several threads for different v. Part says which triangle is wanted. Verts may come in any order.
+/// The matrix with `sign` times the sum of the weights at a vert on the diagonal, and minus `sign` times the weights off the diagonal.
+/// column(v) is the row and column of vert v, negative if it has none: such a neighbour adds to the diagonal and is reported to
+/// outside(column of v, neighbour, weight), by several threads for different v. Part selects the triangle. Verts may come in any order.
 template<class Part, class M, class W, class Column, class Outside>
 Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t size, double sign, const Column& column, const Outside& outside) {
   check_rows(size);

@@ -1,5 +1,6 @@
-// Header-only, or with what does not depend on the mesh type compiled once. x.hpp declares it and detail/x.ipp defines it. By default x.hpp includes
-// detail/x.ipp. The library concino::compiled is made of the same files; who links it has CONCINO_COMPILED defined, and includes none of them.
+// Selects header-only use or the compiled library, for code that does not depend on the mesh type. x.hpp declares it and detail/x.ipp defines it. By
+// default x.hpp includes detail/x.ipp. The library concino::compiled contains the same files; targets that link it have CONCINO_COMPILED defined, and
+// include none of them.
 #pragma once
 
 #ifdef CONCINO_COMPILED
@@ -12,13 +13,13 @@
 #error "concino::compiled was built with the usual types of the standard library: link concino::concino, which is header-only, or drop _GLIBCXX_DEBUG and _GLIBCXX_USE_CXX11_ABI=0"
 #endif
 
-// Of Eigen/Core these two alone: they say what memory Eigen allocates, and cost a tenth of the time.
+// Only these two headers of Eigen/Core: they define what memory Eigen allocates, and take a tenth of the compile time.
 #include <Eigen/src/Core/util/Macros.h>
 
 #include <Eigen/src/Core/util/ConfigureVectorization.h>
 
-/// What the linker names where a file and the library were compiled with flags that let Eigen lay out or align memory in different ways, such as
-/// -mavx2: such programs would corrupt memory. The library defines the one that it was built with.
+/// The symbol that the linker reports if a file and the library were compiled with flags for which Eigen's memory layout or alignment differs, such
+/// as -mavx2: such programs would corrupt memory. The library defines the symbol for the flags with which it was built.
 namespace concino::compile_this_file_and_concino_compiled_with_the_same_flags_such_as_mavx2 {
 
 template<int World, int Major, int Minor>
@@ -35,7 +36,7 @@ struct eigen_version {
 using of_this_file =
     eigen_version<EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION>::max_align_bytes<EIGEN_MAX_ALIGN_BYTES>::index_bytes<sizeof(EIGEN_DEFAULT_DENSE_INDEX_TYPE)>;
 
-// One in each file: of an inline variable the linker would keep the first and see no mismatch.
+// One in each file: of an inline variable the linker would keep the first one and see no mismatch.
 [[gnu::used]] static const char* const guard = &of_this_file::reference;
 
 }  // namespace concino::compile_this_file_and_concino_compiled_with_the_same_flags_such_as_mavx2

@@ -1,4 +1,4 @@
-// Rows and columns scaled by powers of two, so that what is small beside the rest is seen, whatever units rows and columns are in.
+// Equilibration: scales rows and columns by powers of two, so that small entries are not hidden by large ones, whatever the units of rows and columns.
 #pragma once
 
 #include <concino/core/system_checks.hpp>
@@ -12,7 +12,7 @@
 
 namespace concino::core {
 
-/// Divides each column of a compressed matrix by the power of two below its largest entry. Result: the factors, per column.
+/// Divides each column of a compressed matrix by the power of two below its largest entry. Result: the factors, one per column.
 inline std::vector<double> scale_columns(Eigen::SparseMatrix<double>& a) {
   std::vector<double> scale(static_cast<std::size_t>(a.cols()));
   for (int c = 0; c < a.cols(); ++c) {
@@ -30,14 +30,14 @@ struct equilibration {
   std::vector<double> rows, columns;
 };
 
-/// Scales rows and columns of a compressed matrix until the largest entry of each is near 1: within a factor of 4, but for what alternates in vain.
-/// Symmetric matrices stay symmetric, and d_i m_ij d_j comes out as m_ij does. Result: the factors.
+/// Scales rows and columns of a compressed matrix until the largest entry of each is near 1: within a factor of 4, unless the iteration alternates.
+/// Symmetric matrices stay symmetric, and d_i m_ij d_j has the same result as m_ij. Result: the factors.
 /// Source: Ruiz 2001.
 inline equilibration equilibrate(Eigen::SparseMatrix<double>& a) {
   const auto rows = static_cast<std::size_t>(a.rows()), columns = static_cast<std::size_t>(a.cols());
   double all = 0;
   for (Eigen::Index k = 0; k < a.nonZeros(); ++k) all = std::max(all, std::abs(a.valuePtr()[k]));
-  all = core::power_of_two_to_scale(all);  // first, so that multiples of a come out the same
+  all = core::power_of_two_to_scale(all);  // first, so that multiples of a have the same result
   for (Eigen::Index k = 0; k < a.nonZeros(); ++k) a.valuePtr()[k] *= all;
   equilibration scale{std::vector<double>(rows, all), std::vector<double>(columns, 1.0)};
   std::vector<double> row(rows), column(columns);
@@ -65,7 +65,7 @@ inline equilibration equilibrate(Eigen::SparseMatrix<double>& a) {
     if (done) break;
     for (std::size_t c = 0; c < columns; ++c)
       for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
-        a.valuePtr()[k] *= row[static_cast<std::size_t>(a.innerIndexPtr()[k])];  // one by one: their product may be too large
+        a.valuePtr()[k] *= row[static_cast<std::size_t>(a.innerIndexPtr()[k])];  // one after the other: their product may be too large
         a.valuePtr()[k] *= column[c];
       }
   }

@@ -1,4 +1,4 @@
-// What is thrown when the caller's input is at fault. Every message says what, where and what to do.
+// Exceptions for wrong input by the caller. Every message says what is wrong, where, and what to do.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -9,12 +9,12 @@
 
 namespace concino {
 
-/// Base of everything that concino throws.
+/// Base class of all exceptions that concino throws.
 struct error : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The mesh, or an element handed in with it, does not meet a requirement.
+/// The mesh, or an element passed with it, does not meet a requirement.
 struct invalid_mesh : error {
   using error::error;
 };
@@ -24,12 +24,12 @@ struct invalid_argument : error {
   using error::error;
 };
 
-/// A system of equations has no or no reachable solution.
+/// A system of equations has no solution, or none that can be computed.
 struct solver_error : error {
   using error::error;
 };
 
-/// The format, the kind of mesh or this build cannot do what was asked.
+/// The format, the kind of mesh or this build does not support the request.
 struct unsupported : error {
   using error::error;
 };

@@ -1,5 +1,5 @@
-// The memory of all connectivity: like std::vector, but room can be taken without filling it first, and spare room goes back where the
-// system can take pages, without a copy. A vector of the caller's is taken over as it is.
+// flat_array: the array for all connectivity. It is like std::vector, but memory can be allocated without initialisation, and unused capacity is
+// returned without a copy if the system can free pages. It can take over a vector of the caller's as it is.
 #pragma once
 
 #include <concino/core/large_pages.hpp>
@@ -40,7 +40,7 @@ class flat_array {
 
  public:
   flat_array() = default;
-  /// n entries that the caller is about to write.
+  /// n uninitialised entries.
   explicit flat_array(std::size_t n) { resize(n); }
   flat_array(std::size_t n, const T& value) : flat_array(n) { std::fill_n(data_, n, value); }
   explicit flat_array(std::vector<T> given) : adopted_(std::move(given)) {
@@ -74,7 +74,7 @@ class flat_array {
   void reserve(std::size_t n) {
     if (n > capacity_) reallocate(n);
   }
-  /// Entries that come into being are for the caller to write.
+  /// New entries are uninitialised.
   void resize(std::size_t n) {
     reserve(n);
     size_ = n;
@@ -88,13 +88,13 @@ class flat_array {
       data_[size_++] = value;
     }
   }
-  /// Room for n more; what is written there counts after resize().
+  /// Reserves memory for n more entries and returns their address; resize() makes them part of the array.
   T* reserve_back(std::size_t n) {
     if (size_ + n > capacity_) reallocate(std::max(size_ + n, size_ + size_ / 2));
     return data_ + size_;
   }
-  /// Writes n values, which may be some of this array's own, or none if `first` is null, where there is room for `room` >= n more. What is
-  /// written counts after resize().
+  /// Writes n values behind the last, or none if `first` is null, after reserving memory for `room` >= n more. The values may be in this array;
+  /// resize() makes them part of it.
   T* stage(const T* first, std::size_t n, std::size_t room) {
     if (size_ + room > capacity_) {
       const std::size_t at = reinterpret_cast<std::uintptr_t>(first) - reinterpret_cast<std::uintptr_t>(data_);
@@ -105,7 +105,7 @@ class flat_array {
     if (first) std::copy_n(first, n, data_ + size_);
     return data_ + size_;
   }
-  /// n values, which may be some of this array's own.
+  /// Appends n values, which may be in this array.
   void append(const T* first, std::size_t n) {
     stage(first, n, n);
     size_ += n;

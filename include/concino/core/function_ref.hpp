@@ -1,4 +1,4 @@
-// A callable of any type in an options struct: two pointers, no allocation, no ownership, may be empty.
+// function_ref: a reference to a callable of any type, for options structs: two pointers, no allocation, no ownership, may be empty.
 #pragma once
 
 #include <concepts>
@@ -12,8 +12,8 @@ namespace concino {
 template<class Signature>
 class function_ref;
 
-/// Refers to a callable that takes Args and returns R, or to none. It does not own the callable: hand it on to a call, as options are,
-/// and keep the callable alive where it is stored.
+/// A reference to a callable that takes Args and returns R, or to none. It does not own the callable: pass it to a call, as options are,
+/// or keep the callable alive while it is stored.
 template<class R, class... Args>
 class function_ref<R(Args...)> {
   union target {
@@ -35,7 +35,7 @@ class function_ref<R(Args...)> {
     call_ = [](target t, Args... args) -> R { return static_cast<R>((*static_cast<std::remove_reference_t<F>*>(t.object))(std::forward<Args>(args)...)); };
   }
 
-  /// Functions are kept by their address, so no pointer to them need stay alive.
+  /// For functions, their address is stored, so no pointer to them must stay alive.
   template<class F>
     requires(std::is_function_v<F> && std::is_invocable_r_v<R, F*, Args...>)
   function_ref(F* f) {

@@ -1,4 +1,5 @@
-// The priority queue of shortest paths: nodes by distance, each at most once, the distance of a waiting node may fall.
+// indexed_heap: the priority queue of shortest paths. Nodes are ordered by distance, each occurs at most once, and the distance of a waiting node may
+// decrease.
 #pragma once
 
 #include <concino/core/large_pages.hpp>
@@ -12,9 +13,9 @@
 
 namespace concino::core {
 
-/// A heap of four children per entry that knows where each node stands, over keys that the caller keeps by slot (+inf: not met yet), so
-/// that the last keys are the result. Taking the least moves the hole down to a leaf before the last entry is put back, which
-/// compares less than sinking it from the top.
+/// A heap of four children per entry that stores the position of each node. The caller owns the keys, by slot (+inf: not reached yet), so
+/// that the final keys are the result. Removing the minimum moves the hole down to a leaf before the last entry fills it, which
+/// takes fewer comparisons than moving that entry down from the top.
 template<class Node>
 class indexed_heap {
   struct entry {
@@ -51,7 +52,7 @@ class indexed_heap {
   const Node& front() const { return heap_.front().node; }
   void prefetch_key(std::size_t slot) const { __builtin_prefetch(keys_ + slot); }
   double min_key() const { return heap_.front().key; }
-  /// The lowest distance set so far, +inf if none was.
+  /// The lowest distance set so far, +inf if there is none.
   double key(std::size_t slot) const { return keys_[slot]; }
 
   /// Needs: key < this->key(slot).
@@ -88,7 +89,7 @@ class indexed_heap {
     return {top.node, top.slot, top.key};
   }
 
-  /// Takes back the distances of the nodes that still wait, and tells forgotten(node) which those are.
+  /// Resets the distances of the nodes that still wait, and calls forgotten(node) for each of them.
   template<class F>
   void discard_waiting(const F& forgotten) {
     for (const entry& e : heap_) {

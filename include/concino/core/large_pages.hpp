@@ -1,4 +1,4 @@
-// Large arrays on large pages: meeting some ten thousand small pages for the first time takes the system a third of the time in which a mesh
+// Large pages for large arrays. The first access to some ten thousand small pages takes the system a third of the time in which a mesh
 // is built.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace concino::core {
 
-/// Asks for large pages under memory that is about to be written. Advice only: nothing depends on what the system makes of it, and less than
-/// 4 MiB is left alone.
+/// Requests large pages for memory that will be written. This is only advice: no result depends on it, and arrays of less than
+/// 4 MiB are ignored.
 inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
   constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
@@ -31,7 +31,7 @@ void reserve_large(std::vector<T>& v, std::size_t n) {
   prefer_large_pages(v.data(), n * sizeof(T));
 }
 
-/// n times the same value.
+/// A vector of n equal values.
 template<class T>
 std::vector<T> large_vector(std::size_t n, const T& value) {
   std::vector<T> v;

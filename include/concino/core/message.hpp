@@ -1,4 +1,4 @@
-// Messages put together out of line: readers have many, and string sums at each would triple the time it takes to compile them.
+// Construction of messages, not inline: file readers have many, and string concatenation at each would triple their compile time.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -11,7 +11,7 @@
 
 namespace concino::core {
 
-/// A text, a character or an integer on its way into a message.
+/// A part of a message: a text, a character or an integer.
 class message_piece {
   enum class kind : unsigned char { text, terminated_text, character, number, negative };
   const char* text_ = nullptr;

@@ -1,8 +1,8 @@
-// More parameter types of deleted functions that say what to write instead of a call that cannot compile. See mesh_traits.hpp for how they work.
+// More parameter types of deleted functions that say what to write instead of a call that cannot compile. mesh_traits.hpp explains them.
 //
 //   template<class... T> void f(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 //
-// The pack takes what is named in angle brackets, as in f<vec3>(m), and `...` takes any other arguments, braces too.
+// The pack accepts explicit template arguments, as in f<vec3>(m), and `...` accepts any other arguments, braces too.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino::mistake {
 
-/// Made of a mesh or graph whose verts have no coordinates.
+/// Converts from a mesh or graph whose verts have no coordinates.
 template<sentence Remedy>
 struct no_points {
   template<class M>
@@ -23,7 +23,7 @@ struct no_points {
 };
 inline constexpr sentence give_points("needs an Embedded mesh: write mesh_traits<M>::point(m, v), or call with with_points(m, map)");
 
-/// Made of a graph without polys or without points, for which no discretisation is the default.
+/// Converts from a graph without polys or without points, which has no default discretisation.
 template<sentence Remedy>
 struct bare_graph {
   template<class M>
@@ -32,7 +32,7 @@ struct bare_graph {
 };
 inline constexpr sentence name_discretisation("a graph without polys or points has no default discretisation: name one, as in laplacian(m, uniform) or harmonic_map(m, values, uniform)");
 
-/// Made of a graph of polys that is no view of one, of which a function on verts is asked.
+/// Converts from a graph of polys alone that is not dual(m), for functions on verts.
 template<sentence Remedy>
 struct polys_alone {
   template<class M>
@@ -41,14 +41,14 @@ struct polys_alone {
 };
 inline constexpr sentence name_dual("the graph has polys and no verts: say that polys are meant by dual(m), as in connected_components(dual(m))");
 
-/// Made of any mesh or graph.
+/// Converts from any mesh or graph.
 struct any_mesh {
   template<class M>
     requires requirement::is_adapted<M>
   any_mesh(const M&);
 };
 
-/// Made of a number, or of a list of numbers or of pairs of them, where elements of a mesh are meant.
+/// Converts from a number, or from a list of numbers or of pairs of them, where elements of a mesh are expected.
 template<sentence Remedy>
 struct number {
   struct and_value {

@@ -1,4 +1,4 @@
-// Small pieces of error messages: numbers as text, independent of any locale.
+// Numbers as text for error messages, independent of any locale.
 #pragma once
 
 #include <concino/core/compiled.hpp>

@@ -1,7 +1,7 @@
-// The one header that loops in parallel. A loop begins on the calling thread; what is still left after a fifth of a millisecond is shared with other
-// threads, so that short loops do not pay for any. As long as the calls write to different places the result is the same for any number of threads. The
-// environment variable CONCINO_NUM_THREADS says how many threads a loop takes at most, 1 for none beside the calling one; where it is not set, as many
-// as the process has cores.
+// Parallel loops; all loops in parallel use this header. A loop starts on the calling thread; after a fifth of a millisecond it shares the rest with other
+// threads, so that short loops have no overhead. If the calls write to different places, the result is the same for any number of threads. The
+// environment variable CONCINO_NUM_THREADS is the maximum number of threads of a loop, 1 for the calling one only. The default is the number of
+// cores available to the process.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -14,33 +14,33 @@ namespace concino {
 
 namespace core {
 
-/// How many threads a loop may take.
+/// The maximum number of threads of a loop.
 std::size_t num_threads();
 
-/// Takes part after part of some work, in several threads once it takes long. run(release) takes the next part, calls release() and works on the part; it
-/// returns whether more was left. Up to release() no other thread takes a part; release is empty while no other thread is there.
+/// Runs the parts of a task, in several threads if it takes long. run(release) takes the next part, calls release() and works on the part; it
+/// returns whether more were left. Until release() no other thread takes a part; release is empty while there is no other thread.
 void run_parts(function_ref<bool(function_ref<void()>)> run);
 
-/// Calls run(first, last) for indices 0 to n in chunks, in several threads once it takes long; then asks stop(fraction done), if there is one. See
-/// parallel_for.
+/// Calls run(first, last) for indices 0 to n in chunks, in several threads if it takes long; calls stop(fraction done), if there is one, as
+/// parallel_for does.
 void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop);
 
 /// Calls run(c) for every c in [0, chunks), in several threads from the start: for chunks that each take longer than it takes to start a thread.
 void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run);
 
-/// What a loop calls instead of f: a copy where that means the same, for compilers then keep what f holds in registers.
+/// The type of the callable in a loop: a copy of f if that is equivalent, since compilers then keep the members of f in registers.
 template<class F, class Argument>
 using loop_body = std::conditional_t<std::is_trivially_copyable_v<F> && std::is_invocable_v<const F&, Argument> && sizeof(F) <= 16 * sizeof(void*), const F, F&>;
 
-/// A range of which parts can be taken without a walk, such as the elements of the native meshes.
+/// A range whose parts are accessible without iteration, such as the elements of the native meshes.
 template<class R> concept is_divisible = requires(const R& r, std::size_t i) { r.part(i, i); r.index_bound(); };
 
 }  // namespace core
 
 /// Calls f(i) for every i in [0, n).
 /// Needs:  calls with different i do not write to the same place; chunk > 0 neighbouring indices go to one thread together.
-/// Result: as of the plain loop, for any number of threads. `stop` is asked now and then on the calling thread; once it
-///         says true the calls not yet begun are left out.                      Cost: n calls; one lock per chunk once several threads work.
+/// Result: as of the plain loop, for any number of threads. `stop` is called now and then on the calling thread; once it
+///         returns true the calls not yet begun are omitted.                    Cost: n calls; one lock per chunk once several threads work.
 /// Errors: what f throws; of several exceptions the one of the lowest chunk, as the plain loop would.
 template<class F>
 void parallel_for(std::size_t n, F&& f, std::size_t chunk, function_ref<bool(double)> stop) {
@@ -56,10 +56,10 @@ void parallel_for(std::size_t n, F&& f, std::size_t chunk = 1024) {
   parallel_for(n, f, chunk, {});
 }
 
-/// Calls f(x) for every x of a range that can only be walked, such as the elements of any mesh.
-/// Needs:  calls with different x do not write to the same place; the range can be walked more than once and by several threads.
-/// Result: as of the plain loop, for any number of threads.      Cost: n calls; once several threads work, one lock per chunk and one walk
-///         more, none of a range that tells its parts, as those of the native meshes do.
+/// Calls f(x) for every x of a range that can only be iterated over, such as the elements of any mesh.
+/// Needs:  calls with different x do not write to the same place; several threads can iterate over the range, more than once.
+/// Result: as of the plain loop, for any number of threads.      Cost: n calls; once several threads work, one lock per chunk and one more
+///         iteration, none of a range with accessible parts, as those of the native meshes.
 /// Errors: what f throws; of several, as parallel_for.
 template<class R, class F>
 void parallel_for_each(const R& range, F&& f, std::size_t chunk = 1024) {

@@ -1,5 +1,5 @@
-// Loops over the polys of any mesh in parallel: the range of polys need be no more than walkable, so where each chunk begins is written down in one
-// walk before, together with how many corners stand before it.
+// Parallel loops over the polys of any mesh. The range of polys need only be iterable: one pass before the loop stores where each chunk begins,
+// and how many corners precede it.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -11,7 +11,7 @@
 
 namespace concino::core {
 
-/// The polys of a mesh in chunks of neighbours in the walk. The mesh stays as it is as long as this is used.
+/// The polys of a mesh in chunks that are consecutive in the order of iteration. The mesh must not change while this is used.
 template<AnyMesh M>
 class poly_chunks {
   static constexpr std::size_t chunk = 1024;
@@ -21,12 +21,12 @@ class poly_chunks {
     std::size_t corner;
   };
 
-  range range_;  // kept, for iterators live no longer than their range
+  range range_;  // stored, since iterators must not outlive their range
   std::vector<start> starts_;
   std::size_t corners_ = 0;
 
  public:
-  /// Walks the polys once, one after another. visit(p) returns how many corners p has.
+  /// Iterates over the polys once, in one thread. visit(p) returns the number of corners of p.
   template<class Visit>
   poly_chunks(const M& m, Visit&& visit) : range_(polys(m)) {
     std::size_t n = 0;
@@ -42,8 +42,8 @@ class poly_chunks {
 
   std::size_t num_corners() const { return corners_; }
 
-  /// Calls f(scratch, p, corner) for every poly, `corner` the number of corners of the polys before it, and f's result the number of its
-  /// own (any where that is not asked). Chunks run in parallel, each with a Scratch of its own.
+  /// Calls f(scratch, p, corner) for every poly. `corner` is the number of corners of the polys before it; f returns the number of its
+  /// own (any number if that is not used). Chunks run in parallel, each with its own Scratch.
   template<class Scratch, class F>
   void for_each(F&& f) const {
     parallel_for(

@@ -1,4 +1,4 @@
-// How long work says how far it is, and is asked to stop.
+// Progress reporting and cancellation for long operations.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -8,8 +8,8 @@
 
 namespace concino {
 
-/// Called now and then with the fraction done, in [0, 1] and never falling within one label, and a label of what is being done.
-/// Returning false stops the work: it throws `cancelled` and leaves its targets as they were. Empty: nobody is told.
+/// A callback with the fraction done, in [0, 1] and never decreasing within one label, and a label for the current step. It is called now and then.
+/// Returning false stops the operation: it throws `cancelled` and leaves its targets as they were. Empty: no progress is reported.
 using progress = function_ref<bool(double fraction, const char* label)>;
 
 namespace detail {

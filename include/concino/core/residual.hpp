@@ -1,4 +1,4 @@
-// Whether a computed solution solves: the residual of a symmetric system, measured against what rounding errors allow, and improved.
+// Residuals of linear systems: checks whether a computed solution is accurate, compared to rounding errors, and improves it.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -14,20 +14,20 @@
 
 namespace concino::core {
 
-/// r = b - a x, of a compressed matrix, or of a symmetric one given by its lower triangle. Loops, because Eigen's expressions take long to compile.
+/// r = b - a x, for a compressed matrix, or for a symmetric one given by its lower triangle. Plain loops, because Eigen's expressions take long to compile.
 /// Result: the largest |r_i| / (|a| |x| + |b|)_i: the relative change of matrix and right-hand side that would make x exact. It does not
 ///         depend on the scale of rows.
 double residual(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r,
                        bool is_lower_triangle);
 
-/// The largest |r_i| / (|b_i| + the largest |a_ij| of the row times max|x|): rows of large entries do not hide the others, and what is small in x is not
-/// measured by itself. a: as above.
+/// The largest |r_i| / (|b_i| + the largest |a_ij| of the row times max|x|). Rows with large entries do not hide the others, and small
+/// parts of x are not measured separately. a: as above.
 double residual_beside_largest(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b, const Eigen::VectorXd& r,
                                       bool is_lower_triangle);
 
 [[noreturn, gnu::cold]] void throw_not_solved(const char* caller, double error);
 
-/// Whether the matrix factorised last is solved by iteration, to a residual that the solver measures itself, beside the largest values of the solution:
+/// Whether the last factorised matrix is solved by iteration, to a residual that the solver measures itself, relative to the largest values of the solution:
 /// parts that are far smaller than others have no correct digits.
 template<class Solver>
 bool is_iterative([[maybe_unused]] const Solver& solver) {
@@ -35,7 +35,7 @@ bool is_iterative([[maybe_unused]] const Solver& solver) {
   else return false;
 }
 
-/// A SparseSolver of any type, which has to live as long: what follows is the same code for all of them.
+/// A reference to a SparseSolver of any type, so that the functions below are compiled once. The solver must outlive it.
 class solver_ref {
   struct functions {
     Eigen::VectorXd (*solve)(const void*, const Eigen::VectorXd&);
@@ -62,11 +62,11 @@ class solver_ref {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return functions_->solve(solver_, b); }
   /// As core::is_iterative.
   bool is_iterative() const { return functions_->is_iterative(solver_); }
-  /// What the solver says of its last solve; 0 of those that say nothing.
+  /// The residual that the solver reports for its last solve; 0 if it reports none.
   double residual() const { return functions_->residual(solver_); }
 };
 
-/// Factorises a symmetric matrix given by its lower triangle, with the other triangle for solvers that say they read it.
+/// Factorises a symmetric matrix given by its lower triangle. Solvers that read both triangles get both.
 template<class Solver>
 void factorize_symmetric(Solver& solver, const Eigen::SparseMatrix<double>& lower) {
   if constexpr (requires { requires Solver::reads_both_triangles; }) {
@@ -77,7 +77,7 @@ void factorize_symmetric(Solver& solver, const Eigen::SparseMatrix<double>& lowe
   }
 }
 
-/// Errors: solver_error, always: what a singular matrix over verts says.
+/// Errors: always solver_error, with the message for a singular matrix over verts.
 [[noreturn, gnu::cold]] void throw_singular_at_vert(const char* caller, std::size_t vert, const char* why);
 
 /// The same for a system over verts. vert_of(row): the index of a vert.
@@ -91,9 +91,9 @@ void factorize_over_verts(Solver& solver, const Eigen::SparseMatrix<double>& low
   }
 }
 
-/// Solves with a factorised matrix, here compressed or its lower triangle, and makes up for rounding errors while that helps.
-/// Errors: solver_error if what is left is more than 1e-8; of solvers that iterate, beside the largest values, more than 1e-5 and than ten times what the
-///         solver says itself, as where the matrix is not what the solver took it for.
+/// Solves with a factorised matrix and applies iterative refinement while that helps. a: that matrix, compressed, or its lower triangle.
+/// Errors: solver_error if the residual is more than 1e-8. For iterative solvers: if, relative to the largest values, it is more than 1e-5 and more than
+///         ten times what the solver reports, which happens if the matrix is not what the solver assumes.
 Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b, const char* caller,
                                 bool is_lower_triangle = true);
 

@@ -1,14 +1,14 @@
-// Colours of elements, as files hold them and pictures show them.
+// Colours of elements, in files and pictures.
 #pragma once
 
 namespace concino {
 
-/// Red, green, blue and opacity, each usually from 0 to 1; opaque white unless said otherwise. Files may hold larger values: they are kept.
+/// Red, green, blue and opacity, each usually from 0 to 1; opaque white by default. Files may contain larger values: they are kept.
 struct rgba {
   float r = 1, g = 1, b = 1, a = 1;
 
   friend bool operator==(const rgba&, const rgba&) = default;
-  // What interpolation asks for.
+  // Operators for interpolation.
   friend constexpr rgba operator+(const rgba& x, const rgba& y) { return {x.r + y.r, x.g + y.g, x.b + y.b, x.a + y.a}; }
   friend constexpr rgba operator*(double t, const rgba& x) {
     const auto f = static_cast<float>(t);

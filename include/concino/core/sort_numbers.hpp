@@ -1,4 +1,4 @@
-// Sorting where it is rare, or of few: std::sort is long to compile, once for each type and each order.
+// Sorting of rare or short lists of numbers: std::sort takes long to compile, once for each type and each order.
 #pragma once
 
 #include <concino/core/compiled.hpp>

@@ -1,4 +1,4 @@
-// What every solver asks of matrices, right-hand sides and solutions, and whether a matrix has the pattern of the one before.
+// Checks of matrices, right-hand sides and solutions that all solvers share, and whether a matrix has the pattern of the one before.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -20,24 +20,24 @@ void check_square(const char* caller, const Eigen::SparseMatrix<double>& a);
 /// a: compressed.
 void check_entries(const char* caller, const Eigen::SparseMatrix<double>& a);
 
-/// rows: of the matrix factorised last; -1: none.
+/// rows: of the last factorised matrix; -1: none.
 void check_right_hand_side(const char* caller, const Eigen::VectorXd& b, Eigen::Index rows);
 
 void check_solution(const char* caller, const Eigen::VectorXd& x);
 
-/// A solver_error that says in which row elimination stopped, for those who know what stands there.
+/// A solver_error with the row in which elimination stopped, for callers who know the meaning of that row.
 struct singular_row : solver_error {
   Eigen::Index row;
   singular_row(const std::string& what, Eigen::Index in_row) : solver_error(what), row(in_row) {}
 };
 
-/// `given`: the diagonal entry, or what else the pivot would be compared with.
+/// `given`: the diagonal entry, or another number with which the pivot is compared.
 [[noreturn, gnu::cold]] void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double given, double pivot);
 
 /// The diagonal of a compressed matrix; 0 where it has no entry.
 std::vector<double> diagonal(const Eigen::SparseMatrix<double>& a);
 
-/// Where a matrix has entries: that alone decides the order of elimination, and whether it can be kept. Comparing costs far less than ordering.
+/// The positions of the entries of a matrix. They alone determine the elimination order and whether it can be reused. Comparing costs far less than ordering.
 class sparsity_pattern {
   std::vector<int> starts_, rows_;
   Eigen::Index height_ = -1;
@@ -54,13 +54,13 @@ class sparsity_pattern {
   template<class F>
   void update(const Eigen::SparseMatrix<double>& a, F analyse) {
     if (is_of(a)) return;
-    forget();  // in case that analyse throws
+    forget();  // in case analyse throws
     analyse(a);
     remember(a);
   }
 };
 
-/// 2^k with 2^k x in [1, 2), for scaling that rounds nothing; 1 for 0 and where 2^k would be no normal number.
+/// 2^k with 2^k x in [1, 2), for scaling without rounding; 1 for 0 and if 2^k would not be a normal number.
 double power_of_two_to_scale(double x);
 
 }  // namespace concino::core

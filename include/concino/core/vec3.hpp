@@ -1,4 +1,4 @@
-// Points and vectors in space.
+// vec3: points and vectors in space.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace detail {
 template<class T> concept number = std::integral<T> || std::floating_point<T>;
 }
 
-/// Three doubles. Made from any three numbers, so that `{i, 0, 1.5}` with an int i is not a narrowing.
+/// Three doubles, constructible from any three numbers, so that `{i, 0, 1.5}` with an int i is not a narrowing conversion.
 struct vec3 {
   double x = 0, y = 0, z = 0;
 
@@ -41,12 +41,12 @@ static_assert(sizeof(vec3) == 24 && std::is_trivially_copyable_v<vec3>);
 
 /// Scalar product, vector product, length, distance, and whether all parts are finite.
 /// Needs:  any vectors.      Result: in the units of the vectors, products in their squares.      Cost: O(1).
-/// Errors: none; infinite parts and parts that are not numbers are calculated with.
+/// Errors: none; infinite parts and parts that are not numbers are used as they are.
 constexpr double dot(const vec3& a, const vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr vec3 cross(const vec3& a, const vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// Length without overflow or underflow on the way: squares are used where they keep all digits, which is nearly always.
+/// Length without intermediate overflow or underflow: squares are used if they keep all digits, which is nearly always.
 inline double norm(const vec3& a) {
   const double squared = dot(a, a);
   if (squared > 1e-280 && squared < 1e290) return std::sqrt(squared);
@@ -59,7 +59,7 @@ inline bool is_finite(const vec3& a) { return std::isfinite(a.x) && std::isfinit
 /// Needs:  p[0], p[1], p[2] that convert to double.      Result: the same coordinates.      Cost: O(1).      Errors: none.
 template<class P>
 constexpr vec3 to_vec3(const P& p) {
-  if constexpr (std::same_as<P, vec3>) return {p.x, p.y, p.z};  // part by part stays in registers, where g++ copies a whole through memory
+  if constexpr (std::same_as<P, vec3>) return {p.x, p.y, p.z};  // part by part stays in registers; g++ copies a whole vec3 through memory
   else return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 

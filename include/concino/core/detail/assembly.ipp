@@ -1,4 +1,4 @@
-// Columns of matrices that are filled in place; see assembly.hpp.
+// Assembly of columns of matrices; see assembly.hpp.
 #pragma once
 
 #include <concino/core/assembly.hpp>
@@ -25,7 +25,7 @@ CONCINO_INLINE void sort_column(int* rows, double* values, std::size_t n) {
     }
     return;
   }
-  // a heap, because there are two arrays: the first of them sinks below those with larger rows
+  // heap sort, because there are two arrays: the first entry sinks below those with larger rows
   const auto sink = [&](std::size_t i, std::size_t end) {
     const int row = rows[i];
     const double value = values[i];

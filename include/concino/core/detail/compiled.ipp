@@ -1,4 +1,4 @@
-// What the library was compiled with; see compiled.hpp.
+// The symbol for the flags of the library; see compiled.hpp.
 #pragma once
 
 #include <concino/core/compiled.hpp>

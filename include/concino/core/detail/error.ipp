@@ -1,4 +1,4 @@
-// What is thrown, put together; see error.hpp.
+// Construction of exceptions; see error.hpp.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,4 @@
-// How messages are put together; see message.hpp.
+// Construction of messages; see message.hpp.
 #pragma once
 
 #include <concino/core/message.hpp>

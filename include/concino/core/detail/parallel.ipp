@@ -1,4 +1,4 @@
-// Loops on threads of their own; see parallel.hpp.
+// Parallel loops on threads; see parallel.hpp.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -31,7 +31,7 @@ CONCINO_INLINE std::size_t num_threads() {
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// The parts of some work, for threads that each take one after another. Parts are taken in their order, so when one fails all before it have been taken
+/// The parts of a task, for threads that each take one after another. Parts are taken in order. So when one fails, all earlier ones have been taken
 /// and will be finished.
 class shared_parts {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -39,7 +39,7 @@ class shared_parts {
   function_ref<bool(function_ref<void()>)> run_;
   std::mutex mutex_;
   std::size_t taken_ = 0, failed_ = none;
-  std::exception_ptr what_;  // of the lowest part that failed
+  std::exception_ptr what_;  // of the first part, in order, that failed
   bool is_over_ = false;
   std::atomic<std::size_t> done_{0};
 
@@ -48,14 +48,14 @@ class shared_parts {
 
   std::size_t num_done() const { return done_.load(std::memory_order_relaxed); }
 
-  /// Runs the next part while there is one thread only. Returns whether more is left.
+  /// Runs the next part while there is only one thread. Returns whether more are left.
   bool run_next_alone() {
     const bool is_more = run_(nullptr);
     done_.fetch_add(1, std::memory_order_relaxed);
     return is_more;
   }
 
-  /// The same for one of several threads; exceptions are kept.
+  /// The same for one of several threads; exceptions are stored.
   bool run_next() {
     std::unique_lock<std::mutex> hold(mutex_);
     if (is_over_) return false;
@@ -75,19 +75,19 @@ class shared_parts {
     }
   }
 
-  /// Leaves out the parts that nobody has taken.
+  /// Cancels the parts that no thread has taken.
   void leave_out_rest() {
     const std::lock_guard<std::mutex> hold(mutex_);
     is_over_ = true;
   }
 
-  /// For the time after the threads.
+  /// Call it after the threads have ended.
   void rethrow() const {
     if (what_) std::rethrow_exception(what_);
   }
 };
 
-/// The threads that help the calling one. However the loop is left, they are waited for.
+/// The threads that help the calling one. The destructor joins them, however the loop ends.
 class part_helpers {
   shared_parts& parts_;
   std::vector<std::thread> threads_;
@@ -104,7 +104,7 @@ class part_helpers {
 
   std::size_t size() const { return threads_.size(); }
 
-  /// Starts up to n more. Returns false where the system or memory has no room for them: those that there are do the work.
+  /// Starts up to n more threads. Returns false if the system or memory does not allow all: those that were started do the work.
   bool start(std::size_t n) {
     try {
       threads_.reserve(threads_.size() + n);
@@ -123,15 +123,15 @@ class part_helpers {
   }
 };
 
-/// run_parts of which `at_once` helpers are started before the first part, if not 0, and no other. After each part of the calling thread stop(number
-/// of parts done) is asked, if there is one.
+/// run_parts with `at_once` helper threads that start before the first part, if not 0, and no others. After each part on the calling thread, calls
+/// stop(number of parts done), if there is one.
 inline void run_shared(function_ref<bool(function_ref<void()>)> run, function_ref<bool(std::size_t)> stop, std::size_t at_once) {
   using clock = std::chrono::steady_clock;
-  constexpr std::chrono::microseconds worth_a_thread(200);  // many times what it takes to start and join one
+  constexpr std::chrono::microseconds worth_a_thread(200);  // many times the cost of starting and joining one
   constexpr std::size_t unknown = static_cast<std::size_t>(-1);
   shared_parts parts(run);
   part_helpers helpers(parts);
-  std::size_t most = unknown;  // helpers; how many is asked when the first may be worth it
+  std::size_t most = unknown;  // number of helpers; determined when the first may be worth its cost
   if (at_once > 0) {
     helpers.start(at_once);
     most = helpers.size();
@@ -152,7 +152,7 @@ inline void run_shared(function_ref<bool(function_ref<void()>)> run, function_re
   parts.rethrow();
 }
 
-/// run(first, last) for the chunks of 0 to n.
+/// Calls run(first, last) for the chunks of 0 to n.
 inline void run_shared_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop,
                               std::size_t at_once) {
   if (n == 0) return;

@@ -68,7 +68,7 @@ CONCINO_INLINE Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMat
   const auto n = static_cast<std::size_t>(b.cols()), height = static_cast<std::size_t>(a.rows());
   std::vector<int> first{0}, rows;
   std::vector<double> values, sum(height);
-  std::vector<std::size_t> seen_in(height, n);  // the column for which a row was last met
+  std::vector<std::size_t> seen_in(height, n);  // the last column in which a row occurred
   first.reserve(n + 1);
   for (std::size_t c = 0; c < n; ++c) {
     const std::size_t begin = rows.size();

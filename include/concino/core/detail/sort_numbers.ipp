@@ -1,4 +1,4 @@
-// Sorting; see sort_numbers.hpp.
+// Sorting of numbers; see sort_numbers.hpp.
 #pragma once
 
 #include <concino/core/sort_numbers.hpp>

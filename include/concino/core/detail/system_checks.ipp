@@ -1,4 +1,4 @@
-// What every solver asks of matrices; see system_checks.hpp.
+// Checks of matrices common to all solvers; see system_checks.hpp.
 #pragma once
 
 #include <concino/core/message.hpp>
