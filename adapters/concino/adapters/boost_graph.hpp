@@ -1,12 +1,12 @@
-// Boost's graphs under the algorithms of concino: compressed_sparse_row_graph and adjacency_list (verts in vecS) model PrimalGraph as they
-// are; any other graph of Boost's does through graph_view(g).
+// Adapter for Boost.Graph: compressed_sparse_row_graph and adjacency_list (verts in vecS) model PrimalGraph directly;
+// any other graph of Boost does so through graph_view(g).
 //
 //   auto hops = cn::bfs(my_adjacency_list, 0);                                // verts are Boost's vertex_descriptors
 //   auto d = cn::dijkstra(cn::graph_view(my_graph), s, [&](auto u, auto v) { return get(boost::edge_weight, g, edge(u, v, g).first); });
 //
-// An arc leads where out_edges leads. In a directed graph (every compressed_sparse_row_graph is one) searches and shortest paths follow the
-// arcs one way, as Boost's do. What takes edges as joining both ways (components, spanning trees, Laplacians) needs each arc's opposite in
-// the graph, law PG3; and parallel edges or loops break PG4. check_laws(g) tells. The other direction, Boost's algorithms on meshes, is
+// Arcs have the direction of out_edges. In a directed graph (every compressed_sparse_row_graph is one) searches and shortest paths follow the
+// arcs in that direction only, as Boost's do. Algorithms on undirected edges (components, spanning trees, Laplacians) need the opposite of each arc in
+// the graph, law PG3; parallel edges or loops violate PG4. check_laws(g) checks this. For the opposite direction, Boost's algorithms on meshes, see
 // <concino/graph/boost.hpp>.
 // Needs: Boost.Graph (Debian: libboost-dev).
 #pragma once
@@ -32,7 +32,7 @@ template<class O, class D, class V, class E, class P, class L>
 std::true_type has_integer_verts(const boost::adjacency_list<O, boost::vecS, D, V, E, P, L>&);
 template<class G> concept numbered_graph = requires(const G& g) { detail::has_integer_verts(g); };
 
-/// Lists whose vertex_index Boost does not have and may not even be asked for.
+/// Lists for which Boost has no vertex_index; even its name must not be used.
 template<class O, class S, class D, class V, class E, class P, class L>
   requires(!std::same_as<S, boost::vecS> && !boost::lookup_one_property<V, boost::vertex_index_t>::found)
 std::true_type has_no_vertex_index(const boost::adjacency_list<O, S, D, V, E, P, L>&);
@@ -44,7 +44,7 @@ template<class G> concept lists_verts = requires(const G& g) { *vertices(g).firs
 template<class G> concept lists_neighbours = requires(const G& g, boost_vert<G> v) { adjacent_vertices(v, g).first; };
 template<class G> concept lists_arcs = requires(const G& g, boost_vert<G> v) { target(*out_edges(v, g).first, g); };
 
-/// What a pair of Boost's iterators walks; at(*i) is the vert. Boost's own are no forward iterators in the sense of C++20.
+/// The range of a pair of Boost's iterators; at(*i) is the vert. Boost's iterators are not C++20 forward iterators.
 template<class Vert, class Base, class At>
 class boost_range {
   Base first_{}, last_{};
@@ -88,7 +88,7 @@ struct target_in {
 template<class Vert, class Base, class At = identity>
 boost_range<Vert, Base, At> make_boost_range(std::pair<Base, Base> both, At at = {}) { return {std::move(both), at}; }
 
-/// The verts of any graph, and what each leads to.
+/// The verts of any graph, and the targets of each.
 template<class G>
 struct boost_ranges {
   using vert = boost_vert<G>;
@@ -105,7 +105,7 @@ namespace concino {
 
 namespace requirement {
 
-/// What graph_view needs of Boost's concepts: VertexListGraph, and AdjacencyGraph or IncidenceGraph.
+/// The concepts of Boost that graph_view needs: VertexListGraph, and AdjacencyGraph or IncidenceGraph.
 template<class G> concept is_boost_graph =
     concino::detail::lists_verts<G> && (concino::detail::lists_neighbours<G> || concino::detail::lists_arcs<G>);
 template<class P, class G> concept is_vertex_index = requires(const P& index, const concino::detail::boost_vert<G>& v) {
@@ -130,7 +130,7 @@ struct mesh_traits<G> {
 
 namespace views {
 
-/// A graph of Boost's, and the map that numbers its verts.
+/// A graph of Boost, and the map that numbers its verts.
 template<class G, class Index>
 class foreign_graph {
   const G* g_;
@@ -164,11 +164,11 @@ struct mesh_traits<views::foreign_graph<G, Index>> {
   static auto adj_v2v(const view& g, const vert& v) { return detail::boost_ranges<G>::neighbours(g.base(), v); }
 };
 
-/// A graph of Boost's as a PrimalGraph whose verts are Boost's vertex_descriptors.
+/// A graph of Boost as a PrimalGraph whose verts are Boost's vertex_descriptors.
 /// Needs:  VertexListGraph, and AdjacencyGraph or IncidenceGraph; vertex_index, or `index`: numbers, different for different verts. g must
-///         outlive the view, so a temporary one is refused; where verts were added or removed, a new view is needed.
-/// Result: a view. It keeps law PG3 where g is undirected or has each arc's opposite, PG4 where it has no loops and no parallel edges.
-/// Cost:   O(V) to count the verts, of which a filtered_graph shows fewer than it numbers. Nothing is copied.
+///         outlive the view, so a temporary one is refused; after verts were added or removed, a new view is needed.
+/// Result: a view. It satisfies law PG3 if g is undirected or has the opposite of each arc, PG4 if it has no loops and no parallel edges.
+/// Cost:   O(V) to count the verts: a filtered_graph has fewer than the numbers it uses. Nothing is copied.
 /// Errors: none of its own.
 template<class G>
   requires requirement::has_vertex_index<G>

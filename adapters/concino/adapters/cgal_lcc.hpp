@@ -1,15 +1,15 @@
-// CGAL's linear cell complexes over combinatorial maps of dimension 3 as polyhedral meshes, by indexed(lcc).
+// Adapter for CGAL's linear cell complexes over combinatorial maps of dimension 3: indexed(lcc) is a polyhedral mesh.
 //
 //   CGAL::Linear_cell_complex_for_combinatorial_map<3> lcc = ...;
 //   const auto m = cn::indexed(lcc);
 //   const auto d = cn::dijkstra(m, m.vert(dart));
 //   d[m.vert(other)];  lcc.info<3>(m.handle(p));
 //
-// A combinatorial map has darts only: a vertex, edge, facet or volume is an orbit of them and has as many names. So the view numbers the elements: its
-// descriptors are vert_id, edge_id, face_id and poly_id; vert(d), edge(d), face(d), poly(d) say which are at a dart, handle(x) gives a dart of x.
-// Stored in the view: connectivity as a polyhedralmesh stores it, a dart an element, and two hash tables of darts; no points. Cost: as on a
-// polyhedralmesh; from darts a look into a table, to an edge the edges at its vert.
-// Whatever sews, adds or removes invalidates the view; points may move, as long as volumes do not turn inside out.
+// A combinatorial map has only darts: a vertex, edge, facet or volume is an orbit of darts, and each of these can stand for it. So the view numbers the
+// elements: its descriptors are vert_id, edge_id, face_id and poly_id. vert(d), edge(d), face(d), poly(d) are those at a dart, handle(x) is a dart of x.
+// Stored in the view: the connectivity of a polyhedralmesh, one dart per element, and two hash tables of darts; no points. Cost: as for a
+// polyhedralmesh; conversion of darts is one table look-up, to an edge also a search through the edges at its vert.
+// All sewing, adding and removing invalidates the view; points may move, as long as volumes are not turned inside out.
 // Needs: CGAL 5.5 (Debian: libcgal-dev).
 #pragma once
 
@@ -84,7 +84,7 @@ class indexed_cell_complex {
           a.face_offsets.push_back(static_cast<std::uint32_t>(a.face_verts.size()));
         }
         a.poly_faces.push_back(f);
-        a.outward.push_back(opposite.is_none());  // walked by a dart of p, or the other way round
+        a.outward.push_back(opposite.is_none());  // true if a dart of p has the direction of the face
       }
       a.poly_offsets.push_back(static_cast<std::uint32_t>(a.poly_faces.size()));
     }
@@ -100,7 +100,7 @@ class indexed_cell_complex {
   const L& complex() const { return *lcc_; }
   const polyhedra_tables& tables() const { return numbers_->connectivity; }
 
-  /// What is at a dart: the vert that it leaves, the edge along it, the facet and the volume that it is of.
+  /// The element at a dart: the vert that it leaves, its edge, its facet and its volume.
   vert_id vert(dart d) const { return vert(lcc_->vertex_attribute(d)); }
   vert_id vert(vertex v) const { return numbers_->verts[v]; }
   edge_id edge(dart d) const { return tables().edge_between(vert(d), vert(lcc_->beta(d, 1))); }
@@ -114,7 +114,7 @@ class indexed_cell_complex {
   dart handle(poly_id p) const { return numbers_->poly_darts[p.raw()]; }
 
  private:
-  /// The facets of a volume agree on a side; where that is the inside, as points say, all of them are told the other way round.
+  /// The facets of a volume have the same orientation. If points say that it is inward, `outward` is inverted for all of them.
   void turn_outward(const numbers& n, polyhedra_arrays& a) const {
     const auto point = [&](vert_id v) { return detail::read_point(lcc_->point(n.vert_darts[v.raw()])); };
     for (std::size_t p = 0; p + 1 < a.poly_offsets.size(); ++p) {
@@ -151,10 +151,10 @@ template<class L> concept is_cgal_cell_complex = L::dimension == 3 && L::ambient
 }  // namespace requirement
 
 /// A linear cell complex as a polyhedral mesh.
-/// Needs:  it outlives the view, so a temporary one is refused, and does not change while the view is used, but for its points.
-/// Result: a VolumeMesh. Verts, faces and polys are numbered as a walk over the darts meets them. Facets that are not sewn to another volume are
+/// Needs:  it outlives the view, so a temporary one is refused, and does not change while the view is used, except for its points.
+/// Result: a VolumeMesh. Verts, faces and polys are numbered by their first dart in the order of iteration. Facets that are not sewn to another volume are
 ///         the boundary.
-/// Cost:   O(darts) time, times the edges at a vert. Memory: that of a polyhedralmesh without its points, a handle an element, two hash tables of darts.
+/// Cost:   O(darts) time, times the edges at a vert. Memory: that of a polyhedralmesh without its points, a handle per element, two hash tables of darts.
 /// Errors: invalid_mesh if a facet is not closed, or meets a vert twice.
 template<requirement::is_cgal_cell_complex L>
 auto indexed(const L& lcc) {

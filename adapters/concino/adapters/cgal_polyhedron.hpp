@@ -1,21 +1,21 @@
-// CGAL::Polyhedron_3 is a SurfaceMesh, and so is a class derived from it: directly where its items carry ids, else through indexed(m).
+// Adapter for CGAL::Polyhedron_3 and classes derived from it, as a SurfaceMesh: directly if the items have ids, else through indexed(m).
 //
 //   CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3> p = ...;
 //   CGAL::set_halfedgeds_items_id(p);                                    // after the last change of its connectivity
 //   const auto d = cn::dijkstra(p, p.vertices_begin());
 //
 //   CGAL::Polyhedron_3<Kernel> q = ...;
-//   const auto i = cn::indexed(q);                                       // q has no ids; verts(q), adj_v2v(q, v), point(q, v) it has
+//   const auto i = cn::indexed(q);                                       // q has no ids; verts(q), adj_v2v(q, v), point(q, v) work without
 //   const auto d = cn::dijkstra(i, q.vertices_begin());
 //
 // Descriptors are CGAL's own, those of boost::graph_traits: Vertex_handle, Facet_handle, and for edges a half-edge that equals its opposite.
-// They are handles, not const handles, also of a const mesh, as everywhere in CGAL's graphs; nothing is changed through them.
-// Stored: nothing in the mesh, and no data of the mesh anywhere; see indexed(). Cost: rings in time proportional to their length.
-// point(m, v) gives doubles, as <concino/adapters/cgal_surface_mesh.hpp> says.
+// They are handles, not const handles, even for a const mesh, as everywhere in CGAL's graphs; nothing is changed through them.
+// Stored: nothing in the mesh, and no data of the mesh anywhere; see indexed(). Cost: rings take time proportional to their length.
+// point(m, v) returns doubles, as <concino/adapters/cgal_surface_mesh.hpp> says.
 // Property maps, as get(CGAL::vertex_point, m), become maps by as_map(pm) of <concino/graph/property_map.hpp>.
 // Needs: CGAL 5.5 (Debian: libcgal-dev).
-//        Ids as CGAL::set_halfedgeds_items_id makes them, 0, 1, 2 ... in the order of the elements. Without them, or where elements were
-//        added or erased since, index bounds throw invalid_mesh, and with them whatever makes a map. No two edges join the same two verts.
+//        Ids as CGAL::set_halfedgeds_items_id sets them: 0, 1, 2 ... in the order of the elements. Without them, or after elements were
+//        added or erased, index bounds throw invalid_mesh, and so do all functions that make a map. No two edges join the same two verts.
 #pragma once
 
 #include <concino/adapters/detail/cgal_polyhedron_links.hpp>
@@ -38,7 +38,7 @@ template<class P> concept has_ids = requires(const typename P::Vertex& v, const 
   { f.id() } -> std::convertible_to<std::size_t>;
 };
 
-/// Indices are the ids.
+/// Indices are the ids of the items.
 template<class P>
 struct cgal_polyhedron_ids : cgal_polyhedron_links<P> {
   using base = cgal_polyhedron_links<P>;
@@ -50,7 +50,7 @@ struct cgal_polyhedron_ids : cgal_polyhedron_links<P> {
   static std::size_t poly_index_bound(const P& m) { return bound(m.size_of_facets(), m.facets_end(), "facet"); }
   static std::size_t edge_index_bound(const P& m) {
     vert_index_bound(m);
-    poly_index_bound(m);  // edges come and go with verts and facets, but normalize_border() may shuffle them
+    poly_index_bound(m);  // edges are added and erased with verts and facets, but normalize_border() may reorder them
     return m.size_of_halfedges() / 2;
   }
   static std::size_t index_of(const P&, vert v) { return v->id(); }
@@ -61,8 +61,8 @@ struct cgal_polyhedron_ids : cgal_polyhedron_links<P> {
   static bool contains(const P& m, poly p) { return p != poly() && p->id() < m.size_of_facets(); }
 
  private:
-  /// New elements are the last and copy the id of another one or have none, and where some were erased the last one's is too large: to look
-  /// at one id tells.
+  /// Checks one id, which is enough: new elements are the last ones and copy the id of another one or have none, and after an erasure the id of
+  /// the last one is too large.
   template<class Iterator>
   static std::size_t bound(std::size_t size, Iterator end, const char* kind) {
     if (size > 0 && (--end)->id() != size - 1)
@@ -73,7 +73,7 @@ struct cgal_polyhedron_ids : cgal_polyhedron_links<P> {
   }
 };
 
-/// Verts and facets know a half-edge of theirs, and half-edges their vert and facet, as with all items of CGAL's but Polyhedron_min_items_3.
+/// Verts and facets have a half-edge, and half-edges have a vert and a facet, as for all items of CGAL except Polyhedron_min_items_3.
 template<class P> concept has_all_links = P::Supports_vertex_halfedge::value && P::Supports_face_halfedge::value && P::Supports_halfedge_vertex::value &&
                                           P::Supports_halfedge_face::value;
 
@@ -90,14 +90,14 @@ struct cgal_polyhedron_traits : halfedge_kernel<P, std::conditional_t<has_ids<P>
 
 }  // namespace detail
 
-/// Of all classes that are, or derive from, a CGAL::Polyhedron_3.
+/// For all classes that are, or derive from, a CGAL::Polyhedron_3.
 template<detail::is_cgal_polyhedron M>
 struct mesh_traits<M>
     : detail::cgal_polyhedron_traits<typename decltype(detail::base_of_cgal_polyhedron(static_cast<const M*>(nullptr)))::type> {};
 
 namespace views {
 
-/// Polyhedron P with a number for each of its handles.
+/// A polyhedron P with a number for each of its handles.
 template<class P>
 class indexed_polyhedron {
   template<class X>
@@ -156,12 +156,12 @@ struct mesh_traits<views::indexed_polyhedron<P>> : halfedge_kernel<views::indexe
   static constexpr bool is_view = true;
 };
 
-/// A polyhedron whose items need no ids.
+/// A polyhedron whose items need no ids, as a SurfaceMesh.
 /// Needs:  m: any Polyhedron_3 or a class derived from it; it must outlive the view, so a temporary one is refused. Its connectivity must not
 ///         change while the view is used; points may.
-/// Result: a SurfaceMesh with the descriptors of m. Indices are the order in which m lists its verts, edges and facets.
-/// Cost:   O(V + E + F) time, and hash tables of 36 to 72 bytes per vert, edge and facet, which copies share; none of m's data. Every index_of looks up
-///         a table.
+/// Result: a SurfaceMesh with the descriptors of m. Indices follow the order of verts, edges and facets in m.
+/// Cost:   O(V + E + F) time, and hash tables of 36 to 72 bytes per vert, edge and facet, which copies share; none of m's data. Every index_of is a
+///         table look-up.
 /// Errors: none of its own.
 template<detail::is_cgal_polyhedron M>
 auto indexed(const M& m) { return views::indexed_polyhedron<typename decltype(detail::base_of_cgal_polyhedron(&m))::type>(m); }

@@ -1,20 +1,20 @@
-// CGAL::Surface_mesh, over any type of point, is a SurfaceMesh, and so is a class derived from it. CGAL's own Vertex_index, Edge_index and
-// Face_index go in and come out.
+// Adapter for CGAL::Surface_mesh, over any type of point, and classes derived from it, as a SurfaceMesh. The descriptors are CGAL's own Vertex_index,
+// Edge_index and Face_index.
 //
 //   CGAL::Surface_mesh<Kernel::Point_3> m = ...;
 //   const auto d = cn::dijkstra(m, CGAL::SM_Vertex_index(0));
 //
-// Stored: nothing. Cost: every ring in time proportional to its length, as CGAL walks it; neighbours, ends and indices in constant time.
-// Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, and index bounds count them.
-// Property maps of the mesh are maps: map[v] reads and writes. add_vert and add_poly add; what CGAL cannot link is refused.
-// point(m, v) gives the coordinates of CGAL's points as doubles. Those of inexact kernels are copied, those of exact kernels go through
+// Stored: nothing. Cost: every ring takes time proportional to its length, as in CGAL; neighbours, ends and indices take constant time.
+// Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, but index bounds include them.
+// Property maps of the mesh are maps: map[v] reads and writes. add_vert and add_poly add elements; they throw for polys that CGAL cannot link.
+// point(m, v) returns the coordinates of CGAL's points as doubles. Those of inexact kernels are copied, those of exact kernels are converted by
 // CGAL::to_double. That is exact for numbers that are doubles; for others a lazy kernel's relative precision holds, 1e-5 by default.
-// CGAL::to_double may evaluate lazy numbers, which is as safe from several threads as the kernel is. Points in the plane have z = 0.
-// Other types of points are returned by reference if they have p[0], p[1], p[2]; a mesh over anything else has no points.
+// CGAL::to_double may evaluate lazy numbers, which is as thread-safe as the kernel. Points in the plane have z = 0.
+// Other types of points are returned by reference if they have p[0], p[1], p[2]; a mesh over any other type has no points.
 // Needs: CGAL 5.5 (Debian: libcgal-dev).
-//        Connectivity that CGAL calls valid, in which no two edges join the same two verts. Euler operations can make such; check_laws finds it.
+//        Connectivity that CGAL calls valid, in which no two edges join the same two verts. Euler operations can create such edges; check_laws finds them.
 //
-// Where all polys are known to be triangles, say so, and algorithms for a TriMesh take the mesh:
+// If all polys are known to be triangles, declare this, and algorithms for a TriMesh accept the mesh:
 //
 //   struct my_mesh : CGAL::Surface_mesh<Point> { ... };
 //   template<> struct concino::mesh_traits<my_mesh> : concino::mesh_traits<CGAL::Surface_mesh<Point>> { static constexpr int arity = 3; };
@@ -43,7 +43,7 @@ class cgal_elements {
 
  public:
   class iterator {
-    const Mesh* m_ = nullptr;  // null where nothing was removed
+    const Mesh* m_ = nullptr;  // null if nothing was removed
     unsigned i_ = 0, bound_ = 0;
 
     void skip() {
@@ -92,11 +92,11 @@ struct cgal_surface_links {
   static edge edge_of(const mesh& m, halfedge h) { return m.edge(h); }
   static bool is_isolated(const mesh& m, vert v) { return m.is_isolated(v); }
   static halfedge halfedge_of(const mesh& m, vert v) { return m.opposite(m.halfedge(v)); }
-  // Not m.halfedge(e), which differs between equal edges: an edge remembers the half-edge that it was made of.
+  // Not m.halfedge(e), which differs between equal edges: an edge stores the half-edge from which it was constructed.
   static halfedge halfedge_of(const mesh&, edge e) { return halfedge(2 * e.idx()); }
   static halfedge halfedge_of(const mesh& m, poly p) { return m.halfedge(p); }
 
-  // number_of_vertices() counts what is there, num_vertices() also what was removed.
+  // number_of_vertices() counts existing elements, num_vertices() also removed ones.
   static std::size_t num_verts(const mesh& m) { return m.number_of_vertices(); }
   static std::size_t num_edges(const mesh& m) { return m.number_of_edges(); }
   static std::size_t num_polys(const mesh& m) { return m.number_of_faces(); }
@@ -145,7 +145,7 @@ template<class M> concept is_cgal_surface_mesh = requires(const M* m) { detail::
 
 }  // namespace detail
 
-/// Of all classes that are, or derive from, a CGAL::Surface_mesh<P>.
+/// For all classes that are, or derive from, a CGAL::Surface_mesh<P>.
 template<class M>
   requires detail::is_cgal_surface_mesh<M>
 struct mesh_traits<M> : mesh_traits<CGAL::Surface_mesh<typename decltype(detail::point_of_cgal_surface_mesh(std::declval<const M*>()))::type>> {};

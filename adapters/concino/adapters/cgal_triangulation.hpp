@@ -1,4 +1,4 @@
-// CGAL's triangulations in space as tet meshes, by indexed(t): Triangulation_3, Delaunay_triangulation_3, Regular_triangulation_3 (without the
+// Adapter for CGAL's 3D triangulations as tet meshes, by indexed(t): Triangulation_3, Delaunay_triangulation_3, Regular_triangulation_3 (without the
 // infinite vertex and its cells) and Mesh_complex_3_in_triangulation_3 (the cells of the complex, with their verts).
 //
 //   CGAL::Delaunay_triangulation_3<Kernel> t = ...;
@@ -6,11 +6,11 @@
 //   const auto d = cn::dijkstra(m, m.vert(vertex_handle));
 //   d[m.vert(other)];  m.handle(v)->point();
 //
-// A triangulation numbers nothing, and an edge or facet of it has as many names as cells around it. So the view numbers the elements: its
-// descriptors are vert_id, edge_id, face_id and poly_id, and vert(), edge(), face(), poly() and handle() lead from CGAL's names and back.
-// Stored in the view: connectivity as a tetmesh stores it, handles, and hash tables of handles; no points. Cost: as on a tetmesh; from CGAL's
-// vertices and cells a look into a table, from its edges and facets a walk around the vert or over the cell.
-// Whatever changes the triangulation or the complex invalidates the view; points may move.
+// A triangulation has no numbers, and one of its edges or facets has as many descriptions as cells around it. So the view numbers the elements: its
+// descriptors are vert_id, edge_id, face_id and poly_id; vert(), edge(), face(), poly() and handle() convert from CGAL's types and back.
+// Stored in the view: the connectivity of a tetmesh, handles, and hash tables of handles; no points. Cost: as for a tetmesh; conversion of CGAL's
+// vertices and cells is one table look-up, that of edges and facets a search around the vert or in the cell.
+// All changes of the triangulation or the complex invalidate the view; points may move.
 // Needs: CGAL 5.5 (Debian: libcgal-dev).
 #pragma once
 
@@ -74,7 +74,7 @@ class indexed_triangulation {
   std::shared_ptr<const numbers> numbers_;
 
  public:
-  /// The cells from first on to last. Verts come in the order of `vertices`, then in that of the cells they are met at.
+  /// The cells from `first` to before `last`. Verts have the order of `vertices`, followed by others in the order in which cells use them.
   template<class Vertices, class Iterator>
   indexed_triangulation(const T& t, const Vertices& vertices, Iterator first, const Iterator& last, std::size_t cell_count) : t_(&t) {
     const auto n = std::make_shared<numbers>();
@@ -95,7 +95,7 @@ class indexed_triangulation {
   const T& triangulation() const { return *t_; }
   const tet_tables& tables() const { return numbers_->connectivity; }
 
-  /// What the mesh calls an element of the triangulation: a descriptor that is_none() for those that are not in the mesh.
+  /// Converts an element of the triangulation to a descriptor, which is_none() for elements that are not in the mesh.
   vert_id vert(vertex_handle v) const { return numbers_->verts[v]; }
   poly_id poly(cell_handle c) const { return numbers_->polys[c]; }
   edge_id edge(const typename T::Edge& e) const {
@@ -117,7 +117,7 @@ class indexed_triangulation {
     return of_cell(across.first, across.second);
   }
 
-  /// What the triangulation calls an element of the mesh: for edges and facets one of several names.
+  /// Converts a descriptor to an element of the triangulation; for edges and facets it is one of several equivalent ones.
   vertex_handle handle(vert_id v) const { return numbers_->verts[v]; }
   cell_handle handle(poly_id p) const { return numbers_->polys[p]; }
   typename T::Edge handle(edge_id e) const {
@@ -134,7 +134,7 @@ class indexed_triangulation {
   }
 
  private:
-  /// The face of p that v is not on.
+  /// The face of p opposite to v.
   face_id facing(poly_id p, vert_id v) const {
     for (const face_id f : tables().adj_p2f(p)) {
       const auto around = tables().adj_f2v(f);
@@ -156,7 +156,7 @@ struct mesh_traits<views::indexed_triangulation<T>> : indexed_volume<views::inde
 
 namespace requirement {
 
-/// A complex of cells, as meshers of CGAL make: it says which cells of its triangulation are in it.
+/// A complex of cells, as CGAL's mesh generators return: a triangulation with a selection of its cells.
 template<class C> concept is_cgal_complex = requires(const C& c) {
   typename C::Triangulation;
   c.triangulation().mirror_facet(*c.triangulation().facets_begin());
@@ -167,7 +167,7 @@ template<class C> concept is_cgal_complex = requires(const C& c) {
 }  // namespace requirement
 
 /// A triangulation, or the complex in one, as a tet mesh.
-/// Needs:  it outlives the view, so a temporary one is refused, and does not change while the view is used, but for its points.
+/// Needs:  it outlives the view, so a temporary one is refused, and does not change while the view is used, except for its points.
 /// Result: a TetMesh of the finite cells, or those in the complex. Verts and polys are numbered in CGAL's order. A triangulation of points in
 ///         one plane has verts and no polys; a complex has the verts of its cells only.
 /// Cost:   O(vertices + cells) time. Memory: that of a tetmesh without its points, a handle per vert and poly, and hash tables of 36 to 72

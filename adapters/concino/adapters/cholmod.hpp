@@ -1,5 +1,5 @@
-// Symmetric positive definite sparse systems by CHOLMOD's supernodal factorisation: dense blocks on BLAS, the fastest for large systems.
-// Needs: CHOLMOD of SuiteSparse (Debian: libsuitesparse-dev); to be fast, also a fast BLAS (Debian: libopenblas0-serial).
+// A SparseSolver for symmetric positive definite systems: CHOLMOD's supernodal factorisation, with dense blocks on BLAS. It is the fastest for large systems.
+// Needs: CHOLMOD of SuiteSparse (Debian: libsuitesparse-dev); for full speed also a fast BLAS (Debian: libopenblas0-serial).
 #pragma once
 
 #include <concino/core/system_checks.hpp>
@@ -14,9 +14,9 @@ namespace concino {
 
 namespace detail {
 
-/// Eigen's wrapper, and what CHOLMOD knows beyond it.
+/// Eigen's wrapper, with access to more data of CHOLMOD.
 struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> {
-  supernodal_factors() { cholmod().print = 0; }  // errors are told by exceptions
+  supernodal_factors() { cholmod().print = 0; }  // errors are reported by exceptions
 
   void check_status(const char* during) {
     const int status = cholmod().status;
@@ -25,8 +25,8 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
                                   status == CHOLMOD_TOO_LARGE ? " needs more entries than 32-bit indices count" : " failed"});
   }
 
-  /// Finds the order of elimination, by approximate minimum degree, or, if that leaves much to do, by nested dissection: on grids its factors take
-  /// 1/3 to 1/2 as many operations, but finding it takes as long as some 4e5 operations per unknown.
+  /// Finds the elimination order, by approximate minimum degree or, if that gives a costly factorisation, by nested dissection. On grids the factors of
+  /// the latter take 1/3 to 1/2 as many operations, but finding it takes as long as some 4e5 operations per unknown.
   void analyse(const Eigen::SparseMatrix<double>& a) {
     cholmod_common& c = cholmod();
     c.method[0].ordering = CHOLMOD_AMD;
@@ -40,13 +40,13 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
     check_status("the analysis");
   }
 
-  /// The row of the matrix where elimination met a pivot that is not positive, or -1.
+  /// The row of the matrix where elimination found a pivot that is not positive, or -1.
   Eigen::Index failed_row() const {
     const std::size_t place = m_cholmodFactor->minor;
     return place < m_cholmodFactor->n ? static_cast<const int*>(m_cholmodFactor->Perm)[place] : -1;
   }
 
-  /// f(row of the matrix, its pivot) for all rows.
+  /// Calls f(row of the matrix, its pivot) for all rows.
   template<class F>
   void for_each_pivot(F f) const {
     const auto *const first = static_cast<const int*>(m_cholmodFactor->super), *const rows = static_cast<const int*>(m_cholmodFactor->pi),
@@ -61,13 +61,13 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
 
 }  // namespace detail
 
-/// Factorises a symmetric positive definite matrix as L L^T by dense blocks and solves with it. A SparseSolver.
-/// Only the lower triangle of the matrix is read. A matrix with the pattern of the one factorised before, explicit zeros included, is
-/// factorised in the order found then. How fast it is depends on the BLAS it runs on: with OpenBLAS (Debian: libopenblas0-serial) some 6 times
+/// A SparseSolver that factorises a symmetric positive definite matrix as L L^T by dense blocks.
+/// Only the lower triangle of the matrix is read. If a matrix has the pattern of the previous one, explicit zeros included, the elimination order
+/// is reused. The speed depends on the BLAS: with OpenBLAS (Debian: libopenblas0-serial) some 6 times
 /// Eigen's speed at 200,000 unknowns, with the reference BLAS far less.
 /// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite or is not positive
-///         definite (the row is named), or if the factor is too large. solve throws it if nothing was factorised, the right-hand side has
-///         another size, or an entry of it or of the solution is not finite. A failed factorize leaves nothing to solve with.
+///         definite (the row is named), or if the factor is too large. solve throws it if there is no factorised matrix, the right-hand side has
+///         another size, or an entry of it or of the solution is not finite. After a failed factorize there is no factorised matrix.
 /// Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887, 2008, through Eigen's CholmodSupport; nested dissection: Karypis, Kumar 1998, METIS. The
 ///         supernodal module is under the GPL.
 class cholmod {

@@ -1,4 +1,4 @@
-// One line for tests written with doctest: CHECK that a mesh type conforms.
+// Conformance test for doctest: CHECKs in one line that a mesh type conforms.
 // Needs: doctest (Debian: doctest-dev).
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace concino {
 
-/// Checks a mesh type by one of its meshes, in a test case of doctest.
+/// Checks a mesh type with one of its meshes, in a test case of doctest.
 /// Needs:  as conformance.
-/// Result: none; the test case fails, with the report as its message, unless conformance(make, options) finds nothing.
+/// Result: none; the test case fails, with the report as its message, unless conformance(make, options) finds no violation.
 /// Cost:   as conformance.
 /// Errors: as conformance.
 template<class Make, class M = std::remove_cvref_t<std::invoke_result_t<const Make&>>>

@@ -1,17 +1,17 @@
-// Meshes out of Eigen's matrices, as libigl and much of numerics keep them: V, a row of coordinates per vert; F, a row of indices per poly.
+// Adapter for meshes in Eigen matrices, as in libigl: V has a row of coordinates per vert; F has a row of indices per poly.
 //
 //   Eigen::MatrixXd V;  Eigen::MatrixXi F;
 //   auto tri = cn::view_tri(V, F);                                 // also view_quad, view_tet, view_hex
 //   auto u = cn::harmonic_map(tri, {{a, 0.0}, {b, 1.0}});          // nothing of V and F was copied
-//   V.col(2) *= 2;                                                 // tri is higher now
+//   V.col(2) *= 2;                                                 // tri has the new coordinates
 //   auto poly = cn::view_polygons(V, offsets, indices);            // and view_polyhedra: vectors of integers
 //
-// Taken as they are: Matrix and Array, by rows or by columns, of fixed or dynamic size, of floats or doubles and of any integers; Map and
-// Ref; and with a name Block, Transpose and whatever else points into storage:
+// Supported: Matrix and Array, row-major or column-major, of fixed or dynamic size, of floats or doubles and of any integers; Map and
+// Ref; and, as named variables, Block, Transpose and other expressions that refer to storage:
 //
 //   auto points = V3xN.transpose();  auto tris = F3xN.transpose();  auto tri = cn::view_tri(points, tris);
 //
-// A Matrix is kept by its address, so its memory may change hands (V = smoothed(V)); of the others the place in memory is kept.
+// A Matrix is stored by address, so its memory may be reallocated (V = smoothed(V)); of the others the memory address is stored.
 // Needs: Eigen 3.4 (Debian: libeigen3-dev).
 #pragma once
 
@@ -28,19 +28,19 @@
 namespace concino::detail {
 
 template<class X> X eigen_type(const Eigen::DenseBase<X>&);
-/// What Eigen knows A as, which may be a class that the user derived.
+/// The Eigen type of A, which may be a class that the user derived from it.
 template<class A> using eigen_in = decltype(detail::eigen_type(std::declval<const A&>()));
 template<class A> concept eigen_array = requires { typename eigen_in<A>; } && (eigen_in<A>::Flags & Eigen::DirectAccessBit) != 0;
 
 template<class X> inline constexpr bool is_eigen_pointer = false;
 template<class X, int A, class S> inline constexpr bool is_eigen_pointer<Eigen::Map<X, A, S>> = true;
-// A Ref to const may own a copy of what it was made from, so it needs a name.
+// A Ref to const may own a copy of its argument, so it must be a named variable.
 template<class X, int A, class S> inline constexpr bool is_eigen_pointer<Eigen::Ref<X, A, S>> = !std::is_const_v<X>;
 
 constexpr std::ptrdiff_t eigen_step(int at_compile_time) { return at_compile_time == Eigen::Dynamic ? 0 : at_compile_time; }
 
-/// Where the numbers of an array lie. X is what Eigen knows it as, T the type of its numbers, const if they may not be written. Flat: a
-/// vector, lying or standing, whose numbers are meant one after another.
+/// The storage of the numbers of an array. X is its Eigen type, T the type of its numbers, const if they are read-only. Flat: a
+/// row or column vector, used as a list of consecutive numbers.
 template<class X, class T, bool Flat>
 class eigen_layout {
   static constexpr std::ptrdiff_t inner = eigen_step(X::InnerStrideAtCompileTime), outer = eigen_step(X::OuterStrideAtCompileTime);
@@ -64,7 +64,7 @@ class eigen_layout {
     if constexpr (by_address) return (*kept_);
     else return (kept_);
   }
-  // Steps as the type says, where it does, so that the compiler may count on them.
+  // Strides from the type, if it fixes them, so that the compiler knows them.
   step_of<inner_row_stride> row_step() const { return at().rowStride(); }
   step_of<inner_column_stride> column_step() const { return at().colStride(); }
 

@@ -1,4 +1,4 @@
-// Ray casting by Intel Embree 3: hand in `embree{}` where a ray tracer is asked for.
+// Adapter for ray casting by Intel Embree 3: pass `embree{}` as the ray tracer of an algorithm.
 // Needs: Embree 3 (Debian: libembree-dev), and a processor with SSE2.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace concino {
 
-/// Triangles in an Embree scene. Movable; may be asked from several threads.
+/// Triangles in an Embree scene. Movable; several threads may use it at the same time.
 class embree_caster {
   struct release {
     void operator()(RTCDevice d) const { rtcReleaseDevice(d); }
@@ -25,7 +25,7 @@ class embree_caster {
   template<class T>
   using handle = std::unique_ptr<std::remove_pointer_t<T>, release>;
 
-  handle<RTCDevice> device_;  // before the scene, which it outlives
+  handle<RTCDevice> device_;  // before the scene, so that it is destroyed after it
   handle<RTCScene> scene_;
 
   static void check(RTCDevice device, const char* doing) {
@@ -53,14 +53,14 @@ class embree_caster {
   }
 
  public:
-  /// Needs:  finite points, each index below their number.
+  /// Needs:  finite points; indices below the number of points.
   /// Errors: unsupported if Embree cannot run here, std::bad_alloc.      Cost: O(n log n), with all cores.
   explicit embree_caster(const triangle_soup& soup) : device_(rtcNewDevice(nullptr)) {
     check(device_.get(), "starting");
     if (!device_) throw unsupported("embree: starting: no device");
     scene_.reset(rtcNewScene(device_.get()));
     check(device_.get(), "making a scene");
-    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);  // so that no ray passes between two adjacent triangles
     if (!soup.triangles.empty()) {
       const handle<RTCGeometry> geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
       check(device_.get(), "making a geometry");
@@ -91,7 +91,7 @@ class embree_caster {
     rtcInitIntersectContext(&context);
     RTCRay query = ray(origin, direction, t_near, t_far);
     rtcOccluded1(scene_.get(), &context, &query);
-    return query.tfar < 0;  // Embree's way of saying yes
+    return query.tfar < 0;  // Embree's result for a hit
   }
 
  private:
@@ -110,7 +110,7 @@ class embree_caster {
   }
 };
 
-/// The ray tracer to hand to render and ambient_occlusion.
+/// The ray tracer to pass to render and ambient_occlusion.
 struct embree {
   embree_caster build(const triangle_soup& soup) const { return embree_caster(soup); }
 };

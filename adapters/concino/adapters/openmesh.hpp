@@ -1,9 +1,9 @@
-// OpenMesh: every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from one,
-// is a SurfaceMesh. OpenMesh's own handles go in and come out, and nothing is copied. A property becomes a map by as_map(mesh, handle).
+// Adapter for OpenMesh: every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from one,
+// is a SurfaceMesh. The descriptors are OpenMesh's own handles, and nothing is copied. as_map(mesh, handle) makes a map of a property.
 //
-// Elements that are deleted but not yet collected as garbage are left out; hidden ones are not, because hiding is about showing. num_verts and
-// its siblings count what is left, in time proportional to all. Polys that only touch in a vert are all met by the rings of that vert, since
-// OpenMesh links their borders; edges of more than two polys it cannot hold.
+// Elements that are deleted but not yet collected as garbage are skipped; hidden ones are not, since hiding concerns only display. num_verts and
+// its siblings count what is left, in time proportional to all. Polys that touch only at a vert are all in the rings of that vert, since
+// OpenMesh links their borders. OpenMesh cannot represent edges of more than two polys.
 // Needs: OpenMesh (Debian: libopenmesh-dev).
 #pragma once
 
@@ -28,7 +28,7 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   using poly = OpenMesh::FaceHandle;
   static constexpr int arity = std::derived_from<M, OpenMesh::TriConnectivity> ? 3 : 0;
 
-  // Points may be of any type with x[0], x[1], x[2]; those of the plane lie in z = 0.
+  // Points may be of any type with x[0], x[1], x[2]; those of the plane have z = 0.
   static decltype(auto) point(const M& m, vert v) requires(detail::openmesh_coordinates<M> >= 3) { return m.point(v); }
   static vec3 point(const M& m, vert v) requires(detail::openmesh_coordinates<M> == 2) { return {m.point(v)[0], m.point(v)[1], 0}; }
   template<class X>
@@ -53,7 +53,7 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
     assert(p.is_valid() && "what OpenMesh refuses has been refused before");
     return p;
   }
-  // OpenMesh deletes by status attributes. They are requested, as users of OpenMesh do by hand, where the mesh has none.
+  // OpenMesh deletes by status attributes. If the mesh has none, they are requested, as users of OpenMesh do themselves.
   static void reserve_removal(M& m, std::span<const poly>) {
     request_vert_status(m);
     request_status(m);
@@ -68,8 +68,8 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   }
 
  private:
-  // OpenMesh counts a request that fails as one that was granted, and leaves the attribute half made: it is released then, and the next request
-  // begins anew. Each is requested for itself, as there may be memory for one and not for the other.
+  // OpenMesh counts a failed request as successful and leaves the attribute incomplete. So it is released then, and the next request
+  // starts again. Each attribute is requested separately, since there may be memory for one and not for the other.
   template<class Request, class Release>
   static void request_or_release(bool has, const Request& request, const Release& release) {
     if (has) return;
@@ -109,12 +109,12 @@ template<class P> concept is_openmesh_property = std::same_as<P, OpenMesh::VProp
 
 }  // namespace requirement
 
-/// A property of verts, edges or faces as a map, u = as_map(m, handle): u[v] is the mesh's own value, to be read, and written unless m is
-/// const. An OpenMesh::PropertyManager is such a map as it is.
-/// Needs:  the property stays in the mesh as long as the map is used.
+/// A property of verts, edges or faces as a map, u = as_map(m, handle): u[v] is the mesh's own value, writable unless m is
+/// const. An OpenMesh::PropertyManager is already such a map.
+/// Needs:  the property stays in the mesh while the map is used.
 /// Result: a map by the handles of verts, edges or faces. Copies of it are the same map.
 /// Cost:   none; nothing is copied.
-/// Errors: invalid_argument if the handle is of no property.
+/// Errors: invalid_argument if the handle belongs to no property.
 template<std::derived_from<OpenMesh::BaseKernel> M, requirement::is_openmesh_property P>
 auto as_map(M& m, const P& handle) {
   if (!handle.is_valid()) throw invalid_argument("as_map: the property handle is not valid; add the property to the mesh first");

@@ -1,14 +1,14 @@
-// Meshes out of plain arrays: std::span, and with a name std::vector, std::array and whatever else a span can be made of.
+// Adapter for meshes in plain arrays: std::span, and, as named variables, std::vector, std::array and all else from which a span can be made.
 //
-//   std::vector<double> xyz;  std::vector<int> corners;                    // three numbers a point, three or four or eight a poly
+//   std::vector<double> xyz;  std::vector<int> corners;                    // three numbers per point; three, four or eight per poly
 //   auto tri = cn::view_tri(xyz, corners);                                 // also view_quad, view_tet, view_hex
 //   std::span<const std::array<float, 3>> p;  std::span<const std::array<unsigned, 4>> t;
 //   auto tet = cn::view_tet(p, t);                                         // or arrays of points and of lists
 //   auto poly = cn::view_polygons(points, offsets, indices);               // and view_polyhedra
 //
-// Points are floats or doubles in threes, std::array of two (z is 0) or three, or any type with p[0], p[1], p[2]. Lists of verts are
-// integers of any type, in threes, fours or eights, or std::array of as many. A container is kept by its address, so that its memory may
-// change hands (xyz = smoothed(xyz)); a span as it is.
+// Points are floats or doubles in groups of three, std::array of two (z is 0) or three, or any type with p[0], p[1], p[2]. Lists of verts are
+// integers of any type, in groups of three, four or eight, or std::array of as many. A container is stored by address, so its memory may be
+// reallocated (xyz = smoothed(xyz)); a span is stored by value.
 // Needs: the standard library only.
 #pragma once
 
@@ -29,10 +29,10 @@ template<class T, std::size_t N> inline constexpr bool is_span<std::span<T, N>> 
 template<class T> inline constexpr std::size_t array_size = 0;
 template<class T, std::size_t N> inline constexpr std::size_t array_size<std::array<T, N>> = N;
 
-/// Eigen's vectors are ranges too, but <concino/adapters/eigen.hpp> reads those.
+/// A type from which a span can be made, except Eigen's vectors: <concino/adapters/eigen.hpp> reads those.
 template<class A> concept spannable = !requires { typename A::PlainObject; } && requires(A& a) { std::span(a); };
 
-/// An array; A is const where it may not be written. A container is kept by address, a span as it is.
+/// An array; A is const if it is read-only. A container is stored by address, a span by value.
 template<class A>
 class span_storage {
   std::conditional_t<is_span<std::remove_const_t<A>>, std::remove_const_t<A>, A*> kept_;
@@ -46,7 +46,7 @@ class span_storage {
   using element = typename decltype(std::span(std::declval<A&>()))::element_type;
 };
 
-/// Numbers one after another, N of them a row.
+/// Consecutive numbers, N of them per row.
 template<class A, unsigned N>
 class rows_of_numbers : span_storage<A> {
  public:
@@ -66,7 +66,7 @@ class rows_of_numbers : span_storage<A> {
   }
 };
 
-/// Objects, each of them a row.
+/// Objects, each of which is a row.
 template<class A>
 class rows_of_objects : span_storage<A> {
   using object = std::remove_const_t<typename span_storage<A>::element>;

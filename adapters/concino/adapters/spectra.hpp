@@ -1,4 +1,4 @@
-// Eigenpairs of large sparse matrices, and the eigenfunctions of surfaces and volumes of any polys, by Spectra.
+// Eigenpairs of large sparse matrices, and Laplacian eigenfunctions of surfaces and volumes of any polys, by Spectra.
 // Needs: Spectra (Debian: libspectra-dev).
 #pragma once
 
@@ -24,14 +24,14 @@ namespace concino {
 struct eigenpairs_options {
   double tolerance = 1e-10;  // of residuals, relative to the eigenvalue plus the shift, or rounding errors of K u if larger; above 0 and below 1
   int max_restarts = 1000;   // of the iteration, 1 or more
-  /// K + shift M is factorised; in units of the eigenvalues, finite, 0 or more. 0: the mean of the diagonal of K over that of M and the number
+  /// K + shift M is factorised; in units of the eigenvalues, finite, 0 or more. 0: the mean of the diagonal of K, divided by that of M and by the number
   /// of rows.
   double shift = 0;
 };
 
 struct eigenpairs_result {
-  Eigen::VectorXd values;     // least first
-  Eigen::MatrixXd vectors;    // a column each, orthonormal by the mass; the entry that is largest without its sign is positive
+  Eigen::VectorXd values;     // smallest first
+  Eigen::MatrixXd vectors;    // one per column, orthonormal with respect to the mass; the entry with the largest absolute value is positive
   Eigen::VectorXd residuals;  // |K u - lambda M u| / |M u|, in units of the eigenvalues
   std::size_t solves = 0;
   std::size_t isolated = 0;  // rows without entries, where vectors are 0
@@ -39,10 +39,10 @@ struct eigenpairs_result {
 
 namespace detail {
 
-/// K and M without rows that are empty in both, scaled so that their diagonals are about 1; lower triangles.
+/// K and M without the rows that are empty in both, scaled so that their diagonals are about 1; lower triangles.
 struct eigenproblem {
   Eigen::SparseMatrix<double> stiffness, mass;
-  std::vector<int> row;  // of the matrices given
+  std::vector<int> row;  // row numbers in the input matrices
   int stiffness_exponent = 0, mass_exponent = 0;
   double shift = 1;  // in units of the scaled eigenvalues
 
@@ -72,7 +72,7 @@ struct eigenproblem {
     mass = part(whole_m, place, mass_exponent);
   }
 
-  /// Lists the rows that have entries.   Result: the place of each row in that list, or -1.
+  /// Lists the rows that have entries.   Result: the position of each row in that list, or -1.
   std::vector<int> number_rows(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m) {
     std::vector<int> place(static_cast<std::size_t>(k.cols()), -1);
     for (const auto* a : {&k, &m})
@@ -87,7 +87,7 @@ struct eigenproblem {
     return place;
   }
 
-  /// The powers of 2 that both matrices are divided by, and the shift, from the means of their diagonals.
+  /// Chooses the powers of 2 by which both matrices are divided, and the shift, from the means of their diagonals.
   /// Errors: solver_error if a row has no mass.
   void choose_scales(const std::vector<double>& k_diagonal, const std::vector<double>& m_diagonal, double given_shift) {
     double k_mean = 0, m_mean = 0;
@@ -149,12 +149,12 @@ struct eigenproblem {
 
 /// The smallest eigenvalues lambda of K u = lambda M u, and their vectors.
 /// Needs:  K symmetric and positive semidefinite, such as minus a Laplacian; M symmetric and positive definite, lumped or not; of both only the lower
-///         triangle is read. Rows that are empty in both are left out and counted. count: at least 1, at most the rows that are left.
+///         triangle is read. Rows that are empty in both are left out and counted. count: at least 1, at most the number of remaining rows.
 ///         solver: a SparseSolver for K + shift M, which is positive definite.
-/// Result: count of them, as often as they are multiple, with residuals, which are verified; deterministic. Zeros are zero to rounding. Multiplying K and M
-///         by powers of 2 scales values exactly, and so vectors where that of M is one of 4.
-/// Cost:   one factorisation and, for each pair, some 3 to 11 solves; O(rows count) memory. All at once, O(rows^3), where rows < 2 count + 1
-///         or there are no more than 32.
+/// Result: `count` pairs, multiple eigenvalues repeated, with verified residuals; deterministic. Eigenvalues that are zero are zero up to rounding.
+///         Multiplying K and M by powers of 2 scales values exactly, and also vectors if that of M is a power of 4.
+/// Cost:   one factorisation and, for each pair, some 3 to 11 solves; O(rows count) memory. If rows < 2 count + 1 or there are no more than 32 rows,
+///         all at once in O(rows^3).
 /// Errors: invalid_argument if count or an option is out of its range, or the matrices differ in size. solver_error if a matrix has entries that
 ///         are not finite, a row has no mass, or M is not positive definite. solver_error if not all pairs have converged: it names how many have,
 ///         and the residual. Those of the solver.
@@ -184,25 +184,27 @@ eigenpairs_result eigenpairs(const Eigen::SparseMatrix<double>& k, const Eigen::
 }
 
 struct eigenfunctions_options {
-  bool lumped = true;        // the mass, see mass_matrix: without, values converge from above
+  bool lumped = true;        // mass matrix, see mass_matrix: if it is not lumped, values converge from above
   double tolerance = 1e-10;  // as that of eigenpairs
-  int max_restarts = 1000;   // likewise
+  int max_restarts = 1000;   // as that of eigenpairs
 };
 
 template<class M>
 struct eigenfunctions_result {
-  std::vector<double> values;                  // least first, in units of 1 / length^2
-  std::vector<vert_map<M, double>> functions;  // the integral of the square of each is 1, of a product of two 0, by the mass
+  std::vector<double> values;                  // smallest first, in units of 1 / length^2
+  std::vector<vert_map<M, double>> functions;  // the integral of the square of each is 1, of a product of two 0, with respect to the mass
   std::vector<double> residuals;               // as those of eigenpairs
-  std::size_t isolated = 0;                    // verts of no poly, where functions are 0
+  std::size_t isolated = 0;                    // verts without polys, where functions are 0
 };
 
-/// The functions that a surface or a volume vibrates in: minus the Laplacian of each is its value times the function, and across the boundary it is
-/// flat. The Laplacian is that of the discretisation, after the count, or that of virtual_elements.
+/// The Laplacian eigenfunctions of a surface or a volume, with Neumann boundary conditions: minus the Laplacian of each is its value times the
+/// function, and its normal derivative at the boundary is zero. The Laplacian is that of the discretisation argument, after the count, or that of
+/// virtual_elements.
 /// Needs:  EmbeddedMesh M, no temporary; with a Discretisation also what that needs. count: at least 1, at most the verts of polys. solver: as for
 ///         eigenpairs.
-/// Result: as many as asked for; the first is constant, its value 0, and there are as many of value 0 as components of polys. Errors of values
-///         fall with the square of the edge length. Scaling the mesh by a power of 2 scales values exactly, and so functions, in volumes by one of 4.
+/// Result: `count` functions; the first is constant with value 0, and the value 0 occurs once per component of polys. Errors of values
+///         decrease with the square of the edge length. Scaling the mesh by a power of 2 scales values exactly, and also functions, but those of
+///         volumes only for a power of 4.
 /// Cost:   as laplacian, mass_matrix and eigenpairs.
 /// Errors: as laplacian, mass_matrix and eigenpairs.
 /// Source: Vallet, Levy 2008, "Spectral geometry processing with manifold harmonics"; Reuter, Wolter, Peinecke 2006, "Laplace-Beltrami spectra as

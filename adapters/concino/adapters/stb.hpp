@@ -1,4 +1,4 @@
-// PNG files through stb.
+// Adapter for PNG files through stb.
 // Needs: stb (Debian: libstb-dev).
 #pragma once
 
@@ -24,8 +24,8 @@
 
 namespace concino::detail {
 
-/// The memory that stb asks for while this lives, in its thread. stb loses memory or writes to null when none is left: here std::bad_alloc
-/// leaves it instead, and what it holds then is freed with this.
+/// Owns the memory that stb allocates in this thread during the lifetime of this object. Without memory, stb would leak or write to null; here
+/// std::bad_alloc is thrown out of stb, and the destructor frees what stb holds then.
 class stb_memory {
   struct alignas(std::max_align_t) block {
     block *before, *after;
@@ -34,7 +34,7 @@ class stb_memory {
   block ring_{&ring_, &ring_};
   stb_memory* const outer_ = std::exchange(current(), this);
 
-  // stb's functions hand nothing on that could name it.
+  // A pointer for the thread, since stb's functions cannot pass one on.
   static stb_memory*& current() {
     static thread_local stb_memory* memory = nullptr;
     return memory;
@@ -49,7 +49,7 @@ class stb_memory {
     current() = outer_;
   }
 
-  /// More room or less for p, or new room if p is null.
+  /// Resizes p, or allocates memory if p is null.
   static void* resized(void* p, std::size_t size) {
     block* const old = p ? static_cast<block*>(p) - 1 : nullptr;
     auto* const b = size > SIZE_MAX / 2 ? nullptr : static_cast<block*>(std::realloc(old, sizeof(block) + size));
@@ -69,8 +69,8 @@ class stb_memory {
 
 }  // namespace concino::detail
 
-// stb's implementation is compiled into each translation unit, static and in a namespace of ours, so that any number of them can be
-// linked together and beside a program's own copy of stb. Its macros are put back as they were.
+// stb's implementation is compiled into each translation unit, static and in a namespace of this library. So any number of them can be
+// linked together, and with a program's own copy of stb. Its macros are restored afterwards.
 #pragma push_macro("INCLUDE_STB_IMAGE_WRITE_H")
 #pragma push_macro("STB_IMAGE_WRITE_IMPLEMENTATION")
 #pragma push_macro("STB_IMAGE_WRITE_STATIC")
@@ -153,10 +153,10 @@ namespace concino {
 /// Cost:   O(pixels) time and memory, in the calling thread.
 /// Errors: invalid_argument if the picture is empty; unsupported if its bytes are more than 1 GiB, some 350 million pixels; io_error if the file
 ///         cannot be written.
-// Static because it calls stb's static functions: an inline function must not mean something else in each translation unit.
+// Static because it calls stb's static functions: an inline function must be the same in each translation unit.
 [[maybe_unused]] static inline void write_png(const image& picture, const std::string& path, const file_options& options = {}) {
   if (picture.width() == 0) core::throw_joined<invalid_argument>({"write_png: ", path, ": the picture has no pixels"});
-  // stb counts bytes by int, and makes room for twice as many.
+  // stb counts bytes by int, and allocates twice as many.
   if ((3 * picture.width() + 1) * picture.height() > std::size_t{1} << 30)
     core::throw_joined<unsupported>({"write_png: ", path, ": ", picture.width(), " x ", picture.height(), " pixels are more than 1 GiB"});
   const int width = static_cast<int>(picture.width()), height = static_cast<int>(picture.height());

@@ -1,4 +1,4 @@
-// Points of meshes of CGAL as three doubles, and back: what the adapters of these meshes share.
+// Conversion of CGAL's points to three doubles and back, for all adapters of CGAL.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -10,7 +10,7 @@ namespace concino::detail {
 
 template<class P, int Dimension> concept cgal_point = requires { requires P::Ambient_dimension::value == Dimension; };
 
-/// Something else that stands for a point: an array, a vector of Eigen, a vec3.
+/// Another type of point: an array, an Eigen vector, a vec3.
 template<class P> concept plain_point = !requires { typename P::Ambient_dimension; } && requires(const P& p) {
   { p[0] } -> std::convertible_to<double>;
   { p[1] } -> std::convertible_to<double>;
@@ -19,7 +19,7 @@ template<class P> concept plain_point = !requires { typename P::Ambient_dimensio
 
 template<class P> concept readable_point = cgal_point<P, 3> || cgal_point<P, 2> || plain_point<P>;
 
-/// The coordinates of p: of a point of CGAL as a vec3 (in the plane with z = 0), else p itself, as it lies in the mesh.
+/// The coordinates of p: of a CGAL point as a vec3 (in the plane with z = 0), otherwise p itself, as stored in the mesh.
 template<readable_point P>
 decltype(auto) read_point(const P& p) {
   if constexpr (cgal_point<P, 3>) return vec3{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
@@ -27,7 +27,7 @@ decltype(auto) read_point(const P& p) {
   else return (p);
 }
 
-/// Exactly the point in space of a kernel: others, as weighted points, hold more than coordinates.
+/// Exactly the 3D point of a kernel: others, such as weighted points, have more than coordinates.
 template<class P> concept kernel_point = cgal_point<P, 3> && std::same_as<P, typename CGAL::Kernel_traits<P>::Kernel::Point_3>;
 template<class P> concept writable_point = kernel_point<P> || (plain_point<P> && requires(P& p) {
   p[0] = 0;

@@ -1,4 +1,4 @@
-// How the half-edges of a CGAL::Polyhedron_3 are linked.
+// The links between the half-edges of a CGAL::Polyhedron_3.
 #pragma once
 
 #include <concino/adapters/detail/cgal_point.hpp>
@@ -10,7 +10,7 @@
 
 namespace concino::detail {
 
-/// What lies between two iterators of a polyhedron, as descriptors.
+/// The range between two iterators of a polyhedron, as descriptors.
 template<class Iterator, class X>
 class cgal_handles {
   Iterator first_, last_;
@@ -43,7 +43,7 @@ class cgal_handles {
   iterator end() const { return iterator(last_); }
 };
 
-/// Links of polyhedron P. M is P itself or a view of it: handles know their neighbours without being told the mesh.
+/// Links of polyhedron P. M is P itself or a view of it; the handles need no mesh to find their neighbours.
 template<class P, class M = P>
 struct cgal_polyhedron_links {
   using vert = typename P::Vertex_handle;
@@ -59,7 +59,7 @@ struct cgal_polyhedron_links {
   static edge edge_of(const M&, halfedge h) { return edge(h); }
   static bool is_isolated(const M&, vert v) { return v->halfedge() == halfedge(); }
   static halfedge halfedge_of(const M&, vert v) { return v->halfedge()->opposite(); }
-  /// The same for equal edges, which may remember either half-edge.
+  /// The same for equal edges, which may store either half-edge.
   static halfedge halfedge_of(const M&, edge e) {
     const halfedge h = e.halfedge(), o = h->opposite();
     return std::less<>()(&*o, &*h) ? o : h;
@@ -75,7 +75,7 @@ struct cgal_polyhedron_links {
   static auto point(const M&, vert v) { return read_point(v->point()); }
 
  protected:
-  /// Not const, because handles that are not const are had from nothing else.
+  /// Not const, because only a non-const polyhedron returns non-const handles.
   static P& base(const M& m) {
     if constexpr (std::same_as<P, M>) return const_cast<P&>(m);
     else return const_cast<P&>(m.base());

@@ -1,4 +1,4 @@
-// How OpenMesh numbers its elements and links its half-edges: what mesh_traits of its meshes stand on.
+// The links between OpenMesh's half-edges and the indices of its elements, from which mesh_traits are derived.
 #pragma once
 
 #include <concino/concepts/halfedge_kernel.hpp>
@@ -16,19 +16,19 @@
 
 namespace concino::detail {
 
-/// The elements of one kind that are not deleted, by rising index.
+/// The elements of one kind that are not deleted, in order of index.
 template<class Handle>
 class openmesh_elements {
   using mesh = OpenMesh::PolyConnectivity;
   using status_info = OpenMesh::Attributes::StatusInfo;
 
   const mesh* m_ = nullptr;
-  const status_info* status_ = nullptr;  // null: the mesh keeps no status of these
+  const status_info* status_ = nullptr;  // null: the mesh has no status attribute for this kind
   int bound_ = 0;
 
   bool is_deleted(int i) const {
     if (status_) return status_[i].deleted();
-    // Where there is no status of edges, delete_face takes an edge away by leaving no face on either side of it.
+    // If edges have no status, delete_face deletes an edge by leaving it without faces.
     if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>)
       return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(Handle(i), 0)) &&
              m_->is_boundary(m_->halfedge_handle(Handle(i), 1));
@@ -67,7 +67,7 @@ class openmesh_elements {
   }
 };
 
-/// How OpenMesh links its half-edges.
+/// The links between OpenMesh's half-edges.
 struct openmesh_links {
   using mesh = OpenMesh::PolyConnectivity;
   using vert = OpenMesh::VertexHandle;
@@ -86,7 +86,7 @@ struct openmesh_links {
   static halfedge halfedge_of(const mesh& m, edge e) { return m.halfedge_handle(e, 0); }
   static halfedge halfedge_of(const mesh& m, poly p) { return m.halfedge_handle(p); }
 
-  // n_vertices and its siblings count deleted elements too. They are virtual; named in full they cost no call.
+  // n_vertices and its siblings count deleted elements too. They are virtual; the qualified name avoids the virtual call.
   static std::size_t vert_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_vertices(); }
   static std::size_t edge_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_edges(); }
   static std::size_t poly_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_faces(); }
@@ -109,8 +109,8 @@ template<class M>
   requires requires { typename M::Point; }
 inline constexpr std::size_t openmesh_coordinates<M> = OpenMesh::vector_traits<typename M::Point>::size_;
 
-/// Refuses polys that OpenMesh cannot hold, with the reason, before anything has changed. OpenMesh's add_face makes the last three tests
-/// too, but its words go to the standard error stream.
+/// Throws for polys that OpenMesh cannot represent, with the reason, before anything changes. OpenMesh's add_face makes the last three tests
+/// too, but prints its messages to the standard error stream.
 inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<const OpenMesh::VertexHandle> corners, int arity) {
   using OpenMesh::HalfedgeHandle, OpenMesh::VertexHandle;
   const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"poly ", m.n_faces(), " ", why}); };
@@ -125,7 +125,7 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
     refuse(core::joined({"has ", name(*twice), " twice; its verts must differ"}));
 
-  std::vector<HalfedgeHandle> sides;  // those that are there already
+  std::vector<HalfedgeHandle> sides;  // those that exist already
   for (std::size_t i = 0; i < n; ++i) {
     const VertexHandle a = corners[i], b = corners[(i + 1) % n];
     if (!m.is_boundary(a)) refuse(core::joined({"names ", name(a), ", which has polys all around it; OpenMesh can hold no other there"}));
@@ -148,6 +148,6 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
 
 }  // namespace concino::detail
 
-/// Iterators keep what they need themselves.
+/// Iterators contain all that they need.
 template<class Handle>
 inline constexpr bool std::ranges::enable_borrowed_range<concino::detail::openmesh_elements<Handle>> = true;

@@ -1,4 +1,4 @@
-// The smallest eigenpairs of K u = lambda M u by Spectra, on matrices that were made ready for it.
+// The smallest eigenpairs of K u = lambda M u by Spectra, for prepared matrices.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -34,17 +34,17 @@ inline Eigen::VectorXd symmetric_product(const Eigen::SparseMatrix<double>& lowe
   return y;
 }
 
-/// Eigenvectors in columns that are orthonormal by the mass, least eigenvalue first.
+/// Eigenvectors in columns that are orthonormal with respect to the mass, smallest eigenvalue first.
 struct eigenbasis {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
   std::size_t solves = 0;
 };
 
-/// The eigenpairs within the span of the columns of v, as many as there are.
+/// The eigenpairs within the span of the columns of v, as many as there are (Rayleigh-Ritz).
 inline eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd v) {
   const Eigen::Index n = v.cols();
-  for (Eigen::Index j = 0; j < n; ++j) {  // Gram and Schmidt's method, twice for the digits
+  for (Eigen::Index j = 0; j < n; ++j) {  // Gram-Schmidt, twice for accuracy
     Eigen::VectorXd u = v.col(j), mu = symmetric_product(mass, u);
     const double given = u.dot(mu);
     for (int round = 0; round < 2; ++round) {
@@ -64,7 +64,7 @@ inline eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& stiffness
   return {all.eigenvalues(), v * all.eigenvectors()};
 }
 
-/// |K u - lambda M u| / |M u|, and what rounding errors of the products may contribute to it.
+/// |K u - lambda M u| / |M u|, and an estimate of the rounding errors of the products in it.
 struct eigen_residual {
   double size, rounding;
 
@@ -92,7 +92,7 @@ struct eigen_residual {
   }
 };
 
-/// shift (K + shift M)^-1 M, whose largest eigenvalues shift / (lambda + shift) have the smallest lambda, on what is orthogonal to `found`.
+/// The operator shift (K + shift M)^-1 M on the space orthogonal to `found`. Its largest eigenvalues shift / (lambda + shift) have the smallest lambda.
 struct shifted_inverse {
   using Scalar = double;
 
@@ -127,7 +127,7 @@ struct mass_product {
   }
 };
 
-/// Spectra's restarted Lanczos iteration, which also says how far off it was.
+/// Spectra's restarted Lanczos iteration, with access to its residual.
 class restarted_lanczos : public Spectra::SymEigsBase<shifted_inverse, mass_product> {
   using base = Spectra::SymEigsBase<shifted_inverse, mass_product>;
 
@@ -169,15 +169,15 @@ inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tole
     throw;
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception& e) {  // of Spectra, where numbers are not finite
+  } catch (const std::exception& e) {  // from Spectra, if numbers are not finite
     core::throw_joined<solver_error>({"eigenpairs: the iteration broke down; is the mass matrix positive definite? (", e.what(), ")"});
   }
   return r;
 }
 
-/// The eigenpairs within the span of the columns of `found`, until the residuals of the first `count` are small enough. Spectra measures those of
-/// the inverse, where high frequencies count for little: one more solve for a pair takes them away.
-/// Errors: solver_error if a residual is more than the tolerance times its eigenvalue plus the shift, and than rounding errors.
+/// The eigenpairs within the span of the columns of `found`, improved until the residuals of the first `count` are small enough. Spectra measures residuals
+/// of the inverse, in which high frequencies have little weight: one more solve per pair removes them.
+/// Errors: solver_error if a residual is more than the tolerance times its eigenvalue plus the shift, and more than rounding errors.
 inline eigenbasis refine(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass,
                          function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve, double shift, Eigen::Index count, double tolerance,
                          Eigen::MatrixXd found) {
@@ -207,8 +207,8 @@ inline eigenbasis refine(const Eigen::SparseMatrix<double>& stiffness, const Eig
   }
 }
 
-/// The smallest eigenpairs. One vector spans one direction of each space of eigenvectors, and finds others by luck, so what is orthogonal to the
-/// vectors found is searched again, until nothing smaller is left there.
+/// The smallest eigenpairs. One start vector spans only one direction of each eigenspace, and finds others by chance. So the space orthogonal to
+/// the vectors found is searched again, until it has no smaller eigenvalue.
 inline eigenbasis smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass,
                                       function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve, double shift, Eigen::Index count, double tolerance,
                                       int max_restarts) {
