@@ -1,4 +1,4 @@
-// Changing a mesh: elements added and removed.
+// Editing of meshes: adding and removing elements.
 #pragma once
 
 #include <concino/edit/elements.hpp>

@@ -1,6 +1,6 @@
-// Adding and removing verts and polys. No element but the removed ones changes its name, so descriptors, maps and properties stay right;
-// indices of removed elements are left as gaps. An edit that fails leaves a mesh of this library, its adjacencies and its properties as they
-// were, also where memory ran out (std::bad_alloc) or a property's default value threw.
+// Adding and removing verts, faces and polys. The other elements keep their descriptors, so descriptors, maps and properties remain valid;
+// indices of removed elements become gaps. An edit that fails leaves a mesh of this library, its adjacencies and its properties
+// unchanged, even if memory ran out (std::bad_alloc) or a property's default value threw.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -30,9 +30,9 @@ template<class M> concept has_remove_poly = requires(std::remove_cvref_t<M>& m, 
 
 }  // namespace requirement
 
-/// A new vert at x, without edges.
-/// Needs:  a mesh whose traits offer add_vert. Maps made before do not know the new vert.
-/// Result: its descriptor. Properties grow by a default value.
+/// Adds a vert at x, without edges.
+/// Needs:  a mesh whose traits have add_vert. Maps made before have no value for the new vert.
+/// Result: its descriptor. Properties get a default value for it.
 /// Cost:   O(1), but O(verts) the first time.
 /// Errors: none of its own.
 template<requirement::has_add_vert M>
@@ -40,12 +40,12 @@ vert_t<M> add_vert(M& m, const vec3& x) {
   return traits<M>::add_vert(m, x);
 }
 
-/// A new poly on verts of m: cyclic order in surfaces, the standard order for tets and hexes. Edges and faces that are there are shared,
-/// the others are made.
-/// Needs:  a mesh whose traits offer add_poly of verts.
-/// Result: its descriptor. Properties grow by default values.
+/// Adds a poly on verts of m: in cyclic order in surfaces, in the standard order for tets and hexes. Existing edges and faces are shared,
+/// missing ones are added.
+/// Needs:  a mesh whose traits have add_poly for verts.
+/// Result: its descriptor. Properties get default values for the new elements.
 /// Cost:   the elements at its verts, but O(mesh) the first time.
-/// Errors: invalid_mesh if there are too few or too many verts, one twice, or one that is not in m, or if the library that m is of cannot link the
+/// Errors: invalid_mesh if there are too few or too many verts, a repeated vert, or one that is not in m, or if the library of m cannot link the
 ///         poly; m is unchanged then. unsupported if m would have more than 2^32 adjacencies of one kind.
 template<requirement::has_add_poly M>
 poly_t<M> add_poly(M& m, std::span<const vert_t<M>> corners) {
@@ -56,12 +56,12 @@ poly_t<M> add_poly(M& m, std::initializer_list<vert_t<M>> corners) {
   return traits<M>::add_poly(m, std::span<const vert_t<M>>(corners.begin(), corners.size()));
 }
 
-/// A new face on verts of a mesh of general polyhedra, to build a poly from. Edges that are there are shared; a second face on the same verts is
-/// another face.
-/// Needs:  a mesh whose traits offer add_face; verts in cyclic order.
-/// Result: its descriptor; it is of no poly yet. Properties grow by default values.
+/// Adds a face on verts of a mesh of general polyhedra, from which a poly can be built. Existing edges are shared; a second face on the same verts
+/// is a different face.
+/// Needs:  a mesh whose traits have add_face; verts in cyclic order.
+/// Result: its descriptor; it has no poly yet. Properties get default values for the new elements.
 /// Cost:   the elements at its verts, but O(mesh) the first time.
-/// Errors: invalid_mesh if there are less than three verts, one twice, or one that is not in m; m is unchanged then. unsupported as add_poly.
+/// Errors: invalid_mesh if there are less than three verts, a repeated vert, or one that is not in m; m is unchanged then. unsupported as add_poly.
 template<requirement::has_add_face M>
 face_t<M> add_face(M& m, std::span<const vert_t<M>> corners) {
   return traits<M>::add_face(m, corners);
@@ -71,11 +71,11 @@ face_t<M> add_face(M& m, std::initializer_list<vert_t<M>> corners) {
   return traits<M>::add_face(m, std::span<const vert_t<M>>(corners.begin(), corners.size()));
 }
 
-/// A new polyhedron of faces of m, each with whether its verts run counter-clockwise seen from outside it.
-/// Needs:  a mesh whose traits offer add_poly of faces. Whether the faces close the poly and the flags are right, validate(m) says.
-/// Result: its descriptor. Properties grow by default values.
+/// Adds a polyhedron of faces of m, each with a flag whether its verts run counter-clockwise seen from outside the polyhedron.
+/// Needs:  a mesh whose traits have add_poly for faces. validate(m) checks whether the faces close the poly and the flags are right.
+/// Result: its descriptor. Properties get default values for the new elements.
 /// Cost:   at most the square of the corners of its faces, and the elements at these, but O(mesh) the first time.
-/// Errors: invalid_mesh if there is no face, one twice, or one that is not in m; m is unchanged then. unsupported as add_poly of verts.
+/// Errors: invalid_mesh if there is no face, a repeated face, or one that is not in m; m is unchanged then. unsupported as add_poly of verts.
 template<requirement::has_add_poly_of_faces M>
 poly_t<M> add_poly(M& m, std::initializer_list<std::pair<face_t<M>, bool>> face_list) {
   std::vector<face_t<M>> list;
@@ -84,9 +84,9 @@ poly_t<M> add_poly(M& m, std::initializer_list<std::pair<face_t<M>, bool>> face_
   return traits<M>::add_poly(m, std::span<const face_t<M>>(list), std::span<const unsigned char>(outward));
 }
 
-/// Takes p away, and with it the edges and faces that nothing else has; verts stay.
-/// Needs:  a mesh whose traits offer remove_poly.
-/// Result: none; no other element changes its name.
+/// Removes p, and the edges and faces that belong to nothing else; verts stay.
+/// Needs:  a mesh whose traits have remove_poly.
+/// Result: none; other elements keep their descriptors.
 /// Cost:   the elements at its verts, but O(mesh) the first time.
 /// Errors: invalid_mesh if p is not a poly of m.
 template<requirement::has_remove_poly M>
@@ -95,10 +95,10 @@ void remove_poly(M& m, poly_t<M> p) {
   traits<M>::remove_poly(m, p);
 }
 
-/// Takes v away and the polys at it first. All or nothing: where the traits offer reserve_removal(m, polys), they find the memory for taking
-/// these polys and verts away before the first goes.
-/// Needs:  a mesh whose traits offer remove_vert and remove_poly.
-/// Result: none; no other element changes its name.
+/// Removes v, after the polys at it. If the traits have reserve_removal(m, polys), the edit has the strong exception guarantee: that function allocates
+/// the memory for removing these polys and verts before the first one is removed.
+/// Needs:  a mesh whose traits have remove_vert and remove_poly.
+/// Result: none; other elements keep their descriptors.
 /// Cost:   that of removing the polys at v one after another.
 /// Errors: invalid_mesh if v is not a vert of m.
 template<requirement::has_remove_vert M>
