@@ -1,5 +1,5 @@
-// Pictures of meshes. Rays are cast by an adapter that is handed in: <concino/adapters/embree.hpp>; files are written by
-// <concino/adapters/stb.hpp>.
+// Renders pictures of meshes. The ray tracer is an argument, such as the adapter <concino/adapters/embree.hpp>. <concino/adapters/stb.hpp> writes
+// picture files.
 #pragma once
 
 #include <concino/render/ambient_occlusion.hpp>

@@ -1,4 +1,4 @@
-// How much of the open sky the polys of a mesh see: cavities are dark, ridges bright.
+// Ambient occlusion: the part of the sky that is visible from the polys of a mesh. Cavities are dark, ridges bright.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -15,14 +15,14 @@ namespace concino {
 
 struct ambient_occlusion_options {
   int directions = 128;  // per polygon, 1 or more
-  double distance = std::numeric_limits<double>::infinity();  // above 0, in units of the mesh: what is farther away shades nothing
-  concino::progress progress = {};                            // told "ambient occlusion"
+  double distance = std::numeric_limits<double>::infinity();  // above 0, in units of the mesh: surfaces farther away do not occlude
+  concino::progress progress = {};                            // called with the fraction done and "ambient occlusion"
 };
 
-/// For every poly the part of the sky over its outer side that the surface leaves free, weighted by the cosine to the normal.
-/// Needs:  EmbeddedMesh M, wound so that its normals point outward; a ray tracer, such as embree{} of its adapter.
-/// Result: a map of double in [0, 1], 1 for a plane that faces up; of a volume's polys the mean over their outer faces by area, 0 where
-///         they have none. Directions start at the middles of the triangles of a polygon. The same for any number of threads.
+/// The fraction of the hemisphere above every poly that the surface does not occlude, weighted by the cosine to the normal.
+/// Needs:  EmbeddedMesh M, oriented so that its normals point outward; a ray tracer, such as embree{} of its adapter.
+/// Result: a map of double in [0, 1], 1 for polys of a plane. For the polys of a volume it is the mean over their boundary faces by area, 0 if they
+///         have none. Rays start at the middles of the triangles of a polygon. The result does not depend on the number of threads.
 /// Cost:   `directions` rays for each visible polygon, at least one for each of its triangles; parallel.
 /// Errors: invalid_argument if an option is out of its range; as make_drawable; unsupported without a ray tracer; cancelled.
 /// Source: Zhukov, Iones and Kronin 1998; Malley's sampling of the cosine.

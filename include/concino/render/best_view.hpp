@@ -1,4 +1,4 @@
-// Chooses from where to look at a scene.
+// Chooses a camera for a scene.
 #pragma once
 
 #include <concino/render/render.hpp>
@@ -8,10 +8,10 @@
 
 namespace concino {
 
-/// The view, out of many around the scene, that shows most of every drawable, small marks as much as the large surface.
-/// Needs:  a ray tracer, as render; options.towards is the first choice, kept where others are not clearly better.
-/// Result: a camera that frames the scene. The same for the same scene.
-/// Cost:   some 30,000 rays for each drawable, and for each of 36 directions a pass over the points.
+/// The view, among 36 around the scene, that shows the most of every drawable. Small drawables count as much as large ones.
+/// Needs:  a ray tracer, as render; options.towards is preferred unless another direction is clearly better.
+/// Result: a camera that frames the scene. It is the same for the same scene.
+/// Cost:   about 30,000 rays for each drawable, and a pass over the points for each of 36 directions.
 /// Errors: as frame and render.
 template<RayTracer T = no_ray_tracer>
 camera best_view(std::span<const drawable> drawables, double aspect, const view_options& options = {}, const T& tracer = {}) {
@@ -19,12 +19,12 @@ camera best_view(std::span<const drawable> drawables, double aspect, const view_
   const detail::unit_scene scene(drawables);
   const auto caster = tracer.build(scene.soup);
   constexpr double pi = 3.14159265358979323846;
-  constexpr std::size_t looks = 1024;  // at triangles of each drawable
-  constexpr double enough = 0.08;      // of a drawable's area; to see more of it is no great gain
+  constexpr std::size_t looks = 1024;  // the number of triangles of each drawable that are tested
+  constexpr double enough = 0.08;      // fraction of a drawable's area; to show more of it improves the score little
   const vec3 up = options.up / norm(options.up), side = first.right, front = cross(side, up);
   const double rise = std::atan2(dot(first.back, up), dot(first.back, front));
 
-  // The part of a drawable's area that is seen, as large as it looks: a quarter for a ball, little for a sheet seen from its edge.
+  // The visible projected area of a drawable, and its area. The ratio is a quarter for a ball, and small for a sheet seen from its edge.
   struct part {
     double seen, area;
   };

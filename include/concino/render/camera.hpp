@@ -1,4 +1,4 @@
-// Where a picture is taken from: look-at cameras and one that frames what is to be seen.
+// Cameras: perspective and orthographic cameras, and the nearest camera that frames a set of points.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -11,21 +11,21 @@
 
 namespace concino {
 
-/// A place on the film: x to the right, y up, y in [-1, 1] over the height of the picture and x in the same unit.
+/// A point on the film: x to the right, y up. y is in [-1, 1] over the height of the picture, and x has the same unit.
 struct image_point {
   double x = 0, y = 0;
 };
 
-/// A line of sight. The direction has length 1.
+/// A ray from the camera. The direction has length 1.
 struct view_ray {
   vec3 origin, direction;
 };
 
-/// A pinhole or parallel camera; make one with perspective_camera, orthographic_camera or framing.
+/// A perspective or orthographic camera, constructed by perspective_camera, orthographic_camera or framing.
 struct camera {
   vec3 eye;
   vec3 right = {1, 0, 0}, up = {0, 1, 0}, back = {0, 0, 1};  // orthonormal; it looks along -back
-  double half_height = 1;                                    // of the film: at distance 1 from the eye, or of what is seen if parallel
+  double half_height = 1;                                    // of the film: at distance 1 from the eye, or in units of the mesh if parallel
   bool parallel = false;
 
   view_ray ray_through(const image_point& f) const {
@@ -35,7 +35,7 @@ struct camera {
     return {eye, d / norm(d)};
   }
 
-  /// Where p appears on the film; only for points in front of the eye.
+  /// The position of p on the film; only for points in front of the eye.
   image_point project(const vec3& p) const {
     const vec3 d = p - eye;
     const double unit = (parallel ? 1 : -dot(d, back)) * half_height;
@@ -68,18 +68,18 @@ inline double half_height_of_angle(double degrees) {
 
 }  // namespace detail
 
-/// A camera at `eye` that looks at `target`; `angle` is that of the picture's height, in degrees.
-/// Needs:  eye and target that are apart; up: a direction of any length, not along the line of sight; angle in (0, 180).
-/// Result: a camera in which `up` points up.      Cost: O(1).
-/// Errors: invalid_argument if eye or target is not finite or they coincide, up is 0, not finite or along the line of sight, or angle is not in
-///         (0, 180).
+/// A perspective camera at `eye` that looks at `target`. `angle` is the vertical angle of view in degrees.
+/// Needs:  eye and target that are different; up: a direction of any length, not parallel to the line of sight; angle in (0, 180).
+/// Result: a camera for which `up` points up in the picture.      Cost: O(1).
+/// Errors: invalid_argument if eye or target is not finite or they coincide, up is 0, not finite or parallel to the line of sight, or angle is not
+///         in (0, 180).
 inline camera perspective_camera(const vec3& eye, const vec3& target, const vec3& up = {0, 1, 0}, double angle = 30) {
   camera c = detail::looking(eye, eye - target, up);
   c.half_height = detail::half_height_of_angle(angle);
   return c;
 }
 
-/// The same with parallel lines of sight; `height` of the picture in units of the mesh.
+/// An orthographic camera at `eye` that looks at `target`. `height` is the height of the picture in units of the mesh.
 /// Needs:  as perspective_camera; height above 0.
 /// Result: as perspective_camera.      Cost: O(1).
 /// Errors: as perspective_camera; invalid_argument if height is not positive and finite.
@@ -92,13 +92,13 @@ inline camera orthographic_camera(const vec3& eye, const vec3& target, const vec
 }
 
 struct view_options {
-  vec3 towards = {0.5, 0.35, 1};  // from what is seen to the viewer, any length: a three-quarter view from the front and above
+  vec3 towards = {0.5, 0.35, 1};  // from the scene to the viewer, of any length; the default is a three-quarter view from the front and above
   vec3 up = {0, 1, 0};            // up in the picture
-  double angle = 25;              // of the picture's height, in degrees, in (0, 180); 0: parallel
-  double margin = 0.06;           // left free at each side, as a fraction of half the picture, in [0, 1)
+  double angle = 25;              // the vertical angle of view, in degrees, in (0, 180); 0: orthographic
+  double margin = 0.06;           // free space at each edge of the picture, as a fraction of half its size, in [0, 1)
 };
 
-/// Finds the nearest camera in a given direction that sees all points it was shown.
+/// Finds the nearest camera in a direction that sees all points added to it.
 class framing {
  public:
   /// Needs:  aspect = width / height of the picture.
@@ -122,13 +122,13 @@ class framing {
     }
   }
 
-  /// Result: each point lies within the picture less its margin, and two opposite margins are touched.      Cost: O(1).
+  /// Result: all points lie within the margins of the picture, and two opposite margins are touched.      Cost: O(1).
   camera best() const {
     camera c = camera_;
     if (!(near_ > -std::numeric_limits<double>::infinity())) return c;
     const double reach = std::max(x_.distance(), y_.distance());
     const double spread = std::max(x_.high - x_.low, y_.high - y_.low);
-    const double unit = spread > 0 ? spread : std::max(1.0, std::abs(near_)) * 1e-3;  // a single point: any distance will do
+    const double unit = spread > 0 ? spread : std::max(1.0, std::abs(near_)) * 1e-3;  // for a single point any distance is right
     double distance = reach;
     if (c.parallel) {
       c.half_height = reach > 0 ? reach : unit;
@@ -140,8 +140,8 @@ class framing {
   }
 
  private:
-  // A point at (x, z) lies on the film of a camera at (c, d) if |x - c| <= (d - z) slope: two half-planes, of which only the extreme
-  // ones count.
+  // A point at (x, z) lies on the film of a camera at (c, d) if |x - c| <= (d - z) slope. These are two half-planes for each point, and only the
+  // extreme ones matter.
   struct axis {
     double slope = 1;
     double high = -std::numeric_limits<double>::infinity(), low = std::numeric_limits<double>::infinity();

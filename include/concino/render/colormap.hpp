@@ -1,4 +1,4 @@
-// Colour maps: a number in [0, 1] to a colour. All are perceptual: lightness rises evenly, so equal steps look equal, in print too.
+// Colour maps from [0, 1] to colours. All are perceptually uniform: lightness increases evenly, so equal steps look equal, in print too.
 #pragma once
 
 #include <concino/render/color.hpp>
@@ -9,15 +9,15 @@
 
 namespace concino {
 
-/// A colour map given by 17 sRGB colours at equal steps; between them it is linear.
+/// A colour map defined by 17 sRGB colours at equal steps, with linear interpolation.
 class colormap {
  public:
   using table = std::array<std::array<float, 3>, 17>;
 
   constexpr explicit colormap(const table& colors) : colors_(&colors) {}
-  colormap(const table&&) = delete;  // the table is kept by address
+  colormap(const table&&) = delete;  // the address of the table is stored
 
-  /// The sRGB numbers for t; below 0 and above 1 the ends, for NaN the lower end.
+  /// The sRGB components for t. Values below 0, above 1 and NaN become 0, 1 and 0.
   constexpr std::array<float, 3> srgb_at(double t) const {
     const double x = t > 0 ? std::min(t, 1.0) * 16 : 0;
     const std::size_t i = std::min<std::size_t>(static_cast<std::size_t>(x), 15);
@@ -100,12 +100,12 @@ inline constexpr colormap::table blue_to_yellow_table = {{
 
 }  // namespace detail
 
-/// Dark violet over green to yellow.      Source: van der Walt and Smith 2015, matplotlib (CC0), every 16th of its 256 colours.
+/// From dark violet over green to yellow.      Source: van der Walt and Smith 2015, matplotlib (CC0), every 16th of its 256 colours.
 inline constexpr colormap viridis{detail::viridis_table};
-/// Dark blue over grey to yellow, the same to colour-blind eyes.      Source: Nunez, Anderton and Renslow 2018, every 16th colour.
+/// From dark blue over grey to yellow; looks the same to colour-blind viewers.      Source: Nunez, Anderton and Renslow 2018, every 16th colour.
 inline constexpr colormap cividis{detail::cividis_table};
-/// Blue over teal to yellow, brighter than viridis so that shading shows: in the manner of Parula.      Source: a curve in OKLCh
-/// (Ottosson 2020) with lightness in equal steps and the most colour that sRGB holds.
+/// From blue over teal to yellow, similar to Parula; brighter than viridis, so that shading is visible.      Source: a curve in OKLCh
+/// (Ottosson 2020) with equal steps of lightness and the largest chroma within sRGB.
 inline constexpr colormap blue_to_yellow{detail::blue_to_yellow_table};
 
 }  // namespace concino

@@ -1,4 +1,4 @@
-// What a picture is made of: the visible polygons of any mesh, with triangles to hit, normals to shade and values to colour them.
+// Drawables: the boundary polygons of any mesh, with the triangles, normals and values that render() needs.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -17,38 +17,38 @@
 
 namespace concino {
 
-/// How the surface of a drawable looks.
+/// The appearance of a drawable: colours, iso-bands, edges, highlights.
 struct appearance {
-  rgb color = srgb(0.80f, 0.80f, 0.82f);     // where there are no values
-  rgb no_value = srgb(0.55f, 0.55f, 0.55f);  // where a value is infinite or not a number
+  rgb color = srgb(0.80f, 0.80f, 0.82f);     // if there are no values
+  rgb no_value = srgb(0.55f, 0.55f, 0.55f);  // of points whose value is infinite or not a number
   colormap map = blue_to_yellow;
-  value_scale scale;          // which values are at which place of the map
-  int bands = 0;              // white iso-bands, at even distances of the scale; 0: none
-  double band_width = 0.12;   // of the distance between two bands, in [0, 1]
-  double band_limit = 0.008;  // no band looks wider, as a fraction of the picture's height: where the field is flat, bands stay lines
+  value_scale scale;          // maps values to positions in the colour map
+  int bands = 0;              // number of white iso-bands, at equal distances of the scale; 0: none
+  double band_width = 0.12;   // as a fraction of the distance between two bands, in [0, 1]
+  double band_limit = 0.008;  // the maximal width of bands in the picture, as a fraction of its height, so that bands stay lines where the field is flat
   double edge_width = 0;      // lines along the edges of the mesh, in pixels; 0: none
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
   double edge_opacity = 0.6;  // in [0, 1]
-  double shine = 1;           // of the highlights, 0: none
+  double shine = 1;           // strength of the highlights; 0: none
 };
 
-/// Polygons of the surface of a mesh, ready for drawing. All in units of the mesh.
+/// The polygons of the surface of a mesh, prepared for rendering. Lengths are in units of the mesh.
 struct drawable {
   std::vector<vec3> points;
-  std::vector<double> values;                           // per point; empty: no values
+  std::vector<double> values;                           // by point; empty: no values
   std::vector<std::uint32_t> offsets = {0};             // polygon p has the corners offsets[p] .. offsets[p+1]-1
-  std::vector<std::uint32_t> corners;                   // a point each
-  std::vector<std::array<float, 3>> normals;            // per corner, unit
-  std::vector<std::uint32_t> polys;                     // per polygon: index_of the poly of the mesh that it shows
-  std::vector<std::array<std::uint32_t, 3>> triangles;  // three corners each
-  std::vector<std::uint32_t> polygon_of;                // per triangle
+  std::vector<std::uint32_t> corners;                   // the point of each corner
+  std::vector<std::array<float, 3>> normals;            // by corner, unit vectors
+  std::vector<std::uint32_t> polys;                     // by polygon: index_of its poly in the mesh
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // the three corners of each
+  std::vector<std::uint32_t> polygon_of;                // by triangle
   appearance look;
 
   polygon_list polygons() const { return {points, offsets, corners}; }
 };
 
 struct drawable_options {
-  double crease_angle = 60;  // degrees: edges bent more look sharp; 0: every polygon looks flat, 180: everything looks smooth
+  double crease_angle = 60;  // degrees, in [0, 180]: edges with a larger angle look sharp; 0: flat shading, 180: smooth everywhere
 };
 
 namespace detail {
@@ -104,18 +104,18 @@ drawable make_drawable(const M& m, const drawable_options& options, bool with_va
 
 }  // namespace detail
 
-/// The surface of a mesh for drawing: the polygons of a surface, the faces of a volume that have exactly one poly.
-/// Needs:  EmbeddedMesh M.      Result: in a plain colour; change `look` at will.
-/// Cost:   O(polygons), more where many meet in a vert.
-/// Errors: invalid_mesh if a vert that is shown has a coordinate that is not finite; invalid_argument if crease_angle is out of range.
+/// The drawable of a mesh: the polygons of a surface, or the faces of a volume that have exactly one poly.
+/// Needs:  EmbeddedMesh M.      Result: a drawable of one colour; change `look` as you like.
+/// Cost:   O(polygons), more if many of them meet at a vert.
+/// Errors: invalid_mesh if a visible vert has a coordinate that is not finite; invalid_argument if crease_angle is out of range.
 template<EmbeddedMesh M>
 drawable make_drawable(const M& m, const drawable_options& options = {}) {
   return detail::make_drawable(m, options, false, [](const auto&) { return 0.0; });
 }
 
-/// The same coloured by a value per vert, interpolated over each polygon.
-/// Needs:  EmbeddedMesh M; u: any readable map over verts, of numbers; they need not be finite.
-/// Result: as above; `look.scale` is linear over the finite values shown.
+/// The drawable of a mesh, coloured by a value per vert, which is interpolated over each polygon.
+/// Needs:  EmbeddedMesh M; u: any readable map of numbers on verts; they need not be finite.
+/// Result: as above; `look.scale` is linear over the finite values of the visible verts.
 /// Cost:   as above.
 /// Errors: as above.
 template<class M, class U>

@@ -1,4 +1,4 @@
-// A picture in memory.
+// A picture in memory, in linear colours.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -17,7 +17,7 @@ class image {
 
  public:
   image() = default;
-  /// Errors: invalid_argument if a side is 0 or above 65,535.
+  /// Errors: invalid_argument if width or height is 0 or above 65,535.
   image(std::size_t width, std::size_t height, const rgb& color = {}) : width_(width), height_(height) {
     if (width == 0 || height == 0 || width > 65535 || height > 65535)
       core::throw_joined<invalid_argument>({"image: ", width, " x ", height, " pixels; each side must be 1 to 65535"});
@@ -32,8 +32,8 @@ class image {
   friend bool operator==(const image&, const image&) = default;
 };
 
-/// Three sRGB bytes a pixel, row by row from the top left: what image files hold.
-/// Needs:  any picture.      Result: as srgb_bytes of each colour; nothing for a picture without pixels.      Cost: O(pixels).      Errors: none.
+/// The pixels as image files store them: three sRGB bytes each, row by row from the top left.
+/// Needs:  any picture.      Result: as srgb_bytes of each colour; empty for a picture without pixels.      Cost: O(pixels).      Errors: none.
 inline std::vector<std::uint8_t> srgb_bytes(const image& picture) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(picture.width() * picture.height() * 3);

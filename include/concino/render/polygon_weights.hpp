@@ -1,5 +1,5 @@
-// Mean value coordinates: what part each corner of a polygon has in a point of it. They make a field over a polygon smooth and
-// independent of how the polygon is cut into triangles.
+// Mean value coordinates: the weights of the corners of a polygon at a point in it. They interpolate a field over a polygon smoothly,
+// independent of its triangulation.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -12,9 +12,9 @@
 namespace concino {
 
 /// The weights of the corners of a polygon at point x.
-/// Needs:  `normal`, the unit normal of the polygon; x and the corners are seen along it.
-/// Result: weights[i] of corner i, with sum 1, exact for linear functions on planar polygons; at a corner or on a side only its
-///         ends count. Equal weights if the polygon has no area.
+/// Needs:  `normal`, the unit normal of the polygon; x and the corners are projected along it.
+/// Result: weights[i] of corner i, with sum 1, exact for linear functions on planar polygons. At a corner, or on an edge, only the corner itself,
+///         or the two ends of the edge, have a weight. Equal weights if the polygon has no area.
 /// Cost:   O(corners).      Errors: none.
 /// Source: Hormann and Floater 2006, which also covers concave polygons.
 inline void polygon_weights(std::span<const vec3> corners, const vec3& normal, const vec3& x, std::vector<double>& weights) {
@@ -24,7 +24,7 @@ inline void polygon_weights(std::span<const vec3> corners, const vec3& normal, c
     const vec3 d = p - x;
     return d - normal * dot(d, normal);
   };
-  const auto half_tangent = [&](const vec3& a, const vec3& b, double ra, double rb) {  // of half the angle from a to b, seen from x
+  const auto half_tangent = [&](const vec3& a, const vec3& b, double ra, double rb) {  // tangent of half the angle from a to b at x
     const double area = dot(normal, cross(a, b)), along = dot(a, b);
     return area != 0 ? (ra * rb - along) / area : 0;
   };
@@ -37,14 +37,14 @@ inline void polygon_weights(std::span<const vec3> corners, const vec3& normal, c
       weights[i] = 1;
       return;
     }
-    // On the side: the two ends are seen in opposite directions, up to rounding.
+    // x is on the edge: its two ends are in opposite directions, up to rounding.
     if (std::abs(dot(normal, cross(a, b))) <= 1e-12 * ra * rb && dot(a, b) < 0) {
       weights.assign(n, 0);
       weights[i] = rb / (ra + rb);
       weights[j] = ra / (ra + rb);
       return;
     }
-    if (rb == 0) continue;  // the next turn sees it
+    if (rb == 0) continue;  // the next iteration handles it
     const double t = half_tangent(a, b, ra, rb);
     weights[i] += t / ra;
     weights[j] += t / rb;

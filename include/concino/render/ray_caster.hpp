@@ -1,4 +1,4 @@
-// What rendering asks of a ray caster, and the triangles handed to it. Adapters provide one (<concino/adapters/embree.hpp>).
+// The concepts of ray casters and ray tracers that render() needs. An adapter models them: <concino/adapters/embree.hpp>.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -17,7 +17,7 @@ struct triangle_soup {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Where a ray met a triangle (a, b, c): at (1-u-v) a + u b + v c, t lengths of the direction from its origin.
+/// The intersection of a ray with a triangle (a, b, c): the point (1-u-v) a + u b + v c = origin + t direction.
 struct ray_hit {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   std::uint32_t triangle = none;
@@ -26,18 +26,18 @@ struct ray_hit {
   explicit operator bool() const { return triangle != none; }
 };
 
-/// Answers from several threads at once. Hits count if their t is within [t_near, t_far].
+/// A ray caster: intersects rays with triangles, from several threads at once. It reports hits with t within [t_near, t_far].
 template<class C> concept RayCaster = requires(const C& c, const vec3& origin, const vec3& direction, double t_near, double t_far) {
   { c.intersect(origin, direction, t_near, t_far) } -> std::convertible_to<ray_hit>;
   { c.occluded(origin, direction, t_near, t_far) } -> std::convertible_to<bool>;
 };
 
-/// Builds a ray caster for given triangles.
+/// A ray tracer: builds a ray caster for triangles.
 template<class T> concept RayTracer = requires(const T& t, const triangle_soup& soup) {
   { t.build(soup) } -> RayCaster;
 };
 
-/// Stands where no ray tracer was handed in, and says what to hand in.
+/// The default where no ray tracer is passed: its build() throws, and the message says which one to pass.
 struct no_ray_tracer {
   struct caster {
     ray_hit intersect(const vec3&, const vec3&, double, double) const { return {}; }

@@ -1,4 +1,4 @@
-// Still pictures: a surface in soft daylight on a light ground, good enough to print. The rays are cast by whatever is handed in.
+// Renders a still picture of surfaces in soft daylight on a light ground, in print quality. The ray tracer is an argument.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -16,20 +16,20 @@ namespace concino {
 
 struct render_options {
   std::size_t width = 1600, height = 1200;  // pixels, 1 to 65535 each
-  int samples = 3;                          // per pixel along each side, 1 to 32; 9 in all for 3
-  int sky_rays = 36;                        // per pixel, one or more for each sample, to see how much sky is free; 0: none; at most 2^20
-  double sky_distance = 0.9;                // above 0, up to where things shade one another, in half diagonals of the bounding box
-  bool ground = true;                       // catches the shadow on a plane under the lowest point; shown from above only
+  int samples = 3;                          // per pixel along each axis, 1 to 32: 3 means 9 samples
+  int sky_rays = 36;                        // rays per pixel to estimate the visible sky, at least one for each sample; 0: none; at most 2^20
+  double sky_distance = 0.9;                // above 0: surfaces farther away do not occlude the sky, in half diagonals of the bounding box
+  bool ground = true;                       // adds a plane under the lowest point, which receives shadows; visible only from above
   vec3 up = {0, 1, 0};                      // away from the ground; of any length but 0
-  vec3 light = {-0.55, 0.9, 0.75};          // towards the light, as seen by the camera: right, up, back; of any length but 0
-  double light_size = 9;                    // degrees from its middle to its rim, in [0, 90): how soft shadows are
+  vec3 light = {-0.55, 0.9, 0.75};          // towards the light, in the frame of the camera: right, up, back; of any length but 0
+  double light_size = 9;                    // angular radius in degrees, in [0, 90); larger lights give softer shadows
   rgb background = {1, 1, 1};               // also the colour of the ground
-  concino::progress progress = {};  // told "rendering"
+  concino::progress progress = {};  // called with the fraction done and "rendering"
 };
 
 /// The nearest camera that sees all of the drawables.
 /// Needs:  aspect: width / height of the picture, above 0.
-/// Result: as framing; points that are not finite are left out.
+/// Result: as framing; points that are not finite are ignored.
 /// Cost:   O(points).
 /// Errors: as framing.
 inline camera frame(std::span<const drawable> drawables, double aspect, const view_options& options = {}) {
@@ -62,28 +62,28 @@ class painter {
   frame light_frame_{{0, 0, 1}};
   double light_cosine_, light_sine_, ground_, ball_, mean_sky_;
   cosine_directions sky_;
-  static constexpr double gap_ = 3e-5;  // rays start this far off the surface, to miss it in single precision
+  static constexpr double gap_ = 3e-5;  // rays start at this distance from the surface, so that they miss it in single precision
   static constexpr double far_ = 1e30;
   static constexpr std::size_t light_rays_ = 1;  // for each sample
 
-  /// What falls in from the sky and the ground, 1 for a point that sees only sky overhead.
+  /// The light from the sky and the ground; 1 for light that comes only from straight above.
   double sky_light(const vec3& place, const vec3& normal, const vec3& flat, std::size_t sample, const cosine_directions::turn& turn) const {
     const std::size_t all = static_cast<std::size_t>(options_.samples) * static_cast<std::size_t>(options_.samples);
     if (sky_.size() == 0) return brightness(normal);
-    const std::size_t first = sky_.size() * sample / all;  // each sample casts its share, but at least one
+    const std::size_t first = sky_.size() * sample / all;  // each sample casts its share of the rays, at least one
     const std::size_t last = std::max(first + 1, sky_.size() * (sample + 1) / all);
     const frame f(normal);
     double sum = 0;
     for (std::size_t k = first; k < last; ++k) {
       vec3 d = sky_(k, turn, f);
       const double above = dot(d, flat);
-      if (above < 0) d -= flat * (2 * above);  // the smooth normal's hemisphere reaches below the triangle
+      if (above < 0) d -= flat * (2 * above);  // the hemisphere of the smooth normal extends below the triangle
       if (misses_all(place, d) || !caster_.occluded(place, d, 0, options_.sky_distance)) sum += brightness(d);
     }
     return sum / static_cast<double>(last - first);
   }
 
-  /// A quick answer for rays from the ground, most of which pass by the ball about the scene.
+  /// Whether a ray misses the bounding ball of the scene: a fast test, true for most rays from the ground.
   bool misses_all(const vec3& place, const vec3& d) const {
     const double away = dot(place, place), along = -dot(place, d);
     return away > ball_ && (along <= 0 || away - along * along > ball_);
@@ -91,7 +91,7 @@ class painter {
 
   double brightness(const vec3& d) const { return 0.80 + 0.20 * dot(d, up_); }
 
-  /// What comes from the light, 1 where it falls in straight and unshaded. Every sample looks at another part of it.
+  /// The light from the area light; 1 if it is perpendicular and unshaded. Every sample tests another part of the light.
   double key_light(const vec3& place, const vec3& normal, const vec3& flat, std::size_t sample, const unit_point& shift) const {
     if (dot(normal, light_) <= -light_sine_) return 0;
     double sum = 0;
@@ -140,7 +140,7 @@ class painter {
     light_sine_ = std::sin(o.light_size * 3.14159265358979323846 / 180);
     ground_ = scene.lowest(up_);
     ball_ = scene.squared_radius() * 1.0001;
-    mean_sky_ = o.sky_rays > 0 ? 0.80 + 0.20 * 2 / 3 : 1.0;  // a cosine-weighted direction rises by 2/3
+    mean_sky_ = o.sky_rays > 0 ? 0.80 + 0.20 * 2 / 3 : 1.0;  // the mean height of cosine-weighted directions is 2/3
   }
 
   rgb pixel(std::size_t x, std::size_t y, surface_reader& read) const {
@@ -172,10 +172,10 @@ class painter {
 
 }  // namespace detail
 
-/// A picture of the drawables as `from` sees them, lit by a sky, a light at the viewer's shoulder and a little from the front.
+/// A picture of the drawables from camera `from`, lit by the sky, by a light beside the viewer and weakly from the front.
 /// Needs:  a ray tracer such as concino::embree{} of <concino/adapters/embree.hpp>.
 /// Result: the same picture on every run and for any number of threads.
-/// Cost:   samples^2 rays for each pixel; another sky_rays, and one to the light for each sample, where it shows something.
+/// Cost:   samples^2 rays for each pixel; where it shows a surface or the ground, also sky_rays rays, and one to the light for each sample.
 /// Errors: invalid_argument if an option is out of its range; unsupported without a ray tracer; cancelled if progress says so.
 template<RayTracer T = no_ray_tracer>
 image render(std::span<const drawable> drawables, const camera& from, const render_options& options = {}, const T& tracer = {}) {
@@ -185,7 +185,7 @@ image render(std::span<const drawable> drawables, const camera& from, const rend
   const auto caster = tracer.build(scene.soup);
   const detail::painter paint(scene, caster, from, options);
 
-  constexpr std::size_t side = 16;  // of the tiles that the threads take in turn
+  constexpr std::size_t side = 16;  // in pixels, of the tiles that threads render in parallel
   const std::size_t across = (options.width + side - 1) / side, down = (options.height + side - 1) / side;
   const auto tile = [&](std::size_t i) {
     auto read = paint.reader();

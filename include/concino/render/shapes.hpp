@@ -1,4 +1,4 @@
-// Small bodies to mark places in a picture.
+// Small shapes that mark points in a picture.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -11,11 +11,11 @@
 
 namespace concino {
 
-/// Balls of one size and colour, round to the eye.
+/// Balls of one size and colour, with smooth normals.
 /// Needs:  finite centres; radius above 0, in units of the mesh.
-/// Result: one drawable for all of them.      Cost: 1,280 triangles each.
+/// Result: one drawable with all balls.      Cost: 1,280 triangles each.
 /// Errors: invalid_argument if the radius is not positive and finite, or a centre is not finite.
-/// Source: the faces of an icosahedron, cut in four three times.
+/// Source: an icosahedron whose faces are split into four, three times.
 inline drawable make_balls(std::span<const vec3> centers, double radius, const rgb& color) {
   if (!(radius > 0) || !std::isfinite(radius)) throw invalid_argument("make_balls: the radius must be positive");
   const double g = 1.61803398874989484820;

@@ -1,4 +1,4 @@
-// Normals at the corners of polygons, smooth where the surface is and split at creases.
+// Normals at the corners of polygons: smooth where the surface is smooth, and different on the two polygons at a crease.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino {
 
-/// Polygons as lists of points: polygon p has the corners offsets[p] .. offsets[p+1]-1, each the index of a point.
+/// Polygons as flat arrays: polygon p has the corners offsets[p] .. offsets[p+1]-1, and corners[i] is the index of a point.
 struct polygon_list {
   std::span<const vec3> points;
   std::span<const std::uint32_t> offsets;
@@ -33,7 +33,7 @@ inline double angle_at(const vec3& before, const vec3& at, const vec3& after) {
   return std::atan2(norm(cross(a, b)), dot(a, b));
 }
 
-/// Unit vector areas; 0 for polygons without area.
+/// The unit normals of polygons: normalised vector areas, 0 for polygons without area.
 inline std::vector<normal3> polygon_normals(const polygon_list& list) {
   std::vector<normal3> normals(list.size());
   parallel_for(list.size(), [&](std::size_t p) {
@@ -51,13 +51,13 @@ inline std::vector<normal3> polygon_normals(const polygon_list& list) {
 
 }  // namespace detail
 
-/// For every corner the mean normal of the polygons around its point that face nearly the same way as the corner's own.
+/// The normal at every corner: the mean of the normals of polygons around its point that are similar to that of its own polygon.
 /// Needs:  crease_angle in degrees: polygons whose normals differ by more do not share a normal. Corners below the number of points, offsets that
 ///         do not decrease and end with the number of corners.
-/// Result: one unit vector per corner; that of the polygon where it has no like neighbours, 0 where it has no area.
+/// Result: one unit vector per corner. It is the normal of the polygon if there are no similar ones, and 0 if the polygon has no area.
 /// Cost:   O(sum of squared valences), less where more than 64 corners meet; parallel.
 /// Errors: none.
-/// Source: weights are the corners' angles, Thuerrner and Wuethrich 1998, so that the cutting of flat parts does not matter.
+/// Source: weights are the corners' angles, Thuerrner and Wuethrich 1998, so that the result does not depend on how flat parts are divided.
 inline std::vector<std::array<float, 3>> smooth_normals(const polygon_list& list, double crease_angle) {
   using detail::normal3;
   const auto polygon = detail::polygon_normals(list);

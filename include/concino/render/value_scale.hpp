@@ -1,4 +1,4 @@
-// How values are spread over a colour map.
+// Scales that map values to positions in a colour map.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -11,9 +11,9 @@
 
 namespace concino {
 
-/// A rising function from values to [0, 1], linear between knots. Values beyond its ends map to 0 and 1.
+/// A non-decreasing, piecewise linear function from values to [0, 1]. Values beyond its ends map to 0 and 1.
 class value_scale {
-  std::vector<double> values_ = {0, 1}, places_ = {0, 1};  // of the knots; values never fall, places run from 0 to 1
+  std::vector<double> values_ = {0, 1}, places_ = {0, 1};  // of the knots; values do not decrease, places go from 0 to 1
 
   std::size_t step_of(double value) const {
     const auto i = static_cast<std::size_t>(std::upper_bound(values_.begin(), values_.end(), value) - values_.begin());
@@ -23,7 +23,7 @@ class value_scale {
  public:
   value_scale() = default;
 
-  /// In proportion, from `low` to `high`.      Errors: invalid_argument unless both are finite and low <= high.
+  /// A linear scale from `low` to `high`.      Errors: invalid_argument unless both are finite and low <= high.
   static value_scale linear(double low, double high) {
     if (!std::isfinite(low) || !std::isfinite(high) || !(low <= high))
       throw invalid_argument("value_scale: low and high must be finite, low <= high");
@@ -32,11 +32,11 @@ class value_scale {
     return s;
   }
 
-  /// In proportion from the least to the greatest finite value; 0 to 1 if there is none.
+  /// A linear scale from the smallest to the largest finite value; from 0 to 1 if there is none.
   static value_scale linear(std::span<const double> values) { return equalized(values, 0); }
 
-  /// Between in proportion (share 0) and equal parts of the map for equally many values (share 1): a field that is steep in a few
-  /// places and flat elsewhere, as potentials of points are, shows its course everywhere.
+  /// A blend of the linear scale (share 0) and the scale by rank, in which equal parts of the map have equally many values (share 1). It shows
+  /// the variation everywhere in a field that is steep in a few places and flat elsewhere, such as a potential of points.
   /// Errors: invalid_argument if share is not in [0, 1].      Cost: O(n log n).
   static value_scale equalized(std::span<const double> values, double share = 0.6) {
     if (!(share >= 0 && share <= 1)) throw invalid_argument("value_scale: share must be in [0, 1]");
@@ -46,9 +46,9 @@ class value_scale {
     if (sorted.empty()) return {};
     std::sort(sorted.begin(), sorted.end());
     value_scale s = linear(sorted.front(), sorted.back());
-    const double range = sorted.back() / 2 - sorted.front() / 2;  // halves: their difference cannot overflow
+    const double range = sorted.back() / 2 - sorted.front() / 2;  // the difference of halves cannot overflow
     if (share == 0 || !(range > 0)) return s;
-    constexpr std::size_t steps = 16;  // few, so that the slope does not jump from band to band
+    constexpr std::size_t steps = 16;  // few knots, so that the slope varies little from band to band
     s.values_.clear();
     s.places_.clear();
     const auto place = [&](double x, double rank) {
@@ -58,7 +58,7 @@ class value_scale {
       const double x = sorted[(sorted.size() - 1) * k / steps];
       const std::size_t first = k;
       while (k <= steps && sorted[(sorted.size() - 1) * k / steps] == x) ++k;
-      const std::size_t last = k - 1;  // a value that many share is one knot: at an end the end, else the middle of its ranks
+      const std::size_t last = k - 1;  // equal values are one knot, at the middle of their ranks, or at an end of the scale
       const double rank = first == 0 ? 0 : last == steps ? 1 : static_cast<double>(first + last) / (2.0 * steps);
       s.values_.push_back(x);
       s.places_.push_back(place(x, rank));
@@ -76,7 +76,7 @@ class value_scale {
     return places_[i] + part * (places_[i + 1] - places_[i]);
   }
 
-  /// By how much the result rises per unit of value; 0 outside and where all values are the same.
+  /// The derivative of the scale at a value; 0 outside its range, and if all values are equal.
   double slope(double value) const {
     const std::size_t i = step_of(value);
     const double a = values_[i], b = values_[i + 1];

@@ -1,4 +1,4 @@
-// Well-spread points and directions, the same on every machine and for any number of threads.
+// Quasi-random points and directions, the same on every machine and for any number of threads.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -14,7 +14,7 @@ struct unit_point {
   double x = 0, y = 0;  // in [0, 1)
 };
 
-/// Bits that look random; different inputs give different outputs.      Source: SplitMix64, Steele, Lea and Flood 2014.
+/// Pseudorandom bits; a bijection, so different inputs give different outputs.      Source: SplitMix64, Steele, Lea and Flood 2014.
 constexpr std::uint64_t scrambled(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -27,7 +27,7 @@ constexpr unit_point random_point(std::uint64_t seed) {
   return {static_cast<double>(bits >> 32) * 0x1p-32, static_cast<double>(bits & 0xffffffffu) * 0x1p-32};
 }
 
-/// Point i of a sequence of which any run of neighbours is spread evenly over the unit square, moved by `shift` and wrapped.
+/// Point i of a low-discrepancy sequence: consecutive points are evenly distributed over the unit square. It is moved by `shift`, modulo 1.
 /// Source: R2, Roberts 2018; the shift is that of Cranley and Patterson 1976.
 inline unit_point spread_point(std::uint64_t i, const unit_point& shift) {
   const double n = static_cast<double>(i);
@@ -35,7 +35,7 @@ inline unit_point spread_point(std::uint64_t i, const unit_point& shift) {
   return {x - std::floor(x), y - std::floor(y)};
 }
 
-/// Two directions that form a right-handed orthonormal frame with n.      Source: Duff et al. 2017, JCGT 6(1).
+/// A right-handed orthonormal frame (t, b, n) for a unit vector n.      Source: Duff et al. 2017, JCGT 6(1).
 struct frame {
   vec3 t, b, n;
   explicit frame(const vec3& normal) : n(normal) {
@@ -46,13 +46,13 @@ struct frame {
   vec3 to_world(double x, double y, double z) const { return t * x + b * y + n * z; }
 };
 
-/// A direction over the hemisphere of f.n, with density cosine / pi (Malley's method: a disk lifted to the sphere).
+/// A direction in the hemisphere of f.n, with density cosine / pi (Malley's method: a disk projected up to the sphere).
 inline vec3 cosine_direction(const frame& f, const unit_point& u) {
   const double r = std::sqrt(u.x), angle = 6.28318530717958647693 * u.y;
   return f.to_world(r * std::cos(angle), r * std::sin(angle), std::sqrt(std::fmax(0.0, 1 - u.x)));
 }
 
-/// The same for all points of a spread sequence moved by a shift, with the sines and cosines taken once: rays come by the million.
+/// The cosine_direction for the points of the sequence, moved by a shift. Sines and cosines are computed once, as there are millions of rays.
 class cosine_directions {
   struct ray {
     double x, cosine, sine;
@@ -68,7 +68,7 @@ class cosine_directions {
   }
   std::size_t size() const { return rays_.size(); }
 
-  /// How one point of the picture turns the sequence.
+  /// The shift of the sequence for one point of the picture.
   struct turn {
     double x, cosine, sine;
     explicit turn(const unit_point& shift)
@@ -81,7 +81,7 @@ class cosine_directions {
   }
 };
 
-/// A direction within the cone about f.n whose half-angle has the given cosine, evenly by solid angle.
+/// A direction within the cone about f.n whose half-angle has this cosine, uniform by solid angle.
 inline vec3 cone_direction(const frame& f, double cosine, const unit_point& u) {
   const double z = 1 - u.x * (1 - cosine), r = std::sqrt(std::fmax(0.0, 1 - z * z)), angle = 6.28318530717958647693 * u.y;
   return f.to_world(r * std::cos(angle), r * std::sin(angle), z);

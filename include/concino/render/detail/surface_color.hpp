@@ -1,4 +1,4 @@
-// The colour of a point of a drawable before light falls on it: values through the colour map, iso-bands and edges.
+// The unlit colour of a point of a drawable: colour map of the values, iso-bands and edges.
 #pragma once
 
 #include <concino/render/detail/unit_scene.hpp>
@@ -6,7 +6,7 @@
 
 namespace concino::detail {
 
-/// The part of [x - w/2, x + w/2] that lies in bands of width `band` about 1/2, 3/2, 5/2 ...: exact anti-aliasing of stripes.
+/// The fraction of [x - w/2, x + w/2] that lies in bands of width `band` about 1/2, 3/2, 5/2 ..., for exact anti-aliasing.
 inline double band_coverage(double x, double w, double band) {
   const auto integral = [&](double t) {
     const double whole = std::floor(t);
@@ -23,21 +23,21 @@ inline double segment_distance(const image_point& p, const image_point& a, const
   return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
 }
 
-/// Where a ray met the surface, with all that shading needs.
+/// A point where a ray hits the surface, with the data for shading.
 struct surface_point {
-  vec3 place, lifted;  // on the triangle; on the smooth surface that the triangle stands for
+  vec3 place, lifted;  // on the triangle; on the smooth surface that the triangle approximates
   vec3 flat, normal;   // of the triangle and of the smooth surface, towards the viewer
   rgb color;
   double shine = 0;
 };
 
-/// Looks up hits in a scene; one per thread, for its working memory.
+/// Computes surface_points of hits in a scene. Each thread needs its own, for its working memory.
 class surface_reader {
-  static constexpr std::uint32_t many = 64;  // corners, above which a polygon is read by its triangles
+  static constexpr std::uint32_t many = 64;  // a polygon with more corners is shaded by its triangles
 
   const unit_scene& scene_;
   const camera& camera_;
-  double pixel_, fineness_;  // pixel size on the film; samples along it
+  double pixel_, fineness_;  // size of a pixel on the film; number of samples along it
   std::vector<vec3> corners_;
   std::vector<double> weights_;
 
@@ -82,8 +82,8 @@ class surface_reader {
     const double side = dot(smooth, s.flat) < 0 ? -1 : 1;
     s.normal = length > 1e-6 ? smooth * (side / length) : s.flat;
 
-    // Rays that leave a coarse triangle towards grazing light would hit its neighbours, though the surface meant is round there:
-    // they start where the tangent planes of the corners are. Source: Hanika 2021, "Hacking the Shadow Terminator".
+    // Rays from a coarse triangle towards grazing light would hit its neighbours, although the approximated surface is round there. So they start
+    // on the tangent planes of the corners. Source: Hanika 2021, "Hacking the Shadow Terminator".
     s.lifted = s.place;
     const vec3 ends[3] = {a, b, c};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -111,13 +111,13 @@ class surface_reader {
     const rgb color = look.map(x);
     const double slope = look.scale.slope(value);
     if (look.bands <= 0 || !(slope > 0)) return color;
-    const double rise = step * slope * look.bands;  // from sample to sample, in distances between bands
+    const double rise = step * slope * look.bands;  // from one sample to the next, in distances between bands
     const double limit = look.band_limit / pixel_ * 2 * fineness_ * rise;
     const double width = std::min({1.0, std::max(0.0, look.band_width), limit});
     return mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.bands, 1.5 * rise, width)));
   }
 
-  // How much the value changes from one sample to the next, by following the rays beside this one to the triangle's plane.
+  // The change of the value from one sample to the next: intersects the neighbouring rays with the plane of the triangle.
   double value_step(const vec3& a, const vec3& b, const vec3& c, const double (&u)[3], const vec3& place, const image_point& film) const {
     const vec3 e = b - a, f = c - a, n = cross(e, f);
     const double nn = dot(n, n);

@@ -1,4 +1,4 @@
-// All drawables of a picture as one set of triangles about the origin, whatever the size and place of the mesh.
+// All drawables of a picture as one triangle soup about the origin, scaled to unit size.
 #pragma once
 
 #include <concino/render/camera.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino::detail {
 
-/// Moves the middle of the bounding box to 0 and makes half its diagonal 1, so that single precision is enough for meshes of any size.
+/// A scene moved so that the middle of its bounding box is 0, and scaled so that half the diagonal is 1. Single precision is then enough for any mesh.
 class unit_scene {
   std::span<const drawable> drawables_;
   std::vector<std::uint32_t> first_point_, first_triangle_;
@@ -60,7 +60,7 @@ class unit_scene {
 
   vec3 point(std::uint32_t i) const { return to_vec3(soup.points[i]); }
 
-  /// The drawable that triangle t of the soup belongs to, and its number there.
+  /// The drawable of triangle t of the soup, and the number of the triangle there.
   std::pair<std::size_t, std::uint32_t> owner(std::uint32_t t) const {
     const auto it = std::upper_bound(first_triangle_.begin(), first_triangle_.end(), t) - 1;
     return {static_cast<std::size_t>(it - first_triangle_.begin()), t - *it};
@@ -68,7 +68,7 @@ class unit_scene {
   const drawable& operator[](std::size_t i) const { return drawables_[i]; }
   std::uint32_t first_point(std::size_t i) const { return first_point_[i]; }
 
-  /// The square of the greatest distance from 0.
+  /// The square of the largest distance from the origin.
   double squared_radius() const {
     double reach = 0;
     for (std::size_t i = 0; i < soup.points.size(); ++i)
@@ -76,7 +76,7 @@ class unit_scene {
     return reach;
   }
 
-  /// How low the scene reaches along a direction.
+  /// The smallest coordinate of the scene along a direction.
   double lowest(const vec3& up) const {
     double low = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < soup.points.size(); ++i) low = std::min(low, dot(point(static_cast<std::uint32_t>(i)), up));
