@@ -1,12 +1,12 @@
-// conformance(factory): is this mesh, or this adapter, right? For the tests of anybody who adapts a mesh type.
+// conformance(factory): a test kit that checks whether a mesh type or an adapter is correct. Use it in the tests of your adapter.
 //
-// Beside the laws of the concepts (numbered in their headers) it checks:
-//   KIT1  the concepts that M models are those of const M, M& and const M&
-//   KIT2  a range stays what it is while others are asked for, differs in nothing when asked again, and its iterators do not disturb each other
-//   KIT3  two threads that read a const mesh at once get the answers that one gets
-//   KIT4  set_point moves the vert it is given, and no other
-//   KIT5  algorithms give what they give on the same mesh converted to this library's own
-//   KIT6  what was removed is gone, what was added is there, and no other element is renamed; editing throws nothing on sound arguments
+// In addition to the laws of the concepts (numbered in their headers) it checks:
+//   KIT1  M, const M, M& and const M& model the same concepts
+//   KIT2  a range does not change while others are computed, is the same when computed again, and its iterators are independent
+//   KIT3  two threads that read a const mesh at the same time get the same results as one
+//   KIT4  set_point moves its vert and no other
+//   KIT5  algorithms give the same results as on the mesh converted to a native mesh
+//   KIT6  removed elements are gone, added elements exist, and no other descriptor changes; editing with valid arguments does not throw
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -22,7 +22,7 @@
 
 namespace concino {
 
-/// What conformance() found.
+/// The result of conformance().
 struct conformance_report {
   struct finding {
     std::string law;      // "PG3", "KIT2"
@@ -31,11 +31,11 @@ struct conformance_report {
     std::string witness;  // the elements: "v7 v9"
   };
   std::vector<std::string> models;  // the concepts that M models
-  std::vector<std::string> states;  // that were looked at
+  std::vector<std::string> states;  // the states of the mesh that were checked
   std::vector<finding> findings;
 
   bool ok() const { return findings.empty(); }
-  /// A page for people.
+  /// The report as text.
   std::string text() const {
     std::string s = "models:";
     for (const std::string& c : models) s += concino::core::joined({" ", c});
@@ -49,16 +49,16 @@ struct conformance_report {
   }
 };
 
-/// Another state that the mesh can be brought into.
+/// An additional state of the mesh to check.
 template<class M>
 struct conformance_state {
   std::string name;    // "after a flip"
-  void (*apply)(M&);  // from the mesh as made
+  void (*apply)(M&);  // changes a new mesh into this state
 };
 
 template<class M>
 struct conformance_options {
-  std::vector<conformance_state<M>> states = {};  // looked at besides those that edits lead to
+  std::vector<conformance_state<M>> states = {};  // to check, in addition to the states after edits
   bool algorithms = true;                         // whether KIT5 is checked; it takes most of the time to compile and to run
 };
 
@@ -66,7 +66,7 @@ namespace testing::detail {
 
 struct named_concept { const char* name; bool in_all_forms, in_any_form; };
 
-// One line per concept; each form is asked by itself.
+// One line per concept; each of the four forms of M is tested separately.
 #define CONCINO_FORMS_OF(concept_name)                                                                                     \
   named_concept {                                                                                                          \
     #concept_name, concept_name<M> && concept_name<const M> && concept_name<M&> && concept_name<const M&>,                 \
@@ -87,7 +87,7 @@ void check_state(const M& m, const std::string& state, bool algorithms, conforma
     for (const broken_law& b : broken) report.findings.push_back({b.law, state, b.what, b.witness});
     return broken.empty();
   };
-  // What follows trusts what came before: nothing is run on a mesh that is known to be wrong.
+  // Each check relies on the previous ones, so it stops at the first that fails.
   if (!keep(check_laws(m))) return;
   const auto guarded = [&](const char* law, const auto& check) {
     concino::detail::law_log log;
@@ -108,12 +108,12 @@ void check_state(const M& m, const std::string& state, bool algorithms, conforma
 
 }  // namespace testing::detail
 
-/// Checks a mesh type by one of its meshes.
-/// Needs:  make() returns a mesh, the same at every call; it should have verts without polys, a border and several pieces where its type can.
-/// Result: what was looked at and what was found; report.text() says it in words. As made, and, where the traits offer add_vert, add_poly,
-///         remove_poly or remove_vert, in the states that these lead to, and in those of the options.
-/// Cost:   some tens of walks over the mesh, and make() once a state; a mesh of a few hundred elements finds what one of a million does.
-/// Errors: std::bad_alloc passes, and so does what make() throws. All else that the mesh throws is a finding.
+/// Checks a mesh type on one of its meshes.
+/// Needs:  make() returns the same mesh at every call. It should have verts without polys, a boundary and several components, if its type can.
+/// Result: the states that were checked and the findings; report.text() is a text for people. The mesh is checked as make() returns it, and in the
+///         states of the options. If the traits have add_vert, add_poly, remove_poly or remove_vert, it is also checked after these edits.
+/// Cost:   some tens of passes over the mesh, and make() once per state. A mesh of a few hundred elements reveals as much as one of a million.
+/// Errors: std::bad_alloc is passed on, and so are exceptions of make(). Any other exception of the mesh becomes a finding.
 template<class Make, class M = std::remove_cvref_t<std::invoke_result_t<const Make&>>>
   requires PrimalGraph<M> || DualGraph<M>
 conformance_report conformance(const Make& make, const conformance_options<M>& options = {}) {

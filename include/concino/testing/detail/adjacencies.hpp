@@ -1,4 +1,4 @@
-// Every adjacency that a mesh answers, one after another: for checks that are the same for all of them.
+// Iterates over all adjacencies of a mesh, for checks that are the same for each of them.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -13,7 +13,8 @@
 
 namespace concino::testing::detail {
 
-/// Calls f("adj_v2v", 'v', verts, adj_v2v) and so on: its name, the letter and walk of the elements that it is asked of, the verb.
+/// Calls f("adj_v2v", 'v', verts, adj_v2v) and so on. The arguments are the name, the letter and the range of the elements of its argument, and the
+/// verb.
 template<class M, class F>
 void for_each_adjacency([[maybe_unused]] const M& m, const F& f) {
   if constexpr (PrimalGraph<M>) f("adj_v2v", 'v', verts, adj_v2v);
@@ -24,7 +25,7 @@ void for_each_adjacency([[maybe_unused]] const M& m, const F& f) {
     f("adj_e2v", 'e', edges, adj_e2v);
     f("adj_e2p", 'e', edges, adj_e2p);
     f("adj_p2v", 'p', polys, adj_p2v);
-    f("adj_p2e", 'p', polys, [](const M& mesh, const poly_t<M>& p) -> decltype(auto) { return traits<M>::adj_p2e(mesh, p); });  // before the verb sorts
+    f("adj_p2e", 'p', polys, [](const M& mesh, const poly_t<M>& p) -> decltype(auto) { return traits<M>::adj_p2e(mesh, p); });  // the verb would sort
   }
   if constexpr (VolumeMesh<M>) {  // surfaces have no faces
     f("adj_v2f", 'v', verts, adj_v2f);
@@ -46,7 +47,7 @@ std::vector<std::size_t> indices(const M& m, const R& ring) {
 
 inline std::string name(char letter, std::size_t index) { return concino::core::joined({letter, index}); }
 
-/// A number that stands for everything m answers.
+/// A hash of the results of all verbs of m.
 template<class M>
 std::uint64_t digest(const M& m) {
   std::uint64_t sum = 0;

@@ -1,4 +1,4 @@
-// The states that editing brings a mesh into, and what editing promises itself.
+// Edits a mesh into the states that conformance() checks, and checks KIT4 and KIT6.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -11,10 +11,10 @@
 
 namespace concino::testing::detail {
 
-/// KIT4: set_point moves the vert it is given and no other.
+/// KIT4: set_point moves its vert and no other.
 template<MutablePoints M>
 void check_points(M& m, concino::detail::law_log& log) {
-  // numbers that floats hold exactly
+  // numbers that floats represent exactly
   const auto place = [](std::size_t i) { return vec3{static_cast<double>(i * 7 % 97) / 4, static_cast<double>(i * 3 % 89) / 4, static_cast<double>(i % 83) / 4}; };
   for (const vert_t<M> v : verts(m)) traits<M>::set_point(m, v, place(index_of(m, v)));
   for (const vert_t<M> v : verts(m)) {
@@ -24,7 +24,7 @@ void check_points(M& m, concino::detail::law_log& log) {
   }
 }
 
-/// Removes every third poly. KIT6: what was removed is gone, what was not removed is still there.
+/// Removes every third poly. KIT6: the removed polys are gone, the others still exist.
 template<class M>
 void remove_polys(M& m, concino::detail::law_log& log) {
   std::vector<poly_t<M>> all, gone, left;
@@ -39,7 +39,7 @@ void remove_polys(M& m, concino::detail::law_log& log) {
     if (contains(m, p)) log.add("KIT6", "a poly that was removed is still there", name('p', index_of(m, p)));
 }
 
-/// Adds a poly on verts of its own. KIT6: it is there, with them.
+/// Adds a poly with new verts. KIT6: the poly exists and has these verts.
 template<class M>
 void add_one(M& m, concino::detail::law_log& log) {
   constexpr int n = arity_v<M> ? arity_v<M> : 3;

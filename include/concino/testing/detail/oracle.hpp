@@ -1,4 +1,4 @@
-// The same algorithms on a mesh and on what it is when converted to this library's own, side by side.
+// Compares the results of algorithms on a mesh and on the native mesh to which it is converted.
 #pragma once
 
 #include <concino/convert/convert.hpp>
@@ -21,7 +21,7 @@ namespace concino::testing::detail {
 
 inline bool near(double a, double b) { return a == b || std::abs(a - b) <= 1e-9 * (1 + std::abs(a) + std::abs(b)); }
 
-/// KIT5.
+/// KIT5: algorithms give the same results as on the mesh converted to a native mesh.
 template<EmbeddedMesh M>
 void check_against_native(const M& m, concino::detail::law_log& log) {
   using native = std::conditional_t<dimension_v<M> == 2, polygonmesh, polyhedralmesh>;
@@ -51,7 +51,7 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
   for (const poly_t<M> p : polys(m)) {
     same("bfs from a poly", polys(m), 'p', bfs(m, p), bfs(c.mesh, c.poly_of(p)), poly_of);
     same("dijkstra from a poly", polys(m), 'p', dijkstra(m, p), dijkstra(c.mesh, c.poly_of(p)), poly_of);
-    // a field that is 0 and 1 at two verts of the poly; the pieces that have neither are given 0
+    // a field that is 0 and 1 at two verts of the poly; in components that contain neither, one vert has the value 0
     std::vector<std::pair<vert_t<M>, double>> given;
     std::vector<std::pair<vert_id, double>> also;
     const auto component = connected_components(m);

@@ -1,4 +1,4 @@
-// Ranges of elements stay what they are while others are asked for, and may be walked as often as one likes, by several threads too.
+// Checks that ranges of elements do not change while others are computed, and can be iterated repeatedly, also by several threads.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -12,7 +12,7 @@
 
 namespace concino::testing::detail {
 
-/// KIT2.
+/// KIT2: ranges are independent of one another, repeatable, and have independent iterators.
 template<class M>
 void check_ranges(const M& m, concino::detail::law_log& log) {
   constexpr std::size_t enough = 500;  // elements of each kind
@@ -52,7 +52,7 @@ void check_ranges(const M& m, concino::detail::law_log& log) {
   });
 }
 
-/// KIT3.
+/// KIT3: two threads that read a const mesh at the same time get the same results as one.
 template<class M>
 void check_threads(const M& m, concino::detail::law_log& log) {
   const std::uint64_t expected = digest(m);
