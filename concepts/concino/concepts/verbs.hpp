@@ -17,7 +17,7 @@ namespace concino {
 
 namespace detail {
 
-template<class M> struct order_of_edges;  // in sorted_edges.hpp, which brings this header itself where it is included first
+template<class M> struct order_of_edges;  // defined in sorted_edges.hpp; either header may be included first
 
 }  // namespace detail
 

@@ -46,7 +46,7 @@ template<class P>
 auto boost_map(P&& map) { return concino::boost_map<typename std::remove_cvref_t<P>::key_type>(std::forward<P>(map)); }
 
 /// Lengths, capacities or other values of edges from a callable, which is called on each access.
-/// Needs:  g: primal(m), dual(m) or directed(...); f(source, target) is a value, and the same both ways unless g is directed.
+/// Needs:  g: primal(m), dual(m) or directed(...); f(source, target) is a value, equal to f(target, source) unless g is directed.
 /// Result: a readable property map of g's edges.      Cost: none.      Errors: those of f.
 template<detail::boost_view G, class F>
   requires std::is_invocable_v<const F&, detail::node_in<G>, detail::node_in<G>>

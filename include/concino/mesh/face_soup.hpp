@@ -120,7 +120,7 @@ struct face_soup {
     std::vector<std::uint32_t> where(points.size() + 1, 0);
     std::vector<entry> entries = sort_by_smallest_vert(where);
 
-    // twin[f]: the first face equal to f, and whether f runs the other way
+    // twin[f]: the first face equal to f; outward[f]: whether f has the same direction as that face
     std::vector<std::uint32_t> twin(n);
     std::vector<std::uint8_t> outward(n, 1);
     std::vector<cycle> cycles;

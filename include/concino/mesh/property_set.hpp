@@ -21,7 +21,7 @@
 
 namespace concino {
 
-/// What has the values of a property: elements of a kind; `mesh`: the mesh as a whole, one value; `corner`: each vert of each poly.
+/// What a property gives values to: the elements of a kind; `mesh`: the mesh as a whole, one value; `corner`: each vert of each poly.
 enum class element_kind { vert, edge, face, poly, mesh, corner };
 
 /// The name of a kind of elements: "vert", "edge", "face", "poly", "mesh" or "corner".

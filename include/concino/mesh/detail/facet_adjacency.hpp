@@ -278,7 +278,7 @@ class facet_adjacency {
   // A repeated neighbour stays repeated as long as that poly lives, so marks are only added: at incidences with a new poly, with one that is
   // at a non-manifold facet now, or with one that was at a non-manifold facet before.
 
-  /// Marks the incidences of q with neighbour p, the last poly of each of its lists, where p is also behind an earlier or a non-manifold facet.
+  /// Marks the incidences of q with neighbour p if p is also behind an earlier facet or a non-manifold facet of q. p is the last poly of each of its lists.
   void mark_repeats_of(std::uint32_t p, std::uint32_t q) {
     encoded_neighbour* const s = neighbours_.begin(q);
     const std::uint32_t n = facets_.length(q);
