@@ -72,7 +72,7 @@ template<class P, class Node>
 std::vector<Node> path_to(const P& predecessors, const Node& end) {
   std::vector<Node> path{end};
   for (Node x = predecessors[end]; !(x == path.back()); x = predecessors[x]) path.push_back(x);
-  std::reverse(path.begin(), path.end());
+  for (std::size_t i = 0, k = path.size(); i + 1 < k--; ++i) std::swap(path[i], path[k]);
   return path;
 }
 

@@ -27,7 +27,9 @@ class cell_recogniser {
     ++faces_.back().size;
   }
   /// Reverses the orientation of the last face.
-  void reverse_face() { std::reverse(verts_.end() - faces_.back().size, verts_.end()); }
+  void reverse_face() {
+    for (std::size_t i = faces_.back().begin, k = verts_.size(); i + 1 < k--; ++i) std::swap(verts_[i], verts_[k]);
+  }
 
   cell_shape recognise() {
     unsigned triangles = 0, quads = 0;
@@ -46,7 +48,9 @@ class cell_recogniser {
     // The base is the first face with as many verts as the first face of the table. That one is listed outward, so reading the base
     // backwards gives the verts from 0 on. The other verts are above those of the base.
     const standard_cell& t = standard_cell_of(s);
-    const auto base = *std::find_if(faces_.begin(), faces_.end(), [&](const span_of_face& f) { return f.size == t.face_size[0]; });
+    std::size_t first = 0;
+    while (faces_[first].size != t.face_size[0]) ++first;
+    const span_of_face base = faces_[first];
     const unsigned b = base.size;
     for (unsigned i = 0; i < b; ++i) cell[t.face_vert[0][i]] = verts_[base.begin + i];
     for (unsigned i = b; i < t.num_verts; ++i) {
@@ -58,7 +62,11 @@ class cell_recogniser {
   }
 
  private:
-  bool in_base(vert_id v, unsigned b) const { return std::find(cell, cell + b, v) != cell + b; }
+  bool in_base(vert_id v, unsigned b) const {
+    for (unsigned i = 0; i < b; ++i)
+      if (cell[i] == v) return true;
+    return false;
+  }
   vert_id apex(unsigned b) const {
     for (vert_id v : verts_)
       if (!in_base(v, b)) return v;

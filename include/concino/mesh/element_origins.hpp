@@ -102,7 +102,9 @@ class element_origins {
   }
   void add(std::span<const origin> several) {
     make_lists();
-    list_.insert(list_.end(), several.begin(), several.end());
+    const std::size_t before = list_.size();
+    list_.resize(before + several.size());
+    for (std::size_t k = 0; k < several.size(); ++k) list_[before + k] = several[k];
     first_.push_back(list_.size());
   }
   void add(std::initializer_list<origin> several) { add(std::span<const origin>(several.begin(), several.size())); }

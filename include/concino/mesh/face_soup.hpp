@@ -5,7 +5,6 @@
 #include <concino/mesh/standard_cells.hpp>
 
 #include <algorithm>
-#include <concepts>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -15,20 +14,22 @@ namespace concino {
 /// Builds polyhedra from lists of verts, one list per face of each poly. Two equal faces become one face with two polys.
 /// Faces are numbered in the order of their first occurrence, and are outward for the poly in which they occur first. Linear time, except for
 /// sorting the few faces that have the same smallest vert.
-struct face_soup {
+/// A template only so that programs without volumes need not compile it: face_soup.
+template<class Vert>
+struct basic_face_soup {
   /// A key for sorting faces. Equal cycles are adjacent in the order, by face number, whatever their first vert and direction.
   class cycle {
-    const vert_id* verts_;
+    const Vert* verts_;
     std::uint32_t size_, start_, face_;
     bool back_;
 
-    vert_id vert(std::uint32_t i) const {
+    Vert vert(std::uint32_t i) const {
       const std::uint32_t k = back_ ? start_ + size_ - i : start_ + i;
       return verts_[k < size_ ? k : k - size_];
     }
 
    public:
-    cycle(const vert_id* first, std::uint32_t size, std::uint32_t face)
+    cycle(const Vert* first, std::uint32_t size, std::uint32_t face)
         : verts_(first), size_(size), start_(static_cast<std::uint32_t>(std::min_element(first, first + size) - first)), face_(face), back_(false) {
       back_ = vert(size - 1) < vert(1);
     }
@@ -36,16 +37,16 @@ struct face_soup {
     friend bool operator<(const cycle& a, const cycle& b) {
       if (a.size_ != b.size_) return a.size_ < b.size_;
       for (std::uint32_t i = 0; i < a.size_; ++i)
-        if (const vert_id x = a.vert(i), y = b.vert(i); x != y) return x < y;
+        if (const Vert x = a.vert(i), y = b.vert(i); x != y) return x < y;
       return a.face_ < b.face_;
     }
   };
 
   std::vector<std::uint32_t> face_offsets{0};  // of the faces of all polys, one after another; a common face is listed twice
-  std::vector<vert_id> face_verts;
+  std::vector<Vert> face_verts;
   std::vector<std::uint32_t> poly_offsets{0};
 
-  void add_cell(cell_shape s, const vert_id* v) {
+  void add_cell(cell_shape s, const Vert* v) {
     const standard_cell& t = standard_cell_of(s);
     for (unsigned f = 0; f < t.num_faces; ++f) {
       for (unsigned i = 0; i < t.face_size[f]; ++i) face_verts.push_back(v[t.face_vert[f][i]]);
@@ -56,7 +57,7 @@ struct face_soup {
 
  private:
   std::uint32_t size(std::size_t f) const { return face_offsets[f + 1] - face_offsets[f]; }
-  vert_id* first(std::size_t f) { return face_verts.data() + face_offsets[f]; }
+  Vert* first(std::size_t f) { return face_verts.data() + face_offsets[f]; }
 
   struct entry {
     std::uint64_t others;  // the second and third smallest verts
@@ -65,8 +66,7 @@ struct face_soup {
 
   /// Returns the faces sorted by their smallest vert. Needs: `where` has zeros, one more than there are verts. Result: where[v] is the end of the
   /// faces whose smallest vert is v.
-  template<std::same_as<std::uint32_t> Index>
-  std::vector<entry> sort_by_smallest_vert(std::vector<Index>& where) {
+  std::vector<entry> sort_by_smallest_vert(std::vector<std::uint32_t>& where) {
     const std::size_t n = face_offsets.size() - 1;
     const auto smallest = [&](std::size_t f) { return std::min_element(first(f), first(f) + size(f))->raw(); };
     for (std::size_t f = 0; f < n; ++f) ++where[smallest(f) + 1];
@@ -74,7 +74,7 @@ struct face_soup {
     std::vector<entry> entries(n);
     for (std::size_t f = 0; f < n; ++f) {
       std::uint32_t low[3] = {~0u, ~0u, ~0u};
-      for (const vert_id *v = first(f), *last = v + size(f); v != last; ++v) {
+      for (const Vert *v = first(f), *last = v + size(f); v != last; ++v) {
         const std::uint32_t x = v->raw();
         if (x < low[0]) low[2] = low[1], low[1] = low[0], low[0] = x;
         else if (x < low[1]) low[2] = low[1], low[1] = x;
@@ -86,8 +86,7 @@ struct face_soup {
   }
 
   /// Result: polyhedra with the faces that are their own twins; the other faces refer to their twin.
-  template<std::same_as<vec3> Point>
-  polyhedra_arrays keep_first_faces(std::vector<Point>&& points, const std::vector<std::uint32_t>& twin, std::vector<std::uint8_t>&& outward) {
+  polyhedra_arrays keep_first_faces(std::vector<vec3>&& points, const std::vector<std::uint32_t>& twin, std::vector<std::uint8_t>&& outward) {
     const std::size_t n = twin.size();
     polyhedra_arrays out;
     out.points = std::move(points);
@@ -108,14 +107,12 @@ struct face_soup {
       }
     }
     out.face_verts.assign(face_verts.data(), face_verts.data() + corners);
-    std::vector<vert_id>().swap(face_verts);
+    std::vector<Vert>().swap(face_verts);
     return out;
   }
 
  public:
-  /// This and the other large functions here are templates only so that programs without volumes need not compile them.
-  template<std::same_as<vec3> Point>
-  polyhedra_arrays unite(std::vector<Point> points) && {
+  polyhedra_arrays unite(std::vector<vec3> points) && {
     const std::size_t n = face_offsets.size() - 1;
     std::vector<std::uint32_t> where(points.size() + 1, 0);
     std::vector<entry> entries = sort_by_smallest_vert(where);
@@ -158,5 +155,6 @@ struct face_soup {
     return keep_first_faces(std::move(points), twin, std::move(outward));
   }
 };
+using face_soup = basic_face_soup<vert_id>;
 
 }  // namespace concino

@@ -5,12 +5,13 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
+#include <concino/core/sort_numbers.hpp>
 #include <concino/geometry/measure.hpp>
 
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 namespace concino {
@@ -92,7 +93,7 @@ struct corner_gradients : corner_gradient_arrays {
  private:
   std::vector<std::size_t> corner_;  // of one face: the positions of its verts in `verts`
   std::vector<vec3> around_;         // of one face: its verts relative to its mean point
-  std::vector<std::pair<std::size_t, std::size_t>> sorted_;  // of polys of many verts: their positions, sorted by index in the mesh
+  std::vector<std::uint64_t> sorted_;  // of polys of many verts: index in the mesh, then the position in 32 bits, sorted
 
   /// The position of v in `verts`: by linear search, or by its index in polys of many verts.
   std::size_t corner_of(const M& m, const vert_t<M>& v) const {
@@ -100,8 +101,8 @@ struct corner_gradients : corner_gradient_arrays {
     if (sorted_.empty()) {
       while (i < verts.size() && !(verts[i] == v)) ++i;
     } else {
-      const auto number = index_of(m, v);
-      i = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(number, std::size_t{0}))->second;
+      const std::uint64_t* const first = sorted_.data();
+      i = static_cast<std::uint32_t>(*std::lower_bound(first, first + sorted_.size(), static_cast<std::uint64_t>(index_of(m, v)) << 32));
     }
     assert(i < verts.size() && "the verts of a poly are those of its faces");
     return i;
@@ -109,8 +110,8 @@ struct corner_gradients : corner_gradient_arrays {
   void sort_many(const M& m) {
     sorted_.clear();
     if (verts.size() <= 32) return;
-    for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back({index_of(m, verts[i]), i});
-    std::sort(sorted_.begin(), sorted_.end());
+    for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back(static_cast<std::uint64_t>(index_of(m, verts[i])) << 32 | i);
+    core::sort_numbers(sorted_.data(), sorted_.data() + sorted_.size());
   }
 
   template<class Face>

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -108,7 +109,7 @@ class part_helpers {
   bool start(std::size_t n) {
     try {
       threads_.reserve(threads_.size() + n);
-      for (; n > 0; --n) threads_.emplace_back([&parts = parts_] { while (parts.run_next()) {} });
+      for (; n > 0; --n) threads_.push_back(std::thread([&parts = parts_] { while (parts.run_next()) {} }));
     } catch (const std::system_error&) {
       return false;
     } catch (const std::bad_alloc&) {
@@ -123,11 +124,17 @@ class part_helpers {
   }
 };
 
+/// The time of day: where somebody sets it meanwhile, threads start sooner or later. No <chrono>, which takes long to compile.
+inline std::int64_t nanoseconds() {
+  std::timespec now = {};
+  std::timespec_get(&now, TIME_UTC);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
 /// run_parts with `at_once` helper threads that start before the first part, if not 0, and no others. After each part on the calling thread, calls
 /// stop(number of parts done), if there is one.
 inline void run_shared(function_ref<bool(function_ref<void()>)> run, function_ref<bool(std::size_t)> stop, std::size_t at_once) {
-  using clock = std::chrono::steady_clock;
-  constexpr std::chrono::microseconds worth_a_thread(200);  // many times the cost of starting and joining one
+  constexpr std::int64_t worth_a_thread = 200'000;  // nanoseconds: many times the cost of starting and joining one
   constexpr std::size_t unknown = static_cast<std::size_t>(-1);
   shared_parts parts(run);
   part_helpers helpers(parts);
@@ -136,17 +143,18 @@ inline void run_shared(function_ref<bool(function_ref<void()>)> run, function_re
     helpers.start(at_once);
     most = helpers.size();
   }
-  auto since = clock::now();
+  std::int64_t since = nanoseconds();
   for (bool is_more = true; is_more;) {
     is_more = helpers.size() == 0 ? parts.run_next_alone() : parts.run_next();
     if (stop && stop(parts.num_done())) {
       parts.leave_out_rest();
       break;
     }
-    if (!is_more || helpers.size() >= most || clock::now() - since < worth_a_thread) continue;
+    if (!is_more || helpers.size() >= most) continue;
+    if (const std::int64_t spent = nanoseconds() - since; spent >= 0 && spent < worth_a_thread) continue;
     if (most == unknown) most = num_threads() - 1;
     if (!helpers.start(std::min(helpers.size() + 1, most - helpers.size()))) most = helpers.size();
-    since = clock::now();
+    since = nanoseconds();
   }
   helpers.join();
   parts.rethrow();

@@ -62,7 +62,7 @@ CONCINO_INLINE void solve_parts(core::solver_ref solver, const Eigen::SparseMatr
   Eigen::VectorXd b(static_cast<Eigen::Index>(n));
   for (std::size_t k = 0; k < parts; ++k) {
     for (std::size_t i = 0; i < n; ++i) b[static_cast<Eigen::Index>(i)] = load(k, index[i]);
-    for (const coupling& c : couplings) b[c.row] += c.weight * value(k, c.vert);
+    for (std::size_t i = 0; i < couplings.size(); ++i) b[couplings[i].row] += couplings[i].weight * value(k, couplings[i].vert);
     const Eigen::VectorXd u = core::solve_and_check(solver, lower, b, caller);
     for (std::size_t i = 0; i < n; ++i) value(k, index[i]) = u[static_cast<Eigen::Index>(i)];
   }

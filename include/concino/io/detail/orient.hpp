@@ -8,7 +8,6 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 namespace concino::detail {
@@ -136,7 +135,7 @@ class face_orienter {
   void link_faces(std::uint32_t n) {
     first_link_.assign(n + 1, 0);
     for_each_pair([&](const incidence& x, const incidence& y) { ++first_link_[x.face + 1], ++first_link_[y.face + 1]; });
-    std::partial_sum(first_link_.begin(), first_link_.end(), first_link_.begin());
+    for (std::size_t i = 1; i < first_link_.size(); ++i) first_link_[i] += first_link_[i - 1];
     links_.resize(first_link_[n]);
     for_each_pair([&](const incidence& x, const incidence& y) {
       links_[first_link_[x.face]++] = {y.face, x.up != y.up};

@@ -135,7 +135,7 @@ class hedra_reader : token_cursor {
              {"a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
               " faces"});
       }
-      cells.verts.insert(cells.verts.end(), known.cell, known.cell + n);
+      for (std::uint32_t k = 0; k < n; ++k) cells.verts.push_back(known.cell[k]);
     }
     if (cells.arity == 0) cells.arity = 4;
     report_.skipped.push_back("the numbering of the faces");

@@ -29,7 +29,7 @@ std::unique_ptr<poly_operator<M>> poly_operator_of(const Make& make) {
     explicit wrapped(const Make& make_element) : element(make_element()) {}
     void operator()(const poly_t<M>& p, local_matrix<vert_t<M>>& out) override { element(p, out); }
   };
-  return std::make_unique<wrapped>(make);
+  return std::unique_ptr<poly_operator<M>>(new wrapped(make));
 }
 
 }  // namespace concino::detail
