@@ -1,4 +1,4 @@
-// The arrays of any mesh, elements numbered as they are walked: references for comparison are made of them, and views compared with copies.
+// Copies any mesh to arrays, with elements numbered in the order of their ranges. Native reference meshes are constructed from these arrays.
 #pragma once
 
 #include <concino/mesh/arrays.hpp>
@@ -58,7 +58,7 @@ polyhedra_arrays polyhedra_arrays_of(const M& m) {
   return a;
 }
 
-/// Arrays of the type that meshes of kind K are made of.
+/// The arrays of a mesh, of the type from which meshes of kind K are constructed.
 template<class K, class M>
 auto arrays_of(const M& m) {
   if constexpr (SurfaceMesh<M>) {
@@ -74,7 +74,7 @@ auto arrays_of(const M& m) {
   }
 }
 
-/// A native mesh that knows of no fixed arity.
+/// A copy of a mesh as a native mesh without fixed arity.
 template<class M>
 auto general_copy(const M& m) {
   if constexpr (SurfaceMesh<M>) {

@@ -1,5 +1,5 @@
-// The meshes on which models of each kind are compared: arrays, what they are like, and the reference, a native mesh of them that knows of no
-// fixed arity. Coordinates are floats, so that models that store floats hold the same points.
+// The input meshes on which models of each kind are compared: arrays, their properties, and the reference, a native mesh without fixed arity.
+// Coordinates are floats, so that models that store floats have the same points.
 #pragma once
 
 #include <concino/edit/elements.hpp>
@@ -21,13 +21,13 @@ template<class Arrays>
 struct input {
   std::string name;
   Arrays arrays;
-  bool manifold = true;            // what a half-edge mesh can hold: oriented alike, two polys at most at an edge
-  bool closed = false;             // surfaces: without a border
+  bool manifold = true;            // a half-edge mesh can hold it: consistently oriented, at most two polys at an edge
+  bool closed = false;             // surfaces: without boundary
   bool in_one_piece = true;
-  std::vector<unsigned> gone_polys = {}, gone_verts = {};  // to be removed from the mesh once it is made
+  std::vector<unsigned> gone_polys = {}, gone_verts = {};  // to be removed after the mesh is constructed
 };
 
-/// Coordinates that are floats.
+/// Rounds the coordinates to floats.
 template<class Arrays>
 Arrays in_floats(Arrays a) {
   for (vec3& p : a.points) p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
@@ -36,14 +36,14 @@ Arrays in_floats(Arrays a) {
 template<class Arrays>
 Arrays crooked(Arrays a) { return in_floats(testing::jittered(std::move(a), 0.03)); }
 
-/// Polys and verts, in the middle of whose numbers some are missing.
+/// Removes polys and verts, so that there are gaps in the indices.
 template<class M>
 void remove_elements(M& m, const std::vector<unsigned>& gone_polys, const std::vector<unsigned>& gone_verts) {
   for (const unsigned p : gone_polys) remove_poly(m, poly_id{p});
   for (const unsigned v : gone_verts) remove_vert(m, vert_id{v});
 }
 
-/// The grid, of which the second third of polys goes, and the verts that then have none.
+/// The grid without the second third of its polys, and without the verts that then have no polys.
 template<class M, class Arrays>
 input<Arrays> with_gaps(const Arrays& whole) {
   input<Arrays> r{"with gaps", whole};

@@ -1,5 +1,5 @@
-// Which element of one mesh is which of another: what results on two models of the same mesh are compared by. Verts and polys are paired as
-// they are walked, edges by their ends, faces by their verts and polys; whether that is right, algorithms/walk.hpp looks at.
+// The correspondence between the elements of two models of the same mesh, to compare results. Verts and polys are paired in the order of their
+// ranges, edges by their ends, faces by their verts and polys. algorithms/walk.hpp checks whether that is right.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -20,7 +20,7 @@ namespace concino::agreement {
 
 inline void expect(bool ok, const char* what) { REQUIRE_MESSAGE(ok, std::string(what)); }
 
-/// To 1e-12 of the largest magnitude of the result that both are part of; infinities and what is not a number only with themselves.
+/// Whether two numbers are equal up to 1e-12 of the largest magnitude of the whole result. Infinities and NaN equal only themselves.
 inline bool close(double a, double b, double largest) {
   if (!std::isfinite(a) || !std::isfinite(b)) return a == b || (std::isnan(a) && std::isnan(b));
   return std::abs(a - b) <= 1e-12 * largest;
@@ -29,7 +29,7 @@ inline void expect_close(double a, double b, double largest, const char* what) {
   INFO(a << " and " << b << ", apart by " << std::abs(a - b) << ", the largest " << largest);
   REQUIRE_MESSAGE(close(a, b, largest), std::string(what));
 }
-/// The largest magnitude of value(x) of some elements; those that are not finite do not count.
+/// The largest finite magnitude of value(x) over some elements.
 template<class R, class F>
 double largest_of(const R& elements, const F& value) {
   double largest = 0;
@@ -40,7 +40,7 @@ double largest_of(const R& elements, const F& value) {
 
 using numbers = std::vector<unsigned>;
 
-/// The list that begins with its least number, walked in the same direction.
+/// The cyclic list rotated so that it begins with its smallest number.
 inline numbers rotated(numbers a) {
   std::rotate(a.begin(), std::min_element(a.begin(), a.end()), a.end());
   return a;
@@ -54,7 +54,7 @@ inline numbers sorted(numbers a) {
   return a;
 }
 
-/// The elements of one kind, of a mesh with descriptors Id that number them and of another mesh M with descriptors X.
+/// The pairs of elements of one kind: of a mesh with descriptors Id, which are numbers, and of another mesh M with descriptors X.
 template<class Id, class M, class X>
 class pairing {
   const M* m_ = nullptr;
@@ -64,7 +64,7 @@ class pairing {
  public:
   using id = Id;
   using descriptor = X;
-  std::vector<Id> all;          // of the first mesh, in the order of its walk
+  std::vector<Id> all;          // of the first mesh, in the order of its range
 
   void reserve(const M& m, std::size_t first_bound, std::size_t second_bound) {
     m_ = &m;
@@ -118,7 +118,7 @@ template<class N, class M> struct matched_edges<N, M, true> { pairing<edge_t<N>,
 template<class N, class M, bool> struct matched_faces {};
 template<class N, class M> struct matched_faces<N, M, true> { pairing<face_t<N>, M, face_t<M>> faces; };
 
-/// A native mesh, or a view of one, and another model M of the same mesh.
+/// A native mesh, or a view of one, paired with another model M of the same mesh.
 template<class N, class M>
 struct matched : matched_verts<N, M, PrimalGraph<M>>,
                  matched_polys<N, M, DualGraph<M>>,
@@ -175,14 +175,14 @@ struct matched : matched_verts<N, M, PrimalGraph<M>>,
   }
 };
 
-/// Calls f with the pairs of verts, and with those of polys, where M has them: for what is asked of both graphs in the same words.
+/// Calls f with the pairs of verts, and with those of polys, if M has them: for checks that are the same for both graphs.
 template<class B, class F>
 void each_graph(const B& both, F&& f) {
   if constexpr (requires { both.verts; }) f(both.verts);
   if constexpr (requires { both.polys; }) f(both.polys);
 }
 
-/// A number in [1, 2) that no other pair of elements has, the same both ways, so that nothing in a mesh is equally far.
+/// A length in [1, 2) that is different for every pair of elements and symmetric, so that no two distances are equal.
 inline double scrambled(unsigned a, unsigned b) {
   std::uint64_t x = (std::uint64_t{std::min(a, b)} << 32 | std::max(a, b)) + 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -190,7 +190,7 @@ inline double scrambled(unsigned a, unsigned b) {
   return 1 + static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
 }
 inline constexpr auto scrambled_length = [](auto a, auto b) { return scrambled(a.raw(), b.raw()); };
-/// The same length, asked about elements of the other mesh.
+/// The same length for elements of the other mesh.
 template<class P>
 auto scrambled_in(const P& pairs) {
   return [&pairs](const auto& a, const auto& b) { return scrambled(pairs.back(a).raw(), pairs.back(b).raw()); };

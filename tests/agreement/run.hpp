@@ -1,4 +1,4 @@
-// Runs one algorithm on every model of a family and writes down which it ran on and agreed: README's table is made of these lines.
+// Runs one algorithm on every model of a family and records the models on which it ran and agreed. README's table is generated from these lines.
 #pragma once
 
 #include <agreement/inputs.hpp>
@@ -11,7 +11,7 @@
 
 namespace concino::agreement {
 
-/// What the polys of a kind of mesh are.
+/// The name of the polys of a kind of mesh.
 template<class K> inline constexpr const char* polys_of_kind = nullptr;
 template<> inline constexpr const char* polys_of_kind<trimesh> = "triangles";
 template<> inline constexpr const char* polys_of_kind<quadmesh> = "quads";
@@ -20,15 +20,16 @@ template<> inline constexpr const char* polys_of_kind<tetmesh> = "tets";
 template<> inline constexpr const char* polys_of_kind<hexmesh> = "hexes";
 template<> inline constexpr const char* polys_of_kind<polyhedralmesh> = "polyhedra";
 
-/// Models, each a class with
+/// A list of models, each a class with
 ///   using kind = trimesh ...;                     the native mesh of the same arrays
-///   static constexpr const char* column, *name;   of README's table, and its own
-///   static constexpr bool any_surface, gaps;      whether it holds what is not manifold, and what has removed elements
-///   static void with(const input<...>&, f);       makes it of an input and calls f(mesh)
-/// or, where no arrays make it, own_inputs = true and each(f), which calls f(input, native mesh, mesh).
+///   static constexpr const char* column, *name;   in README's table, and its own name
+///   static constexpr bool any_surface, gaps;      whether it can hold non-manifold surfaces, and removed elements
+///   static void with(const input<...>&, f);       constructs it from an input and calls f(mesh)
+/// or, if it cannot be constructed from arrays, own_inputs = true and each(f), which calls f(input, native mesh, mesh).
 template<class... Models> struct models {};
 
-/// One line "column|algorithm|model|dimension|ran", or "not its concept" at the end, in a file of its own. None while it runs, and none if it fails.
+/// Writes one line "column|algorithm|model|dimension|ran", or with "not its concept" at the end, to a file of its own. The file exists only after the
+/// test has passed.
 class record {
   std::string path_, line_;
 

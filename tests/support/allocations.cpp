@@ -37,7 +37,7 @@ void* operator new(std::size_t size) { return counted(size); }
 void* operator new[](std::size_t size) { return counted(size); }
 void* operator new(std::size_t size, std::align_val_t align) { return counted(size, align); }
 void* operator new[](std::size_t size, std::align_val_t align) { return counted(size, align); }
-void* operator new(std::size_t size, const std::nothrow_t& n) noexcept { return counted(size, n); }  // a sanitizer's own would not fit the delete below
+void* operator new(std::size_t size, const std::nothrow_t& n) noexcept { return counted(size, n); }  // that of a sanitizer would not match the delete below
 void* operator new[](std::size_t size, const std::nothrow_t& n) noexcept { return counted(size, n); }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }

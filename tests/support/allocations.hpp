@@ -1,4 +1,4 @@
-// What operator new was asked for, counted: whether something copies a mesh shows in it. Only in programs that link support/allocations.cpp.
+// Counts the calls of operator new and their bytes, to test whether code copies a mesh. Only in programs that link support/allocations.cpp.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@ struct allocations {
   friend bool operator==(allocations, allocations) = default;
 };
 
-/// Since the program began.
+/// The allocations since the program started.
 allocations allocated_so_far();
 
-/// While f ran.
+/// The allocations during f().
 template<class F>
 allocations allocated_by(F&& f) {
   const allocations before = allocated_so_far();

@@ -1,5 +1,5 @@
-// Random meshes of a kind with random walls, as the mesh itself and as the plain arcs that are left: for tests of algorithms on graphs
-// against others that know no mesh.
+// Random meshes with random barriers, as a mesh and as the list of the remaining arcs. Tests compare graph algorithms on the mesh with other
+// implementations on the list.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -18,7 +18,7 @@
 
 namespace concino::testing {
 
-/// Which graph of a mesh a test is about.
+/// The graph of a mesh that a test uses: primal or dual.
 template<class M_>
 struct primal_side {
   using M = M_;
@@ -27,7 +27,7 @@ struct primal_side {
   static auto nodes(const M& m) { return verts(m); }
   static std::size_t bound(const M& m) { return vert_index_bound(m); }
   static std::size_t num_crossings(const M& m) { return edge_index_bound(m); }
-  /// f(a, b, x) for each two nodes a, b and each x between them, once.
+  /// Calls f(a, b, x) once for each pair of adjacent nodes a, b and each element x between them.
   template<class F> static void for_each_join(const M& m, const F& f) {
     for (const auto e : edges(m)) f(*adj_e2v(m, e).begin(), *std::next(adj_e2v(m, e).begin()), e);
   }
@@ -68,11 +68,12 @@ struct barred_graph {
   auto cross() const {
     return [this](auto x) { return free_crossing[index_of(m, x)] != 0; };
   }
-  /// Whole numbers, some of them zero, another one backwards, so that sums are exact: in some meshes small and often equal, in others not.
+  /// Lengths that are integers, so that sums are exact. Some are zero, and the length differs by direction. In some meshes they are small and often
+  /// equal.
   auto length() const {
     return [this](node a, node b) { return double(((index_of(m, a) * 31 + index_of(m, b) * 17 + salt) * 2654435761u % 1009) % (salt % 3 == 0 ? 1009 : 4)); };
   }
-  /// Alike in both directions.
+  /// Lengths that are the same in both directions.
   auto even_length() const {
     return [l = length()](node a, node b) { return l(a, b) + l(b, a); };
   }
@@ -83,7 +84,7 @@ struct barred_graph {
   }
   std::size_t bound() const { return Side::bound(m); }
 
-  /// f(a, b) for all that are joined by an open crossing, in both directions, and for whom b is open.
+  /// Calls f(a, b) for all arcs with an open crossing and an open node b, in both directions.
   template<class F> void for_each_arc(const F& f) const {
     Side::for_each_join(m, [&](node a, node b, auto x) {
       if (!cross()(x)) return;
@@ -103,7 +104,7 @@ struct barred_graph {
   }
 };
 
-/// About one node in five and one crossing in four are closed; in some meshes none is.
+/// A graph of a random mesh with about one node in five and one crossing in four closed; in some meshes none is.
 template<class Side>
 barred_graph<Side> random_barred_graph(std::mt19937& random) {
   using M = typename Side::M;
@@ -121,7 +122,7 @@ barred_graph<Side> random_barred_graph(std::mt19937& random) {
   return g;
 }
 
-/// check(g) for random graphs of the verts and of the polys of meshes of kind M, `count` meshes each.
+/// Calls check(g) for random primal and dual graphs of meshes of kind M, `count` meshes each.
 template<class M, class F>
 void for_random_graphs(unsigned count, const F& check) {
   std::mt19937 random(20);
@@ -141,7 +142,7 @@ boost_undirected make_undirected(const barred_graph<Side>& g, const L& length) {
   return r;
 }
 
-/// The component of each index, barred nodes and gaps being components of their own.
+/// The component of each index. Closed nodes and gaps are components of their own.
 inline std::vector<int> boost_components(const boost_undirected& g) {
   std::vector<int> r(num_vertices(g));
   boost::connected_components(g, r.data());

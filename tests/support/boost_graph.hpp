@@ -1,4 +1,4 @@
-// The oracle of graph tests: the primal or dual graph of a mesh copied into Boost.Graph, and Boost's answers on it.
+// Reference results for graph tests: copies the primal or dual graph of a mesh to Boost.Graph, and runs Boost's algorithms on it.
 #pragma once
 
 #include <concino/concepts/dual_graph.hpp>
@@ -28,7 +28,7 @@ inline boost_graph make_boost_graph(std::size_t nodes, const std::vector<arc>& a
   return boost_graph(boost::edges_are_unsorted_multi_pass, ends.begin(), ends.end(), lengths.begin(), nodes);
 }
 
-/// Both directions of all edges, as adj_v2v gives them; length(v, w) as for dijkstra.
+/// The arcs of all edges in both directions, in the order of adj_v2v; length(v, w) as for dijkstra.
 template<class M, class L>
 std::vector<arc> primal_arcs(const M& m, const L& length) {
   std::vector<arc> r;
@@ -45,7 +45,7 @@ std::vector<arc> dual_arcs(const M& m, const L& length) {
   return r;
 }
 
-/// Boost's shortest distances; +inf where unreached.
+/// Shortest distances by Boost; +inf where unreached.
 inline std::vector<double> boost_distances(const boost_graph& g, std::size_t source) {
   std::vector<double> d(num_vertices(g));
   boost::dijkstra_shortest_paths(g, source,
@@ -55,7 +55,7 @@ inline std::vector<double> boost_distances(const boost_graph& g, std::size_t sou
   return d;
 }
 
-/// Boost's numbers of steps; -1 where unreached.
+/// Numbers of edges from the source by Boost; -1 where unreached.
 inline std::vector<int> boost_hops(const boost_graph& g, std::size_t source) {
   std::vector<int> h(num_vertices(g), -1);
   h[source] = 0;

@@ -1,4 +1,4 @@
-// The slowest ray tracer: every ray asks every triangle. The oracle for the others.
+// A brute-force ray tracer, which tests every ray against every triangle: the reference for other ray tracers.
 #pragma once
 
 #include <concino/render/ray_caster.hpp>

@@ -1,4 +1,4 @@
-// Meshes of CGAL made of arrays: vert i is the i-th vertex, poly i the i-th face.
+// Constructs CGAL meshes from arrays: vert i is the i-th vertex, poly i the i-th face.
 #pragma once
 
 #include <concino/mesh/arrays.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino::testing {
 
-/// One after another, the verts of each poly.
+/// The list of verts of each poly.
 inline std::vector<std::vector<unsigned>> polys_of(const surface_arrays& s) {
   const surface_arrays o = with_offsets(s);
   std::vector<std::vector<unsigned>> polys;
@@ -25,7 +25,7 @@ inline std::vector<std::vector<unsigned>> polys_of(const surface_arrays& s) {
   return polys;
 }
 
-/// A point of CGAL in space or in the plane, an array of three numbers, or a vec3.
+/// Converts a point to P: a CGAL point in space or in the plane, an array of three numbers, or a vec3.
 template<class P>
 P cgal_point(const vec3& x) {
   if constexpr (requires { requires P::Ambient_dimension::value == 2; }) return P(x.x, x.y);

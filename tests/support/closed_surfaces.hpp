@@ -1,4 +1,4 @@
-// Surfaces of any genus for tests: skins of blocks of voxels, rolled-up grids, and one that has no inside.
+// Closed surfaces of any genus for tests: boundaries of voxel blocks, tori, Klein bottles and the projective plane.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -17,7 +17,7 @@ namespace concino::testing {
 
 using voxel = std::array<int, 3>;
 
-/// The squares between the voxels and what is not among them, counter-clockwise seen from there.
+/// The boundary squares of a set of voxels, counter-clockwise as seen from outside.
 inline surface_arrays voxel_skin(const std::set<voxel>& voxels) {
   surface_arrays s{{}, {}, {}, 4};
   std::map<voxel, unsigned> corners;
@@ -42,7 +42,7 @@ inline surface_arrays voxel_skin(const std::set<voxel>& voxels) {
   return s;
 }
 
-/// A board with `genus` holes through it, all in a row.
+/// A board with `genus` holes in a row.
 inline surface_arrays holed_board(int genus) {
   std::set<voxel> voxels;
   for (int i = 0; i < 2 * genus + 1; ++i)
@@ -51,7 +51,7 @@ inline surface_arrays holed_board(int genus) {
   return voxel_skin(voxels);
 }
 
-/// n x k squares, rolled up in both directions, the second one turned over first where `turn`: a torus or a Klein bottle.
+/// A grid of n x k squares that is closed in both directions: a torus, or with `turn` a Klein bottle.
 inline surface_arrays rolled_grid(unsigned n, unsigned k, bool turn = false) {
   surface_arrays s{{}, {}, {}, 4};
   for (unsigned j = 0; j < k; ++j)
@@ -69,7 +69,7 @@ inline surface_arrays rolled_grid(unsigned n, unsigned k, bool turn = false) {
   return s;
 }
 
-/// The projective plane of six verts: half an icosahedron.
+/// The projective plane with six verts: half an icosahedron.
 inline surface_arrays projective_plane() {
   surface_arrays s{std::vector<vec3>(6), {}, {}, 3};
   for (unsigned i = 0; i < 6; ++i) s.points[i] = {double(i), double(i * i), double(i * i * i)};
@@ -79,7 +79,7 @@ inline surface_arrays projective_plane() {
   return s;
 }
 
-/// The same surface with every quad in two triangles.
+/// The same surface with every quad split into two triangles.
 inline surface_arrays triangulated(const surface_arrays& quads) {
   surface_arrays s{quads.points, {}, {}, 3};
   for (std::size_t q = 0; q < quads.verts.size(); q += 4)
@@ -87,7 +87,7 @@ inline surface_arrays triangulated(const surface_arrays& quads) {
   return s;
 }
 
-/// The same surface with a vert in the middle of every edge, which makes octagons of quads and lets two of them share two edges.
+/// The same surface with a vert in the middle of every edge. Quads become octagons, which may share two edges.
 inline surface_arrays with_middles(surface_arrays coarse) {
   coarse = with_offsets(coarse);
   surface_arrays s{coarse.points, {0}, {}, 0};
@@ -113,7 +113,7 @@ M from_quads(const surface_arrays& quads) {
   else return M(with_middles(quads));
 }
 
-/// Two surfaces of the same arity beside each other.
+/// The disjoint union of two surfaces of the same arity.
 inline surface_arrays beside(surface_arrays a, const surface_arrays& b) {
   const auto shift = static_cast<unsigned>(a.points.size());
   for (const vec3& p : b.points) a.points.push_back(p + vec3{100, 0, 0});

@@ -1,5 +1,5 @@
-// Families of meshes of the unit square and the unit cube that become finer, and how far the operators are off on them: what docs/convergence.md
-// says and what the tests compare with it.
+// Errors of the operators on mesh families of the unit square and the unit cube under refinement. docs/convergence.md shows them, and tests compare
+// them with new results.
 #pragma once
 
 #include <concino/fields/poisson.hpp>
@@ -21,7 +21,7 @@
 
 namespace concino::testing {
 
-/// A symmetric matrix, of which the lower triangle is read, times x.
+/// Multiplies a symmetric matrix, of which only the lower triangle is read, by x.
 inline void multiply(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   const int n = static_cast<int>(a.cols()), *const begin = a.outerIndexPtr(), *const row = a.innerIndexPtr();
   const double *const value = a.valuePtr(), *const from = x.data();
@@ -39,9 +39,9 @@ inline void multiply(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd
   }
 }
 
-/// Conjugate gradients with the diagonal for preconditioner, for what is too large to factorise in a moment. The lower triangle is read.
+/// Conjugate gradients with diagonal preconditioner, for systems that take too long to factorise. Only the lower triangle is read.
 class conjugate_gradients {
-  double tolerance_;  // of the residual, to the right-hand side
+  double tolerance_;  // of the residual, relative to the right-hand side
   Eigen::SparseMatrix<double> a_;
   Eigen::VectorXd inverse_diagonal_;
 
@@ -92,7 +92,7 @@ vert_map<M, double> at_verts(const M& m, const F& f) {
   return u;
 }
 
-/// The L2 norm of the difference between the gradient per poly of a smooth function and the true one, integrated by the mean over the verts.
+/// The L2 norm of the error of the gradient per poly of a smooth function, integrated by the mean over the verts.
 template<class M>
 double gradient_error(const M& m) {
   using problem = smooth<dimension_v<M>>;
@@ -110,7 +110,7 @@ double gradient_error(const M& m) {
   return std::sqrt(sum);
 }
 
-/// The L2 norm, by the lumped mass, of what is wrong with the solution of the Poisson problem whose solution is known; given on the boundary.
+/// The L2 norm, by the lumped mass, of the error of a Poisson problem with known solution, which is prescribed on the boundary.
 template<class M, class Which, class Solver>
 double poisson_error(const M& m, const Which& which, Solver&& solver) {
   using problem = smooth<dimension_v<M>>;
@@ -127,8 +127,8 @@ double poisson_error(const M& m, const Which& which, Solver&& solver) {
   return std::sqrt(sum);
 }
 
-/// The eigenvalues, least first, and vectors of the small problem A x = value B x: Cholesky, then Jacobi's rotations. (Eigen's solver would
-/// take longer to compile than all the rest.)
+/// The eigenvalues, in ascending order, and eigenvectors of the small problem A x = value B x, by Cholesky and Jacobi's rotations. (Eigen's solver
+/// would take longer to compile than all the rest.)
 struct small_eigenproblem {
   using matrix = std::vector<std::vector<double>>;
   std::vector<double> values;
@@ -180,8 +180,8 @@ struct small_eigenproblem {
   }
 };
 
-/// The root mean square of the relative errors of the lowest eigenvalues, without the 0, with natural boundary: 5 of the square, to 4 pi^2, or
-/// 6 of the cube, to 2 pi^2. By inverse iteration of a few vectors more, from the true eigenfunctions, with Rayleigh-Ritz.
+/// The root mean square of the relative errors of the lowest non-zero Neumann eigenvalues: 5 of the square, up to 4 pi^2, or 6 of the cube, up to
+/// 2 pi^2. They are computed by inverse iteration of a few more vectors, from the true eigenfunctions, with Rayleigh-Ritz.
 template<class M, class Which, class Solver>
 double eigenvalue_error(const M& m, const Which& which, Solver&& solver) {
   constexpr double pi = 3.14159265358979323846;
@@ -224,7 +224,7 @@ double eigenvalue_error(const M& m, const Which& which, Solver&& solver) {
     const small_eigenproblem small(a, b);
     values = small.values;
     if (round == 4) break;
-    // A Ritz vector over its value is nearly the solution for M times it as the right-hand side; what it lacks is solved for.
+    // A Ritz vector divided by its value nearly solves the system with M times it as right-hand side. Only the correction is computed.
     std::vector<Eigen::VectorXd> next;
     for (std::size_t c = 0; c < size; ++c) {
       Eigen::VectorXd ritz = Eigen::VectorXd::Zero(n), lacks = ritz;
@@ -247,7 +247,7 @@ double eigenvalue_error(const M& m, const Which& which, Solver&& solver) {
   return std::sqrt(sum / static_cast<double>(known.size()));
 }
 
-/// The rows of the table for one family, over its first `sizes` sizes; make_solver(tolerance) gives what solves the systems.
+/// The rows of the table for one family and its first `sizes` sizes; make_solver(tolerance) returns the solver.
 template<class M, class MakeSolver>
 std::vector<convergence_row> measure_convergence(family f, std::size_t sizes, const MakeSolver& make_solver) {
   std::vector<M> meshes;

@@ -1,4 +1,4 @@
-// Comparison with docs/convergence.tsv of what the operators do now, for the sizes that are quickly done.
+// Compares docs/convergence.tsv with the current errors of the operators, for the coarsest sizes.
 #pragma once
 
 #include <concino/solve/conjugate_gradients.hpp>

@@ -1,4 +1,4 @@
-// The families of docs/convergence.md: meshes of every kind of the unit square or cube, with about n cells a side.
+// The mesh families of docs/convergence.md: meshes of every kind of the unit square or cube, with about n cells along each edge.
 #pragma once
 
 #include <concino/generate.hpp>
@@ -27,7 +27,7 @@ template<> inline constexpr const char* kind_name<tetmesh> = "tets";
 template<> inline constexpr const char* kind_name<hexmesh> = "hexes";
 template<> inline constexpr const char* kind_name<polyhedralmesh> = "polyhedra";
 
-/// Those that there are of a kind.
+/// The families of a kind of mesh.
 template<class M>
 std::vector<family> families() {
   std::vector<family> r{family::regular, family::perturbed, family::graded};
@@ -35,18 +35,18 @@ std::vector<family> families() {
   return r;
 }
 
-/// How fine they are, in cells a side.
+/// The sizes of the meshes, in cells along each edge.
 template<class M>
 constexpr std::array<unsigned, 4> levels() {
   if constexpr (dimension_v<M> == 2) return {8, 16, 32, 64};
   else return {4, 8, 16, 32};
 }
 
-/// The mesh of family f with n cells a side; of Voronoi cells and agglomerates as many as there were in a grid.
+/// The mesh of family f with n cells along each edge. Voronoi cells and agglomerates are as many as the cells of such a grid.
 template<class M>
 M make_family(family f, std::size_t n) {
   constexpr bool is_surface = dimension_v<M> == 2;
-  const auto simplices = [](std::size_t k) {  // none of them like the other
+  const auto simplices = [](std::size_t k) {  // no two of them are congruent
     using simplex = std::conditional_t<is_surface, trimesh, tetmesh>;
     auto m = make_grid<simplex>({.cells = {k, k, k}});
     jitter(m, is_surface ? 0.2 : 0.1);

@@ -1,6 +1,6 @@
-// docs/convergence.tsv: the errors that docs/convergence.md shows and the tests compute again. A line says what was computed, with which
-// discretisation, on which kind of mesh and which family, and then the error for each size, - where the discretisation does not support some poly. Of geodesics
-// it names the mesh, with _ for blanks, and then the mean and largest error on a coarse one and on a fine one.
+// Reads and writes docs/convergence.tsv: the errors that docs/convergence.md shows and that tests compute again. A line has the quantity, the
+// discretisation, the kind of mesh, the family, and the error for each size, or - if the discretisation does not support a poly. For geodesics
+// it has the mesh, with _ for blanks, and the mean and largest error on a coarse mesh and on a fine one.
 #pragma once
 
 #include <array>
@@ -38,10 +38,10 @@ inline std::vector<convergence_row> read_convergence_table() {
   return rows;
 }
 
-/// The slope of the straight line that fits the three finest of sizes that double, on logarithmic paper.
+/// The order of convergence: the slope of the straight line fitted to the three finest sizes in a log-log plot. Sizes double.
 inline double order_of(const std::vector<double>& errors) {
   const std::size_t n = errors.size();
-  return std::log2(errors[n - 3] / errors[n - 1]) / 2;  // the one in the middle does not turn the line
+  return std::log2(errors[n - 3] / errors[n - 1]) / 2;  // the middle one does not change the slope
 }
 
 }  // namespace concino::testing

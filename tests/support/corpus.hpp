@@ -1,4 +1,4 @@
-// Where the tests find real mesh files, which are no part of this repository, and how a test that cannot run is skipped by name.
+// Finds the real mesh files of the corpus, which is not part of this repository, and skips test cases whose files are missing.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,15 +10,15 @@
 
 namespace concino::testing {
 
-/// Says that the running test case does not test anything here. doctest has no such thing at run time: the case returns after this and
-/// test.sh counts the line. Use: `if (!ready) return skip("why");`
+/// Reports that the running test case is skipped. doctest cannot skip at run time, so the case returns, and test.sh counts the line.
+/// Use: `if (!ready) return skip("why");`
 inline void skip(const std::string& why) {
   const auto* test = doctest::getContextOptions()->currentTest;
   std::printf("SKIPPED: %s: %s\n", test ? test->m_name : "?", why.c_str());
   std::fflush(stdout);
 }
 
-/// $CONCINO_CORPUS, else ../shared/data beside the source tree; empty where there is none.
+/// The folder $CONCINO_CORPUS, else ../shared/data beside the source tree; empty if there is none.
 inline std::filesystem::path corpus_dir() {
   const char* named = std::getenv("CONCINO_CORPUS");
   const std::filesystem::path dir = named && *named ? named : CONCINO_TEST_DEFAULT_CORPUS;
@@ -26,14 +26,14 @@ inline std::filesystem::path corpus_dir() {
   return std::filesystem::is_directory(dir, none) ? dir : std::filesystem::path();
 }
 
-/// A file or folder of the corpus, such as "tri/bunny.obj"; empty where it is absent.
+/// The path of a file or folder of the corpus, such as "tri/bunny.obj"; empty if it is absent.
 inline std::filesystem::path corpus(const std::filesystem::path& file) {
   const std::filesystem::path dir = corpus_dir();
   std::error_code none;
   return !dir.empty() && std::filesystem::exists(dir / file, none) ? dir / file : std::filesystem::path();
 }
 
-/// Whether `./test.sh --long` asked for the long form of tests that have one (more rounds, larger meshes).
+/// Whether tests run in their long form (more rounds, larger meshes), as with `./test.sh --long`.
 inline bool long_run() {
   const char* asked = std::getenv("CONCINO_LONG");
   return asked && *asked && std::string(asked) != "0";

@@ -1,4 +1,4 @@
-// The graphs of verts and of polys of every mesh of the corpus, with random walls.
+// The primal and dual graphs of every mesh of the corpus, with random barriers.
 #pragma once
 
 #include <support/barred_graph.hpp>
@@ -11,7 +11,7 @@
 
 namespace concino::testing {
 
-/// One node in twenty and one crossing in ten are closed: much of the mesh still hangs together, and lies behind corners.
+/// Closes one node in twenty and one crossing in ten: large parts of the mesh stay connected, but on detours.
 template<class Side>
 void build_walls(barred_graph<Side>& g, std::mt19937& random) {
   const auto close = [&](std::vector<char>& flags, std::size_t n, unsigned of) {
@@ -28,7 +28,7 @@ void tear_down_walls(barred_graph<Side>& g) {
   g.free_crossing.assign(g.free_crossing.size(), 1);
 }
 
-/// check(g) for both graphs of each mesh, walls built; g is the caller's. Where there is no corpus the test is skipped.
+/// Calls check(g) for both graphs of each mesh, with barriers. check may change g. Without a corpus the test is skipped.
 template<class F>
 void for_corpus_graphs(const F& check) {
   const auto rows = corpus_meshes();

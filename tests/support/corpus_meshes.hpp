@@ -1,4 +1,4 @@
-// All meshes of the corpus in the formats that concino reads, and the figures known of them.
+// All meshes of the corpus in the formats that concino reads, with their known measures.
 #pragma once
 
 #include <concino/io/load_any.hpp>
@@ -15,7 +15,7 @@
 
 namespace concino::testing {
 
-/// A row of INDEX.tsv: what the column names say, as text.
+/// A row of INDEX.tsv.
 struct corpus_row {
   std::filesystem::path file;
   std::string name;
@@ -23,7 +23,7 @@ struct corpus_row {
   std::map<std::string, std::string> column = {};  // every column, by its name
 };
 
-/// Those rows whose files can be read, without those that are broken on purpose; empty where there is no corpus.
+/// The rows whose files can be read, without files that are broken on purpose; empty without a corpus.
 inline std::vector<corpus_row> corpus_meshes() {
   std::vector<corpus_row> rows;
   const auto index = corpus("INDEX.tsv");
@@ -54,7 +54,7 @@ inline std::vector<corpus_row> corpus_meshes() {
     };
     const std::filesystem::path path = corpus(cell("path"));
     const auto extension = path.extension();
-    if (cell("path").rfind("bad/", 0) == 0) continue;  // those belong to the readers
+    if (cell("path").rfind("bad/", 0) == 0) continue;  // broken files, for tests of readers
     if (extension == ".obj" || extension == ".off" || extension == ".mesh" || extension == ".hedra") {
       rows.push_back({path, cell("path"), number("area_vec"), number("volume_ctr")});
       for (const std::string& name : names) rows.back().column[name] = cell(name.c_str());

@@ -1,4 +1,4 @@
-// Meshes of any size in which much comes together at one place: many polys on an edge, a face or a vert, polys of very many sides, equal polys.
+// Meshes with many elements at one element: many polys at an edge, a face or a vert, polys with very many verts, many equal polys.
 #pragma once
 
 #include <concino/mesh/to_polyhedra.hpp>
@@ -31,14 +31,14 @@ struct dense_mesh {
 
 inline dense_mesh equal_triangles(unsigned n) { return {"equal triangles", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, std::vector<std::vector<unsigned>>(n, {0, 1, 2})}; }
 
-/// Triangles on one edge, joined by others at both of its ends.
+/// n triangles at one edge, connected by other triangles at both of its ends.
 inline dense_mesh pages(unsigned n) {
   dense_mesh c{"pages on one edge", {{0, 0, 0}, {0, 0, 1}}, {}};
   for (unsigned i = 0; i < n; ++i) c.polys.push_back({0, 1, c.on_circle(i, n, 0.5)});
   for (unsigned i = 0; i + 1 < n; ++i) c.polys.push_back({0, 2 + i, 3 + i});
   return c;
 }
-/// Equal polygons of n verts; with `leaves` each side has a triangle too, and every other side two.
+/// Equal polygons of n verts. With `leaves` each edge has a triangle too, and every other edge two.
 inline dense_mesh equal_polygons(unsigned n, unsigned copies, bool leaves) {
   dense_mesh c{"equal polygons", {}, {}};
   std::vector<unsigned> ring;
@@ -48,14 +48,14 @@ inline dense_mesh equal_polygons(unsigned n, unsigned copies, bool leaves) {
     for (unsigned k = 0; k <= i % 2; ++k) c.polys.push_back({(i + 1) % n, i, c.on_circle(i, n, k ? -1 : 1)});
   return c;
 }
-/// A polygon of n verts, one of whose edges has n triangles more.
+/// A polygon of n verts with n triangles at one of its edges.
 inline dense_mesh polygon_with_pages(unsigned n) {
   dense_mesh c = equal_polygons(n, 1, false);
   c.name = "pages on a side of a large polygon";
   for (unsigned i = 0; i < n; ++i) c.polys.push_back({0, 1, c.add(0, 0, i + 1.0)});
   return c;
 }
-/// A polygon of 4 n + 2 verts, most of whose sides are long and beside one another.
+/// A polygon of 4 n + 2 verts, most of whose edges are long and close to one another.
 inline dense_mesh comb(unsigned n) {
   dense_mesh c{"comb", {}, {{}}};
   const auto add = [&](double along, double across) { c.polys[0].push_back(c.add(along - across, along + across, 0)); };
@@ -76,14 +76,14 @@ inline dense_mesh tets_on_a_face(unsigned n) {
   for (unsigned i = 0; i < n; ++i) c.polys.push_back({0, 1, 2, c.add(0.3, 0.3, i + 1.0)});
   return c;
 }
-/// A ring of tets, each with a face of the next.
+/// A ring of n tets around an edge, in which consecutive tets share a face.
 inline dense_mesh tets_around_an_edge(unsigned n) {
   dense_mesh c{"tets around one edge", {{0, 0, 0}, {0, 0, 1}}, {}};
   for (unsigned i = 0; i < n; ++i) c.on_circle(i, n, 0.5);
   for (unsigned i = 0; i < n; ++i) c.polys.push_back({2 + i, 2 + (i + 1) % n, 1, 0});
   return c;
 }
-/// Tets on an edge that share nothing else.
+/// n tets that share only one edge.
 inline dense_mesh tets_on_an_edge(unsigned n) {
   dense_mesh c{"tets on one edge", {{0, 0, 0}, {0, 0, 1}}, {}};
   for (unsigned i = 0; i < n; ++i) {
@@ -92,7 +92,7 @@ inline dense_mesh tets_on_an_edge(unsigned n) {
   }
   return c;
 }
-/// Edges that meet in a vert and have two tets each, which share nothing else.
+/// n edges at one vert, each with two tets that share nothing else.
 inline dense_mesh tets_at_a_vert(unsigned n) {
   dense_mesh c{"tets at one vert", {{0, 0, 0}}, {}};
   for (unsigned i = 0; i < n / 2; ++i) {
@@ -104,7 +104,7 @@ inline dense_mesh tets_at_a_vert(unsigned n) {
   }
   return c;
 }
-/// Rings of 300 tets around edges that meet in a vert.
+/// Rings of 300 tets around each of n edges that meet at a vert.
 inline dense_mesh rings_at_a_vert(unsigned n) {
   dense_mesh c{"rings of tets at one vert", {{0, 0, 0}}, {}};
   for (unsigned ring = 0; ring < n / 300 + 1; ++ring) {
@@ -124,7 +124,7 @@ inline dense_mesh hexes_around_an_edge(unsigned n) {
   for (unsigned i = 0; i < 2 * n; i += 2) c.polys.push_back({0, at(i, 0), at(i + 1, 0), at(i + 2, 0), 1, at(i, 1), at(i + 1, 1), at(i + 2, 1)});
   return c;
 }
-/// Hexes whose faces have the same three smallest verts.
+/// Hexes with faces that have the same three smallest verts.
 inline dense_mesh hexes_on_three_verts(unsigned n) {
   dense_mesh c{"hexes on three verts", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {}};
   for (unsigned i = 0; i < n; ++i) {
@@ -135,14 +135,14 @@ inline dense_mesh hexes_on_three_verts(unsigned n) {
   return c;
 }
 
-/// Cells as general polyhedra: equal faces are one.
+/// Cells as general polyhedra; equal faces are merged.
 inline polyhedralmesh as_polyhedra(const dense_mesh& c) {
   std::vector<vert_id> verts;
   for (const auto& p : c.polys)
     for (const unsigned v : p) verts.push_back(vert_id{v});
   return polyhedralmesh(to_polyhedra<cell_arrays>(cell_arrays{c.points, std::move(verts), static_cast<std::uint32_t>(c.polys[0].size())}));
 }
-/// Polyhedra that have all of the given faces, outward in each.
+/// `copies` polyhedra that all have the same faces, outward in each.
 inline polyhedralmesh polyhedra_of(const dense_mesh& c, unsigned copies) {
   std::vector<std::pair<unsigned, bool>> all;
   for (unsigned f = 0; f < c.polys.size(); ++f) all.push_back({f, true});

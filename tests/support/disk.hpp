@@ -1,4 +1,4 @@
-// Whether a surface is a disk, found by counting.
+// Checks whether a surface is a disk, by its components and Euler characteristic.
 #pragma once
 
 #include <concino/concepts/surface_mesh.hpp>
@@ -7,7 +7,7 @@
 
 namespace concino::testing {
 
-/// The pieces of a surface, joined across edges, and its Euler characteristic, which counts only verts of polys.
+/// The number of components of a surface, connected through edges, and its Euler characteristic, which counts only verts of polys.
 struct topology {
   int pieces = 0, chi = 0;
   bool edges_are_manifold = true, verts_are_manifold = true;

@@ -1,4 +1,4 @@
-// Eigen's matrices and vectors made of plain numbers.
+// Constructs Eigen matrices and vectors from numbers.
 #pragma once
 
 #include <support/input_arrays.hpp>
@@ -29,7 +29,7 @@ auto vector_of(const std::vector<std::uint32_t>& x) {
   return v;
 }
 
-/// A matrix of the user's.
+/// A user's class derived from a matrix.
 struct cloud : Eigen::MatrixXd {
   using Eigen::MatrixXd::MatrixXd;
   std::string name;

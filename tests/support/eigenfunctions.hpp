@@ -1,4 +1,4 @@
-// Eigenfunctions of a kind of mesh beside what is known of them.
+// Checks eigenfunctions on a kind of mesh against known eigenvalues.
 #pragma once
 
 #include <concino/adapters/spectra.hpp>
@@ -15,7 +15,7 @@
 
 namespace concino::testing {
 
-/// How far values 1 to 4 of the unit square or cube are off, at most, relative to sums of squares times pi^2.
+/// The largest relative error of eigenvalues 1 to 4 of the unit square or cube, which are sums of squares times pi^2.
 template<class M>
 double error_on_square_or_cube(unsigned n) {
   std::vector<double> known;
@@ -35,7 +35,7 @@ double error_on_square_or_cube(unsigned n) {
   return worst;
 }
 
-/// Those of values l of a sphere or ball, 2 l + 1 times each, for l up to the number of values known.
+/// Checks the eigenvalues of a sphere or ball: value l has multiplicity 2 l + 1, for l up to the number of known values.
 template<class M>
 void check_sphere(const M& m, const std::vector<double>& known, double relative_error) {
   const std::size_t count = (known.size() + 1) * (known.size() + 1);
@@ -67,7 +67,7 @@ void check_components() {
   CHECK(r.functions[2][vert_id{static_cast<unsigned>(num_verts(m) - 1)}] == 0);
 }
 
-/// Scaling the mesh scales values to the last bit, and functions where that of the measure has a square root that does.
+/// Checks that scaling the mesh scales eigenvalues to the last bit, and functions too if the factor of the measure has an exact square root.
 template<class M>
 void check_scaling() {
   const auto arrays = jittered(grid_arrays<M>(3), 0.02, VolumeMesh<M>);

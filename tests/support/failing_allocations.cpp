@@ -1,5 +1,5 @@
-// malloc and its siblings, as the linker hands them to a test program: -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free.
-// operator new of support/allocations.cpp goes through them too. Calls inside shared libraries do not.
+// Replaces malloc and its siblings by the linker options -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=free.
+// operator new of support/allocations.cpp calls them too. Calls inside shared libraries are not replaced.
 #include "failing_allocations.hpp"
 
 #include <atomic>

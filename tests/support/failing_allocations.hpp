@@ -1,4 +1,4 @@
-// Runs code with its n-th allocation failing, for every n. Only in programs that link support/allocations.cpp and
+// Runs code with a failing n-th allocation, for every n. Only in programs that link support/allocations.cpp and
 // support/failing_allocations.cpp with the linker options named there.
 #pragma once
 
@@ -10,11 +10,11 @@ namespace concino::testing {
 
 namespace detail {
 
-/// From now on the n-th allocation fails (n = 1: the next one), and, with `all_later`, every one after it. Of all threads.
+/// Makes the n-th allocation from now on fail (n = 1: the next one) and, with `all_later`, every one after it. Counts those of all threads.
 void begin_failing(std::size_t n, bool all_later);
-/// No allocation fails any more. Returns how many were asked for since begin_failing().
+/// Stops failing. Returns the number of allocations since begin_failing().
 std::size_t end_failing() noexcept;
-/// Blocks of memory that were allocated and not freed.
+/// The number of blocks of memory that are allocated and not freed.
 std::ptrdiff_t blocks_in_use() noexcept;
 
 struct failing_scope {
@@ -26,7 +26,7 @@ struct failing_scope {
 
 }  // namespace detail
 
-/// One attempt: `attempt(g)` runs g() with one allocation failing and returns whether std::bad_alloc left it. All else that g throws passes.
+/// One attempt: `attempt(g)` runs g() with a failing allocation and returns whether it threw std::bad_alloc. Other exceptions are passed on.
 class failing_attempt {
   std::size_t n_, asked_ = 0;
   bool all_later_;
@@ -52,13 +52,13 @@ class failing_attempt {
 };
 
 struct allocation_failures {
-  std::size_t allocations = 0;  ///< the code asks for so many when none fails
-  std::size_t failed = 0;       ///< attempts that std::bad_alloc left
+  std::size_t allocations = 0;  ///< of the code when none fails
+  std::size_t failed = 0;       ///< attempts that threw std::bad_alloc
   std::size_t leaks = 0;        ///< attempts after which memory was still in use
 };
 
-/// Calls f(attempt) with the n-th allocation failing, n = 1, 2, ... until attempt(g) needs fewer than n; twice for each n: that allocation
-/// alone, and all later ones too. What f does outside of attempt(g) does not fail: it prepares g and looks at what g left behind.
+/// Calls f(attempt) for n = 1, 2, ... with a failing n-th allocation, until attempt(g) needs fewer than n. It does so twice for each n: only that
+/// allocation fails, or all later ones too. Allocations of f outside of attempt(g) do not fail: there it prepares g and checks the state afterwards.
 template<class F>
 allocation_failures for_each_failing_allocation(F&& f) {
   allocation_failures result;

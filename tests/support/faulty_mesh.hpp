@@ -1,4 +1,4 @@
-// A mesh that answers as another one does, except where it is told to lie: for tests of what becomes of wrong answers.
+// A mesh that forwards to another one, except where a test replaces a result by a wrong one.
 #pragma once
 
 #include "user_mesh.hpp"
@@ -12,7 +12,7 @@ namespace user_mesh {
 template<class B>
 struct faulty_mesh : B {
   explicit faulty_mesh(const B& b) : B(b) {}
-  /// May change what verb(a) holds; walks over all elements are `verts` and so on, with a = -1.
+  /// May change the result of verb(a). For the ranges of all elements, `verts` and so on, a = -1.
   std::function<void(std::string_view verb, int a, std::vector<int>& ring)> ring = [](auto, auto, auto&) {};
   /// May change a number: "num_verts", "vert_index_bound", "index_of v" (a = the element), "face_is_outward" (a = poly, b = face).
   std::function<std::size_t(std::string_view verb, int a, int b, std::size_t n)> number = [](auto, auto, auto, std::size_t n) { return n; };

@@ -1,4 +1,4 @@
-// What tests of differential operators share: functions sampled at verts, verts inside, sizes by which rounding errors are measured.
+// Helpers for tests of differential operators: functions sampled at verts, interior verts, scales for rounding errors.
 #pragma once
 
 #include <concino/geometry/measure.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino::testing {
 
-/// Every column sorted, no row twice, all rows inside, nothing infinite.
+/// Checks that a compressed matrix is valid: sorted columns, no duplicate rows, rows in range, finite entries.
 inline void check_compressed(const Eigen::SparseMatrix<double>& a) {
   CHECK(a.isCompressed());
   for (Eigen::Index c = 0; c < a.cols(); ++c) {
@@ -28,7 +28,7 @@ inline void check_compressed(const Eigen::SparseMatrix<double>& a) {
   }
 }
 
-/// The same entries at the same places, to the last bit.
+/// Whether two matrices have the same entries at the same positions, to the last bit.
 inline bool same_entries(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b, double factor = 1) {
   if (a.rows() != b.rows() || a.cols() != b.cols() || a.nonZeros() != b.nonZeros()) return false;
   if (!std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr())) return false;
@@ -48,20 +48,20 @@ inline double difference(const Eigen::SparseMatrix<double>& a, const Eigen::Spar
   return largest(a - b) / (size > 0 ? size : 1);
 }
 
-/// f(point of v) at index_of(v); 0 elsewhere.
+/// The vector of f(point of v) at index_of(v); 0 elsewhere.
 template<class M, class F>
 Eigen::VectorXd at_verts(const M& m, F&& f) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vert_index_bound(m)));
   for (const auto v : verts(m)) u[static_cast<Eigen::Index>(index_of(m, v))] = f(to_vec3(point(m, v)));
   return u;
 }
-/// Rows 3i, 3i + 1, 3i + 2.
+/// The vector in rows 3i, 3i + 1 and 3i + 2.
 inline vec3 vector_at(const Eigen::VectorXd& x, std::size_t i) {
   const auto k = static_cast<Eigen::Index>(3 * i);
   return {x[k], x[k + 1], x[k + 2]};
 }
 
-/// By index_of: verts of polys, no edge (of surfaces) or face (of volumes) at which has a side without poly.
+/// By index_of: whether a vert belongs to polys, and each facet at it has exactly two polys.
 template<class M>
 std::vector<bool> interior_verts(const M& m) {
   std::vector<bool> inside(vert_index_bound(m), false);
@@ -108,8 +108,8 @@ double height(const M& m, const poly_t<M>& p) {
   return std::abs(measure(m, p)) / largest;
 }
 
-/// How wrong a gradient matrix is on linear functions and on constants, the worst poly as a multiple of 1e-14 x diagonal / height. On surfaces a
-/// linear function has the gradient without its part along the vector area.
+/// The error of a gradient matrix on linear functions and constants: that of the worst poly, as a multiple of 1e-14 x diagonal / height. On surfaces
+/// the expected gradient has no component along the vector area.
 template<class M>
 double linear_error(const M& m, const Eigen::SparseMatrix<double>& g) {
   const auto [centre, diagonal] = centre_and_diagonal(m);
@@ -131,7 +131,7 @@ double linear_error(const M& m, const Eigen::SparseMatrix<double>& g) {
   }
   return worst;
 }
-/// The largest divergence of a constant field at a vert inside, as a multiple of diagonal^(dimension - 1). Surfaces lie in a plane z = const.
+/// The largest divergence of a constant field at an interior vert, as a multiple of diagonal^(dimension - 1). Surfaces lie in a plane z = const.
 template<class M>
 double constant_divergence(const M& m, const Eigen::SparseMatrix<double>& d) {
   Eigen::VectorXd x(d.cols());
@@ -144,7 +144,7 @@ double constant_divergence(const M& m, const Eigen::SparseMatrix<double>& d) {
   return worst / std::pow(centre_and_diagonal(m).second, dimension_v<M> - 1);
 }
 
-/// The points turned about an axis that no symmetry has, and the same as a map of vectors.
+/// Rotates points about an axis that is not an axis of symmetry; the same for maps of vectors.
 inline vec3 turned(const vec3& x) {
   const double a = 0.7, b = 1.1;
   const vec3 y{std::cos(a) * x.x - std::sin(a) * x.y, std::sin(a) * x.x + std::cos(a) * x.y, x.z};
@@ -161,7 +161,7 @@ Arrays scaled_arrays(Arrays a, double factor) {
   return a;
 }
 
-/// A smooth map of the unit cube that keeps planes z = const and moves the rest: hexes over it are frustums with planar faces.
+/// Maps the unit cube smoothly so that planes z = const stay planes: hexes become frustums with planar faces.
 template<class Arrays>
 Arrays as_frustum(Arrays a) {
   for (vec3& x : a.points) x = {(x.x - 0.4) * (2 - x.z), (x.y - 0.3) * (2 - x.z), x.z};

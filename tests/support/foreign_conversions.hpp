@@ -39,7 +39,7 @@ void there_and_back(const M& m) {
   }
 }
 
-/// Grids with a hole, an isolated vert and a second piece, and what a half-edge mesh must refuse.
+/// Converts grids with a hole, an isolated vert and a second component, and meshes that a half-edge mesh must refuse.
 template<class Triangles, class Polygons>
 void conversions_of_half_edge_meshes() {
   trimesh t = testing::grid<trimesh>(4);
@@ -55,7 +55,7 @@ void conversions_of_half_edge_meshes() {
   const trimesh turned({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 1, 3}});
   CHECK_THROWS_WITH_AS(convert<Polygons>(turned), doctest::Contains("poly 1"), unsupported);
 
-  // values of a map come along by carry()
+  // transfer() copies the values of maps
   const auto m = testing::grid<trimesh>(3);
   const auto c = convert_with_correspondence<Polygons>(m);
   auto values = make_vert_map<double>(m);
@@ -65,7 +65,7 @@ void conversions_of_half_edge_meshes() {
   for (const auto v : verts(m)) CHECK(taken[c.vert_of(v)] == values[v]);
 }
 
-/// Every surface of the corpus that an F can hold; what it cannot is refused.
+/// Converts every surface of the corpus that an F can hold; others must be refused.
 template<class F>
 void corpus_there_and_back() {
   const auto rows = corpus_meshes();

@@ -1,4 +1,4 @@
-// What is asked of every generated mesh.
+// Checks that every generated mesh must pass.
 #pragma once
 
 #include <concino/geometry/measure.hpp>
@@ -8,7 +8,7 @@
 
 namespace concino::testing {
 
-/// Verts - edges + faces, in volumes - polys.
+/// The Euler characteristic: verts - edges + faces, minus polys in volumes.
 template<AnyMesh M>
 int euler(const M& m) {
   const int chi = static_cast<int>(num_verts(m)) - static_cast<int>(num_edges(m));
@@ -16,7 +16,8 @@ int euler(const M& m) {
   else return chi + static_cast<int>(num_polys(m));
 }
 
-/// Keeps all laws, is an oriented manifold of one piece with this Euler characteristic, and has nothing degenerate, inverted or loose.
+/// Checks that all laws hold, that the mesh is a connected oriented manifold with this Euler characteristic, and that no element is degenerate,
+/// inverted or isolated.
 template<AnyMesh M>
 void check_sound(const M& m, int chi) {
   CHECK(check_laws(m).empty());

@@ -1,4 +1,4 @@
-// What generators of the first homology of a closed surface must be: closed, and a way to cut it open into a disk.
+// Checks generators of the first homology group of a closed surface: they are closed walks, and cutting along them gives a disk.
 #pragma once
 
 #include <concino/graph/boundary_loops.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino::testing {
 
-/// Every edge joins its verts, and the last leads back to the first.
+/// Checks that consecutive verts of a walk are the ends of its edges, and that the last edge leads back to the first vert.
 template<class M>
 void check_closed(const M& m, const edge_walk<M>& loop) {
   REQUIRE(loop.is_closed());

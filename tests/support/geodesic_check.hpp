@@ -1,4 +1,4 @@
-// Comparison with docs/convergence.tsv of what heat geodesics are off now, on the coarser meshes.
+// Compares docs/convergence.tsv with the current errors of heat geodesics, on the coarser meshes.
 #pragma once
 
 #include <support/geodesic_table.hpp>

@@ -1,4 +1,4 @@
-// How far heat geodesics are off distances that are known.
+// Errors of heat geodesics against known distances.
 #pragma once
 
 #include <concino/core/vec3.hpp>

@@ -1,5 +1,5 @@
-// Meshes of every kind whose distances are known: flat and round ones, scanned-like and mechanical-like surfaces, graded, squeezed, jigsaw, with
-// corners to go round. docs/convergence.md shows how far heat is off on them, and tests compute part of that again.
+// Meshes of every kind with known geodesic distances: flat and round, like scans and like CAD models, graded, squeezed, jigsaw, with reentrant
+// corners. docs/convergence.md shows the errors of heat geodesics on them, and tests compute some of these again.
 #pragma once
 
 #include <concino/edit/elements.hpp>
@@ -67,7 +67,7 @@ inline trimesh bumpy_ball(unsigned level) {
   for (const vert_id v : verts(m)) {
     vec3 x = point(m, v);
     x = x / norm(x);
-    x = x + 0.25 * vec3{std::sin(2 * x.y), std::sin(3 * x.z), std::sin(2 * x.x)};  // some parts finer than others
+    x = x + 0.25 * vec3{std::sin(2 * x.y), std::sin(3 * x.z), std::sin(2 * x.x)};  // some parts are finer than others
     x = x / norm(x);
     const double bumps = 0.18 * std::sin(4 * x.x + 1) * std::sin(5 * x.y) + 0.1 * std::sin(7 * x.z + x.x) + 0.03 * std::sin(17 * x.x) * std::sin(15 * x.z);
     set_point(m, v, (1 + bumps) * vec3{x.x, 0.7 * x.y, 1.3 * x.z});
@@ -75,7 +75,7 @@ inline trimesh bumpy_ball(unsigned level) {
   return m;
 }
 
-/// A washer as drawing programs cut it: `around` quads a ring, two triangles each; few rings, so that triangles are long and thin.
+/// A washer as CAD programs triangulate it: `around` quads per ring, two triangles each; few rings, so that triangles are long and thin.
 inline trimesh washer(unsigned around, unsigned layers) {
   surface_arrays a{{}, {}, {}, 3};
   std::vector<std::pair<double, double>> profile;  // radius and height, once round the ring's section
@@ -97,7 +97,7 @@ inline trimesh washer(unsigned around, unsigned layers) {
   return trimesh(std::move(a));
 }
 
-/// Removes the polys whose centroid is in the part, and verts that have none left.
+/// Removes the polys whose centroid is in the part, and the verts that have no polys left.
 template<class M, class F>
 void remove_part(M& m, const F& part) {
   std::vector<poly_id> gone;
@@ -117,7 +117,7 @@ using known_distance = std::function<double(const vec3&, const vec3&)>;
 
 inline double straight(const vec3& a, const vec3& b) { return distance(a, b); }
 inline double on_unit_sphere(const vec3& a, const vec3& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }
-/// Where a quarter of a square, or of a cube, x and y above 1/2, is missing: straight, or round the edge between.
+/// The distance in a square, or cube, without the quarter where x and y are above 1/2: straight, or around the reentrant edge.
 inline double round_the_corner(const vec3& a, const vec3& b) {
   const auto is_right = [](const vec3& x) { return x.x > 0.5; };
   if (is_right(a) == is_right(b)) return distance(a, b);
@@ -126,7 +126,7 @@ inline double round_the_corner(const vec3& a, const vec3& b) {
   return std::hypot(std::hypot(a.x - 0.5, a.y - 0.5) + std::hypot(b.x - 0.5, b.y - 0.5), a.z - b.z);
 }
 
-/// Exact distances over a surface whose polys are fans of triangles about the means of their verts.
+/// Exact distances over a surface whose polys are divided into triangles at the means of their verts.
 template<class M>
 vert_map<M, double> exact_over_fans(const M& m, const vert_id& source) {
   surface_arrays a{{}, {}, {}, 3};
@@ -150,7 +150,7 @@ vert_map<M, double> exact_over_fans(const M& m, const vert_id& source) {
   return d;
 }
 
-/// Calls use(name, mesh, source, distances known) for each mesh of a kind, with about `count` polys. The source is the vert nearest to a place.
+/// Calls use(name, mesh, source, known distances) for each mesh of a kind, with about `count` polys. The source is the vert nearest to a point.
 template<class M, class Use>
 void for_each_geodesic_mesh(unsigned count, const Use& use) {
   constexpr bool is_surface = dimension_v<M> == 2;
@@ -204,7 +204,7 @@ void for_each_geodesic_mesh(unsigned count, const Use& use) {
   }
   {
     M m = even_grid();
-    if constexpr (!std::is_same_v<M, polygonmesh>) {  // hexagons do not end at the quarter
+    if constexpr (!std::is_same_v<M, polygonmesh>) {  // boundaries of hexagons do not fit the quarter
       remove_part(m, quarter);
       report("round a corner", m, low, round_the_corner);
     }

@@ -1,4 +1,4 @@
-// How far heat geodesics are off on the meshes of geodesic_meshes.hpp: what docs/convergence.md says and what the tests compare with it.
+// Errors of heat geodesics on the meshes of geodesic_meshes.hpp, for docs/convergence.md and for the tests that compare with it.
 #pragma once
 
 #include <concino/fields/heat_geodesics.hpp>

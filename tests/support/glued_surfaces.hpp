@@ -1,4 +1,4 @@
-// Random closed surfaces: triangles whose sides are glued in pairs. Of any genus, one-sided ones among them, in one piece or several.
+// Random closed surfaces: triangles whose edges are glued in pairs. They have any genus, may be non-orientable and may have several components.
 #pragma once
 
 #include <concino/mesh/arrays.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino::testing {
 
-/// Triangles of verts and edges. Two edges may have the same ends, and the ends of an edge may be one vert.
+/// Triangles with verts and edges. Two edges may have the same ends, and an edge may be a loop.
 struct glued_triangles {
   struct side {
     unsigned edge;
@@ -27,7 +27,7 @@ struct glued_triangles {
   std::vector<triangle> triangles;
 };
 
-/// An even number of triangles; `twisted`: sides may also be glued the wrong way round.
+/// Glues the edges of n triangles, n even. With `twisted` they may also be glued with reversed direction.
 inline glued_triangles glue_sides(std::mt19937& random, unsigned n, bool twisted) {
   glued_triangles g;
   g.triangles.resize(n);
@@ -56,8 +56,8 @@ inline glued_triangles glue_sides(std::mt19937& random, unsigned n, bool twisted
   return g;
 }
 
-/// Six triangles for each, around a new vert in its middle; verts in the middles of edges follow the old verts. The three verts of a triangle
-/// are different now, and so are the ends of every edge.
+/// Splits each triangle into six, around a new vert in its middle. New verts in the middles of edges follow the old verts. Afterwards the three
+/// verts of every triangle are different, and so are the ends of every edge.
 inline glued_triangles in_six(const glued_triangles& g) {
   glued_triangles r;
   r.vert_count = g.vert_count + g.edge_count + static_cast<unsigned>(g.triangles.size());
@@ -101,12 +101,12 @@ M glued_mesh(const glued_triangles& g) {
   return M(points, rings);
 }
 
-/// check(m, chi) for random closed surfaces of two triangles, or four, before they were divided.
+/// Calls check(m, chi) for random closed surfaces glued from two or four triangles.
 template<class M, class F>
 void for_random_closed_surfaces(unsigned count, const F& check) {
   std::mt19937 random(30);
   for (unsigned i = 0; i < count; ++i) {
-    const unsigned n = random() % (arity_v<M> == 3 ? 12 : 2) == 0 ? 4 : 2;  // few of those that become 144 triangles
+    const unsigned n = random() % (arity_v<M> == 3 ? 12 : 2) == 0 ? 4 : 2;  // few large ones, which become 144 triangles
     const glued_triangles g = glue_sides(random, n, random() % 2 == 0);
     check(glued_mesh<M>(g), static_cast<int>(g.vert_count + g.triangles.size()) - static_cast<int>(g.edge_count));
   }

@@ -1,4 +1,4 @@
-// Harmonic maps on graded grids by iteration, compared with a factorisation or with a known answer.
+// Harmonic maps on graded grids by an iterative solver, compared with a factorisation or with a known solution.
 #pragma once
 
 #include <concino/fields/harmonic_map.hpp>
@@ -31,7 +31,7 @@ M graded(std::size_t cells, double power) {
   return m;
 }
 
-/// The values of f at the verts of all sides of the bounding box, or of the two across x.
+/// The values of f at the verts on all sides of the bounding box, or on the two perpendicular to x.
 template<class M, class F>
 std::vector<std::pair<vert_t<M>, double>> values_at_sides(const M& m, bool all, F f) {
   const box b = bounding_box(m);
@@ -47,7 +47,7 @@ std::vector<std::pair<vert_t<M>, double>> values_at_sides(const M& m, bool all, 
   return r;
 }
 
-/// The largest difference between what a factorisation finds and what the iteration finds, beside the largest value.
+/// The largest difference between the results of a factorisation and of the iteration, relative to the largest value.
 template<class M>
 double difference(const M& m, bool all) {
   const auto values = values_at_sides(m, all, [](const vec3& p) { return std::exp(p.x) * std::cos(p.y) + p.z; });
@@ -63,7 +63,7 @@ double difference(const M& m, bool all) {
   return worst / largest;
 }
 
-/// The same for 1 + 2x, and 3y - z where all sides are held, with what is known instead of a factorisation.
+/// The same for the known solutions 1 + 2x and, if all sides are constrained, 3y - z, instead of a factorisation.
 template<class M>
 double distance_from_linear(const M& m, bool all) {
   const auto linear = [&](const vec3& p) { return 1 + 2 * p.x + (all ? 3 * p.y - p.z : 0); };

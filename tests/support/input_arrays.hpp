@@ -1,4 +1,4 @@
-// The arrays of a native mesh in the forms in which users have them, and a view of such arrays compared with the native mesh.
+// Converts the arrays of a native mesh to the forms that users have, and compares views of such arrays with the native mesh.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -41,7 +41,7 @@ bool same_range(const A& a, const B& b) {
   return !(j != b.end());
 }
 
-/// Two meshes of the library's ids answer every question alike, points but for rounding to floats, and the first keeps all laws.
+/// Checks that two meshes with the library's ids give the same results for all verbs, points up to rounding to floats, and that all laws hold.
 template<class A, class B>
 void check_same_mesh(const A& a, const B& b) {
   static_assert(dimension_v<A> == dimension_v<B> && arity_v<A> == arity_v<B>);

@@ -1,5 +1,5 @@
-// The six kinds of mesh, for TEST_CASE_TEMPLATE, and a grid of each by one name. Where CONCINO_TEST_FEW_KINDS is defined, CONCINO_KINDS are one
-// surface and one volume, which take half as long to compile; CONCINO_ALL_KINDS are always all.
+// The lists of kinds of mesh for TEST_CASE_TEMPLATE, and a grid of each kind. If CONCINO_TEST_FEW_KINDS is defined, CONCINO_KINDS are one surface
+// and one volume, which take half as long to compile; CONCINO_ALL_KINDS are always all.
 #pragma once
 
 #include <concino/mesh/hexmesh.hpp>
@@ -34,11 +34,11 @@ template<> struct grid_of<tetmesh> { static cell_arrays make(unsigned n) { retur
 template<> struct grid_of<hexmesh> { static cell_arrays make(unsigned n) { return hex_grid(n); } };
 template<> struct grid_of<polyhedralmesh> { static polyhedra_arrays make(unsigned n) { return polyhedra_grid(n); } };
 
-/// The arrays of a mesh of kind M over the unit square or cube, n cells (or blocks of cells) a side.
+/// The arrays of a mesh of kind M over the unit square or cube, with n cells (or blocks of cells) along each edge.
 template<class M> auto grid_arrays(unsigned n) { return grid_of<M>::make(n); }
 template<class M> M grid(unsigned n) { return M(grid_arrays<M>(n)); }
 
-/// Two grids side by side that share nothing, and one vert of no poly.
+/// Two disjoint grids, and one isolated vert.
 template<class M> auto two_grids_arrays(unsigned n) {
   auto a = grid_arrays<M>(n);
   const auto shift = static_cast<unsigned>(a.points.size());

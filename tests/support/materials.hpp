@@ -1,4 +1,4 @@
-// What a mesh says of materials, without the names of files.
+// The materials of a mesh, without the names of files, for comparisons.
 #pragma once
 
 #include <concino/core/rgba.hpp>
@@ -35,10 +35,10 @@ said_materials said_of(const M& m) {
   return s;
 }
 
-/// Of no file: nothing.
+/// The materials of the mesh in a file; none if the file does not exist.
 inline said_materials said_in(const std::string& path) { return std::filesystem::exists(path) ? said_of(load<trimesh>(path)) : said_materials{}; }
 
-/// Two triangles, each in a colour and without a material.
+/// Two triangles with colours and without materials.
 inline trimesh colored(float r) {
   trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}});
   const auto color = poly_property<rgba>(m, "color");

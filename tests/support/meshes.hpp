@@ -1,4 +1,4 @@
-// Small meshes for tests, as arrays: grids of every kind on the unit square and the unit cube, with as many cells a side as asked for.
+// Small meshes for tests, as arrays: grids of every kind on the unit square and the unit cube, with n cells along each edge.
 #pragma once
 
 #include <concino/mesh/arrays.hpp>
@@ -36,7 +36,7 @@ inline surface_arrays triangle_grid(unsigned n) {
   return s;
 }
 
-/// n x n blocks, each an L of eight verts (concave, with flat corners) and a quad that fills it up.
+/// n x n blocks, each of an L with eight verts (concave, with flat corners) and a quad that completes it to a square.
 inline surface_arrays polygon_grid(unsigned n) {
   const unsigned w = 2 * n + 1;
   surface_arrays s{square_points(2 * n), {0}, {}, 0};
@@ -52,7 +52,7 @@ inline surface_arrays polygon_grid(unsigned n) {
   return s;
 }
 
-/// The surface as one with offsets, whatever its arity was.
+/// The same surface with offsets instead of an arity.
 inline surface_arrays with_offsets(surface_arrays s) {
   if (s.arity == 0) return s;
   for (std::size_t i = 0; i <= s.verts.size(); i += s.arity) s.offsets.push_back(static_cast<std::uint32_t>(i));
@@ -80,7 +80,7 @@ inline cell_arrays hex_grid(unsigned n) {
   return c;
 }
 
-/// Six tets a cube, all around its diagonal (Kuhn), so that neighbouring cubes fit.
+/// Six tets per cube around its diagonal (Kuhn), so that neighbouring cubes are conforming.
 inline cell_arrays tet_grid(unsigned n) {
   const cell_arrays h = hex_grid(n);
   cell_arrays c{h.points, {}, 4};
@@ -132,7 +132,7 @@ inline polyhedra_arrays extrude(const surface_arrays& surface, unsigned layers) 
 /// Prisms over polygon_grid: concave polyhedra of 6 and 10 faces.
 inline polyhedra_arrays polyhedra_grid(unsigned n) { return extrude(polygon_grid(n), n); }
 
-/// Every point moved by at most `amount` in each direction that `in_space` allows; the same for the same seed everywhere.
+/// Moves every point randomly by at most `amount` in x, y and, if in_space, z. The same seed gives the same result on every machine.
 template<class Arrays>
 Arrays jittered(Arrays a, double amount, bool in_space = true, unsigned seed = 1) {
   std::mt19937 random(seed);

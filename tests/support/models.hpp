@@ -1,11 +1,11 @@
-// Which concepts a type models, in all forms of const and reference.
+// Checks which concepts a type models, in all forms of const and reference.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
 
 namespace concino::testing {
 
-/// A sum of the following.
+/// A set of concepts, as a sum of these flags.
 enum modelled {
   nothing = 0,
   primal_graph = 1,
@@ -27,7 +27,7 @@ constexpr int models() {
          (MutablePoints<M> ? mutable_points : 0) | (TriMesh<M> || QuadMesh<M> || TetMesh<M> || HexMesh<M> ? fixed_arity : 0);
 }
 
-/// M models exactly `expected`, and so do const M, M&, const M& and M&&.
+/// Whether M, const M, M&, const M& and M&& model exactly the concepts in `expected`.
 template<class M>
 constexpr bool models_in_all_forms(int expected) {
   return models<M>() == expected && models<const M>() == expected && models<M&>() == expected && models<const M&>() == expected &&

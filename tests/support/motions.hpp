@@ -1,4 +1,4 @@
-// The same mesh elsewhere: arrays turned and shifted, and made larger or smaller.
+// Rotates, translates and scales the arrays of a mesh.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -8,7 +8,7 @@
 
 namespace concino::testing {
 
-/// x turned by 0.7 about the axis (1, 2, 3).
+/// x rotated by 0.7 radians about the axis (1, 2, 3).
 inline vec3 rotated(const vec3& x) {
   const vec3 axis = vec3{1, 2, 3} / std::sqrt(14.0);
   const double c = std::cos(0.7), s = std::sin(0.7);
@@ -22,7 +22,7 @@ Arrays rotated(Arrays a) {
   return a;
 }
 
-/// Factors that are powers of two change no digit.
+/// Scales the points. Factors that are powers of two are exact.
 template<class Arrays>
   requires requires(Arrays a) { a.points; }
 Arrays scaled(Arrays a, double factor) {

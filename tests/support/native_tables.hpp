@@ -1,6 +1,6 @@
-// The tables of the six kinds of mesh, compiled once for all test files of a folder: nearly every file uses them. Only precompiled headers include
-// this, so that programs with other flags compile their own. clang++ 14 cannot: it takes members into an explicit instantiation whose requirements do
-// not hold. It gains little by it.
+// The adjacency tables of the six native meshes, compiled once for all test files of a folder, as nearly every file uses them. Only precompiled headers
+// include this, so that programs with other flags compile their own. clang++ 14 cannot use it: an explicit instantiation there includes members whose
+// requirements do not hold. It would gain little.
 #pragma once
 
 #include <support/kinds.hpp>

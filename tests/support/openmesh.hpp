@@ -1,4 +1,4 @@
-// OpenMesh meshes of many kinds for tests, and how to make one of arrays with OpenMesh's own functions.
+// OpenMesh types of many kinds for tests, and their construction from arrays by OpenMesh's own functions.
 #pragma once
 
 #include <concino/adapters/openmesh.hpp>
@@ -17,7 +17,7 @@
 
 namespace concino::testing::om {
 
-/// A point type of a user that has brackets, and the sums that OpenMesh asks for.
+/// A user's point type with operator[], and the arithmetic operators that OpenMesh needs.
 struct own_point {
   std::array<float, 3> x{};
   own_point() = default;
@@ -87,7 +87,7 @@ class only_one : public mine {
 template<class M>
 inline constexpr bool triangles_only = std::derived_from<M, OpenMesh::TriConnectivity>;
 
-/// Verts and polys of m become those of the arrays, in their order.
+/// Adds the verts and polys of the arrays to m, in their order.
 template<class M>
 void fill(M& m, const surface_arrays& arrays) {
   const surface_arrays s = with_offsets(arrays);
@@ -108,7 +108,7 @@ void fill(M& m, const surface_arrays& arrays) {
   }
 }
 
-/// The smallest interesting mesh of a kind: a grid, a second one apart from it, and a vert of no poly.
+/// Two disjoint grids and an isolated vert.
 template<class M>
 surface_arrays two_grids(unsigned n) {
   surface_arrays s = with_offsets(triangles_only<M> ? triangle_grid(n) : polygon_grid(n));
@@ -120,7 +120,7 @@ surface_arrays two_grids(unsigned n) {
   return s;
 }
 
-/// Fails with every law that m breaks. Given the connectivity alone, one instance serves meshes of all kinds.
+/// Fails with every law that m breaks. With the connectivity as M, one instantiation is enough for meshes of all kinds.
 template<class M = OpenMesh::PolyConnectivity>
 void check_laws_hold(const M& m) {
   const auto broken = check_laws(m);
@@ -128,8 +128,7 @@ void check_laws_hold(const M& m) {
   CHECK(broken.empty());
 }
 
-/// Fails unless every ring of m equals, as a set of indices, that of the native mesh of the same points and of the polys of m that are not
-/// deleted.
+/// Fails unless every ring of m equals, as a set of indices, that of the native mesh with the same points and the polys of m that are not deleted.
 inline void check_rings(const OpenMesh::PolyConnectivity& m) {
   using numbers = std::multiset<std::size_t>;
   surface_arrays s;

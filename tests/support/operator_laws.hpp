@@ -1,4 +1,4 @@
-// What must hold of operators on every mesh with points, whoever made its type: of real meshes and of generated ones.
+// Laws of the operators on every mesh with points, native or adapted, real or generated.
 #pragma once
 
 #include <concino/convert.hpp>
@@ -21,7 +21,7 @@ void check_operator_laws(const M& m) {
   CHECK(same_entries(l, Eigen::SparseMatrix<double>(l.transpose())));
 }
 
-/// The same and that matrices scale exactly. scaled(s) gives the mesh, s times as large.
+/// Checks the laws, and that matrices scale exactly. scaled(s) returns the mesh scaled by s.
 template<class Scaled>
 void check_operators_scale(const Scaled& scaled) {
   const auto original = scaled(1.0);
@@ -36,7 +36,7 @@ void check_operators_scale(const Scaled& scaled) {
   }
 }
 
-/// Calls f(native mesh) for the small meshes of the corpus of which each poly has a measure.
+/// Calls f(native mesh) for the small meshes of the corpus in which each poly has a measure.
 template<class F>
 void each_small_corpus_mesh(const F& f) {
   const auto rows = corpus_meshes();
@@ -54,7 +54,7 @@ void each_small_corpus_mesh(const F& f) {
   }
 }
 
-/// Real surfaces and generated ones as meshes of type F, which holds what is manifold and has such polys.
+/// Checks the laws on real and generated surfaces as meshes of type F, for those that an F can hold.
 template<class F>
 void operators_of_foreign_surfaces() {
   std::size_t held = 0;
@@ -64,7 +64,7 @@ void operators_of_foreign_surfaces() {
       try {
         foreign = convert<F>(m);
       } catch (const unsupported&) {
-        return;  // not for a half-edge mesh, or not of triangles
+        return;  // F cannot hold it: not manifold, or not of triangles
       }
       ++held;
       check_operators_scale([&](double s) {

@@ -1,4 +1,4 @@
-// What a tree over polys is compared with: all triangles of a poly, had from the mesh itself, and answers found by looking at every one.
+// Brute-force reference for trees over polys: the triangles of every poly, and queries that test each of them.
 #pragma once
 
 #include <concino/geometry/polygon.hpp>
@@ -15,7 +15,8 @@ namespace concino::testing {
 
 using corners3 = std::array<vec3, 3>;
 
-/// Polygons: their triangulation. Polyhedra: their skin, each face of more than three verts about its mean, counter-clockwise seen from outside.
+/// The triangles of a polygon, or of the boundary of a polyhedron, counter-clockwise as seen from outside. Faces of more than three verts are split
+/// at their means.
 template<class M>
 std::vector<corners3> triangles_of(const M& m, const poly_t<M>& p) {
   std::vector<corners3> r;
@@ -37,7 +38,7 @@ std::vector<corners3> triangles_of(const M& m, const poly_t<M>& p) {
   return r;
 }
 
-/// How often the triangles wind round x: the angle under which they are seen.   Source: van Oosterom and Strackee 1983.
+/// The winding number of the triangles around x, by their solid angles.   Source: van Oosterom and Strackee 1983.
 inline double times_round(const std::vector<corners3>& triangles, const vec3& x) {
   double sum = 0;
   for (const auto& t : triangles) {
@@ -48,7 +49,7 @@ inline double times_round(const std::vector<corners3>& triangles, const vec3& x)
   return sum / (4 * 3.14159265358979323846);
 }
 
-/// The distance to a triangle: to its plane, or to the rim where the foot of the perpendicular is outside.
+/// The distance to a triangle: to its plane, or to its edges if the foot of the perpendicular is outside.
 inline double distance_to(const corners3& t, const vec3& x) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -69,7 +70,7 @@ inline double met_at(const corners3& t, const vec3& origin, const vec3& directio
   return u >= 0 && v >= 0 && u + v <= 1 && at >= 0 ? at : std::numeric_limits<double>::infinity();
 }
 
-/// Whether something of the triangle is left after all that is outside of [low, high] was cut off.   Source: Sutherland and Hodgman 1974.
+/// Whether the triangle meets the box [low, high], by clipping it.   Source: Sutherland and Hodgman 1974.
 inline bool reaches_into(const corners3& t, const vec3& low, const vec3& high) {
   std::vector<vec3> rest(t.begin(), t.end()), kept;
   for (std::size_t k = 0; k < 3; ++k)
@@ -86,7 +87,7 @@ inline bool reaches_into(const corners3& t, const vec3& low, const vec3& high) {
   return !rest.empty();
 }
 
-/// Random points of a cube, the same everywhere.
+/// Random points of a cube, the same on every machine.
 class point_stream {
   std::mt19937 random_;
   double low_, high_;

@@ -1,5 +1,5 @@
-// Small random meshes of every kind: heaps of polys that share nothing on purpose, heaps in which each poly sits on a side of another, and
-// grids with holes. Among them are open and disconnected meshes, edges and faces with many polys, verts of none, and gaps in the numbers.
+// Small random meshes of every kind: random polys, polys attached to facets of others, and grids with holes. Some are open or disconnected, some
+// have edges and faces with many polys, isolated verts, or gaps in the indices.
 #pragma once
 
 #include <concino/edit/elements.hpp>
@@ -14,7 +14,7 @@
 
 namespace concino::testing {
 
-/// The verts of some side of a poly, in turn: two of a polygon, three of a tet, four of a hex.
+/// The verts of a random facet of a poly, in order: two of a polygon, three of a tet, four of a hex.
 template<class M>
 std::vector<unsigned> some_side(std::mt19937& random, const std::vector<unsigned>& poly) {
   const auto pick = [&](std::initializer_list<std::size_t> at) {
@@ -36,11 +36,11 @@ std::vector<unsigned> some_side(std::mt19937& random, const std::vector<unsigned
   }
 }
 
-/// Each poly but the first begins with a side of an earlier one; its other verts are any.
+/// Each poly except the first contains a facet of an earlier one; its other verts are random.
 template<class M>
 M random_pile(std::mt19937& random, unsigned vert_count, unsigned poly_count) {
   soup<M> s = random_soup<M>(random, vert_count, poly_count);
-  if constexpr (!std::same_as<M, polyhedralmesh>) {  // where a soup draws from few faces anyway
+  if constexpr (!std::same_as<M, polyhedralmesh>) {  // the soup of polyhedra shares faces anyway
     for (std::size_t p = 1; p < s.verts.size(); ++p) {
       auto ring = some_side<M>(random, s.verts[random() % p]);
       for (const unsigned v : some_of(random, vert_count, vert_count))
@@ -51,7 +51,7 @@ M random_pile(std::mt19937& random, unsigned vert_count, unsigned poly_count) {
   return s.mesh();
 }
 
-/// A grid, or two beside each other and a vert of no poly, less about one poly in four.
+/// A grid, or two disjoint grids and an isolated vert, without about one poly in four.
 template<class M>
 M random_holes(std::mt19937& random) {
   const unsigned n = dimension_v<M> == 2 ? 2 + static_cast<unsigned>(random() % 2) : 1 + static_cast<unsigned>(random() % 2);

@@ -1,4 +1,4 @@
-// Text to arrays, without a file or a mesh, for tests of readers.
+// Reads meshes from text in memory, for tests of readers.
 #pragma once
 
 #include <concino/io/load.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::testing {
 
-/// All that is in some arrays; of a mesh how many elements.
+/// The contents of arrays as text; for a mesh, the numbers of its elements.
 template<class M>
 std::string listed(const M& m) {
   std::string r;
@@ -30,7 +30,7 @@ std::string listed(const M& m) {
   return r;
 }
 
-/// load_text. What follows the text in memory must not be read: with that or with something else there, all is the same.
+/// Calls load_text twice, with different characters after the text in memory: these must not be read, so the results must be equal.
 template<class M>
 M load_alone(const std::string& text, format_id format, const load_options& options = {}, const std::string& name = "t") {
   const auto outcome = [&](std::string_view part) {
@@ -49,7 +49,7 @@ inline surface_arrays obj(const std::string& text, const load_options& options =
   return load_alone<surface_arrays>(text, file_format::obj, options, "t.obj");
 }
 
-/// What reading M from the text complains of: "line: expected | found". Empty if it does not.
+/// The error of reading M from the text, as "line: expected | found". Empty if there is none.
 template<class M>
 std::string complaint(const std::string& text, format_id format) {
   try {
@@ -62,7 +62,7 @@ std::string complaint(const std::string& text, format_id format) {
   return {};
 }
 
-/// The line that it complains of; 0 if it does not.
+/// The line of the error; 0 if there is none.
 template<class M>
 std::size_t bad_line(const std::string& text, format_id format) {
   const std::string said = complaint<M>(text, format);
@@ -76,7 +76,7 @@ std::vector<unsigned> raw(const Ids& ids) {
   return r;
 }
 
-/// Every LF as another line end.
+/// Replaces every LF by another line end.
 inline std::string with_line_ends(const std::string& text, const std::string& end) {
   std::string r;
   for (const char c : text) c == '\n' ? r += end : r += c;

@@ -1,5 +1,5 @@
-// The ways a problem can go, by any solver: what it answers with a small and a large component, with all verts prescribed, with none, with a vert of
-// no edge, and with matrices that are singular, indefinite or not numbers.
+// Checks that any solver must pass on special problems: a small and a large component, all verts prescribed or none, a vert without edges, and
+// matrices that are singular, indefinite or contain NaN.
 #pragma once
 
 #include <concino/fields/harmonic_map.hpp>
@@ -22,7 +22,7 @@ namespace solver_paths {
 
 using namespace concino;
 
-/// Any solver behind one type, so that problems are compiled once.
+/// A type-erased solver, so that problems are compiled once.
 class any_solver {
   struct base {
     virtual ~base() = default;
@@ -55,7 +55,7 @@ class any_solver {
   bool is_iterative() const { return solver_->is_iterative(); }
 };
 
-/// What a solver says of an indefinite matrix.
+/// How a solver treats an indefinite matrix.
 enum class indefinite { solved, refused, either };
 
 /// A triangle, verts 0 to 2; a vert without edges, 3; a unit square of 12 x 12 pairs of triangles, verts 4 to 172.
@@ -82,7 +82,7 @@ values around_square(const trimesh& m, F f) {
   return r;
 }
 
-/// The problems on a mesh whose answer is known.
+/// Checks problems on a mesh with known solutions.
 inline void check_problems(any_solver& solver) {
   const trimesh m = two_components_and_a_vert();
   const auto linear = [](const vec3& p) { return 3 * p.x - p.y; };
@@ -92,7 +92,7 @@ inline void check_problems(any_solver& solver) {
   auto load = make_vert_map<double>(m, -1.0), none = make_vert_map<double>(m, 0.0);
   for (unsigned i = 0; i < 3; ++i) load[vert_id{i}] = 0;
 
-  // a large component only: the small one is named, and the other way round, and with none at all
+  // values only on the large component: the error names the small one; then the reverse; then no values at all
   const auto small = doctest::Contains("component of vert 0 (3 verts) has no value prescribed");
   const auto large = doctest::Contains("component of vert 4 (169 verts) has no value prescribed");
   CHECK_THROWS_WITH_AS(harmonic_map(m, given, {}, solver), small, solver_error);
@@ -102,7 +102,7 @@ inline void check_problems(any_solver& solver) {
   CHECK_THROWS_AS(harmonic_map(m, values{}, {}, solver), solver_error);
   CHECK_THROWS_AS(poisson(m, load, {}, solver), solver_error);
 
-  // a small and a large one, and a vert of no edge
+  // values on both components, and on the vert without edges
   given.emplace_back(vert_id{2}, 5.0);
   curved.emplace_back(vert_id{2}, 5.0);
   const auto check = [&](const auto& u, const auto& expected, double isolated) {
@@ -135,7 +135,7 @@ inline void check_distances(any_solver& solver) {
   CHECK(worst < 0.1);
 }
 
-/// Matrices that cannot be solved: an error from factorize or from solve, and after it the solver is as new.
+/// Checks that a matrix that cannot be solved causes an error in factorize or in solve, and that the solver is usable afterwards.
 inline void check_matrices(any_solver& solver, indefinite what) {
   using namespace systems;
   const auto solve = [&](const sparse& a, const Eigen::VectorXd& b) {
@@ -162,7 +162,7 @@ inline void check_matrices(any_solver& solver, indefinite what) {
     try {
       const Eigen::VectorXd y = solve(a, b);
       solved = true;
-      CHECK(distance(a * y, b) < 1e-5);  // if it answers, it has solved
+      CHECK(distance(a * y, b) < 1e-5);  // if it does not throw, the solution is right
     } catch (const solver_error&) {
     }
     if (what != indefinite::either) CHECK(solved == (what == indefinite::solved));

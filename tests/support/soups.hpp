@@ -1,5 +1,5 @@
-// Random lists of polys over few verts: edges and faces with many polys, pinched verts, polys that share several sides, verts of none. Whatever a
-// mesh must represent.
+// Random lists of polys over few verts: edges and faces with many polys, non-manifold verts, polys that share several facets, isolated verts. A mesh
+// must be able to represent all of them.
 #pragma once
 
 #include <support/kinds.hpp>
@@ -26,7 +26,7 @@ inline std::vector<unsigned> some_of(std::mt19937& random, unsigned n, unsigned 
   return all;
 }
 
-/// Polys as a builder would hand them over: lists of verts, or for polyhedra lists of faces.
+/// Polys as input for a mesh: lists of verts, or for polyhedra lists of faces.
 template<class M>
 struct soup {
   std::vector<vec3> points;

@@ -1,4 +1,4 @@
-// A stiffness matrix put together from the local matrices of polys as simply as can be, for tests of what gives them.
+// Assembles a stiffness matrix from the local matrices of polys in the simplest way, for tests of local matrices.
 #pragma once
 
 #include <concino/geometry/measure.hpp>
@@ -13,7 +13,7 @@
 
 namespace concino::testing {
 
-/// The sum over all polys, vert_index_bound(m) rows and columns.
+/// The stiffness matrix: the sum over all polys, with vert_index_bound(m) rows and columns.
 template<class Element, class M>
 Eigen::MatrixXd stiffness(const M& m) {
   const auto n = static_cast<Eigen::Index>(vert_index_bound(m));
@@ -32,7 +32,7 @@ Eigen::MatrixXd stiffness(const M& m) {
   return sum;
 }
 
-/// The verts strictly inside the unit square or cube, pushed about by less than 0.05.
+/// The verts strictly inside the unit square or cube, in a mesh whose points were moved by less than 0.05.
 template<class M>
 std::vector<vert_t<M>> verts_in_unit_box(const M& m) {
   std::vector<vert_t<M>> r;
@@ -45,7 +45,7 @@ std::vector<vert_t<M>> verts_in_unit_box(const M& m) {
   return r;
 }
 
-/// The largest entry of K x at interior verts, over the coordinates x.
+/// The largest entry of K x at interior verts, where x are the coordinates.
 template<class M>
 double residual_of_coordinates(const M& m, const Eigen::MatrixXd& k) {
   Eigen::MatrixXd x = Eigen::MatrixXd::Zero(k.rows(), dimension_v<M>);
@@ -57,7 +57,7 @@ double residual_of_coordinates(const M& m, const Eigen::MatrixXd& k) {
   return largest;
 }
 
-/// The eigenvalues, least first.
+/// The eigenvalues in ascending order.
 inline std::vector<double> spectrum(const Eigen::MatrixXd& k) {
   const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues();
   return {values.data(), values.data() + values.size()};

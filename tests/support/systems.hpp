@@ -1,4 +1,4 @@
-// Linear systems for tests of solvers, and what every solver must do with them.
+// Linear systems for tests of solvers, and the laws that every solver must fulfil.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
@@ -47,7 +47,7 @@ inline Eigen::VectorXd random_vector(Eigen::Index n, unsigned seed = 3) {
 
 inline double distance(const Eigen::VectorXd& x, const Eigen::VectorXd& y) { return x.size() == 0 ? 0.0 : (x - y).cwiseAbs().maxCoeff(); }
 
-/// Laws of all solvers, on definite systems of up to n x n unknowns, one in a unit that makes its coefficient `small`.
+/// Checks the laws of solvers on definite systems of up to n x n unknowns; one unknown has a unit in which its coefficient is `small`.
 template<class S>
 void check_solver(S& solver, int n, double small = 0x1p-40) {
   static_assert(concino::SparseSolver<S, sparse, Eigen::VectorXd>);
@@ -69,12 +69,12 @@ void check_solver(S& solver, int n, double small = 0x1p-40) {
       CHECK(distance(solver.solve(b * x), x) < 1e-9);
     }
   }
-  sparse loose(4, 4);  // not compressed
+  sparse loose(4, 4);  // an uncompressed matrix
   loose.reserve(Eigen::VectorXi::Constant(4, 4));
   for (int i = 0; i < 4; ++i) loose.insert(i, i) = i + 1;
   solver.factorize(loose);
   CHECK(distance(solver.solve(loose * one), one) < 1e-12);
-  sparse disconnected = grid(2);  // the verts of no edge, too
+  sparse disconnected = grid(2);  // with verts without edges
   disconnected.conservativeResize(6, 6);
   disconnected.coeffRef(4, 4) = 2;
   disconnected.coeffRef(5, 5) = small;
@@ -103,7 +103,7 @@ void check_solver(S& solver, int n, double small = 0x1p-40) {
   CHECK(distance(grid(2) * solver.solve(one), one) < 1e-12);
 }
 
-/// Scaling matrix or right-hand side by powers of two scales solutions exactly.
+/// Checks that scaling the matrix or the right-hand side by powers of two scales solutions exactly.
 template<class S>
 void check_scaling(S& solver) {
   const sparse a = grid(5);

@@ -1,4 +1,4 @@
-// A folder for the files of one test, gone after it.
+// A temporary folder for the files of one test, which its destructor removes.
 #pragma once
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Loops with a given number of threads.
+// Sets the number of threads of parallel loops.
 #pragma once
 
 #include <cstdlib>
@@ -6,7 +6,7 @@
 
 namespace concino::testing {
 
-/// How many threads loops take, as long as this lives.
+/// Sets the number of threads of parallel loops during its lifetime.
 class with_num_threads {
   std::string before_;
   bool was_set_ = false;

@@ -1,5 +1,5 @@
-// Two meshes as a stranger might write them, for tests of everything that is written against the concepts: own descriptors, own namespace,
-// adjacency found by looking at everything, ranges returned by value. Slow, small and independent of the library's own tables.
+// Two meshes as a user might write them, for tests of code against the concepts: own descriptors, own namespace, adjacency by searching all elements,
+// ranges returned by value. They are slow, small and independent of the library's own tables.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -72,13 +72,13 @@ struct volume {
   }
 };
 
-/// A fan of three triangles and a quad around v0, a border, and v7 that nothing uses.
+/// A fan of three triangles and a quad around v0, with a boundary, and an isolated vert v7.
 inline surface surface_example() {
   return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, -1, 0}, {5, 5, 5}},
           {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5, 6}}};
 }
 
-/// A cube under a pyramid that share a square, and v9 that nothing uses.
+/// A cube and a pyramid that share a square, and an isolated vert v9.
 inline volume volume_example() {
   return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {0.5, 0.5, 2}, {9, 9, 9}},
           {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 8}, {5, 6, 8}, {6, 7, 8}, {7, 4, 8}},

@@ -1,4 +1,4 @@
-// Values at verts that tests make up, and how far maps are apart.
+// Test fields on verts, and the difference between maps.
 #pragma once
 
 #include <concino/mesh/element_map.hpp>
@@ -9,13 +9,13 @@
 
 namespace concino::testing {
 
-/// A field that needs no mesh: its values differ from vert to vert.
+/// A field whose value at a vert depends only on the vert's number.
 struct by_number {
   template<class V>
   double operator[](const V& v) const { return std::sin(static_cast<double>(v.raw())); }
 };
 
-/// Between -1 and 1, the same every time.
+/// Random values between -1 and 1, the same at every call.
 template<class M>
 vert_map<M, double> random_values(const M& m) {
   std::mt19937 random(7);

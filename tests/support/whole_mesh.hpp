@@ -1,4 +1,4 @@
-// Everything that a mesh answers, as one list of numbers: two meshes with equal lists are the same to every caller.
+// Lists the results of all verbs of a mesh as numbers. Two meshes with equal lists are indistinguishable to callers.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -9,12 +9,13 @@
 
 namespace concino::testing {
 
-/// A value that needs memory of its own.
+/// A value that allocates memory.
 struct value_with_memory {
   std::vector<int> numbers{1, 2, 3};
 };
 
-/// Gives m properties of verts, edges, faces, polys and corners, with and without memory of their own, and other values for every element.
+/// Adds properties of verts, edges, faces, polys and corners to m, of types that allocate and types that do not, with different values for every
+/// element.
 template<class M>
 void give_properties(M& m) {
   const auto a = vert_property<double>(m, "a");

@@ -1,4 +1,4 @@
-// Algorithms of Boost.Graph on primal(m) and dual(m).
+// Compares algorithms of Boost.Graph on primal(m) and dual(m).
 #pragma once
 
 #include <agreement/algorithms/forests.hpp>

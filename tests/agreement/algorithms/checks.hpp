@@ -1,4 +1,4 @@
-// check_laws and validate.
+// Compares check_laws and validate.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -36,7 +36,7 @@ struct defects {
   static bool check(const B& both, const In&) {
     const auto expected = validate(both.native);
     const auto found = validate(both.other);
-    // The reference knows no arity, and so no order of corners. Of a hex that looks listed in another order the shape is not judged.
+    // The reference has no arity, and so no order of corners. The shape of a hex that seems to be listed in another order is not compared.
     const bool other_order = found.count(defect_kind::corner_order) > 0;
     for (std::size_t k = 0; k < num_defect_kinds; ++k) {
       const auto kind = static_cast<defect_kind>(k);

@@ -1,4 +1,4 @@
-// convert: to the native kind that takes any poly, with names and values.
+// Compares convert to the native kind that can hold any poly, with correspondence and values.
 #pragma once
 
 #include <agreement/matched.hpp>

@@ -1,4 +1,4 @@
-// boundary_loops, tree_cotree, homology_generators and cut_along, of surfaces.
+// Compares boundary_loops, tree_cotree, homology_generators and cut_along on surfaces.
 #pragma once
 
 #include <agreement/copies.hpp>
@@ -23,7 +23,7 @@ struct borders {
     const auto expected = boundary_loops(both.native);
     const auto found = boundary_loops(both.other);
     expect(expected.count == found.count, "as many borders");
-    if (!in.manifold) return true;  // where borders touch, they are parted in the order in which a mesh lists them
+    if (!in.manifold) return true;  // where borders touch, their division into loops depends on the order of the mesh
     std::multiset<numbers> a, b, edges_a, edges_b;
     for (const auto& w : expected.loops) a.insert(rotated(raw_numbers(w.verts))), edges_a.insert(rotated(raw_numbers(w.edges)));
     for (const auto& w : found.loops) {
@@ -54,7 +54,7 @@ struct generators {
     expect(sorted(all) == sorted(raw_numbers(edges(both.native))), "every edge in one of the parts");
     for (const bool from_root : {true, false}) {
       const auto loops = homology_generators(m, {.from_root = from_root});
-      numbers a, b;  // which loops there are, depends on the order of neighbours; their lengths do not
+      numbers a, b;  // the loops depend on the order of neighbours; their lengths do not
       for (const auto& w : homology_generators(both.native, {.from_root = from_root})) a.push_back(static_cast<unsigned>(w.edges.size()));
       for (const auto& w : loops) {
         expect(w.is_closed(), "generators are closed");
@@ -96,7 +96,7 @@ struct cuts {
     expect(raw_numbers(expected.polys) == native_numbers(both.polys, found.polys), "the same polys after the cut");
     numbers originals = native_numbers(both.verts, found.verts);
     expect(sorted(raw_numbers(expected.verts)) == sorted(originals), "copies of the same verts");
-    // Copies are numbered as polys list their verts. Which is which is told by the polys.
+    // Copies are numbered in the order in which polys list their verts, so they are identified by their polys.
     std::vector<std::int64_t> twin(originals.size(), -1), back(originals.size(), -1);
     const auto ring = [](const surface_arrays& s, std::size_t p) {
       const std::size_t first = s.arity ? p * s.arity : s.offsets[p], last = s.arity ? first + s.arity : s.offsets[p + 1];

@@ -1,4 +1,4 @@
-// heat_geodesics: from a vert, from two with a head start, and from a point in a poly.
+// Compares heat_geodesics: from a vert, from two verts with initial distances, and from a point in a poly.
 #pragma once
 
 #include <agreement/algorithms/virtual_elements.hpp>

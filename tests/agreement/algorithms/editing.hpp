@@ -1,4 +1,4 @@
-// add_vert, add_poly, remove_poly and remove_vert, on copies of meshes that offer them.
+// Compares add_vert, add_poly, remove_poly and remove_vert on copies of meshes that have them.
 #pragma once
 
 #include <agreement/copies.hpp>
@@ -64,7 +64,7 @@ struct edits {
   static void expect_same(const N& here, const M& there, const char* when) {
     INFO(std::string(when));
     const auto native = general_copy(here);
-    const matched<std::remove_cvref_t<decltype(native)>, M> both(native, there);  // refuses what differs
+    const matched<std::remove_cvref_t<decltype(native)>, M> both(native, there);  // throws if they differ
     for (const auto p : both.polys.all) {
       numbers expected, found;
       for (const auto v : adj_p2v(native, p)) expected.push_back(v.raw());

@@ -1,4 +1,4 @@
-// connected_components and spanning_tree, of verts and of polys.
+// Compares connected_components and spanning_tree of verts and of polys.
 #pragma once
 
 #include <agreement/algorithms/searches.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::agreement {
 
-/// Calls f(native graph, other graph, pairs) for the graphs that these algorithms see: m itself, and dual(m).
+/// Calls f(native graph, other graph, pairs) for the graphs that these algorithms use: m itself, and dual(m).
 template<class B, class F>
 void each_graph_alone(const B& both, F&& f) {
   using M = typename B::other_mesh;
@@ -69,7 +69,7 @@ struct spanning {
   }
 
  private:
-  /// Trees of verts of a mesh with edges tell these too.
+  /// Spanning trees of verts have edges too, if the mesh has edges.
   template<class B, class A, class F>
   static void same_edges(const B& both, const A& expected, const F& found) {
     if constexpr (requires { expected.edges; found.edges; both.edges; })

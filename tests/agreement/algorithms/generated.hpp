@@ -1,4 +1,4 @@
-// bounding_tree, dual_mesh and agglomerate.
+// Compares bounding_tree, dual_mesh and agglomerate.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -50,7 +50,7 @@ struct trees {
   }
 };
 
-/// Both fail alike, or give meshes with the same polys in the same order.
+/// Checks that both fail, or return meshes with the same polys in the same order.
 template<class A, class B>
 bool expect_same_polys(const A& make_native, const B& make_other) {
   const auto try_to = [](const auto& make) {
@@ -87,7 +87,7 @@ struct duals {
   }
 };
 
-/// Labels that put so many consecutive polys together, as the first mesh numbers them; asked for by polys of either mesh.
+/// Labels that group consecutive polys, in the numbering of the first mesh. They can be read by polys of either mesh.
 template<class P>
 struct labels_of_pair {
   const P* pairs;

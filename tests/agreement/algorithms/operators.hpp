@@ -1,4 +1,4 @@
-// laplacian and harmonic_map, uniform and with cotangents; gradient and divergence.
+// Compares laplacian and harmonic_map, uniform and with cotangents; gradient and divergence.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -28,7 +28,7 @@ bool has_cotangents(const In& in, const M& m) {
   return false;
 }
 
-/// Each entry of one matrix is found in the other, to 1e-12 of the largest; row(i) and column(i) are where i stands there.
+/// Checks that each entry of one matrix equals that of the other, to 1e-12 of the largest; row(i) and column(i) are the positions of i there.
 template<class Row, class Column>
 void expect_same_matrix(const Eigen::SparseMatrix<double>& expected, const Eigen::SparseMatrix<double>& found, const Row& row, const Column& column,
                         const char* what) {
@@ -114,7 +114,7 @@ struct cotangents {
   }
 };
 
-/// Where things at verts, and three numbers at verts or polys, stand in a matrix of the other mesh.
+/// The row or column of values at verts, and of three numbers at verts or polys, in a matrix of the other mesh.
 template<class B>
 auto vert_place(const B& both) {
   return [&both](Eigen::Index i) { return static_cast<Eigen::Index>(index_of(both.other, both.verts.to(vert_t<typename B::native_mesh>{i}))); };
@@ -128,7 +128,7 @@ auto three_of(const Place& place) {
   return [place](Eigen::Index i) { return 3 * place(i / 3) + i % 3; };
 }
 
-/// A function on the verts of both meshes: by the number of the native vert.
+/// A function on the verts of both meshes, of the number of the native vert.
 template<class B, class M, class Number>
 auto waves(const B& both, const M& m, const Number& number) {
   auto u = make_vert_map<double>(m, 0.0);

@@ -1,4 +1,4 @@
-// save, in every format that can hold the mesh, and make_drawable.
+// Compares save, in every format that can hold the mesh, and make_drawable.
 #pragma once
 
 #include <agreement/copies.hpp>
@@ -41,7 +41,7 @@ struct saving {
   }
 
  private:
-  /// The same points, and the same polys, whichever vert or face is the first of each.
+  /// Whether two meshes have the same points and the same polys, up to the first vert or face of each.
   static bool same(const polygonmesh& a, const polygonmesh& b) {
     const surface_arrays x = surface_arrays_of(a), y = surface_arrays_of(b);
     if (x.points != y.points || x.offsets != y.offsets) return false;
@@ -71,7 +71,7 @@ struct drawing {
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
-    struct through {  // a value per vert that both meshes agree about
+    struct through {  // a value per vert that is the same on both meshes
       const B& both;
       double operator[](const vert_t<typename B::other_mesh>& v) const { return both.verts.back(v).raw(); }
     };
@@ -95,7 +95,7 @@ struct drawing {
   struct corner {
     unsigned poly;
     double value;
-    double polygon;  // of several polygons of a poly, the sum of its values
+    double polygon;  // the sum of its values, to distinguish several polygons of a poly
     vec3 at;
     std::array<float, 3> normal;
   };

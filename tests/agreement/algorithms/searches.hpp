@@ -1,4 +1,4 @@
-// bfs, dijkstra, shortest_path and grow_regions, from verts and from polys.
+// Compares bfs, dijkstra, shortest_path and grow_regions from verts and from polys.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -12,14 +12,14 @@ namespace concino::agreement {
 
 template<class M> inline constexpr bool has_a_graph = PrimalGraph<M> || DualGraph<M>;
 
-/// May one step on this element; the same question about an element of the other mesh.
+/// Whether an element may be entered; the same for elements of the other mesh.
 inline constexpr auto not_every_fifth = [](auto x) { return x.raw() % 5 != 3; };
 template<class P>
 auto not_every_fifth_in(const P& pairs) {
   return [&pairs](const auto& x) { return not_every_fifth(pairs.back(x)); };
 }
 
-/// What lies between two nodes: edges, of polys of a volume faces.
+/// The elements between two nodes: edges, or faces between polys of a volume.
 template<class B, class P>
 const auto& crossings_of(const B& both, const P&) {
   if constexpr (requires { both.faces; } && std::same_as<typename P::id, poly_id>) return both.faces;

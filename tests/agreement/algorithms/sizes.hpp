@@ -1,4 +1,4 @@
-// bounding_box, lengths, area, volume, measure, centroid, normals, angles and vert_masses.
+// Compares bounding_box, lengths, area, volume, measure, centroid, normals, angles and vert_masses.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -54,8 +54,8 @@ struct sizes {
   }
 
  private:
-  /// Whole-mesh forms of the one mesh beside single forms of the other. Polygons without area are left out: rounding, which depends on where a
-  /// walk begins, is all that their directions are made of.
+  /// Compares the functions of the whole mesh on one mesh with those of single elements on the other. Polygons without area are left out: their
+  /// directions consist only of rounding errors, which depend on the first vert.
   template<class B>
   static void directions(const B& both) {
     using M = typename B::other_mesh;
@@ -84,7 +84,7 @@ struct sizes {
         if (norm(vert_normal(n, v)) > 0.5) expect_close(vert_normal(n, v), normals.verts[both.verts.to(v)], 1, "vert_normal");
         expect_close(expected[v], defect[both.verts.to(v)], full_turn, "angle_defects");
       }
-      for (const auto e : both.edges.all)  // where polys are wound against each other, each sees it from its own side
+      for (const auto e : both.edges.all)  // where two polys have opposite orientations, the angle depends on the poly
         expect_close(one_side(dihedral_angle(n, e)), one_side(dihedral_angle(m, both.edges.to(e))), full_turn, "dihedral_angle");
     } else {
       const auto normals = vert_normals(m);

@@ -1,4 +1,4 @@
-// exact_geodesics, and the paths, over surfaces whose polys are all triangles.
+// Compares exact_geodesics and their paths on surfaces whose polys are all triangles.
 #pragma once
 
 #include <agreement/algorithms/virtual_elements.hpp>

@@ -1,4 +1,4 @@
-// eigenfunctions, where Spectra is installed.
+// Compares eigenfunctions, if Spectra is installed.
 #pragma once
 
 #include <agreement/algorithms/virtual_elements.hpp>
@@ -21,7 +21,7 @@ struct vibrations {
     for (std::size_t i = 0; i < here.values.size(); ++i) {
       INFO(here.values[i] << " and " << there.values[i]);
       expect(std::abs(here.values[i] - there.values[i]) <= 1e-8 * scale, "the eigenvalue");
-      // functions of equal values are any basis of theirs, so each is only asked for its own equation
+      // functions of equal eigenvalues are any basis of the eigenspace, so each is only checked against its own equation
       const auto& u = there.functions[i];
       Eigen::VectorXd x(static_cast<Eigen::Index>(u.values().size()));
       for (std::size_t k = 0; k < u.values().size(); ++k) x[static_cast<Eigen::Index>(k)] = u.values()[k];

@@ -1,4 +1,4 @@
-// Views of the mesh: primal, dual, with_points, submesh; and the boundary of a volume. Each is compared with the same view of the native mesh.
+// Compares views of the mesh with the same views of the native mesh: primal, dual, with_points, submesh, and the boundary of a volume.
 #pragma once
 
 #include <agreement/algorithms/walk.hpp>
@@ -54,7 +54,7 @@ struct boundaries {
   static constexpr const char* name = "boundary";
   template<class M> static constexpr bool runs_on = VolumeMesh<M>;
 
-  /// Faces need not be walked in the same order, so the surfaces' polys are paired by way of the faces.
+  /// The order of faces may differ, so the polys of the boundary surfaces are paired through the faces.
   template<class B, class In>
   static bool check(const B& both, const In&) {
     const auto n = boundary(both.native);

@@ -1,4 +1,4 @@
-// What is right on polys of every shape: the standard Laplacian, the Galerkin mass, and the problems that are solved with them by default.
+// Compares the operators that support polys of every shape: the standard Laplacian, the Galerkin mass, and the problems that use them by default.
 #pragma once
 
 #include <agreement/algorithms/operators.hpp>
@@ -76,7 +76,7 @@ struct standard {
     const auto there = waves(both, both.other, [&](const auto v) { return both.verts.to(v); });
     const auto expected = heat_flow(both.native, here, 0.1, {.steps = 2}), smoothed = smooth(both.native, here, 0.1);
     const auto found = heat_flow(both.other, there, 0.1, {.steps = 2}), found_smoothed = smooth(both.other, there, 0.1);
-    const double largest = largest_of(both.verts.all, [&](const auto v) { return here[v]; });  // heat fades; rounding is that of what it began with
+    const double largest = largest_of(both.verts.all, [&](const auto v) { return here[v]; });  // heat decays; rounding is relative to the initial values
     for (const auto v : both.verts.all) {
       expect_close(expected[v], found[both.verts.to(v)], largest, "the heat");
       expect_close(smoothed[v], found_smoothed[both.verts.to(v)], largest, "what is smoothed");

@@ -1,4 +1,4 @@
-// Elements, adjacency, points, maps: what everything else stands on.
+// Compares elements, adjacencies, points and maps, on which all other algorithms depend.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -39,7 +39,7 @@ struct walk {
       same_sets(both, both.polys, both.verts, adj_p2v, "adj_p2v");
       same_sets(both, both.polys, both.edges, adj_p2e, "adj_p2e");
       check_map(make_edge_map<unsigned>(m), both.edges);
-      for (const auto p : both.polys.all)  // edges that are equal have their ends in the same order, wherever they were met
+      for (const auto p : both.polys.all)  // equal edges have their ends in the same order, from wherever they were reached
         for (const auto& e : adj_p2e(m, both.polys.to(p)))
           expect(native_numbers(both.verts, adj_e2v(m, e)) == native_numbers(both.verts, adj_e2v(m, both.edges.to(both.edges.back(e)))), "adj_e2v");
     }
@@ -75,13 +75,13 @@ struct walk {
   }
 
  private:
-  /// The neighbours of each element are the same, each once, in any order.
+  /// Checks that the neighbours of each element are the same, each once, in any order.
   template<class B, class From, class To, class Verb>
   static void same_sets(const B& both, const From& from, const To& to, const Verb& verb, const char* what) {
     for (const auto x : from.all)
       expect(sorted(raw_numbers(verb(both.native, x))) == sorted(native_numbers(to, verb(both.other, from.to(x)))), what);
   }
-  /// Edge k of a polygon joins its verts k and k + 1, those of a tet are 01 02 03 12 13 23.
+  /// Checks that edge k of a polygon joins its verts k and k + 1, and that the edges of a tet are 01 02 03 12 13 23.
   template<class B>
   static void check_order(const B& both) {
     using M = typename B::other_mesh;
@@ -106,7 +106,7 @@ struct walk {
       for (const poly_t<M> p : polys(m)) in_order(adj_p2v(m, p), adj_p2e(m, p), of_tet, "the edges of a tet in order");
     }
   }
-  /// pairs: of the facets.
+  /// Compares facets; `pairs` is their pairing.
   template<class B, class P>
   static void check_facets(const B& both, const P& pairs) {
     const auto& n = both.native;

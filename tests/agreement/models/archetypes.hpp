@@ -1,4 +1,4 @@
-// Native meshes stripped down to each concept: no algorithm may use more than it names.
+// Models: archetypes, which restrict a native mesh to one concept, so that algorithms cannot use more than they require.
 #pragma once
 
 #include <agreement/run.hpp>
@@ -43,7 +43,7 @@ struct archetype {
   static void with(const input<Arrays>& in, F&& f) {
     K m(in.arrays);
     remove_elements(m, in.gone_polys, in.gone_verts);
-    const archetypes::owner<decltype(Strip()(m))> weak(m);  // which owns its elements and cannot be copied
+    const archetypes::owner<decltype(Strip()(m))> weak(m);  // owns its elements and cannot be copied
     f(weak);
   }
 };

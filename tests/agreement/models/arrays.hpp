@@ -1,4 +1,4 @@
-// Bare arrays, seen as meshes: matrices of Eigen's and spans.
+// Models: views of arrays, in Eigen matrices and in spans.
 #pragma once
 
 #include <concino/adapters/eigen.hpp>
@@ -39,7 +39,7 @@ struct in_matrices {
   }
 };
 
-/// Points in threes, polys between offsets.
+/// Points as triples of numbers, polys with offsets.
 template<class K>
 struct in_spans {
   using kind = K;

@@ -1,4 +1,4 @@
-// Boost's graphs: the verts of a mesh and the edges between them, in three of its classes.
+// Models: the primal graph of a mesh in three graph classes of Boost.
 #pragma once
 
 #include <concino/adapters/boost_graph.hpp>

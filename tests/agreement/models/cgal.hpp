@@ -1,4 +1,4 @@
-// CGAL: Surface_mesh, and Polyhedron_3 with ids in its items and through indexed().
+// Models: CGAL's Surface_mesh, and its Polyhedron_3 with ids in its items and through indexed().
 #pragma once
 
 #include <concino/adapters/cgal_polyhedron.hpp>
@@ -42,7 +42,7 @@ struct cgal_surface_mesh {
   }
 };
 
-/// Incremental_builder takes the points and polys.
+/// Adds the points and polys through CGAL's incremental builder.
 template<class K, class P>
 struct cgal_builder : CGAL::Modifier_base<typename P::HalfedgeDS> {
   const K& n;

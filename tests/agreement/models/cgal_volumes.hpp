@@ -1,5 +1,5 @@
-// CGAL's volumes through indexed(): triangulations, complexes of their cells, linear cell complexes. What they hold is made by CGAL, so the native
-// mesh that they are compared with is a copy in arrays of its own.
+// Models: CGAL's volumes through indexed(): triangulations, complexes of their cells, linear cell complexes. CGAL constructs the mesh, so the
+// native reference is a copy of it.
 #pragma once
 
 #include <concino/adapters/cgal_lcc.hpp>

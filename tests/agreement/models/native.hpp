@@ -1,4 +1,4 @@
-// The six native meshes, each beside one that knows of no fixed arity.
+// Models: the six native meshes. Each is compared with a native mesh without fixed arity.
 #pragma once
 
 #include <agreement/run.hpp>
@@ -13,7 +13,7 @@ template<> inline constexpr const char* name_of_kind<tetmesh> = "tetmesh";
 template<> inline constexpr const char* name_of_kind<hexmesh> = "hexmesh";
 template<> inline constexpr const char* name_of_kind<polyhedralmesh> = "polyhedralmesh";
 
-/// Mesh M of the arrays of kind K.
+/// A mesh M constructed from the arrays of kind K.
 template<class K, class M = K>
 struct native {
   using kind = K;

@@ -1,4 +1,4 @@
-// OpenMesh: its triangle meshes in floats, its polygon meshes in doubles, and a class derived from one.
+// Models: OpenMesh's triangle meshes with floats, its polygon meshes with doubles, and a derived class.
 #pragma once
 
 #include <concino/adapters/openmesh.hpp>

@@ -1,4 +1,4 @@
-// Meshes as strangers write them: user_mesh::surface and user_mesh::volume of support/user_mesh.hpp find every adjacency by looking at everything.
+// Models: meshes as users write them, user_mesh::surface and user_mesh::volume of support/user_mesh.hpp, which search all elements for adjacencies.
 #pragma once
 
 #include <agreement/run.hpp>

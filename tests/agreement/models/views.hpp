@@ -1,4 +1,4 @@
-// Views that are meshes again: a part of a mesh, its boundary, other points.
+// Models: views that are meshes: a submesh, the boundary of a volume, a mesh with other points.
 #pragma once
 
 #include <agreement/run.hpp>
@@ -9,7 +9,7 @@
 
 namespace concino::agreement {
 
-/// The mesh, inside of one that has as many polys again.
+/// The mesh as a submesh of one with twice as many polys.
 template<class K>
 struct part_of_a_mesh {
   using kind = K;
@@ -23,7 +23,7 @@ struct part_of_a_mesh {
     K m(in.arrays);
     std::vector<vert_id> copy(vert_index_bound(m));
     for (const auto v : verts(small)) {
-      if (!(adj_v2p(small, v).begin() != adj_v2p(small, v).end())) return;  // a submesh has no vert of no poly
+      if (!(adj_v2p(small, v).begin() != adj_v2p(small, v).end())) return;  // a submesh has no isolated verts
       copy[v.raw()] = add_vert(m, point(small, v) + vec3{0, 0, 9});
     }
     const auto first = num_polys(m);
@@ -37,8 +37,8 @@ struct part_of_a_mesh {
   }
 };
 
-/// The boundary of a volume. The native mesh that it is compared with is a copy of it, so this asks whether algorithms run on it, and submesh
-/// and with_points whether views show the right thing; tests/mesh/boundary_test.cpp asks that of boundaries.
+/// The boundary of a volume. Its native reference is a copy of it, so this only checks that algorithms run on it. tests/mesh/boundary_test.cpp checks
+/// that the boundary itself is right.
 template<class K, class Volume>
 struct boundary_of {
   using kind = K;
@@ -55,7 +55,7 @@ struct boundary_of {
   }
 };
 
-/// Points from a map instead of the mesh's own.
+/// A mesh with points from a map instead of its own.
 template<class K>
 struct moved {
   using kind = K;
