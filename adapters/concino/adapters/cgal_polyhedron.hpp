@@ -85,7 +85,7 @@ template<class M> concept is_cgal_polyhedron =
 template<class P>
 struct cgal_polyhedron_traits : halfedge_kernel<P, std::conditional_t<has_ids<P>, cgal_polyhedron_ids<P>, cgal_polyhedron_links<P>>> {
   template<class X>
-  static void set_point(P&, typename P::Vertex_handle v, const X& x) { write_point(v->point(), x); }
+  static void set_point(P&, typename P::Vertex_handle v, const X& x) { assign_point(v->point(), x); }
 };
 
 }  // namespace detail

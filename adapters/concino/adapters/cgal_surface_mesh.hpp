@@ -116,13 +116,13 @@ struct cgal_surface_links {
   static decltype(auto) point(const mesh& m, vert v) requires readable_point<P> { return read_point(m.point(v)); }
   template<class X>
     requires writable_point<P>
-  static void set_point(mesh& m, vert v, const X& x) { write_point(m.point(v), x); }
+  static void set_point(mesh& m, vert v, const X& x) { assign_point(m.point(v), x); }
 
   static vert add_vert(mesh& m, const vec3& x)
     requires writable_point<P>
   {
     const vert v = m.add_vertex();
-    write_point(m.point(v), x);
+    assign_point(m.point(v), x);
     return v;
   }
   static poly add_poly(mesh& m, std::span<const vert> corners) {

@@ -76,8 +76,8 @@ class faces_of_face {
   ring face_edges_;
 
   bool is_at(const face& x, const edge& e) const {
-    auto&& rim = adj_f2e(*m_, x);
-    for (auto it = rim.begin(); it != rim.end(); ++it)
+    auto&& face_edges = adj_f2e(*m_, x);
+    for (auto it = face_edges.begin(); it != face_edges.end(); ++it)
       if (*it == e) return true;
     return false;
   }

@@ -60,7 +60,7 @@ conversion<To, From> convert_by_arrays(const From& m) {
     } else {
       cell_arrays a;
       a.arity = static_cast<std::uint32_t>(arity_v<To>);
-      a.points = points_of(m);
+      a.points = copy_points(m);
       for_each_cell(m, vert_number, a.arity, [&](const poly_t<From>&, const vert_id* corners) { a.verts.insert(a.verts.end(), corners, corners + a.arity); });
       return To(std::move(a));
     }

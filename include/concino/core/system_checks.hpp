@@ -32,7 +32,7 @@ struct singular_row : solver_error {
 };
 
 /// `given`: the diagonal entry, or another number with which the pivot is compared.
-[[noreturn, gnu::cold]] void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double given, double pivot);
+[[noreturn, gnu::cold]] void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double diagonal, double pivot);
 
 /// The diagonal of a compressed matrix; 0 where it has no entry.
 std::vector<double> diagonal(const Eigen::SparseMatrix<double>& a);

@@ -112,7 +112,7 @@ class prepared_exact_geodesics {
   template<class S>
   vert_map<M, double> solve_from(const S& sources, detail::path_tree* paths = nullptr, int target = -1) const {
     std::vector<start> starts;
-    detail::for_each_source<M>(sources, [&](const vert_t<M>& v, double d) { add_start(starts, v, d); });
+    detail::for_each_distance_source<M>(sources, [&](const vert_t<M>& v, double d) { add_start(starts, v, d); });
     if (starts.empty()) throw invalid_argument("exact_geodesics: there is no source; give at least one vert");
     double least = starts.front().distance;
     for (const start& s : starts) least = std::min(least, s.distance);

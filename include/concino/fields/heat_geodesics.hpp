@@ -184,7 +184,7 @@ class prepared_heat_geodesics {
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   vert_map<M, double> distance_from(const S& sources) const {
     query q;
-    detail::for_each_source<M>(sources, [&](const vert_t<M>& v, double d) { add_source(q, v, d); });
+    detail::for_each_distance_source<M>(sources, [&](const vert_t<M>& v, double d) { add_source(q, v, d); });
     return answer(q);
   }
   vert_map<M, double> distance_from(std::initializer_list<vert_t<M>> sources) const {

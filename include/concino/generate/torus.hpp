@@ -19,10 +19,10 @@ namespace detail {
 
 /// A disk of radius 1 in x and y: a core of n x n quads, surrounded by layers of quads.
 inline surface_arrays quad_disk(std::size_t n) {
-  const std::size_t layers = layers_around(n), row = n + 1, core = row * row, rim = 4 * n;
+  const std::size_t layers = layers_around(n), row = n + 1, core = row * row, perimeter = 4 * n;
   surface_arrays a{{}, {}, {}, 4};
   const auto square = [&](const lattice_place& at) { return vec3(even_angle(at[0], n), even_angle(at[1], n), 0); };
-  std::vector<lattice_place> around(rim);
+  std::vector<lattice_place> around(perimeter);
   for (std::size_t j = 0; j < row; ++j)
     for (std::size_t i = 0; i < row; ++i) {
       a.points.push_back(in_round_core(square({i, j, 0})));
@@ -30,12 +30,12 @@ inline surface_arrays quad_disk(std::size_t n) {
       if (i == n || j == n) continue;
       for (const std::size_t step : {std::size_t{0}, std::size_t{1}, row + 1, row}) a.verts.push_back(vert_id{j * row + i + step});
     }
-  const auto number = [&](std::size_t layer, std::size_t k) { return layer == 0 ? around[k][1] * row + around[k][0] : core + (layer - 1) * rim + k; };
+  const auto number = [&](std::size_t layer, std::size_t k) { return layer == 0 ? around[k][1] * row + around[k][0] : core + (layer - 1) * perimeter + k; };
   for (std::size_t l = 1; l <= layers; ++l)
-    for (std::size_t k = 0; k < rim; ++k) {
+    for (std::size_t k = 0; k < perimeter; ++k) {
       const vec3 u = square(around[k]), inner = in_round_core(u), outer = on_round_boundary(u);
       a.points.push_back(l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
-      const std::size_t next = (k + 1) % rim;
+      const std::size_t next = (k + 1) % perimeter;
       for (const std::size_t v : {number(l - 1, k), number(l, k), number(l, next), number(l - 1, next)}) a.verts.push_back(vert_id{v});
     }
   return a;

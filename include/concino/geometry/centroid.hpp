@@ -121,7 +121,7 @@ inline vec3 centre_of(const moments& sum, const vec3& origin) {
 }
 
 /// Whether the moments, including the first ones, are accurate to all digits.
-inline bool keeps_digits(const moments& sum) { return sum.size > 1e-200 && sum.size < 1e200; }
+inline bool moments_keep_digits(const moments& sum) { return sum.size > 1e-200 && sum.size < 1e200; }
 
 /// The centre for numbers that would overflow or underflow: the moments are computed in a frame of a size near 1.
 template<class M, class X>
@@ -154,7 +154,7 @@ template<EmbeddedMesh M>
 vec3 centroid(const M& m, const poly_t<M>& p) {
   const vec3 origin = detail::mean_of<vert_t<M>>(adj_p2v(m, p), detail::points_by_vert(m));
   const detail::moments sum = detail::moments_of(m, p, detail::points_by_vert(m), origin);
-  if (detail::keeps_digits(sum)) [[likely]] return detail::centre_of(sum, origin);
+  if (detail::moments_keep_digits(sum)) [[likely]] return detail::centre_of(sum, origin);
   return detail::centroid_at_any_scale(m, p);
 }
 
@@ -166,7 +166,7 @@ template<VolumeMesh M>
 vec3 centroid(const M& m, const face_t<M>& f) {
   const vec3 origin = shape_of(m, adj_f2v(m, f)).mean;
   const detail::moments sum = detail::moments_of(m, f, detail::points_by_vert(m), origin);
-  if (detail::keeps_digits(sum)) [[likely]] return detail::centre_of(sum, origin);
+  if (detail::moments_keep_digits(sum)) [[likely]] return detail::centre_of(sum, origin);
   return detail::face_centroid_at_any_scale(m, f);
 }
 

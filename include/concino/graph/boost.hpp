@@ -75,9 +75,9 @@ auto boost_edge_map(const G& g, const I& init = I()) {
 template<class G>
   requires detail::is_undirected<G>
 auto directed(const G& g) {
-  const auto shown = detail::base_graph(g);
+  const auto base = detail::base_graph(g);
   if constexpr (!std::is_arithmetic_v<detail::node_in<G>>) {
-    for (const detail::node_in<G> v : shown.nodes())
+    for (const detail::node_in<G> v : base.nodes())
       if (v == detail::node_in<G>())
         throw unsupported("directed: Boost's flows need a vertex that is none, but here the default descriptor names one; "
                           "let the default descriptor of your mesh name none");

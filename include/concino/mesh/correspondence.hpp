@@ -54,7 +54,7 @@ std::vector<vert_t<M>> verts_by_index(const M& m) {
 
 /// The edge of m between the verts with indices a and b; `none` if there is none.
 template<class M>
-std::uint32_t edge_between(const M& m, const std::vector<vert_t<M>>& by_index, std::uint32_t a, std::uint32_t b) {
+std::uint32_t find_edge(const M& m, const std::vector<vert_t<M>>& by_index, std::uint32_t a, std::uint32_t b) {
   for (const edge_t<M> e : adj_v2e(m, by_index[a])) {
     const auto ends = end_verts(m, e);
     if (index_of(m, ends.first) == b || index_of(m, ends.second) == b) return static_cast<std::uint32_t>(index_of(m, e));
@@ -90,7 +90,7 @@ element_origins match_edges(const From& before, const To& m, const element_origi
     if (first.empty() || second.empty() || joint.verts.size() != 2) continue;
     const std::uint32_t a = joint.verts[0], b = joint.verts[1];
     const double length = part_of(first, a) - part_of(second, a);  // of the old edge, as a fraction of it
-    found[index_of(m, e)] = {edge_between(before, by_index, a, b), length < 0 ? -length : length};
+    found[index_of(m, e)] = {find_edge(before, by_index, a, b), length < 0 ? -length : length};
   }
   element_origins origins;
   for (const origin& x : found) {

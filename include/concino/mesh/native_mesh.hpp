@@ -79,7 +79,7 @@ cell_arrays to_cells(std::vector<vec3> points, const R& lists, std::uint32_t ari
 }
 
 template<class Faces, class Polys>
-polyhedra_arrays to_polyhedra(std::vector<vec3> points, const Faces& face_lists, const Polys& poly_lists) {
+polyhedra_arrays polyhedra_arrays_from(std::vector<vec3> points, const Faces& face_lists, const Polys& poly_lists) {
   surface_arrays a = to_surface(std::move(points), face_lists, 0);
   polyhedra_arrays b{std::move(a.points), std::move(a.offsets), std::move(a.verts), {0}, {}, {}};
   for (const auto& poly : poly_lists) {

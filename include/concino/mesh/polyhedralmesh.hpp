@@ -26,7 +26,7 @@ class polyhedralmesh : public detail::native_mesh<polyhedra_tables> {
   polyhedralmesh(point_list points, index_lists face_verts, face_lists poly_faces);
   template<detail::PointRange Points, detail::IndexListRange Faces, class Polys>
   polyhedralmesh(const Points& points, const Faces& face_ranges, const Polys& poly_ranges)
-      : polyhedralmesh(detail::to_polyhedra(detail::to_points(points), face_ranges, poly_ranges)) {}
+      : polyhedralmesh(detail::polyhedra_arrays_from(detail::to_points(points), face_ranges, poly_ranges)) {}
 };
 
 template<>

@@ -60,16 +60,16 @@ concept scalable = !std::integral<T> && requires(const T& x, double factor) {
 template<class T>
 concept countable = std::integral<T> && !std::same_as<T, bool>;
 
-template<scalable T> T scaled(const T& x, double factor) { return static_cast<T>(factor * x); }
+template<scalable T> T scaled_value(const T& x, double factor) { return static_cast<T>(factor * x); }
 template<scalable T> void add_scaled(T& to, const T& x, double factor) { to = static_cast<T>(to + factor * x); }
-template<countable T> T scaled(const T& x, double) { return x; }
+template<countable T> T scaled_value(const T& x, double) { return x; }
 template<countable T> void add_scaled(T& to, const T& x, double) {
   to = static_cast<T>(static_cast<std::uint64_t>(to) + static_cast<std::uint64_t>(x));  // wraps rather than overflows
 }
 template<class T, std::size_t N>
   requires(scalable<T> && N > 0)
-std::array<T, N> scaled(std::array<T, N> x, double factor) {
-  for (T& part : x) part = scaled(part, factor);
+std::array<T, N> scaled_value(std::array<T, N> x, double factor) {
+  for (T& part : x) part = scaled_value(part, factor);
   return x;
 }
 template<class T, std::size_t N>
@@ -99,7 +99,7 @@ struct value_functions {
   static void move(void* at, void* from) { ::new (at) T(std::move_if_noexcept(*static_cast<T*>(from))); }
   static void destroy(void* at) { static_cast<T*>(at)->~T(); }
 
-  static void scale(void* at, const void* from, double factor) { ::new (at) T(detail::scaled(*static_cast<const T*>(from), factor)); }
+  static void scale(void* at, const void* from, double factor) { ::new (at) T(detail::scaled_value(*static_cast<const T*>(from), factor)); }
   static void add(void* at, const void* from, double factor) { detail::add_scaled(*static_cast<T*>(at), *static_cast<const T*>(from), factor); }
 
   static constexpr value_type type() {

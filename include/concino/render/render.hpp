@@ -40,7 +40,7 @@ inline camera frame(std::span<const drawable> drawables, double aspect, const vi
 
 namespace detail {
 
-inline void check(const render_options& o) {
+inline void check_render_options(const render_options& o) {
   const auto need = [](bool ok, const char* what) {
     if (!ok) core::throw_joined<invalid_argument>({"render: ", what});
   };
@@ -179,7 +179,7 @@ class painter {
 /// Errors: invalid_argument if an option is out of its range; unsupported without a ray tracer; cancelled if progress says so.
 template<RayTracer T = no_ray_tracer>
 image render(std::span<const drawable> drawables, const camera& from, const render_options& options = {}, const T& tracer = {}) {
-  detail::check(options);
+  detail::check_render_options(options);
   image picture(options.width, options.height, options.background);
   const detail::unit_scene scene(drawables);
   const auto caster = tracer.build(scene.soup);

@@ -21,7 +21,7 @@ inline drawable make_balls(std::span<const vec3> centers, double radius, const r
   const double g = 1.61803398874989484820;
   std::vector<vec3> sphere = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                               {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
-  std::vector<std::array<std::uint32_t, 3>> sides = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+  std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
                                                      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                                                      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   for (vec3& p : sphere) p /= norm(p);
@@ -37,11 +37,11 @@ inline drawable make_balls(std::span<const vec3> centers, double radius, const r
       return it->second;
     };
     std::vector<std::array<std::uint32_t, 3>> finer;
-    for (const auto& [a, b, c] : sides) {
+    for (const auto& [a, b, c] : triangles) {
       const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
       finer.insert(finer.end(), {{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}});
     }
-    sides.swap(finer);
+    triangles.swap(finer);
   }
 
   drawable d;
@@ -50,7 +50,7 @@ inline drawable make_balls(std::span<const vec3> centers, double radius, const r
     if (!is_finite(center)) throw invalid_argument("make_balls: a centre has a coordinate that is not a finite number");
     const std::uint32_t base = static_cast<std::uint32_t>(d.points.size());
     for (const vec3& p : sphere) d.points.push_back(center + p * radius);
-    for (const auto& f : sides) {
+    for (const auto& f : triangles) {
       for (const std::uint32_t i : f) {
         d.corners.push_back(base + i);
         d.normals.push_back(detail::to_normal3(sphere[i]));

@@ -143,7 +143,7 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
     for (const broken_law& b : log.take()) report.findings.push_back({b.law, state, b.what, b.witness});
     kit::check_state(m, state, options.algorithms, report);
   };
-  if constexpr (MutablePoints<M> && !is_view_v<M>) edited("after all points were moved", [](M& m, auto& log) { kit::check_points(m, log); });
+  if constexpr (MutablePoints<M> && !is_view_v<M>) edited("after all points were moved", [](M& m, auto& log) { kit::check_point_edits(m, log); });
   if constexpr (requirement::has_remove_poly<M>) edited("after every third poly was removed", [](M& m, auto& log) { kit::remove_polys(m, log); });
   if constexpr (requirement::has_remove_vert<M> && requirement::has_remove_poly<M>)
     edited("after a vert was removed", [](M& m, auto&) {

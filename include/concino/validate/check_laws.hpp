@@ -17,7 +17,7 @@ namespace concino {
 namespace detail {
 
 template<class M>
-void check_points(const M& m, const element_table<vert_t<M>>& vs, law_log& log) {
+void check_point_laws(const M& m, const element_table<vert_t<M>>& vs, law_log& log) {
   for (position v = 0; v < vs.size() && !log.full("EM1"); ++v) {
     try {
       const auto& x = point(m, vs.items[v]);
@@ -70,13 +70,13 @@ std::vector<broken_law> check_laws(const M& m) {
     if constexpr (SurfaceMesh<M>) detail::check_surface_mesh(m, primal, dual, log);  // each concept has its own laws
     else detail::check_volume_mesh(m, primal, dual, log);
     if (log.empty()) detail::facet_laws<M>(m, primal, dual, log).check();
-    if constexpr (Embedded<M>) detail::check_points(m, primal.nodes, log);
+    if constexpr (Embedded<M>) detail::check_point_laws(m, primal.nodes, log);
     if constexpr (Embedded<M> && HexMesh<M>)  // only hexes have commonly confused orders
       if (log.empty()) detail::check_corner_order(m, log);
   } else {
     if constexpr (PrimalGraph<M>) {
       [[maybe_unused]] const auto primal = detail::check_primal_graph(m, log);
-      if constexpr (Embedded<M>) detail::check_points(m, primal.nodes, log);
+      if constexpr (Embedded<M>) detail::check_point_laws(m, primal.nodes, log);
     }
     if constexpr (DualGraph<M>) detail::check_dual_graph(m, log);
   }

@@ -56,7 +56,7 @@ TEST_CASE("orient_polyhedra: the wall of a cavity looks into it") {
       m.poly_faces.push_back(face_id{f + (shift ? 6 : 0)});
       m.outward.push_back(shift == 0);
     }
-  CHECK(six_times_volume(m, 0) == doctest::Approx(6 * 26));
+  CHECK(six_times_poly_volume(m, 0) == doctest::Approx(6 * 26));
   polyhedra_arrays copy = m;
   CHECK(orient_polyhedra(copy) == 0);
   for (auto& o : copy.outward) o = !o;

@@ -36,7 +36,7 @@ template<class P> concept writable_point = kernel_point<P> || (plain_point<P> &&
 });
 
 template<writable_point P, class X>
-void write_point(P& p, const X& x) {
+void assign_point(P& p, const X& x) {
   const vec3 to = to_vec3(x);
   if constexpr (kernel_point<P>) {
     p = P(to.x, to.y, to.z);

@@ -125,17 +125,17 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
     refuse(core::joined({"has ", name(*twice), " twice; its verts must differ"}));
 
-  std::vector<HalfedgeHandle> sides;  // those that exist already
+  std::vector<HalfedgeHandle> halfedges;  // those that exist already
   for (std::size_t i = 0; i < n; ++i) {
     const VertexHandle a = corners[i], b = corners[(i + 1) % n];
     if (!m.is_boundary(a)) refuse(core::joined({"names ", name(a), ", which has polys all around it; OpenMesh can hold no other there"}));
-    sides.push_back(m.find_halfedge(a, b));
-    if (sides.back().is_valid() && !m.is_boundary(sides.back()))
+    halfedges.push_back(m.find_halfedge(a, b));
+    if (halfedges.back().is_valid() && !m.is_boundary(halfedges.back()))
       refuse(core::joined({"goes from ", name(a), " to ", name(b),
                      " as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions"}));
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const HalfedgeHandle in = sides[i], out = sides[(i + 1) % n];
+    const HalfedgeHandle in = halfedges[i], out = halfedges[(i + 1) % n];
     if (!in.is_valid() || !out.is_valid() || m.next_halfedge_handle(in) == out) continue;
     HalfedgeHandle gap = m.opposite_halfedge_handle(out);
     do gap = m.opposite_halfedge_handle(m.next_halfedge_handle(gap));

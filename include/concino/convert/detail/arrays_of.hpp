@@ -22,7 +22,7 @@ std::vector<std::uint32_t> numbered(const M& m, const R& elements, std::size_t b
 }
 
 template<Embedded M>
-std::vector<vec3> points_of(const M& m) {
+std::vector<vec3> copy_points(const M& m) {
   std::vector<vec3> points;
   points.reserve(num_verts(m));
   for (const vert_t<M> v : verts(m)) points.push_back(to_vec3(point(m, v)));
@@ -41,7 +41,7 @@ std::vector<vec3> points_of(const M& m) {
 template<SurfaceMesh M>
 surface_arrays arrays_of(const M& m, const std::vector<std::uint32_t>& vert_number, std::uint32_t arity) {
   surface_arrays a;
-  a.points = points_of(m);
+  a.points = copy_points(m);
   a.arity = arity;
   a.verts.reserve(num_polys(m) * (arity ? arity : 4));
   if (!arity) a.offsets.push_back(0);
@@ -58,7 +58,7 @@ surface_arrays arrays_of(const M& m, const std::vector<std::uint32_t>& vert_numb
 template<VolumeMesh M>
 polyhedra_arrays polyhedra_of(const M& m, const std::vector<std::uint32_t>& vert_number, const std::vector<std::uint32_t>& face_number) {
   polyhedra_arrays a;
-  a.points = points_of(m);
+  a.points = copy_points(m);
   a.face_offsets.push_back(0);
   a.poly_offsets.push_back(0);
   for (const face_t<M> f : faces(m)) {

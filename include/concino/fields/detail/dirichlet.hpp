@@ -31,10 +31,10 @@ concept field_value = std::same_as<T, double> || std::same_as<T, vec3>;
 
 template<field_value T>
 inline constexpr std::size_t parts_of = std::same_as<T, double> ? 1 : 3;
-inline double& part(double& x, std::size_t) { return x; }
-inline double part(const double& x, std::size_t) { return x; }
-inline double& part(vec3& x, std::size_t k) { return x[k]; }
-inline double part(const vec3& x, std::size_t k) { return x[k]; }
+inline double& field_component(double& x, std::size_t) { return x; }
+inline double field_component(const double& x, std::size_t) { return x; }
+inline double& field_component(vec3& x, std::size_t k) { return x[k]; }
+inline double field_component(const vec3& x, std::size_t k) { return x[k]; }
 
 template<field_value T, class X>
 T as_field_value(const X& x) {
@@ -156,24 +156,25 @@ struct constrained_verts {
 template<class T, class M, class D>
 vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, const D& pairs, double isolated_value, const char* caller) {
   auto value = make_vert_map<T>(m, same_in_all_parts<T>(isolated_value));
-  for (const vert_t<M>& v : verts.prescribed) part(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // no value yet
+  for (const vert_t<M>& v : verts.prescribed) field_component(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // no value yet
   std::size_t known = 0;
   for (const auto& [vert, number] : pairs) {
     const vert_t<M> v = vert;
     const T x = as_field_value<T>(number);
     if (!contains(m, v)) throw_no_vert(caller, "a value is given at");
     if (verts.unknown[v] != constrained_verts<M>::constrained) throw_not_constrained(caller, index_of(m, v));
-    const bool again = !std::isnan(part(value[v], 0));
+    const bool again = !std::isnan(field_component(value[v], 0));
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      if (!std::isfinite(part(x, k))) throw_not_finite(caller, index_of(m, v));
-      if (again && part(value[v], k) != part(x, k)) throw_two_values(caller, index_of(m, v), part(value[v], k), part(x, k));
+      if (!std::isfinite(field_component(x, k))) throw_not_finite(caller, index_of(m, v));
+      if (again && field_component(value[v], k) != field_component(x, k))
+          throw_two_values(caller, index_of(m, v), field_component(value[v], k), field_component(x, k));
     }
     known += !again;
     value[v] = x;
   }
   if (known != verts.prescribed.size())
     for (const vert_t<M>& v : verts.prescribed)
-      if (std::isnan(part(value[v], 0))) throw_no_value(caller, index_of(m, v));
+      if (std::isnan(field_component(value[v], 0))) throw_no_value(caller, index_of(m, v));
   return value;
 }
 
@@ -219,7 +220,8 @@ struct constrained_system {
   void solve(core::solver_ref solver, const Load& load, vert_map<M, T>& value, const char* caller) const {
     if (verts.unknowns == 0) return;
     T* const at = value.data();
-    solve_parts(solver, lower, verts.index, couplings, parts_of<T>, load, [at](std::size_t k, int index) -> double& { return part(at[index], k); }, caller);
+    solve_parts(solver, lower, verts.index, couplings, parts_of<T>, load,
+                [at](std::size_t k, int index) -> double& { return field_component(at[index], k); }, caller);
   }
 
   void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole) {

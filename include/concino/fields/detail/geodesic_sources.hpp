@@ -24,7 +24,7 @@ template<class M, class S> concept gives_verts = PrimalGraph<M> && !gives_distan
 
 /// Calls add(vert, distance) for one vert, for each of several, or for each pair of a vert and a number.
 template<class M, class S, class F>
-void for_each_source(const S& sources, F&& add) {
+void for_each_distance_source(const S& sources, F&& add) {
   if constexpr (gives_distances<M, S>) {
     for (const auto& [v, d] : sources) add(static_cast<vert_t<M>>(v), static_cast<double>(d));
   } else if constexpr (gives_some_verts<M, S>) {

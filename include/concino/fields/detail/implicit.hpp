@@ -81,7 +81,7 @@ class implicit_system {
       const T x = u[v] = as_field_value<T>(f[v]);
       if (system_.verts.unknown[v] == constrained_verts<M>::isolated) continue;
       for (std::size_t k = 0; k < parts_of<T>; ++k)
-        if (!std::isfinite(part(x, k)))
+        if (!std::isfinite(field_component(x, k)))
           core::throw_joined<invalid_argument>({caller_, ": the value at vert ", index_of(m, v), " is not finite"});
     }
     return u;
@@ -96,7 +96,7 @@ class implicit_system {
     const double* const entry = mass_.valuePtr();
     const auto load = [&](std::size_t k, int c) {
       double sum = 0;
-      for (int l = begin[c]; l < begin[c + 1]; ++l) sum += entry[l] * part(at[row[l]], k);
+      for (int l = begin[c]; l < begin[c + 1]; ++l) sum += entry[l] * field_component(at[row[l]], k);
       return sum;
     };
     system_.template solve<T>(solver, load, f, caller_);

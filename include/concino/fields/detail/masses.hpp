@@ -36,8 +36,8 @@ right_hand_sides<T> mass_times(const M& m, const Eigen::SparseMatrix<double>& ma
     if (!has_mass(mass, i)) continue;
     const T value = as_field_value<T>(f[v]);
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      if (!std::isfinite(part(value, k))) core::throw_joined<invalid_argument>({what, " at vert ", i, " is not finite"});
-      x[k][static_cast<Eigen::Index>(i)] = part(value, k);
+      if (!std::isfinite(field_component(value, k))) core::throw_joined<invalid_argument>({what, " at vert ", i, " is not finite"});
+      x[k][static_cast<Eigen::Index>(i)] = field_component(value, k);
     }
   }
   right_hand_sides<T> y;

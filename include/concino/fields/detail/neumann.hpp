@@ -62,15 +62,15 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
       core::throw_joined<invalid_mesh>({caller, ": a flux is given at ", is_surface ? "edge " : "face ", index_of(m, x),
                                   ", which has ", polys, " polys and so is not on the boundary; it can be given where there is one"});
     T& before = known[x];
-    const bool again = !std::isnan(part(before, 0));
+    const bool again = !std::isnan(field_component(before, 0));
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      if (!std::isfinite(part(flux, k))) throw_bad_flux(caller, m, x, " is not finite");
-      if (again && part(before, k) != part(flux, k)) throw_bad_flux(caller, m, x, " is not the one given there before; keep one");
+      if (!std::isfinite(field_component(flux, k))) throw_bad_flux(caller, m, x, " is not finite");
+      if (again && field_component(before, k) != field_component(flux, k)) throw_bad_flux(caller, m, x, " is not the one given there before; keep one");
     }
     if (again) continue;
     before = flux;
     integrate_over(m, x, [&](const vert_t<M>& v, double size) {
-      for (std::size_t k = 0; k < parts_of<T>; ++k) load[k][static_cast<Eigen::Index>(index_of(m, v))] += size * part(flux, k);
+      for (std::size_t k = 0; k < parts_of<T>; ++k) load[k][static_cast<Eigen::Index>(index_of(m, v))] += size * field_component(flux, k);
     });
   }
 }

@@ -22,10 +22,10 @@ class dual_parts {
   std::vector<vec3> points;  // of the dual verts: those of polys come first, in the order of polys(m)
 
   /// For a volume, the last argument is the oriented_edge_table of its faces.
-  template<class... Sides>
-  dual_parts(const M& m, bool clipped, const Sides&... sides) : m_(m), polys_at_(facet_index_bound(m), {none, none}), fans_(centre_bound()) {
+  template<class... OrientedEdges>
+  dual_parts(const M& m, bool clipped, const OrientedEdges&... oriented) : m_(m), polys_at_(facet_index_bound(m), {none, none}), fans_(centre_bound()) {
     read_polys();
-    read_sectors(m, [&](const poly_t<M>& p) { return number_of(p); }, fans_, sides...);
+    read_sectors(m, [&](const poly_t<M>& p) { return number_of(p); }, fans_, oriented...);
     add_facet_verts(clipped);
   }
 

@@ -34,7 +34,7 @@ void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans) {
 
 /// Collects the sectors around the edges of a volume. Errors: invalid_mesh that names a poly whose surface is not closed.
 template<VolumeMesh M, class NumberOf>
-void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans, const oriented_edge_table<M>& sides) {
+void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans, const oriented_edge_table<M>& oriented) {
   for (const poly_t<M> p : polys(m))
     for (const edge_t<M> e : adj_p2e(m, p)) fans.count(index_of(m, e));
   fans.end_counting();
@@ -43,7 +43,7 @@ void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans, cons
     for (const face_t<M> f : adj_p2f(m, p)) {
       const auto facet = static_cast<std::uint32_t>(index_of(m, f));
       const bool outward = face_is_outward(m, p, f);
-      for (const indexed_oriented_edge& s : sides.of(facet)) {
+      for (const indexed_oriented_edge& s : oriented.of(facet)) {
         sector& w = fans.at(s.edge, n);
         std::uint32_t& side = (s.forward != 0) == outward ? w.out : w.in;  // the face whose outward orientation follows the edge is `out`
         if (side != sector::none) throw_no_dual("poly ", index_of(m, p), " has more than two faces at edge ", std::size_t{s.edge});

@@ -39,16 +39,16 @@ surface_arrays dual_of_triangles(const surface_arrays& triangles, const Place& p
   for (const vert_id v : triangles.verts) ++a.offsets[v.raw() + 1];
   for (std::size_t v = 0; v < triangles.points.size(); ++v) a.offsets[v + 1] += a.offsets[v];
   std::vector<std::uint32_t> fill(a.offsets.begin(), a.offsets.end() - 1);
-  std::vector<corner> star(triangles.verts.size());
+  std::vector<corner> corners(triangles.verts.size());
   a.points.reserve(triangles.num_polys());
   a.verts.reserve(triangles.verts.size());
   for (std::size_t i = 0; i < triangles.verts.size(); i += 3) {
     for (std::size_t k = 0; k < 3; ++k)
-      star[fill[raw(i + k)]++] = {raw(i + (k + 1) % 3), raw(i + (k + 2) % 3), static_cast<std::uint32_t>(i / 3)};
+      corners[fill[raw(i + k)]++] = {raw(i + (k + 1) % 3), raw(i + (k + 2) % 3), static_cast<std::uint32_t>(i / 3)};
     a.points.push_back(place(i / 3));
   }
   for (std::size_t v = 0; v < triangles.points.size(); ++v) {
-    const auto first = star.begin() + static_cast<std::ptrdiff_t>(a.offsets[v]), last = star.begin() + static_cast<std::ptrdiff_t>(a.offsets[v + 1]);
+    const auto first = corners.begin() + static_cast<std::ptrdiff_t>(a.offsets[v]), last = corners.begin() + static_cast<std::ptrdiff_t>(a.offsets[v + 1]);
     std::uint32_t next = first->from;
     for (auto at = first; at != last; ++at) {  // each corner begins where the previous one ends
       std::iter_swap(at, std::find_if(at, last, [&](const corner& c) { return c.from == next; }));

@@ -45,7 +45,7 @@ struct all_format_rows {
   static constexpr std::array<format_row, sizeof...(F)> rows = {format_facts<F>::row()...};
 };
 template<class... F>
-constexpr format_rows rows_of(format_list<F...>) { return {all_format_rows<F...>::rows.data(), sizeof...(F)}; }
+constexpr format_rows format_rows_of(format_list<F...>) { return {all_format_rows<F...>::rows.data(), sizeof...(F)}; }
 
 /// The set of formats with the extension of a path, or with the name `asked`: bit i stands for format i.
 /// Errors: as check_path; unsupported if there is none, naming those that are known.
@@ -61,13 +61,13 @@ std::uint64_t candidates_for(std::string_view path, F formats, format_id asked) 
   if constexpr (Format<F>) {
     if (asked == format_id()) asked = formats;
   }
-  return formats_for(path, asked, rows_of(list_of(formats)));
+  return formats_for(path, asked, format_rows_of(list_of(formats)));
 }
 
 /// The format in which a file is written.
 template<Formats F>
 std::size_t chosen_for(std::string_view path, F formats, format_id asked) {
-  return choose_format(candidates_for(path, formats, asked), rows_of(list_of(formats)), nullptr);
+  return choose_format(candidates_for(path, formats, asked), format_rows_of(list_of(formats)), nullptr);
 }
 
 /// Calls f(format) for the chosen format.

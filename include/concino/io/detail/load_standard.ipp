@@ -24,7 +24,7 @@ void read_standard_file(const std::string& path, const wanted_mesh& wanted, cons
 }
 template<bool Surfaces, bool Volumes, class Contents>
 void read_standard_text(std::string_view text, std::string_view name, const wanted_mesh& wanted, const load_options& options, Contents& contents) {
-  const std::size_t chosen = choose_format(candidates_for({}, standard_formats, options.format), rows_of(standard_formats), &text);
+  const std::size_t chosen = choose_format(candidates_for({}, standard_formats, options.format), format_rows_of(standard_formats), &text);
   read_text<Surfaces, Volumes>(text, name, standard_formats, chosen, wanted, options, contents);
 }
 

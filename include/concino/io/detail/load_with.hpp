@@ -97,7 +97,7 @@ void read_text(std::string_view text, std::string_view name, format_list<F...> k
 template<class... F>
 std::size_t format_of(const file_text& file, format_list<F...> known, std::uint64_t candidates) {
   const std::string_view text = file.text();
-  return choose_format(candidates, rows_of(known), &text);
+  return choose_format(candidates, format_rows_of(known), &text);
 }
 
 template<bool Surfaces, bool Volumes, Formats F, class Contents>
@@ -112,7 +112,7 @@ template<class M, Formats F>
 M load_text_with(std::string_view text, std::string_view name, F formats, const load_options& options) {
   const auto known = list_of(formats);
   contents_for<M, F> contents;
-  const std::size_t chosen = choose_format(candidates_for({}, formats, options.format), rows_of(known), &text);
+  const std::size_t chosen = choose_format(candidates_for({}, formats, options.format), format_rows_of(known), &text);
   read_text<from_surface<M>, wants_volumes<M>>(text, name, known, chosen, wanted_for<M>, options, contents);
   return mesh_of<M>(contents, name, options.report);
 }

@@ -25,7 +25,7 @@ inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recog
 }
 
 /// Six times the volume of poly p: each face is split into triangles at its mean point, with the sign of its outward flag.
-inline double six_times_volume(const polyhedra_arrays& m, std::size_t p) {
+inline double six_times_poly_volume(const polyhedra_arrays& m, std::size_t p) {
   double sum = 0;
   if (m.poly_offsets[p] == m.poly_offsets[p + 1]) return sum;
   const vec3 apex = m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()];
@@ -53,12 +53,12 @@ class winding_check {
  public:
   /// True if the faces are consistently oriented; false if they are not or if it is not known.
   bool operator()(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
-    std::size_t sides = 0;
+    std::size_t num_corners = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
       const std::uint32_t f = m.poly_faces[i].raw();
-      sides += m.face_offsets[f + 1] - m.face_offsets[f];
+      num_corners += m.face_offsets[f + 1] - m.face_offsets[f];
     }
-    if (table_.size() < 2 * sides) table_.assign(std::bit_ceil(4 * sides), {0, 0, 0});
+    if (table_.size() < 2 * num_corners) table_.assign(std::bit_ceil(4 * num_corners), {0, 0, 0});
     const std::uint64_t mask = table_.size() - 1;
     used_.clear();
     for (std::uint32_t i = begin; i < end; ++i) {
@@ -194,7 +194,7 @@ std::size_t orient_polyhedra(Arrays& m) {
   for (std::size_t p = 0; p < m.num_polys(); ++p) {
     const std::uint32_t begin = m.poly_offsets[p], end = m.poly_offsets[p + 1];
     bool touched = !wound_well(m, begin, end) && orient(m, begin, end);
-    if (six_times_volume(m, p) < 0) {
+    if (six_times_poly_volume(m, p) < 0) {
       for (std::uint32_t i = begin; i < end; ++i) m.outward[i] = !m.outward[i];
       touched = true;
     }

@@ -15,9 +15,9 @@ namespace concino::detail {
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE void check_path(std::string_view path) {
   if (path.find('\0') == path.npos) return;
-  std::string shown;
-  for (const char c : path) shown.append(c ? std::string_view(&c, 1) : std::string_view("\\0"));
-  core::throw_joined<io_error>({shown, ": no path holds a character of value 0"});
+  std::string printable;
+  for (const char c : path) printable.append(c ? std::string_view(&c, 1) : std::string_view("\\0"));
+  core::throw_joined<io_error>({printable, ": no path holds a character of value 0"});
 }
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE std::string resolve_links(const std::string& path) {

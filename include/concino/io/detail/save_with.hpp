@@ -16,7 +16,7 @@
 namespace concino::detail {
 
 /// Checks the coordinates. Errors: invalid_mesh if one is not finite, naming the vert by its index.
-void check_points(std::string_view name, const flat_mesh& m);
+void check_savable_points(std::string_view name, const flat_mesh& m);
 
 /// Reports what was lost. Called after the whole mesh is written.
 [[gnu::cold]] void report_lost(const write_context& c, const flat_mesh& m, std::string_view format);
@@ -31,13 +31,13 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
                                             std::size_t chosen, const save_options& options) {
   save_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};
-  const format_row& row = rows_of(known).rows[chosen];
+  const format_row& row = format_rows_of(known).rows[chosen];
   if (options.binary && !row.has_binary) core::throw_joined<unsupported>({name, ": ", row.extensions[0], " has no binary form here"});
   write_context context{out, name, path, options, report};
   with_format(known, chosen, [&]<Format G>(G) {
     if constexpr (Dimension == 2 ? G::holds_surfaces : G::holds_volumes) {  // a format may hold one of them only
       mesh([&](flat_mesh& flat) {
-        check_points(name, flat);
+        check_savable_points(name, flat);
         context.num_elements = flat.points.size() + flat.num_polys;
         G::write(context, flat);
         report_lost(context, flat, row.extensions[0]);

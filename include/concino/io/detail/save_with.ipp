@@ -30,7 +30,7 @@ namespace concino::detail {
   }
 }
 
-CONCINO_INLINE void check_points(std::string_view name, const flat_mesh& m) {
+CONCINO_INLINE void check_savable_points(std::string_view name, const flat_mesh& m) {
   for (std::size_t v = 0; v < m.points.size(); ++v)
     if (!is_finite(m.points[v]))
       core::throw_joined<invalid_mesh>({name, ": vert ", m.vert_index(v), " has a coordinate that is not a finite number; no file can hold it"});

@@ -97,7 +97,7 @@ class polys_around_edge {
 };
 
 /// The faces owned by the polys of a range, among the few that `faces_of` gives for each poly. A face has one owner, so each occurs once.
-template<class Tables, class Polys, class FacesOf, unsigned Most>
+template<class Tables, class Polys, class FacesOf, unsigned MaxFaces>
 class owned_faces {
   const Tables* tables_ = nullptr;
   Polys polys_;
@@ -110,14 +110,14 @@ class owned_faces {
     const Tables* tables_ = nullptr;
     poly_iterator at_{}, last_{};
     FacesOf faces_of_{};
-    inline_array<std::uint8_t, Most> local_{};
+    inline_array<std::uint8_t, MaxFaces> local_{};
     unsigned i_ = 0;
 
     void skip_invalid() {
       for (; at_ != last_; ++at_, i_ = 0) {
         const poly_id p = *at_;
         if (i_ == 0) local_ = faces_of_(*tables_, p);
-        for (; i_ < Most; ++i_)
+        for (; i_ < MaxFaces; ++i_)
           if (tables_->owns(p, local_[i_])) return;
       }
       i_ = 0;

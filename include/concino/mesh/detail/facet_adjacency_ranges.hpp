@@ -138,8 +138,8 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
 
   /// Stores the list numbers of polys with more than `few` facets. Of several equal lists only one is stored. Lists that are small compared to the
   /// number of facets are united, so that the memory is proportional to the number of facets.
-  template<class Sides>
-  void index_poly_lists(const Sides& sides, std::uint32_t few) {
+  template<class FacetLists>
+  void index_poly_lists(const FacetLists& facets, std::uint32_t few) {
     if (size() == 0) return;
     std::vector<std::uint32_t> order(size()), same(size()), met(size(), ~0u);
     for (std::uint32_t c = 0; c < size(); ++c) order[c] = c;
@@ -153,18 +153,18 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
       same[c] = again ? same[before] : c;
     }
     united_first_.push_back(0);
-    for (std::uint32_t p = 0; p < sides.size(); ++p) {
-      if (sides.length(p) <= few) continue;
+    for (std::uint32_t p = 0; p < facets.size(); ++p) {
+      if (facets.length(p) <= few) continue;
       const std::size_t before = poly_lists_.size();
       std::size_t polys = 0;
-      for (const encoded_neighbour* s = sides.begin(p); s != sides.end(p); ++s)
+      for (const encoded_neighbour* s = facets.begin(p); s != facets.end(p); ++s)
         if (s->is_non_manifold() && met[same[s->poly_list()]] != p) {
           met[same[s->poly_list()]] = p;
           poly_lists_.push_back(same[s->poly_list()]);
           polys += (*this)[s->poly_list()].size();
         }
       if (poly_lists_.size() == before) continue;
-      if (poly_lists_.size() > before + 1 && polys <= 16 * std::size_t{sides.length(p)}) unite(before);
+      if (poly_lists_.size() > before + 1 && polys <= 16 * std::size_t{facets.length(p)}) unite(before);
       polys_.push_back(p);
       first_.push_back(static_cast<std::uint32_t>(before));
     }

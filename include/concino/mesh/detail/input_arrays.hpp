@@ -59,7 +59,7 @@ bool is_below(I x, std::size_t bound) {
 }
 
 template<class A>
-auto points_of(A& a, const char* caller) {
+auto wrap_points(A& a, const char* caller) {
   const auto rows = detail::rows_of<3>(a);
   constexpr unsigned width = decltype(rows)::columns == 2 ? 2 : 3;
   if (const std::string bad = rows.shape_error(width); !bad.empty()) core::throw_joined<invalid_mesh>({caller, ": the array of points ", bad});
@@ -145,7 +145,7 @@ auto view_of_rows(const Points& points, const Lists& lists, const char* caller) 
 
 template<int Dimension, int Arity, template<class> class Tables, class P, class F>
 auto view_of_lists(P& input_points, F& poly_verts, const char* caller) {
-  const auto points = detail::points_of(input_points, caller);  // first, so that wrong points are reported first
+  const auto points = detail::wrap_points(input_points, caller);  // first, so that wrong points are reported first
   return view_of_rows<Dimension, Arity, Tables>(points, detail::lists_of<Arity>(poly_verts, caller), caller);
 }
 
@@ -153,13 +153,13 @@ auto view_of_lists(P& input_points, F& poly_verts, const char* caller) {
 template<template<class> class Tables, class P, class F, class Order>
 auto view_of_cells(P& input_points, F& poly_verts, Order order, const char* caller) {
   constexpr unsigned n = corners_in(Order{});
-  const auto points = detail::points_of(input_points, caller);
+  const auto points = detail::wrap_points(input_points, caller);
   return view_of_rows<3, n, Tables>(points, detail::lists_of<n>(poly_verts, caller, places_in(order)), caller);
 }
 
 template<class P, class O, class I>
 auto view_of_polygons(P& input_points, O& input_offsets, I& indices, const char* caller) {
-  const auto points = detail::points_of(input_points, caller);
+  const auto points = detail::wrap_points(input_points, caller);
   const auto lists = detail::lists_of(input_offsets, indices, caller, "poly");
   check_indices(lists, points.size(), caller, "poly");
   using tables = surface_tables<0, std::remove_const_t<decltype(lists)>>;
@@ -180,7 +180,7 @@ std::vector<std::uint8_t> flags_in(W& outward) {
 template<class P, class FO, class FV, class PO, class PF, class Outward>
 auto view_of_polyhedra(P& input_points, FO& face_offsets, FV& face_verts, PO& poly_offsets, PF& input_faces, Outward outward,
                        const char* caller) {
-  const auto points = detail::points_of(input_points, caller);
+  const auto points = detail::wrap_points(input_points, caller);
   const auto faces = detail::lists_of(face_offsets, face_verts, caller, "face");
   check_indices(faces, points.size(), caller, "face");
   const auto poly_lists = detail::lists_of(poly_offsets, input_faces, caller, "poly");

@@ -264,11 +264,11 @@ void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const 
   std::fill_n(vert_met.data(), vert_count, ~0u);
 
   // In a closed poly every edge has two faces, and verts + faces = edges + 2: this memory is exact for most meshes.
-  const std::size_t sides = outward_.num_values();
+  const std::size_t incidence_count = outward_.num_values();
   core::flat_array<vert_id> verts;
   core::flat_array<edge_id> edges;
   edges.reserve(poly_corners / 2);
-  if (poly_corners / 2 + 2 * poly_count > sides) verts.reserve(poly_corners / 2 + 2 * poly_count - sides);
+  if (poly_corners / 2 + 2 * poly_count > incidence_count) verts.reserve(poly_corners / 2 + 2 * poly_count - incidence_count);
 
   detail::offsets v_first{0}, e_first{0}, degrees(vert_count + 1, 0);
   v_first.reserve(poly_count + 1);

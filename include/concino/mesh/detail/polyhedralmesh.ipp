@@ -14,6 +14,7 @@ CONCINO_INLINE polyhedralmesh::polyhedralmesh(polyhedra_arrays a) : base(std::mo
                               std::move(a.outward));
 }
 
-CONCINO_INLINE polyhedralmesh::polyhedralmesh(point_list points, index_lists face_verts, face_lists poly_faces) : polyhedralmesh(detail::to_polyhedra({points}, face_verts, poly_faces)) {}
+CONCINO_INLINE polyhedralmesh::polyhedralmesh(point_list points, index_lists face_verts, face_lists poly_faces)
+    : polyhedralmesh(detail::polyhedra_arrays_from({points}, face_verts, poly_faces)) {}
 
 }  // namespace concino

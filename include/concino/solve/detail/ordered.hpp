@@ -61,17 +61,17 @@ struct elimination_order {
   /// A pattern with an entry, of any value, wherever a or its transpose has one.
   static void make_symmetric_pattern(const Eigen::SparseMatrix<double>& a, Eigen::SparseMatrix<double>& pattern) {
     const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), n = static_cast<int>(a.cols());
-    std::vector<int> across(static_cast<std::size_t>(n) + 1), column(static_cast<std::size_t>(a.nonZeros()));  // the transpose
-    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) ++across[static_cast<std::size_t>(rows[k]) + 1];
-    for (std::size_t i = 1; i < across.size(); ++i) across[i] += across[i - 1];
-    std::vector<int> next(across.begin(), across.end() - 1);
+    std::vector<int> row_begin(static_cast<std::size_t>(n) + 1), column(static_cast<std::size_t>(a.nonZeros()));  // the transpose
+    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) ++row_begin[static_cast<std::size_t>(rows[k]) + 1];
+    for (std::size_t i = 1; i < row_begin.size(); ++i) row_begin[i] += row_begin[i - 1];
+    std::vector<int> next(row_begin.begin(), row_begin.end() - 1);
     for (int c = 0; c < n; ++c)
       for (int k = starts[c]; k < starts[c + 1]; ++k) column[static_cast<std::size_t>(next[static_cast<std::size_t>(rows[k])]++)] = c;
     pattern.resize(n, n);
     pattern.resizeNonZeros(2 * a.nonZeros());
     int *const begin = pattern.outerIndexPtr(), *const to = pattern.innerIndexPtr(), at = 0;
     for (int c = 0; c < n; ++c) {  // both are sorted, so they can be merged
-      const int *up = column.data() + across[static_cast<std::size_t>(c)], *const up_end = column.data() + across[static_cast<std::size_t>(c) + 1];
+      const int *up = column.data() + row_begin[static_cast<std::size_t>(c)], *const up_end = column.data() + row_begin[static_cast<std::size_t>(c) + 1];
       const int *down = rows + starts[c], *const down_end = rows + starts[c + 1];
       while (up != up_end || down != down_end) {
         const int row = up == up_end ? *down : down == down_end ? *up : std::min(*up, *down);

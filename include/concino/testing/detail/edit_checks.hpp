@@ -13,7 +13,7 @@ namespace concino::testing::detail {
 
 /// KIT4: set_point moves its vert and no other.
 template<MutablePoints M>
-void check_points(M& m, concino::detail::law_log& log) {
+void check_point_edits(M& m, concino::detail::law_log& log) {
   // numbers that floats represent exactly
   const auto place = [](std::size_t i) { return vec3{static_cast<double>(i * 7 % 97) / 4, static_cast<double>(i * 3 % 89) / 4, static_cast<double>(i % 83) / 4}; };
   for (const vert_t<M> v : verts(m)) traits<M>::set_point(m, v, place(index_of(m, v)));

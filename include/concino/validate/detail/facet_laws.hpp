@@ -52,8 +52,8 @@ class facet_laws {
     }
   }
 
-  /// FC3: other_polys of x are the polys of adj_facet2p without p. Sets `across[q]` to p for each such q.
-  void check_other_polys(position p, position x, std::vector<position>& across) {
+  /// FC3: other_polys of x are the polys of adj_facet2p without p. Sets `poly_of[q]` to p for each such q.
+  void check_other_polys(position p, position x, std::vector<position>& poly_of) {
     const auto listed = x2p_[x];
     const auto call = [&] { return core::joined({"other_polys(", ps_.name(p), ", ", xs_.name(x), ")"}); };
     std::size_t i = 0;
@@ -65,7 +65,7 @@ class facet_laws {
       skip();
       const position q = ps_.find(m_, *it);
       is_same = i < listed.size() && q == listed[i++];
-      if (is_same) across[q] = p;
+      if (is_same) poly_of[q] = p;
     }
     skip();
     if (!is_same || i != listed.size())
@@ -74,7 +74,7 @@ class facet_laws {
 
   /// FC3: other_polys over all facets of p are adj_p2p(p).
   void check_adjacent_polys() {
-    std::vector<position> across(ps_.size(), no_position);
+    std::vector<position> poly_of(ps_.size(), no_position);
     for_each(ps_, "FC3", "other_polys", [&](position p) {
       std::size_t walked = 0;
       for (const facet x : adj_p2facet(m_, ps_.items[p])) {
@@ -83,12 +83,12 @@ class facet_laws {
           log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") changes while other_polys is walked"}), ps_.name(p));
           return;
         }
-        check_other_polys(p, at, across);
+        check_other_polys(p, at, poly_of);
       }
       if (walked != p2x_[p].size())
         log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") ends early while other_polys is walked"}), ps_.name(p));
       for (const position q : p2p_[p])
-        if (across[q] != p)
+        if (poly_of[q] != p)
           log_.add("FC3", core::joined({"adj_p2p(", ps_.name(p), ") holds ", ps_.name(q), ", which is across none of its facets"}),
                    core::joined({ps_.name(p), " ", ps_.name(q)}));
     });

@@ -94,22 +94,22 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
 /// Checks that adj_p2p(p) are the polys that share a side (an edge or a face) with p. Stops at the first difference of each p. So a side that
 /// claims every poly costs no more than the size of the adjacencies read.
 template<class P, class S>
-void check_neighbours(const element_table<P>& ps, const element_table<S>& sides, const adjacency_lists& p2p, const adjacency_lists& p2s, const adjacency_lists& s2p,
+void check_neighbours(const element_table<P>& ps, const element_table<S>& facets, const adjacency_lists& p2p, const adjacency_lists& p2s, const adjacency_lists& s2p,
                       const char* law, law_log& log) {
-  std::vector<position> given(ps.items.size(), no_position), expected(ps.items.size(), no_position);
-  const std::string side = sides.kind() == "edge" ? "an edge" : "a face";
+  std::vector<position> listed(ps.items.size(), no_position), expected(ps.items.size(), no_position);
+  const std::string side = facets.kind() == "edge" ? "an edge" : "a face";
   for (position p = 0; p < ps.size() && !log.full(law); ++p) {
-    for (const position q : p2p[p]) given[q] = p;
+    for (const position q : p2p[p]) listed[q] = p;
     bool good = true;
     for (const position s : p2s[p])
       for (const position q : s2p[s]) {
         if (!good) break;
         if (q == p) continue;
         expected[q] = p;
-        good = given[q] == p;
+        good = listed[q] == p;
         if (!good)
-          log.add(law, core::joined({"adj_p2p(", ps.name(p), ") lacks ", ps.name(q), ", across ", sides.name(s)}),
-                  core::joined({ps.name(p), " ", ps.name(q), " ", sides.name(s)}));
+          log.add(law, core::joined({"adj_p2p(", ps.name(p), ") lacks ", ps.name(q), ", across ", facets.name(s)}),
+                  core::joined({ps.name(p), " ", ps.name(q), " ", facets.name(s)}));
       }
     for (const position q : p2p[p]) {
       if (good && q != p && expected[q] != p) {
@@ -134,18 +134,18 @@ template<class P, class V, class E, class Ends>
 void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs, const element_table<E>& es, const adjacency_lists& p2v, const adjacency_lists& p2e,
                           const adjacency_lists& e2v, const Ends& ends_of, const char* law, const char* edge_verb, const char* vert_verb, law_log& log) {
   for (position p = 0; p < ps.size() && !log.full(law); ++p) {
-    const auto corners = p2v[p], sides = p2e[p];
-    for (std::size_t k = 0; k < sides.size(); ++k) {
+    const auto corners = p2v[p], edges = p2e[p];
+    for (std::size_t k = 0; k < edges.size(); ++k) {
       const auto [i, j] = ends_of(k, corners.size());
-      const auto ends = e2v[sides[k]];
+      const auto ends = e2v[edges[k]];
       if (i >= corners.size() || j >= corners.size() || ends.size() != 2) continue;  // reported elsewhere
       const position a = corners[i], b = corners[j];
       if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) continue;
       const std::string arg = core::joined({"(", ps.name(p), ")"});
       log.add(law,
-              core::joined({edge_verb, arg, " has ", es.name(sides[k]), " where the edge from ", vs.name(a), " to ", vs.name(b), " of ", vert_verb, arg,
+              core::joined({edge_verb, arg, " has ", es.name(edges[k]), " where the edge from ", vs.name(a), " to ", vs.name(b), " of ", vert_verb, arg,
                             " belongs; sort the list, or write static constexpr bool edges_in_order = false; in mesh_traits"}),
-              core::joined({ps.name(p), " ", es.name(sides[k])}));
+              core::joined({ps.name(p), " ", es.name(edges[k])}));
     }
   }
 }

@@ -168,9 +168,9 @@ class surface_checker {
   bool check_orientability() {
     if constexpr (is_boundary) {
       bool orientable = true;
-      parity_sets sides(poly_index_bound(s_));
+      parity_sets orientation(poly_index_bound(s_));
       for (const shared_by& use : edge_use_)
-        if (use.polys == 2 && !sides.join(use.poly[0], use.poly[1], use.clashes())) orientable = false;
+        if (use.polys == 2 && !orientation.join(use.poly[0], use.poly[1], use.clashes())) orientable = false;
       return orientable;
     } else {
       return check_windings(
