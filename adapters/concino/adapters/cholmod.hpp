@@ -101,13 +101,13 @@ class cholmod {
 
  private:
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {
-    const std::vector<double> given = core::diagonal(a);
+    const std::vector<double> input_diagonal = core::diagonal(a);
     if (const Eigen::Index row = factors_.failed_row(); row >= 0)
       core::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ", static_cast<std::size_t>(row),
                                           ": of the diagonal entry ",
-                                          core::number_text(given[static_cast<std::size_t>(row)]), " elimination leaves nothing positive"});
+                                          core::number_text(input_diagonal[static_cast<std::size_t>(row)]), " elimination leaves nothing positive"});
     factors_.for_each_pivot([&](Eigen::Index row, double pivot) {
-      const double diagonal = given[static_cast<std::size_t>(row)];
+      const double diagonal = input_diagonal[static_cast<std::size_t>(row)];
       if (!(pivot > 1e-15 * diagonal && pivot < std::numeric_limits<double>::infinity()))
         core::throw_bad_pivot("cholmod", "not positive definite to working precision", row, diagonal, pivot);
     });

@@ -50,8 +50,8 @@ class conversion {
  public:
   To mesh;
 
-  conversion(To made, vert_map<From, vert_t<To>> vert_names, poly_map<From, poly_t<To>> poly_names, std::vector<std::uint32_t> face_numbers = {})
-      : verts_(std::move(vert_names)), polys_(std::move(poly_names)), faces_(std::move(face_numbers)), mesh(std::move(made)) {}
+  conversion(To result, vert_map<From, vert_t<To>> vert_names, poly_map<From, poly_t<To>> poly_names, std::vector<std::uint32_t> face_numbers = {})
+      : verts_(std::move(vert_names)), polys_(std::move(poly_names)), faces_(std::move(face_numbers)), mesh(std::move(result)) {}
 
   const From& from() const { return verts_.mesh(); }
   const vert_t<To>& vert_of(const vert_t<From>& v) const { return verts_[v]; }

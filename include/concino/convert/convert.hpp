@@ -51,7 +51,7 @@ template<class To, class From>
 conversion<To, From> convert_by_arrays(const From& m) {
   const std::vector<std::uint32_t> vert_number = numbered(m, verts(m), vert_index_bound(m));
   std::vector<std::uint32_t> face_number;
-  const auto made = [&]() -> To {
+  const auto construct = [&]() -> To {
     if constexpr (from_surface<To>) {
       return To(arrays_of(m, vert_number, static_cast<std::uint32_t>(arity_v<To>)));
     } else if constexpr (from_polyhedra<To>) {
@@ -65,7 +65,7 @@ conversion<To, From> convert_by_arrays(const From& m) {
       return To(std::move(a));
     }
   };
-  To mesh = made();
+  To mesh = construct();
   return {std::move(mesh), numbered_as_walked(make_vert_map<vert_t<To>>(m), verts(m)), numbered_as_walked(make_poly_map<poly_t<To>>(m), polys(m)),
           std::move(face_number)};
 }
@@ -105,16 +105,16 @@ conversion<To, From> convert_by_adding(const From& m) {
 template<class To, class From>
 void convert_properties(conversion<To, From>& c, convert_report& report) {
   if constexpr (ShowsProperties<From>) {
-    const property_set& given = traits<From>::properties(c.from());
+    const property_set& source = traits<From>::properties(c.from());
     if constexpr (HasProperties<To>) {
       correspondence of;  // only for the kinds of elements that have properties
-      if (given.has(element_kind::vert)) of.verts = c.vert_origins();
-      if (given.has(element_kind::edge)) of.edges = c.edge_origins();
-      if (given.has(element_kind::face)) of.faces = c.face_origins();
-      if (given.has(element_kind::poly)) of.polys = c.poly_origins();
+      if (source.has(element_kind::vert)) of.verts = c.vert_origins();
+      if (source.has(element_kind::edge)) of.edges = c.edge_origins();
+      if (source.has(element_kind::face)) of.faces = c.face_origins();
+      if (source.has(element_kind::poly)) of.polys = c.poly_origins();
       if constexpr (NumbersCorners<From> && NumbersCorners<To>)
-        if (given.has(element_kind::corner)) of.corners = match_corners(c.from(), c.mesh, c.vert_origins(), c.poly_origins());
-      traits<To>::properties(c.mesh).transfer(given, of);
+        if (source.has(element_kind::corner)) of.corners = match_corners(c.from(), c.mesh, c.vert_origins(), c.poly_origins());
+      traits<To>::properties(c.mesh).transfer(source, of);
     } else {
       for (const property_info& p : property_list(c.from()))
         report.lost.push_back(core::joined({to_string(p.kind), " property \"", p.name,

@@ -43,7 +43,7 @@ class flat_array {
   /// n uninitialised entries.
   explicit flat_array(std::size_t n) { resize(n); }
   flat_array(std::size_t n, const T& value) : flat_array(n) { std::fill_n(data_, n, value); }
-  explicit flat_array(std::vector<T> given) : adopted_(std::move(given)) {
+  explicit flat_array(std::vector<T> values) : adopted_(std::move(values)) {
     data_ = adopted_.data();
     size_ = capacity_ = adopted_.size();
   }

@@ -31,7 +31,7 @@ struct singular_row : solver_error {
   singular_row(const std::string& what, Eigen::Index in_row) : solver_error(what), row(in_row) {}
 };
 
-/// `given`: the diagonal entry, or another number with which the pivot is compared.
+/// `diagonal`: the diagonal entry, or another number with which the pivot is compared.
 [[noreturn, gnu::cold]] void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double diagonal, double pivot);
 
 /// The diagonal of a compressed matrix; 0 where it has no entry.

@@ -178,13 +178,13 @@ void match_edges_and_faces(const From& before, const To& m, correspondence& c) {
 template<class T>
 std::vector<std::remove_const_t<T>> transfer_values(const element_origins& origins, std::span<T> from, property_rule rule) {
   using value = std::remove_const_t<T>;
-  detail::column given(detail::values_of<value>, from.size());
-  std::copy(from.begin(), from.end(), static_cast<value*>(given.data()));
-  if (!given.set_rule(rule)) core::throw_joined<invalid_argument>({"transfer_values: values of this type do not allow the rule `", to_string(rule), "`"});
+  detail::column source(detail::values_of<value>, from.size());
+  std::copy(from.begin(), from.end(), static_cast<value*>(source.data()));
+  if (!source.set_rule(rule)) core::throw_joined<invalid_argument>({"transfer_values: values of this type do not allow the rule `", to_string(rule), "`"});
   for (std::size_t i = 0; i < origins.size(); ++i)
     for (const origin x : origins[i])
       if (x.index >= from.size()) core::throw_joined<invalid_argument>({"transfer_values: element ", i, " was made of element ", x.index, ", but there are ", from.size(), " values"});
-  const detail::column taken(given, origins);
+  const detail::column taken(source, origins);
   const value* const first = static_cast<const value*>(taken.data());
   return {first, first + taken.size()};
 }
@@ -199,9 +199,9 @@ std::vector<std::remove_const_t<T>> transfer_values(const element_origins& origi
 template<ShowsProperties From, HasProperties To>
   requires AnyMesh<From> && AnyMesh<To> && (dimension_v<From> == dimension_v<To>)
 void transfer_properties(const From& before, To& m, const correspondence& c) {
-  const property_set& given = traits<From>::properties(before);
+  const property_set& source = traits<From>::properties(before);
   correspondence complete;
-  const auto lacks = [&](element_kind kind, const element_origins& origins) { return given.has(kind) && origins.size() == 0; };
+  const auto lacks = [&](element_kind kind, const element_origins& origins) { return source.has(kind) && origins.size() == 0; };
   const bool lacks_corners = lacks(element_kind::corner, c.corners);
   const bool has_all = !lacks_corners && !lacks(element_kind::edge, c.edges) && !lacks(element_kind::face, c.faces);
   if (!has_all) {
@@ -218,8 +218,8 @@ void transfer_properties(const From& before, To& m, const correspondence& c) {
   detail::index_bounds to{vert_index_bound(m), edge_index_bound(m), 0, poly_index_bound(m)};
   if constexpr (NumbersCorners<From> && NumbersCorners<To>) from.corners = traits<From>::corner_index_bound(before), to.corners = traits<To>::corner_index_bound(m);
   if constexpr (dimension_v<To> == 3) from.faces = face_index_bound(before), to.faces = face_index_bound(m);  // surfaces have no faces
-  detail::check_origins(used, given, from, to);
-  traits<To>::properties(m).transfer(given, used);
+  detail::check_origins(used, source, from, to);
+  traits<To>::properties(m).transfer(source, used);
 }
 
 }  // namespace concino

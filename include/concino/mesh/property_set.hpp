@@ -191,7 +191,7 @@ class property_set {
 
   /// Transfers the properties of another mesh, of whose elements the elements of this one were made, and those of that mesh as a whole. Properties of
   /// the same kind and name are replaced. Strong exception guarantee.
-  void transfer(const property_set& given, const correspondence& c);
+  void transfer(const property_set& source, const correspondence& c);
 
   /// Adds default values for elements that will be added. If one of them cannot be constructed, nothing changes.
   void grow(const detail::index_bounds& before, const detail::index_bounds& after);

@@ -64,11 +64,11 @@ bool solve_normal_equations(const Eigen::SparseMatrix<double>& j, const Eigen::V
 }
 
 template<class D, class Solver>
-least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<double> a, Eigen::VectorXd b, const D& given, Solver& solver) {
+least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<double> a, Eigen::VectorXd b, const D& known, Solver& solver) {
   a.makeCompressed();
   core::check_entries(caller, a);
   core::check_right_hand_side(caller, b, a.rows());
-  const known_values problem(caller, a.cols(), given);
+  const known_values problem(caller, a.cols(), known);
   Eigen::SparseMatrix<double> j = problem.columns_of_unknowns(a);
   b -= a * problem.x;
   const std::vector<double> scale = core::scale_columns(j);
@@ -103,7 +103,7 @@ least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<doubl
 
 }  // namespace detail
 
-/// Minimises |A x - b| over all x with x_i = v for the pairs (i, v) of `given`, in braces or any container.
+/// Minimises |A x - b| over all x with x_i = v for the pairs (i, v) of `known`, in braces or any container.
 /// Needs:  A: any shape, but the columns of its unknowns are independent. solver: a SparseSolver for positive definite matrices,
 ///         which gets the normal equations. Columns are scaled, and the result is corrected until only rounding errors are left (Bjorck 1987). Or qr, which
 ///         gets A. If columns are nearly dependent, so that corrections do not decrease, qr is used automatically, up to 10,000 unknowns.
@@ -114,8 +114,8 @@ least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<doubl
 /// Source: Bjorck 1987 (corrected semi-normal equations).
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& given = {}, Solver&& solver = {}) {
-  return detail::least_squares("least_squares", A, b, given, solver);
+least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& known = {}, Solver&& solver = {}) {
+  return detail::least_squares("least_squares", A, b, known, solver);
 }
 
 /// Weighted least squares, with a weight w_i per row: minimises sum w_i (A x - b)_i^2. Rows of weight 0 are ignored.
@@ -125,7 +125,7 @@ least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const E
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& w, const Eigen::VectorXd& b,
-                                            const D& given = {}, Solver&& solver = {}) {
+                                            const D& known = {}, Solver&& solver = {}) {
   const char* const caller = "weighted_least_squares";
   if (w.size() != A.rows())
     core::throw_joined<invalid_argument>({caller, ": there are ", static_cast<std::size_t>(w.size()), " weights, but ",
@@ -136,7 +136,7 @@ least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A
                                               "; weights must be finite and not negative"});
   core::check_right_hand_side(caller, b, A.rows());
   const Eigen::VectorXd root = w.cwiseSqrt();
-  return detail::least_squares(caller, root.asDiagonal() * A, root.cwiseProduct(b), given, solver);
+  return detail::least_squares(caller, root.asDiagonal() * A, root.cwiseProduct(b), known, solver);
 }
 
 }  // namespace concino

@@ -52,7 +52,7 @@ inline Eigen::VectorXd load_of_unknowns(const known_values& problem, const Eigen
 
 }  // namespace detail
 
-/// The x with x_i = v for the pairs (i, v) of `given`, in braces or any container, and (A x)_j = b_j in all other rows j. Rows and columns of known
+/// The x with x_i = v for the pairs (i, v) of `known`, in braces or any container, and (A x)_j = b_j in all other rows j. Rows and columns of known
 /// unknowns are removed and their contributions go to the right-hand side, so the system stays symmetric or definite if it was.
 /// Needs:  A: square, both triangles. solver: a SparseSolver: the default for symmetric positive definite matrices, lu for others. Rows of known
 ///         unknowns are ignored in A and b.
@@ -63,14 +63,14 @@ inline Eigen::VectorXd load_of_unknowns(const known_values& problem, const Eigen
 ///         triangle. invalid_argument if an index is out of range, or a value is not finite or is given twice with different values.
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
   requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-Eigen::VectorXd solve_with_values(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& given, Solver&& solver = {}) {
+Eigen::VectorXd solve_with_values(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& known, Solver&& solver = {}) {
   const char* const caller = "solve_with_values";
   Eigen::SparseMatrix<double> storage;
   const Eigen::SparseMatrix<double>& a = core::compressed(A, storage);
   core::check_square(caller, a);
   core::check_entries(caller, a);
   core::check_right_hand_side(caller, b, a.rows());
-  const detail::known_values problem(caller, a.cols(), given);
+  const detail::known_values problem(caller, a.cols(), known);
   if (problem.unknowns == 0) return problem.x;
   const Eigen::SparseMatrix<double> left = detail::without_known_values(problem, a);
   const Eigen::VectorXd load = detail::load_of_unknowns(problem, a, b);

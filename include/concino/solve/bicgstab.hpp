@@ -63,9 +63,9 @@ class bicgstab {
     if (options.fill < 1) throw invalid_argument("bicgstab: fill is not positive");
   }
 
-  void factorize(const Eigen::SparseMatrix<double>& given) {
+  void factorize(const Eigen::SparseMatrix<double>& input) {
     size_ = -1;
-    a_ = given;
+    a_ = input;
     a_.makeCompressed();
     core::check_square("bicgstab", a_);
     core::check_entries("bicgstab", a_);
@@ -82,13 +82,13 @@ class bicgstab {
     size_ = a_.rows();
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& given) const {
-    core::check_right_hand_side("bicgstab", given, size_);
+  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const {
+    core::check_right_hand_side("bicgstab", rhs, size_);
     iterations_ = 0;
     residual_ = 0;
     has_converged_ = true;
-    if (given.isZero(0)) return Eigen::VectorXd::Zero(size_);
-    Eigen::VectorXd b = core::scaled(given, scale_.rows);
+    if (rhs.isZero(0)) return Eigen::VectorXd::Zero(size_);
+    Eigen::VectorXd b = core::scaled(rhs, scale_.rows);
     const double b_scale = core::power_of_two_to_scale(b.cwiseAbs().maxCoeff());
     b *= b_scale;
     Eigen::VectorXd x = iterate(b);

@@ -51,7 +51,7 @@ class conjugate_gradients {
   /// Whether this matrix has the pattern of the previous one, so that its order can be reused.
   bool has_pattern_of(const Eigen::SparseMatrix<double>& a) const { return a.isCompressed() && pattern_.is_of(a); }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& given) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
 
   const conjugate_gradients_options& options() const { return options_; }
   static constexpr bool is_iterative() { return true; }

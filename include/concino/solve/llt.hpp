@@ -53,9 +53,9 @@ class llt {
 
  private:
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {
-    const std::vector<double> given = core::diagonal(a);
+    const std::vector<double> input_diagonal = core::diagonal(a);
     const auto check = [&](Eigen::Index row, double pivot) {
-      const double diagonal = given[static_cast<std::size_t>(row)];
+      const double diagonal = input_diagonal[static_cast<std::size_t>(row)];
       if (!(pivot > 1e-15 * diagonal && pivot > 0 && pivot < std::numeric_limits<double>::infinity()))
         core::throw_bad_pivot("llt", pivot < 0 ? "not positive definite" : "not positive definite to working precision", row, diagonal, pivot);
     };

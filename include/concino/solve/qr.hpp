@@ -32,12 +32,12 @@ class qr {
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
     rows_ = -1;
     Eigen::SparseMatrix<double> storage;
-    const Eigen::SparseMatrix<double>& given = core::compressed(matrix, storage);
-    if (given.rows() < given.cols())
-      core::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(given.rows()), " rows and ",
-                                          static_cast<std::size_t>(given.cols()), " columns; it must have at least as many rows as columns"});
-    core::check_entries("qr", given);
-    Eigen::SparseMatrix<double> a = without_empty_rows(given);
+    const Eigen::SparseMatrix<double>& input = core::compressed(matrix, storage);
+    if (input.rows() < input.cols())
+      core::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(input.rows()), " rows and ",
+                                          static_cast<std::size_t>(input.cols()), " columns; it must have at least as many rows as columns"});
+    core::check_entries("qr", input);
+    Eigen::SparseMatrix<double> a = without_empty_rows(input);
     column_scale_ = core::scale_columns(a);
     if (a.cols() > 0) {
       if (a.rows() < a.cols()) throw_dependent(first_empty_or_last_column(a));
@@ -47,7 +47,7 @@ class qr {
         core::throw_joined<solver_error>({"qr: the matrix cannot be factorised: ", factors_.lastErrorMessage()});
       if (factors_.rank() < a.cols()) throw_dependent(factors_.colsPermutation().indices()[factors_.rank()]);
     }
-    rows_ = given.rows();
+    rows_ = input.rows();
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {

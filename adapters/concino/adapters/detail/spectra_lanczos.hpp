@@ -46,13 +46,13 @@ inline eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& stiffness
   const Eigen::Index n = v.cols();
   for (Eigen::Index j = 0; j < n; ++j) {  // Gram-Schmidt, twice for accuracy
     Eigen::VectorXd u = v.col(j), mu = symmetric_product(mass, u);
-    const double given = u.dot(mu);
+    const double mass_before = u.dot(mu);
     for (int round = 0; round < 2; ++round) {
       for (Eigen::Index i = 0; i < j; ++i) u -= v.col(i).dot(mu) * v.col(i);
       mu = symmetric_product(mass, u);
     }
     const double left = u.dot(mu);
-    if (!(given > 0 && left > 1e-15 * given)) throw solver_error("eigenpairs: the mass matrix is not positive definite");
+    if (!(mass_before > 0 && left > 1e-15 * mass_before)) throw solver_error("eigenpairs: the mass matrix is not positive definite");
     v.col(j) = u / std::sqrt(left);
   }
   Eigen::MatrixXd k(n, n);

@@ -47,7 +47,8 @@ CONCINO_INLINE void check_solution(const char* caller, const Eigen::VectorXd& x)
                                   " of the solution is not finite; the matrix is singular to working precision or the numbers are too large"});
 }
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double diagonal, double pivot) {
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double diagonal,
+                                                                            double pivot) {
   throw singular_row(core::joined({caller, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
                              core::number_text(diagonal), " elimination leaves ", core::number_text(pivot)}),
                      row);

@@ -118,8 +118,8 @@ inline void check_finite(const char* what, const char* option, const vec3& x) {
   for (const std::size_t k : {0u, 1u, 2u})
     if (!std::isfinite(x[k])) core::throw_joined<invalid_argument>({what, ": ", option, k == 0 ? ".x" : k == 1 ? ".y" : ".z", " is not finite"});
 }
-inline void check_at_least(const char* what, const std::string& option, std::size_t given, std::size_t least) {
-  if (given < least) core::throw_joined<invalid_argument>({what, ": ", option, " is ", given, "; it must be at least ", least});
+inline void check_at_least(const char* what, const std::string& option, std::size_t value, std::size_t least) {
+  if (value < least) core::throw_joined<invalid_argument>({what, ": ", option, " is ", value, "; it must be at least ", least});
 }
 
 }  // namespace detail

@@ -8,9 +8,9 @@ namespace concino::detail {
 
 /// The diagram(sites, domain) after `rounds` iterations. D is the number of coordinates that are used.
 template<std::size_t D, class Sites, class Diagram>
-auto with_relaxed_sites(const Sites& given, const box& domain, unsigned rounds, const Diagram& diagram) {
+auto with_relaxed_sites(const Sites& initial_sites, const box& domain, unsigned rounds, const Diagram& diagram) {
   std::vector<vec3> sites;
-  for (const auto& x : given) sites.push_back(to_vec3(x));
+  for (const auto& x : initial_sites) sites.push_back(to_vec3(x));
   for (; rounds > 0; --rounds) {
     const auto m = diagram(sites, domain);
     parallel_for(sites.size(), [&](std::size_t i) {

@@ -36,8 +36,8 @@ class site_lattice {
       if (size_[k] < 1 << 16) core::throw_joined<invalid_argument>({"the box of a Voronoi diagram is more than 2^32 times as long as it is wide"});
     }
     std::size_t i = 0;
-    for (const auto& given : sites) {
-      const vec3 x = to_vec3(given);
+    for (const auto& site : sites) {
+      const vec3 x = to_vec3(site);
       place p{};
       for (std::size_t k = 0; k < D; ++k) {
         if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k])) core::throw_joined<invalid_argument>({"site ", i, " is not finite or lies outside the box"});

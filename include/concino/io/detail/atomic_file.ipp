@@ -47,15 +47,15 @@ CONCINO_INLINE void atomic_file::open_named(const std::string& base) {
   for (std::uint64_t attempt = 0; attempt < 10000; ++attempt) {
     std::string name = core::joined({base, "-", attempt});
     for (int tries = 0; tries < 2; ++tries) {
-      const int made = ::openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (made < 0 && errno != EEXIST) fail();
-      if (made >= 0) {
-        if (::flock(made, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
-          file_ = made;
+      const int opened = ::openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (opened < 0 && errno != EEXIST) fail();
+      if (opened >= 0) {
+        if (::flock(opened, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) {
+          file_ = opened;
           temporary_.swap(name);
           return;
         }
-        ::close(made);  // another process has locked it and will remove it as abandoned
+        ::close(opened);  // another process has locked it and will remove it as abandoned
         break;
       }
       const int found = ::openat(folder_, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);

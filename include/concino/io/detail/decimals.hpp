@@ -1,6 +1,8 @@
 // Building blocks of parse_real and parse_integer: reading digits, and dividing by powers of ten.
 #pragma once
 
+#include <concino/core/uint128.hpp>
+
 #include <array>
 #include <bit>
 #include <charconv>
@@ -11,8 +13,6 @@
 #include <system_error>
 
 namespace concino::detail {
-
-__extension__ typedef unsigned __int128 uint128;
 
 inline constexpr std::array<double, 23> exact_powers_of_ten = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                                                1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
@@ -30,7 +30,7 @@ inline constexpr inverse_powers_of_five inverse_fives = [] {
     // floor(2^(63 + bits) / 5^k) has its top bit set, except for 5^0, a power of two; long division, one bit at a time
     const int shift = 63 + bits - (k == 0 ? 1 : 0);
     std::uint64_t quotient = 0;
-    uint128 rest = 0;
+    core::uint128 rest = 0;
     for (int i = shift; i >= 0; --i) {
       rest = (rest << 1) | (i == shift ? 1u : 0u);
       quotient <<= 1;
@@ -88,7 +88,7 @@ inline const char* read_digits(const char* p, const char* last, std::uint64_t& w
 /// Source: Lemire, Number Parsing at a Gigabyte per Second, 2021; the doubtful cases are left to the caller.
 inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
   const int lead = std::countl_zero(w);
-  const uint128 product = static_cast<uint128>(w << lead) * inverse_fives.reciprocal[k];
+  const core::uint128 product = static_cast<core::uint128>(w << lead) * inverse_fives.reciprocal[k];
   // The reciprocal is too small by less than one unit, so the true product is in [product, product + 2^64).
   std::uint64_t high = static_cast<std::uint64_t>(product >> 64);
   const std::uint64_t low = static_cast<std::uint64_t>(product);

@@ -186,19 +186,19 @@ class mtl_names {
       return name;
     }
     num_renamed_ += name != 0;
-    const std::uint32_t made = make_up(name);
-    needed_.push_back({names_[made], a.in_table != none ? table_materials_[a.in_table].lines : std::vector<std::string>()});
+    const std::uint32_t renamed = make_up(name);
+    needed_.push_back({names_[renamed], a.in_table != none ? table_materials_[a.in_table].lines : std::vector<std::string>()});
     set_color(needed_.back().lines, color);
-    return made;
+    return renamed;
   }
 
   /// Creates a new name: color_1, or name_1.
   std::uint32_t make_up(std::uint32_t name) {
     const std::string base = core::joined({name == 0 ? std::string_view("color") : std::string_view(names_[name]), "_"});
-    std::string made;
-    do made = core::joined({base, ++last_number_});
-    while (names_.find(made) != name_table::none);
-    const std::uint32_t i = add_name(made);
+    std::string numbered;
+    do numbered = core::joined({base, ++last_number_});
+    while (names_.find(numbered) != name_table::none);
+    const std::uint32_t i = add_name(numbered);
     info_[i].is_defined = true;
     return i;
   }

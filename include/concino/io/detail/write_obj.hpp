@@ -57,9 +57,9 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
   c.out << "# " << m.points.size() << " verts, " << m.num_polys << " polys\n";
   detail::material_library_file* library = nullptr;
   if (!c.path.empty()) {
-    auto made = std::make_unique<detail::material_library_file>(std::string(c.path), c.options.sync);
-    library = made.get();
-    c.companions = std::move(made);
+    auto library_file = std::make_unique<detail::material_library_file>(std::string(c.path), c.options.sync);
+    library = library_file.get();
+    c.companions = std::move(library_file);
   }
   detail::mtl_names material(c, library, m.poly_values<std::string>("material"), m.poly_values<rgba>("color"), m.mesh_value<material_table>("materials"));
   if (material.any()) {

@@ -11,12 +11,12 @@ template<class Lists>
 basic_polyhedra_tables<Lists>::basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
                                                       std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward)
     : f2v_(detail::checked_lists(std::move(face_offsets), std::move(face_verts), "face")) {
-  const jagged<face_id> given = detail::checked_lists(std::move(poly_offsets), std::move(poly_faces), "poly");
-  if (outward.size() != given.num_values())
-    core::throw_joined<invalid_mesh>({outward.size(), " outward flags were given for ", given.num_values(), " faces of polys; each needs one"});
+  const jagged<face_id> poly_lists = detail::checked_lists(std::move(poly_offsets), std::move(poly_faces), "poly");
+  if (outward.size() != poly_lists.num_values())
+    core::throw_joined<invalid_mesh>({outward.size(), " outward flags were given for ", poly_lists.num_values(), " faces of polys; each needs one"});
   detail::shrink_if_wasteful(outward);
-  outward_ = {given.shared_offsets(), std::move(outward)};
-  build(vert_count, given, check(vert_count, given));
+  outward_ = {poly_lists.shared_offsets(), std::move(outward)};
+  build(vert_count, poly_lists, check(vert_count, poly_lists));
 }
 
 template<class Lists>

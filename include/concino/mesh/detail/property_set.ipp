@@ -143,9 +143,9 @@ CONCINO_INLINE bool column::set_rule(property_rule rule) {
   if (size_ < n) {
     // the first value is constructed, then copied in ever larger blocks, but no larger than a cache
     type_->make(at(size_));
-    for (std::size_t made = 1, more = 1; size_ + made < n; made += more) {
-      more = std::min({made, n - size_ - made, std::size_t{1024}});
-      std::memcpy(at(size_ + made), at(size_), more * type_->size);
+    for (std::size_t num_filled = 1, more = 1; size_ + num_filled < n; num_filled += more) {
+      more = std::min({num_filled, n - size_ - num_filled, std::size_t{1024}});
+      std::memcpy(at(size_ + num_filled), at(size_), more * type_->size);
     }
   }
   size_ = n;
@@ -216,11 +216,11 @@ CONCINO_INLINE bool property_set::has(element_kind kind) const {
   core::throw_joined<invalid_argument>({"the mesh has no ", to_string(kind), " property \"", name, "\""});
 }
 
-CONCINO_INLINE void property_set::transfer(const property_set& given, const correspondence& c) {
+CONCINO_INLINE void property_set::transfer(const property_set& source, const correspondence& c) {
   const element_origins the_mesh(std::vector<std::uint32_t>{0u});
   const element_origins* const origins[] = {&c.verts, &c.edges, &c.faces, &c.polys, &the_mesh, &c.corners};
   std::vector<entry> all = entries_;
-  for (const entry& e : given.entries_) {
+  for (const entry& e : source.entries_) {
     auto values = std::make_shared<detail::column>(*e.values, *origins[static_cast<unsigned>(e.kind)]);
     std::size_t same = 0;
     while (same < all.size() && !(all[same].kind == e.kind && all[same].name == e.name)) ++same;

@@ -20,8 +20,8 @@ struct known_values {
 
   /// Errors: invalid_argument if an index is out of range or given two different values, or a value is not finite.
   template<class D>
-  known_values(const char* caller, Eigen::Index size, const D& given) : x(Eigen::VectorXd::Zero(size)), unknown(static_cast<std::size_t>(size), 0) {
-    for (const auto& [index, value] : given) {
+  known_values(const char* caller, Eigen::Index size, const D& known) : x(Eigen::VectorXd::Zero(size)), unknown(static_cast<std::size_t>(size), 0) {
+    for (const auto& [index, value] : known) {
       const auto i = static_cast<Eigen::Index>(index);
       const auto v = static_cast<double>(value);
       if (i < 0 || i >= size)

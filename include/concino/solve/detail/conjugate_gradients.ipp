@@ -23,11 +23,11 @@ CONCINO_INLINE conjugate_gradients::conjugate_gradients(const conjugate_gradient
 CONCINO_INLINE void conjugate_gradients::factorize(const Eigen::SparseMatrix<double>& matrix) {
   size_ = -1;
   Eigen::SparseMatrix<double> storage;
-  const Eigen::SparseMatrix<double>& given = core::compressed(matrix, storage);
-  core::check_square("conjugate_gradients", given);
-  core::check_entries("conjugate_gradients", given);
+  const Eigen::SparseMatrix<double>& input = core::compressed(matrix, storage);
+  core::check_square("conjugate_gradients", input);
+  core::check_entries("conjugate_gradients", input);
   double largest = 0;
-  const std::vector<double> diagonal = core::diagonal(given);
+  const std::vector<double> diagonal = core::diagonal(input);
   for (std::size_t i = 0; i < diagonal.size(); ++i) {
     if (!(diagonal[i] > 0))
       throw core::singular_row(core::joined({"conjugate_gradients: the matrix is not positive definite: the diagonal entry of row ", i, " is ",
@@ -36,20 +36,20 @@ CONCINO_INLINE void conjugate_gradients::factorize(const Eigen::SparseMatrix<dou
     largest = std::max(largest, diagonal[i]);
   }
   scale_ = core::power_of_two_to_scale(largest);
-  pattern_.update(given, [&](const auto& m) { order_.keep(detail::breadth_first_order(m)); });
-  a_ = detail::sorted_transpose(order_(given));
+  pattern_.update(input, [&](const auto& m) { order_.keep(detail::breadth_first_order(m)); });
+  a_ = detail::sorted_transpose(order_(input));
   for (Eigen::Index k = 0; k < a_.nonZeros(); ++k) a_.valuePtr()[k] *= scale_;
   preconditioner_.factorize(a_);
-  size_ = given.rows();
+  size_ = input.rows();
 }
 
-CONCINO_INLINE Eigen::VectorXd conjugate_gradients::solve(const Eigen::VectorXd& given) const {
-  core::check_right_hand_side("conjugate_gradients", given, size_);
+CONCINO_INLINE Eigen::VectorXd conjugate_gradients::solve(const Eigen::VectorXd& rhs) const {
+  core::check_right_hand_side("conjugate_gradients", rhs, size_);
   iterations_ = 0;
   residual_ = error_ = 0;
   has_converged_ = true;
   double largest = 0;
-  for (Eigen::Index i = 0; i < given.size(); ++i) largest = std::max(largest, std::abs(given[i]));
+  for (Eigen::Index i = 0; i < rhs.size(); ++i) largest = std::max(largest, std::abs(rhs[i]));
   Eigen::VectorXd b(size_), x(size_);
   if (!(largest > 0)) {
     for (Eigen::Index i = 0; i < size_; ++i) x[i] = 0;
@@ -57,7 +57,7 @@ CONCINO_INLINE Eigen::VectorXd conjugate_gradients::solve(const Eigen::VectorXd&
   }
   const double b_scale = core::power_of_two_to_scale(largest);
   const int* const row = order_.row.data();
-  for (Eigen::Index i = 0; i < size_; ++i) b[i] = given[row[i]] * b_scale;
+  for (Eigen::Index i = 0; i < size_; ++i) b[i] = rhs[row[i]] * b_scale;
   iterate(b, x);
   if (!has_converged_ && !options_.accept_missed_tolerance) throw_missed();
   for (Eigen::Index i = 0; i < size_; ++i) b[row[i]] = x[i] * scale_ / b_scale;

@@ -85,10 +85,10 @@ class incomplete_cholesky {
     int lifted = 0;  // number of increased pivots
     for (int c = 0; c < n; ++c) {
       const int first = starts[c], end = starts[c + 1];
-      const double given = a.valuePtr()[first];
-      if (!(l[first] > (keep > 0 ? 0.2 : 1e-3) * given)) {
-        if (keep == 0 || !(l[first] > -given) || ++lifted > n / 10) return false;
-        l[first] = 0.2 * given;
+      const double input_pivot = a.valuePtr()[first];
+      if (!(l[first] > (keep > 0 ? 0.2 : 1e-3) * input_pivot)) {
+        if (keep == 0 || !(l[first] > -input_pivot) || ++lifted > n / 10) return false;
+        l[first] = 0.2 * input_pivot;
       }
       l[first] = 1 / std::sqrt(l[first]);
       for (int k = first + 1; k < end; ++k) l[k] *= l[first];

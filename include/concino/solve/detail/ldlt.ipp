@@ -68,11 +68,11 @@ CONCINO_INLINE Eigen::VectorXd ldlt::solve(const Eigen::VectorXd& b) const {
 }
 
 CONCINO_INLINE void ldlt::check_pivots(const Eigen::SparseMatrix<double>& a) {
-  const std::vector<double> given = core::diagonal(a);
+  const std::vector<double> input_diagonal = core::diagonal(a);
   const double* const pivots = factors_.pivots().data();
-  for (std::size_t k = 0; k < given.size(); ++k) {  // elimination stops at the first 0
+  for (std::size_t k = 0; k < input_diagonal.size(); ++k) {  // elimination stops at the first 0
     const int row = order_.row[k];
-    const double diagonal = given[static_cast<std::size_t>(row)];
+    const double diagonal = input_diagonal[static_cast<std::size_t>(row)];
     if (!(std::abs(pivots[k]) > 1e-15 * std::abs(diagonal) && std::abs(pivots[k]) < std::numeric_limits<double>::infinity()))
       core::throw_bad_pivot("ldlt", "singular to working precision", row, diagonal, pivots[k]);
   }

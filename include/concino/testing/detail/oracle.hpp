@@ -52,12 +52,12 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
     same("bfs from a poly", polys(m), 'p', bfs(m, p), bfs(c.mesh, c.poly_of(p)), poly_of);
     same("dijkstra from a poly", polys(m), 'p', dijkstra(m, p), dijkstra(c.mesh, c.poly_of(p)), poly_of);
     // a field that is 0 and 1 at two verts of the poly; in components that contain neither, one vert has the value 0
-    std::vector<std::pair<vert_t<M>, double>> given;
+    std::vector<std::pair<vert_t<M>, double>> prescribed;
     std::vector<std::pair<vert_id, double>> also;
     const auto component = connected_components(m);
     std::vector<bool> has(static_cast<std::size_t>(component.count), false);
     const auto prescribe = [&](const vert_t<M>& v, double x) {
-      given.emplace_back(v, x);
+      prescribed.emplace_back(v, x);
       also.emplace_back(c.vert_of(v), x);
       has[static_cast<std::size_t>(component[v])] = true;
     };
@@ -68,7 +68,7 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
     }
     for (const vert_t<M> v : verts(m))
       if (!has[static_cast<std::size_t>(component[v])]) prescribe(v, 0);
-    same("harmonic_map", verts(m), 'v', harmonic_map(m, given, uniform), harmonic_map(c.mesh, also, uniform), vert_of);
+    same("harmonic_map", verts(m), 'v', harmonic_map(m, prescribed, uniform), harmonic_map(c.mesh, also, uniform), vert_of);
     break;
   }
 }

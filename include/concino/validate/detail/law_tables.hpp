@@ -248,10 +248,10 @@ void check_mirror(const element_table<A>& as, const element_table<B>& bs, const 
 
 /// Checks that each ring of `verb` is, as a set, the result of other adjacencies, called `rule`.
 template<class A, class B>
-void check_same(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& given, const adjacency_lists& expected, const char* law,
+void check_same(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& listed, const adjacency_lists& expected, const char* law,
                 const char* verb, const char* rule, law_log& log) {
   compare_sets(
-      given, expected, bs.size(),
+      listed, expected, bs.size(),
       [&](position a, position b) {
         log.add(law, core::joined({verb, "(", as.name(a), ") holds ", bs.name(b), ", which is not ", rule}), core::joined({as.name(a), " ", bs.name(b)}));
         return !log.full(law);

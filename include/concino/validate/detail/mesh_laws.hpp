@@ -94,8 +94,8 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
 /// Checks that adj_p2p(p) are the polys that share a side (an edge or a face) with p. Stops at the first difference of each p. So a side that
 /// claims every poly costs no more than the size of the adjacencies read.
 template<class P, class S>
-void check_neighbours(const element_table<P>& ps, const element_table<S>& facets, const adjacency_lists& p2p, const adjacency_lists& p2s, const adjacency_lists& s2p,
-                      const char* law, law_log& log) {
+void check_neighbours(const element_table<P>& ps, const element_table<S>& facets, const adjacency_lists& p2p, const adjacency_lists& p2s,
+                      const adjacency_lists& s2p, const char* law, law_log& log) {
   std::vector<position> listed(ps.items.size(), no_position), expected(ps.items.size(), no_position);
   const std::string side = facets.kind() == "edge" ? "an edge" : "a face";
   for (position p = 0; p < ps.size() && !log.full(law); ++p) {
