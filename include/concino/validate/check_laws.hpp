@@ -18,7 +18,7 @@ namespace detail {
 
 template<class M>
 void check_point_laws(const M& m, const element_table<vert_t<M>>& vs, law_log& log) {
-  for (position v = 0; v < vs.size() && !log.full("EM1"); ++v) {
+  for (order_index v = 0; v < vs.size() && !log.full("EM1"); ++v) {
     try {
       const auto& x = point(m, vs.items[v]);
       if (!std::isfinite(static_cast<double>(x[0])) || !std::isfinite(static_cast<double>(x[1])) ||

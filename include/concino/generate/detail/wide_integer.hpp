@@ -9,6 +9,7 @@
 namespace concino::detail {
 
 __extension__ typedef __int128 int128;
+
 /// A 256-bit integer: two's complement, wraps on overflow.
 class int256 {
   std::uint64_t limb_[4] = {0, 0, 0, 0};  // the lowest first

@@ -27,7 +27,7 @@ class facet_laws {
   /// Calls check(a) for all elements; an exception of the mesh breaks `law`.
   template<class A, class Check>
   void for_each(const element_table<A>& as, const char* law, const char* verb, const Check& check) {
-    for (position a = 0; a < as.size() && !log_.full(law); ++a) {
+    for (order_index a = 0; a < as.size() && !log_.full(law); ++a) {
       try {
         check(a);
       } catch (const std::bad_alloc&) {
@@ -41,11 +41,11 @@ class facet_laws {
   /// FC2: the verts of a facet are verts of each of its polys.
   void check_verts() {
     const adjacency_lists p2v = read_adjacency(m_, ps_, vs_, adj_p2v, "FC2", "adj_p2v", log_);
-    std::vector<position> of(vs_.size(), no_position);
-    for (position p = 0; p < ps_.size() && !log_.full("FC2"); ++p) {
-      for (const position v : p2v[p]) of[v] = p;
-      for (const position x : p2x_[p])
-        for (const position v : x2v_[x])
+    std::vector<order_index> of(vs_.size(), no_order_index);
+    for (order_index p = 0; p < ps_.size() && !log_.full("FC2"); ++p) {
+      for (const order_index v : p2v[p]) of[v] = p;
+      for (const order_index x : p2x_[p])
+        for (const order_index v : x2v_[x])
           if (of[v] != p)
             log_.add("FC2", core::joined({"adj_facet2v(", xs_.name(x), ") holds ", vs_.name(v), ", which is no vert of ", ps_.name(p)}),
                      core::joined({xs_.name(x), " ", vs_.name(v), " ", ps_.name(p)}));
@@ -53,7 +53,7 @@ class facet_laws {
   }
 
   /// FC3: other_polys of x are the polys of adj_facet2p without p. Sets `poly_of[q]` to p for each such q.
-  void check_other_polys(position p, position x, std::vector<position>& poly_of) {
+  void check_other_polys(order_index p, order_index x, std::vector<order_index>& poly_of) {
     const auto listed = x2p_[x];
     const auto call = [&] { return core::joined({"other_polys(", ps_.name(p), ", ", xs_.name(x), ")"}); };
     std::size_t i = 0;
@@ -63,7 +63,7 @@ class facet_laws {
     auto it = others.begin();
     for (; is_same && it != others.end(); ++it) {
       skip();
-      const position q = ps_.find(m_, *it);
+      const order_index q = ps_.find(m_, *it);
       is_same = i < listed.size() && q == listed[i++];
       if (is_same) poly_of[q] = p;
     }
@@ -74,12 +74,12 @@ class facet_laws {
 
   /// FC3: other_polys over all facets of p are adj_p2p(p).
   void check_adjacent_polys() {
-    std::vector<position> poly_of(ps_.size(), no_position);
-    for_each(ps_, "FC3", "other_polys", [&](position p) {
+    std::vector<order_index> poly_of(ps_.size(), no_order_index);
+    for_each(ps_, "FC3", "other_polys", [&](order_index p) {
       std::size_t walked = 0;
       for (const facet x : adj_p2facet(m_, ps_.items[p])) {
-        const position at = walked++ < p2x_[p].size() ? xs_.find(m_, x) : no_position;
-        if (at == no_position || at != p2x_[p][walked - 1]) {
+        const order_index at = walked++ < p2x_[p].size() ? xs_.find(m_, x) : no_order_index;
+        if (at == no_order_index || at != p2x_[p][walked - 1]) {
           log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") changes while other_polys is walked"}), ps_.name(p));
           return;
         }
@@ -87,19 +87,19 @@ class facet_laws {
       }
       if (walked != p2x_[p].size())
         log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") ends early while other_polys is walked"}), ps_.name(p));
-      for (const position q : p2p_[p])
+      for (const order_index q : p2p_[p])
         if (poly_of[q] != p)
           log_.add("FC3", core::joined({"adj_p2p(", ps_.name(p), ") holds ", ps_.name(q), ", which is across none of its facets"}),
                    core::joined({ps_.name(p), " ", ps_.name(q)}));
     });
   }
 
-  bool has_one_poly(position x) const { return x2p_[x].size() == 1; }
+  bool has_one_poly(order_index x) const { return x2p_[x].size() == 1; }
 
   /// FC4: is_boundary of elements that have facets.
   template<class A>
   void check_boundary(const element_table<A>& as, const std::vector<bool>& expected) {
-    for_each(as, "FC4", "is_boundary", [&](position a) {
+    for_each(as, "FC4", "is_boundary", [&](order_index a) {
       if (is_boundary(m_, as.items[a]) == expected[a]) return;
       log_.add("FC4", core::joined({"is_boundary(", as.name(a), ") is ", expected[a] ? "false" : "true", ", but it has ", expected[a] ? "a" : "no", " facet of one poly"}),
                as.name(a));
@@ -108,8 +108,8 @@ class facet_laws {
   template<class A>
   void check_boundary(const element_table<A>& as, const adjacency_lists& facets_of) {
     std::vector<bool> expected(as.size());
-    for (position a = 0; a < as.size(); ++a)
-      for (const position x : facets_of[a]) expected[a] = expected[a] || has_one_poly(x);
+    for (order_index a = 0; a < as.size(); ++a)
+      for (const order_index x : facets_of[a]) expected[a] = expected[a] || has_one_poly(x);
     check_boundary(as, expected);
   }
 
@@ -128,7 +128,7 @@ class facet_laws {
     if (!log_.empty()) return;
     check_adjacent_polys();
     std::vector<bool> single(xs_.size());
-    for (position x = 0; x < xs_.size(); ++x) single[x] = has_one_poly(x);
+    for (order_index x = 0; x < xs_.size(); ++x) single[x] = has_one_poly(x);
     check_boundary(xs_, single);
     check_boundary(ps_, p2x_);
     check_boundary(vs_, transposed(x2v_, vs_.size()));

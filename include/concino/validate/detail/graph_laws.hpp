@@ -18,15 +18,15 @@ void check_graph(const graph_tables<D>& g, const char* symmetry, const char* loo
   const auto& n = g.nodes;
   compare_sets(
       g.next, transposed(g.next, n.size()), n.size(),
-      [&](position a, position b) {
+      [&](order_index a, order_index b) {
         log.add(symmetry,
                 core::joined({verb, "(", n.name(a), ") holds ", n.name(b), ", but ", verb, "(", n.name(b), ") does not hold ", n.name(a)}),
                 core::joined({n.name(a), " ", n.name(b)}));
         return !log.full(symmetry);
       },
-      [](position, position) { return true; });  // symmetric pair
-  for (position a = 0; a < g.next.size() && !log.full(loops); ++a)
-    for (const position b : g.next[a])
+      [](order_index, order_index) { return true; });  // symmetric pair
+  for (order_index a = 0; a < g.next.size() && !log.full(loops); ++a)
+    for (const order_index b : g.next[a])
       if (a == b) log.add(loops, core::joined({verb, "(", g.nodes.name(a), ") holds ", g.nodes.name(a), " itself"}), g.nodes.name(a));
 }
 

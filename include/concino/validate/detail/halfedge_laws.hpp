@@ -20,7 +20,7 @@ class halfedge_laws {
   using halfedge = typename K::halfedge;
   struct step {  // along a poly
     halfedge h;
-    position poly, from, to;
+    order_index poly, from, to;
   };
 
   const M& m_;
@@ -33,9 +33,9 @@ class halfedge_laws {
 
   static constexpr const char* remedy = ": half-edges cannot hold that, use indexed_surface";
   static std::string number(const char* kind, std::size_t i) { return core::joined({kind, " ", i}); }
-  std::string vert_name(position v) const { return number("vert", vs_.index[v]); }
-  std::string edge_name(position e) const { return number("edge", es_.index[e]); }
-  std::string poly_name(position p) const { return number("poly", ps_.index[p]); }
+  std::string vert_name(order_index v) const { return number("vert", vs_.index[v]); }
+  std::string edge_name(order_index e) const { return number("edge", es_.index[e]); }
+  std::string poly_name(order_index p) const { return number("poly", ps_.index[p]); }
   std::string describe_direction(const step& s) const { return core::joined({"from ", vert_name(s.from), " to ", vert_name(s.to)}); }
   std::string witness(const step& s) const { return core::joined({vs_.name(s.from), " ", vs_.name(s.to)}); }
 
@@ -70,7 +70,7 @@ class halfedge_laws {
   bool sound(const char* law) const { return log_.count(law) == 0; }
 
   bool walk_polys() {
-    for (position p = 0; p < ps_.size() && !log_.full("HE1"); ++p) {
+    for (order_index p = 0; p < ps_.size() && !log_.full("HE1"); ++p) {
       const halfedge start = K::halfedge_of(m_, ps_.items[p]);
       const std::size_t first = steps_.size();
       halfedge h = start, mark = start;
@@ -85,12 +85,12 @@ class halfedge_laws {
           fault("HE1", {"the half-edges of ", poly_name(p), k ? ": next leads to one whose poly_of is another poly" : ": poly_of(halfedge_of) is another poly"}, ps_.name(p));
           break;
         }
-        const position to = vs_.find(m_, K::target(m_, h));
-        if (to == no_position) {
+        const order_index to = vs_.find(m_, K::target(m_, h));
+        if (to == no_order_index) {
           fault("HE1", {"the half-edges of ", poly_name(p), ": the target of one of them is not a vert of the mesh"}, ps_.name(p));
           break;
         }
-        steps_.push_back({h, p, steps_.size() > first ? steps_.back().to : no_position, to});
+        steps_.push_back({h, p, steps_.size() > first ? steps_.back().to : no_order_index, to});
         h = K::next(m_, h);
         if (h == start) break;
         if (h == mark) {
@@ -112,7 +112,7 @@ class halfedge_laws {
       const auto key = [&](const step& s) { return by_smaller ? std::min(s.from, s.to) : std::max(s.from, s.to); };
       std::fill(place.begin(), place.end(), 0);
       for (const step& s : steps_) ++place[key(s) + std::size_t{1}];
-      for (position v = 0; v < vs_.size(); ++v) place[v + std::size_t{1}] += place[v];
+      for (order_index v = 0; v < vs_.size(); ++v) place[v + std::size_t{1}] += place[v];
       for (const step& s : steps_) sorted[place[key(s)]++] = s;
       steps_.swap(sorted);
     }
@@ -181,7 +181,7 @@ class halfedge_laws {
     }
     if (!sound("HE3")) return false;
     halves_.reserve(2 * es_.items.size());
-    for (position e = 0; e < es_.size(); ++e) {
+    for (order_index e = 0; e < es_.size(); ++e) {
       halves_.push_back(K::halfedge_of(m_, es_.items[e]));
       halves_.push_back(K::opposite(m_, halves_.back()));
       const halfedge &h = halves_[2 * std::size_t{e}], &o = halves_.back();
@@ -191,7 +191,8 @@ class halfedge_laws {
     if (!sound("HE3")) return false;
     for (std::size_t i = 0; i < halves_.size(); ++i)
       if (K::is_border(m_, halves_[i]) && !K::is_border(m_, K::next(m_, halves_[i])) &&
-          fault("HE1", {edge_name(static_cast<position>(i / 2)), ": next leads from its half-edge at the border into a poly"}, es_.name(static_cast<position>(i / 2))))
+          fault("HE1", {edge_name(static_cast<order_index>(i / 2)), ": next leads from its half-edge at the border into a poly"},
+                es_.name(static_cast<order_index>(i / 2))))
         break;
     if (!sound("HE1")) return false;
     for (const step& s : steps_)
@@ -201,8 +202,8 @@ class halfedge_laws {
 
   static constexpr std::size_t none = ~std::size_t{0};
   std::size_t slot(const halfedge& h) const {
-    const position e = es_.find(m_, K::edge_of(m_, h));
-    if (e == no_position) return none;
+    const order_index e = es_.find(m_, K::edge_of(m_, h));
+    if (e == no_order_index) return none;
     const std::size_t i = 2 * std::size_t{e};
     return halves_[i] == h ? i : halves_[i + 1] == h ? i + 1 : none;
   }
@@ -210,7 +211,7 @@ class halfedge_laws {
   /// Marks and counts the half-edges around v, beginning with start, and counts those at the border.
   /// Result: null, or a text why it failed.
   struct counts { std::size_t all = 0, at_border = 0; };
-  const char* walk_around(position v, const halfedge& start, std::vector<std::uint8_t>& met, counts& count) const {
+  const char* walk_around(order_index v, const halfedge& start, std::vector<std::uint8_t>& met, counts& count) const {
     halfedge h = start;
     do {
       const halfedge o = K::opposite(m_, h);
@@ -228,17 +229,18 @@ class halfedge_laws {
 
   bool walk_around_verts() {
     std::vector<std::size_t> leaving(vs_.items.size());
-    std::vector<position> from(halves_.size());
+    std::vector<order_index> from(halves_.size());
     for (std::size_t i = 0; i < halves_.size(); ++i) {
       from[i] = vs_.find(m_, K::target(m_, halves_[i ^ 1]));
-      if (from[i] != no_position) ++leaving[from[i]];
-      else if (fault("HE3", {edge_name(static_cast<position>(i / 2)), ": the target of one of its half-edges is not a vert of the mesh"}, es_.name(static_cast<position>(i / 2)))) return false;
+      if (from[i] != no_order_index) ++leaving[from[i]];
+      else if (fault("HE3", {edge_name(static_cast<order_index>(i / 2)), ": the target of one of its half-edges is not a vert of the mesh"},
+                     es_.name(static_cast<order_index>(i / 2)))) return false;
     }
     if (!sound("HE3")) return false;
 
     std::vector<std::uint8_t> met(halves_.size());
-    std::vector<position> torn;  // verts with half-edges that were not visited
-    for (position v = 0; v < vs_.size() && !log_.full("HE4"); ++v) {
+    std::vector<order_index> torn;  // verts with half-edges that were not visited
+    for (order_index v = 0; v < vs_.size() && !log_.full("HE4"); ++v) {
       if (K::is_isolated(m_, vs_.items[v])) {
         if (leaving[v]) fault("HE4", {vert_name(v), ": is_isolated is true, but half-edges leave it"}, vs_.name(v));
         continue;
@@ -259,7 +261,7 @@ class halfedge_laws {
       counts count;
       if (!met[i] && !walk_around(from[i], halves_[i], met, count) && count.at_border == 0) ++fans[from[i]];
     }
-    for (const position v : torn) {
+    for (const order_index v : torn) {
       const char* const words[] = {"two", "three", "four"};
       const std::string n = fans[v] >= 2 && fans[v] < 5 ? words[fans[v] - 2] : core::joined({fans[v]});
       if (fault("HE4", {vert_name(v), " has ", n, " fans of polys: use indexed_surface, or link the border half-edges from one fan to the next"}, vs_.name(v))) break;

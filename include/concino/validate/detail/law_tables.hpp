@@ -15,8 +15,9 @@
 
 namespace concino::detail {
 
-using position = std::uint32_t;
-inline constexpr position no_position = ~position{0};
+/// The position of an element in the order of iteration.
+using order_index = std::uint32_t;
+inline constexpr order_index no_order_index = ~order_index{0};
 
 /// The elements of one kind in the order of iteration. Elements that break the laws of indices are left out.
 template<class D>
@@ -24,18 +25,18 @@ struct element_table {
   char letter;
   std::vector<D> items;
   std::vector<std::size_t> index;  // by position
-  std::vector<position> slot;      // by index
+  std::vector<order_index> slot;      // by index
   bool sound = true;               // no element was left out
 
-  position size() const { return static_cast<position>(items.size()); }
-  std::string name(position i) const { return core::joined({letter, index[i]}); }
+  order_index size() const { return static_cast<order_index>(items.size()); }
+  std::string name(order_index i) const { return core::joined({letter, index[i]}); }
   std::string kind() const { return letter == 'v' ? "vert" : letter == 'e' ? "edge" : letter == 'f' ? "face" : "poly"; }
   std::string index_bound() const { return core::joined({kind(), "_index_bound"}); }
 
   template<class M>
-  position find(const M& m, const D& x) const {
+  order_index find(const M& m, const D& x) const {
     const std::size_t i = index_of(m, x);
-    if (i >= slot.size() || slot[i] == no_position || !(items[slot[i]] == x)) return no_position;
+    if (i >= slot.size() || slot[i] == no_order_index || !(items[slot[i]] == x)) return no_order_index;
     return slot[i];
   }
 };
@@ -65,14 +66,14 @@ class element_reader {
       fault(indices_, core::joined({"index_of gives ", i, ", which is not below ", t.index_bound(), ", ", bound_}), i);
     } else if (i / 1024 > walked_ + 65536) {
       fault(indices_, core::joined({"index_of gives ", i, " for one of the first ", walked_ + 1, " ", kind_, "s: too sparse for arrays"}), i);
-    } else if (i < t.slot.size() && t.slot[i] != no_position) {
+    } else if (i < t.slot.size() && t.slot[i] != no_order_index) {
       const bool again = t.items[t.slot[i]] == x;
       fault(again ? counting_ : indices_,
             again ? core::joined({"walking the ", kind_, "s meets this one twice"})
                   : core::joined({"index_of gives ", i, " for two different ", kind_, "s"}),
             i);
     } else {
-      if (i >= t.slot.size()) t.slot.resize(std::max(i + 1, std::min(bound_, 2 * t.slot.size())), no_position);
+      if (i >= t.slot.size()) t.slot.resize(std::max(i + 1, std::min(bound_, 2 * t.slot.size())), no_order_index);
       t.items.push_back(x);
       t.index.push_back(i);
       t.slot[i] = t.size() - 1;  // last: a slot always names an existing item, even if copying x throws
@@ -103,7 +104,7 @@ class element_reader {
   template<class R>
   void walk_again(R&& range) {
     if (!table_.sound) return;
-    position i = 0;
+    order_index i = 0;
     bool same = true;
     for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
       same = i < table_.size() && table_.items[i] == static_cast<D>(*again);
@@ -145,10 +146,10 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
 /// For each a of a table its adjacent b's, all by position, in the order of the mesh.
 struct adjacency_lists {
   std::vector<std::size_t> offsets{0};
-  std::vector<position> items;
+  std::vector<order_index> items;
 
-  position size() const { return static_cast<position>(offsets.size() - 1); }
-  std::span<const position> operator[](position a) const { return {items.data() + offsets[a], items.data() + offsets[a + 1]}; }
+  order_index size() const { return static_cast<order_index>(offsets.size() - 1); }
+  std::span<const order_index> operator[](order_index a) const { return {items.data() + offsets[a], items.data() + offsets[a + 1]}; }
   void close() { offsets.push_back(items.size()); }
 };
 
@@ -158,22 +159,22 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
                  const char* verb, law_log& log) {
   adjacency_lists r;
   r.offsets.reserve(from.items.size() + 1);
-  std::vector<position> seen(to.items.size(), no_position);
-  for (position a = 0; a < from.size(); ++a) {
+  std::vector<order_index> seen(to.items.size(), no_order_index);
+  for (order_index a = 0; a < from.size(); ++a) {
     const auto call = [&] { return core::joined({verb, "(", from.name(a), ")"}); };
     try {
       auto&& ring = ring_of(m, from.items[a]);
       std::size_t faults = 0;  // an endless ring has many faults
       for (auto it = ring.begin(); faults < 16 && it != ring.end(); ++it) {
         const B x = *it;
-        const position b = to.find(m, x);
-        if (b != no_position && seen[b] != a) {
+        const order_index b = to.find(m, x);
+        if (b != no_order_index && seen[b] != a) {
           seen[b] = a;
           r.items.push_back(b);
           continue;
         }
         if (faults++ > 0) continue;  // one witness per ring
-        if (b != no_position) log.add(law, core::joined({call(), " holds ", to.name(b), " twice"}), core::joined({from.name(a), " ", to.name(b)}));
+        if (b != no_order_index) log.add(law, core::joined({call(), " holds ", to.name(b), " twice"}), core::joined({from.name(a), " ", to.name(b)}));
         else if (to.sound)  // otherwise it may have been left out of the table, and reported before
           log.add(law, core::joined({call(), " holds something that is not a ", to.kind(), " of the mesh"}),
                   core::joined({from.name(a), " ", to.letter, index_of(m, x)}));
@@ -197,23 +198,23 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
 }
 
 /// For each b the a's whose ring contains it.
-inline adjacency_lists transposed(const adjacency_lists& ab, position num_b) {
+inline adjacency_lists transposed(const adjacency_lists& ab, order_index num_b) {
   adjacency_lists t;
   t.offsets.assign(num_b + std::size_t{1}, 0);
-  for (const position b : ab.items) ++t.offsets[b + std::size_t{1}];
+  for (const order_index b : ab.items) ++t.offsets[b + std::size_t{1}];
   for (std::size_t b = 0; b < num_b; ++b) t.offsets[b + 1] += t.offsets[b];
   t.items.resize(ab.items.size());
   std::vector<std::size_t> next(t.offsets.begin(), t.offsets.end() - 1);
-  for (position a = 0; a < ab.size(); ++a)
-    for (const position b : ab[a]) t.items[next[b]++] = a;
+  for (order_index a = 0; a < ab.size(); ++a)
+    for (const order_index b : ab[a]) t.items[next[b]++] = a;
   return t;
 }
 
 /// For each a the b's of its m's: the adj_a2b that follows from adj_a2m and adj_m2b. A b may occur several times.
 inline adjacency_lists composed(const adjacency_lists& am, const adjacency_lists& mb) {
   adjacency_lists r;
-  for (position a = 0; a < am.size(); ++a) {
-    for (const position m : am[a]) r.items.insert(r.items.end(), mb[m].begin(), mb[m].end());
+  for (order_index a = 0; a < am.size(); ++a) {
+    for (const order_index m : am[a]) r.items.insert(r.items.end(), mb[m].begin(), mb[m].end());
     r.close();
   }
   return r;
@@ -221,14 +222,14 @@ inline adjacency_lists composed(const adjacency_lists& am, const adjacency_lists
 
 /// Calls only_in_x(a, b) and only_in_y(a, b) for the elements b of a's ring that only one of x and y contains; either returns false to stop.
 template<class InX, class InY>
-void compare_sets(const adjacency_lists& x, const adjacency_lists& y, position num_b, const InX& only_in_x, const InY& only_in_y) {
-  std::vector<position> in_x(num_b, no_position), in_y(num_b, no_position);
-  for (position a = 0; a < x.size(); ++a) {
-    for (const position b : x[a]) in_x[b] = a;
-    for (const position b : y[a]) in_y[b] = a;
-    for (const position b : x[a])
+void compare_sets(const adjacency_lists& x, const adjacency_lists& y, order_index num_b, const InX& only_in_x, const InY& only_in_y) {
+  std::vector<order_index> in_x(num_b, no_order_index), in_y(num_b, no_order_index);
+  for (order_index a = 0; a < x.size(); ++a) {
+    for (const order_index b : x[a]) in_x[b] = a;
+    for (const order_index b : y[a]) in_y[b] = a;
+    for (const order_index b : x[a])
       if (in_y[b] != a && !only_in_x(a, b)) return;
-    for (const position b : y[a])
+    for (const order_index b : y[a])
       if (in_x[b] != a && !only_in_y(a, b)) return;
   }
 }
@@ -242,8 +243,8 @@ void check_mirror(const element_table<A>& as, const element_table<B>& bs, const 
     return !log.full(law);
   };
   compare_sets(
-      ab, transposed(ba, as.size()), bs.size(), [&](position a, position b) { return one_sided(as.name(a), bs.name(b), a2b, b2a); },
-      [&](position a, position b) { return one_sided(bs.name(b), as.name(a), b2a, a2b); });
+      ab, transposed(ba, as.size()), bs.size(), [&](order_index a, order_index b) { return one_sided(as.name(a), bs.name(b), a2b, b2a); },
+      [&](order_index a, order_index b) { return one_sided(bs.name(b), as.name(a), b2a, a2b); });
 }
 
 /// Checks that each ring of `verb` is, as a set, the result of other adjacencies, called `rule`.
@@ -252,11 +253,11 @@ void check_same(const element_table<A>& as, const element_table<B>& bs, const ad
                 const char* verb, const char* rule, law_log& log) {
   compare_sets(
       listed, expected, bs.size(),
-      [&](position a, position b) {
+      [&](order_index a, order_index b) {
         log.add(law, core::joined({verb, "(", as.name(a), ") holds ", bs.name(b), ", which is not ", rule}), core::joined({as.name(a), " ", bs.name(b)}));
         return !log.full(law);
       },
-      [&](position a, position b) {
+      [&](order_index a, order_index b) {
         log.add(law, core::joined({verb, "(", as.name(a), ") lacks ", bs.name(b), ", which is ", rule}), core::joined({as.name(a), " ", bs.name(b)}));
         return !log.full(law);
       });

@@ -20,12 +20,12 @@ edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, la
   edge_tables<M> t{read_elements<edge_t<M>>(m, 'e', edges, num_edges, edge_index_bound, "SM1", "SM1", log), {}, {}};
   t.e2v = read_adjacency(m, t.edges, vs, adj_e2v, "SM2", "adj_e2v", log);
   t.v2e = read_adjacency(m, vs, t.edges, adj_v2e, "SM2", "adj_v2e", log);
-  for (position e = 0; e < t.edges.size() && !log.full("SM2"); ++e)
+  for (order_index e = 0; e < t.edges.size() && !log.full("SM2"); ++e)
     if (t.e2v[e].size() != 2 && vs.sound) log.add("SM2", core::joined({"adj_e2v(", t.edges.name(e), ") is not two different verts"}), t.edges.name(e));
   check_mirror(t.edges, vs, t.e2v, t.v2e, "SM2", "adj_e2v", "adj_v2e", log);
   adjacency_lists far;
-  for (position v = 0; v < vs.size(); ++v) {
-    for (const position e : t.v2e[v]) {
+  for (order_index v = 0; v < vs.size(); ++v) {
+    for (const order_index e : t.v2e[v]) {
       const auto ends = t.e2v[e];
       if (ends.size() == 2 && (ends[0] == v || ends[1] == v)) far.items.push_back(ends[0] == v ? ends[1] : ends[0]);
     }
@@ -44,11 +44,11 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
                                 const adjacency_lists& verts_of, const adjacency_lists& edges_of, const adjacency_lists& e2v, const char* law, const char* a2v,
                                 const char* a2e, law_log& log) {
   std::vector<sense> senses(edges_of.items.size(), sense::astray);
-  std::vector<position> at(vs.items.size()), owner(vs.items.size(), no_position), walked(vs.items.size(), no_position);
-  for (position a = 0; a < polygons.size(); ++a) {
+  std::vector<order_index> at(vs.items.size()), owner(vs.items.size(), no_order_index), walked(vs.items.size(), no_order_index);
+  for (order_index a = 0; a < polygons.size(); ++a) {
     const auto ring = verts_of[a];
-    const auto n = static_cast<position>(ring.size());
-    for (position i = 0; i < n; ++i) {
+    const auto n = static_cast<order_index>(ring.size());
+    for (order_index i = 0; i < n; ++i) {
       at[ring[i]] = i;
       owner[ring[i]] = a;
     }
@@ -59,12 +59,12 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
           core::joined({a2e, args, " has ", edges_of[a].size(), " edges, but ", a2v, args, " has ", n, " verts"}),
           polygons.name(a));
     for (std::size_t k = edges_of.offsets[a]; k < edges_of.offsets[a + std::size_t{1}]; ++k) {
-      const position e = edges_of.items[k];
+      const order_index e = edges_of.items[k];
       const auto ends = e2v[e];
       if (ends.size() != 2) continue;  // reported at the edge
       bool on_rim = false;
       if (owner[ends[0]] == a && owner[ends[1]] == a) {
-        const position i = at[ends[0]], j = at[ends[1]];
+        const order_index i = at[ends[0]], j = at[ends[1]];
         const bool along = (i + 1) % n == j, against = (j + 1) % n == i;
         // Each step of the cycle takes one edge; a polygon of two verts has two steps with the same ends.
         if (along && walked[ends[0]] != a) {
@@ -81,7 +81,7 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
         log.add(law, core::joined({a2e, args, " holds ", es.name(e), ", whose ends do not follow one another in ", a2v, args}),
                 core::joined({polygons.name(a), " ", es.name(e)}));
     }
-    for (position i = 0; i < n && es.sound; ++i)
+    for (order_index i = 0; i < n && es.sound; ++i)
       if (walked[ring[i]] != a) {
         const std::string here = vs.name(ring[i]), next = vs.name(ring[(i + 1) % n]);
         log.add(law, core::joined({a2v, args, " goes from ", here, " to ", next, ", which are not the ends of one of ", a2e, args}),
@@ -96,13 +96,13 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
 template<class P, class S>
 void check_neighbours(const element_table<P>& ps, const element_table<S>& facets, const adjacency_lists& p2p, const adjacency_lists& p2s,
                       const adjacency_lists& s2p, const char* law, law_log& log) {
-  std::vector<position> listed(ps.items.size(), no_position), expected(ps.items.size(), no_position);
+  std::vector<order_index> listed(ps.items.size(), no_order_index), expected(ps.items.size(), no_order_index);
   const std::string side = facets.kind() == "edge" ? "an edge" : "a face";
-  for (position p = 0; p < ps.size() && !log.full(law); ++p) {
-    for (const position q : p2p[p]) listed[q] = p;
+  for (order_index p = 0; p < ps.size() && !log.full(law); ++p) {
+    for (const order_index q : p2p[p]) listed[q] = p;
     bool good = true;
-    for (const position s : p2s[p])
-      for (const position q : s2p[s]) {
+    for (const order_index s : p2s[p])
+      for (const order_index q : s2p[s]) {
         if (!good) break;
         if (q == p) continue;
         expected[q] = p;
@@ -111,7 +111,7 @@ void check_neighbours(const element_table<P>& ps, const element_table<S>& facets
           log.add(law, core::joined({"adj_p2p(", ps.name(p), ") lacks ", ps.name(q), ", across ", facets.name(s)}),
                   core::joined({ps.name(p), " ", ps.name(q), " ", facets.name(s)}));
       }
-    for (const position q : p2p[p]) {
+    for (const order_index q : p2p[p]) {
       if (good && q != p && expected[q] != p) {
         good = false;
         log.add(law, core::joined({"adj_p2p(", ps.name(p), ") holds ", ps.name(q), ", but they share not even ", side}),
@@ -133,13 +133,13 @@ struct listed_f2e {
 template<class P, class V, class E, class Ends>
 void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs, const element_table<E>& es, const adjacency_lists& p2v, const adjacency_lists& p2e,
                           const adjacency_lists& e2v, const Ends& ends_of, const char* law, const char* edge_verb, const char* vert_verb, law_log& log) {
-  for (position p = 0; p < ps.size() && !log.full(law); ++p) {
+  for (order_index p = 0; p < ps.size() && !log.full(law); ++p) {
     const auto corners = p2v[p], edges = p2e[p];
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const auto [i, j] = ends_of(k, corners.size());
       const auto ends = e2v[edges[k]];
       if (i >= corners.size() || j >= corners.size() || ends.size() != 2) continue;  // reported elsewhere
-      const position a = corners[i], b = corners[j];
+      const order_index a = corners[i], b = corners[j];
       if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) continue;
       const std::string arg = core::joined({"(", ps.name(p), ")"});
       log.add(law,

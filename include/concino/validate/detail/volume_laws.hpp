@@ -36,14 +36,14 @@ template<int Arity, class P, class V>
 void check_standard_order(const element_table<P>& ps, const element_table<V>& vs, const adjacency_lists& p2v, const adjacency_lists& p2f, const adjacency_lists& f2v,
                           const std::vector<bool>& outward, law_log& log) {
   std::vector<int> local;
-  for (position p = 0; p < ps.size() && !log.full("VM7"); ++p) {
+  for (order_index p = 0; p < ps.size() && !log.full("VM7"); ++p) {
     const auto ring = p2v[p];
     bool good = ring.size() == Arity && p2f[p].size() == standard_faces<Arity>.size();
     unsigned met = 0;
     for (std::size_t k = 0; good && k < p2f[p].size(); ++k) {
       const auto cycle = f2v[p2f[p][k]];
       local.clear();
-      for (const position v : cycle) {
+      for (const order_index v : cycle) {
         const auto found = std::find(ring.begin(), ring.end(), v);
         local.push_back(found == ring.end() ? -2 : static_cast<int>(found - ring.begin()));
       }
@@ -64,13 +64,13 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
 template<class P, class E>
 void check_winding(const element_table<P>& ps, const element_table<E>& es, const adjacency_lists& p2f, const adjacency_lists& f2e,
                    const std::vector<sense>& senses, const std::vector<bool>& outward, law_log& log) {
-  struct tally { position poly = no_position; int faces = 0, sum = 0; };
+  struct tally { order_index poly = no_order_index; int faces = 0, sum = 0; };
   std::vector<tally> at(es.items.size());
-  for (position p = 0; p < ps.size() && !log.full("VM6"); ++p) {
+  for (order_index p = 0; p < ps.size() && !log.full("VM6"); ++p) {
     bool closed = true;
     const auto each = [&](const auto& visit) {
       for (std::size_t k = p2f.offsets[p]; k < p2f.offsets[p + std::size_t{1}]; ++k) {
-        const position f = p2f.items[k];
+        const order_index f = p2f.items[k];
         for (std::size_t j = f2e.offsets[f]; j < f2e.offsets[f + std::size_t{1}]; ++j) visit(k, j);
       }
     };
@@ -85,7 +85,7 @@ void check_winding(const element_table<P>& ps, const element_table<E>& es, const
     if (!closed) continue;
     bool good = true;
     each([&](std::size_t, std::size_t j) {
-      const position e = f2e.items[j];
+      const order_index e = f2e.items[j];
       if (good && at[e].sum != 0) {
         good = false;
         log.add("VM6",
@@ -128,7 +128,7 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
   check_neighbours(ps, fs, dual.next, p2f, f2p, "VM5", log);
 
   std::vector<bool> outward(p2f.items.size());  // parallel to p2f
-  for (position p = 0; p < ps.size(); ++p)
+  for (order_index p = 0; p < ps.size(); ++p)
     for (std::size_t k = p2f.offsets[p]; k < p2f.offsets[p + std::size_t{1}]; ++k) {
       try {
         outward[k] = face_is_outward(m, ps.items[p], fs.items[p2f.items[k]]);
