@@ -9,7 +9,7 @@
 
 namespace cn = concino;
 
-TEST_CASE_TEMPLATE("operators and fields, word for word", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("one function body computes operators and fields on all six kinds", M, CONCINO_KINDS) {
   const M m = cn::testing::grid<M>(3);
   const cn::vert_t<M> b = *cn::verts(m).begin();
   const cn::poly_t<M> p = *cn::polys(m).begin();

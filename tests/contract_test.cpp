@@ -42,7 +42,7 @@ std::string everything(const char* file) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("everything, word for word", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("one function body loads, computes and saves on all six kinds", M, CONCINO_KINDS) {
   const auto before = std::filesystem::current_path();
   const auto folder = std::filesystem::temp_directory_path() / "concino_contract_test";
   std::filesystem::create_directories(folder);
@@ -61,7 +61,7 @@ TEST_CASE_TEMPLATE("everything, word for word", M, CONCINO_KINDS) {
   for (const auto v : cn::verts(grid)) CHECK(cn::point(copy, v) == cn::point(grid, v));
 }
 
-TEST_CASE("load_any gives a variant that can be visited") {
+TEST_CASE("load_any returns a variant that can be visited") {
   const auto file = std::filesystem::temp_directory_path() / "concino_contract_any.mesh";
   cn::save(cn::testing::grid<cn::hexmesh>(2), file);
   auto any = cn::load_any(file);

@@ -90,7 +90,7 @@ struct concino::mesh_traits<added> : concino::indexed_surface<added> {
   }
 };
 
-TEST_CASE_TEMPLATE("any soup goes to the general kind and back unchanged", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("convert: any soup converts to the general kind and back unchanged", M, CONCINO_KINDS) {
   std::mt19937 random(5);
   for (int round = 0; round < 30; ++round) {
     const M m = cn::testing::random_soup<M>(random, 8 + static_cast<unsigned>(random() % 12), 1 + static_cast<unsigned>(random() % 20)).mesh();
@@ -103,7 +103,7 @@ TEST_CASE_TEMPLATE("any soup goes to the general kind and back unchanged", M, CO
   }
 }
 
-TEST_CASE_TEMPLATE("grids go to the general kind and back with all their properties", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("convert: grids convert to the general kind and back with all their properties", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(3);
   auto heat = cn::vert_property<double>(m, "heat");
   for (const auto v : cn::verts(m)) heat[v] = 0.5 + v.raw();
@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("grids go to the general kind and back with all their propert
   CHECK(cn::property_list(cn::convert<general_of<M>>(m, {.properties = false})).empty());
 }
 
-TEST_CASE_TEMPLATE("gaps of deleted elements are closed", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("convert: the new mesh has no gaps for deleted elements", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(3);
   cn::remove_poly(m, cn::poly_id{1});
   cn::remove_vert(m, *cn::verts(m).begin());
@@ -144,7 +144,7 @@ TEST_CASE_TEMPLATE("gaps of deleted elements are closed", M, CONCINO_KINDS) {
   for (const auto& b : cn::check_laws(c.mesh)) FAIL_CHECK(b.law << ": " << b.what);
 }
 
-TEST_CASE("what the wanted mesh cannot hold is named") {
+TEST_CASE("convert: the error names the poly that the new mesh cannot hold") {
   const cn::polygonmesh mixed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 2}});
   CHECK_THROWS_WITH_AS(cn::convert<cn::trimesh>(mixed), doctest::Contains("poly 0 has 4 verts"), cn::unsupported);
   CHECK_THROWS_WITH_AS(cn::convert<cn::quadmesh>(mixed), doctest::Contains("poly 1 has 3 verts"), cn::unsupported);
@@ -154,7 +154,7 @@ TEST_CASE("what the wanted mesh cannot hold is named") {
   CHECK_THROWS_WITH_AS(cn::convert<added>(grid), doctest::Contains("verts 13 come first never"), cn::unsupported);
 }
 
-TEST_CASE("a mesh that is made by adding") {
+TEST_CASE("convert: a mesh type without arrays is built by adding verts and polys") {
   cn::trimesh m = cn::testing::grid<cn::trimesh>(2);
   cn::vert_property<int>(m, "lost");
   cn::convert_report report;
@@ -167,7 +167,7 @@ TEST_CASE("a mesh that is made by adding") {
   same_mesh(m, back.mesh);
 }
 
-TEST_CASE("values go from map to map") {
+TEST_CASE("convert: transfer copies the values of maps") {
   const auto m = cn::testing::grid<cn::tetmesh>(2);
   const auto c = cn::convert_with_correspondence<cn::polyhedralmesh>(m);
   auto from = cn::make_poly_map<int>(m);
@@ -182,7 +182,7 @@ TEST_CASE("values go from map to map") {
   for (const auto f : cn::faces(m)) CHECK(taken[c.face_of(f)] == walls[f]);
 }
 
-TEST_CASE("views are meshes too: the boundary of a volume becomes a surface of its own") {
+TEST_CASE("convert: the boundary of a volume, a view, becomes a surface") {
   const auto m = cn::testing::grid<cn::hexmesh>(2);
   const auto c = cn::convert_with_correspondence<cn::quadmesh>(cn::boundary(m));
   CHECK(cn::num_polys(c.mesh) == 24);
@@ -190,7 +190,7 @@ TEST_CASE("views are meshes too: the boundary of a volume becomes a surface of i
   names_agree(c);
 }
 
-TEST_CASE("progress is told, and can stop it") {
+TEST_CASE("convert: progress is reported, and can cancel") {
   const auto m = cn::testing::grid<cn::trimesh>(2);
   double last = -1;
   cn::convert<cn::polygonmesh>(m, {.progress = [&](double fraction, const char*) {
@@ -202,7 +202,7 @@ TEST_CASE("progress is told, and can stop it") {
   CHECK_THROWS_AS(cn::convert<cn::polygonmesh>(m, {.progress = [](double, const char*) { return false; }}), cn::cancelled);
 }
 
-TEST_CASE("empty meshes") {
+TEST_CASE("convert: empty meshes convert to empty meshes") {
   const cn::tetmesh none;
   CHECK(cn::num_polys(cn::convert<cn::polyhedralmesh>(none)) == 0);
   const cn::polyhedralmesh one_vert(cn::point_list{{1, 2, 3}}, cn::index_lists{}, cn::face_lists{});
@@ -210,7 +210,7 @@ TEST_CASE("empty meshes") {
 }
 
 template<class M> concept can_convert = requires(M&& m) { cn::convert<cn::polygonmesh>(static_cast<M&&>(m)); };
-TEST_CASE_TEMPLATE("the correspondence by indices names the element that each of the new mesh stands for", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("convert: the correspondence maps each new element to its original", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(2);
   cn::remove_poly(m, cn::poly_id{0});
   const auto there = cn::convert_with_correspondence<general_of<M>>(m);
@@ -232,7 +232,7 @@ TEST_CASE_TEMPLATE("the correspondence by indices names the element that each of
   for (std::size_t i = 0; i < c.faces.size(); ++i) CHECK(from_verts.faces.only(i) == c.faces.only(i));
 }
 
-TEST_CASE_TEMPLATE("parts of a mesh, and a mesh at other points, keep its properties", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("convert: submeshes and meshes with other points keep their properties", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(3);
   const auto u = cn::vert_property<double>(m, "u");
   const auto e = cn::edge_property<int>(m, "e");
@@ -260,7 +260,7 @@ TEST_CASE_TEMPLATE("parts of a mesh, and a mesh at other points, keep its proper
 
 template<class M> concept can_correspond = requires(M&& m) { cn::convert_with_correspondence<cn::polygonmesh>(static_cast<M&&>(m)); };
 
-TEST_CASE("convert: one call gives the mesh, of a temporary too; the correspondence needs a mesh that stays") {
+TEST_CASE("convert: accepts temporaries; only the correspondence needs an lvalue") {
   const cn::trimesh m(std::vector<cn::vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}});
   const cn::polygonmesh polygons = cn::convert<cn::polygonmesh>(m);
   CHECK(cn::num_polys(polygons) == 2);

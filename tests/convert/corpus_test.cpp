@@ -34,7 +34,7 @@ std::size_t differences(const M& m, const There& there, const Back& back) {
 
 }  // namespace
 
-TEST_CASE("corpus: there and back") {
+TEST_CASE("corpus: converting to the general kind and back changes nothing") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   for (const auto& row : rows) {

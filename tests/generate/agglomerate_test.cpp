@@ -42,7 +42,7 @@ poly_map<M, short> all_but(const M& m, P... others) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("agglomerate: properties come along, and what became of which element is told", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("agglomerate: transfers properties and returns the correspondence", M, CONCINO_KINDS) {
   M m = make_grid<M>({.cells = {4, 4, 4}});
   jitter(m, 0.1);
   const auto labels = quarters(m);
@@ -108,7 +108,7 @@ TEST_CASE_TEMPLATE("agglomerate: properties come along, and what became of which
   for (std::size_t i = 0; i < c.faces.size(); ++i) CHECK(of_bare.faces.only(i) == c.faces.only(i));
 }
 
-TEST_CASE_TEMPLATE("agglomerate: quarters of a jittered grid", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("agglomerate: merges a jittered grid into four quarters", M, CONCINO_KINDS) {
   M m = make_grid<M>({.cells = {4, 4, 4}});
   jitter(m, 0.1);
   const auto labels = quarters(m);
@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE("agglomerate: quarters of a jittered grid", M, CONCINO_KINDS)
   for (const vert_id v : verts(a)) CHECK(point(b, v) == point(a, v));
 }
 
-TEST_CASE_TEMPLATE("agglomerate: each poly alone gives the mesh as it is, all of one label its hull", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("agglomerate: different labels keep the mesh, one label gives its boundary", M, CONCINO_KINDS) {
   const M m = make_grid<M>({.cells = {3, 3, 3}});
   auto labels = make_poly_map<unsigned>(m, 7u);
   const auto one = agglomerate(m, labels);
@@ -144,7 +144,7 @@ TEST_CASE_TEMPLATE("agglomerate: each poly alone gives the mesh as it is, all of
   CHECK(num_polys(agglomerate(M(), make_poly_map<int>(m, 0))) == 0);
 }
 
-TEST_CASE("agglomerate: verts inside are dropped, flat corners stay") {
+TEST_CASE("agglomerate: drops interior verts and keeps flat corners") {
   const auto m = make_grid<quadmesh>({.cells = {4, 2}});
   const auto a = agglomerate(m, quarters(m));
   CHECK(num_polys(a) == 4);
@@ -156,7 +156,7 @@ TEST_CASE("agglomerate: verts inside are dropped, flat corners stay") {
   CHECK(adj_p2v(h, poly_id{0}).size() == 8);
 }
 
-TEST_CASE("agglomerate: a mesh of a stranger") {
+TEST_CASE("agglomerate: works on a user's mesh") {
   const user_mesh::surface s = user_mesh::surface_example();
   auto labels = make_poly_map<int>(s, 1);
   const auto a = agglomerate(s, labels);
@@ -169,7 +169,7 @@ TEST_CASE("agglomerate: a mesh of a stranger") {
   CHECK(total_measure(b) == doctest::Approx(4.0 / 3));
 }
 
-TEST_CASE("agglomerate: surfaces that are no disks are refused") {
+TEST_CASE("agglomerate: throws if the polys of a label are not a disk") {
   const auto m = make_grid<quadmesh>({.cells = {4, 4}});
   CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 5)),
                        "agglomerate: the polys with label 0, poly 0 among them, are no disk: they have more than one border; random_labels() gives labels "
@@ -196,7 +196,7 @@ TEST_CASE("agglomerate: surfaces that are no disks are refused") {
   CHECK_THROWS_WITH_AS(agglomerate(torus, all_but(torus, 5)), doctest::Contains("they have a handle"), invalid_mesh);
 }
 
-TEST_CASE_TEMPLATE("agglomerate: volumes that are no balls are refused", M, hexmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("agglomerate: throws if the polys of a label are not a ball", M, hexmesh, polyhedralmesh) {
   const M m = make_grid<M>({.cells = {3, 3, 3}});
   CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 13)), doctest::Contains("are no ball: they have more than one border"), invalid_mesh);
   CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 4, 13, 22)), doctest::Contains("they have a handle"), invalid_mesh);
@@ -207,7 +207,7 @@ TEST_CASE_TEMPLATE("agglomerate: volumes that are no balls are refused", M, hexm
   CHECK(num_polys(agglomerate(m, all_but(m, 4))) == 2);
 }
 
-TEST_CASE("agglomerate: polyhedra that do not fit each other") {
+TEST_CASE("agglomerate: throws if polyhedra are not conforming") {
   auto arrays = polyhedra_grid(1);
   arrays.outward.back() = !arrays.outward.back();
   const polyhedralmesh wrong(arrays);

@@ -27,7 +27,7 @@ double enclosed(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("make_box: a closed surface around the box", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("make_box: a surface is the closed surface of the box", M, CONCINO_SURFACE_KINDS) {
   for (const std::array<std::size_t, 3> cells : {std::array<std::size_t, 3>{1, 1, 1}, {3, 2, 1}, {1, 1, 4}, {2, 3, 4}}) {
     const M m = make_box<M>({.cells = cells, .min = {-1, 2, 0.5}, .max = {2, 4, 3}});
     check_sound(m, 2);
@@ -41,13 +41,13 @@ TEST_CASE_TEMPLATE("make_box: a closed surface around the box", M, CONCINO_SURFA
   }
 }
 
-TEST_CASE_TEMPLATE("make_box: a volume is the box itself", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("make_box: a volume is the solid box", M, CONCINO_VOLUME_KINDS) {
   const M m = make_box<M>({.cells = {2, 3, 1}, .max = {2, 3, 4}});
   check_sound(m, 1);
   CHECK(total_measure(m) == doctest::Approx(24).epsilon(1e-14));
 }
 
-TEST_CASE_TEMPLATE("make_box: errors", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("make_box: throws if an option is out of range", M, CONCINO_KINDS) {
   CHECK_THROWS_WITH_AS(make_box<M>({.cells = {4, 4, 0}}), doctest::Contains(": cells[2] is 0; it must be at least 1"), invalid_argument);
   CHECK_THROWS_AS(make_box<M>({.cells = {~std::size_t{0}, 1u << 30, 1u << 30}}), invalid_argument);
   CHECK_THROWS_AS(make_box<M>({.max = {1, 1, 0}}), invalid_argument);

@@ -85,7 +85,7 @@ std::vector<std::vector<std::size_t>> cells(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("dual_mesh: clipped, it covers what the mesh covers, a poly for each vert", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("dual_mesh: clipped, it has a poly for each vert and the measure of the mesh", M, CONCINO_KINDS) {
   for (const auto& arrays : {grid_arrays<M>(1), grid_arrays<M>(3), two_grids_arrays<M>(2)}) {
     const M m(arrays);
     const auto d = dual_mesh(m);
@@ -107,7 +107,7 @@ TEST_CASE_TEMPLATE("dual_mesh: clipped, it covers what the mesh covers, a poly f
   }
 }
 
-TEST_CASE_TEMPLATE("dual_mesh: discarded, inner verts only have cells, and dual verts are those of cells", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("dual_mesh: discarded, only interior verts have cells", M, CONCINO_KINDS) {
   const M m = grid<M>(4);
   const auto d = dual_mesh(m, {.boundary = dual_boundary::discarded});
   check_sound(d);
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("dual_mesh: discarded, inner verts only have cells, and dual 
   if constexpr (arity_v<M> > 0) CHECK((num_verts(none) == 0 && num_polys(none) == 0));
 }
 
-TEST_CASE_TEMPLATE("dual_mesh: on the archetype the same", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("dual_mesh: has the same result on the archetype", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto d = dual_mesh(m), e = dual_mesh(only_embedded_mesh(m));
   REQUIRE(num_verts(e) == num_verts(d));
@@ -133,7 +133,7 @@ TEST_CASE_TEMPLATE("dual_mesh: on the archetype the same", M, CONCINO_KINDS) {
   for (const auto p : polys(d)) CHECK(measure(e, p) == doctest::Approx(measure(d, p)));
 }
 
-TEST_CASE_TEMPLATE("dual_mesh: scales exactly, and empty meshes have an empty dual", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("dual_mesh: scales exactly; empty meshes have an empty dual", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.02);
   const auto d = dual_mesh(M(arrays));
   for (const double scale : {0x1p-20, 0x1p20}) {
@@ -145,7 +145,7 @@ TEST_CASE_TEMPLATE("dual_mesh: scales exactly, and empty meshes have an empty du
   CHECK(num_polys(dual_mesh(M())) == 0);
 }
 
-TEST_CASE("dual_mesh: of a cube an octahedron, and back") {
+TEST_CASE("dual_mesh: cube and octahedron are dual to each other") {
   const quadmesh cube({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                       {{0, 3, 2, 1}, {1, 2, 6, 5}, {4, 5, 6, 7}, {3, 0, 4, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}});
   const polygonmesh octahedron = dual_mesh(cube);
@@ -162,7 +162,7 @@ TEST_CASE("dual_mesh: of a cube an octahedron, and back") {
   CHECK(cells(again) == cells(cube));
 }
 
-TEST_CASE("dual_mesh: closed surfaces: verts and polys change places, the dual of the dual has the mesh's connectivity") {
+TEST_CASE("dual_mesh: on closed surfaces the dual of the dual has the connectivity of the mesh") {
   if (corpus_dir().empty()) return skip("no corpus");
   for (const char* name : {"tri/bunny.obj", "tri/torus.obj", "quad/bamboo_pen_genus8.obj", "polygon/dodecahedron.obj"}) {
     CAPTURE(name);
@@ -182,7 +182,7 @@ TEST_CASE("dual_mesh: closed surfaces: verts and polys change places, the dual o
   }
 }
 
-TEST_CASE("dual_mesh: of the boundary of a volume, a view") {
+TEST_CASE("dual_mesh: works on the boundary of a volume, a view") {
   const tetmesh m = grid<tetmesh>(2);
   const auto skin = boundary(m);
   const polygonmesh d = dual_mesh(skin);
@@ -192,7 +192,7 @@ TEST_CASE("dual_mesh: of the boundary of a volume, a view") {
   CHECK(num_verts(d) == num_polys(skin));
 }
 
-TEST_CASE("dual_mesh: of volumes with any boundary") {
+TEST_CASE("dual_mesh: works on volumes with any boundary") {
   box b;
   b.min = {0, 0, 0};
   b.max = {2, 1, 1};
@@ -210,7 +210,7 @@ TEST_CASE("dual_mesh: of volumes with any boundary") {
   }
 }
 
-TEST_CASE("dual_mesh: of a real volume") {
+TEST_CASE("dual_mesh: works on a real volume") {
   CONCINO_CORPUS_OR_SKIP(file, "tet/quarter_crown.mesh");
   const auto crown = load<tetmesh>(file);
   const polyhedralmesh c = dual_mesh(crown);
@@ -219,7 +219,7 @@ TEST_CASE("dual_mesh: of a real volume") {
   CHECK(total_measure(c) == doctest::Approx(total_measure(crown)).epsilon(1e-12));
 }
 
-TEST_CASE("dual_mesh: two polys that share several edges or faces stay joined through each") {
+TEST_CASE("dual_mesh: polys that share several facets are connected through each of them") {
   const polygonmesh lens({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 1, 0}, {0, 2, 0}}, {{0, 1, 2, 3}, {0, 3, 4}});
   check_sound(dual_mesh(lens));
   const polygonmesh pocket({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}}, {{0, 1, 2, 4}, {0, 4, 2, 3}});  // vert 4 has two polys only
@@ -234,7 +234,7 @@ TEST_CASE("dual_mesh: two polys that share several edges or faces stay joined th
   CHECK(euler(e) == 2);
 }
 
-TEST_CASE("dual_mesh: one-sided surfaces have a dual, too") {
+TEST_CASE("dual_mesh: works on non-orientable surfaces") {
   CONCINO_CORPUS_OR_SKIP(file, "quad/moebius.obj");
   const auto m = load<quadmesh>(file);
   const polygonmesh d = dual_mesh(m);
@@ -243,7 +243,7 @@ TEST_CASE("dual_mesh: one-sided surfaces have a dual, too") {
   CHECK(num_polys(d) == num_verts(m));
 }
 
-TEST_CASE("dual_mesh: what is refused") {
+TEST_CASE("dual_mesh: throws if the mesh is not manifold, not closed or not finite") {
   refused(polygonmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), "edge 0 has more than two polys");
   refused(trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{1, 2, 0}, {3, 4, 0}}), "vert 0 are no single fan");
   refused(trimesh({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}}, {{0, 1, 2}}), "poly 0");
@@ -256,7 +256,7 @@ TEST_CASE("dual_mesh: what is refused") {
   refused(open, "poly 0 is not closed");
 }
 
-TEST_CASE("dual_mesh: real surfaces that are not manifold are refused") {
+TEST_CASE("dual_mesh: throws on real surfaces that are not manifold") {
   if (corpus_dir().empty()) return skip("no corpus");
   const auto is_invalid = [](const auto& m) { CHECK_THROWS_AS((void)dual_mesh(m), invalid_mesh); };
   is_invalid(load<trimesh>(corpus("tri/hourglass_nonmanifold_vertex.obj")));

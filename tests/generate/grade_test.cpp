@@ -13,7 +13,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("grade: squares of the relative place, the box stays", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("grade: applies the power and keeps the bounding box", M, CONCINO_KINDS) {
   const grid_options o{.cells = {4, 5, 3}, .min = {1, 0, -1}, .max = {3, 1, 2}};
   const M before = make_grid<M>(o);
   M m = before;
@@ -34,7 +34,7 @@ TEST_CASE_TEMPLATE("grade: squares of the relative place, the box stays", M, CON
   for (const vert_t<M> v : verts(m)) CHECK(point(large, v) == 0x1p20 * point(m, v));
 }
 
-TEST_CASE_TEMPLATE("grade: errors leave the mesh as it is, empty meshes stay empty", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("grade: errors leave the mesh unchanged; empty meshes stay empty", M, CONCINO_KINDS) {
   M m = make_grid<M>({.cells = {2, 2, 2}});
   CHECK_THROWS_WITH_AS(grade(m, {1, 0, 1}), "grade: the power along y is 0; it must be finite and above 0", invalid_argument);
   CHECK_THROWS_AS(grade(m, {1, 1, std::nan("")}), invalid_argument);

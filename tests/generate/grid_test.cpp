@@ -13,7 +13,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("make_grid: fills the box with sound cells, whatever their number", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("make_grid: fills the box with valid cells, for any number", M, CONCINO_ALL_KINDS) {
   for (const std::array<std::size_t, 3> cells : {std::array<std::size_t, 3>{1, 1, 1}, {1, 2, 3}, {2, 1, 1}, {3, 4, 2}, {4, 3, 1}, {5, 5, 2}}) {
     const M m = make_grid<M>({.cells = cells, .min = {-1, 2, 0.5}, .max = {2, 4, 3}});
     check_sound(m, 1);
@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE("make_grid: fills the box with sound cells, whatever their nu
   }
 }
 
-TEST_CASE("make_grid: polygons are hexagons but at the border, and none has a flat corner") {
+TEST_CASE("make_grid: interior polygons are hexagons, and none has a flat corner") {
   const auto m = make_grid<polygonmesh>({.cells = {6, 7}});
   std::size_t sizes[7] = {};
   for (const poly_id p : polys(m)) ++sizes[adj_p2v(m, p).size()];
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("make_grid: scales exactly", M, CONCINO_ALL_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("make_grid: errors", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("make_grid: throws if an option is out of range", M, CONCINO_ALL_KINDS) {
   CHECK_THROWS_WITH_AS(make_grid<M>({.cells = {4, 0, 4}}), "make_grid: cells[1] is 0; it must be at least 1", invalid_argument);
   CHECK_THROWS_WITH_AS(make_grid<M>({.cells = {1u << 17, 1u << 17, 1}}), doctest::Contains("make_grid: cells asks for"), invalid_argument);
   CHECK_THROWS_AS(make_grid<M>({.cells = {~std::size_t{0}, ~std::size_t{0}, 1}}), invalid_argument);

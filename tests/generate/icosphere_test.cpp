@@ -9,7 +9,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("icosphere: counts, size, evenness") {
+TEST_CASE("icosphere: has the expected counts, radius and edge lengths") {
   std::size_t quarters = 1;
   double previous = 0;
   for (unsigned s = 0; s < 4; ++s, quarters *= 4) {
@@ -37,7 +37,7 @@ TEST_CASE("icosphere: counts, size, evenness") {
   for (const vert_id v : verts(m)) CHECK(point(large, v) == 0x1p20 * point(m, v));
 }
 
-TEST_CASE("icosphere: errors") {
+TEST_CASE("icosphere: throws if an argument is out of range") {
   CHECK_THROWS_WITH_AS(icosphere(13), "icosphere: subdivisions is 13; it must be at most 12", invalid_argument);
   CHECK_THROWS_WITH_AS(icosphere(1, 0), "icosphere: radius is 0; it must be finite and above 0", invalid_argument);
   CHECK_THROWS_WITH_AS(icosphere(1, 1, {0, std::nan(""), 0}), "icosphere: centre.y is not finite", invalid_argument);

@@ -26,7 +26,7 @@ struct mesh_traits<movable> : mesh_traits<user_mesh::surface> {
 
 }  // namespace concino
 
-TEST_CASE_TEMPLATE("jitter: the boundary stays, the interior moves by what was asked, cells stay sound", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("jitter: moves the interior by at most the amount, and cells stay valid", M, CONCINO_KINDS) {
   const M before = make_grid<M>({.cells = {5, 4, 3}});
   M m = before;
   jitter(m, 0.15);
@@ -47,7 +47,7 @@ TEST_CASE_TEMPLATE("jitter: the boundary stays, the interior moves by what was a
   CHECK(moved > 0);
 }
 
-TEST_CASE_TEMPLATE("jitter: the same for the same seed, at any scale", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("jitter: depends only on the seed, at any scale", M, CONCINO_KINDS) {
   M a = make_grid<M>({.cells = {3, 3, 3}}), b = a, c = a, large = make_grid<M>({.cells = {3, 3, 3}, .max = {0x1p20, 0x1p20, 0x1p20}});
   jitter(a, 0.2, {.seed = 7});
   jitter(b, 0.2, {.seed = 7});
@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("jitter: the same for the same seed, at any scale", M, CONCIN
   CHECK(bounding_box(free).max.z != bounding_box(a).max.z);
 }
 
-TEST_CASE("jitter: known numbers") {
+TEST_CASE("jitter: the random numbers are the same on every machine") {
   auto m = make_grid<quadmesh>({.cells = {2, 2}, .max = {2, 2, 0}});
   jitter(m, 0.25);
   detail::random_stream random(1);
@@ -75,7 +75,7 @@ TEST_CASE("jitter: known numbers") {
   CHECK(point(m, vert_id{4}).y == doctest::Approx(1 + 0.25 * dy).epsilon(1e-15));
 }
 
-TEST_CASE("jitter: a surface in any plane stays there, meshes of strangers too, verts of no poly stay") {
+TEST_CASE("jitter: planar surfaces stay in their plane, isolated verts do not move") {
   auto m = make_grid<polygonmesh>({.cells = {5, 5}});
   const vec3 u = vec3{1, 2, 2} / 3, w = vec3{2, 1, -2} / 3, n = cross(u, w);
   for (const vert_id v : verts(m)) set_point(m, v, point(m, v).x * u + point(m, v).y * w + 5 * n);
@@ -89,7 +89,7 @@ TEST_CASE("jitter: a surface in any plane stays there, meshes of strangers too, 
   CHECK(s.points[3][2] == 0);
 }
 
-TEST_CASE_TEMPLATE("jitter: errors leave the mesh as it is; degenerate and empty meshes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("jitter: errors leave the mesh unchanged; degenerate and empty meshes are accepted", M, CONCINO_KINDS) {
   M m = make_grid<M>({.cells = {2, 2, 2}});
   CHECK_THROWS_WITH_AS(jitter(m, -1), "jitter: amount is -1; it must be finite and 0 or more", invalid_argument);
   CHECK_THROWS_AS(jitter(m, std::nan("")), invalid_argument);

@@ -16,7 +16,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("random_labels: pieces that can be merged, about as large as asked for", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("random_labels: pieces can be merged and have about the requested size", M, CONCINO_KINDS) {
   const M m = make_grid<M>({.cells = {SurfaceMesh<M> ? 12u : 6u, SurfaceMesh<M> ? 12u : 6u, 6}});
   for (const std::size_t size : {2u, 5u, 20u}) {
     const auto labels = random_labels(m, size, size);
@@ -33,7 +33,7 @@ TEST_CASE_TEMPLATE("random_labels: pieces that can be merged, about as large as 
   }
 }
 
-TEST_CASE_TEMPLATE("random_labels: the same for the same seed, also on what every mesh offers", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("random_labels: depends only on the seed, also on archetypes", M, CONCINO_KINDS) {
   const M m = make_grid<M>({.cells = {4, 4, 3}});
   const auto a = random_labels(m, 4), b = random_labels(m, 4), c = random_labels(m, 4, 2);
   const auto bare = only_mesh(m);
@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("random_labels: the same for the same seed, also on what ever
   CHECK(random_labels(none, 3).values().empty());
 }
 
-TEST_CASE("random_labels: closed surfaces, several components, meshes that are no manifolds") {
+TEST_CASE("random_labels: works on closed, disconnected and non-manifold meshes") {
   const quadmesh board(holed_board(2));
   const auto labels = random_labels(board, 1000000);
   const auto a = agglomerate(board, labels);

@@ -15,7 +15,7 @@ box construct_from_arrays(vec3 low, vec3 high) {
 }
 }  // namespace
 
-TEST_CASE("random_points: in the box, spread over it, the same for the same seed") {
+TEST_CASE("random_points: are uniform in the box and depend only on the seed") {
   const box b = construct_from_arrays({-1, 5, 100}, {1, 5, 1100});
   const auto points = random_points(4000, b, 7);
   CHECK(points == random_points(4000, b, 7));
@@ -33,14 +33,14 @@ TEST_CASE("random_points: in the box, spread over it, the same for the same seed
   CHECK(norm(squares / 4000 - vec3{1.0 / 3, 0, 1.0 / 3}) < 0.03);
 }
 
-TEST_CASE("random_points: the stream of SplitMix64") {
+TEST_CASE("random_points: use the stream of SplitMix64") {
   detail::random_stream random(1234567);
   CHECK(random.next() == 6457827717110365317u);
   CHECK(random.next() == 3203168211198807973u);
   CHECK(random.next() == 9817491932198370423u);
 }
 
-TEST_CASE("random_points: what is refused") {
+TEST_CASE("random_points: throws if the box is empty or not finite") {
   CHECK(random_points(0, construct_from_arrays({0, 0, 0}, {0, 0, 0})).empty());
   CHECK_THROWS_AS(random_points(1, box()), invalid_argument);
   CHECK_THROWS_AS(random_points(1, construct_from_arrays({0, 0, 0}, {1, 1, std::numeric_limits<double>::infinity()})), invalid_argument);

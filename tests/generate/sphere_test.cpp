@@ -17,7 +17,7 @@ constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("make_sphere: sound, outward, on the sphere, and of the right size in the limit", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("make_sphere: is valid, oriented outward, and converges to the sphere", M, CONCINO_KINDS) {
   const double exact = SurfaceMesh<M> ? 4 * pi * 4 : 4 * pi * 8 / 3;
   double previous = 0;
   for (const std::size_t cells : {1u, 2u, 3u, 6u}) {
@@ -46,7 +46,7 @@ TEST_CASE_TEMPLATE("make_sphere: sound, outward, on the sphere, and of the right
   CHECK(previous < 0.03);
 }
 
-TEST_CASE("make_sphere: counts") {
+TEST_CASE("make_sphere: has the expected numbers of elements") {
   CHECK(num_polys(make_sphere<trimesh>({.cells = 5})) == 300);
   CHECK(num_polys(make_sphere<quadmesh>({.cells = 5})) == 150);
   CHECK(num_verts(make_sphere<quadmesh>({.cells = 5})) == 152);
@@ -56,7 +56,7 @@ TEST_CASE("make_sphere: counts") {
   CHECK(num_polys(make_sphere<tetmesh>({.cells = 3})) == 6 * (27 + 2 * 54));
 }
 
-TEST_CASE_TEMPLATE("make_sphere: scales exactly, is as symmetric as a cube", M, quadmesh, polygonmesh, hexmesh) {
+TEST_CASE_TEMPLATE("make_sphere: scales exactly and has the symmetries of a cube", M, quadmesh, polygonmesh, hexmesh) {
   const M m = make_sphere<M>({.cells = 4}), large = make_sphere<M>({.cells = 4, .radius = 0x1p20});
   vec3 sum;
   for (const vert_t<M> v : verts(m)) {
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("make_sphere: scales exactly, is as symmetric as a cube", M, 
   if (!std::is_same_v<M, polygonmesh>) CHECK(norm(sum) < 1e-13);
 }
 
-TEST_CASE_TEMPLATE("make_sphere: errors", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("make_sphere: throws if an option is out of range", M, CONCINO_KINDS) {
   CHECK_THROWS_WITH_AS(make_sphere<M>({.cells = 0}), "make_sphere: cells is 0; it must be at least 1", invalid_argument);
   CHECK_THROWS_WITH_AS(make_sphere<M>({.cells = 100000}), doctest::Contains("make_sphere: cells asks for"), invalid_argument);
   CHECK_THROWS_AS(make_sphere<M>({.cells = ~std::size_t{0}}), invalid_argument);

@@ -16,7 +16,7 @@ constexpr double pi = 3.14159265358979323846;
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("make_torus: sound, outward, on the torus, and of the right size in the limit", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("make_torus: is valid, oriented outward, and converges to the torus", M, CONCINO_KINDS) {
   const vec3 centre{1, 2, 3};
   const double exact = SurfaceMesh<M> ? 4 * pi * pi * 3 * 1 : 2 * pi * pi * 3 * 1 * 1;
   double previous = 0;
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("make_torus: sound, outward, on the torus, and of the right s
   CHECK(previous < 0.06);
 }
 
-TEST_CASE("make_torus: counts; polygons are hexagons") {
+TEST_CASE("make_torus: has the expected numbers of elements; polygons are hexagons") {
   CHECK(num_polys(make_torus<trimesh>()) == 2 * 32 * 16);
   CHECK(num_polys(make_torus<quadmesh>()) == 32 * 16);
   const auto m = make_torus<polygonmesh>();
@@ -63,7 +63,7 @@ TEST_CASE_TEMPLATE("make_torus: scales exactly", M, CONCINO_KINDS) {
   for (const vert_t<M> v : verts(m)) CHECK(point(small, v) == 0x1p-20 * point(m, v));
 }
 
-TEST_CASE_TEMPLATE("make_torus: errors", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("make_torus: throws if an option is out of range", M, CONCINO_KINDS) {
   CHECK_THROWS_WITH_AS(make_torus<M>({.cells = {3, 2}}), "make_torus: cells[1] is 2; it must be at least 3", invalid_argument);
   CHECK_THROWS_AS(make_torus<M>({.cells = {1u << 20, 1u << 20}}), invalid_argument);
   CHECK_THROWS_AS(make_torus<M>({.radius = 0}), invalid_argument);

@@ -70,7 +70,7 @@ std::size_t nearest(const std::vector<vec3>& sites, const vec3& x) {
 
 }  // namespace
 
-TEST_CASE("voronoi_polygons: random sites, each point lies in the cell of the nearest") {
+TEST_CASE("voronoi_polygons: each point lies in the cell of its nearest site") {
   for (const std::size_t n : {1u, 2u, 3u, 10u, 700u}) {
     const box b = rectangle({-3, 10, 2}, {5, 11, 7});
     const auto sites = random_points(n, b, n);
@@ -80,7 +80,7 @@ TEST_CASE("voronoi_polygons: random sites, each point lies in the cell of the ne
   }
 }
 
-TEST_CASE("voronoi_polygons: sites on grids, with any number on one circle, give squares, hexagons and wedges") {
+TEST_CASE("voronoi_polygons: sites on grids and circles give squares, hexagons and sectors") {
   for (const unsigned n : {2u, 3u, 7u, 10u}) {
     std::vector<vec3> sites;
     for (unsigned j = 0; j < n; ++j)
@@ -114,7 +114,7 @@ TEST_CASE("voronoi_polygons: sites on grids, with any number on one circle, give
   }
 }
 
-TEST_CASE("voronoi_polygons: sites in one line, in a cluster, in a long box") {
+TEST_CASE("voronoi_polygons: accepts sites on a line, in a cluster, in a long box") {
   std::vector<vec3> line;
   for (int i = 0; i < 40; ++i) line.push_back({(i + 0.5) / 40, 0.3, 0});
   check_sound(voronoi_polygons(line, unit_square), 40, unit_square);
@@ -143,7 +143,7 @@ TEST_CASE("voronoi_polygons: scales exactly") {
   }
 }
 
-TEST_CASE("voronoi_polygons: relaxed sites give cells of more even size") {
+TEST_CASE("voronoi_polygons: relaxation makes the sizes of cells more uniform") {
   const auto sites = random_points(100, unit_square, 8);
   const auto spread = [](const polygonmesh& m) {
     double squares = 0;
@@ -155,7 +155,7 @@ TEST_CASE("voronoi_polygons: relaxed sites give cells of more even size") {
   CHECK(spread(relaxed) < 0.1 * spread(voronoi_polygons(sites, unit_square)));
 }
 
-TEST_CASE("voronoi_polygons: any container, braces") {
+TEST_CASE("voronoi_polygons: accepts any container and braces") {
   const std::array<std::array<float, 3>, 2> sites{{{0.25f, 0.5f, 9}, {0.75f, 0.5f, -9}}};
   CHECK(total_measure(voronoi_polygons(sites, unit_square)) == 1);
   const polygonmesh m = voronoi_polygons({{0.25, 0.5, 0}, {0.5, 0.5, 0}, {0.875, 0.5, 0}}, unit_square);
@@ -163,7 +163,7 @@ TEST_CASE("voronoi_polygons: any container, braces") {
   CHECK(measure(m, poly_id{0}) == 0.375);
 }
 
-TEST_CASE("voronoi_polygons: what is refused") {
+TEST_CASE("voronoi_polygons: throws if a site or the rectangle is invalid") {
   const auto refused = [](const std::vector<vec3>& sites, const box& b, const char* why) {
     try {
       voronoi_polygons(sites, b);

@@ -85,7 +85,7 @@ std::vector<vec3> grid_of_sites(unsigned n, double offset, double scale) {
 
 }  // namespace
 
-TEST_CASE("voronoi_polyhedra: random sites, each point lies in the cell of the nearest") {
+TEST_CASE("voronoi_polyhedra: each point lies in the cell of its nearest site") {
   for (const std::size_t n : {1u, 2u, 3u, 10u, 200u}) {
     const box b = construct_from_arrays({-3, 10, 2}, {5, 11, 7});
     const auto sites = random_points(n, b, n);
@@ -109,7 +109,7 @@ TEST_CASE("voronoi_polyhedra: sites on grids give bricks") {
   }
 }
 
-TEST_CASE("voronoi_polyhedra: other lattices: body-centred gives truncated octahedra, face-centred rhombic dodecahedra") {
+TEST_CASE("voronoi_polyhedra: cubic lattices give truncated octahedra and rhombic dodecahedra") {
   const unsigned n = 4;
   auto body = grid_of_sites(n, 0.25, n), face = body;
   for (const vec3& x : grid_of_sites(n, 0.75, n)) body.push_back(x);
@@ -134,7 +134,7 @@ TEST_CASE("voronoi_polyhedra: other lattices: body-centred gives truncated octah
   inside(face, 12, 14, 0.25);
 }
 
-TEST_CASE("voronoi_polyhedra: sites on a sphere, in a plane, on a line, in a cluster, in a flat box") {
+TEST_CASE("voronoi_polyhedra: accepts sites on a sphere, in a plane, on a line, in a cluster") {
   std::vector<vec3> on_sphere{{0.5, 0.5, 0.5}};
   for (const vec3& x : random_points(60, unit_cube, 5)) {
     const vec3 d = x - vec3{0.5, 0.5, 0.5};
@@ -158,7 +158,7 @@ TEST_CASE("voronoi_polyhedra: sites on a sphere, in a plane, on a line, in a clu
   check_sound(voronoi_polyhedra(random_points(100, flat, 6), flat), 100, flat);
 }
 
-TEST_CASE("voronoi_polyhedra: gaps in a grid, off it by less and more than what counts as the same place") {
+TEST_CASE("voronoi_polyhedra: merges verts of nearly regular grids within the tolerance only") {
   for (const double off : {0.0, 1e-16, 1e-14, 1e-12, 1e-11})
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       detail::random_stream random(seed);
@@ -184,7 +184,7 @@ TEST_CASE("voronoi_polyhedra: scales exactly") {
   }
 }
 
-TEST_CASE("voronoi_polyhedra: relaxed sites give cells of more even size") {
+TEST_CASE("voronoi_polyhedra: relaxation makes the sizes of cells more uniform") {
   const auto sites = random_points(60, unit_cube, 8);
   const auto spread = [](const polyhedralmesh& m) {
     double squares = 0;
@@ -196,7 +196,7 @@ TEST_CASE("voronoi_polyhedra: relaxed sites give cells of more even size") {
   CHECK(spread(relaxed) < 0.2 * spread(voronoi_polyhedra(sites, unit_cube)));
 }
 
-TEST_CASE("voronoi_polyhedra: the integers that decide") {
+TEST_CASE("voronoi_polyhedra: 256-bit integer arithmetic is exact") {
   using detail::int128;
   using detail::int256;
   detail::random_stream random(5);
@@ -212,7 +212,7 @@ TEST_CASE("voronoi_polyhedra: the integers that decide") {
   }
 }
 
-TEST_CASE("voronoi_polyhedra: braces, and what is refused") {
+TEST_CASE("voronoi_polyhedra: accepts braces, and throws if a site or the box is invalid") {
   CHECK(total_measure(voronoi_polyhedra({{0.25, 0.5, 0.5}, {0.75, 0.5, 0.5}}, unit_cube)) == 1);
   const auto refused = [](const std::vector<vec3>& sites, const box& b, const char* why) {
     try {

@@ -49,7 +49,7 @@ const trimesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
 
 }  // namespace
 
-TEST_CASE("atomic_file: what is there is replaced by commit and by nothing else") {
+TEST_CASE("atomic_file: only commit replaces the target") {
   for (const bool unnamed : {true, false}) {
     const temporary_folder dir;
     write_file(dir / "f", "old");
@@ -78,7 +78,7 @@ TEST_CASE("atomic_file: what is there is replaced by commit and by nothing else"
   }
 }
 
-TEST_CASE("atomic_file: a process that is killed leaves nothing, or what the next one removes") {
+TEST_CASE("atomic_file: a killed process leaves nothing, or a file that the next one removes") {
   const temporary_folder dir;
   write_file(dir / "f", "old");
   in_a_process_that_dies([&] { write(*new atomic_file(dir / "f"), "new"); });
@@ -99,7 +99,7 @@ TEST_CASE("atomic_file: a process that is killed leaves nothing, or what the nex
   CHECK(dir.num_files() == 1);
 }
 
-TEST_CASE("atomic_file: a file that is to be new replaces none") {
+TEST_CASE("atomic_file: with must_be_new no file is replaced") {
   for (const bool unnamed : {true, false}) {
     const temporary_folder dir;
     atomic_file late(dir / "f", {.must_be_new = true, .unnamed = unnamed});
@@ -115,7 +115,7 @@ TEST_CASE("atomic_file: a file that is to be new replaces none") {
   }
 }
 
-TEST_CASE("atomic_file: a link stays a link, wherever it leads") {
+TEST_CASE("atomic_file: a symbolic link is kept, whatever it refers to") {
   const temporary_folder dir;
   fs::create_directory(dir / "sub");
   fs::create_symlink("sub/b.obj", dir / "dangling.obj");
@@ -139,7 +139,7 @@ TEST_CASE("atomic_file: a link stays a link, wherever it leads") {
   CHECK(fs::is_symlink(dir / "nowhere.obj"));
 }
 
-TEST_CASE("atomic_file: names as long as the system allows") {
+TEST_CASE("atomic_file: names may be as long as the system allows") {
   const temporary_folder dir;
   for (const std::size_t length : {240u, 241u, 250u, 255u}) {
     const std::string path = dir / (std::string(length - 4, 'n') + ".obj");
@@ -154,7 +154,7 @@ TEST_CASE("atomic_file: names as long as the system allows") {
                        io_error);
 }
 
-TEST_CASE("atomic_file: no path holds a character of value 0") {
+TEST_CASE("atomic_file: a path with a character of value 0 is an io_error") {
   const temporary_folder dir;
   const auto with_zero = [&](const std::string& rest) { return dir / (std::string("a\0", 2) + rest); };
   const std::string message = (dir / "a\\0.obj") + ": no path holds a character of value 0";
@@ -176,7 +176,7 @@ TEST_CASE("atomic_file: no path holds a character of value 0") {
   CHECK(dir.num_files() == 0);
 }
 
-TEST_CASE("atomic_file: what cannot be replaced is an io_error, and nothing remains") {
+TEST_CASE("atomic_file: a target that cannot be replaced is an io_error, and no file is left behind") {
   const temporary_folder dir;
   const auto said = [&](const std::string& path) -> std::string {
     try {
@@ -201,7 +201,7 @@ TEST_CASE("atomic_file: what cannot be replaced is an io_error, and nothing rema
   CHECK(dir.num_files() == 2);
 }
 
-TEST_CASE("atomic_file: whatever writes files can wait for the disk") {
+TEST_CASE("atomic_file: every function that writes files has the option sync") {
   const temporary_folder dir;
   save(triangle, dir / "a.obj", {.sync = true});
   CHECK(num_polys(load<trimesh>(dir / "a.obj")) == 1);

@@ -80,7 +80,7 @@ bool is_known(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("corpus: counts, Euler characteristic, area and volume of every file are those of the index") {
+TEST_CASE("corpus: counts, Euler characteristic, area and volume of every file match the index") {
   CONCINO_CORPUS_OR_SKIP(index, "INDEX.tsv");
   std::ifstream in(index);
   std::string line;
@@ -113,7 +113,7 @@ TEST_CASE("corpus: counts, Euler characteristic, area and volume of every file a
   CHECK(files >= 30);
 }
 
-TEST_CASE("corpus: what the readers turned is counted") {
+TEST_CASE("corpus: the readers count reoriented polys") {
   CONCINO_CORPUS_OR_SKIP(voronoi, "polyhedral/eight_voronoi.hedra");
   load_report r;
   load<polyhedralmesh>(voronoi, {.report = &r});
@@ -127,7 +127,7 @@ TEST_CASE("corpus: what the readers turned is counted") {
   CHECK(r.skipped == std::vector<std::string>{"section Edges, 66 rows", "section Triangles, 398 rows"});
 }
 
-TEST_CASE("corpus: every bad file has the outcome it should have, line included") {
+TEST_CASE("corpus: every bad file causes the expected error in the expected line") {
   CONCINO_CORPUS_OR_SKIP(expected, "bad/EXPECTED.md");
   std::ifstream in(expected);
   std::size_t errors = 0, valid = 0;
@@ -165,7 +165,7 @@ TEST_CASE("corpus: every bad file has the outcome it should have, line included"
   CHECK(valid == 16);
 }
 
-TEST_CASE("corpus: saved and loaded again, every file is the same mesh") {
+TEST_CASE("corpus: every mesh is the same after saving and loading") {
   const temporary_folder dir;
   std::size_t files = 0;
   for (const char* name :

@@ -18,7 +18,7 @@ using namespace concino;
 using concino::file_access;
 using concino::file_text;
 
-TEST_CASE("file_text: text, empty text, moved; read and mapped") {
+TEST_CASE("file_text: has the text of files, read or mapped, also after a move") {
   const testing::temporary_folder dir;
   testing::write_file(dir / "a", "hello\n");
   testing::write_file(dir / "empty", "");
@@ -41,7 +41,7 @@ TEST_CASE("file_text: text, empty text, moved; read and mapped") {
 }
 
 // Files of this size are read in parts, by several threads.
-TEST_CASE("file_text: a text of many parts, from its beginning and from where an open file stands") {
+TEST_CASE("file_text: reads large files in parts, from the current position of an open file") {
   const testing::temporary_folder dir;
   std::string text(21'000'003, '\0');
   for (std::size_t i = 0; i < text.size(); ++i) text[i] = static_cast<char>(i * 2'654'435'761u >> 13);
@@ -60,7 +60,7 @@ TEST_CASE("file_text: a text of many parts, from its beginning and from where an
   ::close(file);
 }
 
-TEST_CASE("file_text: what was read stays, whatever becomes of the file") {
+TEST_CASE("file_text: the text does not change when the file changes later") {
   const testing::temporary_folder dir;
   testing::write_file(dir / "a", "hello\n");
   const file_text a(dir / "a");
@@ -69,7 +69,7 @@ TEST_CASE("file_text: what was read stays, whatever becomes of the file") {
 }
 
 // Nobody else has descriptor 0, so it is the file's. It is no error, is not handed on to other programs, and is closed.
-TEST_CASE("file_text: in a program without a standard input") {
+TEST_CASE("file_text: works in a program without a standard input") {
   const testing::temporary_folder dir;
   testing::write_file(dir / "a", "hello\n");
   const int input = ::dup(0);
@@ -92,7 +92,7 @@ TEST_CASE("file_text: in a program without a standard input") {
   }
 }
 
-TEST_CASE("file_text: what cannot be read is an io_error that names the path and why") {
+TEST_CASE("file_text: the io_error of a file that cannot be read names path and reason") {
   const testing::temporary_folder dir;
   CHECK_THROWS_WITH_AS(file_text(dir / "none"), ((dir / "none") + ": cannot be opened: No such file or directory").c_str(), io_error);
   for (const bool pipes : {false, true}) {
@@ -109,7 +109,7 @@ TEST_CASE("file_text: what cannot be read is an io_error that names the path and
   }
 }
 
-TEST_CASE("file_text: pipes are read to their end where they are asked for") {
+TEST_CASE("file_text: pipes are read to their end if the option allows them") {
   const testing::temporary_folder dir;
   ::mkfifo((dir / "pipe").c_str(), 0600);
   CHECK(file_text(dir / "pipe", {.pipes = true}).text().empty());  // nobody writes to it
@@ -129,7 +129,7 @@ TEST_CASE("file_text: pipes are read to their end where they are asked for") {
   }
 }
 
-TEST_CASE("file_text: what cannot be read once it is open is an io_error, and no more is read than there is room for") {
+TEST_CASE("file_text: a failing read is an io_error, and never writes beyond the buffer") {
   const testing::temporary_folder dir;
   const int fd = ::open((dir / "a").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   CHECK_THROWS_WITH_AS(file_text(fd, "a", 0), "a: cannot be read: Bad file descriptor", io_error);
@@ -145,7 +145,7 @@ TEST_CASE("file_text: what cannot be read once it is open is an io_error, and no
   ::close(ends[0]);
 }
 
-TEST_CASE("file_text: a file that has another size than it said is an io_error") {
+TEST_CASE("file_text: a file whose size differs from the reported one is an io_error") {
   const testing::temporary_folder dir;
   testing::write_file(dir / "a", "0123456789");
   const auto open = [&](std::uint64_t size) {
@@ -173,7 +173,7 @@ TEST_CASE("file_text: a file that has another size than it said is an io_error")
   CHECK_THROWS_WITH_AS(large.close("a"), "a: shrank while it was read; load it again once it is complete", io_error);
 }
 
-TEST_CASE("file_text: a file whose size changes all the time is read or refused") {
+TEST_CASE("file_text: a file whose size keeps changing is read or is an io_error") {
   const testing::temporary_folder dir;
   const std::string path = dir / "a";
   testing::write_file(path, "x");

@@ -26,7 +26,7 @@ bool is_same_list(std::span<const T> flat, const R& range) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("flat_mesh: all that is in a mesh, shown where it lies", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("flat_mesh: refers to the arrays of a native mesh without copies", M, CONCINO_ALL_KINDS) {
   const M m(grid_arrays<M>(2));
   flat_mesh_of<M> flat(m);
   CHECK(flat.dimension == dimension_v<M>);
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("flat_mesh: all that is in a mesh, shown where it lies", M, C
   }
 }
 
-TEST_CASE_TEMPLATE("flat_mesh: elements that were removed leave no gap", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("flat_mesh: numbers have no gaps for removed elements", M, CONCINO_ALL_KINDS) {
   M m(grid_arrays<M>(2));
   auto number = poly_property<int>(m, "number");
   auto name = vert_property<int>(m, "name");
@@ -103,7 +103,7 @@ TEST_CASE_TEMPLATE("flat_mesh: elements that were removed leave no gap", M, CONC
   }
 }
 
-TEST_CASE("flat_mesh: lists stay where they are as long as they follow one another") {
+TEST_CASE("flat_mesh: lists are not copied as long as they are contiguous") {
   const std::vector<vert_id> all = {vert_id{0}, vert_id{1}, vert_id{2}, vert_id{3}, vert_id{4}, vert_id{5}, vert_id{6}};
   const vert_id* const v = all.data();
   list_collector<vert_id> equal(false), different(false), apart(false), none(false), empty(false);

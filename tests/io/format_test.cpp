@@ -73,7 +73,7 @@ static_assert(known.ids().size() == 5 && known.ids()[4].name() == "soup");
 
 }  // namespace
 
-TEST_CASE("format: one that is given is used whatever the extension") {
+TEST_CASE("format: a format argument is used whatever the extension") {
   const temporary_folder dir;
   for (const std::string name : {"a.soup", "b.obj", "c"}) {
     write_file(dir / name, one);
@@ -95,7 +95,7 @@ TEST_CASE("format: one that is given is used whatever the extension") {
   CHECK(num_polys(load_hedra<tetmesh>(dir / "c")) == 1);
 }
 
-TEST_CASE("format: of a list the extension chooses, or the options") {
+TEST_CASE("format: the extension or the options choose from a list") {
   const temporary_folder dir;
   for (const std::string name : {"a.soup", "b.TRIS"}) {
     save(triangle, dir / name, known);
@@ -117,7 +117,7 @@ TEST_CASE("format: of a list the extension chooses, or the options") {
   CHECK_THROWS_AS(save(triangle, dir / "a.obj", format_list<>{}), unsupported);
 }
 
-TEST_CASE("format: what it cannot hold, and a binary form that it has not") {
+TEST_CASE("format: throws if it cannot hold the mesh or has no binary form") {
   const temporary_folder dir;
   CHECK_THROWS_WITH_AS(save_text(tet, soup_format{}), "text: .soup cannot hold volumes; save it as .mesh or .hedra", unsupported);
   CHECK_THROWS_WITH_AS(save_text(triangle, soup_format{}, {.binary = true}), "text: .soup has no binary form here", unsupported);
@@ -138,7 +138,7 @@ TEST_CASE("format: what it cannot hold, and a binary form that it has not") {
   CHECK(dir.num_files() == 1);
 }
 
-TEST_CASE("format: one that is read as a volume gives surfaces too") {
+TEST_CASE("format: a reader of volumes can return surfaces") {
   load_report r;
   CHECK(num_polys(load_text<trimesh>("both 2", both_format{}, {.report = &r})) == 2);
   CHECK(r.notes.size() == 1);
@@ -152,7 +152,7 @@ TEST_CASE("format: one that is read as a volume gives surfaces too") {
   CHECK_THROWS_WITH_AS(save_text(tet, both_format{}), "text: .soup cannot hold volumes yet; save it as .mesh", unsupported);
 }
 
-TEST_CASE("format: of formats with one extension the signature chooses, then the later one") {
+TEST_CASE("format: among formats with the same extension the signature decides, then the order") {
   const temporary_folder dir;
   constexpr auto first = known + both_format{};
   constexpr auto second = format_list{both_format{}, soup_format{}};

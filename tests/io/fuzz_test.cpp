@@ -96,12 +96,12 @@ bool survives_all(const std::string& text, format_id format) {
 
 }  // namespace
 
-TEST_CASE("fuzz: every truncation") {
+TEST_CASE("fuzz: every truncation of a file is read or is an error") {
   for (const seed& s : seeds)
     for (std::size_t n = 0; n <= s.text.size(); ++n) CHECK(survives_all(s.text.substr(0, n), s.format));
 }
 
-TEST_CASE("fuzz: bytes changed, cut out, repeated") {
+TEST_CASE("fuzz: files with changed, removed and repeated bytes are read or are errors") {
   std::mt19937 random(20);
   const auto below = [&](std::size_t n) { return n ? static_cast<std::size_t>(random()) % n : 0; };
   const std::string likely("0123456789-+.eE/\\#\n\r\t vf\0\x80nai", 29);
@@ -137,7 +137,7 @@ TEST_CASE("fuzz: bytes changed, cut out, repeated") {
   CHECK(failed == 0);
 }
 
-TEST_CASE("fuzz: a text of one format read as another, and no text at all") {
+TEST_CASE("fuzz: a text in another format, or an empty one, is read or is an error") {
   for (const seed& s : seeds)
     for (const format_id f : standard_formats.ids()) CHECK(survives_all(s.text, f));
   std::mt19937 random(4);

@@ -104,7 +104,7 @@ int number_of_steps(const std::function<void(const temporary_folder&)>& prepare,
 
 }  // namespace
 
-TEST_CASE("killed_save: at every step the pair on the disk is the old one or the new one") {
+TEST_CASE("killed_save: at every step the files on disk are both old or both new") {
   const auto nothing = [](const temporary_folder&) {};
   const auto earlier = [](const temporary_folder& dir) { save(colored(0.5f), dir / "a.obj"); };
   const auto from_elsewhere = [](const temporary_folder& dir) {
@@ -128,7 +128,7 @@ TEST_CASE("killed_save: at every step the pair on the disk is the old one or the
   CHECK(number_of_steps(names_missing, other) == 4);
 }
 
-TEST_CASE("killed_save: by option what is written reaches the disk before it replaces a file, then its folder") {
+TEST_CASE("killed_save: with sync the data reaches the disk before the file is replaced, then the folder") {
   const temporary_folder dir;
   const auto order = [&](const std::string& file, const auto& write) {
     std::vector<std::string> all;

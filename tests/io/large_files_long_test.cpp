@@ -85,7 +85,7 @@ void with_pipe(const std::string& head, const std::string& line, std::uint64_t n
 }  // namespace
 
 // Space of a million dimensions makes a large file of few verts.
-TEST_CASE("large files: binary OFF beyond 4 GiB, mapped and read") {
+TEST_CASE("large files: binary OFF beyond 4 GiB can be mapped and read") {
   constexpr std::uint64_t dimension = 1'000'000, num_points = 1'100, points_at = 12 + 16, polys_at = points_at + 4 * dimension * num_points;
   static_assert(polys_at > 4 * gib);
   const temporary_folder dir;
@@ -115,7 +115,7 @@ TEST_CASE("large files: binary OFF beyond 4 GiB, mapped and read") {
                        parse_error);
 }
 
-TEST_CASE("large files: counts beyond 32 bits are refused where the file could hold them") {
+TEST_CASE("large files: counts beyond 32 bits are errors even if the file could hold the elements") {
   const temporary_folder dir;
   const auto refused = [&](const std::string& name, const std::string& head) {
     sparse_file file(dir / name, 40 * gib);
@@ -127,7 +127,7 @@ TEST_CASE("large files: counts beyond 32 bits are refused where the file could h
   refused("c.hedra", "4294967295 4 1\n");
 }
 
-TEST_CASE("large files: text beyond 4 GiB from a pipe, with more than 2^32 lines") {
+TEST_CASE("large files: text beyond 4 GiB with more than 2^32 lines can be read from a pipe") {
   if (free_memory() < 10 * gib) return skip("less than 10 GiB of memory are free");
   constexpr std::uint64_t lines = (std::uint64_t{1} << 32) + 10;
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";

@@ -14,7 +14,7 @@ const std::string cube =
 
 }  // namespace
 
-TEST_CASE("load_any: the most special kind that holds the file") {
+TEST_CASE("load_any: returns the most special kind that can hold the file") {
   const testing::temporary_folder dir;
   const auto kind = [&](const std::string& name, const std::string& text) {
     testing::write_file(dir / name, text);
@@ -36,7 +36,7 @@ TEST_CASE("load_any: the most special kind that holds the file") {
   CHECK(kind("a.hedra", "0 0 0") == 5);
 }
 
-TEST_CASE("load_any: errors, labels and reports as load") {
+TEST_CASE("load_any: has the errors, labels and reports of load") {
   const testing::temporary_folder dir;
   CHECK_THROWS_AS(load_any(dir / "none.obj"), io_error);
   CHECK_THROWS_AS(load_any(dir / "none.xyz"), unsupported);

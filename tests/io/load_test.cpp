@@ -32,7 +32,7 @@ static_assert(!detail::from_surface<polyhedralmesh> && !detail::from_cells<polyh
 
 }  // namespace
 
-TEST_CASE("load: the extension decides, in any case") {
+TEST_CASE("load: the extension decides, in upper or lower case") {
   const temporary_folder dir;
   for (const std::string name : {"a.obj", "b.OBJ", "c.tar.Obj"}) {
     write_file(dir / name, square + "f 1 2 3\n");
@@ -49,7 +49,7 @@ TEST_CASE("load: the extension decides, in any case") {
   CHECK_THROWS_AS(load_text<trimesh>("", file_format::by_extension), invalid_argument);
 }
 
-TEST_CASE("load: read, mapped or from a pipe: the same mesh") {
+TEST_CASE("load: reading, mapping and a pipe give the same mesh") {
   const temporary_folder dir;
   const std::string text = square + "f 1 2 3 4\n";
   write_file(dir / "a.obj", text);
@@ -97,7 +97,7 @@ TEST_CASE("load: parse errors name the path") {
   }
 }
 
-TEST_CASE("load: a mesh takes only polys that it can hold, and the line of the first other is named") {
+TEST_CASE("load: the error names the line of the first poly that the mesh cannot hold") {
   const std::string both = square + "f 1 2 3\nf 1 2 3 4\n";
   CHECK(bad_line<trimesh>(both, file_format::obj) == 6);
   CHECK(bad_line<quadmesh>(both, file_format::obj) == 5);
@@ -123,14 +123,14 @@ TEST_CASE("load: a mesh takes only polys that it can hold, and the line of the f
   CHECK(bad_line<hexmesh>(hedra, file_format::hedra) == 10);
 }
 
-TEST_CASE("load: any volume becomes a polyhedralmesh") {
+TEST_CASE("load: a polyhedralmesh can hold any volume") {
   const auto m = from<polyhedralmesh>(tet_and_labels, file_format::medit);
   CHECK(num_polys(m) == 1);
   CHECK(num_faces(m) == 4);
   for (const auto f : adj_p2f(m, poly_id{0})) CHECK(face_is_outward(m, poly_id{0}, f));
 }
 
-TEST_CASE_TEMPLATE("load: volumes are no surfaces and the reverse", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("load: throws if a volume is loaded as a surface or the reverse", M, CONCINO_ALL_KINDS) {
   if constexpr (dimension_v<M> == 2) {
     CHECK_THROWS_WITH_AS(from<M>(tet_and_labels, file_format::medit),
                          "text: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any",
@@ -143,7 +143,7 @@ TEST_CASE_TEMPLATE("load: volumes are no surfaces and the reverse", M, CONCINO_A
   }
 }
 
-TEST_CASE("load: labels become a property, if any is not zero") {
+TEST_CASE("load: labels become a property if one is not zero") {
   const auto m = from<tetmesh>(tet_and_labels, file_format::medit);
   const auto v = find_vert_property<int>(m, "label");
   const auto p = find_poly_property<int>(m, "label");
@@ -159,7 +159,7 @@ TEST_CASE("load: labels become a property, if any is not zero") {
   CHECK(r.skipped == std::vector<std::string>{"labels of verts", "labels of polys"});
 }
 
-TEST_CASE("load: progress ends at 1, and stopping throws") {
+TEST_CASE("load: progress ends at 1, and cancelling throws") {
   std::string text = square;
   for (int i = 0; i < 1000; ++i) text += "f 1 2 3\n";
   std::vector<double> told;
@@ -174,7 +174,7 @@ TEST_CASE("load: progress ends at 1, and stopping throws") {
   CHECK_THROWS_AS(load_text<trimesh>(text, file_format::obj, {.progress = [](double f, const char*) { return f < 0.5; }}), cancelled);
 }
 
-TEST_CASE("load: a report is cleared first") {
+TEST_CASE("load: clears the report first") {
   load_report r;
   r.notes = r.skipped = {"old"};
   r.reoriented_polys = 9;

@@ -4,7 +4,7 @@
 
 using namespace concino;
 
-TEST_CASE("material_table: materials are found by name, the first of two") {
+TEST_CASE("material_table: find returns the first material of that name") {
   material_table t;
   CHECK(t.empty());
   CHECK(t.find("a") == nullptr);

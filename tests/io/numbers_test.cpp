@@ -33,7 +33,7 @@ std::ptrdiff_t extent(const std::string& s) {
 
 }  // namespace
 
-TEST_CASE("numbers: reals are what from_chars makes of them, to the last bit") {
+TEST_CASE("numbers: reals equal those of from_chars to the last bit") {
   std::mt19937_64 random(7);
   std::size_t wrong = 0;
   for (int i = 0; i < 200000; ++i) {
@@ -49,7 +49,7 @@ TEST_CASE("numbers: reals are what from_chars makes of them, to the last bit") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("numbers: shortest and full decimals of any double read back as it") {
+TEST_CASE("numbers: shortest and full decimals of any double read back as the same double") {
   std::mt19937_64 random(3);
   std::size_t wrong = 0;
   char buffer[64];
@@ -65,7 +65,7 @@ TEST_CASE("numbers: shortest and full decimals of any double read back as it") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("numbers: ties go to even, and a digit far behind decides") {
+TEST_CASE("numbers: ties round to even, and even a distant digit breaks them") {
   CHECK(parsed("9007199254740993") == 9007199254740992.0);
   CHECK(parsed("9007199254740995") == 9007199254740996.0);
   CHECK(parsed("9007199254740993.00000000000000000000000000001") == 9007199254740994.0);
@@ -74,7 +74,7 @@ TEST_CASE("numbers: ties go to even, and a digit far behind decides") {
   CHECK(parsed("18446744073709551615") == 18446744073709551616.0);
 }
 
-TEST_CASE("numbers: more digits than 64 bits hold, with the point and zeros anywhere") {
+TEST_CASE("numbers: reals may have more digits than fit in 64 bits") {
   std::mt19937_64 random(11);
   std::size_t wrong = 0;
   const auto check = [&](const std::string& s) { wrong += std::bit_cast<std::uint64_t>(parsed(s)) != std::bit_cast<std::uint64_t>(reference(s)); };
@@ -93,7 +93,7 @@ TEST_CASE("numbers: more digits than 64 bits hold, with the point and zeros anyw
   CHECK(extent("1.5d3") == 3);
 }
 
-TEST_CASE("numbers: forms of reals") {
+TEST_CASE("numbers: signs, points and exponents are parsed or rejected") {
   CHECK(parsed("+1.5") == 1.5);
   CHECK(parsed("1.") == 1);
   CHECK(parsed(".5") == 0.5);
@@ -129,7 +129,7 @@ TEST_CASE("numbers: forms of reals") {
   for (const std::string none : {"", "+", "-", ".", "e5", "+-1", "--1", "O", "x", "+ 1"}) CHECK_MESSAGE(extent(none) == -1, none);
 }
 
-TEST_CASE("numbers: end where the text ends, whatever stands behind it") {
+TEST_CASE("numbers: nothing beyond the end of the text is read") {
   for (int i = 0; i < 256; ++i) CHECK(is_digit(static_cast<char>(i)) == (i >= '0' && i <= '9'));
   for (const std::string& text : {"7" + std::string(29, '3'), "-0." + std::string(40, '4'), "1" + std::string(420, '0'), "." + std::string(420, '0') + "7",
                                   std::string("12.75e3"), std::string("1.25e-12345678"), std::string("+12.5e+30000"), "0." + std::string(500, '0') + "1e1500", "0." + std::string(320, '0') + "1e-1234"})
@@ -146,7 +146,7 @@ TEST_CASE("numbers: end where the text ends, whatever stands behind it") {
     }
 }
 
-TEST_CASE("numbers: integers of up to 18 digits") {
+TEST_CASE("numbers: integers may have up to 18 digits") {
   const auto read = [](const std::string& s) {
     std::int64_t i = -77;
     const char* end = parse_integer(s.data(), s.data() + s.size(), i);
@@ -165,7 +165,7 @@ TEST_CASE("numbers: integers of up to 18 digits") {
   for (const std::string none : {"", "-", "+", "1000000000000000000", "99999999999999999999", "a"}) CHECK_MESSAGE(read(none) == -77, none);
 }
 
-TEST_CASE("numbers: integers of any length, before any character, anywhere in the text") {
+TEST_CASE("numbers: integers of any length end correctly before any character") {
   for (unsigned length = 1; length <= 18; ++length)
     for (int after = 0; after < 256; ++after) {
       if (after >= '0' && after <= '9') continue;

@@ -102,7 +102,7 @@ struct concino::mesh_traits<with_holes> : concino::mesh_traits<trimesh> {
   static vec3 point(const H& h, vert_id v) { return base::point(h.m, v); }
 };
 
-TEST_CASE_TEMPLATE("save: what was saved is loaded again, to the last bit", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("save: loading gives the same mesh to the last bit", M, CONCINO_ALL_KINDS) {
   const temporary_folder dir;
   for (const M& m : {ugly<M>(1), ugly<M>(4), two_grids<M>(2), M()}) {
     const std::string path = dir / (dimension_v<M> == 2 ? "a.obj" : "a.hedra");
@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("save: what was saved is loaded again, to the last bit", M, C
   }
 }
 
-TEST_CASE_TEMPLATE("save: .mesh holds tris, quads, tets and hexes in order", M, trimesh, quadmesh, tetmesh, hexmesh) {
+TEST_CASE_TEMPLATE("save: .mesh stores tris, quads, tets and hexes in order", M, trimesh, quadmesh, tetmesh, hexmesh) {
   for (const M& m : {ugly<M>(1), ugly<M>(3), two_grids<M>(2), M()}) {
     const M again = load_text<M>(save_text(m, file_format::medit), file_format::medit);
     CHECK(same_points(m, again));
@@ -138,7 +138,7 @@ TEST_CASE_TEMPLATE("save: .mesh holds tris, quads, tets and hexes in order", M, 
   }
 }
 
-TEST_CASE("save: .mesh holds polyhedra that are standard cells") {
+TEST_CASE("save: .mesh stores polyhedra that are standard cells") {
   const std::string text =
       "MeshVersionFormatted 2\nDimension 3\nVertices 11\n0 0 0 1  1 0 0 0  1 1 0 0  0 1 0 0\n0 0 1 0  1 0 1 0  1 1 1 0  0 1 1 0  0.5 0.5 2 "
       "0  2 0 0 0  2 0 1 0\n"
@@ -164,7 +164,7 @@ TEST_CASE("save: .mesh holds polyhedra that are standard cells") {
   CHECK(find_vert_property<int>(again, "label")[vert_id{0}] == 1);
 }
 
-TEST_CASE("save: a format that cannot hold the mesh names the first poly and where it could go") {
+TEST_CASE("save: the error names the first poly that does not fit, and other formats") {
   const temporary_folder dir;
   const auto refuses = [&](const auto& m, const std::string& file, const std::string& what) {
     write_file(dir / file, "old");
@@ -182,7 +182,7 @@ TEST_CASE("save: a format that cannot hold the mesh names the first poly and whe
   CHECK_THROWS_AS(save_text(grid<trimesh>(1), file_format::by_extension), invalid_argument);
 }
 
-TEST_CASE("save: coordinates that are not finite are refused") {
+TEST_CASE("save: throws if a coordinate is not finite") {
   auto m = grid<trimesh>(1);
   for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     auto points = user_mesh::surface_example();
@@ -193,7 +193,7 @@ TEST_CASE("save: coordinates that are not finite are refused") {
   }
 }
 
-TEST_CASE("save: meshes of strangers") {
+TEST_CASE("save: works on users' meshes") {
   const auto s = load_text<polygonmesh>(save_text(user_mesh::surface_example(), file_format::obj), file_format::obj);
   CHECK(said(s) == std::vector<std::vector<unsigned>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5, 6}});
   CHECK(num_verts(s) == 8);
@@ -207,7 +207,7 @@ TEST_CASE("save: meshes of strangers") {
   CHECK(r.reoriented_polys == 0);
 }
 
-TEST_CASE("save: deleted elements leave no gaps in the file") {
+TEST_CASE("save: the file has no gaps for deleted elements") {
   static_assert(SurfaceMesh<with_holes> && Embedded<with_holes>);
   with_holes h{trimesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {1, 2, 3}})};
   for (const format_id f : std::initializer_list<format_id>{file_format::obj, file_format::off, file_format::medit}) {
@@ -218,7 +218,7 @@ TEST_CASE("save: deleted elements leave no gaps in the file") {
   }
 }
 
-TEST_CASE("save: labels go to .mesh (those of polys to .obj too), other properties are reported as lost") {
+TEST_CASE("save: stores labels, and reports properties that the format cannot store") {
   auto m = grid<quadmesh>(2);
   vert_property<int>(m, "label")[vert_id{4}] = -9;
   poly_property<int>(m, "label")[poly_id{1}] = 12;
@@ -238,7 +238,7 @@ TEST_CASE("save: labels go to .mesh (those of polys to .obj too), other properti
   CHECK(r.lost.size() == 1);
 }
 
-TEST_CASE_TEMPLATE("save: a part of a mesh keeps the labels of its elements", M, trimesh, hexmesh) {
+TEST_CASE_TEMPLATE("save: a submesh keeps the labels of its elements", M, trimesh, hexmesh) {
   M m = grid<M>(3);
   const auto of_verts = vert_property<int>(m, "label");
   const auto of_polys = poly_property<int>(m, "label");
@@ -258,7 +258,7 @@ TEST_CASE_TEMPLATE("save: a part of a mesh keeps the labels of its elements", M,
   CHECK(n == num_polys(again));
 }
 
-TEST_CASE("save: whatever fails, the target stays as it was and nothing else remains") {
+TEST_CASE("save: after any error the target is unchanged and no other file is left") {
   const temporary_folder dir;
   const auto m = grid<trimesh>(60);
   write_file(dir / "a.obj", "old");
@@ -297,7 +297,7 @@ TEST_CASE("save: whatever fails, the target stays as it was and nothing else rem
   CHECK(dir.num_files() == 3);
 }
 
-TEST_CASE("save: the new file has the rights of the old one, and a link stays a link") {
+TEST_CASE("save: keeps the permissions of the old file, and symbolic links") {
   const temporary_folder dir;
   const auto m = grid<trimesh>(1);
   write_file(dir / "a.obj", "old");
@@ -311,14 +311,14 @@ TEST_CASE("save: the new file has the rights of the old one, and a link stays a 
   CHECK(dir.num_files() == 2);
 }
 
-TEST_CASE("save: numbers do not depend on the locale and are as short as can be") {
+TEST_CASE("save: numbers do not depend on the locale and are as short as possible") {
   const char* const set = std::setlocale(LC_ALL, "de_DE.UTF-8");
   const trimesh t({{0.1, -2, 1e-7}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   CHECK(save_text(t, file_format::obj) == "# 3 verts, 1 polys\nv 0.1 -2 1e-07\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   if (set) std::setlocale(LC_ALL, "C");
 }
 
-TEST_CASE("save: larger than its buffer") {
+TEST_CASE("save: files may be larger than the buffer") {
   const temporary_folder dir;
   const auto m = grid<quadmesh>(200);
   std::vector<double> told;

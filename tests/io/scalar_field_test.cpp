@@ -13,7 +13,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("scalar fields: written and read back to the last bit", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("scalar fields: reading gives the same values to the last bit", M, CONCINO_KINDS) {
   const temporary_folder folder;
   const M m = two_grids<M>(2);
   auto u = make_vert_map<double>(m);
@@ -30,7 +30,7 @@ TEST_CASE_TEMPLATE("scalar fields: written and read back to the last bit", M, CO
   CHECK(folder.num_files() == 1);
 }
 
-TEST_CASE("scalar fields: the text, from a graph that only has verts") {
+TEST_CASE("scalar fields: the text has the documented form, also for a graph with only verts") {
   const temporary_folder folder;
   const trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const auto g = only_primal_graph(m);
@@ -43,7 +43,7 @@ TEST_CASE("scalar fields: the text, from a graph that only has verts") {
   CHECK(load_field(m, folder / "one_line.txt")[vert_id{2}] == 30);
 }
 
-TEST_CASE("scalar fields: errors say the line") {
+TEST_CASE("scalar fields: errors name the line") {
   const temporary_folder folder;
   const trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const auto line_of = [&](const char* text) {

@@ -22,7 +22,7 @@ TEST_CASE("text_cursor: LF, CRLF and CR end lines, each once") {
   CHECK(text_cursor(mixed, "t").line_of(mixed.data() + mixed.size() - 1) == 5);
 }
 
-TEST_CASE("text_cursor: the end of the file is on the last line that says something") {
+TEST_CASE("text_cursor: the end of the file is on the last line that is not blank") {
   const std::string text = "a\nb\n\n \n";
   CHECK(text_cursor(text, "t").line_of(text.data() + text.size()) == 2);
   CHECK(text_cursor("", "t").line_of(text_cursor("", "t").end()) == 1);
@@ -48,7 +48,7 @@ TEST_CASE("text_cursor: errors name file, line, what was expected and what was f
   CHECK(text_cursor("", "t").found_at(nullptr) == "an empty file");
 }
 
-TEST_CASE("text_cursor: comments, byte order marks, numbers that run into words") {
+TEST_CASE("text_cursor: handles comments, byte order marks and numbers followed by letters") {
   token_cursor in("\xEF\xBB\xBF# one\r2 # three\n 4#five\n6x", "t", nullptr, '#');
   CHECK(in.next_integer("i") == 2);
   CHECK(in.next_real("i") == 4);
@@ -59,7 +59,7 @@ TEST_CASE("text_cursor: comments, byte order marks, numbers that run into words"
   CHECK_THROWS_WITH_AS(infinite.next_real("x"), "t:1: expected x, a finite number, found 'inf'", parse_error);
 }
 
-TEST_CASE("token_cursor: counts are not believed, indices are checked") {
+TEST_CASE("token_cursor: counts may be wrong, and indices are checked") {
   token_cursor in("1000000000000 -1 3 0", "t", nullptr, 0);
   const auto n = in.next_count("how many", 2);
   CHECK(n == 1000000000000);
@@ -69,7 +69,7 @@ TEST_CASE("token_cursor: counts are not believed, indices are checked") {
   CHECK_THROWS_WITH_AS(in.next_index(3, "an index"), "t:1: expected an index from 1 to 3, found '0'", parse_error);
 }
 
-TEST_CASE("text_cursor: progress rises to the end of the text and can stop") {
+TEST_CASE("text_cursor: progress increases to the end of the text, and can cancel") {
   const std::string text(100000, ' ');
   std::vector<double> told;
   const auto hear = [&](double f, const char* label) {
@@ -92,7 +92,7 @@ TEST_CASE("text_cursor: progress rises to the end of the text and can stop") {
   CHECK(told.back() < 0.6);
 }
 
-TEST_CASE("text_cursor: what is a blank, the end of a line, a letter") {
+TEST_CASE("text_cursor: classifies blanks, line ends and letters") {
   for (int i = 0; i < 256; ++i) {
     const char c = static_cast<char>(i);
     CHECK(is_blank(c) == (i == ' ' || i == '\t' || i == '\v' || i == '\f'));
@@ -102,7 +102,7 @@ TEST_CASE("text_cursor: what is a blank, the end of a line, a letter") {
   }
 }
 
-TEST_CASE("text_cursor: nothing before or behind the text matters") {
+TEST_CASE("text_cursor: never reads before or beyond the text") {
   const std::string buffer = "\r\n \n#9";
   const text_cursor blank(std::string_view(buffer).substr(1, 3), "t");
   CHECK(blank.line_of(blank.end()) == 1);
@@ -112,12 +112,12 @@ TEST_CASE("text_cursor: nothing before or behind the text matters") {
   CHECK(in.found_at(in.end() - 1) == "'#'");
 }
 
-TEST_CASE("text_cursor: characters that cannot be read are told by their numbers") {
+TEST_CASE("text_cursor: errors show unprintable characters by their numbers") {
   const std::string odd = "\x1f~\x7f\x80";
   CHECK(text_cursor(odd, "t").found_at(odd.data()) == "'\\x1f~\\x7f\\x80'");
 }
 
-TEST_CASE("text_cursor: numbers end where a blank or a comment begins, which # does if nothing else is said") {
+TEST_CASE("text_cursor: a number ends at a blank or a comment, by default #") {
   text_cursor in("1.5#\x01", "t");
   CHECK(in.real("x") == 1.5);
   in.skip_space();
@@ -134,13 +134,13 @@ TEST_CASE("text_cursor: numbers end where a blank or a comment begins, which # d
   }
 }
 
-TEST_CASE("token_cursor: room for as many elements as fit, the last without an end") {
+TEST_CASE("token_cursor: reservable counts the elements that fit, the last one without a line end") {
   CHECK(token_cursor("12345", "t", nullptr, 0).reservable(100, 2) == 3);
   CHECK(token_cursor("123456", "t", nullptr, 0).reservable(100, 2) == 3);
   CHECK(token_cursor("123456", "t", nullptr, 0).reservable(2, 2) == 2);
 }
 
-TEST_CASE("text_cursor: progress is told about a hundred times, and not without anyone to hear") {
+TEST_CASE("text_cursor: progress is reported about a hundred times, if there is a callback") {
   for (const std::size_t size : {50u, 100u, 1000u}) {
     std::vector<double> told;
     const auto hear = [&](double f, const char*) { return told.push_back(f), true; };
@@ -162,7 +162,7 @@ TEST_CASE("text_cursor: progress is told about a hundred times, and not without 
   alone.report_progress();
 }
 
-TEST_CASE("text_cursor: lines of places in any order") {
+TEST_CASE("text_cursor: finds the lines of positions in any order") {
   const std::string text = "a\nb\r\nc\rd\n\ne";
   const concino::text_cursor in(text, "t");
   const std::size_t lines[] = {1, 1, 2, 2, 3, 3, 3, 4, 4, 5, 6};

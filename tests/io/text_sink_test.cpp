@@ -17,14 +17,14 @@ using namespace concino::testing;
 using concino::atomic_file;
 using concino::text_sink;
 
-TEST_CASE("text_sink: characters, texts and numbers, kept") {
+TEST_CASE("text_sink: keeps characters, texts and numbers") {
   text_sink out;
   out << 'a' << " b " << std::string_view("c\n") << 0.1 << ' ' << -0.0 << ' ' << 1e300 << ' ' << 5e-324 << ' ' << std::size_t{7} << ' ' << -12;
   CHECK(std::move(out).release() == "a b c\n0.1 -0 1e+300 5e-324 7 -12");
   CHECK(text_sink().release().empty());
 }
 
-TEST_CASE("text_sink: more than its buffer holds, in one piece and in many") {
+TEST_CASE("text_sink: writes more than its buffer holds, in one piece and in many") {
   const std::string large(700000, 'x');
   text_sink kept;
   kept << 'a' << large;
@@ -43,7 +43,7 @@ TEST_CASE("text_sink: more than its buffer holds, in one piece and in many") {
   CHECK(read_file(dir / "f") == text);
 }
 
-TEST_CASE("text_sink: what cannot be written is an io_error with the reason") {
+TEST_CASE("text_sink: a failing write is an io_error with the reason") {
   const temporary_folder dir;
   const int read_only = ::open((dir / "f").c_str(), O_RDONLY | O_CREAT, 0600);
   text_sink refused(read_only, dir / "f");

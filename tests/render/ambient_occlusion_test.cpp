@@ -17,7 +17,7 @@ polygonmesh well(double depth) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a plane that faces up, a convex body: nothing is in the way", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("ambient_occlusion: a plane and a convex body have no occlusion", M, CONCINO_KINDS) {
   const M m = testing::grid<M>(2);
   const auto ao = ambient_occlusion(m, {.directions = 32}, brute_force{});
   for (const auto p : polys(m)) {
@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE("a plane that faces up, a convex body: nothing is in the way"
   }
 }
 
-TEST_CASE("the floor of a deep well is dark, of a shallow one bright; distance limits what shades") {
+TEST_CASE("ambient_occlusion: a deep well is darker than a shallow one, and distance limits occlusion") {
   const polygonmesh deep = well(4), shallow = well(0.1);
   const poly_id floor{0};
   const auto dark = ambient_occlusion(deep, {.directions = 256}, brute_force{});
@@ -42,7 +42,7 @@ TEST_CASE("the floor of a deep well is dark, of a shallow one bright; distance l
   for (unsigned side = 1; side < 5; ++side) CHECK(dark[poly_id{side}] < 0.6);
 }
 
-TEST_CASE("the sky seen through a square opening is its form factor") {
+TEST_CASE("ambient_occlusion: the sky visible through a square opening is its form factor") {
   // From the middle of a unit square to a parallel one at distance 1: 4/pi (a/sqrt(1+a^2)) atan(a/sqrt(1+a^2)) with a = 1/2.
   // The floor's two triangle middles lie off the centre, where the form factor is a little less.
   const polygonmesh m = well(1);
@@ -52,7 +52,7 @@ TEST_CASE("the sky seen through a square opening is its form factor") {
   CHECK(ao > 0.85 * middle);
 }
 
-TEST_CASE("options out of range, a missing ray tracer and a stop are thrown") {
+TEST_CASE("ambient_occlusion: throws on options out of range, without a ray tracer, and on cancelling") {
   const trimesh m = testing::grid<trimesh>(1);
   CHECK_THROWS_AS(ambient_occlusion(m, {.directions = 0}, brute_force{}), invalid_argument);
   CHECK_THROWS_AS(ambient_occlusion(m, {.distance = 0}, brute_force{}), invalid_argument);

@@ -24,7 +24,7 @@ void check_rays_and_projection(const camera& c) {
 
 }  // namespace
 
-TEST_CASE("a camera sees its target in the middle, up is up") {
+TEST_CASE("camera: the target is in the middle of the picture, and up points up") {
   const vec3 eye{3, 4, 5}, target{1, 1, 1};
   for (const camera& c : {perspective_camera(eye, target), orthographic_camera(eye, target, {0, 1, 0}, 2)}) {
     check_rays_and_projection(c);
@@ -39,7 +39,7 @@ TEST_CASE("a camera sees its target in the middle, up is up") {
   CHECK(orthographic_camera({0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 4).project({0, 2, -7}).y == doctest::Approx(1));
 }
 
-TEST_CASE("framing: every point within the margin, two opposite margins touched, at any size") {
+TEST_CASE("framing: all points are within the margins, and two opposite margins are touched") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (const double angle : {0.0, 25.0, 100.0})
@@ -69,7 +69,7 @@ TEST_CASE("framing: every point within the margin, two opposite margins touched,
         }
 }
 
-TEST_CASE("framing nothing, a point, a line of sight") {
+TEST_CASE("framing: works for no point, one point and points on one line of sight") {
   CHECK_NOTHROW(framing(1.0).best());
   for (const double angle : {0.0, 30.0}) {
     framing single(1.0, {.angle = angle});
@@ -84,7 +84,7 @@ TEST_CASE("framing nothing, a point, a line of sight") {
   }
 }
 
-TEST_CASE("cameras refuse what cannot be") {
+TEST_CASE("camera: throws if an argument is invalid") {
   CHECK_THROWS_AS(perspective_camera({1, 1, 1}, {1, 1, 1}), invalid_argument);
   CHECK_THROWS_AS(perspective_camera({0, 1, 0}, {0, 0, 0}, {0, 1, 0}), invalid_argument);
   CHECK_THROWS_AS(perspective_camera({0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 180), invalid_argument);

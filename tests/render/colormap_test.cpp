@@ -17,7 +17,7 @@ void check_color(const colormap& map, double t, double r, double g, double b) {
 
 }  // namespace
 
-TEST_CASE("the maps give their published colours") {
+TEST_CASE("colormap: the maps have their published colours") {
   check_color(viridis, 0, 0.267004, 0.004874, 0.329415);
   check_color(viridis, 0.5, 0.128149, 0.565107, 0.550893);
   check_color(viridis, 1, 0.993248, 0.906157, 0.143936);
@@ -31,7 +31,7 @@ TEST_CASE("the maps give their published colours") {
   CHECK(c[1] == doctest::Approx(0.242475).epsilon(0.02));
 }
 
-TEST_CASE("lightness rises in nearly equal steps") {
+TEST_CASE("colormap: lightness increases in nearly equal steps") {
   for (const colormap& map : {viridis, cividis, blue_to_yellow}) {
     const int n = 64;
     const double whole = lightness(map(1)) - lightness(map(0));
@@ -44,7 +44,7 @@ TEST_CASE("lightness rises in nearly equal steps") {
   }
 }
 
-TEST_CASE("values outside [0, 1] and NaN have a colour") {
+TEST_CASE("colormap: values outside [0, 1] and NaN have a colour") {
   CHECK(viridis(-1) == viridis(0));
   CHECK(viridis(7) == viridis(1));
   CHECK(viridis(std::numeric_limits<double>::infinity()) == viridis(1));

@@ -24,7 +24,7 @@ double area_of(const drawable& d) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("what is drawn of a grid is its surface, wound outward", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("drawable: contains the boundary of a grid, oriented outward", M, CONCINO_ALL_KINDS) {
   const M m = testing::grid<M>(3);
   const drawable d = make_drawable(m);
   const bool volume = dimension_v<M> == 3;
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("what is drawn of a grid is its surface, wound outward", M, C
   if (!volume) CHECK(d.polygons().size() == num_polys(m));
 }
 
-TEST_CASE_TEMPLATE("values come from the map, the scale spans the finite ones", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("drawable: takes values from the map, and the scale spans the finite ones", M, CONCINO_ALL_KINDS) {
   const M m = testing::grid<M>(2);
   auto u = make_vert_map<double>(m, 0.0);
   for (const auto v : verts(m)) u[v] = 10 + point(m, v)[0];
@@ -61,14 +61,14 @@ TEST_CASE_TEMPLATE("values come from the map, the scale spans the finite ones", 
   CHECK(d.look.scale.high() == 11);
 }
 
-TEST_CASE("an empty mesh draws nothing; bad input is refused") {
+TEST_CASE("drawable: is empty for an empty mesh; invalid input throws") {
   CHECK(make_drawable(trimesh{}).triangles.empty());
   CHECK(make_drawable(tetmesh{}).triangles.empty());
   CHECK_THROWS_AS(make_drawable(trimesh{}, {.crease_angle = 181}), invalid_argument);
   CHECK_THROWS_AS(make_drawable(trimesh{}, {.crease_angle = std::numeric_limits<double>::quiet_NaN()}), invalid_argument);
 }
 
-TEST_CASE("balls are round, closed and where they should be") {
+TEST_CASE("make_balls: balls are round, closed and at their centres") {
   const vec3 centers[] = {{0, 0, 0}, {5, 0, 0}};
   const drawable d = make_balls(centers, 2, srgb(1, 0, 0));
   CHECK(area_of(d) == doctest::Approx(2 * 4 * 3.14159265 * 4).epsilon(0.01));

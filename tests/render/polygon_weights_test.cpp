@@ -21,7 +21,7 @@ double at(const std::vector<vec3>& polygon, const std::vector<double>& values, c
 
 }  // namespace
 
-TEST_CASE("linear functions are exact, inside and on the sides of a concave polygon") {
+TEST_CASE("polygon_weights: are exact for linear functions, in and on the edges of a concave polygon") {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<double> f;
@@ -39,14 +39,14 @@ TEST_CASE("linear functions are exact, inside and on the sides of a concave poly
     }
 }
 
-TEST_CASE("a square's middle weighs its corners alike; points off the plane count as seen along the normal") {
+TEST_CASE("polygon_weights: are equal at the centre of a square; points off the plane are projected") {
   const std::vector<vec3> square = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
   std::vector<double> w;
   polygon_weights(square, up, {1, 1, 0.3}, w);
   for (const double x : w) CHECK(x == doctest::Approx(0.25));
 }
 
-TEST_CASE("polygons without area have finite weights with sum 1") {
+TEST_CASE("polygon_weights: are finite with sum 1 on polygons without area") {
   for (const auto& polygon : {std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, std::vector<vec3>(5, vec3{1, 1, 1})})
     for (const vec3& x : {vec3{0.5, 1, 0}, vec3{1, 1, 1}, vec3{9, 0, 0}}) {
       std::vector<double> w;

@@ -27,7 +27,7 @@ bool is_white(const rgb& c) { return c.r > 0.98f && c.g > 0.98f && c.b > 0.98f; 
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a grid of any kind fills the middle of its picture and leaves the corners white", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("render: a grid of any kind covers the middle of its picture, and the corners are white", M, CONCINO_KINDS) {
   const auto scene = one(make_drawable(testing::grid<M>(2)));
   const image picture = render(scene, frame(scene, 4.0 / 3), small, brute_force{});
   CHECK(!is_white(picture(24, 18)));
@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("a grid of any kind fills the middle of its picture and leave
   CHECK(is_white(picture(47, 0)));
 }
 
-TEST_CASE("the same scene far away or at another size gives the same picture") {
+TEST_CASE("render: translating and scaling the scene does not change the picture") {
   const auto scene = one(make_drawable(testing::grid<hexmesh>(2)));
   const image picture = render(scene, frame(scene, 4.0 / 3), small, brute_force{});
   for (const double scale : {0x1p-300, 0x1p+200}) {
@@ -45,7 +45,7 @@ TEST_CASE("the same scene far away or at another size gives the same picture") {
   }
 }
 
-TEST_CASE("values, bands and edges change what is seen; a value that is not finite is grey") {
+TEST_CASE("render: values, bands and edges are visible; a value that is not finite is grey") {
   const quadmesh m = testing::grid<quadmesh>(1);
   auto u = make_vert_map<double>(m, 0.0);
   for (const auto v : verts(m)) u[v] = point(m, v)[0];
@@ -82,7 +82,7 @@ TEST_CASE("values, bands and edges change what is seen; a value that is not fini
   CHECK(grey.g == grey.b);
 }
 
-TEST_CASE("bands are anti-aliased exactly") {
+TEST_CASE("render: bands are anti-aliased exactly") {
   for (const double band : {0.1, 0.5})
     for (const double w : {1e-6, 0.2, 1.0, 7.3}) {
       double sum = 0;
@@ -99,7 +99,7 @@ TEST_CASE("bands are anti-aliased exactly") {
   CHECK(detail::band_coverage(2.6, 0.1, 0.2) == doctest::Approx(0.5));
 }
 
-TEST_CASE("what stands on the ground casts a shadow, and shade falls into corners") {
+TEST_CASE("render: objects cast shadows on the ground, and corners are darker") {
   const auto cube = one(make_drawable(testing::grid<hexmesh>(1)));
   render_options o = small;
   const camera c = frame(cube, 4.0 / 3, {.margin = 0.4});
@@ -112,7 +112,7 @@ TEST_CASE("what stands on the ground casts a shadow, and shade falls into corner
   CHECK(darker > 20);
 }
 
-TEST_CASE("progress is told from 0 to 1 and can stop the work") {
+TEST_CASE("render: progress goes from 0 to 1 and can cancel") {
   const auto scene = one(make_drawable(testing::grid<trimesh>(1)));
   render_options o = small;
   double last = -1, first = -1;
@@ -133,7 +133,7 @@ TEST_CASE("progress is told from 0 to 1 and can stop the work") {
   CHECK_THROWS_AS(render(scene, frame(scene, 1), o, brute_force{}), cancelled);
 }
 
-TEST_CASE("an empty scene is a white picture; options out of range and a missing ray tracer are refused") {
+TEST_CASE("render: an empty scene is white; invalid options and a missing ray tracer throw") {
   const std::vector<drawable> nothing;
   const image white = render(nothing, frame(nothing, 1), small, brute_force{});
   CHECK(white == image(48, 36, {1, 1, 1}));
@@ -155,7 +155,7 @@ TEST_CASE("an empty scene is a white picture; options out of range and a missing
   CHECK_THROWS_AS(render(scene, c, small), unsupported);
 }
 
-TEST_CASE("the picture does not depend on the number of threads") {
+TEST_CASE("render: the picture does not depend on the number of threads") {
   const auto scene = one(make_drawable(testing::grid<tetmesh>(1)));
   const camera c = frame(scene, 4.0 / 3);
   const auto with = [&](int threads) {

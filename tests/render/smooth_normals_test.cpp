@@ -20,7 +20,7 @@ struct roof {
 
 }  // namespace
 
-TEST_CASE("below the crease angle normals are shared, above they are split") {
+TEST_CASE("smooth_normals: are shared below the crease angle and split above it") {
   for (const double bend : {20.0, 50.0}) {
     const roof r(bend);
     const auto n = smooth_normals(r.list(), 30);
@@ -33,14 +33,14 @@ TEST_CASE("below the crease angle normals are shared, above they are split") {
   }
 }
 
-TEST_CASE("normals of a ball point outward from its centre") {
+TEST_CASE("smooth_normals: on a ball they point away from its centre") {
   const vec3 center{1, 2, 3};
   const drawable ball = make_balls({&center, 1}, 0.5, {});
   const auto n = smooth_normals(ball.polygons(), 60);
   for (std::size_t c = 0; c < n.size(); ++c) CHECK(dot(to_vec3(n[c]), (ball.points[ball.corners[c]] - center) / 0.5) > 0.999);
 }
 
-TEST_CASE("a hub of a thousand triangles is smooth in linear time") {
+TEST_CASE("smooth_normals: a vert with a thousand triangles is smooth in linear time") {
   std::vector<vec3> points = {{0, 0, 0.2}};
   std::vector<std::uint32_t> offsets = {0}, corners;
   const std::uint32_t n = 1000;
@@ -54,7 +54,7 @@ TEST_CASE("a hub of a thousand triangles is smooth in linear time") {
   CHECK(normals[0][2] == doctest::Approx(1));
 }
 
-TEST_CASE("a polygon without area has no normal and does not disturb its neighbours") {
+TEST_CASE("smooth_normals: a polygon without area has none and does not change its neighbours") {
   const std::vector<vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
   const std::vector<std::uint32_t> offsets = {0, 3, 6}, corners = {0, 1, 2, 0, 3, 1};
   const auto n = smooth_normals({points, offsets, corners}, 40);

@@ -6,7 +6,7 @@
 
 using namespace concino;
 
-TEST_CASE("a linear scale is in proportion") {
+TEST_CASE("value_scale: a linear scale is proportional") {
   const value_scale s = value_scale::linear(2, 6);
   CHECK(s(2) == 0);
   CHECK(s(3) == 0.25);
@@ -24,7 +24,7 @@ TEST_CASE("a linear scale is in proportion") {
   CHECK_THROWS_AS(value_scale::equalized({}, 2), invalid_argument);
 }
 
-TEST_CASE("an equalised scale rises, ends at the extrema and gives equal parts to equally many values") {
+TEST_CASE("value_scale: an equalised scale increases and gives equal parts to equally many values") {
   std::vector<double> values;
   for (int i = 0; i <= 4800; ++i) values.push_back(std::exp(i / 400.0));  // crowded near 1, sparse near exp(12)
   for (const double share : {0.0, 0.5, 1.0}) {
@@ -43,7 +43,7 @@ TEST_CASE("an equalised scale rises, ends at the extrema and gives equal parts t
   }
 }
 
-TEST_CASE("a value that many share is one place; the extrema stay the ends") {
+TEST_CASE("value_scale: equal values have one position; the extrema are the ends") {
   std::vector<double> values(100, 0.0);
   for (int i = 1; i <= 20; ++i) values.push_back(i);
   values.insert(values.end(), 50, 7.0);
@@ -55,7 +55,7 @@ TEST_CASE("a value that many share is one place; the extrema stay the ends") {
   CHECK(s(7 - 1e-9) == doctest::Approx(s(7)));
 }
 
-TEST_CASE("one value, no value, huge values") {
+TEST_CASE("value_scale: accepts one value, no value and huge values") {
   CHECK(value_scale::equalized(std::vector<double>{3, 3, 3})(3) == 0.5);
   CHECK(value_scale::equalized({})(0.25) == 0.25);
   const value_scale s = value_scale::equalized(std::vector<double>{-1e308, 0, 1e308});

@@ -12,7 +12,7 @@
 
 namespace cn = concino;
 
-TEST_CASE_TEMPLATE("grids and soups of every kind conform", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("conformance: grids and soups of every kind pass", M, CONCINO_KINDS) {
   cn::check_conformance([] { return cn::testing::grid<M>(3); });
   cn::check_conformance([] {
     std::mt19937 random(11);
@@ -21,7 +21,7 @@ TEST_CASE_TEMPLATE("grids and soups of every kind conform", M, CONCINO_KINDS) {
   cn::check_conformance([] { return M(); });
 }
 
-TEST_CASE("meshes that others wrote, and what is stripped to one concept") {
+TEST_CASE("conformance: users' meshes and archetypes pass") {
   cn::check_conformance([] { return user_mesh::surface_example(); });
   cn::check_conformance([] { return user_mesh::volume_example(); });
   const auto volume = user_mesh::volume_example();
@@ -31,7 +31,7 @@ TEST_CASE("meshes that others wrote, and what is stripped to one concept") {
   CHECK(report.states == std::vector<std::string>{"as made"});
 }
 
-TEST_CASE_TEMPLATE("views of meshes conform", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("conformance: views of meshes pass", M, CONCINO_KINDS) {
   const M m = cn::testing::grid<M>(3);
   cn::check_conformance([&] { return cn::submesh(m, [](cn::poly_id p) { return p.raw() % 3 != 1; }); });
   auto elsewhere = cn::make_vert_map<cn::vec3>(m);
@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("views of meshes conform", M, CONCINO_KINDS) {
   CHECK_MESSAGE(polys_only.ok(), polys_only.text());
 }
 
-TEST_CASE("states that the caller knows of are looked at") {
+TEST_CASE("conformance: additional states of the caller are checked") {
   const auto report = cn::conformance([] { return cn::testing::grid<cn::trimesh>(2); },
                                       {.states = {{"after all was removed", [](cn::trimesh& m) {
                                                      while (cn::num_polys(m) > 0) cn::remove_poly(m, *cn::polys(m).begin());

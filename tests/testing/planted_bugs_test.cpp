@@ -285,7 +285,7 @@ void found(const Make& make, const char* law) {
 
 }  // namespace
 
-TEST_CASE("without a mistake nothing is found") {
+TEST_CASE("conformance: without a planted bug nothing is found") {
   CHECK(cn::conformance([] { return surface(bug::none); }).text() ==
         "models: PrimalGraph DualGraph SurfaceMesh AnyMesh Embedded MutablePoints\n"
         "looked at: as made, after all points were moved, after every third poly was removed, after a poly was added\n"
@@ -294,14 +294,14 @@ TEST_CASE("without a mistake nothing is found") {
   CHECK_MESSAGE(report.ok(), report.text());
 }
 
-TEST_CASE("mistakes in counting and in indices") {
+TEST_CASE("conformance: finds wrong counts and indices") {
   found([] { return surface(bug::counts_deleted_polys); }, "KIT6");
   found([] { return surface(bug::index_at_the_bound); }, "PG1");
   found([] { return surface(bug::bound_too_small); }, "PG1");
   found([] { return surface(bug::two_verts_of_one_index); }, "PG1");
 }
 
-TEST_CASE("mistakes in adjacencies") {
+TEST_CASE("conformance: finds wrong adjacencies") {
   found([] { return surface(bug::one_sided_neighbour); }, "PG3");
   found([] { return surface(bug::own_neighbour); }, "PG4");
   found([] { return surface(bug::poly_its_own_neighbour); }, "DG4");
@@ -313,27 +313,27 @@ TEST_CASE("mistakes in adjacencies") {
   found([] { return surface<promised>(bug::none); }, "SM6");
 }
 
-TEST_CASE("mistakes in points") {
+TEST_CASE("conformance: finds wrong points") {
   found([] { return surface(bug::point_not_a_number); }, "EM1");
   found([] { return surface(bug::set_point_moves_the_next); }, "KIT4");
   found([] { return surface(bug::points_drift); }, "KIT3");
 }
 
-TEST_CASE("mistakes that no law sees, but algorithms do") { found([] { return surface(bug::edge_of_no_poly); }, "KIT5"); }
+TEST_CASE("conformance: finds bugs that only algorithms reveal") { found([] { return surface(bug::edge_of_no_poly); }, "KIT5"); }
 
-TEST_CASE("mistakes in ranges") {
+TEST_CASE("conformance: finds wrong ranges") {
   found([] { return surface(bug::one_buffer_for_all_ranges); }, "KIT2");
   found([] { return surface(bug::iterators_share_their_place); }, "KIT2");
   found([] { return surface(bug::writes_while_read); }, "KIT3");
 }
 
-TEST_CASE("mistakes in editing") {
+TEST_CASE("conformance: finds wrong editing") {
   found([] { return surface(bug::swaps_with_the_last); }, "KIT6");
   found([] { return surface(bug::add_poly_loses_a_corner); }, "KIT6");
   found([] { return surface(bug::deleted_still_contained); }, "KIT6");
 }
 
-TEST_CASE("mistakes in volumes") {
+TEST_CASE("conformance: finds bugs in volumes") {
   found([] { return volume(bug::face_turned); }, "VM6");
   found([] { return volume(bug::cells_in_another_order); }, "VM7");
   found([] { return volume(bug::face_of_one_poly_too_few); }, "VM3");

@@ -9,7 +9,7 @@
 
 namespace cn = concino;
 
-TEST_CASE_TEMPLATE("winged edges: a grid, with a hole, and beside it a vert that nothing uses", M, cn::trimesh, cn::quadmesh) {
+TEST_CASE_TEMPLATE("winged edges: a grid with a hole and an isolated vert conforms", M, cn::trimesh, cn::quadmesh) {
   M grid = cn::testing::grid<M>(5);
   cn::remove_poly(grid, cn::poly_id{12});
   std::vector<double> xyz;
@@ -31,7 +31,7 @@ TEST_CASE_TEMPLATE("winged edges: a grid, with a hole, and beside it a vert that
   for (const auto v : cn::verts(grid)) CHECK(ours[v] == doctest::Approx(theirs[v]).epsilon(1e-12));
 }
 
-TEST_CASE_TEMPLATE("half-faces: grids of every volume", M, cn::tetmesh, cn::hexmesh, cn::polyhedralmesh) {
+TEST_CASE_TEMPLATE("half-faces: grids of every kind of volume conform", M, cn::tetmesh, cn::hexmesh, cn::polyhedralmesh) {
   const M grid = cn::testing::grid<M>(2);
   hfm::PolyhedralMesh cells;
   for (const auto v : cn::verts(grid)) {
@@ -55,7 +55,7 @@ TEST_CASE_TEMPLATE("half-faces: grids of every volume", M, cn::tetmesh, cn::hexm
   CHECK(cn::bfs(m, cn::poly_id{0}).values().back() == cn::bfs(grid, cn::poly_id{0}).values().back());
 }
 
-TEST_CASE("corner table: two components") {
+TEST_CASE("corner table: a mesh with two components conforms") {
   const CornerTable corners({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 7, 0, 0, 8, 0, 0, 7, 1, 0}, {0, 1, 2, 0, 2, 3, 4, 5, 6});
   cn::check_conformance([&] { return indexed_corners(corners); });
   const indexed_corners m(corners);
