@@ -167,7 +167,7 @@ vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, 
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
       if (!std::isfinite(field_component(x, k))) throw_not_finite(caller, index_of(m, v));
       if (again && field_component(value[v], k) != field_component(x, k))
-          throw_two_values(caller, index_of(m, v), field_component(value[v], k), field_component(x, k));
+        throw_two_values(caller, index_of(m, v), field_component(value[v], k), field_component(x, k));
     }
     known += !again;
     value[v] = x;

@@ -48,8 +48,8 @@ inline bool segment_meets_triangle(const vec3& p, int sp, const vec3& q, int sq,
 inline std::array<int, 3> orientations_to_plane(const triangle_points& t, const triangle_points& s) {
   return {orient3d(t[0], t[1], t[2], s[0]), orient3d(t[0], t[1], t[2], s[1]), orient3d(t[0], t[1], t[2], s[2])};
 }
-inline bool all_on_one_side(const std::array<int, 3>& signs) {
-  return signs[0] != 0 && signs[0] == signs[1] && signs[1] == signs[2];
+inline bool all_on_one_side(const std::array<int, 3>& orientations) {
+  return orientations[0] != 0 && orientations[0] == orientations[1] && orientations[1] == orientations[2];
 }
 
 /// Whether two triangles have a point in common.
