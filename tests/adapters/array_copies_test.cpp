@@ -64,7 +64,7 @@ double walked(const M& m) {
 
 }  // namespace
 
-TEST_CASE("arrays: a view takes the memory of a native mesh less points and lists") {
+TEST_CASE("arrays: a view takes the memory of a native mesh minus points and lists") {
   const auto tris = grid_arrays<trimesh>(150);
   const auto xyz = coordinates<double>(tris.points);
   const auto corners = raws<int>(tris.verts);
@@ -94,7 +94,7 @@ TEST_CASE("arrays: a view takes the memory of a native mesh less points and list
                 polyhedra.points.size() * sizeof(vec3) + face_verts.size() * 4);
 }
 
-TEST_CASE("arrays: walking and copying a view takes no memory") {
+TEST_CASE("arrays: iterating over a view and copying it allocate no memory") {
   const auto tris = grid_arrays<trimesh>(20);
   const Eigen::MatrixXd V = Eigen::MatrixXd::Random(static_cast<Eigen::Index>(tris.points.size()), 3);
   const auto corners = raws<long>(tris.verts);
@@ -108,7 +108,7 @@ TEST_CASE("arrays: walking and copying a view takes no memory") {
   CHECK(sum == 0);
 }
 
-TEST_CASE("arrays: the verts of polys and of faces are read in the user's array") {
+TEST_CASE("arrays: the verts of polys and faces are read from the user's array") {
   auto tris = grid_arrays<trimesh>(2);
   auto corners = raws<int>(tris.verts);
   const auto m = view_tri(tris.points, corners);

@@ -122,7 +122,7 @@ static_assert(models_in_all_forms<linked::graph>(nothing) && models_in_all_forms
 static_assert(requirement::has_vertex_index<linked::graph> && !requirement::has_vertex_index<int> && !requirement::has_vertex_index<std::vector<int>>);
 static_assert(requirement::is_boost_graph<unnumbered::graph> && !requirement::has_vertex_index<unnumbered::graph>);
 
-TEST_CASE_TEMPLATE("Boost's graphs: walks and searches on every kind", G, csr<boost::directedS, std::size_t>, csr<boost::directedS, unsigned>,
+TEST_CASE_TEMPLATE("Boost's graphs: iteration and searches work on every graph class", G, csr<boost::directedS, std::size_t>, csr<boost::directedS, unsigned>,
                    csr<boost::bidirectionalS, std::size_t>, listed<arc_lists<boost::undirectedS>>, listed<arc_lists<boost::directedS>>,
                    listed<arc_lists<boost::bidirectionalS>>, listed<boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS>>, listed<roads>, linked,
                    unnumbered, matrix, shown_list) {
@@ -157,7 +157,7 @@ TEST_CASE_TEMPLATE("Boost's graphs: walks and searches on every kind", G, csr<bo
   CHECK(bfs(apart.shown(), apart.vert(0))[apart.vert(2)] == 1);
 }
 
-TEST_CASE_TEMPLATE("Boost's graphs: laws, paths, components, trees are those of the mesh that was copied", G, csr<boost::directedS, unsigned>,
+TEST_CASE_TEMPLATE("Boost's graphs: laws hold; paths, components and trees equal those of the copied mesh", G, csr<boost::directedS, unsigned>,
                    listed<arc_lists<boost::undirectedS>>, linked) {
   const polygonmesh m(jittered(two_grids_arrays<polygonmesh>(4), 0.05));
   const G copy(num_verts(m), edges_of(m));
@@ -192,13 +192,13 @@ TEST_CASE_TEMPLATE("Boost's graphs: laws, paths, components, trees are those of 
     CHECK((same(tree.arcs[i].first, mesh_tree.arcs[i].first) && same(tree.arcs[i].second, mesh_tree.arcs[i].second)));
 }
 
-TEST_CASE("Boost's graphs: the Laplacian of a graph") {
+TEST_CASE("Boost's graphs: have a Laplacian") {
   const auto m = grid<polygonmesh>(4);
   const csr<boost::directedS, unsigned> copy(num_verts(m), edges_of(m));
   CHECK((laplacian(copy.g, uniform) - laplacian(m, uniform)).norm() == 0);
 }
 
-TEST_CASE("Boost's graphs: a number is a vert, one that is none is named") {
+TEST_CASE("Boost's graphs: a number is a vert, and an invalid one is an error") {
   const arc_lists<boost::undirectedS> g(3);
   CHECK(bfs(g, 0)[0] == 0);
   CHECK(bfs(graph_view(g), 2)[2] == 0);
@@ -208,7 +208,7 @@ TEST_CASE("Boost's graphs: a number is a vert, one that is none is named") {
   CHECK_THROWS_AS(dijkstra(g, 0, [](std::size_t, std::size_t) { return 1.0; }, {.targets = {5}}), invalid_mesh);
 }
 
-TEST_CASE("Boost's graphs: the laws that Boost does not ask for are told") {
+TEST_CASE("Boost's graphs: check_laws reports laws that Boost does not require") {
   arc_lists<boost::directedS> one_way(3);
   add_edge(0, 1, one_way);
   add_edge(1, 2, one_way);
@@ -230,7 +230,7 @@ TEST_CASE("Boost's graphs: the laws that Boost does not ask for are told") {
   CHECK(check_laws(looped)[0].law == "PG4");
 }
 
-TEST_CASE("graph_view: a graph that shows fewer verts than it numbers") {
+TEST_CASE("graph_view: works on a graph with fewer verts than indices") {
   struct odd_only {
     bool operator()(std::size_t v) const { return v % 2 == 1; }
   };
@@ -246,7 +246,7 @@ TEST_CASE("graph_view: a graph that shows fewer verts than it numbers") {
   CHECK(connected_components(g).count == 1);
 }
 
-TEST_CASE("graph_view: graphs without numbers in memory, and reversed ones") {
+TEST_CASE("graph_view: works on implicit graphs and reversed ones") {
   using cell = boost::array<std::size_t, 2>;  // a vert of it is a container itself
   const boost::grid_graph<2> plane(cell{{5, 4}});
   const auto g = graph_view(plane);
@@ -262,7 +262,7 @@ TEST_CASE("graph_view: graphs without numbers in memory, and reversed ones") {
   CHECK(bfs(graph_view(back), 2)[0] == 2);
 }
 
-TEST_CASE("Boost's graphs: weights of edges as lengths, points as coordinates, edges that came later") {
+TEST_CASE("Boost's graphs: weights are lengths, points are coordinates, new edges are seen") {
   roads g(4);
   add_edge(0, 1, 5.0, g);
   add_edge(1, 2, 1.0, g);

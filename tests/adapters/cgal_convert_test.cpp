@@ -14,9 +14,11 @@ using polygons = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 }  // namespace
 
-TEST_CASE("CGAL: there and back, and what it must refuse") { cn::testing::conversions_of_half_edge_meshes<polygons, polygons>(); }
+TEST_CASE("CGAL: converting there and back is the identity, and non-manifold meshes throw") {
+  cn::testing::conversions_of_half_edge_meshes<polygons, polygons>();
+}
 
-TEST_CASE("CGAL: its surface mesh conforms in every state") {
+TEST_CASE("CGAL: Surface_mesh conforms in every state") {
   cn::check_conformance([] {
     cn::quadmesh q = cn::testing::grid<cn::quadmesh>(3);
     cn::add_vert(q, {7, 7, 7});
@@ -24,7 +26,7 @@ TEST_CASE("CGAL: its surface mesh conforms in every state") {
   }, {.states = {{"after a vert was removed", [](polygons& m) { m.remove_vertex(CGAL::SM_Vertex_index(16)); }}}});
 }
 
-TEST_CASE("CGAL: polys that cannot be added are refused with the reason") {
+TEST_CASE("CGAL: the error names the reason why a poly cannot be added") {
   polygons m;
   const auto v = [&](unsigned i) { return CGAL::SM_Vertex_index(i); };
   for (int i = 0; i < 4; ++i) cn::add_vert(m, {double(i % 2), double(i / 2), 0});
@@ -36,4 +38,4 @@ TEST_CASE("CGAL: polys that cannot be added are refused with the reason") {
   CHECK(cn::num_polys(m) == 1);
 }
 
-TEST_CASE("CGAL: the surfaces of the corpus, there and back") { cn::testing::corpus_there_and_back<polygons>(); }
+TEST_CASE("CGAL: converting the corpus there and back is the identity") { cn::testing::corpus_there_and_back<polygons>(); }

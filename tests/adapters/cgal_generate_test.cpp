@@ -17,7 +17,7 @@ using polygons = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 }  // namespace
 
-TEST_CASE("CGAL: generated, moved as the same mesh of this library, and merged") {
+TEST_CASE("CGAL: generating, moving and merging agree with the native mesh") {
   const cn::grid_options options{.cells = {6, 7}, .max = {2, 3, 0}};
   auto m = cn::make_grid<polygons>(options);
   auto own = cn::make_grid<cn::polygonmesh>(options);

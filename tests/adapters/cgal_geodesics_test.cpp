@@ -47,19 +47,19 @@ void compare(const surface_arrays& arrays, const std::vector<unsigned>& sources)
 
 }  // namespace
 
-TEST_CASE("exact_geodesics: as CGAL's, on rough surfaces with uneven boundaries") {
+TEST_CASE("exact_geodesics: agree with CGAL on rough surfaces with uneven boundaries") {
   for (const unsigned seed : {1u, 2u, 3u}) compare(jittered(triangle_grid(7), 0.05, true, seed), {0, 9, 27, 63});
   auto bowl = jittered(triangle_grid(8), 0.03, false);
   for (vec3& x : bowl.points) x.z = 2 * x.x * x.y - x.x * x.x;
   compare(bowl, {0, 40, 77});
 }
 
-TEST_CASE("exact_geodesics: as CGAL's, between spikes, where most verts are saddles or tips") {
+TEST_CASE("exact_geodesics: agree with CGAL between spikes, where most verts are saddles or tips") {
   auto spikes = jittered(triangle_grid(7), 0.02, false);
   for (std::size_t i = 0; i < spikes.points.size(); ++i) spikes.points[i].z = i % 3 == 0 ? 0.4 : 0.0;
   compare(spikes, {0, 10, 30, 45});
 }
 
-TEST_CASE("exact_geodesics: as CGAL's, on a closed surface") {
+TEST_CASE("exact_geodesics: agree with CGAL on a closed surface") {
   compare(jittered(concino::detail::quartered_on_sphere(concino::detail::quartered_on_sphere(concino::detail::icosahedron())), 0.1), {0, 50, 120});
 }

@@ -45,7 +45,7 @@ TEST_CASE("a row of boxes and a tet conform") {
   CHECK(num_polys(skin) == 14 + 4);
 }
 
-TEST_CASE("darts and descriptors lead to one another") {
+TEST_CASE("darts and descriptors convert to each other") {
   const complex c = row(2);
   const auto m = indexed(c);
   for (const auto v : verts(m)) CHECK(m.vert(m.handle(v)) == v);
@@ -63,7 +63,7 @@ TEST_CASE("darts and descriptors lead to one another") {
   CHECK(darts == 2 * 24 + 12);
 }
 
-TEST_CASE("points are the complex' own: what moves there has moved here") {
+TEST_CASE("points refer to those of the complex, so changes are seen") {
   complex c = row(1);
   const auto m = indexed(c);
   const vert_id v = m.vert(c.darts().begin());
@@ -71,7 +71,7 @@ TEST_CASE("points are the complex' own: what moves there has moved here") {
   CHECK(to_vec3(point(m, v)) == vec3{-1, -2, -3});
 }
 
-TEST_CASE("an empty complex, and a facet that is not closed") {
+TEST_CASE("an empty complex is an empty mesh, and an open facet is an error") {
   const complex none;
   const auto m = indexed(none);
   CHECK(num_polys(m) == 0);

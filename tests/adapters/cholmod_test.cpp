@@ -8,12 +8,12 @@
 using namespace concino;
 using namespace systems;
 
-TEST_CASE("cholmod: solves, and says what it cannot") {
+TEST_CASE("cholmod: fulfils the laws of solvers") {
   cholmod solver;
   check_solver(solver, 40);
 }
 
-TEST_CASE("cholmod: reads the lower triangle only, and finds what Eigen finds") {
+TEST_CASE("cholmod: reads only the lower triangle, and agrees with Eigen") {
   cholmod solver;
   llt other;
   solver.factorize(grid(50).triangularView<Eigen::Lower>());
@@ -32,7 +32,7 @@ TEST_CASE("cholmod: indefinite and singular matrices are errors that name the ro
   CHECK(distance(grid(30) * solver.solve(Eigen::VectorXd::Ones(900)), Eigen::VectorXd::Ones(900)) < 1e-11);
 }
 
-TEST_CASE("cholmod: the order of elimination that more work is worth, kept for other values") {
+TEST_CASE("cholmod: chooses the elimination order, and keeps it for other values") {
   const int n = 1200;  // every unknown with every other
   sparse a(n, n);
   a.reserve(Eigen::VectorXi::Constant(n, n));
@@ -48,6 +48,6 @@ TEST_CASE("cholmod: the order of elimination that more work is worth, kept for o
   CHECK(distance(grid(20) * solver.solve(Eigen::VectorXd::Ones(400)), Eigen::VectorXd::Ones(400)) < 1e-12);
 }
 
-TEST_CASE("cholmod: every way a problem can go") {
+TEST_CASE("cholmod: passes the checks of special problems") {
   solver_paths::check_all(solver_paths::any_solver::make<cholmod>(), solver_paths::indefinite::refused);
 }

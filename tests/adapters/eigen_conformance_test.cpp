@@ -32,7 +32,7 @@ struct matrices {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("matrices conform: grids and soups", M, cn::trimesh, cn::quadmesh, cn::tetmesh, cn::hexmesh) {
+TEST_CASE_TEMPLATE("views of matrices conform on grids and soups", M, cn::trimesh, cn::quadmesh, cn::tetmesh, cn::hexmesh) {
   const matrices<M> grid(cn::testing::grid<M>(2));
   cn::check_conformance([&] { return grid.view(); });
   std::mt19937 random(3);

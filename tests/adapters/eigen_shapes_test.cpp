@@ -29,7 +29,7 @@ template<class Case> std::string message(Case&& f) {
 
 }  // namespace
 
-TEST_CASE("eigen: views of polygons and polyhedra, in vectors that stand, lie or leave gaps") {
+TEST_CASE("eigen: views of polygons and polyhedra accept column, row and strided vectors") {
   const auto a = two_grids_arrays<polygonmesh>(2);
   const V points = points_of<V>(a);
   const auto offsets = vector_of<int>(a.offsets);
@@ -56,7 +56,7 @@ TEST_CASE("eigen: views of polygons and polyhedra, in vectors that stand, lie or
   check_same_mesh(view_polyhedra(corners, face_offsets, face_verts, poly_offsets, poly_faces), polyhedralmesh(b));
 }
 
-TEST_CASE("eigen: matrices of other shapes, maps, references, blocks, transposes, classes of the user's") {
+TEST_CASE("eigen: views accept maps, references, blocks, transposes and derived classes") {
   const auto a = grid_arrays<trimesh>(2);
   const trimesh native(a);
   const V points = points_of<V>(a);

@@ -47,7 +47,7 @@ static_assert(!makes_tri<decltype(std::declval<V&>() + std::declval<V&>())&, F&>
 static_assert(!makes_tri<V&, V&> && !makes_tri<F&, F&> && !makes_tri<Eigen::MatrixXcd&, F&> && !makes_tri<V&, Eigen::Matrix<bool, Dynamic, 3>&>);
 static_assert(!makes_tri<V&, Eigen::MatrixX4i&> && !makes_tri<Eigen::MatrixX4d&, F&> && !makes_tri<Eigen::VectorXd&, F&> && !makes_tri<int&, F&>);
 
-TEST_CASE_TEMPLATE("eigen: views of triangles, quads, tets and hexes are the native meshes of the same arrays", L, by_columns, by_rows) {
+TEST_CASE_TEMPLATE("eigen: views of triangles, quads, tets and hexes equal the native meshes", L, by_columns, by_rows) {
   const auto compare = [](auto kind, int arity, const auto& view) {
     using M = decltype(kind);
     for (const auto& arrays : {grid_arrays<M>(2), two_grids_arrays<M>(1), decltype(grid_arrays<M>(1)){}}) {
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("eigen: views of triangles, quads, tets and hexes are the nat
   }
 }
 
-TEST_CASE("eigen: the coordinates are the user's") {
+TEST_CASE("eigen: views refer to the user's coordinates") {
   V points(4, 3);
   points << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
   F lists(2, 3);
@@ -86,7 +86,7 @@ TEST_CASE("eigen: the coordinates are the user's") {
   CHECK(point(n, v)[1] == static_cast<double>(0.1f));
 }
 
-TEST_CASE("eigen: views are copied cheaply, and maps and views of views keep a copy") {
+TEST_CASE("eigen: views are cheap to copy, and maps and other views store a copy") {
   const auto a = grid_arrays<tetmesh>(2);
   const V points = points_of<V>(a);
   const F lists = polys_of<F>(a, 4);

@@ -26,7 +26,7 @@ triangle_soup random_soup(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("Embree hits what brute force hits") {
+TEST_CASE("Embree has the same hits as brute force") {
   const triangle_soup soup = random_soup(60);
   const auto fast = embree{}.build(soup);
   const auto slow = brute_force{}.build(soup);
@@ -51,7 +51,7 @@ TEST_CASE("Embree hits what brute force hits") {
   CHECK(differ <= 4);
 }
 
-TEST_CASE("nothing to hit, and casters that move") {
+TEST_CASE("an empty scene has no hits, and casters can be moved") {
   const auto empty = embree{}.build({});
   CHECK(!empty.intersect({0, 0, 5}, {0, 0, -1}, 0, 1e30));
   CHECK(!empty.occluded({0, 0, 5}, {0, 0, -1}, 0, 1e30));
@@ -64,7 +64,7 @@ TEST_CASE("nothing to hit, and casters that move") {
   CHECK(hit.v == doctest::Approx(0.5));
 }
 
-TEST_CASE("casters made and given back again and again") {
+TEST_CASE("casters can be created and destroyed repeatedly") {
   for (int i = 0; i < 20; ++i) CHECK(embree{}.build(random_soup(2)).occluded({0, 0, 9}, {0, 0, 1}, 0, 1) == false);
 }
 
@@ -80,13 +80,13 @@ TEST_CASE_TEMPLATE("pictures by Embree look like those by brute force", M, CONCI
   CHECK(render({&d, 1}, c, o, embree{}) == fast);
 }
 
-TEST_CASE("ambient occlusion by Embree: a plane is free") {
+TEST_CASE("ambient occlusion by Embree: a plane is not occluded") {
   const quadmesh m = testing::grid<quadmesh>(4);
   const auto ao = ambient_occlusion(m, {}, embree{});
   for (const auto p : polys(m)) CHECK(ao[p] == 1);
 }
 
-TEST_CASE("the best view shows a mark on the far side; without marks the first choice stays") {
+TEST_CASE("best_view shows a mark on the far side; without marks it keeps the preferred view") {
   const view_options first;
   const vec3 middle{0.5, 0.5, 0.5}, behind{0.5, 0.5, 0};
   std::vector<drawable> scene = {make_balls({&middle, 1}, 0.5, srgb(1, 1, 1))};

@@ -34,7 +34,7 @@ static_assert(std::is_trivially_copyable_v<verts_of_doubles> && sizeof(verts_of_
 
 }  // namespace
 
-TEST_CASE("a map is the property itself") {
+TEST_CASE("a map refers to the property") {
   only_one m;
   fill(m, two_grids<only_one>(2));
   OpenMesh::VPropHandleT<double> vh;
@@ -67,7 +67,7 @@ TEST_CASE("a map is the property itself") {
   CHECK_THROWS_AS(as_map(m, OpenMesh::VPropHandleT<double>()), invalid_argument);
 }
 
-TEST_CASE("attributes of the mesh are properties") {
+TEST_CASE("attributes of the mesh are maps") {
   tri_float m;
   fill(m, two_grids<tri_float>(2));
   m.request_vertex_colors();
@@ -77,7 +77,7 @@ TEST_CASE("attributes of the mesh are properties") {
   CHECK(as_map(m, m.points_property_handle())[m.vertex_handle(1)] == m.point(m.vertex_handle(1)));
 }
 
-TEST_CASE("as lengths, barriers and predecessors of shortest paths") {
+TEST_CASE("properties are lengths, barriers and predecessors of shortest paths") {
   only_one m;
   fill(m, testing::triangle_grid(4));
   OpenMesh::EPropHandleT<double> length_handle;
@@ -102,7 +102,7 @@ TEST_CASE("as lengths, barriers and predecessors of shortest paths") {
   CHECK(path.back() == t);
 }
 
-TEST_CASE("as values of harmonic maps, and as their place") {
+TEST_CASE("properties are values and results of harmonic maps") {
   only_one m;
   fill(m, testing::triangle_grid(4));
   OpenMesh::VProp<double> given(m), u(m);
@@ -117,7 +117,7 @@ TEST_CASE("as values of harmonic maps, and as their place") {
   for (const auto v : verts(m)) CHECK(u[v] == doctest::Approx(m.point(v)[0]));
 }
 
-TEST_CASE("as points") {
+TEST_CASE("properties are points") {
   only_one m;
   fill(m, testing::triangle_grid(4));
   OpenMesh::VPropHandleT<OpenMesh::Vec3f> h;

@@ -50,7 +50,7 @@ static_assert(walks_are_forward_ranges<only_one>());
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("a mesh of any traits: laws, rings and points", M, tri_float, tri_own, tri_planar, only_one, poly_double, poly_eigen,
+TEST_CASE_TEMPLATE("laws hold for meshes of any traits, and rings and points are right", M, tri_float, tri_own, tri_planar, only_one, poly_double, poly_eigen,
                    poly_homogeneous) {
   M m;
   CHECK(num_verts(m) == 0);
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("a mesh of any traits: laws, rings and points", M, tri_float,
   for (const auto v : verts(m)) CHECK(norm(to_vec3(point(m, v)) - s.points[index_of(m, v)]) < 1e-6);
 }
 
-TEST_CASE_TEMPLATE("laws of points too", M, only_one, poly_double) {
+TEST_CASE_TEMPLATE("laws of points hold too", M, only_one, poly_double) {
   M m;
   check_laws_hold<M>(m);
   fill(m, two_grids<M>(2));
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("laws of points too", M, only_one, poly_double) {
   CHECK(check_laws(m).size() == 1);
 }
 
-TEST_CASE("connectivity alone, as smart handles know their mesh") {
+TEST_CASE("laws hold for the connectivity alone") {
   only_one m;
   fill(m, two_grids<only_one>(2));
   const OpenMesh::PolyConnectivity& c = *OpenMesh::make_smart(m.vertex_handle(0), m).mesh();
@@ -83,7 +83,7 @@ TEST_CASE("connectivity alone, as smart handles know their mesh") {
   CHECK(num_edges(c) == m.n_edges());
 }
 
-TEST_CASE("handles go in and come out, smart ones go in") {
+TEST_CASE("algorithms take handles and smart handles, and return handles") {
   only_one m;
   fill(m, two_grids<only_one>(2));
   const OpenMesh::VertexHandle s = m.vertex_handle(0);
@@ -108,7 +108,7 @@ TEST_CASE("handles go in and come out, smart ones go in") {
   }
 }
 
-TEST_CASE("polys walk as OpenMesh walks them, in the order in which they were added") {
+TEST_CASE("polys are in the order in which they were added") {
   poly_double m;
   fill(m, two_grids<poly_double>(2));
   for (const auto p : polys(m)) {
@@ -120,7 +120,7 @@ TEST_CASE("polys walk as OpenMesh walks them, in the order in which they were ad
   CHECK(adj_p2v(m, m.face_handle(0)).begin().operator*() == m.vertex_handle(0));
 }
 
-TEST_CASE("points of the plane, and of more coordinates than three") {
+TEST_CASE("points may have two coordinates, or more than three") {
   tri_planar flat;
   flat.add_vertex({1, 2});
   CHECK(to_vec3(point(flat, flat.vertex_handle(0))) == vec3{1, 2, 0});

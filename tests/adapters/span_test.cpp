@@ -61,7 +61,7 @@ static_assert(!makes_tri<ints&, ints&> && !makes_tri<doubles&, doubles&> && !mak
 static_assert(!makes_tri<doubles&, span<std::array<int, 4>>> && !makes_tri<span<std::array<double, 4>>, ints&> && !makes_tri<span<std::string>, ints&>);
 static_assert(!makes_tri<std::vector<doubles>&, std::vector<ints>&>);  // rows in pieces of memory of their own
 
-TEST_CASE("span: views of flat arrays and of arrays of rows are the native meshes of the same arrays") {
+TEST_CASE("span: views of flat arrays and of arrays of rows equal the native meshes") {
   const auto compare = [](auto kind, auto arity, const auto& view) {
     using M = decltype(kind);
     for (const auto& arrays : {grid_arrays<M>(2), two_grids_arrays<M>(1), decltype(grid_arrays<M>(1)){}}) {
@@ -82,7 +82,7 @@ TEST_CASE("span: views of flat arrays and of arrays of rows are the native meshe
   compare(hexmesh(), std::integral_constant<int, 8>(), [](auto&& p, auto&& f) { return view_hex(p, f); });
 }
 
-TEST_CASE("span: views of polygons and polyhedra") {
+TEST_CASE("span: views of polygons and polyhedra equal the native meshes") {
   const auto a = two_grids_arrays<polygonmesh>(2);
   const auto indices = raws<unsigned>(a.verts);
   check_same_mesh(view_polygons(a.points, a.offsets, indices), polygonmesh(a));
@@ -96,7 +96,7 @@ TEST_CASE("span: views of polygons and polyhedra") {
   check_same_mesh(view_polyhedra(b.points, face_offsets, face_verts, poly_offsets, poly_faces), polyhedralmesh(b));
 }
 
-TEST_CASE("span: the coordinates are the user's") {
+TEST_CASE("span: views refer to the user's coordinates") {
   doubles xyz{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const int triangle[] = {0, 1, 2};
   auto m = view_tri(xyz, triangle);

@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("eigenfunctions: of the square, of spheres, of two squares, and scaled", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("eigenfunctions: are right on the square, spheres and two squares, and scale exactly", M, CONCINO_SURFACE_KINDS) {
   const double coarse = error_on_square_or_cube<M>(6), fine = error_on_square_or_cube<M>(12);
   CHECK(fine < 0.4 * coarse);
   CHECK(fine < 0.03);
@@ -20,7 +20,7 @@ TEST_CASE_TEMPLATE("eigenfunctions: of the square, of spheres, of two squares, a
   check_scaling<M>();
 }
 
-TEST_CASE("eigenfunctions: symmetric spheres have eigenvalues that are multiple to the last digits") {
+TEST_CASE("eigenfunctions: symmetric spheres have multiple eigenvalues to the last digits") {
   const trimesh m = icosphere(2);
   check_sphere(m, {2, 6}, 0.03);
   const auto r = eigenfunctions(m, 9);
@@ -29,7 +29,7 @@ TEST_CASE("eigenfunctions: symmetric spheres have eigenvalues that are multiple 
   CHECK(eigenfunctions(m, 6).values[5] == doctest::Approx(r.values[4]).epsilon(1e-11));  // cut within
 }
 
-TEST_CASE("eigenfunctions: archetypes, options and errors") {
+TEST_CASE("eigenfunctions: run on archetypes, obey options, and throw errors") {
   const auto m = grid<trimesh>(8);
   const auto weak = only_embedded_mesh(m);
   const auto plain = eigenfunctions(m, 4);

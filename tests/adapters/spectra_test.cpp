@@ -53,7 +53,7 @@ double worst_product(const Eigen::MatrixXd& u, const Eigen::SparseMatrix<double>
 
 }  // namespace
 
-TEST_CASE("eigenpairs: a chain, by iteration and all at once") {
+TEST_CASE("eigenpairs: a chain has the known eigenvalues, by iteration and by the dense solver") {
   for (const int n : {2, 10, 100}) {
     for (const int count : {1, 3, n / 2, n - 1, n}) {
       if (count < 1 || count > n) continue;
@@ -71,7 +71,7 @@ TEST_CASE("eigenpairs: a chain, by iteration and all at once") {
   }
 }
 
-TEST_CASE("eigenpairs: multiple eigenvalues come as often as they are, zeros too") {
+TEST_CASE("eigenpairs: multiple eigenvalues are repeated, also zeros") {
   for (const int times : {2, 3, 5}) {
     const int n = 40;
     const auto r = eigenpairs(repeated(chain(n), times), identity(times * n), static_cast<std::size_t>(3 * times));
@@ -83,7 +83,7 @@ TEST_CASE("eigenpairs: multiple eigenvalues come as often as they are, zeros too
   CHECK(zero.values.cwiseAbs().maxCoeff() < 1e-15);
 }
 
-TEST_CASE("eigenpairs: masses, lower triangles, solvers, shifts and isolated rows") {
+TEST_CASE("eigenpairs: accepts masses, lower triangles, solvers, shifts and isolated rows") {
   const int n = 80;
   Eigen::SparseMatrix<double> full = identity(n, 4.0 / 6 + 1);
   full = full - chain(n) / 6;
@@ -137,7 +137,7 @@ TEST_CASE("eigenpairs: residuals are at most the tolerance times the eigenvalue 
   }
 }
 
-TEST_CASE("eigenpairs: errors") {
+TEST_CASE("eigenpairs: throws if an argument is invalid") {
   const auto k = chain(50), m = identity(50);
   CHECK_THROWS_WITH_AS(eigenpairs(k, m, 0), "eigenpairs: 0 asked for; a problem of 50 rows with entries has 1 to that many", invalid_argument);
   CHECK_THROWS_AS(eigenpairs(k, m, 51), invalid_argument);

@@ -4,7 +4,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("eigenfunctions: of the cube, of balls, of two cubes, and scaled", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("eigenfunctions: are right on the cube, balls and two cubes, and scale exactly", M, CONCINO_VOLUME_KINDS) {
   const double coarse = error_on_square_or_cube<M>(3), fine = error_on_square_or_cube<M>(6);
   CHECK(fine < 0.4 * coarse);
   CHECK(fine < 0.08);

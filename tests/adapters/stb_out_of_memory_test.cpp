@@ -31,14 +31,14 @@ void written_or_not(const image& picture) {
 
 }  // namespace
 
-TEST_CASE("a picture of few colours replaces the old file or leaves it") {
+TEST_CASE("saving a picture of few colours without memory keeps the old file or replaces it") {
   image picture(9, 6, rgb{1, 1, 1});
   for (std::size_t i = 0; i < 6; ++i) picture(i, i) = rgb{0, 0.5f, 1};
   written_or_not(picture);
 }
 
 // It is stored as it is, because compression makes it larger.
-TEST_CASE("a picture of noise replaces the old file or leaves it") {
+TEST_CASE("saving a picture of noise without memory keeps the old file or replaces it") {
   image picture(8, 5);
   std::uint32_t state = 1;
   const auto next = [&] { return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0f; };

@@ -37,7 +37,7 @@ struct scratch_folder {
 
 }  // namespace
 
-TEST_CASE("a PNG holds the bytes of the picture") {
+TEST_CASE("a PNG file has the bytes of the picture") {
   const scratch_folder scratch;
   const std::string file = (scratch.path / "a.png").string();
   image picture(7, 5);
@@ -58,7 +58,7 @@ TEST_CASE("a PNG holds the bytes of the picture") {
   CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);  // nothing unfinished is left
 }
 
-TEST_CASE("what cannot be written is said, and nothing is left behind") {
+TEST_CASE("a failing write is an error, and leaves no file behind") {
   const scratch_folder scratch;
   CHECK_THROWS_AS(write_png(image(2, 2), (scratch.path / "no" / "such" / "folder.png").string()), io_error);
   CHECK_THROWS_AS(write_png(image(), (scratch.path / "empty.png").string()), invalid_argument);
@@ -67,7 +67,7 @@ TEST_CASE("what cannot be written is said, and nothing is left behind") {
   CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);
 }
 
-TEST_CASE("a picture goes where other files go: links stay links, long names are names, a path holds no zero") {
+TEST_CASE("pictures use atomic_file: links, long names and invalid paths are handled alike") {
   const scratch_folder scratch;
   namespace fs = std::filesystem;
   fs::create_symlink("real.png", scratch.path / "link.png");
@@ -79,7 +79,7 @@ TEST_CASE("a picture goes where other files go: links stay links, long names are
   CHECK(std::distance(fs::directory_iterator(scratch.path), {}) == 3);
 }
 
-TEST_CASE("bytes are sRGB and back") {
+TEST_CASE("reading gives the same sRGB bytes") {
   for (int i = 0; i < 256; ++i) {
     const float x = static_cast<float>(i) / 255;
     CHECK(srgb_bytes(srgb(x, x, x))[1] == i);

@@ -86,7 +86,7 @@ void same(const A& a, const R& stripped, const Q& real) {
 
 }  // namespace
 
-TEST_CASE("graph archetypes answer as the mesh does") {
+TEST_CASE("graph archetypes give the same results as the mesh") {
   const auto g = cn::only_primal_graph(s);
   CHECK(cn::num_verts(g) == 8);
   CHECK(cn::vert_index_bound(g) == 8);
@@ -101,7 +101,7 @@ TEST_CASE("graph archetypes answer as the mesh does") {
   for (auto p : cn::polys(w)) same(d, cn::adj_p2p(d, d.poly(p)), cn::adj_p2p(w, p));
 }
 
-TEST_CASE("mesh archetypes answer as the mesh does") {
+TEST_CASE("mesh archetypes give the same results as the mesh") {
   const auto m = cn::only_embedded_mesh(w);
   same(m, cn::edges(m), cn::edges(w));
   same(m, cn::faces(m), cn::faces(w));
@@ -131,7 +131,7 @@ TEST_CASE("mesh archetypes answer as the mesh does") {
   }
 }
 
-TEST_CASE("an archetype that owns can be used in place but not copied") {
+TEST_CASE("an owning archetype can be used but not copied") {
   const cn::archetypes::owner<graph> g(s);
   std::size_t degrees = 0;
   for (auto v : cn::verts(g))

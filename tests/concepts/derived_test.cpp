@@ -75,7 +75,7 @@ struct concino::mesh_traits<knows_better> : mesh_traits<user_mesh::surface> {
   static std::vector<edge> adj_e2e(const knows_better&, edge e) { return {e, e, e}; }
 };
 
-TEST_CASE("edges that share a vert") {
+TEST_CASE("adj_e2e: neighbours are the edges that share a vert") {
   check_edges(user_mesh::surface_example());
   check_edges(user_mesh::volume_example());
   // One edge alone on a polygon of two verts' worth of points, and two edges between the same verts.
@@ -84,13 +84,13 @@ TEST_CASE("edges that share a vert") {
   check_edges(twice);
 }
 
-TEST_CASE("faces that share an edge, some of them more than one") {
+TEST_CASE("adj_f2f: neighbours are the faces that share one or more edges") {
   check_faces(user_mesh::volume_example());
   // Two faces on the same verts: they share three edges.
   check_faces(user_mesh::volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}}, {{{0, true}, {1, true}}}));
 }
 
-TEST_CASE("random faces over few verts") {
+TEST_CASE("adj_e2e, adj_f2f: are right on random faces over few verts") {
   std::mt19937 random(5);
   for (int round = 0; round < 20; ++round) {
     std::vector<user_mesh::polygon> facets;
@@ -105,7 +105,7 @@ TEST_CASE("random faces over few verts") {
   }
 }
 
-TEST_CASE("the traits' own are used where there are any") {
+TEST_CASE("adj_e2e, adj_f2f: functions of the traits take precedence") {
   const knows_better m{user_mesh::surface_example()};
   CHECK(cn::adj_e2e(m, user_mesh::segment{2}).size() == 3);
 }

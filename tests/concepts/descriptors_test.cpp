@@ -7,7 +7,7 @@
 
 namespace cn = concino;
 
-TEST_CASE("an id knows its number and whether it names anything") {
+TEST_CASE("an id has a number and says whether it is valid") {
   static_assert(std::regular<cn::vert_id> && std::totally_ordered<cn::vert_id>);
   static_assert(!std::convertible_to<cn::vert_id, unsigned> && !std::convertible_to<unsigned, cn::vert_id> &&
                 !std::convertible_to<cn::vert_id, cn::poly_id>);

@@ -30,7 +30,7 @@ void names_both(const M& m) {
 
 }  // namespace
 
-TEST_CASE("end_verts") {
+TEST_CASE("end_verts returns the verts of adj_e2v") {
   const auto s = user_mesh::surface_example();
   const auto w = user_mesh::volume_example();
   names_both(s);

@@ -104,7 +104,7 @@ void keeps_the_laws_stripped(const M& m) {
 
 }  // namespace
 
-TEST_CASE("facets: of a surface with a border and a vert of no poly") {
+TEST_CASE("facets: are the edges of a surface with boundary and an isolated vert") {
   const auto m = user_mesh::surface_example();
   keeps_the_laws_stripped(m);
   CHECK(cn::num_facets(m) == cn::num_edges(m));
@@ -113,7 +113,7 @@ TEST_CASE("facets: of a surface with a border and a vert of no poly") {
   CHECK(cn::is_boundary(m, user_mesh::cell{3}));
 }
 
-TEST_CASE("facets: of a volume with two polys") {
+TEST_CASE("facets: are the faces of a volume with two polys") {
   const auto m = user_mesh::volume_example();
   keeps_the_laws_stripped(m);
   CHECK(cn::num_facets(m) == 10);
@@ -126,7 +126,7 @@ TEST_CASE("facets: of a volume with two polys") {
   CHECK_FALSE(outside.begin() != outside.end());
 }
 
-TEST_CASE("facets: three polys at an edge are no boundary there, an edge of no poly is none either") {
+TEST_CASE("facets: an edge with three polys or none is not on the boundary") {
   user_mesh::surface book({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
   book.es.push_back({2, 3});
   const user_mesh::segment spine{0}, alone{static_cast<int>(book.es.size()) - 1};
@@ -136,7 +136,7 @@ TEST_CASE("facets: three polys at an edge are no boundary there, an edge of no p
   keeps_the_laws_stripped(book);
 }
 
-TEST_CASE("facets: a closed surface and a closed pair of volumes have no boundary but that of space") {
+TEST_CASE("facets: closed surfaces and closed pairs of volumes have no boundary facets") {
   const user_mesh::surface tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
   keeps_the_laws_stripped(tet);
   for (const auto v : cn::verts(tet)) CHECK_FALSE(cn::is_boundary(tet, v));

@@ -256,19 +256,19 @@ using points = std::vector<std::array<double, 3>>;
 
 }  // namespace
 
-TEST_CASE("open, closed, in pieces, with isolated verts") {
+TEST_CASE("halfedge_kernel: open, closed and disconnected meshes, isolated verts") {
   same_rings(user_mesh::surface_example());
   same_rings({points(4), {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
   same_rings({points(9), {{0, 1, 2}, {3, 4, 5, 6}}});
   same_rings(user_mesh::surface());
 }
 
-TEST_CASE("fans that touch in a vert") {
+TEST_CASE("halfedge_kernel: a vert may have several fans") {
   same_rings({points(7), {{0, 1, 2}, {0, 3, 4}, {0, 5, 6}}}, true);
   same_rings({points(8), {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 6, 7}}}, true);
 }
 
-TEST_CASE("polys that share several edges are each other's neighbours once") {
+TEST_CASE("halfedge_kernel: polys that share several edges are neighbours once") {
   // Two polygons over the same verts; and one that wraps around another, with more polys in between.
   same_rings({points(6), {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}}});
   // Two triangles and two quads over the same verts, and a quad that shares two edges with its neighbour.
@@ -285,7 +285,7 @@ TEST_CASE("polys that share several edges are each other's neighbours once") {
                {9, 8, 7}}});
 }
 
-TEST_CASE("a poly on both sides of an edge is no neighbour of its own") {
+TEST_CASE("halfedge_kernel: a poly with both half-edges of an edge is not its own neighbour") {
   // A triangle from one corner of which an edge leads inside: its half-edges are walked there and back.
   const linked m{{2, 5, 4, 1, 6, 3, 7, 0}, {1, 0, 2, 1, 0, 2, 3, 0}, {0, -1, 0, -1, 0, -1, 0, 0}, {0, 2, 4, 7}, {0}};
   const auto neighbours = cn::adj_p2p(m, cn::poly_id(0));
@@ -296,7 +296,7 @@ TEST_CASE("a poly on both sides of an edge is no neighbour of its own") {
   CHECK(times == 2);
 }
 
-TEST_CASE("searches over polys look across each side of each poly once") {
+TEST_CASE("halfedge_kernel: searches over polys test each edge of each poly once") {
   // A polygon of 12 sides with a triangle at each.
   std::vector<std::vector<int>> polygons(1);
   for (int i = 0; i < 12; ++i) {
@@ -312,4 +312,4 @@ TEST_CASE("searches over polys look across each side of each poly once") {
   CHECK(counting_links::asked == 12 + 12 * 3);
 }
 
-TEST_CASE("what is missing is said") { cn::explain_halfedge_links<links, linked>(); }
+TEST_CASE("halfedge_kernel: the message names the missing member") { cn::explain_halfedge_links<links, linked>(); }

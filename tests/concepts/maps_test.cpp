@@ -31,7 +31,7 @@ static_assert(!cn::ReadableMap<int, cn::vert_id> && !cn::ReadableMap<std::vector
 
 }  // namespace
 
-TEST_CASE("maps are read and written by subscript") {
+TEST_CASE("maps are read and written by operator[]") {
   CHECK(heights()[cn::vert_id{3}] == 1.5);
   proxy_map m;
   m[cn::vert_id{2}] = true;

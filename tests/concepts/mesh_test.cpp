@@ -16,7 +16,7 @@ struct concino::mesh_traits<movable> : mesh_traits<user_mesh::surface> {
 };
 static_assert(cn::MutablePoints<movable> && cn::MutablePoints<const movable&> && !cn::MutablePoints<user_mesh::surface>);
 
-TEST_CASE("explain says nothing about models") {
+TEST_CASE("explain_... compiles for models") {
   cn::explain_embedded<user_mesh::volume>();
   cn::explain_any_mesh<const user_mesh::volume&>();
   cn::explain_any_mesh<user_mesh::surface>();
@@ -31,7 +31,7 @@ TEST_CASE("set_point moves a vert") {
   CHECK(cn::point(m, user_mesh::vertex{1})[2] == 5);
 }
 
-TEST_CASE("contains is answered for meshes whose traits do not offer it") {
+TEST_CASE("contains has a default for meshes without it in their traits") {
   const auto s = user_mesh::surface_example();
   CHECK(cn::contains(s, user_mesh::vertex{7}));
   CHECK_FALSE(cn::contains(s, user_mesh::vertex{8}));

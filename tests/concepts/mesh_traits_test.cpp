@@ -36,7 +36,7 @@ struct concino::mesh_traits<opted_in> : mesh_traits<user_mesh::surface> {
   static constexpr int arity = 4;
 };
 
-TEST_CASE("what the traits say about a type, and what is taken where they are silent") {
+TEST_CASE("traits describe a type, and optional members have defaults") {
   CHECK(cn::dimension_v<user_mesh::surface> == 2);
   CHECK(cn::dimension_v<const user_mesh::volume&> == 3);
   CHECK(cn::dimension_v<int> == 0);

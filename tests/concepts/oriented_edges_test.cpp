@@ -44,7 +44,7 @@ void all_faces(const M& m) {
 
 }  // namespace
 
-TEST_CASE("oriented_edges: of the polys of a surface and the faces of a volume") {
+TEST_CASE("oriented_edges: are right for polys of a surface and faces of a volume") {
   const auto s = user_mesh::surface_example();
   const auto w = user_mesh::volume_example();
   all_polys(s);
@@ -53,7 +53,7 @@ TEST_CASE("oriented_edges: of the polys of a surface and the faces of a volume")
   all_faces(cn::only_mesh(w));
 }
 
-TEST_CASE("oriented_edges: as many as there are edges where a law is broken") {
+TEST_CASE("oriented_edges: never exceed the number of edges, even if a law is broken") {
   user_mesh::surface s = user_mesh::surface_example();
   s.polygons.push_back({});
   for (const auto& [e, from, to] : cn::oriented_edges(s, user_mesh::cell{4})) CHECK(e == user_mesh::segment{});

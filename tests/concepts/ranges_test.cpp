@@ -16,7 +16,7 @@ static_assert(cn::ElementRange<std::array<cn::vert_id, 2>, cn::vert_id> && cn::E
 static_assert(cn::ElementRange<cn::id_span<cn::vert_id>, cn::vert_id> && cn::ElementRange<cn::id_range<cn::vert_id>, cn::vert_id>);
 static_assert(!cn::ElementRange<cn::vert_id, cn::vert_id> && !cn::ElementRange<int, int>);
 
-TEST_CASE("id_range walks what is alive, and both small ranges may be walked again") {
+TEST_CASE("id_range skips deleted elements, and both ranges can be iterated repeatedly") {
   const unsigned char dead[] = {1, 0, 1, 1, 0, 1};
   const cn::id_range<cn::poly_id> r(6, dead);
   for (int walk = 0; walk < 2; ++walk) {
@@ -29,7 +29,7 @@ TEST_CASE("id_range walks what is alive, and both small ranges may be walked aga
   CHECK_FALSE(none.begin() != none.end());
 }
 
-TEST_CASE("parts of an id_range, one after another, are the range") {
+TEST_CASE("the parts of an id_range cover the range in order") {
   const unsigned char dead[] = {1, 0, 1, 1, 0, 1, 0};
   for (const unsigned char* const flags : {dead, static_cast<const unsigned char*>(nullptr)}) {
     const cn::id_range<cn::poly_id> r(7, flags);
@@ -44,7 +44,7 @@ TEST_CASE("parts of an id_range, one after another, are the range") {
   }
 }
 
-TEST_CASE("id_span shows memory that is not its own") {
+TEST_CASE("id_span refers to memory that it does not own") {
   const std::vector<cn::vert_id> ids{cn::vert_id{4}, cn::vert_id{2}};
   const cn::id_span<cn::vert_id> r(ids.data(), ids.data() + ids.size());
   CHECK(r.size() == 2);
@@ -53,7 +53,7 @@ TEST_CASE("id_span shows memory that is not its own") {
   CHECK(cn::id_span<cn::vert_id>().empty());
 }
 
-TEST_CASE("ids_where walks what a function of the user's takes") {
+TEST_CASE("ids_where filters by a user's predicate") {
   const std::vector<bool> deleted{true, false, true, false, false, true};
   const auto r = cn::ids_where<cn::edge_id>(deleted.size(), [&](unsigned i) { return !deleted[i]; });
   static_assert(cn::ElementRange<decltype(r), cn::edge_id> && std::forward_iterator<decltype(r.begin())>);
@@ -73,7 +73,7 @@ TEST_CASE("ids_where walks what a function of the user's takes") {
 template<class R> concept is_counted = requires(const R& r) { cn::num_elements(r); };
 static_assert(is_counted<std::vector<int>> && !is_counted<int>);
 
-TEST_CASE("num_elements counts what a walk meets, of arrays too") {
+TEST_CASE("num_elements counts the elements of any range, also arrays") {
   const unsigned char dead[] = {1, 0, 1, 1, 0, 1};
   CHECK(cn::num_elements(cn::id_range<cn::poly_id>(6, dead)) == 2);
   const std::vector<cn::vert_id> ids{cn::vert_id{4}, cn::vert_id{2}, cn::vert_id{2}};

@@ -32,4 +32,4 @@ static_assert(bound<whole_number_requirements, int>::holds<void> && !bound<whole
 
 }  // namespace
 
-TEST_CASE("lists of requirements are compared when compiling") { CHECK(check<list<number_requirement>, double>::value); }
+TEST_CASE("lists of requirements are checked at compile time") { CHECK(check<list<number_requirement>, double>::value); }

@@ -173,7 +173,7 @@ user_mesh::surface long_polygon(int n) {
 
 }  // namespace
 
-TEST_CASE("sorted edges: of polygons, short and long, and through views") {
+TEST_CASE("sorted edges: edges of polygons are sorted, also through views") {
   for (unsigned seed = 0; seed < 6; ++seed) {
     const shuffled<user_mesh::surface> s{user_mesh::surface_example(), seed};
     polys_in_order(s);
@@ -186,7 +186,7 @@ TEST_CASE("sorted edges: of polygons, short and long, and through views") {
   CHECK(cn::adj_p2e(twice, user_mesh::cell{0}).size() == 3);
 }
 
-TEST_CASE("sorted edges: of faces and of tets") {
+TEST_CASE("sorted edges: edges of faces and tets are sorted") {
   for (unsigned seed = 0; seed < 6; ++seed) {
     const shuffled<user_mesh::volume> w{user_mesh::volume_example(), seed};
     faces_in_order(w);
@@ -201,7 +201,7 @@ TEST_CASE("sorted edges: of faces and of tets") {
   }
 }
 
-TEST_CASE("sorted edges: a list that lacks an edge breaks a law, but no bound") {
+TEST_CASE("sorted edges: a missing edge breaks a law, but nothing is read out of bounds") {
   user_mesh::surface s = user_mesh::surface_example();
   s.es.erase(s.es.begin() + 1);  // edges are numbered by place, so that those of poly 0 are too few
   std::size_t met = 0;

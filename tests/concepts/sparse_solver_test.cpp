@@ -18,7 +18,7 @@ static_assert(!concino::SparseSolver<forgets, matrix, double> && !concino::Spars
 
 }  // namespace
 
-TEST_CASE("sparse solver: factorise once, solve many") {
+TEST_CASE("sparse solver: a factorisation serves many right-hand sides") {
   halves s;
   s.factorize({4});
   CHECK(s.solve(2) == 0.5);

@@ -38,7 +38,7 @@ constexpr int pick(const cn::TriMesh auto&) { return 4; }
 
 }  // namespace
 
-TEST_CASE("overloads are chosen by the most particular concept") {
+TEST_CASE("overload resolution chooses the most constrained concept") {
   cn::explain_surface_mesh<const user_mesh::surface>();
   CHECK(pick(user_mesh::volume()) == 2);
   CHECK(pick(user_mesh::surface()) == 3);

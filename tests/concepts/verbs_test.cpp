@@ -24,7 +24,7 @@ struct greedy : user_mesh::surface {};
 template<>
 struct concino::mesh_traits<greedy> : mesh_traits<user_mesh::surface> {};
 
-TEST_CASE("numbers come as std::size_t, whatever the traits return") {
+TEST_CASE("numbers are std::size_t, whatever the traits return") {
   const auto s = user_mesh::surface_example();
   static_assert(std::same_as<decltype(cn::num_verts(s)), std::size_t> &&
                 std::same_as<decltype(cn::index_of(s, user_mesh::vertex{2})), std::size_t>);
@@ -34,7 +34,7 @@ TEST_CASE("numbers come as std::size_t, whatever the traits return") {
   CHECK(cn::index_of(s, user_mesh::vertex{2}) == 2);
 }
 
-TEST_CASE("no function of another namespace is called instead of a verb") {
+TEST_CASE("a function of another namespace is never called instead of a verb") {
   using namespace concino;
   greedy g;
   static_cast<user_mesh::surface&>(g) = user_mesh::surface_example();

@@ -29,7 +29,7 @@ static_assert(cn::TetMesh<const tets&> && !cn::HexMesh<tets> && !cn::QuadMesh<te
 // The dimension decides: what has faces besides may still be a surface.
 static_assert(models_in_all_forms<flat>(cn::testing::surface | cn::testing::embedded));
 
-TEST_CASE("faces of a volume are walked and turned outward") {
+TEST_CASE("the faces of a volume are oriented outward") {
   cn::explain_volume_mesh<user_mesh::volume>();
   const user_mesh::volume w = user_mesh::volume_example();
   int outward = 0;

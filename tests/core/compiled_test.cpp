@@ -17,4 +17,4 @@ CONCINO_INLINE std::string mode() {
 }  // namespace
 
 // That both ways link with each other, give the same results and refuse other flags is in tests/compiled/.
-TEST_CASE("compiled: the macro of definitions suits both ways") { CHECK_FALSE(mode().empty()); }
+TEST_CASE("compiled: CONCINO_INLINE fits header-only use and the compiled library") { CHECK_FALSE(mode().empty()); }

@@ -36,7 +36,7 @@ void check_equilibrated(const sparse& given) {
 
 }  // namespace
 
-TEST_CASE("scale_columns: the largest entry of each column comes to [1, 2)") {
+TEST_CASE("scale_columns: the largest entry of each column is in [1, 2) afterwards") {
   sparse a = from(3, 4, {{0, 0, -0.1}, {1, 0, 0.01}, {2, 1, 5.0}, {0, 1, -7.0}, {1, 2, 0.0}});
   CHECK(core::scale_columns(a) == std::vector<double>{16, 0.25, 1, 1});
   CHECK(a.coeff(0, 0) == -1.6);
@@ -44,7 +44,7 @@ TEST_CASE("scale_columns: the largest entry of each column comes to [1, 2)") {
   CHECK(a.coeff(2, 1) == 1.25);
 }
 
-TEST_CASE("equilibrate: whatever the units of rows and columns") {
+TEST_CASE("equilibrate: the result does not depend on the units of rows and columns") {
   for (const int unit : {0, 1, 2, 3, 7, 30, -30, 150, -150}) {
     check_equilibrated(in_units(5, unit, 0));
     check_equilibrated(in_units(5, 0, unit));
@@ -55,7 +55,7 @@ TEST_CASE("equilibrate: whatever the units of rows and columns") {
   check_equilibrated(from(2, 2, {{0, 0, 0x1p-430}, {1, 1, 0x1p600}}));  // nearly as far apart as numbers can be
 }
 
-TEST_CASE("equilibrate: multiples of a matrix come out the same, wherever its largest entry is") {
+TEST_CASE("equilibrate: multiples of a matrix have the same result") {
   for (const int size : {1, 3})
     for (int at = 0; at < size; ++at)
       for (const double factor : {0x1p41, 0x1p40, 0x1p-40, 0x1p-41}) {

@@ -13,7 +13,7 @@ std::vector<int> values(const flat_array<int>& a) { return {a.begin(), a.end()};
 
 }  // namespace
 
-TEST_CASE("random steps agree with std::vector") {
+TEST_CASE("flat_array: random operations agree with std::vector") {
   std::mt19937 random(1);
   flat_array<int> a;
   std::vector<int> oracle;
@@ -52,7 +52,7 @@ TEST_CASE("random steps agree with std::vector") {
   CHECK(values(a) == oracle);
 }
 
-TEST_CASE("a given vector is taken over, not copied, until it has to grow") {
+TEST_CASE("flat_array: a moved vector is not copied until it has to grow") {
   std::vector<int> given{1, 2, 3};
   const int* const where = given.data();
   flat_array<int> a(std::move(given));
@@ -64,7 +64,7 @@ TEST_CASE("a given vector is taken over, not copied, until it has to grow") {
   CHECK(values(moved) == std::vector<int>{1, 2, 3, 4});
 }
 
-TEST_CASE("copies are independent") {
+TEST_CASE("flat_array: copies are independent") {
   flat_array<int> a(3, 7);
   flat_array<int> b = a;
   b[1] = 8;
@@ -76,7 +76,7 @@ TEST_CASE("copies are independent") {
   CHECK(values(flat_array<int>(given)) == std::vector<int>{5});
 }
 
-TEST_CASE("empty arrays") {
+TEST_CASE("flat_array: empty arrays work") {
   flat_array<int> a(std::vector<int>{});
   CHECK(a.size() == 0);
   a.shrink_to_fit();
@@ -87,9 +87,9 @@ TEST_CASE("empty arrays") {
   CHECK(b[0] == 1);
 }
 
-TEST_CASE("more than memory can hold is refused") { CHECK_THROWS_AS(flat_array<int>(static_cast<std::size_t>(-1) / 4), std::bad_alloc); }
+TEST_CASE("flat_array: sizes beyond the address space throw") { CHECK_THROWS_AS(flat_array<int>(static_cast<std::size_t>(-1) / 4), std::bad_alloc); }
 
-TEST_CASE("large arrays: the advice to the system changes nothing that is written") {
+TEST_CASE("flat_array: the memory advice for large arrays does not change values") {
   flat_array<int> a(3 << 20, 5);
   a.resize(1 << 20);
   a.shrink_to_fit();

@@ -10,7 +10,7 @@ struct options { cn::function_ref<bool(int)> keep = nullptr; };
 int kept(const options& o) { int n = 0; for (int i = 0; i < 10; ++i) n += !o.keep || o.keep(i); return n; }
 }  // namespace
 
-TEST_CASE("function_ref: nothing, a lambda, a function, a const object") {
+TEST_CASE("function_ref: refers to nothing, a lambda, a function or a const object") {
   CHECK(kept({}) == 10);
   int limit = 3;
   CHECK(kept({.keep = [&](int i) { return i < limit; }}) == 3);
@@ -28,7 +28,7 @@ TEST_CASE("function_ref: nothing, a lambda, a function, a const object") {
   CHECK_FALSE(cn::function_ref<int(int)>(none));
 }
 
-TEST_CASE("function_ref: void ignores what is returned, state of the callable is its own") {
+TEST_CASE("function_ref: void ignores the result, and the callable keeps its state") {
   int calls = 0;
   auto count = [&](int) mutable { return ++calls; };
   cn::function_ref<void(int)> f = count;

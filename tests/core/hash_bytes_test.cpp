@@ -4,7 +4,7 @@
 
 using namespace concino::core;
 
-TEST_CASE("hash_bytes: published values of FNV-1a") {
+TEST_CASE("hash_bytes: has the published values of FNV-1a") {
   CHECK(hash_bytes("") == 0xcbf29ce484222325u);
   CHECK(hash_bytes("a") == 0xaf63dc4c8601ec8cu);
   CHECK(hash_bytes("foobar") == 0x85944171f73967e8u);

@@ -14,7 +14,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("indexed_heap: the least of random keys, lowered while they wait, against a search through all") {
+TEST_CASE("indexed_heap: finds the smallest of random keys that decrease, as a linear search does") {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
     const std::size_t n = 1 + random() % 40;

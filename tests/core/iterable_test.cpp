@@ -22,14 +22,14 @@ struct only_if_not_const {
 
 }  // namespace
 
-TEST_CASE("iterable: containers, views and braces") {
+TEST_CASE("iterable: containers, views and braces are iterable") {
   CHECK(iterable<std::vector<int>>);
   CHECK(iterable<std::map<int, double>>);
   CHECK(iterable<std::span<const int>>);
   CHECK(iterable<std::initializer_list<int>>);
 }
 
-TEST_CASE("iterable: nothing without a begin and an end that a constant object has") {
+TEST_CASE("iterable: requires begin and end of a const object") {
   CHECK_FALSE(iterable<int>);
   CHECK_FALSE(iterable<endless>);
   CHECK_FALSE(iterable<only_if_not_const>);

@@ -9,7 +9,7 @@
 
 using namespace concino::core;
 
-TEST_CASE("message: texts and numbers of any kind, joined") {
+TEST_CASE("message: joins texts and numbers of any kind") {
   const std::string name = "file";
   CHECK(joined({name, ": ", std::string_view("line "), std::size_t{12}, std::string(" of ") + "it", 7u}) == "file: line 12 of it7");
   CHECK(joined({}).empty());

@@ -7,7 +7,7 @@
 
 using concino::core::number_text;
 
-TEST_CASE("numbers are written with as few digits as read back") {
+TEST_CASE("number_text: has the fewest digits that read back as the number") {
   CHECK(number_text(0.1) == "0.1");
   CHECK(number_text(1e300) == "1e+300");
   CHECK(number_text(-2.5) == "-2.5");

@@ -31,7 +31,7 @@ constexpr int numbers_of_threads[] = {1, 2, 3, 16};
 
 }  // namespace
 
-TEST_CASE("the number of threads is what the environment says, else as many as there are cores") {
+TEST_CASE("parallel: the number of threads is that of the environment, else of the cores") {
   const auto said = [](const char* text) {
     const with_num_threads before(1);  // puts the variable back
     ::setenv("CONCINO_NUM_THREADS", text, 1);
@@ -48,7 +48,7 @@ TEST_CASE("the number of threads is what the environment says, else as many as t
 }
 
 #ifdef __linux__
-TEST_CASE("cores on which the process may not run do not count") {
+TEST_CASE("parallel: cores on which the process may not run do not count") {
   std::size_t found = 0;
   std::thread([&] {  // a thread of its own, for the others keep all cores
     ::cpu_set_t all, one;
@@ -65,7 +65,7 @@ TEST_CASE("cores on which the process may not run do not count") {
 }
 #endif
 
-TEST_CASE("chunks that are worth a thread each have one from the start") {
+TEST_CASE("parallel: chunks that are worth a thread start at once") {
   for (const int n : numbers_of_threads) {
     const with_num_threads now(n);
     std::atomic<int> waiting{0};
@@ -81,7 +81,7 @@ TEST_CASE("chunks that are worth a thread each have one from the start") {
   }
 }
 
-TEST_CASE("long loops do run on several threads, and on one where that is wanted") {
+TEST_CASE("parallel: long loops run on several threads, or on one by option") {
   const std::vector<int> range(20000);
   for (const int n : numbers_of_threads) {
     const with_num_threads now(n);
@@ -104,7 +104,7 @@ TEST_CASE("long loops do run on several threads, and on one where that is wanted
   }
 }
 
-TEST_CASE("short loops stay on the calling thread") {
+TEST_CASE("parallel: short loops run on the calling thread") {
   const with_num_threads now(16);
   std::size_t fewest = 20;  // calls on other threads; none unless the system keeps the calling thread waiting
   for (int repeat = 0; repeat < 100 && fewest > 0; ++repeat) {
@@ -128,7 +128,7 @@ TEST_CASE("parallel_for calls every index once, for any chunk and number of thre
   }
 }
 
-TEST_CASE("parallel_for carries out the exception of the lowest index") {
+TEST_CASE("parallel_for throws the exception of the lowest index") {
   for (int repeat = 0; repeat < 20; ++repeat) {
     const with_num_threads now(1 + repeat % 4);
     std::string what;
@@ -141,7 +141,7 @@ TEST_CASE("parallel_for carries out the exception of the lowest index") {
   }
 }
 
-TEST_CASE("parallel_for stops when asked, and says how far it is") {
+TEST_CASE("parallel_for reports progress and can be cancelled") {
   for (const int threads : numbers_of_threads) {
     const with_num_threads now(threads);
     std::vector<int> calls(100000, 0);
@@ -169,7 +169,7 @@ TEST_CASE("parallel_for stops when asked, and says how far it is") {
   }
 }
 
-TEST_CASE("parallel_for_each calls every element of a range once, and carries out the exception of the first") {
+TEST_CASE("parallel_for_each visits every element once, and throws the exception of the first") {
   for (const int threads : numbers_of_threads)
     for (const int n : {0, 1, 7, 3000}) {
       const with_num_threads now(threads);
@@ -190,7 +190,7 @@ TEST_CASE("parallel_for_each calls every element of a range once, and carries ou
     }
 }
 
-TEST_CASE("parallel_for_each takes elements in parts where their range tells them, without deleted ones") {
+TEST_CASE("parallel_for_each visits the parts of a range, without deleted elements") {
   std::vector<unsigned char> dead(5000);
   for (std::size_t i = 0; i < dead.size(); ++i) dead[i] = i % 3 == 0 || i / 1000 == 2;
   const concino::id_range<concino::vert_id> range(dead.size(), dead.data());
@@ -205,7 +205,7 @@ TEST_CASE("parallel_for_each takes elements in parts where their range tells the
   }
 }
 
-TEST_CASE("loops call what they are given, not a copy that forgets") {
+TEST_CASE("parallel: loops call the function itself, not a copy") {
   const with_num_threads now(1);
   int last = 0;
   auto count = [&last, n = 0](auto) mutable { last = ++n; };

@@ -48,7 +48,7 @@ void check_chunks(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("poly_chunks: every poly once, in chunks, with the number of corners before it", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poly_chunks: have every poly once, with the number of corners before it", M, CONCINO_KINDS) {
   check_chunks(M());
   check_chunks(grid<M>(1));
   const M m = grid<M>(VolumeMesh<M> ? 9 : 30);
@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("poly_chunks: every poly once, in chunks, with the number of 
   check_chunks(only_mesh(m));
 }
 
-TEST_CASE("compressed_columns: sizes that 32-bit indices cannot count are refused") {
+TEST_CASE("compressed_columns: sizes beyond 32-bit indices throw") {
   CHECK(detail::empty_columns("test", 5, 3).cols() == 3);
   CHECK_THROWS_WITH_AS(detail::empty_columns("test", std::size_t{1} << 31, 3),
                        "test: the matrix would have more rows than its 32-bit indices can count; split the mesh", unsupported);

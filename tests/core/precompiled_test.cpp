@@ -26,7 +26,7 @@ constexpr bool is_compiled = false;
 
 }  // namespace
 
-TEST_CASE("precompiled: meshes of the library, where the library is compiled") {
+TEST_CASE("precompiled: native meshes are precompiled in the compiled library") {
   CHECK(concino::core::is_precompiled<concino::trimesh> == is_compiled);
   CHECK(concino::core::is_precompiled<concino::tetmesh> == is_compiled);
   CHECK(concino::core::is_precompiled<const concino::tetmesh&> == is_compiled);

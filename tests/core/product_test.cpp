@@ -26,7 +26,7 @@ void check_sorted(const Eigen::SparseMatrix<double>& a) {
 
 }  // namespace
 
-TEST_CASE("with_both_triangles, scaled_product: as dense matrices have them, rows sorted") {
+TEST_CASE("with_both_triangles, scaled_product: agree with dense matrices, and rows are sorted") {
   std::mt19937 random(3);
   for (int round = 0; round < 100; ++round) {
     const int rows = 1 + static_cast<int>(random() % 6), between = 1 + static_cast<int>(random() % 6), columns = 1 + static_cast<int>(random() % 6);
@@ -46,7 +46,7 @@ TEST_CASE("with_both_triangles, scaled_product: as dense matrices have them, row
   }
 }
 
-TEST_CASE("with_both_triangles, scaled_product: nothing, entries that cancel, and what does not fit") {
+TEST_CASE("with_both_triangles, scaled_product: handle empty matrices, cancellation and wrong sizes") {
   CHECK(with_both_triangles(Eigen::SparseMatrix<double>(0, 0)).cols() == 0);
   CHECK(scaled_product(Eigen::SparseMatrix<double>(2, 0), {}, Eigen::SparseMatrix<double>(0, 3)).cols() == 3);
   Eigen::SparseMatrix<double> row(1, 2), column(2, 1);

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("progress: nobody need listen; false cancels and says during what") {
+TEST_CASE("progress: the callback is optional; false cancels, and the error names the operation") {
   concino::detail::report_progress({}, 0.5, "thinking");
   double heard = -1;
   const auto go_on = [&](double f, const char*) { heard = f; return true; };

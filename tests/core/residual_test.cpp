@@ -35,7 +35,7 @@ Eigen::VectorXd right() { return Eigen::Vector3d(2, -4, 16); }
 
 }  // namespace
 
-TEST_CASE("residual: beside the terms of each row, of a whole matrix and of a lower triangle") {
+TEST_CASE("residual: is relative to the terms of each row, of a full matrix or a lower triangle") {
   const sparse a = from(3, 3, {{0, 0, 4.0}, {1, 0, -1.0}, {0, 1, -1.0}, {1, 1, 3.0}, {2, 1, -2.0}, {1, 2, -2.0}, {2, 2, 5.0}});
   const Eigen::VectorXd x = Eigen::Vector3d(1, -2, 3), exact = a * x;  // 6, -13, 19; of terms 6, 13 and 19
   const sparse lower = a.triangularView<Eigen::Lower>();
@@ -54,7 +54,7 @@ TEST_CASE("residual: beside the terms of each row, of a whole matrix and of a lo
     }
 }
 
-TEST_CASE("residual: the largest entry of a row may be in either triangle, and the largest unknown anywhere") {
+TEST_CASE("residual: finds the largest entry in both triangles, and the largest unknown") {
   const sparse a = from(3, 3, {{0, 0, 1.0}, {1, 0, -9.0}, {0, 1, -9.0}, {1, 1, 2.0}, {2, 2, 3.0}}), lower = a.triangularView<Eigen::Lower>();
   for (int largest = 0; largest < 3; ++largest)
     for (int row = 0; row < 3; ++row) {
@@ -72,7 +72,7 @@ TEST_CASE("residual: the largest entry of a row may be in either triangle, and t
   CHECK(core::residual_beside_largest(lower, small, zero, r, true) == 0.5 / (9 * 0.25));
 }
 
-TEST_CASE("residual: rows of zeros are solved by anything, and what is not a number by nothing") {
+TEST_CASE("residual: is 0 for rows of zeros, and never small for NaN") {
   const sparse a = from(3, 3, {{0, 0, 1.0}});
   Eigen::VectorXd x = Eigen::Vector3d(2, 5, 7), b = Eigen::Vector3d(2, 0, 0), r;
   CHECK(core::residual(a, x, b, r, false) == 0);
@@ -82,14 +82,14 @@ TEST_CASE("residual: rows of zeros are solved by anything, and what is not a num
   CHECK(std::isnan(core::residual_beside_largest(a, x, b, r, false)));
 }
 
-TEST_CASE("core::solve_and_check: which solvers iterate") {
+TEST_CASE("core::solve_and_check: knows which solvers iterate") {
   CHECK(!core::is_iterative(ldlt()));
   CHECK(core::is_iterative(conjugate_gradients()));
   CHECK(!core::is_iterative(wrong_solver()));
   CHECK(core::is_iterative(wrong_iteration()));
 }
 
-TEST_CASE("core::solve_and_check: corrects until nothing is left, three times at most") {
+TEST_CASE("core::solve_and_check: corrects the solution at most three times") {
   const wrong_solver exact;
   CHECK(core::solve_and_check(exact, diagonal(), right(), "x") == Eigen::Vector3d(1, -1, 2));
   CHECK(exact.solves == 1);
@@ -105,7 +105,7 @@ TEST_CASE("core::solve_and_check: corrects until nothing is left, three times at
   CHECK(away.solves == 2);
 }
 
-TEST_CASE("core::solve_and_check: of solvers that iterate, what they tell counts, and nothing is solved again") {
+TEST_CASE("core::solve_and_check: trusts the residual of iterative solvers, without corrections") {
   const auto check = [](double factor, std::optional<double> told) {
     const sparse one = from(1, 1, {{0, 0, 1.0}});
     const Eigen::VectorXd d = Eigen::VectorXd::Ones(1);

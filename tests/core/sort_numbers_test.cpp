@@ -8,7 +8,7 @@
 
 using namespace concino;
 
-TEST_CASE("sort_numbers: none, few and many, of both types") {
+TEST_CASE("sort_numbers: sorts none, few and many numbers of both types") {
   std::mt19937_64 random(7);
   for (const std::size_t n : {0u, 1u, 2u, 15u, 16u, 17u, 1000u}) {
     std::vector<std::uint64_t> large(n + 1);

@@ -8,7 +8,7 @@
 using namespace concino;
 using namespace systems;
 
-TEST_CASE("system_checks: whichever entry is not finite is named") {
+TEST_CASE("system_checks: the error names the entry that is not finite") {
   for (int i = 0; i < 4; ++i)
     for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
       Eigen::VectorXd b = Eigen::VectorXd::Ones(4);
@@ -21,12 +21,12 @@ TEST_CASE("system_checks: whichever entry is not finite is named") {
     }
 }
 
-TEST_CASE("system_checks: the diagonal of a matrix, also where it has no entry") {
+TEST_CASE("system_checks: returns the diagonal, also without stored entries") {
   const sparse a = from(4, 4, {{0, 0, 2.0}, {1, 0, 7.0}, {0, 1, 7.0}, {1, 1, -3.0}, {2, 1, 5.0}, {1, 2, 5.0}, {3, 2, 11.0}, {3, 3, 4.0}});
   CHECK(core::diagonal(a) == std::vector<double>{2, -3, 0, 4});
 }
 
-TEST_CASE("system_checks: a pattern is rows, columns and the places of entries") {
+TEST_CASE("system_checks: compares patterns by sizes and positions of entries") {
   const sparse a = from(3, 2, {{0, 0, 1.0}, {1, 0, 2.0}}), other_values = from(3, 2, {{0, 0, 5.0}, {1, 0, 0.0}});
   const sparse higher = from(4, 2, {{0, 0, 1.0}, {1, 0, 2.0}}), wider = from(3, 3, {{0, 0, 1.0}, {1, 0, 2.0}});
   const sparse other_column = from(3, 2, {{0, 0, 1.0}, {1, 1, 2.0}}), other_row = from(3, 2, {{0, 0, 1.0}, {2, 0, 2.0}});
@@ -47,7 +47,7 @@ TEST_CASE("system_checks: a pattern is rows, columns and the places of entries")
   CHECK(analysed == 2);
 }
 
-TEST_CASE("system_checks: powers of two that scale to [1, 2), and 1 where there is none") {
+TEST_CASE("system_checks: finds the power of two that scales to [1, 2), or 1") {
   CHECK(core::power_of_two_to_scale(1) == 1);
   CHECK(core::power_of_two_to_scale(3) == 0.5);
   CHECK(core::power_of_two_to_scale(0.1) == 16);

@@ -62,7 +62,7 @@ void leaks_nothing(const F& made) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("moving meshes, tables and maps cannot fail", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("moving meshes, tables and maps allocates nothing", M, CONCINO_ALL_KINDS) {
   using tables = std::remove_cvref_t<decltype(std::declval<M&>().tables())>;
   static_assert(std::is_nothrow_move_constructible_v<M> && std::is_nothrow_move_assignable_v<M> && std::is_nothrow_swappable_v<M>);
   static_assert(std::is_nothrow_move_constructible_v<tables> && std::is_nothrow_move_assignable_v<tables>);
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("moving meshes, tables and maps cannot fail", M, CONCINO_ALL_
   CHECK(whole(m) == whole(moved));
 }
 
-TEST_CASE_TEMPLATE("a mesh is assigned, built and converted as a whole or not at all", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("assigning, building and converting a mesh succeeds or changes nothing", M, CONCINO_ALL_KINDS) {
   const M other = with_properties<M>(2), m = with_properties<M>(1);
   CHECK(all_or_nothing(m, [&](M& x) { x = other; }) > 10);
   const auto result = for_each_failing_allocation([&](const auto& attempt) {
@@ -96,7 +96,7 @@ TEST_CASE_TEMPLATE("a mesh is assigned, built and converted as a whole or not at
   CHECK(whole(m) == old);
 }
 
-TEST_CASE_TEMPLATE("properties and points change as a whole or not at all", M, cn::polygonmesh, cn::tetmesh) {
+TEST_CASE_TEMPLATE("changing properties and points succeeds or changes nothing", M, cn::polygonmesh, cn::tetmesh) {
   const M m = with_properties<M>(2);
   using cn::testing::value_with_memory;
   CHECK(all_or_nothing(m, [](M& x) { cn::vert_property<double>(x, "a name that is long enough to need memory"); }) > 2);
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("properties and points change as a whole or not at all", M, c
   CHECK(all_or_nothing(m, [&](M& x) { cn::transfer_properties(before, x, c); }) > 20);
 }
 
-TEST_CASE("an edit for which a property's default value cannot be made changes nothing") {
+TEST_CASE("an edit changes nothing if a default value of a property cannot be constructed") {
   cn::polygonmesh m = with_properties<cn::polygonmesh>(2);
   left = 1000;
   cn::vert_property<limited>(m, "x");
@@ -135,7 +135,7 @@ TEST_CASE("an edit for which a property's default value cannot be made changes n
   CHECK(cn::num_edges(m) == edges + 3);
 }
 
-TEST_CASE_TEMPLATE("a map is made and assigned as a whole or not at all", T, double, bool, std::vector<int>) {
+TEST_CASE_TEMPLATE("constructing and assigning a map succeeds or changes nothing", T, double, bool, std::vector<int>) {
   const cn::trimesh small = cn::testing::grid<cn::trimesh>(1), large = cn::testing::grid<cn::trimesh>(2);
   const T one(1), two(true);
   const auto from = cn::make_vert_map<T>(large, two);

@@ -96,7 +96,7 @@ TEST_CASE_TEMPLATE("an edit that runs out of memory changes nothing", M, CONCINO
   }
 }
 
-TEST_CASE("long polygons that share several edges, and run out of memory") {
+TEST_CASE("an edit of long polygons that runs out of memory changes nothing") {
   // two polygons of 40 verts with every third edge in common, and a third on one of these edges
   std::vector<cn::vec3> points(80);
   std::vector<std::vector<unsigned>> lists(2);
@@ -121,7 +121,7 @@ TEST_CASE("long polygons that share several edges, and run out of memory") {
   }
 }
 
-TEST_CASE_TEMPLATE("a mesh made of nothing but edits, out of memory at any of them", M, cn::trimesh, cn::tetmesh) {
+TEST_CASE_TEMPLATE("a mesh built by edits is valid after running out of memory at any of them", M, cn::trimesh, cn::tetmesh) {
   const M from = cn::testing::grid<M>(1);
   const auto build = [&](M& m) {
     for (const auto v : cn::verts(from)) cn::add_vert(m, cn::point(from, v));

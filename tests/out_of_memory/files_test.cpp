@@ -69,7 +69,7 @@ M labelled() {
 
 }  // namespace
 
-TEST_CASE("a file is replaced as a whole or not at all") {
+TEST_CASE("saving replaces the file completely or not at all") {
   saved_or_not(labelled<cn::trimesh>(), "a.obj");
   saved_or_not(labelled<cn::trimesh>(), "a.off");
   saved_or_not(labelled<cn::polygonmesh>(), "a.off", true);
@@ -81,7 +81,7 @@ TEST_CASE("a file is replaced as a whole or not at all") {
   saved_or_not(labelled<cn::polyhedralmesh>(), "a.hedra");
 }
 
-TEST_CASE("a file is loaded as a whole or not at all") {
+TEST_CASE("loading into a mesh succeeds or changes nothing") {
   loaded_or_not(labelled<cn::trimesh>(), "a.obj");
   loaded_or_not(labelled<cn::polygonmesh>(), "a.off");
   loaded_or_not(labelled<cn::quadmesh>(), "a.mesh");

@@ -56,7 +56,7 @@ void changes_all_or_nothing(const cn::testing::temporary_folder& dir, const M& m
 
 }  // namespace
 
-TEST_CASE("a save with materials changes both files or none") {
+TEST_CASE("saving with materials changes both files or none") {
   const cn::testing::temporary_folder dir;
   cn::testing::write_file(dir / "wood.mtl", wood);
   cn::testing::write_file(dir / "a.obj", scene);
@@ -70,7 +70,7 @@ TEST_CASE("a save with materials changes both files or none") {
   changes_all_or_nothing(dir, cn::load<cn::trimesh>(dir / "a.obj"), "a.obj");  // in the libraries that are there
 }
 
-TEST_CASE("a file with materials is read or std::bad_alloc is thrown") {
+TEST_CASE("loading with materials succeeds or throws std::bad_alloc") {
   const cn::testing::temporary_folder dir;
   cn::testing::write_file(dir / "wood.mtl", wood + "newmtl bad\nKd 1 x 1\nnewmtl bad\nKd 1 1 1\n");
   cn::testing::write_file(dir / "a.obj", "mtllib gone.mtl wood.mtl\n" + scene);
@@ -87,7 +87,7 @@ TEST_CASE("a file with materials is read or std::bad_alloc is thrown") {
   CHECK(result.leaks == 0);
 }
 
-TEST_CASE("a saved field replaces the old one or leaves it") {
+TEST_CASE("saving a field replaces the old file or keeps it") {
   const cn::testing::temporary_folder dir;
   const cn::trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const auto u = cn::make_vert_map<double>(m, 7);

@@ -30,7 +30,8 @@ S solver_of_most(std::int64_t most) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("out of memory a solver throws std::bad_alloc, and works afterwards", S, cn::ldlt, cn::llt, cn::lu, cn::qr, cn::conjugate_gradients, cn::bicgstab,
+TEST_CASE_TEMPLATE("a solver that runs out of memory throws std::bad_alloc, and works afterwards", S,
+                   cn::ldlt, cn::llt, cn::lu, cn::qr, cn::conjugate_gradients, cn::bicgstab,
                    cn::auto_solver) {
   const Eigen::SparseMatrix<double> first = grid_matrix(5), second = grid_matrix(4);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(16, 1, 2), b_first = Eigen::VectorXd::LinSpaced(25, 1, 2);
@@ -62,7 +63,7 @@ TEST_CASE_TEMPLATE("out of memory a solver throws std::bad_alloc, and works afte
   }
 }
 
-TEST_CASE("a solver that had no memory for another's order finds its own") {
+TEST_CASE("a solver without memory for the order of another computes its own") {
   const Eigen::SparseMatrix<double> small = grid_matrix(3), large = grid_matrix(5);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(9, 1, 2);
   cn::ldlt other;

@@ -26,7 +26,7 @@ static_assert(!takes_temporary<decltype(cn::only_primal_graph(s))>);
 
 }  // namespace
 
-TEST_CASE("dual answers as the mesh does") {
+TEST_CASE("dual(m) gives the same results as the mesh") {
   const auto g = cn::dual(s);
   CHECK(cn::num_polys(g) == 4);
   CHECK(cn::adj_p2p(g, user_mesh::cell{1}) == cn::adj_p2p(s, user_mesh::cell{1}));

@@ -30,7 +30,7 @@ static_assert(takes_temporary<decltype(cn::primal(s))> && takes_temporary<declty
 
 }  // namespace
 
-TEST_CASE("primal answers as the mesh does") {
+TEST_CASE("primal(m) gives the same results as the mesh") {
   const auto g = cn::primal(s);
   CHECK(cn::num_verts(g) == 8);
   CHECK(cn::adj_v2v(g, user_mesh::vertex{0}) == cn::adj_v2v(s, user_mesh::vertex{0}));

@@ -55,7 +55,7 @@ TEST_CASE("points come from the map, everything else from the mesh") {
   CHECK(cn::check_laws(cn::with_points(w, raised{7})).empty());
 }
 
-TEST_CASE("a map with a name is not copied, and changes of it are seen") {
+TEST_CASE("a map passed as an lvalue is not copied, and its changes are seen") {
   table t(10);
   const auto v = cn::with_points(w, t);
   t.at[4] = {1, 2, 3};
@@ -64,7 +64,7 @@ TEST_CASE("a map with a name is not copied, and changes of it are seen") {
   CHECK(cn::point(copy, user_mesh::vertex{4})[2] == 3);
 }
 
-TEST_CASE("what has no points gets them, and views may be of views") {
+TEST_CASE("graphs without points get points, and views of views work") {
   const auto bare = cn::only_mesh(w);
   const auto v = cn::with_points(bare, through<decltype(cn::only_mesh(w))>{bare});
   static_assert(models_in_all_forms<decltype(cn::with_points(bare, through<decltype(cn::only_mesh(w))>{bare}))>(cn::testing::volume |
