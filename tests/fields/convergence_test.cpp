@@ -4,7 +4,7 @@
 
 using namespace concino::testing;
 
-TEST_CASE("convergence: virtual elements and the gradient have their orders on every kind and family of the table") {
+TEST_CASE("convergence: virtual elements and the gradient have their orders on every kind and family") {
   std::size_t rows = 0;
   for (const convergence_row& row : read_convergence_table()) {
     CAPTURE(row.what);

@@ -55,7 +55,7 @@ double nodal_error(const M& m, const F& f, double* energy = nullptr) {
 
 }  // namespace
 
-TEST_CASE("corpus: harmonic functions on the regular grid of triangles") {
+TEST_CASE("corpus: harmonic maps are exact on the regular grid of triangles") {
   CONCINO_CORPUS_OR_SKIP(path, "fields/grid_33.obj");
   const auto m = load<trimesh>(path.string());
   double energy = 0;
@@ -70,14 +70,14 @@ TEST_CASE("corpus: harmonic functions on the regular grid of triangles") {
   CHECK(harmonic_map(m, on_boundary(m, smooth), cotangent)[vert_id{544}] == doctest::Approx(0.199498816585).epsilon(1e-10));
 }
 
-TEST_CASE("corpus: harmonic functions on the disk") {
+TEST_CASE("corpus: harmonic maps agree with known functions on the disk") {
   CONCINO_CORPUS_OR_SKIP(path, "tri/circle_disk.obj");
   const auto m = load<trimesh>(path.string());
   CHECK(nodal_error(m, [](const vec3& x) { return x.x; }) < 1e-13);
   CHECK(nodal_error(m, [](const vec3& x) { return x.x * x.x - x.y * x.y; }) == doctest::Approx(0.00051309700845).epsilon(1e-8));
 }
 
-TEST_CASE("corpus: harmonic functions on the cube of tets") {
+TEST_CASE("corpus: harmonic maps agree with known functions on the cube of tets") {
   CONCINO_CORPUS_OR_SKIP(path, "fields/kuhn_6.mesh");
   const auto m = load<tetmesh>(path.string());
   CHECK(nodal_error(m, [](const vec3& x) { return x.x + 2 * x.y - x.z; }) < 1e-13);
@@ -109,7 +109,7 @@ TEST_CASE("corpus: masses of the sphere sum to its area, the Laplacian of its po
   CHECK(most == doctest::Approx(7.03603419647).epsilon(1e-9));
 }
 
-TEST_CASE("corpus: uniform harmonic maps between one low and one high vert per component keep between them, on every mesh of up to 10,000 verts") {
+TEST_CASE("corpus: uniform harmonic maps obey the maximum principle, on every mesh of up to 10,000 verts") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   for (const auto& row : rows) {

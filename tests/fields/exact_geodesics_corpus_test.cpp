@@ -36,7 +36,7 @@ void compare(const std::filesystem::path& path, double percent) {
 
 }  // namespace
 
-TEST_CASE("corpus: heat geodesics are near exact ones, which are no longer than ways along edges and no shorter than straight lines") {
+TEST_CASE("corpus: heat geodesics are close to exact ones, which are between straight lines and edge paths") {
   CONCINO_CORPUS_OR_SKIP(torus, "tri/torus.obj");
   CONCINO_CORPUS_OR_SKIP(socket, "tri/socket_genus7.off");
   CONCINO_CORPUS_OR_SKIP(spheres, "tri/two_spheres.obj");
@@ -51,7 +51,7 @@ TEST_CASE("corpus: heat geodesics are near exact ones, which are no longer than 
   compare(spot, 2);
 }
 
-TEST_CASE("corpus: exact geodesics on the sphere are great circles but for the size of its triangles") {
+TEST_CASE("corpus: exact geodesics on the sphere are great circles up to the size of its triangles") {
   CONCINO_CORPUS_OR_SKIP(path, "tri/sphere.obj");
   const auto m = load<trimesh>(path.string());
   const auto d = prepare_exact_geodesics(m).distance_from(vert_id{0});

@@ -74,7 +74,7 @@ surface_arrays refined(const std::vector<std::array<vec3, 3>>& triangles, unsign
 
 }  // namespace
 
-TEST_CASE("exact_geodesics: straight lines in the plane, on even and uneven triangles, from anywhere, in any order of verts") {
+TEST_CASE("exact_geodesics: are straight lines in the plane, on any triangles, in any order of verts") {
   for (const surface_arrays& a : {triangle_grid(12), uneven_square(12), uneven_square(12, 2)}) {
     const trimesh m(a);
     const auto exact = prepare_exact_geodesics(m);
@@ -88,7 +88,7 @@ TEST_CASE("exact_geodesics: straight lines in the plane, on even and uneven tria
   }
 }
 
-TEST_CASE("exact_geodesics: polygons that are triangles, archetypes, and symmetry") {
+TEST_CASE("exact_geodesics: accept polygons that are triangles and archetypes, and are symmetric") {
   surface_arrays a = uneven_square(6);
   for (vec3& x : a.points) x.z = 0.3 * std::sin(7 * x.x) * std::cos(5 * x.y);
   const trimesh m(a);
@@ -111,7 +111,7 @@ TEST_CASE("exact_geodesics: polygons that are triangles, archetypes, and symmetr
   }
 }
 
-TEST_CASE("exact_geodesics: around a hole, along its sides and corners") {
+TEST_CASE("exact_geodesics: go around a hole along its edges and corners") {
   // the square without the middle: what is not seen is behind one corner or two
   surface_arrays a = uneven_square(9);
   const surface_arrays even = triangle_grid(9);
@@ -166,7 +166,7 @@ TEST_CASE("exact_geodesics: around a hole, along its sides and corners") {
   }
 }
 
-TEST_CASE("exact_geodesics: the surface of a cube, unfolded, from a corner and from the middle of a side") {
+TEST_CASE("exact_geodesics: match the unfolded surface of a cube, from a corner and a face centre") {
   std::vector<std::array<vec3, 3>> halves;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const double at : {0.0, 1.0}) {
@@ -219,7 +219,7 @@ TEST_CASE("exact_geodesics: the surface of a cube, unfolded, from a corner and f
         }) < 1e-12);
 }
 
-TEST_CASE("exact_geodesics: a regular tetrahedron, which is the plane rolled up") {
+TEST_CASE("exact_geodesics: match the unfolded regular tetrahedron") {
   const std::array<vec3, 4> x{vec3{1, 1, 1}, vec3{1, -1, -1}, vec3{-1, 1, -1}, vec3{-1, -1, 1}};
   const double side = std::sqrt(8.0);
   const trimesh m(refined({{x[0], x[1], x[2]}, {x[1], x[3], x[2]}, {x[0], x[3], x[1]}, {x[0], x[2], x[3]}}, 5));
@@ -242,7 +242,7 @@ TEST_CASE("exact_geodesics: a regular tetrahedron, which is the plane rolled up"
         }) < 1e-12);
 }
 
-TEST_CASE("exact_geodesics: cones, where paths go around on one side or over the tip") {
+TEST_CASE("exact_geodesics: go around a cone or over its tip") {
   for (const int wedges : {3, 4, 5, 6, 8, 10}) {
     const double turn = 2 * std::numbers::pi / wedges;
     // rim points a distance of 1 apart and from the tip; where there are too many for that they go up and down in turns
@@ -276,7 +276,7 @@ TEST_CASE("exact_geodesics: cones, where paths go around on one side or over the
   }
 }
 
-TEST_CASE("exact_geodesics: on the sphere shorter than arcs, and nearer to them when refined") {
+TEST_CASE("exact_geodesics: on the sphere are shorter than arcs, and converge to them") {
   double before = 1;
   for (const unsigned k : {1u, 2u, 3u, 4u}) {
     const trimesh m = icosphere(k);
@@ -291,7 +291,7 @@ TEST_CASE("exact_geodesics: on the sphere shorter than arcs, and nearer to them 
   CHECK(before < 0.0025);
 }
 
-TEST_CASE("exact_geodesics: several sources are the nearest of each; initial distances; components") {
+TEST_CASE("exact_geodesics: return the nearest of several sources with initial distances, by component") {
   const trimesh m = two_grids<trimesh>(6);
   const auto exact = prepare_exact_geodesics(m);
   const vert_id a{0}, b{20}, c{33}, other{60}, alone{static_cast<unsigned>(num_verts(m) - 1)};
@@ -315,7 +315,7 @@ TEST_CASE("exact_geodesics: several sources are the nearest of each; initial dis
   CHECK(copy.distance_from(b)[a] == db[a]);
 }
 
-TEST_CASE("exact_geodesics: from points in triangles, on edges and at verts") {
+TEST_CASE("exact_geodesics: sources may be in triangles, on edges and at verts") {
   const trimesh m(uneven_square(6));
   const auto exact = prepare_exact_geodesics(m);
   for (const unsigned p : {0u, 13u, 40u, 71u})
@@ -344,7 +344,7 @@ TEST_CASE("exact_geodesics: from points in triangles, on edges and at verts") {
   }
 }
 
-TEST_CASE("exact_geodesics: three pages of a book, and cones that meet at a vert") {
+TEST_CASE("exact_geodesics: work at edges with three triangles and verts with several fans") {
   // pages of the unit square about the line x = 0; from one to another a path is straight when both are laid flat
   std::vector<std::array<vec3, 3>> triangles;
   const std::array<vec3, 3> out{vec3{1, 0, 0}, vec3{-0.6, 0.8, 0}, vec3{0, -1, 0}};
@@ -394,7 +394,7 @@ TEST_CASE("exact_geodesics: scaling the mesh scales the distances to the last bi
   for (const auto v : verts(m)) CHECK(e[v] == doctest::Approx(1e3 * d[v]).epsilon(1e-12));
 }
 
-TEST_CASE("exact_geodesics: long and thin triangles") {
+TEST_CASE("exact_geodesics: are right on long and thin triangles") {
   for (const double power : {2.0, 3.0}) {
     auto a = triangle_grid(15);
     for (vec3& x : a.points) x = {std::pow(x.x, power), std::pow(x.y, power), 0};
@@ -404,7 +404,7 @@ TEST_CASE("exact_geodesics: long and thin triangles") {
   }
 }
 
-TEST_CASE("exact_geodesics: errors") {
+TEST_CASE("exact_geodesics: throw if an argument or the mesh is invalid") {
   const auto quads = grid<quadmesh>(2);
   CHECK_THROWS_WITH_AS(prepare_exact_geodesics(quads),
                        "exact_geodesics: poly 0 has 4 verts; all polys must be triangles: triangulate it, or ask heat_geodesics", unsupported);
@@ -425,7 +425,7 @@ TEST_CASE("exact_geodesics: errors") {
   }
 }
 
-TEST_CASE("exact_geodesics: elements removed and not renumbered, and no elements at all") {
+TEST_CASE("exact_geodesics: work with gaps in the indices and on empty meshes") {
   trimesh m(uneven_square(4));
   remove_vert(m, vert_id{4});
   const auto d = prepare_exact_geodesics(m).distance_from(vert_id{24});

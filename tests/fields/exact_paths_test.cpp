@@ -92,7 +92,7 @@ surface_arrays spikes(unsigned n) {
 
 }  // namespace
 
-TEST_CASE("exact_paths: on flat grids, where many verts lie on a path, and on bumps and between spikes") {
+TEST_CASE("exact_paths: are right on flat grids, on bumps and between spikes") {
   for (const surface_arrays& a : {triangle_grid(8), bumps(8, 1), bumps(8, 2), spikes(7)}) {
     const trimesh m(a);
     const auto exact = prepare_exact_geodesics(m);
@@ -105,7 +105,7 @@ TEST_CASE("exact_paths: on flat grids, where many verts lie on a path, and on bu
   }
 }
 
-TEST_CASE("exact_paths: polygons that are triangles and archetypes") {
+TEST_CASE("exact_paths: accept polygons that are triangles and archetypes") {
   const surface_arrays a = bumps(5, 3);
   const trimesh m(a);
   const polygonmesh p(with_offsets(a));
@@ -117,7 +117,7 @@ TEST_CASE("exact_paths: polygons that are triangles and archetypes") {
   for (const auto v : verts(weak)) CHECK(paths.path_to(v).points.size() == same.path_to(weak.base(v)).points.size());
 }
 
-TEST_CASE("exact_paths: over a sphere, a path back is as long, and lies along the great circle") {
+TEST_CASE("exact_paths: on a sphere are near great circles, with the same length in both directions") {
   const trimesh m = icosphere(3);
   const auto exact = prepare_exact_geodesics(m);
   check_paths(m, exact.paths_from(vert_id{5}));
@@ -127,7 +127,7 @@ TEST_CASE("exact_paths: over a sphere, a path back is as long, and lies along th
   for (const auto& x : there.points) CHECK(std::abs(dot(x.position, normal)) < 0.03 * norm(normal));
 }
 
-TEST_CASE("exact_paths: where edges have three triangles, and where fans meet at a vert") {
+TEST_CASE("exact_paths: work at edges with three triangles and verts with several fans") {
   // three pages of a book about the line x = y = 0
   surface_arrays book{{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}, {}, {}, 3};
   for (const vec3& out : {vec3{1, 0, 0}, vec3{-0.6, 0.8, 0}, vec3{0, -1, 0}})
@@ -147,7 +147,7 @@ TEST_CASE("exact_paths: where edges have three triangles, and where fans meet at
   CHECK(std::get<vert_id>(over.points[1].element) == vert_id{0});
 }
 
-TEST_CASE("exact_paths: a path bends at a concave corner of the boundary, and at a saddle, only there") {
+TEST_CASE("exact_paths: bend only at concave corners of the boundary and at saddles") {
   // an L of three unit squares
   const trimesh m({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}},
                   {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}});
@@ -157,7 +157,7 @@ TEST_CASE("exact_paths: a path bends at a concave corner of the boundary, and at
   CHECK(std::get<vert_id>(path.points[1].element) == vert_id{4});
 }
 
-TEST_CASE("exact_paths: one source of several, sources that start later, points in triangles and on edges, and parts without a source") {
+TEST_CASE("exact_paths: accept several sources with initial distances, anywhere, and components without one") {
   const trimesh m = two_grids<trimesh>(5);
   const auto exact = prepare_exact_geodesics(m);
   check_paths(m, exact.paths_from({vert_id{0}, vert_id{33}}));
@@ -181,7 +181,7 @@ TEST_CASE("exact_paths: one source of several, sources that start later, points 
   }
 }
 
-TEST_CASE("exact_paths: one path is the same as among all, and scales with the mesh") {
+TEST_CASE("exact_paths: a single path equals that of a full query, and scales with the mesh") {
   const surface_arrays a = bumps(7, 5);
   const trimesh m(a);
   const auto exact = prepare_exact_geodesics(m);
@@ -203,7 +203,7 @@ TEST_CASE("exact_paths: one path is the same as among all, and scales with the m
   }
 }
 
-TEST_CASE("exact_paths: errors, removed elements, and copies that outlive what they were asked of") {
+TEST_CASE("exact_paths: throw errors, work with gaps in the indices, and copies are independent") {
   const auto m = grid<trimesh>(2);
   const auto exact = prepare_exact_geodesics(m);
   CHECK_THROWS_WITH_AS(exact.path_between(vert_id{0}, vert_id{9}), "exact_geodesics: the target is no vert of the mesh; take it from verts(m)", invalid_mesh);
@@ -217,7 +217,7 @@ TEST_CASE("exact_paths: errors, removed elements, and copies that outlive what t
   check_paths(gaps, paths);
 }
 
-TEST_CASE("exact_geodesics: one question in one call") {
+TEST_CASE("exact_geodesics: a single query can be one call") {
   const trimesh m(bumps(4, 7));
   const auto exact = prepare_exact_geodesics(m);
   const auto a = exact_geodesics(m, vert_id{3}), b = exact_geodesics(m, {vert_id{3}, vert_id{9}});

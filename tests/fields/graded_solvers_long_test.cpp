@@ -3,7 +3,7 @@
 
 using namespace graded_solvers;
 
-TEST_CASE("harmonic_map: by iteration on large graded grids, all sides or two held") {
+TEST_CASE("harmonic_map: iteration is accurate on large graded grids, with all or two sides constrained") {
   for (const bool all : {true, false}) {
     CHECK(distance_from_linear(graded<trimesh>(all ? 300 : 120, 3), all) < 1e-9);
     CHECK(distance_from_linear(graded<tetmesh>(40, 3), all) < 1e-9);

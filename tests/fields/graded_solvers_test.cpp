@@ -9,16 +9,16 @@
 
 using namespace graded_solvers;
 
-TEST_CASE("harmonic_map: by iteration as by factorisation on graded triangles, all sides or two held") {
+TEST_CASE("harmonic_map: iteration agrees with factorisation on graded triangles") {
   for (const bool all : {true, false}) CHECK(difference(graded<trimesh>(40, 3), all) < 1e-9);
 }
-TEST_CASE("harmonic_map: by iteration as by factorisation on graded tets, all sides or two held") {
+TEST_CASE("harmonic_map: iteration agrees with factorisation on graded tets") {
   for (const bool all : {true, false}) CHECK(difference(graded<tetmesh>(9, 3), all) < 1e-9);
 }
-TEST_CASE("harmonic_map: by iteration as by factorisation on graded hexes, all sides or two held") {
+TEST_CASE("harmonic_map: iteration agrees with factorisation on graded hexes") {
   for (const bool all : {true, false}) CHECK(difference(graded<hexmesh>(9, 3), all) < 1e-9);
 }
-TEST_CASE("harmonic_map: by iteration as by factorisation on a square whose upper half is 10^9 times as high") {
+TEST_CASE("harmonic_map: iteration agrees with factorisation if half of a square is 10^9 times as high") {
   auto m = graded<trimesh>(30, 1);
   for (const auto v : verts(m)) {
     vec3 p = to_vec3(point(m, v));
@@ -29,7 +29,7 @@ TEST_CASE("harmonic_map: by iteration as by factorisation on a square whose uppe
   CHECK(difference(m, false) < 1e-9);
 }
 
-TEST_CASE("fields: on meshes squeezed until the system is singular the problem, a vert and a remedy are named") {
+TEST_CASE("fields: the error of a singular system names the problem, a vert and a remedy") {
   auto m = make_grid<hexmesh>({.cells = {4, 4, 4}});
   for (const auto v : verts(m)) {
     vec3 p = to_vec3(point(m, v));

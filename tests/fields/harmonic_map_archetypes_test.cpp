@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("harmonic_map, uniform: uses nothing but a primal graph", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map, uniform: runs on the archetype of a primal graph", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto g = only_primal_graph(m);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
@@ -22,7 +22,7 @@ TEST_CASE_TEMPLATE("harmonic_map, uniform: uses nothing but a primal graph", M, 
   for (const auto v : verts(g)) CHECK(squared[v] == doctest::Approx(expected[g.base(v)]).epsilon(1e-8));
 }
 
-TEST_CASE_TEMPLATE("harmonic_map: higher exponents need no points, and points alone are no measure", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map: higher exponents need no points, and points without polys are not enough", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
   const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}}, uniform, {.exponent = 2});

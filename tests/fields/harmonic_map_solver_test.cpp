@@ -19,7 +19,7 @@ using values = std::map<vert_id, double>;
 
 }  // namespace
 
-TEST_CASE("harmonic_map: solves with the solver that is handed in, which keeps its factors") {
+TEST_CASE("harmonic_map: uses the solver argument, which keeps its factorisation") {
   struct counting : ldlt {
     int factorised = 0;
     void factorize(const Eigen::SparseMatrix<double>& a) {
@@ -39,7 +39,7 @@ TEST_CASE("harmonic_map: solves with the solver that is handed in, which keeps i
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{26}, 1.0}}, {}, wrong{}), doctest::Contains("too badly conditioned"), solver_error);
 }
 
-TEST_CASE_TEMPLATE("harmonic_map: the solver sees positive definite matrices of the unknowns, and nothing where there are none", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map: the solver gets positive definite matrices of the unknowns, if there are any", M, CONCINO_KINDS) {
   struct watching : ldlt {
     Eigen::Index unknowns = 0;
     bool is_positive = true;

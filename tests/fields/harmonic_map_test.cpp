@@ -77,7 +77,7 @@ template<class M> concept mappable = requires(const values& given) { harmonic_ma
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("harmonic_map, uniform: equal to a dense solve", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map, uniform: equals a dense solution", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
   CHECK(distance_to_dense(m, {{a, 0}, {b, 1}}, uniform, 1) < 1e-12);
@@ -87,13 +87,13 @@ TEST_CASE_TEMPLATE("harmonic_map, uniform: equal to a dense solve", M, CONCINO_A
   CHECK(distance_to_dense(m, {{a, -2}, {b, 5}, {c, 7.25}}, uniform, 3) < 1e-6);
 }
 
-TEST_CASE_TEMPLATE("harmonic_map, cotangent: equal to a dense solve, for all exponents", M, trimesh, tetmesh) {
+TEST_CASE_TEMPLATE("harmonic_map, cotangent: equals a dense solution, for all exponents", M, trimesh, tetmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
   for (const int n : {1, 2, 3}) CHECK(distance_to_dense(m, {{a, -2}, {b, 5}, {c, 7.25}}, cotangent, n) < (n == 1 ? 1e-12 : n == 2 ? 1e-9 : 1e-6));
 }
 
-TEST_CASE_TEMPLATE("harmonic_map, uniform: maximum principle, strict inside", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map, uniform: obeys the strict maximum principle", M, CONCINO_ALL_KINDS) {
   std::mt19937 random(5);
   const M m(jittered(grid_arrays<M>(4), 0.05));
   for (int round = 0; round < 5; ++round) {
@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE("harmonic_map, cotangent: reproduces linear functions on plan
   CHECK(largest_error(moved, cotangent, [](const vec3& x) { return 1 + x.x + 2 * x.y - x.z; }) < 1e-13);
 }
 
-TEST_CASE("harmonic_map, cotangent: on the regular grid the five-point stencil, exact for quadratics") {
+TEST_CASE("harmonic_map, cotangent: is exact for harmonic quadratics on the regular grid") {
   const auto m = grid<trimesh>(8);
   CHECK(largest_error(m, cotangent, [](const vec3& x) { return x.x * x.x - x.y * x.y; }) < 1e-14);
   CHECK(largest_error(m, cotangent, [](const vec3& x) { return x.x * x.y; }) < 1e-14);
@@ -155,7 +155,7 @@ TEST_CASE("harmonic_map: exponent 2 reproduces cubics along a ring of verts") {
   for (int i = 0; i < n; ++i) CHECK(u[vert_id{i}] == doctest::Approx(cubic(i)).epsilon(1e-11));
 }
 
-TEST_CASE_TEMPLATE("harmonic_map: pieces are solved apart; lonely verts get the isolated value or what is given", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map: components are independent; isolated verts get the isolated or prescribed value", M, CONCINO_ALL_KINDS) {
   const M m = two_grids<M>(2);
   const auto half = static_cast<unsigned>((num_verts(m) - 1) / 2);
   const vert_id a{0}, b{half - 1}, c{half}, lonely{2 * half};
@@ -173,7 +173,7 @@ TEST_CASE_TEMPLATE("harmonic_map: pieces are solved apart; lonely verts get the 
   CHECK_THROWS_AS(harmonic_map(m, {{lonely, 1}}), solver_error);
 }
 
-TEST_CASE_TEMPLATE("harmonic_map: nothing to solve", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map: returns the prescribed values if there are no unknowns", M, CONCINO_ALL_KINDS) {
   const M none;
   CHECK(harmonic_map(none, values{}).values().empty());
   const M m = grid<M>(1);
@@ -185,7 +185,7 @@ TEST_CASE_TEMPLATE("harmonic_map: nothing to solve", M, CONCINO_ALL_KINDS) {
   }
 }
 
-TEST_CASE("harmonic_map: values in braces, a map, a vector; twice the same value is one") {
+TEST_CASE("harmonic_map: accepts values in braces, maps and vectors, also equal duplicates") {
   const auto m = grid<quadmesh>(3);
   const vert_id a{0}, b{15};
   const auto u = harmonic_map(m, {{a, 0}, {b, 1}, {a, 0}});
@@ -197,7 +197,7 @@ TEST_CASE("harmonic_map: values in braces, a map, a vector; twice the same value
   }
 }
 
-TEST_CASE("harmonic_map: on a strip of 3 x 400 cells values are right across all of it") {
+TEST_CASE("harmonic_map: is accurate on a strip of 3 x 400 cells") {
   std::vector<vec3> x;
   std::vector<std::vector<int>> quads;
   const int n = 400;
@@ -215,7 +215,7 @@ TEST_CASE("harmonic_map: on a strip of 3 x 400 cells values are right across all
   for (const auto v : verts(m)) CHECK(u[v] == doctest::Approx(point(m, v)[0] / n).epsilon(1e-11));
 }
 
-TEST_CASE("harmonic_map: scaling the mesh changes nothing, any exponent") {
+TEST_CASE("harmonic_map: does not depend on the scale of the mesh, for any exponent") {
   auto arrays = jittered(triangle_grid(5), 0.04);
   const vert_id a{0}, b{35};
   for (const int n : {1, 2, 3}) {
@@ -232,7 +232,7 @@ TEST_CASE("harmonic_map: scaling the mesh changes nothing, any exponent") {
   }
 }
 
-TEST_CASE("harmonic_map: an edge with three polys, a vert between two fans") {
+TEST_CASE("harmonic_map: works at edges with three polys and verts with two fans") {
   const trimesh m({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {1, 5, 6}});
   const auto check = [&](const auto& which) {
     CHECK(distance_to_dense(m, {{vert_id{0}, 0}, {vert_id{5}, 1}}, which, 1) < 1e-13);
@@ -263,7 +263,7 @@ TEST_CASE_TEMPLATE("harmonic_map, standard: reproduces linear functions, whateve
   for (const auto v : verts(m)) CHECK(std::abs(u[v] - f(to_vec3(point(m, v)))) < 1e-13);
 }
 
-TEST_CASE_TEMPLATE("harmonic_map<vec3>: part by part what the map of numbers is, with one factorisation", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map<vec3>: equals the map of numbers by component, with one factorisation", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
   const auto to_space = harmonic_map<vec3>(m, {{a, {0, 1, 2}}, {b, {3, -1, 5}}}, {.exponent = 2});
@@ -281,7 +281,7 @@ TEST_CASE_TEMPLATE("harmonic_map<vec3>: part by part what the map of numbers is,
   CHECK(with_lonely[alone] == vec3{4, 4, 4});
 }
 
-TEST_CASE("harmonic_map: errors") {
+TEST_CASE("harmonic_map: throws if an argument is invalid") {
   const auto m = grid<trimesh>(2);
   const vert_id a{0}, b{8};
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 0.0}, {vert_id{9}, 1.0}}),
@@ -300,7 +300,7 @@ TEST_CASE("harmonic_map: errors") {
   CHECK(harmonic_map(flat, {{a, 1.0}}, uniform)[vert_id{2}] == doctest::Approx(1));
 }
 
-TEST_CASE("harmonic_map: reports progress and stops when asked to") {
+TEST_CASE("harmonic_map: reports progress and can be cancelled") {
   const auto m = grid<trimesh>(4);
   double last = 0;
   int calls = 0;
@@ -314,7 +314,7 @@ TEST_CASE("harmonic_map: reports progress and stops when asked to") {
   CHECK_THROWS_AS(harmonic_map(m, {{vert_id{0}, 0.0}}, {.progress = [](double, const char*) { return false; }}), cancelled);
 }
 
-TEST_CASE_TEMPLATE("harmonic_map: the value of isolated verts is of no concern to others, for all exponents", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map: the value of isolated verts does not change others, for all exponents", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(2);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
   for (const int n : {1, 2, 3, 4}) {
@@ -326,7 +326,7 @@ TEST_CASE_TEMPLATE("harmonic_map: the value of isolated verts is of no concern t
   CHECK(distance_to_dense(m, {{b, 1}, {c, 2}}, uniform, 2) < 1e-9);  // of which vert 0 is no part
 }
 
-TEST_CASE_TEMPLATE("harmonic_map, laplacian, masses: on a mesh with elements removed and not renumbered", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map, laplacian, masses: work with gaps in the indices", M, CONCINO_ALL_KINDS) {
   M m(jittered(grid_arrays<M>(4), 0.02));
   const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)};
   remove_vert(m, gone);

@@ -35,7 +35,7 @@ Eigen::VectorXd vector_of(const Map& u) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("heat_flow: heat is neither made nor lost, and the square falls", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_flow: preserves the total heat, and its square decreases", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const auto u = random_values(m);
   for (const auto scheme : {heat_scheme::second_order, heat_scheme::backward_euler})
@@ -50,7 +50,7 @@ TEST_CASE_TEMPLATE("heat_flow: heat is neither made nor lost, and the square fal
   CHECK(vector_of(w).sum() == doctest::Approx(vector_of(u).sum()).epsilon(1e-12).scale(1));
 }
 
-TEST_CASE_TEMPLATE("heat_flow: cos(pi x) decays as exp(-pi^2 t), of the second order in the size of the polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_flow: cos(pi x) decays as exp(-pi^2 t), with second order in the size of the polys", M, CONCINO_KINDS) {
   const auto error = [](unsigned n) {
     const M m = grid<M>(n);
     const auto u = wave(m), w = heat_flow(m, u, 0.1, {.steps = 20});
@@ -64,7 +64,7 @@ TEST_CASE_TEMPLATE("heat_flow: cos(pi x) decays as exp(-pi^2 t), of the second o
   CHECK(std::log2(coarse / fine) > (TetMesh<M> ? 1.5 : 1.75));  // tets come to 2 more slowly
 }
 
-TEST_CASE_TEMPLATE("heat_flow: the order in time is that of the scheme", M, trimesh, hexmesh) {
+TEST_CASE_TEMPLATE("heat_flow: has the order in time of the scheme", M, trimesh, hexmesh) {
   const M m = grid<M>(VolumeMesh<M> ? 3 : 6);
   const auto u = wave(m);
   for (const auto& [scheme, order] : {std::pair(heat_scheme::second_order, 2.0), std::pair(heat_scheme::backward_euler, 1.0)}) {
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("heat_flow: the order in time is that of the scheme", M, trim
   }
 }
 
-TEST_CASE("heat_flow: backward Euler with lumped masses and no negative weights stays in the range, and the extrema move inwards") {
+TEST_CASE("heat_flow: backward Euler with lumped masses and positive weights obeys the maximum principle") {
   const auto m = grid<trimesh>(6);
   auto u = make_vert_map<double>(m, 0.0);
   u[vert_id{24}] = 1;
@@ -89,7 +89,7 @@ TEST_CASE("heat_flow: backward Euler with lumped masses and no negative weights 
   }
 }
 
-TEST_CASE_TEMPLATE("heat_flow: long steps end at the mean of each component, or the harmonic map through what is held", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_flow: long steps converge to the mean of each component, or to the harmonic map", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const auto u = random_values(m);
   const Eigen::SparseMatrix<double> mass = mass_matrix(m, {.lumped = false});
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("heat_flow: long steps end at the mean of each component, or 
   CHECK(largest_difference(heat_flow(m, u, 0), u) < 1e-12);
 }
 
-TEST_CASE_TEMPLATE("prepare_heat_flow: the same bits, going on, and part by part", M, polygonmesh, tetmesh) {
+TEST_CASE_TEMPLATE("prepare_heat_flow: equals heat_flow to the bit, in steps and by component", M, polygonmesh, tetmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const vert_id a{0};
   const auto u = random_values(m), w = wave(m);
@@ -127,7 +127,7 @@ TEST_CASE_TEMPLATE("prepare_heat_flow: the same bits, going on, and part by part
   }
 }
 
-TEST_CASE_TEMPLATE("heat_flow: on archetypes", M, trimesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("heat_flow: runs on archetypes", M, trimesh, polyhedralmesh) {
   const M m = grid<M>(2);
   const auto u = wave(m);
   const auto weak = only_embedded_mesh(m);
@@ -143,7 +143,7 @@ TEST_CASE_TEMPLATE("heat_flow: on archetypes", M, trimesh, polyhedralmesh) {
   for (const auto v : verts(graph)) CHECK(y[v] == doctest::Approx(x[graph.base(v)]).epsilon(1e-12).scale(1));
 }
 
-TEST_CASE_TEMPLATE("heat_flow: scaling the mesh by a power of two and time by its square changes no bit", M, trimesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("heat_flow: scaling the mesh by a power of two and time by its square changes nothing", M, trimesh, polyhedralmesh) {
   auto arrays = jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>);
   const M m(arrays);
   const auto u = random_values(m), w = heat_flow(m, u, 0.03);
@@ -155,7 +155,7 @@ TEST_CASE_TEMPLATE("heat_flow: scaling the mesh by a power of two and time by it
   }
 }
 
-TEST_CASE_TEMPLATE("heat_flow: verts without edges keep what they have and are counted", M, quadmesh, hexmesh) {
+TEST_CASE_TEMPLATE("heat_flow: isolated verts keep their values and are counted", M, quadmesh, hexmesh) {
   const M m = two_grids<M>(1);
   const vert_id alone{static_cast<unsigned>(num_verts(m) - 1)};
   auto u = make_vert_map<double>(m, 1.0);
@@ -175,7 +175,7 @@ TEST_CASE_TEMPLATE("heat_flow: verts without edges keep what they have and are c
   CHECK(heat_flow(none, make_vert_map<double>(none), 1).values().empty());
 }
 
-TEST_CASE("heat_flow: errors, progress") {
+TEST_CASE("heat_flow: throws on invalid arguments, and reports progress") {
   const auto m = grid<trimesh>(2);
   auto u = make_vert_map<double>(m, 1.0);
   CHECK_THROWS_WITH_AS(heat_flow(m, u, -1), "heat_flow: time is -1; it must be finite and 0 or more", invalid_argument);

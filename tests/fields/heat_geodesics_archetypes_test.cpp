@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("heat_geodesics: an archetype of the mesh has the same distances", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: have the same result on an archetype", M, CONCINO_KINDS) {
   const M m = square_or_cube<M>(2);
   const auto weak = only_embedded_mesh(m);
   const auto d = heat_geodesics(m, vert_id{0});
@@ -18,7 +18,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: an archetype of the mesh has the same distan
   for (const auto v : verts(weak)) CHECK(e[v] == doctest::Approx(d[weak.base(v)]).epsilon(1e-9));
 }
 
-TEST_CASE_TEMPLATE("heat_geodesics: elements removed and not renumbered, and no elements at all", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: work with gaps in the indices and on empty meshes", M, CONCINO_KINDS) {
   M m(jittered(grid_arrays<M>(4), 0.02, VolumeMesh<M>));
   remove_vert(m, vert_id{static_cast<unsigned>(num_verts(m) / 2)});
   const auto d = heat_geodesics(m, vert_id{0});

@@ -3,4 +3,4 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("heat_geodesics: errors as the table says, on the coarser meshes of quads and hexes", M, quadmesh, hexmesh) { check_geodesics_of<M>(); }
+TEST_CASE_TEMPLATE("heat_geodesics: errors match the table on the coarser meshes of quads and hexes", M, quadmesh, hexmesh) { check_geodesics_of<M>(); }

@@ -14,7 +14,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("corpus: heat geodesics on the sphere are exact ones but for little, and no longer than ways along edges") {
+TEST_CASE("corpus: heat geodesics on the sphere are close to exact ones, and no longer than edge paths") {
   CONCINO_CORPUS_OR_SKIP(path, "tri/sphere.obj");
   const auto m = load<trimesh>(path.string());
   const auto d = heat_geodesics(m, vert_id{0});
@@ -32,7 +32,7 @@ TEST_CASE("corpus: heat geodesics on the sphere are exact ones but for little, a
   CHECK(d[vert_id{6461}] == doctest::Approx(1.56212943384).epsilon(0.002));
 }
 
-TEST_CASE("corpus: heat geodesics on scanned and mechanical surfaces are off by a small part of an edge") {
+TEST_CASE("corpus: heat geodesics on scans and CAD surfaces have errors of a small fraction of an edge") {
   const auto check = [](const std::filesystem::path& path, double most_mean, double most) {
     CAPTURE(path);
     const auto m = load<trimesh>(path.string());

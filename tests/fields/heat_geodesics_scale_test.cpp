@@ -13,7 +13,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("heat_geodesics: moving and scaling the mesh moves and scales the distances", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: do not depend on the position of the mesh, and scale with it", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(3), 0.02, VolumeMesh<M>);
   const M m(arrays);
   const vert_id s{1};
@@ -34,7 +34,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: moving and scaling the mesh moves and scales
   }
 }
 
-TEST_CASE_TEMPLATE("heat_geodesics: at any size the same distances, to the last bit", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: scale exactly with powers of two", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.02, VolumeMesh<M>);
   const auto scaled = [&](int exponent) { return M(scaled_by_power_of_two(arrays, exponent)); };
   const M m = scaled(0);

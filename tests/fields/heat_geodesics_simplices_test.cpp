@@ -3,4 +3,4 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("heat_geodesics: errors as the table says, on the coarser meshes of triangles and tets", M, trimesh, tetmesh) { check_geodesics_of<M>(); }
+TEST_CASE_TEMPLATE("heat_geodesics: errors match the table on the coarser meshes of triangles and tets", M, trimesh, tetmesh) { check_geodesics_of<M>(); }

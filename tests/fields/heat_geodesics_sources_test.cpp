@@ -22,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("heat_geodesics: several sources, components and verts of no poly", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: accept several sources, components and isolated verts", M, CONCINO_KINDS) {
   const M m = two_grids<M>(3);
   const vert_id alone{static_cast<unsigned>(num_verts(m) - 1)}, a{0}, b = nearest(m, {1, 1, VolumeMesh<M> ? 1 : 0}), c = nearest(m, {2, 0, 0});
   const auto heat = prepare_heat_geodesics(m);
@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: several sources, components and verts of no 
   CHECK(heat.distance_from(std::vector<std::pair<vert_id, double>>{{a, -1.0}})[a] == -1);
 }
 
-TEST_CASE_TEMPLATE("heat_geodesics: in one call what a prepared object answers, from any sources", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: one call equals a prepared query, from any sources", M, CONCINO_KINDS) {
   const M m = square_or_cube<M>(2);
   const vert_id a{0}, b{5};
   const poly_id p{1};
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: in one call what a prepared object answers, 
   CHECK(same(heat_geodesics(m, a), prepare_heat_geodesics(m).distance_from(a)));
 }
 
-TEST_CASE_TEMPLATE("heat_geodesics: from a point in a poly", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: a source may be a point in a poly", M, CONCINO_KINDS) {
   const M m = grid<M>(VolumeMesh<M> ? 4 : 8);
   const auto heat = prepare_heat_geodesics(m);
   const poly_id p{static_cast<unsigned>(num_polys(m) / 2 + 1)};
@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: from a point in a poly", M, CONCINO_KINDS) {
   CHECK(e.mean / e.farthest < (VolumeMesh<M> ? 0.1 : 0.05));
 }
 
-TEST_CASE_TEMPLATE("heat_geodesics: between straight lines and ways along edges", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: are between straight lines and edge paths", M, CONCINO_KINDS) {
   M m(jittered(grid_arrays<M>(VolumeMesh<M> ? 3 : 8), 0.03, VolumeMesh<M>));
   for (const auto v : verts(m)) set_point(m, v, vec3{point(m, v).x, 0.1 * point(m, v).y, point(m, v).z + 0.3 * std::sin(3 * point(m, v).x)});
   const std::vector<std::pair<vert_id, double>> sources{{vert_id{0}, 0.1}, {vert_id{7}, -0.2}, {vert_id{20}, 0.3}, {vert_id{11}, 0.0}};

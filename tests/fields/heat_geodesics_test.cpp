@@ -23,7 +23,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("heat_geodesics: straight lines on the square and in the cube, nearer when refined", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("heat_geodesics: converge to straight lines on the square and in the cube", M, CONCINO_KINDS) {
   const unsigned n = VolumeMesh<M> ? 3 : 10;
   const M coarse = square_or_cube<M>(n), fine = square_or_cube<M>(2 * n);
   const heat_geodesics_options heat_alone{.clamp = false};
@@ -36,7 +36,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: straight lines on the square and in the cube
   }
 }
 
-TEST_CASE("heat_geodesics: arcs on the sphere, nearer when refined") {
+TEST_CASE("heat_geodesics: converge to arcs on the sphere") {
   double before = 1;
   for (const unsigned k : {2u, 3u, 4u}) {
     const trimesh m = icosphere(k);
@@ -49,7 +49,7 @@ TEST_CASE("heat_geodesics: arcs on the sphere, nearer when refined") {
   CHECK(before < 0.002);
 }
 
-TEST_CASE("heat_geodesics: long strips, graded grids and short times, where heat underflows") {
+TEST_CASE("heat_geodesics: are right where heat underflows") {
   surface_arrays a{{}, {}, {}, 3};
   const unsigned length = 3000;
   for (unsigned i = 0; i <= length; ++i)
@@ -73,7 +73,7 @@ TEST_CASE("heat_geodesics: long strips, graded grids and short times, where heat
   }
 }
 
-TEST_CASE("heat_geodesics: very long and thin hexahedra, whose Laplacian makes heat negative") {
+TEST_CASE("heat_geodesics: work on very thin hexahedra, whose Laplacian makes heat negative") {
   auto arrays = hex_grid(10);
   for (vec3& x : arrays.points) x = {std::pow(x.x, 3), std::pow(x.y, 3), std::pow(x.z, 3)};
   const hexmesh m(arrays);
@@ -83,7 +83,7 @@ TEST_CASE("heat_geodesics: very long and thin hexahedra, whose Laplacian makes h
   CHECK(detail::lower_positive_stiffness(wide).coeff(1, 0) == doctest::Approx(-0.25));  // a quarter of the face between two verts, over the edge
 }
 
-TEST_CASE("heat_geodesics: options") {
+TEST_CASE("heat_geodesics: obey the options") {
   const auto m = square_or_cube<trimesh>(16);
   const auto quads = square_or_cube<quadmesh>(16);
   const vert_id middle = nearest(m, {0.5, 0.5, 0});
@@ -116,7 +116,7 @@ TEST_CASE("heat_geodesics: options") {
   CHECK(shared.distance_from(vert_id{3})[vert_id{3}] == 0);
 }
 
-TEST_CASE("heat_geodesics: errors") {
+TEST_CASE("heat_geodesics: throw if an argument is invalid") {
   const auto m = grid<quadmesh>(2);
   const auto heat = prepare_heat_geodesics(m);
   CHECK_THROWS_WITH_AS(heat.distance_from(vert_id{9}), "heat_geodesics: a source is no vert of the mesh; take it from verts(m)", invalid_mesh);
@@ -136,7 +136,7 @@ TEST_CASE("heat_geodesics: errors") {
   CHECK_THROWS_AS(prepare_heat_geodesics(endless), invalid_mesh);
 }
 
-TEST_CASE("heat_geodesics: polygons with many short edges, on a flat square") {
+TEST_CASE("heat_geodesics: are accurate on polygons with many short edges") {
   const polygonmesh m = jigsaw(14, 5, 0.2);  // edges are a sixth of the width of polys
   const double edge = detail::mean_edge_length(m);
   const auto heat = prepare_heat_geodesics(m), alone = prepare_heat_geodesics(m, {.clamp = false});

@@ -27,7 +27,7 @@ struct concino::mesh_traits<downwards> : concino::mesh_traits<user_mesh::surface
   }
 };
 
-TEST_CASE("systems of unknowns: whatever the order in which verts come") {
+TEST_CASE("laplace_system: does not depend on the order of the verts") {
   user_mesh::surface m = user_mesh::surface_example();
   m.points[0] = {0.1, 0.05, 0};
   m.points[5] = {-1.2, -0.9, 0.1};
@@ -49,7 +49,7 @@ TEST_CASE("harmonic_map: higher exponents need a mass at every vert with edges")
                        "harmonic_map: vert 7 has edges but no polys with a measure, so no mass; use uniform", invalid_mesh);
 }
 
-TEST_CASE("lumped masses: 1 with uniform, which knows no lengths, else those of the mesh") {
+TEST_CASE("lumped masses: are 1 with uniform, else those of the mesh") {
   const user_mesh::surface m = user_mesh::surface_example();
   CHECK(detail::lumped_masses(m, uniform, "masses") == std::vector<double>(8, 1.0));
   const auto mass = vert_masses(m);

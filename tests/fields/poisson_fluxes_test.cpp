@@ -98,7 +98,7 @@ double mixed_error(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("poisson: linear functions with the flux that is theirs are reproduced, one value given", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: reproduces linear functions from their fluxes and one value", M, CONCINO_KINDS) {
   const M m = moved_grid<M>(3, 0.2);
   const vec3 slope{2, -3, VolumeMesh<M> ? 5 : 0};
   fluxes<M> across;
@@ -108,7 +108,7 @@ TEST_CASE_TEMPLATE("poisson: linear functions with the flux that is theirs are r
   for (const auto v : verts(m)) CHECK(u[v] == doctest::Approx(1 + dot(slope, to_vec3(point(m, v)) - to_vec3(point(m, a)))).epsilon(1e-12).scale(1));
 }
 
-TEST_CASE_TEMPLATE("poisson: what facets bring sums to their measure and first moment", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: the loads of facets sum to their measure and first moment", M, CONCINO_KINDS) {
   const M m = moved_grid<M>(2, 0.2);
   double boundary = 0;
   for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) {
@@ -132,7 +132,7 @@ TEST_CASE_TEMPLATE("poisson: what facets bring sums to their measure and first m
   CHECK(boundary == doctest::Approx(VolumeMesh<M> ? 6 : 4).epsilon(1e-14));
 }
 
-TEST_CASE_TEMPLATE("poisson: facets of size 1 and of no size", M, quadmesh, hexmesh) {
+TEST_CASE_TEMPLATE("poisson: fluxes through facets of size 1 and size 0 are right", M, quadmesh, hexmesh) {
   auto arrays = grid_arrays<M>(1);
   const auto check_sums = [](const M& m, double size) {
     for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) {
@@ -146,14 +146,14 @@ TEST_CASE_TEMPLATE("poisson: facets of size 1 and of no size", M, quadmesh, hexm
   check_sums(M(arrays), 0);
 }
 
-TEST_CASE_TEMPLATE("poisson: values on one side and derivatives on the others, of the second order", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: mixed boundary conditions converge with second order", M, CONCINO_KINDS) {
   const unsigned n = VolumeMesh<M> ? 3 : 5;
   const double coarse = mixed_error(moved_grid<M>(n, 0.1)), fine = mixed_error(moved_grid<M>(2 * n, 0.1));
   CHECK(std::log2(coarse / fine) >= 1.8);
   CHECK(fine < 0.15);
 }
 
-TEST_CASE_TEMPLATE("poisson: the load and what flows out balance at the verts that are held", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: load and outflow balance at the constrained verts", M, CONCINO_KINDS) {
   const M m = moved_grid<M>(2, 0.1);
   fluxes<M> across;
   for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) { across.push_back({e, -(VolumeMesh<M> ? 1 / 6. : 1 / 4.)}); });
@@ -167,7 +167,7 @@ TEST_CASE_TEMPLATE("poisson: the load and what flows out balance at the verts th
   CHECK(-l[0] == doctest::Approx(load[0] + out).epsilon(1e-10));
 }
 
-TEST_CASE_TEMPLATE("poisson: every spelling of a call means one", M, quadmesh, tetmesh) {
+TEST_CASE_TEMPLATE("poisson: all forms of a call have the same result", M, quadmesh, tetmesh) {
   const M m = grid<M>(2);
   const vert_id a{0};
   facet_t<M> e{};
@@ -198,7 +198,7 @@ TEST_CASE_TEMPLATE("poisson: every spelling of a call means one", M, quadmesh, t
   same(w, poisson(m, f, virtual_elements, {.values = {{a, 0.0}}, .fluxes = {{e, 2}}}, solver));
 }
 
-TEST_CASE_TEMPLATE("poisson: fluxes on an archetype, and of vectors", M, polygonmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("poisson: fluxes work on an archetype, and for vectors", M, polygonmesh, polyhedralmesh) {
   const M m = moved_grid<M>(2, 0.1);
   fluxes<M> across;
   std::vector<std::pair<facet_t<M>, vec3>> to_space;
@@ -225,7 +225,7 @@ TEST_CASE_TEMPLATE("poisson: fluxes on an archetype, and of vectors", M, polygon
   }
 }
 
-TEST_CASE_TEMPLATE("poisson: scaling the mesh by a power of two, and load and fluxes with it, changes no bit", M, trimesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("poisson: scaling mesh, load and fluxes by powers of two changes nothing", M, trimesh, polyhedralmesh) {
   const auto solution = [](double scale) {
     auto arrays = jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>);
     for (vec3& x : arrays.points) x *= scale;
@@ -240,7 +240,7 @@ TEST_CASE_TEMPLATE("poisson: scaling the mesh by a power of two, and load and fl
   CHECK(solution(0x1p-20) == u);
 }
 
-TEST_CASE_TEMPLATE("poisson: fluxes given wrongly", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: throws if a flux is invalid", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const vert_id a{0};
   const facet_t<M> none{1000000};

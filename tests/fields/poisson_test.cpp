@@ -77,7 +77,7 @@ struct constant {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("poisson: without a load it is the harmonic map, given values are exact", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: without a load equals the harmonic map; prescribed values are exact", M, CONCINO_KINDS) {
   const M m = moved_grid<M>(3, 0.1);
   const auto given = on_boundary_of(m, [](const vec3& x) { return 1 + x.x * x.y - 2 * x.z; });
   const auto u = poisson(m, constant{0}, {.values = given}), h = harmonic_map(m, given);
@@ -85,14 +85,14 @@ TEST_CASE_TEMPLATE("poisson: without a load it is the harmonic map, given values
   for (const auto& [v, x] : given) CHECK(u[v] == x);
 }
 
-TEST_CASE_TEMPLATE("poisson: the error falls by the square of the size of the polys, also where they are no boxes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: converges with second order, also on polys that are not boxes", M, CONCINO_KINDS) {
   const unsigned n = VolumeMesh<M> ? 4 : 6;
   const double coarse = error_of_wave(moved_grid<M>(n, 0.15)), fine = error_of_wave(moved_grid<M>(2 * n, 0.15));
   CHECK(std::log2(coarse / fine) > (TetMesh<M> ? 1.7 : 1.8));  // tets come to 2 more slowly
   CHECK(fine < (VolumeMesh<M> ? 0.04 : 0.02));
 }
 
-TEST_CASE_TEMPLATE("poisson: a load of 1 pushes with the measure of the mesh", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: the total of a load of 1 is the measure of the mesh", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.03, VolumeMesh<M>));
   const auto given = on_boundary_of(m, [](const vec3&) { return 0.0; });
   const auto u = poisson(m, constant{1}, {.values = {{vert_id{0}, 0.0}}});
@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("poisson: a load of 1 pushes with the measure of the mesh", M
   CHECK(-(load.sum() - load[0]) == doctest::Approx(total_measure(m) - mass_matrix(m, {.lumped = false}).col(0).sum()).epsilon(1e-10));
 }
 
-TEST_CASE_TEMPLATE("poisson: the equation holds at every vert but those with values", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: the equation holds at every vert without prescribed value", M, CONCINO_KINDS) {
   const M m = moved_grid<M>(2, 0.1);
   const vert_id held{static_cast<unsigned>(num_verts(m) - 1)};
   auto f = make_vert_map<double>(m);
@@ -116,7 +116,7 @@ TEST_CASE_TEMPLATE("poisson: the equation holds at every vert but those with val
   CHECK(rest.cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("poisson: which verts have a mass") {
+TEST_CASE("poisson: has_mass finds the verts with a non-zero mass") {
   Eigen::SparseMatrix<double> mass(4, 4);  // an empty column, one of mass alone, one without, one whose first entry is 0 by chance
   mass.insert(1, 1) = 0.5;
   mass.insert(2, 2) = 0;
@@ -126,7 +126,7 @@ TEST_CASE("poisson: which verts have a mass") {
   for (std::size_t i = 0; i < 4; ++i) CHECK(detail::has_mass(mass, i) == (i % 2 == 1));
 }
 
-TEST_CASE("poisson: tells how far it is") {
+TEST_CASE("poisson: reports progress") {
   const auto m = grid<quadmesh>(2);
   double first = -1, last = -1;
   const auto told = [&](double fraction, const char*) {
@@ -148,7 +148,7 @@ TEST_CASE_TEMPLATE("poisson: runs on any embedded mesh", M, CONCINO_KINDS) {
   for (const auto v : verts(stripped)) CHECK(same[v] == doctest::Approx(u[stripped.base(v)]).epsilon(1e-12));
 }
 
-TEST_CASE_TEMPLATE("poisson: verts without edges, parts without values, wrong values and loads", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: handles isolated verts and throws on missing or invalid values and loads", M, CONCINO_KINDS) {
   const M m = two_grids<M>(2);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) / 2)}, lonely{static_cast<unsigned>(num_verts(m) - 1)};
   auto f = make_vert_map<double>(m, 1.0);
@@ -166,7 +166,7 @@ TEST_CASE_TEMPLATE("poisson: verts without edges, parts without values, wrong va
   CHECK(poisson(none, constant{1}).values().empty());
 }
 
-TEST_CASE_TEMPLATE("poisson: polys without a measure are named", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poisson: the error names polys without a measure", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(1);
   for (vec3& x : arrays.points) x.y = x.z = 0;
   const M m(arrays);

@@ -20,7 +20,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("prepared problems: elements removed and not renumbered", M, polygonmesh, tetmesh) {
+TEST_CASE_TEMPLATE("prepared problems: work with gaps in the indices", M, polygonmesh, tetmesh) {
   M m(jittered(grid_arrays<M>(3), 0.02, VolumeMesh<M>));
   const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)}, a{0};
   facet_t<M> gone_too{};
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("prepared problems: elements removed and not renumbered", M, 
   CHECK_THROWS_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{gone_too, 1.0}}}), invalid_mesh);
 }
 
-TEST_CASE_TEMPLATE("prepared problems: points that are not finite", M, quadmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("prepared problems: throw if a point is not finite", M, quadmesh, polyhedralmesh) {
   const by_number f;
   for (const double x : {double(NAN), double(INFINITY)}) {
     auto arrays = grid_arrays<M>(1);
@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE("prepared problems: points that are not finite", M, quadmesh,
   }
 }
 
-TEST_CASE("prepared problems: a quad with two verts 1e200 away is one of that size; a poly of a volume has no volume at that size") {
+TEST_CASE("prepared problems: quads may be as large as 1e200; a volume of that size throws") {
   const by_number f;
   const auto far = [](auto arrays) {
     arrays.points[0].x = arrays.points[2].y = 1e200;
@@ -94,7 +94,7 @@ TEST_CASE("prepared problems: a quad with two verts 1e200 away is one of that si
   CHECK_THROWS_AS(prepare_poisson(solid, {vert_id{0}}), error);
 }
 
-TEST_CASE("prepared problems: an edge with three polys, a vert between two fans") {
+TEST_CASE("prepared problems: work at edges with three polys and verts with two fans") {
   const trimesh m({{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {1, 5, 6}});
   const auto ones = make_vert_map<double>(m, 1.0);
   CHECK(largest_difference(heat_flow(m, ones, 3), ones) < 1e-12);
@@ -108,7 +108,7 @@ TEST_CASE("prepared problems: an edge with three polys, a vert between two fans"
   CHECK_THROWS_WITH_AS(poisson(m, ones, {.values = {{vert_id{0}, 0.0}}, .fluxes = {{shared, 1.0}}}), doctest::Contains("which has 3 polys"), invalid_mesh);
 }
 
-TEST_CASE("poisson: through a face without area nothing flows, whatever its flux") {
+TEST_CASE("poisson: nothing flows through a face without area") {
   auto arrays = grid_arrays<hexmesh>(2);
   for (vec3& x : arrays.points)
     if (x.x == 0) x.z = 0.5;
@@ -125,7 +125,7 @@ TEST_CASE("poisson: through a face without area nothing flows, whatever its flux
   CHECK(largest_difference(poisson(m, load, {.values = {{a, 0.0}}, .fluxes = across}), poisson(m, load, {.values = {{a, 0.0}}})) == 0);
 }
 
-TEST_CASE("prepared problems: they keep a view, not the name it had") {
+TEST_CASE("prepared problems: store a copy of a view") {
   const auto m = grid<hexmesh>(2);
   const auto s = prepare_smooth(boundary(m), 0.1);
   const auto flow = prepare_heat_flow(boundary(m), 0.1);

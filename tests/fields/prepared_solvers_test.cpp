@@ -18,7 +18,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("prepared problems: the same fields by every solver") {
+TEST_CASE("prepared problems: every solver gives the same fields") {
   const trimesh m(jittered(grid_arrays<trimesh>(10), 0.02, false));
   const vert_id a{0}, b{50};
   const by_number f;

@@ -50,7 +50,7 @@ template<class M> concept preparable = requires { prepare_harmonic_map(std::decl
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("prepare_harmonic_map: the same bits as harmonic_map, one factorisation for all values", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("prepare_harmonic_map: equals harmonic_map to the bit, with one factorisation", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
   int factorised = 0;
@@ -76,7 +76,7 @@ TEST_CASE_TEMPLATE("prepare_harmonic_map: the same bits as harmonic_map, one fac
   static_assert(preparable<const M&> && !preparable<M>);
 }
 
-TEST_CASE_TEMPLATE("prepare_poisson: what poisson solves, one factorisation for all loads, values and fluxes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("prepare_poisson: equals poisson, with one factorisation", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
   facet_t<M> outer{};
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("prepare_poisson: what poisson solves, one factorisation for 
   CHECK(&p.mesh() == &m);
 }
 
-TEST_CASE_TEMPLATE("prepared problems: verts without edges are counted", M, polygonmesh, tetmesh) {
+TEST_CASE_TEMPLATE("prepared problems: isolated verts are counted", M, polygonmesh, tetmesh) {
   const M m = two_grids<M>(1);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) / 2)}, alone{static_cast<unsigned>(num_verts(m) - 1)};
   const auto h = prepare_harmonic_map(m, {a, b}, {.isolated_value = -3});
@@ -119,7 +119,7 @@ TEST_CASE_TEMPLATE("prepared problems: verts without edges are counted", M, poly
   CHECK(std::isnan(p.solve(constant{1}, {.values = {{a, 0}, {b, 1}}, .isolated_value = NAN})[alone]));
 }
 
-TEST_CASE_TEMPLATE("prepared problems: on archetypes", M, trimesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("prepared problems: run on archetypes", M, trimesh, polyhedralmesh) {
   const M m = grid<M>(2);
   const vert_id a{0}, b{3};
   const auto graph = only_primal_graph(m);
@@ -132,7 +132,7 @@ TEST_CASE_TEMPLATE("prepared problems: on archetypes", M, trimesh, polyhedralmes
   for (const auto v : verts(weak)) CHECK(p[v] == doctest::Approx(w[weak.base(v)]).epsilon(1e-12));
 }
 
-TEST_CASE("prepared problems: nothing to find, nothing at all") {
+TEST_CASE("prepared problems: work without unknowns and on empty meshes") {
   const trimesh none;
   const auto h = prepare_harmonic_map(none, {});
   CHECK(h.with_values(values{}).values().empty());
@@ -145,7 +145,7 @@ TEST_CASE("prepared problems: nothing to find, nothing at all") {
   CHECK(factorised == 0);
 }
 
-TEST_CASE("prepared problems: tell how far they are") {
+TEST_CASE("prepared problems: report progress") {
   const auto m = grid<quadmesh>(2);
   double first = -1, last = -1;
   const auto told = [&](double fraction, const char*) {
@@ -163,7 +163,7 @@ TEST_CASE("prepared problems: tell how far they are") {
   CHECK(last == 1);
 }
 
-TEST_CASE("prepared problems: errors") {
+TEST_CASE("prepared problems: throw if an argument is invalid") {
   const auto m = grid<quadmesh>(2);
   const vert_id a{0}, b{8}, c{4}, none{9};
   const auto h = prepare_harmonic_map(m, {a, b});

@@ -14,7 +14,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("harmonic_map, poisson, heat_flow, smooth: the size of the mesh changes no bit", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map, poisson, heat_flow, smooth: do not depend on the scale of the mesh", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.02, VolumeMesh<M>);
   const auto scaled = [&](int exponent) { return M(scaled_by_power_of_two(arrays, exponent)); };
   const M m = scaled(0);

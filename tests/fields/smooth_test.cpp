@@ -18,7 +18,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("smooth: what is taken away is the amount times the Laplacian or its power", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("smooth: removes the amount times the Laplacian or its power", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const auto f = random_values(m);
   const Eigen::SparseMatrix<double> l = laplacian(m);
@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("smooth: what is taken away is the amount times the Laplacian
   }
 }
 
-TEST_CASE_TEMPLATE("smooth: constants stay, totals stay, values come nearer to each other", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("smooth: preserves constants and totals, and reduces differences", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const auto f = random_values(m), ones = make_vert_map<double>(m, 1.0);
   const auto mass = vert_masses(m);
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("smooth: constants stay, totals stay, values come nearer to e
   for (const auto v : verts(m)) CHECK((u[v] > *low && u[v] < *high));
 }
 
-TEST_CASE_TEMPLATE("smooth: x bends to slope 0 at the boundary as u - a u'' = x says", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("smooth: solves u - a u'' = x with slope 0 at the boundary", M, CONCINO_KINDS) {
   const auto error = [](unsigned n) {
     const M m = grid<M>(n);
     auto f = make_vert_map<double>(m);
@@ -80,7 +80,7 @@ TEST_CASE_TEMPLATE("smooth: x bends to slope 0 at the boundary as u - a u'' = x 
   CHECK(coarse > 1.7 * fine);
 }
 
-TEST_CASE_TEMPLATE("smooth: linear functions stay where the boundary is held; what is held is exact", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("smooth: preserves linear functions with constrained boundary, and constrained values exactly", M, CONCINO_KINDS) {
   const M m = grid<M>(3);
   auto f = make_vert_map<double>(m);
   std::vector<vert_id> held;
@@ -103,7 +103,7 @@ TEST_CASE_TEMPLATE("smooth: linear functions stay where the boundary is held; wh
   CHECK(largest_difference(w, harmonic_map(m, given)) < 1e-8);
 }
 
-TEST_CASE("smooth: of points it is implicit fairing: noise on a sphere falls, and nothing drifts") {
+TEST_CASE("smooth: of points is implicit fairing: reduces noise on a sphere without drift") {
   trimesh m = icosphere(3);
   std::mt19937 random(3);
   for (const auto v : verts(m)) set_point(m, v, (1 + 0.05 * (static_cast<double>(random() % 2001) / 1000 - 1)) * to_vec3(point(m, v)));
@@ -128,7 +128,7 @@ TEST_CASE("smooth: of points it is implicit fairing: noise on a sphere falls, an
   CHECK(norm(centre_after - centre_before) < 1e-11);
 }
 
-TEST_CASE_TEMPLATE("prepare_smooth: the same bits, and part by part", M, polygonmesh, tetmesh) {
+TEST_CASE_TEMPLATE("prepare_smooth: equals smooth to the bit, by component", M, polygonmesh, tetmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const vert_id a{0};
   const auto u = random_values(m);
@@ -148,7 +148,7 @@ TEST_CASE_TEMPLATE("prepare_smooth: the same bits, and part by part", M, polygon
   }
 }
 
-TEST_CASE_TEMPLATE("smooth: on archetypes", M, trimesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("smooth: runs on archetypes", M, trimesh, polyhedralmesh) {
   const M m = grid<M>(2);
   const auto f = random_values(m);
   const auto weak = only_embedded_mesh(m);
@@ -164,7 +164,7 @@ TEST_CASE_TEMPLATE("smooth: on archetypes", M, trimesh, polyhedralmesh) {
   for (const auto v : verts(graph)) CHECK(x[v] == doctest::Approx(w[graph.base(v)]).epsilon(1e-12).scale(1));
 }
 
-TEST_CASE_TEMPLATE("smooth: scaling the mesh by a power of two and the amount with it changes no bit", M, quadmesh, tetmesh) {
+TEST_CASE_TEMPLATE("smooth: scaling the mesh by a power of two, and the amount with it, changes nothing", M, quadmesh, tetmesh) {
   auto arrays = jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>);
   const M m(arrays);
   const auto f = random_values(m);
@@ -177,7 +177,7 @@ TEST_CASE_TEMPLATE("smooth: scaling the mesh by a power of two and the amount wi
     }
 }
 
-TEST_CASE_TEMPLATE("smooth: verts without edges keep what they have and are counted", M, quadmesh, hexmesh) {
+TEST_CASE_TEMPLATE("smooth: isolated verts keep their values and are counted", M, quadmesh, hexmesh) {
   const M m = two_grids<M>(1);
   const vert_id alone{static_cast<unsigned>(num_verts(m) - 1)};
   auto f = make_vert_map<double>(m, 1.0);
@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE("smooth: verts without edges keep what they have and are coun
   CHECK(smooth(none, make_vert_map<double>(none), 1).values().empty());
 }
 
-TEST_CASE("smooth: errors, progress") {
+TEST_CASE("smooth: throws on invalid arguments, and reports progress") {
   const auto m = grid<trimesh>(2);
   auto f = make_vert_map<double>(m, 1.0);
   CHECK_THROWS_WITH_AS(smooth(m, f, -1), "smooth: amount is -1; it must be finite and 0 or more", invalid_argument);

@@ -16,7 +16,7 @@
 
 using namespace concino;
 
-TEST_CASE("harmonic_map: the same by every solver, used again for another problem") {
+TEST_CASE("harmonic_map: every solver gives the same result, also when reused") {
   const trimesh m(testing::triangle_grid(12));
   const vert_id a{0}, b{100};
   const auto expected = harmonic_map(m, {{a, 0.0}, {b, 1.0}});
@@ -37,7 +37,7 @@ TEST_CASE("harmonic_map: the same by every solver, used again for another proble
   check(auto_solver{{.max_factor_entries = 0}});
 }
 
-TEST_CASE("problems say by what they were solved") {
+TEST_CASE("problems report the solver that they used") {
   const trimesh m(testing::triangle_grid(12));
   auto_solver solver, small({.max_factor_entries = 10});
   harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{100}, 1.0}}, {}, solver);
@@ -49,7 +49,7 @@ TEST_CASE("problems say by what they were solved") {
   CHECK(small.residual() <= 1e-12);
 }
 
-TEST_CASE("heat_geodesics: by iteration, where little heat has no correct digits, the same distances") {
+TEST_CASE("heat_geodesics: iteration gives the same distances, although small heat values are inaccurate") {
   const auto check = [](const auto& m, const auto& sources, double allowed) {
     const auto expected = heat_geodesics(m, sources);
     const auto d = heat_geodesics(m, sources, {}, auto_solver({.max_factor_entries = 0}));

@@ -9,7 +9,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("bounding_box: of a grid and of nothing", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_box: is right for grids and empty meshes", M, CONCINO_KINDS) {
   const box b = bounding_box(grid<M>(2));
   CHECK(b.min == vec3{0, 0, 0});
   CHECK(b.max == vec3{1, 1, SurfaceMesh<M> ? 0 : 1});
@@ -21,13 +21,13 @@ TEST_CASE_TEMPLATE("bounding_box: of a grid and of nothing", M, CONCINO_KINDS) {
   CHECK(none.diagonal() == 0);
 }
 
-TEST_CASE("bounding_box: a vert of no poly counts, negative coordinates too") {
+TEST_CASE("bounding_box: contains isolated verts and negative coordinates") {
   const trimesh m({{-3, -2, -1}, {-4, -5, -6}}, {});
   CHECK(bounding_box(m).min == vec3{-4, -5, -6});
   CHECK(bounding_box(m).max == vec3{-3, -2, -1});
 }
 
-TEST_CASE_TEMPLATE("bounding_box: of polys, faces and edges, which together have the box of all", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_box: the boxes of polys, faces and edges together give that of the mesh", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.1));
   const auto g = only_embedded_mesh(m);
   box all;

@@ -69,22 +69,22 @@ void check_cells(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("inside of the bunny") {
+TEST_CASE("bounding_tree: finds the inside of the bunny") {
   CONCINO_CORPUS_OR_SKIP(file, "tri/bunny.obj");
   check_inside(file, 40);
 }
 
-TEST_CASE("inside of two spheres that overlap") {
+TEST_CASE("bounding_tree: finds the inside of two overlapping spheres") {
   CONCINO_CORPUS_OR_SKIP(file, "tri/two_spheres.obj");
   check_inside(file, 200);
 }
 
-TEST_CASE("the bunny does not meet itself") {
+TEST_CASE("bounding_tree: the bunny does not intersect itself") {
   CONCINO_CORPUS_OR_SKIP(file, "tri/bunny.obj");
   CHECK(self_intersections(load<trimesh>(file.string())).empty());
 }
 
-TEST_CASE("cells of volumes, by their centroids and corners") {
+TEST_CASE("bounding_tree: locates the centroids and corners of cells in volumes") {
   CONCINO_CORPUS_OR_SKIP(tets, "tet/sphere_octant.mesh");
   CONCINO_CORPUS_OR_SKIP(crown, "tet/quarter_crown.mesh");
   CONCINO_CORPUS_OR_SKIP(hollow, "hex/hollow_sphere.mesh");

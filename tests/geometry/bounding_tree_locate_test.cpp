@@ -37,7 +37,7 @@ vec3 turned(const vec3& x) { return {0.36 * x.x + 0.48 * x.y - 0.8 * x.z, -0.8 *
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("volumes: every point of a jittered grid is in one poly, which holds it", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("volumes: every point of a jittered grid is in one poly, which contains it", M, CONCINO_VOLUME_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.06));
   const auto tree = bounding_tree(m);
   std::vector<std::vector<corners3>> skins;
@@ -58,7 +58,7 @@ TEST_CASE_TEMPLATE("volumes: every point of a jittered grid is in one poly, whic
   }
 }
 
-TEST_CASE_TEMPLATE("volumes: points on verts, edges and faces are in one of the polys there", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("volumes: a point on a vert, edge or face is in one of its polys", M, CONCINO_VOLUME_KINDS) {
   for (const double jitter : {0.0, 0.06}) {
     const M m(jittered(grid_arrays<M>(4), jitter));
     const auto tree = bounding_tree(m);
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("volumes: points on verts, edges and faces are in one of the 
   }
 }
 
-TEST_CASE_TEMPLATE("volumes: of points on a grid that is not jittered, no poly is twice and none is missed", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("volumes: points on a regular grid are in every poly exactly once", M, CONCINO_VOLUME_KINDS) {
   const M m = grid<M>(2);
   const auto tree = bounding_tree(m);
   for (int i = -1; i <= 9; ++i)
@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("volumes: of points on a grid that is not jittered, no poly i
       }
 }
 
-TEST_CASE_TEMPLATE("surfaces in a plane: every point is in one polygon, also seen from its side", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("planar surfaces: every point is in one polygon, also with an axis in the plane", M, CONCINO_SURFACE_KINDS) {
   auto arrays = jittered(grid_arrays<M>(4), 0.04, false);
   for (const bool turn : {false, true}) {
     if (turn)
@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE("surfaces in a plane: every point is in one polygon, also see
   }
 }
 
-TEST_CASE_TEMPLATE("surfaces: of a terrain the polygon under the point, of floors the nearest", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("surfaces: locate finds the polygon under a point, or the nearest floor", M, CONCINO_SURFACE_KINDS) {
   auto arrays = grid_arrays<M>(4);
   const M flat(arrays);
   for (vec3& x : arrays.points) x.z = 0.5 * x.x * x.y;
@@ -150,7 +150,7 @@ TEST_CASE_TEMPLATE("surfaces: of a terrain the polygon under the point, of floor
   CHECK(stairs.locate({0.25, 0.25, 1.6}) == poly_id{1});
 }
 
-TEST_CASE("a surface seen along each axis") {
+TEST_CASE("surfaces: locate works along each axis") {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     auto arrays = polygon_grid(2);
     for (vec3& x : arrays.points) {
@@ -169,7 +169,7 @@ TEST_CASE("a surface seen along each axis") {
   }
 }
 
-TEST_CASE_TEMPLATE("closed surfaces: voxels are inside, also where the way out runs along walls, edges and verts", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("closed surfaces: voxels are inside, also if rays pass along faces, edges and verts", M, CONCINO_SURFACE_KINDS) {
   std::set<voxel> voxels;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
@@ -193,7 +193,7 @@ TEST_CASE_TEMPLATE("closed surfaces: voxels are inside, also where the way out r
       }
 }
 
-TEST_CASE("one closed part in another: wound alike all is inside, by parity the inner one is hollow") {
+TEST_CASE("nested closed surfaces: all is inside by winding numbers, the inner one is outside by parity") {
   surface_arrays nested = voxel_skin({{0, 0, 0}});
   const surface_arrays inner = nested;
   for (vec3& x : nested.points) x = 4 * x - vec3{1.5, 1.5, 1.5};
@@ -214,7 +214,7 @@ TEST_CASE("open surfaces have no inside") {
   CHECK(tree.locate({0.5, 0.5, 1}));
 }
 
-TEST_CASE_TEMPLATE("the boundary of a volume has inside what the volume holds", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("the inside of the boundary of a volume is the volume", M, CONCINO_VOLUME_KINDS) {
   const M m = grid<M>(3);
   const auto skin = boundary(m);
   const auto tree = bounding_tree(m);
@@ -227,7 +227,7 @@ TEST_CASE_TEMPLATE("the boundary of a volume has inside what the volume holds", 
   }
 }
 
-TEST_CASE("polys turned inside out hold their points too") {
+TEST_CASE("inverted polys contain their points too") {
   const tetmesh t({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1, 3}});
   CHECK(bounding_tree(t).locate({0.1, 0.1, 0.1}) == poly_id{0});
   const hexmesh h({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{4, 5, 6, 7, 0, 1, 2, 3}});

@@ -26,7 +26,7 @@ M crooked(unsigned n, double amount = 0.3) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("the nearest point is the nearest of all polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("the nearest point equals that of a brute-force search", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(1, -0.7, 1.7);
@@ -49,7 +49,7 @@ TEST_CASE_TEMPLATE("the nearest point is the nearest of all polys", M, CONCINO_K
   }
 }
 
-TEST_CASE_TEMPLATE("a ray meets what it meets of all polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("the hits of a ray equal those of a brute-force search", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(2, -0.5, 1.5);
@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("a ray meets what it meets of all polys", M, CONCINO_KINDS) {
   CHECK(met >= 10);
 }
 
-TEST_CASE_TEMPLATE("a box meets what it meets of all polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("the polys that meet a box equal those of a brute-force search", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(3, -0.2, 1.2);
@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE("a box meets what it meets of all polys", M, CONCINO_KINDS) {
   CHECK(tree.in_box(all).empty());
 }
 
-TEST_CASE_TEMPLATE("sides of a box count: it touches what it shares a point with, and no more", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("boxes are closed: a box meets exactly the polys with a common point", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto tree = bounding_tree(m);
   for (const auto v : verts(m)) {
@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("sides of a box count: it touches what it shares a point with
   CHECK(!tree.in_box(beside).empty());
 }
 
-TEST_CASE_TEMPLATE("on the archetype the same", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("results on the archetype are the same", M, CONCINO_KINDS) {
   const M m = crooked<M>(2);
   const auto g = only_embedded_mesh(m);
   const auto tree = bounding_tree(m);
@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("on the archetype the same", M, CONCINO_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("scaled by powers of two, answers scale exactly, up to sizes that cannot be squared", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("results scale exactly with powers of two, up to sizes whose squares overflow", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.1);
   const M m(arrays);
   const auto tree = bounding_tree(m);
@@ -179,7 +179,7 @@ TEST_CASE_TEMPLATE("scaled by powers of two, answers scale exactly, up to sizes 
   }
 }
 
-TEST_CASE_TEMPLATE("from very far away", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("queries from very far away are right", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto tree = bounding_tree(m);
   for (const double far : {1e20, 1e100, 1e300}) {
@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE("from very far away", M, CONCINO_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("no poly, and polys without area or volume", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("a tree works without polys, and with polys without area or volume", M, CONCINO_KINDS) {
   const M none;
   const auto empty = bounding_tree(none);
   box b;
@@ -222,7 +222,7 @@ TEST_CASE_TEMPLATE("no poly, and polys without area or volume", M, CONCINO_KINDS
   }
 }
 
-TEST_CASE_TEMPLATE("points that are not finite", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("queries and polys with points that are not finite throw; isolated verts do not matter", M, CONCINO_KINDS) {
   const M m = grid<M>(1);
   const auto tree = bounding_tree(m);
   for (const double bad : {no_number, infinity}) {
@@ -246,7 +246,7 @@ TEST_CASE_TEMPLATE("points that are not finite", M, CONCINO_KINDS) {
   CHECK(!tree.in_box({{no_number, 0, 0}, {1, 1, 1}}).size());
 }
 
-TEST_CASE("rays along an axis through verts and edges of a closed surface meet it, from its own points at 0") {
+TEST_CASE("rays through verts and edges of a closed surface hit it, at 0 from its own points") {
   auto arrays = grid_arrays<tetmesh>(4);
   const tetmesh m(arrays);
   const auto tree = bounding_tree(m);
@@ -261,7 +261,7 @@ TEST_CASE("rays along an axis through verts and edges of a closed surface meet i
     }
 }
 
-TEST_CASE("rays aimed at verts and at edges of a surface in space slip through nowhere") {
+TEST_CASE("rays at verts and edges of a surface never miss it") {
   const auto arrays = jittered(triangle_grid(8), 0.05);
   const trimesh m(arrays);
   const auto tree = bounding_tree(m);
@@ -280,7 +280,7 @@ TEST_CASE("rays aimed at verts and at edges of a surface in space slip through n
   }
 }
 
-TEST_CASE("many polys at the same place, and polys of very different sizes") {
+TEST_CASE("a tree works with coincident polys and with polys of very different sizes") {
   std::vector<vec3> x;
   std::vector<std::array<unsigned, 3>> t;
   for (unsigned i = 0; i < 3000; ++i) {
@@ -297,7 +297,7 @@ TEST_CASE("many polys at the same place, and polys of very different sizes") {
   CHECK(tree.locate({0x1.8p-300, 0x1p-305, 0}).has_value());
 }
 
-TEST_CASE("a tree keeps a view and the address of a mesh, never a temporary") {
+TEST_CASE("a tree stores a copy of a view or the address of a mesh, and rejects temporaries") {
   static_assert(can_be_searched<trimesh&> && can_be_searched<const trimesh&> && !can_be_searched<trimesh> && !can_be_searched<int&>);
   const trimesh m = grid<trimesh>(1);
   CHECK(&bounding_tree(m).mesh() == &m);

@@ -15,7 +15,7 @@ namespace {
 double off(const vec3& a, const vec3& b) { return norm(a - b); }
 }
 
-TEST_CASE_TEMPLATE("centroid: weighted by measure, those of all polys average to that of the whole", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("centroid: the mean of centroids, weighted by measure, is that of the mesh", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(3);
   for (vec3& x : arrays.points) x = {2 * x.x + 0.5 * x.y + 100, x.y - 7, x.z};  // affine, so the centre is known
   const M m(arrays);
@@ -25,7 +25,7 @@ TEST_CASE_TEMPLATE("centroid: weighted by measure, those of all polys average to
   CHECK(off(sum / total_measure(m), expected) < 1e-11);
 }
 
-TEST_CASE_TEMPLATE("centroid: on the archetype the same", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("centroid: has the same result on the archetype", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const auto g = only_embedded_mesh(m);
   for (const auto p : polys(m)) {
@@ -34,7 +34,7 @@ TEST_CASE_TEMPLATE("centroid: on the archetype the same", M, CONCINO_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("centroids: the centroid of each poly", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("centroids: returns the centroid of each poly", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const auto centre = centroids(m);
   for (const auto p : polys(m)) CHECK(centre[p] == centroid(m, p));
@@ -43,7 +43,7 @@ TEST_CASE_TEMPLATE("centroids: the centroid of each poly", M, CONCINO_KINDS) {
   for (const auto p : polys(m)) CHECK(stripped[g.poly(p)] == centroid(g, g.poly(p)));
 }
 
-TEST_CASE_TEMPLATE("centroid: of faces as of the polygons of the boundary", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("centroid: of a face equals that of the boundary polygon", M, CONCINO_VOLUME_KINDS) {
   const M m = grid<M>(2);
   const auto skin = boundary(m);
   for (const auto f : polys(skin)) CHECK(off(centroid(m, f), centroid(skin, f)) < 1e-15);
@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("centroid: of faces as of the polygons of the boundary", M, C
   for (const auto f : faces(m)) CHECK(off(centroid(g, g.face(f)), centroid(m, f)) < 1e-15);
 }
 
-TEST_CASE("centroid: of an L, of a pyramid, of a poly turned inside out") {
+TEST_CASE("centroid: is right for an L, a pyramid and an inverted poly") {
   const polygonmesh l({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}});
   for (const auto p : polys(l)) CHECK(off(centroid(l, p), vec3{5.0 / 6, 5.0 / 6, 0}) < 1e-15);
   CHECK(off(vert_mean(l, poly_id{0}), vec3{1, 1, 0}) < 1e-15);
@@ -62,14 +62,14 @@ TEST_CASE("centroid: of an L, of a pyramid, of a poly turned inside out") {
   for (const auto p : polys(t)) CHECK(off(centroid(t, p), vec3{1, 1, 1}) < 1e-14);
 }
 
-TEST_CASE("centroid: of a poly without measure it is the mean of the verts") {
+TEST_CASE("centroid: of a poly without measure is the mean of its verts") {
   const trimesh line({{0, 0, 0}, {1, 1, 1}, {5, 5, 5}}, {{0, 1, 2}});
   CHECK(centroid(line, poly_id{0}) == vec3{2, 2, 2});
   const tetmesh flat({{0, 0, 0}, {0.1, 0.7, 0}, {0.3, 0.9, 0}, {1, 0.3, 0}}, {{0, 1, 2, 3}});
   CHECK(centroid(flat, poly_id{0}) == vert_mean(flat, poly_id{0}));
 }
 
-TEST_CASE_TEMPLATE("centroid: scales with the mesh as far as doubles go", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("centroid: scales with the mesh in the whole range of doubles", M, CONCINO_KINDS) {
   const auto arrays = grid_arrays<M>(3);
   const M m(arrays);
   for (const double scale : {0x1p-400, 0x1p-300, 0x1p-90, 0x1p90, 0x1p300, 0x1p996, 0x1p1022}) {

@@ -7,7 +7,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("the nearest point of a segment") {
+TEST_CASE("closest_point: is right for a segment") {
   const vec3 a{1, 0, 0}, b{3, 0, 0};
   CHECK(closest_point({0, 5, 0}, a, b) == a);
   CHECK(closest_point({9, 5, 1}, a, b) == b);
@@ -18,7 +18,7 @@ TEST_CASE("the nearest point of a segment") {
   CHECK(closest_point(q, p, q) == q);
 }
 
-TEST_CASE("the nearest point of a triangle: inside, beyond each edge and each corner") {
+TEST_CASE("closest_point: is right inside a triangle, and beyond each edge and corner") {
   const vec3 a{0, 0, 0}, b{4, 0, 0}, c{0, 4, 0};
   CHECK(norm(closest_point({1, 1, 7}, a, b, c) - vec3{1, 1, 0}) < 1e-15);
   CHECK(closest_point({1, -1, 7}, a, b, c) == vec3{1, 0, 0});
@@ -31,7 +31,7 @@ TEST_CASE("the nearest point of a triangle: inside, beyond each edge and each co
   for (const vec3& x : {p, q, r}) CHECK(closest_point(x, p, q, r) == x);
 }
 
-TEST_CASE("random triangles, obtuse and thin ones among them") {
+TEST_CASE("closest_point: is right for random triangles, also obtuse and thin ones") {
   point_stream at(1, -1, 1);
   for (int i = 0; i < 3000; ++i) {
     const vec3 a = at(), b = at(), x = at();
@@ -43,7 +43,7 @@ TEST_CASE("random triangles, obtuse and thin ones among them") {
   }
 }
 
-TEST_CASE("a triangle without area is a segment or a point") {
+TEST_CASE("closest_point: treats a triangle without area as a segment or point") {
   const vec3 a{0, 0, 0}, b{1, 1, 1}, c{3, 3, 3};
   CHECK(closest_point({2, 2, 2}, a, b, c) == vec3{2, 2, 2});
   CHECK(closest_point({2, 2, 2}, c, a, b) == vec3{2, 2, 2});

@@ -54,7 +54,7 @@ double total(const M& m, const vert_map<M, double>& x) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("corner_angle: those of a planar polygon sum to (n - 2) pi, concave or not, wherever it lies", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("corner_angle: the angles of a planar polygon sum to (n - 2) pi, convex or not", M, CONCINO_KINDS) {
   const auto arrays = grid_arrays<M>(2);
   for (const M& m : {M(arrays), M(rotated(arrays)), M(scaled(rotated(arrays), 0x1p-600)), M(scaled(rotated(arrays), 0x1p600))}) {
     const auto check = [&](const auto& x, const auto& loop) {
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("corner_angle: those of a planar polygon sum to (n - 2) pi, c
   }
 }
 
-TEST_CASE_TEMPLATE("corner_angle: the same at any scale and on the archetype, planar or not", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("corner_angle: does not depend on scale, and is the same on the archetype", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(1), 0.05);
   const M m(arrays), twice(scaled(arrays, 2)), small(scaled(arrays, 0x1p-900)), large(scaled(arrays, 0x1p1020));
   const auto g = only_embedded_mesh(m);
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("corner_angle: the same at any scale and on the archetype, pl
     for (const auto f : faces(m)) check(f, g.face(f), adj_f2v(m, f));
 }
 
-TEST_CASE("corner_angle: known corners") {
+TEST_CASE("corner_angle: is right for known corners") {
   const polygonmesh l({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}}, {{0, 1, 2, 3, 4, 5, 6}, {6, 5, 4, 3, 2, 1, 0}});
   for (const auto p : polys(l)) {
     CHECK(corner_angle(l, p, vert_id{0}) == doctest::Approx(pi / 2).epsilon(1e-15));
@@ -107,7 +107,7 @@ TEST_CASE("corner_angle: known corners") {
     }
 }
 
-TEST_CASE("corner_angle: of a regular polygon, of a spike, of edges without length") {
+TEST_CASE("corner_angle: is right for regular polygons, spikes and edges without length") {
   std::vector<vec3> x;
   std::vector<std::vector<int>> poly(1);
   for (int i = 0; i < 17; ++i) {
@@ -125,7 +125,7 @@ TEST_CASE("corner_angle: of a regular polygon, of a spike, of edges without leng
   CHECK(corner_angle(m, poly_id{1}, vert_id{4}) == doctest::Approx(std::atan(0.5)));
 }
 
-TEST_CASE("corner_angle: a vert that is no corner is refused, points that are not finite have no angle") {
+TEST_CASE("corner_angle: throws for a vert of another poly, and is NaN for points that are not finite") {
   const trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}}, {{0, 1, 2}, {0, 1, 4}});
   CHECK_THROWS_WITH_AS(corner_angle(m, poly_id{0}, vert_id{3}), "corner_angle: vert 3 is no corner of poly 0; ask for one of its own verts",
                        invalid_argument);
@@ -134,7 +134,7 @@ TEST_CASE("corner_angle: a vert that is no corner is refused, points that are no
   CHECK(std::isnan(corner_angle(m, poly_id{1}, vert_id{0})));
 }
 
-TEST_CASE_TEMPLATE("angle_defects: on a flat grid 0 inside and the turn of the border outside; on the archetype the same", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("angle_defects: on a flat grid are 0 inside and the turning angle on the boundary", M, CONCINO_SURFACE_KINDS) {
   const M m(rotated(two_grids_arrays<M>(3)));
   const auto defect = angle_defects(m);
   std::size_t turned = 0;
@@ -152,7 +152,7 @@ TEST_CASE_TEMPLATE("angle_defects: on a flat grid 0 inside and the turn of the b
   CHECK(angle_defects(none).values().empty());
 }
 
-TEST_CASE("angle_defects: they sum to 2 pi times the Euler characteristic, whatever meets at edges and verts") {
+TEST_CASE("angle_defects: sum to 2 pi times the Euler characteristic, also on non-manifold meshes") {
   std::mt19937 random(5);
   for (int i = 0; i < 40; ++i) {
     const auto m = random_mesh<trimesh>(random);
@@ -160,7 +160,7 @@ TEST_CASE("angle_defects: they sum to 2 pi times the Euler characteristic, whate
   }
 }
 
-TEST_CASE("angle_defects: of a stranger's mesh; a vert of no poly has none") {
+TEST_CASE("angle_defects: work on a user's mesh; an isolated vert has none") {
   const user_mesh::surface s = user_mesh::surface_example();
   const auto defect = angle_defects(s);
   CHECK(std::abs(total(s, defect) - 2 * pi) < 1e-12);
@@ -168,7 +168,7 @@ TEST_CASE("angle_defects: of a stranger's mesh; a vert of no poly has none") {
   CHECK(defect[user_mesh::vertex{7}] == 0);
 }
 
-TEST_CASE("corpus: angle defects sum to 2 pi times the Euler characteristic, and their extremes are those of an independent program") {
+TEST_CASE("corpus: angle defects sum to 2 pi times the Euler characteristic, with known extremes") {
   struct row { const char* file; double chi, least, most; };
   const row rows[] = {{"tri/bunny.obj", 2, -0.754083067052, 0.702236407144},          {"tri/spot_textured.obj", 2, -0.438299057404, 0.65112323546},
                       {"tri/3holes.obj", -4, -0.234538314819, 0.196053499389},        {"tri/socket_genus7.off", -12, -1.96630839476, 1.89022096072},

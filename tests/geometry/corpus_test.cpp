@@ -14,7 +14,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("corpus: areas of surfaces and of the boundaries of volumes, volumes of cells") {
+TEST_CASE("corpus: areas and volumes match the index") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   std::size_t surfaces = 0, volumes = 0;
@@ -45,7 +45,7 @@ TEST_CASE("corpus: areas of surfaces and of the boundaries of volumes, volumes o
   CHECK(volumes > 5);
 }
 
-TEST_CASE("corpus: the centroid of the bunny's surface") {
+TEST_CASE("corpus: the centroid of the bunny is the known one") {
   CONCINO_CORPUS_OR_SKIP(path, "tri/bunny.obj");
   const auto m = load<trimesh>(path.string());
   vec3 sum;
@@ -53,7 +53,7 @@ TEST_CASE("corpus: the centroid of the bunny's surface") {
   CHECK(norm(sum / total_measure(m) - vec3{-0.125840088456, -0.218105558261, 0.129767731192}) < 1e-10);
 }
 
-TEST_CASE("corpus: normals are of length 1 or 0; angles of triangles sum to the Euler characteristic, those around edges of cells to a turn") {
+TEST_CASE("corpus: normals have length 1 or 0; angles sum to the known totals") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   const double pi = std::numbers::pi;

@@ -37,7 +37,7 @@ std::size_t length(const R& r) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("dihedral_angle: pi where a surface is flat, and at its border", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("dihedral_angle: is pi where a surface is flat, and on its boundary", M, CONCINO_SURFACE_KINDS) {
   const M m(rotated(two_grids_arrays<M>(2)));
   const auto angle = dihedral_angles(m);
   for (const auto e : edges(m)) {
@@ -46,7 +46,7 @@ TEST_CASE_TEMPLATE("dihedral_angle: pi where a surface is flat, and at its borde
   }
 }
 
-TEST_CASE_TEMPLATE("dihedral_angle: a cube without a corner is convex, flat and concave; inside out it is the opposite", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("dihedral_angle: is right at convex, flat and concave edges, and reversed if inverted", M, CONCINO_SURFACE_KINDS) {
   std::set<voxel> cube;
   for (int i = 0; i < 8; ++i) cube.insert({i & 1, (i >> 1) & 1, i >> 2});
   cube.erase({1, 1, 1});
@@ -70,7 +70,7 @@ TEST_CASE_TEMPLATE("dihedral_angle: a cube without a corner is convex, flat and 
   CHECK(count(inside_out) == std::array<int, 4>{0, 3 * halves, 0, 27 * halves});
 }
 
-TEST_CASE_TEMPLATE("dihedral_angle: around an edge they sum to 2 pi, at the boundary of a volume to its angle", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("dihedral_angle: the angles around an edge sum to 2 pi, or to the angle of the boundary", M, CONCINO_VOLUME_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.08));  // faces are not planar
   const auto skin = boundary(m);
   std::size_t inside = 0;
@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("dihedral_angle: around an edge they sum to 2 pi, at the boun
   CHECK(inside > 0);
 }
 
-TEST_CASE_TEMPLATE("dihedral_angle: the same at any scale, turned, and on the archetype", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("dihedral_angle: does not depend on scale and rotation, and is the same on the archetype", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(1), 0.08);
   const M m(arrays), turned(rotated(arrays)), twice(scaled(arrays, 2)), small(scaled(arrays, 0x1p-900)), large(scaled(arrays, 0x1p1020));
   const auto g = only_embedded_mesh(m);
@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("dihedral_angle: the same at any scale, turned, and on the ar
   }
 }
 
-TEST_CASE("dihedral_angle: known cells") {
+TEST_CASE("dihedral_angle: is right for known cells") {
   const tetmesh regular({{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}, {{0, 1, 2, 3}, {0, 2, 1, 3}});  // the second one inside out
   for (const auto e : edges(regular)) {
     CHECK(dihedral_angle(regular, poly_id{0}, e) == doctest::Approx(std::acos(1.0 / 3)).epsilon(1e-15));
@@ -119,7 +119,7 @@ TEST_CASE("dihedral_angle: known cells") {
   for (const auto e : edges(octahedron)) CHECK(dihedral_angle(octahedron, e) == doctest::Approx(std::acos(-1.0 / 3)).epsilon(1e-15));
 }
 
-TEST_CASE("dihedral_angle: folded, wound against each other, crowded, degenerate") {
+TEST_CASE("dihedral_angle: handles folds, opposite orientations, non-manifold edges and degenerate polys") {
   const std::vector<vec3> x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {3, 0, 0}};
   const auto at_first_edge = [&](std::vector<std::vector<int>> triangles) {  // from vert 0 to vert 1
     const trimesh m(x, triangles);
@@ -142,7 +142,7 @@ TEST_CASE("dihedral_angle: folded, wound against each other, crowded, degenerate
   CHECK(std::isnan(dihedral_angle(no_number, edge_id{0})));
 }
 
-TEST_CASE("dihedral_angle: an edge of another poly is refused") {
+TEST_CASE("dihedral_angle: throws for an edge of another poly") {
   const hexmesh m = grid<hexmesh>(2);
   for (const auto e : edges(m))
     for (const auto p : polys(m)) {
@@ -152,7 +152,7 @@ TEST_CASE("dihedral_angle: an edge of another poly is refused") {
     }
 }
 
-TEST_CASE("dihedral_angle: of a stranger's volume") {
+TEST_CASE("dihedral_angle: works on a user's volume") {
   const user_mesh::volume v = user_mesh::volume_example();
   for (const auto e : adj_p2e(v, user_mesh::cell{0})) CHECK(dihedral_angle(v, user_mesh::cell{0}, e) == doctest::Approx(pi / 2));
   double base = 0, ridge = 0;
@@ -164,7 +164,7 @@ TEST_CASE("dihedral_angle: of a stranger's volume") {
   CHECK(ridge == doctest::Approx(4 * std::acos(-0.2)));
 }
 
-TEST_CASE("corpus: angles of the regular dodecahedron") {
+TEST_CASE("corpus: dihedral angles of the regular dodecahedron are the known ones") {
   CONCINO_CORPUS_OR_SKIP(path, "polygon/dodecahedron.obj");
   const auto m = load<polygonmesh>(path.string());
   for (const auto e : edges(m)) CHECK(dihedral_angle(m, e) == doctest::Approx(std::acos(-1 / std::sqrt(5.0))).epsilon(1e-6));

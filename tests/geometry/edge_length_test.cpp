@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("edge_length: of grids; scales exactly; the same in the map and on the archetype", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("edge_length: is right on grids, scales exactly, and is the same on the archetype", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto length = edge_lengths(m);
   double shortest = 9, longest = 0;
@@ -35,12 +35,12 @@ TEST_CASE_TEMPLATE("edge_length: of grids; scales exactly; the same in the map a
   }
 }
 
-TEST_CASE_TEMPLATE("edge_lengths: of an empty mesh", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("edge_lengths: an empty mesh has none", M, CONCINO_KINDS) {
   const M m;
   CHECK(edge_lengths(m).values().empty());
 }
 
-TEST_CASE("edge_length: an edge whose ends lie at one point has none") {
+TEST_CASE("edge_length: is 0 if both ends coincide") {
   const trimesh m({{1, 2, 3}, {1, 2, 3}, {4, 5, 6}}, {{0, 1, 2}});
   CHECK(edge_length(m, edge_id{0}) == 0);
 }

@@ -12,7 +12,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("measure: grids fill the unit square or cube, wherever they are and at any scale", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("measure: of grids of the unit square or cube is 1, at any position and scale", M, CONCINO_ALL_KINDS) {
   const auto arrays = grid_arrays<M>(3);
   const M m(arrays);
   CHECK(total_measure(m) == doctest::Approx(1).epsilon(1e-14));
@@ -26,7 +26,7 @@ TEST_CASE_TEMPLATE("measure: grids fill the unit square or cube, wherever they a
   }
 }
 
-TEST_CASE_TEMPLATE("measure: interior points may move anywhere, cells with warped faces still fill the cube", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("measure: cells with warped faces fill the cube, wherever interior points are", M, CONCINO_VOLUME_KINDS) {
   auto arrays = grid_arrays<M>(4);
   const auto wild = jittered(arrays, 0.1);
   for (std::size_t i = 0; i < arrays.points.size(); ++i) {
@@ -36,7 +36,7 @@ TEST_CASE_TEMPLATE("measure: interior points may move anywhere, cells with warpe
   CHECK(total_measure(M(arrays)) == doctest::Approx(1).epsilon(1e-13));
 }
 
-TEST_CASE_TEMPLATE("measure: on the archetype the same bits", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("measure: is the same to the bit on the archetype", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.1));
   const auto g = only_embedded_mesh(m);
   for (const auto p : polys(m)) CHECK(measure(g, g.poly(p)) == doctest::Approx(measure(m, p)).epsilon(1e-14));
@@ -45,7 +45,7 @@ TEST_CASE_TEMPLATE("measure: on the archetype the same bits", M, CONCINO_ALL_KIN
     for (const auto f : faces(m)) CHECK(area(g, g.face(f)) == area(m, f));
 }
 
-TEST_CASE("area: concave, folded and degenerate polygons") {
+TEST_CASE("area: is right for concave, folded and degenerate polygons") {
   const polygonmesh m({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}, {0, 1, 2, 5}});
   CHECK(area(m, poly_id{0}) == 3);
   CHECK(area_vector(m, poly_id{0}) == vec3{0, 0, 3});
@@ -58,7 +58,7 @@ TEST_CASE("area: concave, folded and degenerate polygons") {
   CHECK(area_vector(saddle, poly_id{0}) == vec3{0, 0, 1});
 }
 
-TEST_CASE("volume: sign, frustum, degenerate cells") {
+TEST_CASE("volume: is right for inverted cells, frustums and degenerate cells") {
   const tetmesh t({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}, {0, 2, 1, 3}});
   CHECK(volume(t, poly_id{0}) == doctest::Approx(1.0 / 6));
   CHECK(volume(t, poly_id{1}) == doctest::Approx(-1.0 / 6));
@@ -73,7 +73,7 @@ TEST_CASE("volume: sign, frustum, degenerate cells") {
   CHECK(volume(pressed, poly_id{0}) == 0);
 }
 
-TEST_CASE("volume: a polyhedron turned inside out is negative, its faces' areas are not") {
+TEST_CASE("volume: of an inverted polyhedron is negative, the areas of its faces are not") {
   auto arrays = polyhedra_grid(1);
   const polyhedralmesh m(arrays);
   for (auto& out : arrays.outward) out = !out;
@@ -85,7 +85,7 @@ TEST_CASE("volume: a polyhedron turned inside out is negative, its faces' areas 
   CHECK(surface == doctest::Approx(6 + 1));  // the cube and the two walls between L and cube
 }
 
-TEST_CASE_TEMPLATE("measures: the measure of each poly", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("measures: returns the measure of each poly", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.1));
   const auto size = measures(m);
   for (const auto p : polys(m)) CHECK(size[p] == measure(m, p));
@@ -94,11 +94,11 @@ TEST_CASE_TEMPLATE("measures: the measure of each poly", M, CONCINO_ALL_KINDS) {
   for (const auto p : polys(m)) CHECK(stripped[g.poly(p)] == measure(g, g.poly(p)));
 }
 
-TEST_CASE_TEMPLATE("measure: empty meshes measure nothing", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("measure: of an empty mesh is 0", M, CONCINO_ALL_KINDS) {
   CHECK(total_measure(M()) == 0);
 }
 
-TEST_CASE_TEMPLATE("measure: of finite points never NaN: infinite where it is too large, at any place and turned inside out", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("measure: of finite points is never NaN, and infinite if too large", M, CONCINO_ALL_KINDS) {
   for (const double scale : {1e150, 1e200, 1e300, 1e308}) {
     auto arrays = scaled(grid_arrays<M>(3), scale);
     for (const bool centred : {false, true}) {

@@ -41,7 +41,7 @@ template<class M> concept takes_temporaries = requires(M&& m) { vert_normals(std
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("normals: on grids along the axes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("normals: on grids are parallel to the axes", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   if constexpr (SurfaceMesh<M>) {
     for_each_normal(m, [](auto, const vec3& one, const vec3& of_all) {
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("normals: on grids along the axes", M, CONCINO_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("normals: one by one, in maps, on the archetype, and on the mesh turned", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("normals: are the same in maps and on the archetype, and rotate with the mesh", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.08);
   const M m(arrays), turned(rotated(arrays));
   const auto g = only_embedded_mesh(m);
@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("normals: one by one, in maps, on the archetype, and on the m
   static_assert(!takes_temporaries<M>);
 }
 
-TEST_CASE_TEMPLATE("normals: the same bits when scaled, and the same directions where areas underflow or overflow", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("normals: do not depend on scale, also where areas underflow or overflow", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.08);
   const M m(arrays);
   for (const double scale : {0x1p-480, 0x1p-560, 0x1p-900, 0x1p480, 0x1p560, 0x1p1022}) {
@@ -115,7 +115,7 @@ TEST_CASE_TEMPLATE("normals: the same bits when scaled, and the same directions 
   }
 }
 
-TEST_CASE_TEMPLATE("normals: the vector areas of a closed surface sum to 0, those of a boundary too", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("normals: the vector areas of a closed surface or boundary sum to 0", M, CONCINO_VOLUME_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.08));
   const auto skin = boundary(m);
   vec3 sum;
@@ -126,7 +126,7 @@ TEST_CASE_TEMPLATE("normals: the vector areas of a closed surface sum to 0, thos
   for (const auto v : verts(skin)) CHECK(off(of_volume[v], of_skin[v]) < 1e-14);
 }
 
-TEST_CASE_TEMPLATE("normals: on a torus they point away from its core, at verts and in polygons", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("normals: on a torus point away from its core, at verts and polygons", M, CONCINO_SURFACE_KINDS) {
   const M m = from_quads<M>(rolled_grid(24, 48));
   const auto n = surface_normals(m);
   vec3 sum;
@@ -141,7 +141,7 @@ TEST_CASE_TEMPLATE("normals: on a torus they point away from its core, at verts 
   }
 }
 
-TEST_CASE("normals: weights are areas; deleted polys do not count") {
+TEST_CASE("normals: weights are areas, without those of deleted polys") {
   trimesh m({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});  // areas 2, 1, 1
   const auto n = vert_normals(m);
   CHECK(off(n[vert_id{0}], vec3{1, 1, 2} / std::sqrt(6.0)) < 1e-15);
@@ -152,7 +152,7 @@ TEST_CASE("normals: weights are areas; deleted polys do not count") {
   CHECK(off(vert_normal(m, vert_id{0}), fewer[vert_id{0}]) < 1e-15);
 }
 
-TEST_CASE("normals: no area, no normal") {
+TEST_CASE("normals: of polys without area are 0") {
   const double huge = std::numeric_limits<double>::max();
   const trimesh m({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 1, 5}, {2, 1, 5}, {2, 1, 5}, {7, 7, 7}}, {{0, 1, 2}, {3, 4, 5}});
   for_each_normal(m, [](auto, const vec3& one, const vec3& of_all) {
@@ -172,7 +172,7 @@ TEST_CASE("normals: no area, no normal") {
   CHECK(vert_normals(widest)[vert_id{2}] == vec3{0, 0, 1});
 }
 
-TEST_CASE("normals: points that are not finite spoil only what is around them") {
+TEST_CASE("normals: points that are not finite change only adjacent normals") {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, inf}) {
     const trimesh m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {bad, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
@@ -184,7 +184,7 @@ TEST_CASE("normals: points that are not finite spoil only what is around them") 
   }
 }
 
-TEST_CASE("normals: of a stranger's meshes") {
+TEST_CASE("normals: work on users' meshes") {
   const user_mesh::surface s = user_mesh::surface_example();
   const auto n = surface_normals(s);
   for (const auto p : polys(s)) CHECK(n.polys[p] == vec3{0, 0, 1});
@@ -197,7 +197,7 @@ TEST_CASE("normals: of a stranger's meshes") {
   CHECK(around[user_mesh::vertex{9}] == vec3{});
 }
 
-TEST_CASE_TEMPLATE("normals: the same for any number of threads, and on an empty mesh", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("normals: do not depend on the number of threads; empty meshes have none", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(SurfaceMesh<M> ? 40 : 8), 0.01)), none;
   CHECK(vert_normals(none).values().empty());
   const auto alone = vert_normals(m);

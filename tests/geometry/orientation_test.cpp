@@ -33,7 +33,7 @@ int exact3(const grid_point& a, const grid_point& b, const grid_point& c, const 
 
 }  // namespace
 
-TEST_CASE("the standard triangle and tet are positive, mirrored ones negative, flat ones zero") {
+TEST_CASE("orientation: is positive for the standard triangle and tet, negative if mirrored, 0 if flat") {
   const vec3 o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   CHECK(orient2d(o, x, y) == 1);
   CHECK(orient2d(o, y, x) == -1);
@@ -44,7 +44,7 @@ TEST_CASE("the standard triangle and tet are positive, mirrored ones negative, f
   CHECK(orient3d(o, o, o, o) == 0);
 }
 
-TEST_CASE("random points near one line or plane, against integers") {
+TEST_CASE("orientation: agrees with integer arithmetic near a line or plane") {
   std::mt19937_64 random(1);
   const auto some = [&](long long range) { return static_cast<long long>(random() % static_cast<unsigned long long>(2 * range + 1)) - range; };
   int flat = 0;
@@ -64,7 +64,7 @@ TEST_CASE("random points near one line or plane, against integers") {
   CHECK(flat > 1000);
 }
 
-TEST_CASE("every exchange of two points changes the sign") {
+TEST_CASE("orientation: every exchange of two points changes the sign") {
   const std::array<vec3, 4> p = {vec3{0.1, 0.2, 0.3}, {0.1 + 0x1p-54, 0.7, 0.9}, {0.3, 0.2, 1e-17}, {0.2, 0.45, 0.6}};
   const int whole = orient3d(p[0], p[1], p[2], p[3]);
   for (std::size_t i = 0; i < 4; ++i)
@@ -75,7 +75,7 @@ TEST_CASE("every exchange of two points changes the sign") {
     }
 }
 
-TEST_CASE("where rounding decides otherwise: a point one unit off a line through two others") {
+TEST_CASE("orientation: is right for a point one unit off a line, where rounding fails") {
   // Kettner et al. 2008: with doubles alone these give all three signs at random
   int wrong = 0;
   for (int i = 0; i < 64; ++i)
@@ -87,7 +87,7 @@ TEST_CASE("where rounding decides otherwise: a point one unit off a line through
   CHECK(wrong == 0);
 }
 
-TEST_CASE("large and small coordinates") {
+TEST_CASE("orientation: is right for large and small coordinates") {
   for (const double s : {1e-90, 1e-30, 1.0, 1e30, 1e90}) {
     CHECK(orient3d({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {s / 3, s / 3, s * 0x1p-60}) == 1);
     CHECK(orient3d({s, s, s}, {2 * s, s, s}, {s, 2 * s, s}, {3 * s, 3 * s, s}) == 0);

@@ -12,7 +12,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("for_each_outer_polygon: every poly of a surface, the boundary of a volume, turned outward", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("for_each_outer_polygon: visits the polys of a surface or the boundary of a volume", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const auto weak = only_embedded_mesh(m);
   std::size_t met = 0, met_stripped = 0, at_verts = 0, corners = 0;
@@ -46,7 +46,7 @@ TEST_CASE_TEMPLATE("for_each_outer_polygon: every poly of a surface, the boundar
   CHECK(at_verts == corners);
 }
 
-TEST_CASE("for_each_outer_polygon: a face that is listed clockwise seen from outside says so") {
+TEST_CASE("for_each_outer_polygon: reports faces that are clockwise as seen from outside") {
   auto arrays = polyhedra_grid(1);
   for (auto& out : arrays.outward) out = !out;
   const polyhedralmesh m(arrays), n(polyhedra_grid(1));

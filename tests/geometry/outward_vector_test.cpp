@@ -28,7 +28,7 @@ vec3 midpoint(const M& m, const facet_t<M>& x) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("outward_vector: sums to nothing over each poly, and gives its measure by the divergence theorem", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("outward_vector: sums to 0 over each poly, and fulfils the divergence theorem", M, CONCINO_ALL_KINDS) {
   for (const auto& arrays : {grid_arrays<M>(2), rotated(jittered(grid_arrays<M>(2), 0.1, VolumeMesh<M>))}) {
     const M m(arrays);
     for (const auto p : polys(m)) {
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("outward_vector: sums to nothing over each poly, and gives it
   }
 }
 
-TEST_CASE_TEMPLATE("outward_vector: turned about between the polys of a facet of a flat grid, and as long as the facet", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("outward_vector: is opposite for the two polys of a facet, and as long as the facet", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(3);
   vec3 boundary;
   for (const auto x : facets(m)) {
@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("outward_vector: turned about between the polys of a facet of
   CHECK(norm(boundary) < 1e-14);
 }
 
-TEST_CASE_TEMPLATE("outward_vector: turns with the mesh, scales exactly, is the same on the archetype", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("outward_vector: rotates with the mesh, scales exactly, is the same on the archetype", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.1);
   const M m(arrays), turned(rotated(arrays)), large(scaled(arrays, 0x1p300)), small(scaled(arrays, 0x1p-300));
   const auto weak = only_embedded_mesh(m);
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("outward_vector: turns with the mesh, scales exactly, is the 
     }
 }
 
-TEST_CASE("outward_vector: known ones, of a foreign surface and a foreign volume") {
+TEST_CASE("outward_vector: is right on a user's surface and volume") {
   const auto s = user_mesh::surface_example();  // poly 0: (0,0) (1,0) (1,1)
   CHECK(difference(outward_vector(s, user_mesh::cell{0}, user_mesh::segment{0}), {0, -1, 0}) < 1e-15);
   CHECK(difference(outward_vector(s, user_mesh::cell{0}, user_mesh::segment{1}), {1, 0, 0}) < 1e-15);
@@ -97,7 +97,7 @@ TEST_CASE("outward_vector: known ones, of a foreign surface and a foreign volume
   CHECK(outward_vector(w, user_mesh::cell{1}, user_mesh::facet{1}) == vec3{0, 0, -1});
 }
 
-TEST_CASE("outward_vector: degenerate and very large polys") {
+TEST_CASE("outward_vector: is right for degenerate and very large polys") {
   const trimesh needle({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   for (const auto e : edges(needle)) CHECK(outward_vector(needle, poly_id{0}, e) == vec3{});
   const double huge = 1.7e308;

@@ -9,7 +9,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("shape_of: a regular polygon far from the origin keeps its digits") {
+TEST_CASE("shape_of: is accurate for a polygon far from the origin") {
   const int n = 12;
   std::vector<vec3> x;
   std::vector<std::vector<int>> poly(1);
@@ -23,7 +23,7 @@ TEST_CASE("shape_of: a regular polygon far from the origin keeps its digits") {
   CHECK(norm(s.mean - vec3{1e6, -1e6, 0}) < 1e-9);
 }
 
-TEST_CASE("shape_of: loops of no, one and two verts have no area") {
+TEST_CASE("shape_of: loops of fewer than three verts have no area") {
   const trimesh m({{1, 2, 3}, {4, 5, 6}}, {});
   CHECK(shape_of(m, std::vector<vert_id>{}).area == vec3{});
   CHECK(shape_of(m, std::vector<vert_id>{vert_id{0}}).mean == vec3{1, 2, 3});
@@ -31,7 +31,7 @@ TEST_CASE("shape_of: loops of no, one and two verts have no area") {
   CHECK(shape_of(m, std::vector<vert_id>{vert_id{0}, vert_id{1}}).mean == vec3{2.5, 3.5, 4.5});
 }
 
-TEST_CASE_TEMPLATE("area_vector_of: the area of shape_of to the bit", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("area_vector_of: equals the area of shape_of to the bit", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.1));
   if constexpr (SurfaceMesh<M>)
     for (const auto p : polys(m)) CHECK(area_vector_of(m, adj_p2v(m, p)) == shape_of(m, adj_p2v(m, p)).area);

@@ -47,7 +47,7 @@ const triangle base = {vec3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 
 }  // namespace
 
-TEST_CASE("two triangles that share no vert") {
+TEST_CASE("self_intersections: finds triangles that intersect without a common vert") {
   const std::vector<std::pair<triangle, bool>> others = {
       {{vec3{1, 1, -1}, {1, 1, 1}, {9, 9, 1}}, true},         // crossing
       {{vec3{1, 1, 0}, {1, 1, 1}, {2, 1, 1}}, true},          // standing on a face with a vert
@@ -69,7 +69,7 @@ TEST_CASE("two triangles that share no vert") {
   }
 }
 
-TEST_CASE("triangles that share verts, by number or by place") {
+TEST_CASE("self_intersections: handles triangles with common verts or coincident points") {
   for (const bool welded : {true, false}) {
     const auto count = [&](const triangle& t) {
       std::vector<vec3> x(base.begin(), base.end());
@@ -102,7 +102,7 @@ TEST_CASE("triangles that share verts, by number or by place") {
   }
 }
 
-TEST_CASE_TEMPLATE("grids in a plane and in space do not meet themselves; two that lie in each other do", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("self_intersections: grids have none, two that intersect have some", M, CONCINO_SURFACE_KINDS) {
   CHECK(self_intersections(M()).empty());
   CHECK(self_intersections(grid<M>(5)).empty());
   CHECK(self_intersections(M(jittered(grid_arrays<M>(6), 0.03, false))).empty());
@@ -142,7 +142,7 @@ TEST_CASE_TEMPLATE("grids in a plane and in space do not meet themselves; two th
   for (std::size_t i = 0; i < same.size(); ++i) CHECK(std::pair{g.base(same[i].first), g.base(same[i].second)} == pairs[i]);
 }
 
-TEST_CASE("polygons: a common edge must be one of both; a diagonal runs through its polygon") {
+TEST_CASE("self_intersections: a common diagonal of two polygons is not a common edge") {
   // two quads folded about their common diagonal
   const polygonmesh folded({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 3}, {0, 1, -3}}, {{0, 1, 2, 3}, {0, 4, 2, 5}});
   CHECK(self_intersections(folded).size() == 1);
@@ -153,13 +153,13 @@ TEST_CASE("polygons: a common edge must be one of both; a diagonal runs through 
   CHECK(self_intersections(notch) == std::vector<std::pair<poly_id, poly_id>>{{poly_id{0}, poly_id{2}}});
 }
 
-TEST_CASE("a point that is not finite") {
+TEST_CASE("self_intersections: a point that is not finite throws") {
   auto arrays = triangle_grid(1);
   arrays.points[0].x = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(self_intersections(trimesh(arrays)), invalid_mesh);
 }
 
-TEST_CASE("meshes of the corpus: a sphere does not meet itself, two in each other do, at any power of two") {
+TEST_CASE("self_intersections: a sphere has none, two that intersect have some, at any scale") {
   CONCINO_CORPUS_OR_SKIP(one, "tri/sphere.obj");
   CONCINO_CORPUS_OR_SKIP(two, "tri/two_spheres.obj");
   CHECK(self_intersections(load<trimesh>(one.string())).empty());

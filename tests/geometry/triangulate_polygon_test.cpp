@@ -75,7 +75,7 @@ const polygon letter_e = flat({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {2, 2}, {
 
 }  // namespace
 
-TEST_CASE("simple polygons are covered and no triangle is flipped") {
+TEST_CASE("triangulate_polygon: triangles cover a simple polygon, and none is flipped") {
   const std::vector<polygon> shapes = {
       flat({{0, 0}, {1, 0}, {0, 1}}),
       flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}}),
@@ -105,13 +105,13 @@ TEST_CASE("simple polygons are covered and no triangle is flipped") {
   }
 }
 
-TEST_CASE("a non-planar polygon is cut as it looks along its vector area") {
+TEST_CASE("triangulate_polygon: a non-planar polygon is projected along its vector area") {
   polygon p = letter_e;
   for (std::size_t i = 0; i < p.size(); ++i) p[i].z = 0.05 * std::sin(7.0 * static_cast<double>(i));
   check_simple(rotated(p, 1, {}));
 }
 
-TEST_CASE("random star-shaped polygons, with corners put on their sides") {
+TEST_CASE("triangulate_polygon: works on random star-shaped polygons with flat corners") {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(0.05, 1);
   for (int repeat = 0; repeat < 300; ++repeat) {
@@ -129,7 +129,7 @@ TEST_CASE("random star-shaped polygons, with corners put on their sides") {
   }
 }
 
-TEST_CASE("polygons that are not simple still give n-2 triangles that join all corners") {
+TEST_CASE("triangulate_polygon: polygons that are not simple give n-2 triangles with all corners") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<polygon> shapes = {
       flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}}),                   // on a line
@@ -152,6 +152,6 @@ TEST_CASE("polygons that are not simple still give n-2 triangles that join all c
   CHECK(triangulate_polygon(polygon(2)).empty());
 }
 
-TEST_CASE("a hundred thousand corners take no longer than they should") {
+TEST_CASE("triangulate_polygon: a hundred thousand corners take little time") {
   check_simple(spiral(50000));
 }

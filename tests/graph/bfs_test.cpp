@@ -37,7 +37,7 @@ struct concino::mesh_traits<ring> {
   static std::array<vert_id, 2> adj_v2v(const ring& r, vert_id v) { return {vert_id{(v.raw() + 1) % r.n}, vert_id{(v.raw() + r.n - 1) % r.n}}; }
 };
 
-TEST_CASE("bfs: hops around a ring, one source and several") {
+TEST_CASE("bfs: hop counts on a ring are right, from one source and several") {
   const ring r{7};
   const auto hops = bfs(r, vert_id{0});
   const int expected[] = {0, 1, 2, 3, 3, 2, 1};
@@ -50,7 +50,7 @@ TEST_CASE("bfs: hops around a ring, one source and several") {
   CHECK(bfs(r, std::vector<vert_id>(10000, vert_id{5}))[vert_id{1}] == 3);  // a source enters the queue once
 }
 
-TEST_CASE("bfs: may_enter bars nodes, but not the source") {
+TEST_CASE("bfs: may_enter excludes nodes, but not the source") {
   const ring r{7};
   const auto b = vert_id{1};
   const auto hops = bfs(r, vert_id{0}, {.may_enter = [b](auto v) { return v != b; }});
@@ -60,18 +60,18 @@ TEST_CASE("bfs: may_enter bars nodes, but not the source") {
   CHECK(bfs(r, {vert_id{0}, vert_id{2}}, {.may_enter = [b](auto v) { return v != b; }})[vert_id{4}] == 2);
 }
 
-TEST_CASE("bfs: a source that the mesh has not is refused") {
+TEST_CASE("bfs: throws if the source is not in the mesh") {
   const ring r{3};
   CHECK_THROWS_WITH_AS(bfs(r, vert_id{3}), "bfs: the source is no vert of the mesh; take one from verts(m)", invalid_mesh);
   CHECK_THROWS_AS(bfs(r, {vert_id{0}, vert_id{}}), invalid_mesh);
 }
 
-TEST_CASE("bfs: a mesh must outlive the result; what is no source or no mesh is refused softly") {
+TEST_CASE("bfs: rejects temporaries, and calls without source or mesh, by constraints") {
   static_assert(searchable<ring&> && searchable<const ring&> && !searchable<ring> && !searchable<int&>);
   static_assert(!searchable<ring&, poly_id> && !searchable<ring&, int> && searchable<ring&, std::vector<vert_id>>);
 }
 
-TEST_CASE_TEMPLATE("bfs: equal to Boost's on verts and on polys, in pieces and with a lonely vert", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs: equals Boost's on verts and polys, with components and isolated verts", M, CONCINO_KINDS) {
   const M m = two_grids<M>(2);
   const auto primal = make_boost_graph(vert_index_bound(m), primal_arcs(m, one));
   const auto dual = make_boost_graph(poly_index_bound(m), dual_arcs(m, one));
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("bfs: equal to Boost's on verts and on polys, in pieces and w
   }
 }
 
-TEST_CASE_TEMPLATE("bfs: uses nothing but a primal or a dual graph", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs: runs on the archetypes of primal and dual graphs", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto g = only_primal_graph(m);
   const auto d = only_dual_graph(m);
@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("bfs: uses nothing but a primal or a dual graph", M, CONCINO_
   for (const auto q : polys(d)) CHECK(stripped_across[q] == across[d.base(q)]);
 }
 
-TEST_CASE("bfs: dual arcs of a grid of n^3 hexes number 3 n^2 (n - 1), reached from a corner in 3 (n - 1) steps") {
+TEST_CASE("bfs: the dual graph of n^3 hexes has 3 n^2 (n - 1) edges, and 3 (n - 1) hops from a corner") {
   const unsigned n = 4;
   const hexmesh m = grid<hexmesh>(n);
   std::size_t arcs = 0;
@@ -115,7 +115,7 @@ TEST_CASE("bfs: dual arcs of a grid of n^3 hexes number 3 n^2 (n - 1), reached f
   CHECK(farthest == 3 * (int(n) - 1));
 }
 
-TEST_CASE_TEMPLATE("bfs: bounds, targets and predecessors, on verts and on polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs: obeys bounds and targets, and sets predecessors, on verts and polys", M, CONCINO_KINDS) {
   const M m = grid<M>(3);
   const auto check = [&](const auto s, const auto nodes, auto before) {
     using node = std::remove_const_t<decltype(s)>;
@@ -155,7 +155,7 @@ TEST_CASE_TEMPLATE("bfs: bounds, targets and predecessors, on verts and on polys
   check(poly_id{0}, polys(m), make_poly_map<poly_id>(m));
 }
 
-TEST_CASE_TEMPLATE("bfs: what is crossed joins each node with its predecessor, and visit sees nodes as they are reached", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs: crossed elements join predecessors, and visit is called in the order of the search", M, CONCINO_KINDS) {
   const M m = two_grids<M>(3);
   const auto check = [&](const auto s, const auto nodes, auto before, auto across, const auto& is_between) {
     using node = std::remove_const_t<decltype(s)>;
@@ -212,7 +212,7 @@ TEST_CASE_TEMPLATE("bfs: what is crossed joins each node with its predecessor, a
     });
 }
 
-TEST_CASE_TEMPLATE("bfs_forest: a tree for each component, as bfs from its first node, one after another", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs_forest: has a tree for each component, equal to bfs from its first node", M, CONCINO_KINDS) {
   const M m = two_grids<M>(2);
   const auto check = [&](const auto& graph, const auto nodes, auto before) {
     using node = std::remove_cvref_t<decltype(*nodes.begin())>;

@@ -120,7 +120,7 @@ void check_trees(const G& g, std::size_t components) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("boost: components, searches and trees, all kinds, both graphs", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("boost: components, searches and trees agree on all kinds and both graphs", M, CONCINO_KINDS) {
   const M m = two_grids<M>(2);
   CHECK(check_components(cn::primal(m)) == 3);
   CHECK(check_components(cn::dual(m)) == 2);
@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("boost: components, searches and trees, all kinds, both graph
   check_trees(cn::dual(m), 2);
 }
 
-TEST_CASE("boost: the line of the contract, with a map and with a pointer") {
+TEST_CASE("boost: the example of the contract works with a map and with a pointer") {
   const auto m = two_grids<cn::polygonmesh>(1);
   auto map = cn::make_vert_map<int>(m);
   auto labels = cn::boost_map(map);
@@ -142,7 +142,7 @@ TEST_CASE("boost: the line of the contract, with a map and with a pointer") {
   for (const auto v : cn::verts(m)) CHECK(map[v] == array[v.raw()]);
 }
 
-TEST_CASE_TEMPLATE("boost: straight distances where no weights are given", M, cn::quadmesh, cn::polyhedralmesh) {
+TEST_CASE_TEMPLATE("boost: default weights are distances", M, cn::quadmesh, cn::polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const auto compare = [](const auto& g, const auto& expected) {
     std::vector<double> far;
@@ -153,7 +153,7 @@ TEST_CASE_TEMPLATE("boost: straight distances where no weights are given", M, cn
   compare(cn::dual(m), cn::dijkstra(m, *cn::polys(m).begin()));
 }
 
-TEST_CASE("boost: algorithms need no more than an archetype has") {
+TEST_CASE("boost: algorithms run on archetypes") {
   const auto w = user_mesh::volume_example();
   const auto p = cn::only_primal_graph(w);
   const auto d = cn::only_dual_graph(w);

@@ -70,13 +70,13 @@ void check_flow(const G& undirected) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("boost: flows of Boykov and Kolmogorov, of Edmonds and Karp, all kinds, both graphs", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("boost: maximum flows of two algorithms agree on all kinds and both graphs", M, CONCINO_KINDS) {
   const M m = two_grids<M>(2);
   check_flow(cn::primal(m));
   check_flow(cn::dual(m));
 }
 
-TEST_CASE("boost: flows need no more than an archetype has") {
+TEST_CASE("boost: flows run on archetypes") {
   const auto w = user_mesh::volume_example();
   const auto p = cn::only_primal_graph(w);
   const auto d = cn::only_dual_graph(w);
@@ -84,7 +84,7 @@ TEST_CASE("boost: flows need no more than an archetype has") {
   check_flow(cn::dual(d));
 }
 
-TEST_CASE_TEMPLATE("boost: preflows, where no arc has capacity both ways as they want it", M, cn::polygonmesh, cn::tetmesh) {
+TEST_CASE_TEMPLATE("boost: preflows work if no arc has capacity in both directions", M, cn::polygonmesh, cn::tetmesh) {
   const M m = two_grids<M>(2);
   const auto [s, t] = ends_of_flow(cn::primal(m));
   const auto hops = cn::bfs(m, s);
@@ -99,7 +99,7 @@ TEST_CASE_TEMPLATE("boost: preflows, where no arc has capacity both ways as they
   CHECK(flow == boost::boykov_kolmogorov_max_flow(g, capacity, again, reverse, index, s, t));
 }
 
-TEST_CASE("boost: the flow between opposite corners of a grid of quads is what their two edges let through") {
+TEST_CASE("boost: the flow between corners of a grid is the capacity of their edges") {
   const auto m = grid<cn::quadmesh>(4);
   const auto g = cn::directed(cn::primal(m));
   const auto residual = cn::boost_edge_map<double>(g);
@@ -109,7 +109,7 @@ TEST_CASE("boost: the flow between opposite corners of a grid of quads is what t
   CHECK(boost::boykov_kolmogorov_max_flow(g, straight, residual, reverse, index, cn::vert_id{0}, cn::vert_id{24}) == 0.5);
 }
 
-TEST_CASE("boost: how many shortest paths pass through, on a path of polys") {
+TEST_CASE("boost: betweenness centrality is right on a path of polys") {
   cn::quadmesh m({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {3, 1, 0}, {4, 1, 0}},
                  {{0, 1, 6, 5}, {1, 2, 7, 6}, {2, 3, 8, 7}, {3, 4, 9, 8}});
   const auto g = cn::dual(m);

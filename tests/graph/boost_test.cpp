@@ -199,7 +199,7 @@ struct concino::mesh_traits<from_zero> {
   static std::vector<numbered> adj_v2v(const from_zero&, numbered v) { return {{1 - v.i}}; }
 };
 
-TEST_CASE_TEMPLATE("boost: walks and numbers of edges are those of the mesh", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("boost: iteration and numbers of edges equal those of the mesh", M, CONCINO_KINDS) {
   const M m = two_grids<M>(1);
   CHECK(wrong_walk(cn::primal(m)) == "");
   CHECK(wrong_walk(cn::dual(m)) == "");
@@ -210,7 +210,7 @@ TEST_CASE_TEMPLATE("boost: walks and numbers of edges are those of the mesh", M,
   CHECK(wrong_walk(cn::directed(cn::dual(none))) == "");
 }
 
-TEST_CASE("boost: walks over foreign meshes, views and archetypes") {
+TEST_CASE("boost: iteration works on users' meshes, views and archetypes") {
   const auto s = user_mesh::surface_example();
   const auto w = user_mesh::volume_example();
   CHECK(wrong_walk(cn::primal(s)) == "");
@@ -244,7 +244,7 @@ TEST_CASE("boost: an undirected edge is the same from both ends, an arc is not")
   }
 }
 
-TEST_CASE("boost: nothing is copied or walked beforehand") {
+TEST_CASE("boost: creating a view copies nothing and iterates over nothing") {
   const counted_ring r{1000};
   const auto g = cn::primal(r);
   [[maybe_unused]] const auto all = vertices(g);
@@ -269,7 +269,7 @@ TEST_CASE("boost: iterators outlive the views they came from") {
   CHECK(index[cn::vert_id{7}] == 7);
 }
 
-TEST_CASE("boost: removed elements leave gaps, arrays of Boost's hold all the same") {
+TEST_CASE("boost: arrays of Boost work with gaps in the indices") {
   auto m = grid<cn::tetmesh>(2);
   for (const unsigned p : {0u, 7u, 20u}) cn::remove_poly(m, cn::poly_id{p});
   cn::remove_vert(m, cn::vert_id{13});
@@ -283,7 +283,7 @@ TEST_CASE("boost: removed elements leave gaps, arrays of Boost's hold all the sa
   for (const auto p : cn::polys(m)) CHECK((label[p] >= 0 && label[p] < k));
 }
 
-TEST_CASE("boost_map: as much as the map allows") {
+TEST_CASE("boost_map: has the category that the map allows") {
   auto m = grid<cn::trimesh>(1);
   auto map = cn::make_vert_map<double>(m, 1.5);
   const auto& fixed = map;
@@ -326,7 +326,7 @@ TEST_CASE("boost_map: as much as the map allows") {
   CHECK(get(kept, v) == 4);
 }
 
-TEST_CASE("boost_weights and boost_edge_map") {
+TEST_CASE("boost_weights and boost_edge_map are property maps of edges") {
   const auto m = grid<cn::quadmesh>(2);
   const auto g = cn::primal(m);
   const auto length = get(boost::edge_weight, g);
@@ -349,7 +349,7 @@ TEST_CASE("boost_weights and boost_edge_map") {
   for (auto [e, last] = edges(d); e != last; ++e) CHECK(arcs[*e] == -arcs[get(boost::edge_reverse, d)[*e]]);
 }
 
-TEST_CASE("boost: a filter of Boost's bars nodes and edges") {
+TEST_CASE("boost: a filtered graph excludes nodes and edges") {
   const auto m = grid<cn::hexmesh>(3);
   const auto g = cn::dual(m);
   const auto in_layer = [](cn::poly_id p) { return p.raw() < 9; };
@@ -361,7 +361,7 @@ TEST_CASE("boost: a filter of Boost's bars nodes and edges") {
   CHECK(boost::connected_components(rows, cn::boost_map(label)) == 9);
 }
 
-TEST_CASE("boost: neighbours that are not mutual and descriptors without a none are refused") {
+TEST_CASE("boost: throws for asymmetric neighbours, and rejects descriptors without an invalid value") {
   const auto check_refused = [](const arcs& bad, const char* what) {
     CHECK_THROWS_WITH_AS(cn::directed(cn::primal(bad)), doctest::Contains(what), cn::invalid_mesh);
     CHECK_THROWS_WITH_AS(get(boost::edge_index, cn::primal(bad)), doctest::Contains(what), cn::invalid_mesh);

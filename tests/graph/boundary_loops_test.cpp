@@ -111,7 +111,7 @@ void check_borders(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("boundary_loops: the rim of a grid, with the surface on its left", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("boundary_loops: the boundary of a grid has the surface on its left", M, CONCINO_SURFACE_KINDS) {
   for (const unsigned n : {1u, 2u, 5u}) {
     const M m = grid<M>(n);
     check_borders(m);
@@ -122,7 +122,7 @@ TEST_CASE_TEMPLATE("boundary_loops: the rim of a grid, with the surface on its l
   }
 }
 
-TEST_CASE_TEMPLATE("boundary_loops: none on closed and empty surfaces, two on two grids", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("boundary_loops: closed and empty surfaces have none, two grids have two", M, CONCINO_SURFACE_KINDS) {
   CHECK(boundary_loops(M()).count == 0);
   const M torus = from_quads<M>(rolled_grid(5, 4));
   CHECK(boundary_loops(torus).count == 0);
@@ -132,7 +132,7 @@ TEST_CASE_TEMPLATE("boundary_loops: none on closed and empty surfaces, two on tw
   CHECK(boundary_loops(two).count == 2);
 }
 
-TEST_CASE("boundary_loops: follow the winding of polygons, in whatever order these and their verts are listed") {
+TEST_CASE("boundary_loops: follow the orientation of polygons, in any order of the polygons") {
   std::mt19937 random(8);
   for (int round = 0; round < 50; ++round) {
     const surface_arrays grid = with_offsets(polygon_grid(3));
@@ -150,7 +150,7 @@ TEST_CASE("boundary_loops: follow the winding of polygons, in whatever order the
   }
 }
 
-TEST_CASE("boundary_loops: triangles that share one vert are two loops and one border") {
+TEST_CASE("boundary_loops: two triangles that share a vert have two loops and one border") {
   const trimesh bow({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
   check_borders(bow);
   const auto b = boundary_loops(bow);
@@ -161,7 +161,7 @@ TEST_CASE("boundary_loops: triangles that share one vert are two loops and one b
   CHECK(boundary_loops(turned).loops.size() == 2);
 }
 
-TEST_CASE("boundary_loops: three triangles at one edge leave a walk that is not closed") {
+TEST_CASE("boundary_loops: three triangles at an edge may give a walk that is not closed") {
   const trimesh fan({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
   check_borders(fan);
   const auto b = boundary_loops(fan);
@@ -170,7 +170,7 @@ TEST_CASE("boundary_loops: three triangles at one edge leave a walk that is not 
   CHECK(b.loops[0].is_closed() != b.loops[1].is_closed());
 }
 
-TEST_CASE_TEMPLATE("boundary_loops: 1,000 random meshes, open and not manifold", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("boundary_loops: are right on 1,000 random meshes, also non-manifold ones", M, CONCINO_SURFACE_KINDS) {
   std::mt19937 random(3);
   int walks = 0, touching = 0;
   for (int round = 0; round < 1000; ++round) {
@@ -184,7 +184,7 @@ TEST_CASE_TEMPLATE("boundary_loops: 1,000 random meshes, open and not manifold",
   CHECK(touching > 100);
 }
 
-TEST_CASE_TEMPLATE("boundary_loops: uses nothing but a surface, and runs on foreign ones", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("boundary_loops: run on the archetype of a surface and on users' meshes", M, CONCINO_SURFACE_KINDS) {
   const M m = two_grids<M>(2);
   const auto s = only_surface_mesh(m);
   check_borders(s);
@@ -195,13 +195,13 @@ TEST_CASE_TEMPLATE("boundary_loops: uses nothing but a surface, and runs on fore
     for (std::size_t k = 0; k < b.loops[i].verts.size(); ++k) CHECK(s.base(stripped.loops[i].verts[k]) == b.loops[i].verts[k]);
 }
 
-TEST_CASE("boundary_loops: a stranger's mesh, and the skin of a volume, which is closed") {
+TEST_CASE("boundary_loops: run on a user's mesh; the boundary of a volume has none") {
   check_borders(user_mesh::surface_example());
   const hexmesh cube = grid<hexmesh>(2);
   CHECK(boundary_loops(boundary(cube)).count == 0);
 }
 
-TEST_CASE("boundary_loops: the numbers known of every surface of the corpus") {
+TEST_CASE("boundary_loops: have the known numbers on every surface of the corpus") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   std::size_t surfaces = 0;

@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("boundary_verts: the outside of a grid, and each as is_boundary says", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("boundary_verts: are the verts on the boundary of a grid, as is_boundary says", M, CONCINO_KINDS) {
   const M m = grid<M>(4), none;
   const auto on_boundary = boundary_verts(m);
   std::size_t inside = 0;
@@ -23,7 +23,7 @@ TEST_CASE_TEMPLATE("boundary_verts: the outside of a grid, and each as is_bounda
   CHECK(boundary_verts(none).values().empty());
 }
 
-TEST_CASE("boundary_verts: a facet of three polys is no boundary, and a vert of no poly does not lie on it") {
+TEST_CASE("boundary_verts: facets with three polys and isolated verts are not on the boundary") {
   const trimesh book({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {5, 5, 5}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   const auto on_boundary = boundary_verts(book);
   for (const unsigned v : {0u, 1u, 2u, 3u, 4u}) CHECK(on_boundary[vert_id{v}]);  // 0 and 1 by their other edges

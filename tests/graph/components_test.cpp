@@ -18,7 +18,7 @@ template<class G> concept has_components = requires { connected_components(std::
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("connected_components: those of Boost on 1,000 random meshes with barriers, numbered by their first elements", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("connected_components: equal Boost's on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     using side = typename std::remove_cvref_t<decltype(g)>::side;
     const auto graph = side::view(g.m);
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("connected_components: those of Boost on 1,000 random meshes 
   });
 }
 
-TEST_CASE_TEMPLATE("connected_components: two grids and a lonely vert, by verts and by polys; the empty mesh", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("connected_components: are right for two grids, an isolated vert and the empty mesh", M, CONCINO_KINDS) {
   const M m = two_grids<M>(2);
   const auto cc = connected_components(m);
   CHECK(cc.count == 3);
@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("connected_components: two grids and a lonely vert, by verts 
   CHECK(connected_components(dual(none)).count == 0);
 }
 
-TEST_CASE_TEMPLATE("connected_components: uses nothing but a primal or a dual graph", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("connected_components: run on the archetypes of primal and dual graphs", M, CONCINO_KINDS) {
   const M m = two_grids<M>(1);
   const auto g = only_primal_graph(m);
   const auto d = only_dual_graph(m);

@@ -14,7 +14,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("corpus: bfs, dijkstra, shortest_path and grow_regions agree with Boost.Graph behind random walls, on verts and polys of every mesh") {
+TEST_CASE("corpus: bfs, dijkstra, shortest_path, grow_regions agree with Boost.Graph with random barriers") {
   for_corpus_graphs([]<class Side>(const barred_graph<Side>& g) {
     using node = typename Side::node;
     const auto& m = g.m;

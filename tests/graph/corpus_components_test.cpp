@@ -40,7 +40,7 @@ std::vector<typename Side::node> check_components(const barred_graph<Side>& g) {
 
 }  // namespace
 
-TEST_CASE("corpus: components agree with Boost.Graph on verts and polys of every mesh, and are what grows from one seed in each") {
+TEST_CASE("corpus: components agree with Boost.Graph on verts and polys of every mesh") {
   for_corpus_graphs([]<class Side>(barred_graph<Side>& g) {
     check_components(g);
     tear_down_walls(g);

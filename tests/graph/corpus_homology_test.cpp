@@ -12,7 +12,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("homology_generators: all closed surfaces of the corpus, of genus 0 to 8, and the skin of a volume") {
+TEST_CASE("homology_generators: are right on all closed surfaces of the corpus, of genus 0 to 8") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   std::set<int> genera;

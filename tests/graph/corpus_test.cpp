@@ -55,7 +55,7 @@ TEST_CASE("corpus: bfs and dijkstra agree with Boost.Graph on verts and polys of
   }
 }
 
-TEST_CASE("corpus: shortest edge paths on the sphere are the known ones") {
+TEST_CASE("corpus: shortest edge paths on the sphere have the known lengths") {
   CONCINO_CORPUS_OR_SKIP(path, "tri/sphere.obj");
   const auto m = load<trimesh>(path.string());
   const auto d = dijkstra(m, vert_id{0});

@@ -50,7 +50,7 @@ edge_t<M> edge_between(const M& m, unsigned a, unsigned b) {
 
 }  // namespace
 
-TEST_CASE("cut_along: a grid from side to side, half way, and inside") {
+TEST_CASE("cut_along: cuts a grid from side to side, partially, and inside") {
   const quadmesh m = grid<quadmesh>(4);  // vert (i, j) is number 5 j + i
   const auto cut = [&](unsigned edges_of_way) {
     std::vector<edge_id> way;
@@ -75,7 +75,7 @@ TEST_CASE("cut_along: a grid from side to side, half way, and inside") {
   CHECK(cut_along(m, {edge_between(m, 0, 1)}).verts.size() == 25);   // on the border: open already
 }
 
-TEST_CASE_TEMPLATE("cut_along: all edges leave the polys one by one", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("cut_along: cutting all edges separates all polys", M, CONCINO_SURFACE_KINDS) {
   for (const M& m : {two_grids<M>(2), from_quads<M>(rolled_grid(4, 3, true)), from_quads<M>(holed_board(2)), M()}) {
     std::vector<edge_id> all;
     for (const auto e : edges(m)) all.push_back(e);
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("cut_along: all edges leave the polys one by one", M, CONCINO
   }
 }
 
-TEST_CASE_TEMPLATE("cut_along: properties come along by the correspondence", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("cut_along: transfers properties by the correspondence", M, CONCINO_SURFACE_KINDS) {
   M m = grid<M>(4);
   const auto u = vert_property<double>(m, "u");
   const auto crease = edge_property<int>(m, "crease");
@@ -119,7 +119,7 @@ TEST_CASE_TEMPLATE("cut_along: properties come along by the correspondence", M, 
   }
 }
 
-TEST_CASE_TEMPLATE("cut_along: random cuts of 1,000 random meshes join only what is joined without them", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("cut_along: polys stay adjacent exactly across edges that are not cut, on 1,000 random meshes", M, CONCINO_SURFACE_KINDS) {
   std::mt19937 random(11);
   for (int round = 0; round < 1000; ++round) {
     const M m = round % 100 == 0 ? from_quads<M>(holed_board(1)) : random_mesh<M>(random);
@@ -174,7 +174,7 @@ TEST_CASE_TEMPLATE("cut_along: random cuts of 1,000 random meshes join only what
   }
 }
 
-TEST_CASE("cut_along: three polys at an edge come apart there, and verts that are not on the cut stay one") {
+TEST_CASE("cut_along: separates three polys at an edge, and does not split other verts") {
   const trimesh fan({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
   const auto cut = cut_along(fan, {edge_between(fan, 0, 1)});
   check_same_polys(fan, cut);
@@ -184,7 +184,7 @@ TEST_CASE("cut_along: three polys at an edge come apart there, and verts that ar
   CHECK(cut_along(bow, {edge_between(bow, 0, 2)}).verts.size() == 6);
 }
 
-TEST_CASE_TEMPLATE("cut_along: uses nothing but a surface with points", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("cut_along: runs on the archetype of a surface with points", M, CONCINO_SURFACE_KINDS) {
   const M m = grid<M>(2);
   const auto s = only_embedded_mesh(m);
   std::vector<edge_t<decltype(s)>> all;
@@ -195,7 +195,7 @@ TEST_CASE_TEMPLATE("cut_along: uses nothing but a surface with points", M, CONCI
   check_same_polys(user_mesh::surface_example(), cut_along(user_mesh::surface_example(), {}));
 }
 
-TEST_CASE("cut_along: a strange edge is refused") {
+TEST_CASE("cut_along: throws if an edge is not in the mesh") {
   const quadmesh m = grid<quadmesh>(2);
   CHECK_THROWS_WITH_AS(cut_along(m, {edge_id{12}}), "cut_along: one of the edges is no edge of the mesh; take them from edges(m)",
                        invalid_mesh);

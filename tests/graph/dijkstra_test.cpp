@@ -49,7 +49,7 @@ constexpr auto scrambled = [](auto v, auto w) { return double((v.raw() * 2654435
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("dijkstra: equal to Boost's on verts and polys, in pieces and with a lonely vert", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra: equals Boost's on verts and polys, with components and isolated verts", M, CONCINO_ALL_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.05));
   const auto compare = [&](const auto& arcs, std::size_t bound, const auto& all, const auto& mine) {
     const auto g = make_boost_graph(bound, arcs);
@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE("dijkstra: scales exactly, down to where squares underflow", 
   }
 }
 
-TEST_CASE_TEMPLATE("dijkstra: uses nothing but its concept", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra: runs on the archetype of its concept", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const auto v = *verts(m).begin();
   const auto p = *polys(m).begin();
@@ -116,7 +116,7 @@ TEST_CASE_TEMPLATE("dijkstra: uses nothing but its concept", M, CONCINO_ALL_KIND
   for (const auto q : polys(mesh)) CHECK(across[q] == c[mesh.base(q)]);
 }
 
-TEST_CASE_TEMPLATE("dijkstra: several sources give the nearest", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra: returns the distance to the nearest of several sources", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.02));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)};
   const auto da = dijkstra(m, a), db = dijkstra(m, b), both = dijkstra(m, {a, b}), listed = dijkstra(m, std::vector{b, a, b}, straight(m));
@@ -126,7 +126,7 @@ TEST_CASE_TEMPLATE("dijkstra: several sources give the nearest", M, CONCINO_ALL_
   }
 }
 
-TEST_CASE_TEMPLATE("dijkstra: targets stop it, exact up to the farthest of them and +inf beyond", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra: stops at targets: distances are exact up to the farthest, and +inf beyond", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(4);  // many equal distances
   const auto d = dijkstra(m, vert_id{0});
   const vert_id near{1}, far{static_cast<unsigned>(num_verts(m) / 2)};
@@ -143,7 +143,7 @@ TEST_CASE_TEMPLATE("dijkstra: targets stop it, exact up to the farthest of them 
   CHECK(only_source[poly_id{1}] == inf);
 }
 
-TEST_CASE_TEMPLATE("dijkstra: barred nodes are walked around; a wall cuts the mesh in two", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra: paths go around excluded nodes; a barrier separates the mesh", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(4);
   const auto free = [&](auto v) { return point(m, v)[0] != 0.5; };
   const auto d = dijkstra(m, vert_id{0}, {.may_enter = free});
@@ -171,7 +171,7 @@ TEST_CASE_TEMPLATE("dijkstra: distances obey the triangle inequality along every
   }
 }
 
-TEST_CASE("dijkstra: zero and infinite lengths") {
+TEST_CASE("dijkstra: accepts zero and infinite lengths") {
   const auto m = grid<trimesh>(3);
   const auto zero = dijkstra(m, vert_id{0}, [](auto, auto) { return 0.0; }, {.targets = {vert_id{15}}});
   for (const auto v : verts(m)) CHECK(zero[v] == 0);
@@ -180,7 +180,7 @@ TEST_CASE("dijkstra: zero and infinite lengths") {
   CHECK(cut[vert_id{1}] == inf);
 }
 
-TEST_CASE("dijkstra: errors") {
+TEST_CASE("dijkstra: throws if an argument is invalid") {
   const auto m = grid<trimesh>(2);
   CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{9}), "dijkstra: the source is no vert of the mesh; take one from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(dijkstra(m, poly_id{8}), "dijkstra: the source is no poly of the mesh; take one from polys(m)", invalid_mesh);
@@ -191,14 +191,14 @@ TEST_CASE("dijkstra: errors") {
   CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{0}, [](auto, auto) { return std::nan(""); }), doctest::Contains("is not a number"), invalid_mesh);
 }
 
-TEST_CASE("dijkstra: is offered exactly where it can run") {
+TEST_CASE("dijkstra: its constraints accept exactly the calls that compile") {
   static_assert(requirement::has_lengths<trimesh, vert_id> && requirement::has_lengths<const tetmesh&, poly_id>);
   static_assert(!requirement::has_lengths<trimesh, edge_id> && !requirement::has_lengths<int, vert_id>);
   using bare = decltype(only_primal_graph(std::declval<const trimesh&>()));
   static_assert(requirement::is_source<bare, vert_t<bare>> && !requirement::has_lengths<bare, vert_t<bare>>);
 }
 
-TEST_CASE("dijkstra: around a regular polygon, to the last vert before the antipode") {
+TEST_CASE("dijkstra: goes around a regular polygon up to the vert before the antipode") {
   std::vector<vec3> points;
   std::vector<std::vector<int>> polygon(1);
   const int n = 101;
@@ -211,7 +211,7 @@ TEST_CASE("dijkstra: around a regular polygon, to the last vert before the antip
   for (int i = 0; i < n; ++i) CHECK(d[vert_id{i}] == doctest::Approx(std::min(i, n - i) * 2 * std::sin(std::numbers::pi / n)).epsilon(1e-13));
 }
 
-TEST_CASE_TEMPLATE("dijkstra, bfs: on a mesh with elements removed and not renumbered", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra, bfs: work with gaps in the indices", M, CONCINO_ALL_KINDS) {
   M m(jittered(grid_arrays<M>(3), 0.05));
   const vert_id gone{static_cast<unsigned>(num_verts(m) / 2)};
   const poly_id hole = *adj_v2p(m, gone).begin();
@@ -237,7 +237,7 @@ TEST_CASE_TEMPLATE("dijkstra, bfs: on a mesh with elements removed and not renum
   CHECK_THROWS_AS(bfs(m, hole), invalid_mesh);
 }
 
-TEST_CASE("dijkstra: a mesh of a stranger, with coordinates that are no numbers") {
+TEST_CASE("dijkstra: runs on a user's mesh, and throws if a coordinate is NaN") {
   user_mesh::surface m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 2}});
   const auto d = dijkstra(m, user_mesh::vertex{0});
   CHECK(d[user_mesh::vertex{4}] == 2);
@@ -249,7 +249,7 @@ TEST_CASE("dijkstra: a mesh of a stranger, with coordinates that are no numbers"
   CHECK(dijkstra(m, user_mesh::vertex{0})[user_mesh::vertex{4}] == inf);
 }
 
-TEST_CASE("dijkstra: comparing squares loses no length that is less, at any scale") {
+TEST_CASE("dijkstra: comparing squared lengths is exact at any scale") {
   std::mt19937_64 random(4);
   const auto any = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
   for (const int scale : {0, -600, -550, -540, -530, -500, 500})
@@ -260,7 +260,7 @@ TEST_CASE("dijkstra: comparing squares loses no length that is less, at any scal
     }
 }
 
-TEST_CASE_TEMPLATE("dijkstra: initial distances, what is crossed and who visits, on verts and on polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra: obeys initial distances, may_cross and visit, on verts and polys", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.05));
   const auto check = [&](const auto nodes, const auto& length, auto before, auto across, const auto& is_between) {
     using node = std::remove_cvref_t<decltype(*nodes.begin())>;

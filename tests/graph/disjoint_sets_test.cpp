@@ -9,7 +9,7 @@
 
 using namespace concino;
 
-TEST_CASE("disjoint_sets: the root is the least index, whatever the order") {
+TEST_CASE("disjoint_sets: the root is the smallest index, in any order of unions") {
   disjoint_sets sets(6);
   CHECK(sets.num_sets() == 6);
   CHECK(sets.unite(4, 2));
@@ -26,7 +26,7 @@ TEST_CASE("disjoint_sets: the root is the least index, whatever the order") {
   CHECK(sets.num_sets() == 1);
 }
 
-TEST_CASE("disjoint_sets: none, indices added one by one, and used again") {
+TEST_CASE("disjoint_sets: may be empty, grow one by one, and be reused") {
   disjoint_sets sets;
   CHECK(sets.size() == 0);
   CHECK(sets.num_sets() == 0);
@@ -42,7 +42,7 @@ TEST_CASE("disjoint_sets: none, indices added one by one, and used again") {
   }
 }
 
-TEST_CASE("disjoint_sets: 1,000 random unions agree with labels that are all rewritten") {
+TEST_CASE("disjoint_sets: 1,000 random unions agree with naive labels") {
   std::mt19937 random(5);
   for (int round = 0; round < 20; ++round) {
     const std::size_t n = 1 + random() % 100;
@@ -63,7 +63,7 @@ TEST_CASE("disjoint_sets: 1,000 random unions agree with labels that are all rew
   }
 }
 
-TEST_CASE("disjoint_sets: more indices than 32 bits can number are refused") {
+TEST_CASE("disjoint_sets: more indices than 32 bits throw") {
   if constexpr (sizeof(std::size_t) > 4)
     CHECK_THROWS_WITH_AS(disjoint_sets(std::size_t{1} << 32), "disjoint_sets: there are 2^32 indices or more; 32 bits cannot number them", invalid_argument);
 }

@@ -20,7 +20,7 @@ constexpr auto one = [](const auto&, const auto&) { return 1.0; };
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("graphs: without elements, and with one vert and nothing else", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("graphs: algorithms work on empty meshes and on a single vert", M, CONCINO_KINDS) {
   const M none;
   CHECK_THROWS_WITH_AS(bfs(none, std::vector<vert_id>{}), "bfs: there is no source; give at least one vert", invalid_argument);
   CHECK_THROWS_WITH_AS(dijkstra(none, std::vector<poly_id>{}, one), "dijkstra: there is no source; give at least one poly", invalid_argument);
@@ -53,7 +53,7 @@ TEST_CASE_TEMPLATE("graphs: without elements, and with one vert and nothing else
   }
 }
 
-TEST_CASE("graphs: a strip of 100,000 quads, from one end to the other") {
+TEST_CASE("graphs: algorithms work on a strip of 100,000 quads") {
   const unsigned n = 100000;
   surface_arrays s{{}, {}, {}, 4};
   for (unsigned i = 0; i <= n; ++i)
@@ -72,7 +72,7 @@ TEST_CASE("graphs: a strip of 100,000 quads, from one end to the other") {
   CHECK(boundary_loops(m).loops[0].edges.size() == 2 * n + 2);
 }
 
-TEST_CASE("graphs: two stars of 30,000 triangles that share their rim") {
+TEST_CASE("graphs: algorithms work on two fans of 30,000 triangles with a common boundary") {
   const unsigned n = 30000;
   std::vector<vec3> x(n + 2);
   std::vector<std::array<unsigned, 3>> sides;
@@ -96,7 +96,7 @@ TEST_CASE("graphs: two stars of 30,000 triangles that share their rim") {
   CHECK(cut_along(m, spokes).verts.size() == n + 2 + n - 1);
 }
 
-TEST_CASE_TEMPLATE("graphs: points that are none, or as far as numbers go", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("graphs: algorithms handle points that are NaN or huge", M, CONCINO_KINDS) {
   M m = grid<M>(2);
   set_point(m, vert_id{1}, vec3{0, std::nan(""), 0});
   CHECK(bfs(m, vert_id{0})[vert_id{1}] == 1);

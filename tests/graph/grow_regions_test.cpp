@@ -19,7 +19,7 @@ constexpr auto freely = [](const auto&, const auto&) { return true; };
 
 }  // namespace
 
-TEST_CASE("grow_regions: ring by ring, ties to the earlier seed, labels by place, barriers") {
+TEST_CASE("grow_regions: grow evenly, ties go to the earlier seed, barriers are obeyed") {
   const auto m = grid<quadmesh>(4);  // polys 0 .. 3 in the first row
   const poly_id p{0}, q{3};
   const auto rg = grow_regions(m, {q, p}, freely);
@@ -44,7 +44,7 @@ TEST_CASE("grow_regions: ring by ring, ties to the earlier seed, labels by place
   CHECK(grow_regions(m, {poly_id{0}, poly_id{15}}, dear, {.priority = growth::step})[poly_id{1}] == 1);
 }
 
-TEST_CASE_TEMPLATE("grow_regions: uses nothing but a primal or a dual graph", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("grow_regions: runs on the archetypes of primal and dual graphs", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto g = only_primal_graph(m);
   const auto d = only_dual_graph(m);
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("grow_regions: uses nothing but a primal or a dual graph", M,
   static_assert(requirement::is_cost<decltype(freely), vert_id> && !requirement::is_cost<int, vert_id>);
 }
 
-TEST_CASE("grow_regions: errors") {
+TEST_CASE("grow_regions: throws if an argument is invalid") {
   const auto m = grid<trimesh>(2);
   CHECK_THROWS_WITH_AS(grow_regions(m, {vert_id{0}, vert_id{9}}, freely), "grow_regions: the seed is no vert of the mesh; take one from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(grow_regions(m, poly_id{0}, [](auto, auto) { return -2.0; }),

@@ -57,7 +57,7 @@ void check_independent(const M& m, const std::vector<edge_walk<M>>& loops) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("homology_generators: boards with holes have two loops a hole, independent, and open into a disk", M,
+TEST_CASE_TEMPLATE("homology_generators: a board has two independent loops per hole, which cut it into a disk", M,
                    CONCINO_SURFACE_KINDS) {
   CHECK(homology_generators(M()).empty());
   for (int genus = 0; genus <= 5; ++genus) {
@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("homology_generators: boards with holes have two loops a hole
   }
 }
 
-TEST_CASE("homology_generators: of a rolled-up grid, once around either way, as short as can be") {
+TEST_CASE("homology_generators: on a torus are the two shortest loops") {
   for (const unsigned n : {3u, 4u, 7u})
     for (const unsigned k : {3u, 8u, 20u}) {
       const quadmesh m(rolled_grid(n, k));
@@ -80,7 +80,7 @@ TEST_CASE("homology_generators: of a rolled-up grid, once around either way, as 
     }
 }
 
-TEST_CASE_TEMPLATE("homology_generators: surfaces that are not orientable, modulo 2", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("homology_generators: are right modulo 2 on non-orientable surfaces", M, CONCINO_SURFACE_KINDS) {
   const M bottle = from_quads<M>(rolled_grid(5, 6, true));
   check_generators(bottle, 2);
   check_independent(bottle, homology_generators(bottle));
@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE("homology_generators: surfaces that are not orientable, modul
   }
 }
 
-TEST_CASE_TEMPLATE("homology_generators: component by component, short ones first", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("homology_generators: are sorted by component and length", M, CONCINO_SURFACE_KINDS) {
   const M m = from_quads<M>(beside(beside(holed_board(2), holed_board(0)), rolled_grid(4, 9)));
   const auto loops = homology_generators(m);
   REQUIRE(loops.size() == 6);
@@ -107,7 +107,7 @@ TEST_CASE_TEMPLATE("homology_generators: component by component, short ones firs
   CHECK(shape.chi == 1 + 2 + 1);
 }
 
-TEST_CASE_TEMPLATE("homology_generators: uses nothing but a surface, and finds the same on every model", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("homology_generators: run on the archetype, with the same result on every model", M, CONCINO_SURFACE_KINDS) {
   const M m = from_quads<M>(holed_board(1));
   const auto s = only_surface_mesh(m);
   const auto loops = homology_generators(m);
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("homology_generators: uses nothing but a surface, and finds t
   }
 }
 
-TEST_CASE_TEMPLATE("homology_generators: 1,000 random closed surfaces, orientable and not", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("homology_generators: are right on 1,000 random closed surfaces, orientable or not", M, CONCINO_SURFACE_KINDS) {
   for_random_closed_surfaces<M>(1000, [](const M& m, int chi) {
     const int pieces = topology_of(m).pieces;
     if (pieces == 1) return check_generators(m, static_cast<std::size_t>(2 - chi));
@@ -131,6 +131,6 @@ TEST_CASE_TEMPLATE("homology_generators: 1,000 random closed surfaces, orientabl
   });
 }
 
-TEST_CASE("homology_generators: what is open or not manifold is refused") {
+TEST_CASE("homology_generators: throw if the surface is open or non-manifold") {
   CHECK_THROWS_WITH_AS(homology_generators(grid<trimesh>(2)), doctest::Contains("homology_generators: edge 0 has 1 poly"), invalid_mesh);
 }

@@ -17,7 +17,7 @@ constexpr auto one = [](const auto&, const auto&) { return 1.0; };
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("graphs: archetypes that own, and can be neither copied nor moved", M, trimesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("graphs: algorithms run on archetypes that can be neither copied nor moved", M, trimesh, polyhedralmesh) {
   const M m = grid<M>(2);
   const archetypes::owner<decltype(only_primal_graph(m))> g(m);
   const auto v = g.vert(vert_id{0}), w = g.vert(vert_id{static_cast<unsigned>(num_verts(m) - 1)});

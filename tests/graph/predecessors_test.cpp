@@ -24,7 +24,7 @@ template<class M> auto node_map(const M& m, poly_t<M>) { return make_poly_map<po
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("predecessors: trees of bfs and dijkstra on 1,000 random meshes with barriers, against Boost's distances", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("predecessors: form trees that agree with Boost's distances, on 1,000 random meshes", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("predecessors: trees of bfs and dijkstra on 1,000 random mesh
   });
 }
 
-TEST_CASE_TEMPLATE("bfs, dijkstra: targets, the nearest of them, and bounds on 1,000 random meshes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs, dijkstra: targets and bounds are obeyed on 1,000 random meshes", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
@@ -97,7 +97,7 @@ TEST_CASE_TEMPLATE("bfs, dijkstra: targets, the nearest of them, and bounds on 1
   });
 }
 
-TEST_CASE("predecessors: maps of any make, and none") {
+TEST_CASE("predecessors: are stored in any map, or in none") {
   const auto m = grid<trimesh>(2);
   auto from = make_vert_map<vert_id>(m);
   std::map<vert_id, vert_id> listed;
@@ -110,7 +110,7 @@ TEST_CASE("predecessors: maps of any make, and none") {
   CHECK(bfs(m, vert_id{0}, {.predecessors = none})[vert_id{8}] == hops[vert_id{8}]);
 }
 
-TEST_CASE("bfs, dijkstra: the first settled predecessor stands; several sources root several trees") {
+TEST_CASE("bfs, dijkstra: the first settled predecessor is kept; each source is the root of a tree") {
   const auto m = grid<quadmesh>(3);
   auto from = make_vert_map<vert_id>(m);
   bfs(m, {vert_id{15}, vert_id{0}}, {.predecessors = &from});
@@ -122,7 +122,7 @@ TEST_CASE("bfs, dijkstra: the first settled predecessor stands; several sources 
   CHECK(path_to(last, vert_id{14}).front() == vert_id{15});
 }
 
-TEST_CASE("bfs, dijkstra: bounds out of range are refused") {
+TEST_CASE("bfs, dijkstra: bounds out of range throw") {
   const auto m = grid<trimesh>(1);
   CHECK_THROWS_WITH_AS(bfs(m, vert_id{0}, {.max_hops = -1}), "bfs: max_hops is -1; it must be 0 or more", invalid_argument);
   CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{0}, {.max_distance = -1}), "dijkstra: max_distance must be 0 or more", invalid_argument);

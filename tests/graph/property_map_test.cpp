@@ -39,7 +39,7 @@ struct sum {
 static_assert(requirement::is_property_map<in_bits> && requirement::is_property_map<int*> && !requirement::is_property_map<std::map<int, int>> &&
               !requirement::is_property_map<int>);
 
-TEST_CASE("read and written") {
+TEST_CASE("property maps: readable and writable maps of Boost are maps") {
   std::vector<bool> bits(3);
   const auto m = as_map(in_bits{&bits});
   static_assert(ReadableMap<decltype(m), int> && WritableMap<decltype(m), int, bool>);
@@ -49,7 +49,7 @@ TEST_CASE("read and written") {
   CHECK(!m[2]);
 }
 
-TEST_CASE("references, and arrays") {
+TEST_CASE("property maps: lvalue maps and arrays are maps") {
   std::map<std::string, double> values;
   const auto m = as_map(boost::make_assoc_property_map(values));
   m["a"] = 2;
@@ -62,7 +62,7 @@ TEST_CASE("references, and arrays") {
   CHECK(array[1] == 5);
 }
 
-TEST_CASE("only read, only written") {
+TEST_CASE("property maps: read-only and write-only maps of Boost are maps") {
   const auto square = as_map(boost::make_function_property_map<int>([](int i) { return i * i; }));
   static_assert(ReadableMap<decltype(square), int> && !WritableMap<decltype(square), int, int>);
   CHECK(square[7] == 49);

@@ -79,7 +79,7 @@ void check_filter(const G& g) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("boost: components, trees and shortest paths of 1,000 random meshes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("boost: components, trees and shortest paths are right on 1,000 random meshes", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](auto g) {
     std::fill(g.free_crossing.begin(), g.free_crossing.end(), 1);
     std::fill(g.free_node.begin(), g.free_node.end(), 1);
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("boost: components, trees and shortest paths of 1,000 random 
   });
 }
 
-TEST_CASE_TEMPLATE("boost: a filter bars what may_enter bars, on 1,000 random meshes", M, cn::polygonmesh, cn::tetmesh) {
+TEST_CASE_TEMPLATE("boost: a filter excludes the same as may_enter, on 1,000 random meshes", M, cn::polygonmesh, cn::tetmesh) {
   for_random_graphs<M>(1000, [](auto g) {
     std::fill(g.free_crossing.begin(), g.free_crossing.end(), 1);
     check_filter(g);
@@ -107,7 +107,7 @@ std::size_t edges_met(const G& g) {
 
 }  // namespace
 
-TEST_CASE("boost: views under a using-directive for concino") {
+TEST_CASE("boost: views work with a using-directive for concino") {
   const auto m = grid<cn::quadmesh>(2);
   CHECK(edges_met(cn::primal(m)) == 12);
   CHECK(edges_met(cn::dual(m)) == 4);

@@ -12,7 +12,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("random meshes: open and not, manifold and not, in pieces and not, with gaps and without", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("random meshes: are open or closed, manifold or not, connected or not, with gaps or without", M, CONCINO_KINDS) {
   std::mt19937 random(20);
   int closed = 0, manifold = 0, connected = 0, lonely = 0, gaps = 0, crowded = 0;
   const int all = 300;
@@ -34,7 +34,7 @@ TEST_CASE_TEMPLATE("random meshes: open and not, manifold and not, in pieces and
   }
 }
 
-TEST_CASE_TEMPLATE("random graphs: walls part what would hang together, in the graph of verts and in that of polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("random graphs: barriers disconnect primal and dual graphs", M, CONCINO_KINDS) {
   int arcs[2] = {0, 0}, parted[2] = {0, 0}, lengths[2] = {0, 0};
   for_random_graphs<M>(300, [&](const auto& g) {
     using side = typename std::remove_cvref_t<decltype(g)>::side;

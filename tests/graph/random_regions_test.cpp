@@ -52,7 +52,7 @@ std::vector<int> grown_by_step(const G& g, const std::vector<typename G::node>& 
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("grow_regions: the nearest seed by Boost's distances, the first of several, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("grow_regions: assigns the nearest seed by Boost's distances, on 1,000 random meshes", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     const auto seeds = some_seeds(g);
     if (seeds.empty()) return;
@@ -76,7 +76,7 @@ TEST_CASE_TEMPLATE("grow_regions: the nearest seed by Boost's distances, the fir
   });
 }
 
-TEST_CASE_TEMPLATE("grow_regions: step by step the cheapest of all, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("grow_regions: always takes the cheapest step, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     const auto seeds = some_seeds(g);
     if (seeds.empty()) return;
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("grow_regions: step by step the cheapest of all, on 1,000 ran
   });
 }
 
-TEST_CASE_TEMPLATE("grow_regions: a predicate; as many regions as components where there is a seed in each", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("grow_regions: obeys a predicate; one seed per component gives the components", M, CONCINO_KINDS) {
   for_random_graphs<M>(200, [](const auto& g) {
     using side = typename std::remove_cvref_t<decltype(g)>::side;
     const auto cc = connected_components(side::view(g.m), {.may_cross = g.cross()});

@@ -24,7 +24,7 @@ template<class M> vec3 place(const M& m, poly_id p) { return vert_mean(m, p); }
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("bfs, dijkstra: from several sources, with barred nodes or none, on 1,000 random meshes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs, dijkstra: agree with Boost from several sources, on 1,000 random meshes", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](auto g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("bfs, dijkstra: from several sources, with barred nodes or no
   });
 }
 
-TEST_CASE_TEMPLATE("dijkstra: by straight lines where no length is given, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra: default lengths are distances, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();

@@ -20,7 +20,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("shortest_path: as long as Boost says, and a path, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("shortest_path: is a path with the length of Boost's, on 1,000 random meshes", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("shortest_path: as long as Boost says, and a path, on 1,000 r
   });
 }
 
-TEST_CASE_TEMPLATE("shortest_path: straight lines where no length is given, from a vert or a poly", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("shortest_path: default lengths are distances, from a vert or a poly", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.05));
   const auto sum = [&](const auto& path, const auto& at) {
     double s = 0;
@@ -69,7 +69,7 @@ TEST_CASE_TEMPLATE("shortest_path: straight lines where no length is given, from
   for (const auto p : polys(m)) CHECK(sum(shortest_path(m, poly_id{0}, p), [&](auto x) { return vert_mean(m, x); }) == doctest::Approx(c[p]).epsilon(1e-13));
 }
 
-TEST_CASE("shortest_path: to itself, to none, around a wall, across a barred edge, by braces") {
+TEST_CASE("shortest_path: handles trivial and missing paths, barriers and braces") {
   const auto m = two_grids<quadmesh>(3);
   const vert_id a{0}, b{2}, beyond{16 + 1};
   CHECK(shortest_path(m, a, a) == std::vector{a});
@@ -92,7 +92,7 @@ TEST_CASE("shortest_path: to itself, to none, around a wall, across a barred edg
   CHECK(shortest_path(dual(m), poly_id{0}, poly_id{2}) == std::vector<poly_id>{poly_id{0}, poly_id{1}, poly_id{2}});
 }
 
-TEST_CASE_TEMPLATE("shortest_path: uses nothing but its concept", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("shortest_path: runs on the archetype of its concept", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto one = [](const auto&, const auto&) { return 1.0; };
   const vert_id v{0}, w{static_cast<unsigned>(num_verts(m) - 1)};
@@ -109,7 +109,7 @@ TEST_CASE_TEMPLATE("shortest_path: uses nothing but its concept", M, CONCINO_KIN
   CHECK(shortest_path(mesh, mesh.poly(p), mesh.poly(q), {.may_cross = [](const auto&) { return true; }}).size() == shortest_path(m, p, q).size());
 }
 
-TEST_CASE("shortest_path: errors") {
+TEST_CASE("shortest_path: throws if an argument is invalid") {
   const auto m = grid<trimesh>(2);
   const vert_id a{0}, none{9};
   CHECK_THROWS_WITH_AS(shortest_path(m, none, a), "shortest_path: the source is no vert of the mesh; take one from verts(m)", invalid_mesh);
@@ -122,7 +122,7 @@ TEST_CASE("shortest_path: errors") {
   CHECK_THROWS_WITH_AS(shortest_path(m, a, vert_id{8}, {.max_distance = -1}), "shortest_path: max_distance must be 0 or more", invalid_argument);
 }
 
-TEST_CASE("shortest_path: is offered exactly where it can run; a foreign mesh") {
+TEST_CASE("shortest_path: its constraints accept exactly the calls that compile; runs on a user's mesh") {
   static_assert(requirement::is_target<trimesh, vert_id, vert_id> && requirement::is_target<trimesh, poly_id, std::vector<poly_id>>);
   static_assert(!requirement::is_target<trimesh, vert_id, poly_id> && !requirement::is_target<int, vert_id, vert_id>);
   const auto m = user_mesh::surface_example();

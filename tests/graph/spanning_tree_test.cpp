@@ -15,7 +15,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("spanning_tree: nodes less components, of straight lines, by both methods", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("spanning_tree: has nodes minus components edges, by both methods", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(3), 0.05));
   for (const auto method : {tree_method::kruskal, tree_method::prim}) {
     const auto st = spanning_tree(m, {.method = method});
@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE("spanning_tree: nodes less components, of straight lines, by 
   }
 }
 
-TEST_CASE("spanning_tree: of a grid whose edges are equally long, the first edges; none of what is empty or infinitely long") {
+TEST_CASE("spanning_tree: ties go to the first edges; infinite lengths are left out") {
   const auto m = grid<quadmesh>(1);
   const std::vector<std::pair<vert_id, vert_id>> expected = {{vert_id{0}, vert_id{1}}, {vert_id{0}, vert_id{2}}, {vert_id{1}, vert_id{3}}};
   CHECK(spanning_tree(m).arcs == expected);
@@ -42,7 +42,7 @@ TEST_CASE("spanning_tree: of a grid whose edges are equally long, the first edge
   CHECK(spanning_tree(m, [](auto, auto) { return std::numeric_limits<double>::infinity(); }, {.method = tree_method::prim}).arcs.empty());
 }
 
-TEST_CASE_TEMPLATE("spanning_tree: uses nothing but its concept", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("spanning_tree: runs on the archetype of its concept", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const auto st = spanning_tree(m);
   const auto g = only_primal_graph(m);
@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE("spanning_tree: uses nothing but its concept", M, CONCINO_KIN
   static_assert(requirement::has_default_lengths<M&> && !requirement::has_default_lengths<decltype(g)> && !requirement::has_default_lengths<int>);
 }
 
-TEST_CASE("spanning_tree: lengths that are no numbers are refused") {
+TEST_CASE("spanning_tree: throws if a length is NaN") {
   const auto m = grid<trimesh>(1);
   const auto nan = [](auto, auto) { return std::nan(""); };
   const auto endless = [](auto, auto) { return -std::numeric_limits<double>::infinity(); };

@@ -20,7 +20,7 @@ template<class M> auto node_map(const M& m, poly_t<M>) { return make_poly_map<po
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("bfs: the predecessor is the first to be reached of those one step nearer, on 1,000 random meshes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs: the predecessor is the first one reached, on 1,000 random meshes", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     using side = typename std::remove_cvref_t<decltype(g)>::side;
     const auto graph = side::view(g.m);
@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("bfs: the predecessor is the first to be reached of those one
   });
 }
 
-TEST_CASE_TEMPLATE("dijkstra: the predecessor is the first to be settled of those that lead there equally soon, on 1,000 random meshes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("dijkstra: among equal predecessors the first settled is kept, on 1,000 random meshes", M, CONCINO_KINDS) {
   for_random_graphs<M>(1000, [](const auto& g) {
     const auto nodes = g.nodes();
     if (nodes.empty()) return;
@@ -80,7 +80,7 @@ TEST_CASE_TEMPLATE("dijkstra: the predecessor is the first to be settled of thos
   });
 }
 
-TEST_CASE_TEMPLATE("bfs, dijkstra: what lies beyond the targets and bounds is not looked at", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs, dijkstra: elements beyond targets and bounds are not visited", M, CONCINO_KINDS) {
   const M m = grid<M>(6);
   const auto count = [&](const auto& s, const auto& near, const auto& far) {
     std::size_t asked = 0;

@@ -67,7 +67,7 @@ void check_decomposition(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("tree_cotree: boards with holes leave two edges a hole", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("tree_cotree: boards with holes have two remaining edges per hole", M, CONCINO_SURFACE_KINDS) {
   CHECK(tree_cotree(M()).tree.empty());
   for (int genus = 0; genus <= 4; ++genus) {
     const M m = from_quads<M>(holed_board(genus));
@@ -76,7 +76,7 @@ TEST_CASE_TEMPLATE("tree_cotree: boards with holes leave two edges a hole", M, C
   }
 }
 
-TEST_CASE_TEMPLATE("tree_cotree: several components, one of them not orientable", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("tree_cotree: works with several components, also non-orientable ones", M, CONCINO_SURFACE_KINDS) {
   check_decomposition(from_quads<M>(rolled_grid(4, 5)));
   check_decomposition(from_quads<M>(rolled_grid(4, 5, true)));
   const M m = from_quads<M>(beside(beside(holed_board(2), rolled_grid(5, 5, true)), holed_board(0)));
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("tree_cotree: several components, one of them not orientable"
   CHECK(tree_cotree(m).rest.size() == 6);
 }
 
-TEST_CASE("tree_cotree: the projective plane has one more edge, a lonely vert none") {
+TEST_CASE("tree_cotree: the projective plane has one remaining edge, an isolated vert none") {
   const trimesh plane(projective_plane());
   REQUIRE(topology_of(plane).chi == 1);
   check_decomposition(plane);
@@ -110,7 +110,7 @@ TEST_CASE_TEMPLATE("tree_cotree: the tree is breadth-first", M, CONCINO_SURFACE_
   }
 }
 
-TEST_CASE_TEMPLATE("tree_cotree: uses nothing but a surface, and finds the same on every model", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("tree_cotree: runs on the archetype, with the same result on every model", M, CONCINO_SURFACE_KINDS) {
   const M m = from_quads<M>(holed_board(1));
   const auto s = only_surface_mesh(m);
   check_decomposition(s);
@@ -123,13 +123,13 @@ TEST_CASE_TEMPLATE("tree_cotree: uses nothing but a surface, and finds the same 
   for (std::size_t i = 0; i < a.rest.size(); ++i) CHECK(s.base(b.rest[i]) == a.rest[i]);
 }
 
-TEST_CASE("tree_cotree: the skin of a volume, and a mesh of a stranger") {
+TEST_CASE("tree_cotree: runs on the boundary of a volume, and on a user's mesh") {
   const hexmesh block = grid<hexmesh>(2);
   check_decomposition(boundary(block));
   check_decomposition(user_mesh::surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
 }
 
-TEST_CASE("tree_cotree: what is open or not manifold is refused by name") {
+TEST_CASE("tree_cotree: the error names where a surface is open or non-manifold") {
   CHECK_THROWS_WITH_AS(tree_cotree(grid<quadmesh>(1)),
                        "tree_cotree: edge 0 has 1 poly; the surface must be closed, fill its borders (boundary_loops) first", invalid_mesh);
   const std::vector<vec3> points(7);
@@ -142,7 +142,7 @@ TEST_CASE("tree_cotree: what is open or not manifold is refused by name") {
                        invalid_mesh);
 }
 
-TEST_CASE("tree_cotree: random heaps of voxels are decomposed or refused, as counting says") {
+TEST_CASE("tree_cotree: decomposes random voxel surfaces, or throws if they are non-manifold") {
   std::mt19937 random(5);
   int refused = 0, done = 0;
   for (int round = 0; round < 300; ++round) {
@@ -166,7 +166,7 @@ TEST_CASE("tree_cotree: random heaps of voxels are decomposed or refused, as cou
   CHECK(done > 30);
 }
 
-TEST_CASE_TEMPLATE("tree_cotree: 1,000 random closed surfaces", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("tree_cotree: is right on 1,000 random closed surfaces", M, CONCINO_SURFACE_KINDS) {
   std::set<std::size_t> left;
   for_random_closed_surfaces<M>(1000, [&](const M& m, int chi) {
     check_decomposition(m);

@@ -11,7 +11,7 @@
 
 namespace cn = concino;
 
-TEST_CASE_TEMPLATE("searches on the primal and the dual view", M, cn::polygonmesh, cn::tetmesh) {
+TEST_CASE_TEMPLATE("searches work on the primal and the dual view", M, cn::polygonmesh, cn::tetmesh) {
   const M m = cn::testing::grid<M>(3);
   const auto v0 = *cn::verts(m).begin();
   const auto p0 = *cn::polys(m).begin();
@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE("searches on the primal and the dual view", M, cn::polygonmes
   }
 }
 
-TEST_CASE("lengths follow the points of a view") {
+TEST_CASE("lengths are those of the points of a view") {
   const auto m = cn::testing::grid<cn::trimesh>(2);
   struct stretched {
     const cn::trimesh* m;

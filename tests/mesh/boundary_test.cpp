@@ -48,7 +48,7 @@ static_assert(!takes_temporary<user_mesh::volume> && takes_temporary<const user_
 
 }  // namespace
 
-TEST_CASE("a cube under a pyramid") {
+TEST_CASE("boundary: is right for a cube under a pyramid") {
   const auto b = cn::boundary(w);
   keeps_all_laws(b);
   CHECK(cn::num_polys(b) == 9);
@@ -59,7 +59,7 @@ TEST_CASE("a cube under a pyramid") {
   CHECK(inside(b) == doctest::Approx(1 + 1.0 / 3));
 }
 
-TEST_CASE("faces that the mesh lists clockwise are turned") {
+TEST_CASE("boundary: faces that are clockwise in the mesh are reversed") {
   user_mesh::volume turned = w;
   for (int f : {0, 3, 7}) {
     auto& ring = turned.facets[std::size_t(f)];
@@ -73,7 +73,7 @@ TEST_CASE("faces that the mesh lists clockwise are turned") {
   keeps_all_laws(cn::boundary(cn::only_embedded_mesh(turned)));
 }
 
-TEST_CASE_TEMPLATE("the surface of a grid is a closed box", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("boundary: of a grid is a closed box", M, CONCINO_VOLUME_KINDS) {
   const M m = cn::testing::grid<M>(3);
   const auto b = cn::boundary(m);
   keeps_all_laws(b);
@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE("the surface of a grid is a closed box", M, CONCINO_VOLUME_KI
   keeps_all_laws(cn::boundary(empty));
 }
 
-TEST_CASE_TEMPLATE("non-manifold volumes have a surface too", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("boundary: non-manifold volumes have one too", M, CONCINO_VOLUME_KINDS) {
   std::mt19937 random(11);
   for (int round = 0; round < 30; ++round) {
     const M m = cn::testing::random_soup<M>(random, 9, 1 + unsigned(round) / 2).mesh();

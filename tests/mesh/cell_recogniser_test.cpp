@@ -11,7 +11,7 @@ using namespace concino;
 using namespace concino::detail;
 using namespace concino::testing;
 
-TEST_CASE("cell_recogniser: every shape from its faces, in any order and from any corner") {
+TEST_CASE("cell_recogniser: recognises every shape, in any order of its faces and verts") {
   std::mt19937 random(5);
   cell_recogniser known;
   for (const cell_shape s : shapes)
@@ -41,7 +41,7 @@ TEST_CASE("cell_recogniser: every shape from its faces, in any order and from an
     }
 }
 
-TEST_CASE("cell_recogniser: cells that only count like a standard one are general") {
+TEST_CASE("cell_recogniser: cells that only have the counts of a standard shape are general") {
   cell_recogniser known;
   const auto recognise = [&](std::initializer_list<std::initializer_list<unsigned>> list) {
     known.clear();

@@ -65,7 +65,7 @@ constexpr unsigned corners_v = std::same_as<Tables, tet_tables> ? 4 : 8;
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("cell_tables: around the edges of any soup, built and edited", M, tetmesh, hexmesh) {
+TEST_CASE_TEMPLATE("cell_tables: the polys around edges of any soup are right, built and edited", M, tetmesh, hexmesh) {
   std::mt19937 random(17);
   for (unsigned round = 0; round < 60; ++round) {
     const unsigned vert_count = 8 + static_cast<unsigned>(random() % 5), poly_count = 1 + static_cast<unsigned>(random() % 40);
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("cell_tables: around the edges of any soup, built and edited"
   edges_are_right(grid<M>(3).tables());
 }
 
-TEST_CASE("cell_tables: around an edge of several rings and fans, however it is numbered") {
+TEST_CASE("cell_tables: the polys around an edge with several rings and fans are right") {
   // Each entry is one ring (closed) or fan (open) of tets around the edge 0-1, of so many tets.
   struct fan { unsigned tets; bool closed; };
   const std::vector<std::vector<fan>> cases = {{{3, true}}, {{6, true}}, {{9, true}}, {{3, true}, {3, true}}, {{3, true}, {4, true}}, {{8, true}, {3, true}},
@@ -112,7 +112,7 @@ TEST_CASE("cell_tables: around an edge of several rings and fans, however it is 
     }
 }
 
-TEST_CASE("cell_tables: around an edge with closed pairs of equal polys, and with four polys at one face and two at each of the others") {
+TEST_CASE("cell_tables: the polys around an edge with equal polys or many polys at a face are right") {
   for (const unsigned pairs : {1u, 2u, 3u}) {
     std::vector<list> tets;
     for (unsigned i = 0; i < pairs; ++i) tets.insert(tets.end(), 2, {0, 1, 2 + 2 * i, 3 + 2 * i});
@@ -127,7 +127,7 @@ TEST_CASE("cell_tables: around an edge with closed pairs of equal polys, and wit
   } while (std::next_permutation(order.begin(), order.begin() + 5));
 }
 
-TEST_CASE_TEMPLATE("cell_tables: a bad or a repeated vert is found wherever it stands", Tables, tet_tables, hex_tables) {
+TEST_CASE_TEMPLATE("cell_tables: an invalid or repeated vert is found at any position", Tables, tet_tables, hex_tables) {
   constexpr unsigned n = corners_v<Tables>;
   const auto complaint = [](const std::vector<list>& lists) -> std::string {
     try {

@@ -65,7 +65,7 @@ const std::vector<int> one_tet = {0, 1, 2, 3}, mirrored_tet = {0, 1, 3, 2};
 
 static_assert(hex_order::vtk == hex_order::standard && hex_order::abaqus == hex_order::standard && tet_order::gmsh == tet_order::standard);
 
-TEST_CASE("every order gives the same hexes") {
+TEST_CASE("corner orders: every order gives the same hexes") {
   const boxes standard(3, 2, 2, orders[0].places, {1, 2, 0.5});
   const hexmesh expected(standard.points, standard.hexes);
   for (const auto& o : orders) {
@@ -91,7 +91,7 @@ TEST_CASE("every order gives the same hexes") {
   }
 }
 
-TEST_CASE("tets seen in a mirror") {
+TEST_CASE("corner orders: mirrored tets are the same meshes") {
   const std::vector<double> points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   const auto view = view_tet(points, mirrored_tet, tet_order::mirrored);
   CHECK(corners(view) == corners(view_tet(points, one_tet)));
@@ -101,7 +101,7 @@ TEST_CASE("tets seen in a mirror") {
   CHECK(corners(tetmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}, tet_order::vtk)) == corners(view));
 }
 
-TEST_CASE("what is wrong with lists in another order is named as in the standard one") {
+TEST_CASE("corner orders: errors are the same in every order") {
   const std::vector<double> points(24), seven_numbers(7);
   const std::vector<int> twice = {0, 1, 2, 3, 4, 5, 6, 6}, beyond = {0, 1, 2, 3, 4, 5, 6, 8}, seven = {0, 1, 2, 3, 4, 5, 6};
   CHECK_THROWS_WITH_AS(view_hex(points, twice, hex_order::lexicographic), "poly 0 has vert 6 twice; its verts must differ", invalid_mesh);
@@ -112,7 +112,7 @@ TEST_CASE("what is wrong with lists in another order is named as in the standard
   CHECK_THROWS_WITH_AS(hex_tables(8, std::vector<vert_id>(9), hex_order::mirrored), "poly 1 has 1 verts; it needs 8", invalid_mesh);
 }
 
-TEST_CASE("validate names the order that hexes look like, and nothing that follows from their shape") {
+TEST_CASE("corner orders: validate names the order that hexes seem to have") {
   for (const auto& o : orders)
     for (const double scale : {1., 1e-90, 1e90}) {
       const boxes b(3, 2, 2, o.places, {scale, 2 * scale, 0.5 * scale});
@@ -129,7 +129,7 @@ TEST_CASE("validate names the order that hexes look like, and nothing that follo
     }
 }
 
-TEST_CASE("check_laws names an order in which all hexes are listed, so that an adapter which gets it wrong is found") {
+TEST_CASE("corner orders: check_laws names the order that all hexes seem to have") {
   for (const auto& o : orders) {
     const boxes b(3, 2, 2, o.places);
     const auto broken = check_laws(hexmesh(b.points, b.hexes));
@@ -145,7 +145,7 @@ TEST_CASE("check_laws names an order in which all hexes are listed, so that an a
   CHECK(check_laws(hexmesh()).empty());
 }
 
-TEST_CASE("one hex among others; distorted, flat and inverted hexes in the standard order are not suspected") {
+TEST_CASE("corner orders: distorted hexes in the standard order are not reported") {
   boxes b(3, 2, 2, orders[0].places);
   std::swap(b.hexes[7][2], b.hexes[7][3]);
   std::swap(b.hexes[7][6], b.hexes[7][7]);

@@ -58,7 +58,7 @@ void check_numbers(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("corner properties: made, found, refused, removed, copied", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("corner properties: can be created, found, removed and copied", M, CONCINO_KINDS) {
   M m = testing::grid<M>(2);
   CHECK_FALSE(find_corner_property<double>(m, "u"));
   check_numbers(m);
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("corner properties: made, found, refused, removed, copied", M
   CHECK(traits<M>::corner_index_bound(none) == 0);
 }
 
-TEST_CASE_TEMPLATE("corner properties: polys that come and go leave the values of the others", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("corner properties: adding and removing polys keeps the values of others", M, CONCINO_KINDS) {
   std::mt19937 random(4);
   M m = testing::grid<M>(2);
   filled(m);
@@ -110,7 +110,7 @@ TEST_CASE_TEMPLATE("corner properties: polys that come and go leave the values o
   check_filled(before);
 }
 
-TEST_CASE("corner properties: of a polyhedron that is added") {
+TEST_CASE("corner properties: of an added polyhedron can be set") {
   polyhedralmesh m = testing::grid<polyhedralmesh>(1);
   filled(m);
   std::vector<vert_id> v;
@@ -130,7 +130,7 @@ TEST_CASE("corner properties: of a polyhedron that is added") {
   check_filled(m);
 }
 
-TEST_CASE_TEMPLATE("corner properties: come along to the general kind and back, from parts, and to unions", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("corner properties: are transferred by convert, submesh and agglomerate", M, CONCINO_KINDS) {
   using general = std::conditional_t<dimension_v<M> == 2, polygonmesh, polyhedralmesh>;
   M m = testing::grid<M>(2);
   filled(m);
@@ -179,7 +179,7 @@ TEST_CASE_TEMPLATE("corner properties: come along to the general kind and back, 
   }
 }
 
-TEST_CASE("corner properties: of a triangle that is split come from its corners, not from those of its neighbour") {
+TEST_CASE("corner properties: of a split triangle come from its own corners") {
   trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}});
   trimesh split({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.5, 0}}, {{0, 1, 4}, {0, 4, 2}, {1, 3, 4}, {4, 3, 2}});
   const auto u = corner_property<double>(m, "u");

@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("corners: a vert and a value each, apart from the others", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("corners: each has a vert and an independent value", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   auto number = make_corner_map<std::size_t>(m);
   static_assert(std::same_as<decltype(number), corner_map<M, std::size_t>> && WritableMap<decltype(number), corner<M>, std::size_t>);

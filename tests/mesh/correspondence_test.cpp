@@ -57,7 +57,7 @@ struct throwing {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("correspondence: the rule of a property follows from its type, and can be set", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("correspondence: the rule of a property depends on its type, and can be set", M, CONCINO_KINDS) {
   M m = testing::grid<M>(2);
   vert_property<double>(m, "double");
   vert_property<float>(m, "float");
@@ -136,7 +136,7 @@ TEST_CASE_TEMPLATE("correspondence: copies are exact for every kind of elements"
   }
 }
 
-TEST_CASE_TEMPLATE("correspondence: elements put between others, split, merged and new, by each rule", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("correspondence: inserted, split, merged and new elements follow each rule", M, CONCINO_KINDS) {
   M m = testing::grid<M>(2);
   const auto u = vert_property<double>(m, "u");
   const auto color = vert_property<rgba>(m, "color");
@@ -195,7 +195,7 @@ TEST_CASE_TEMPLATE("correspondence: elements put between others, split, merged a
   CHECK(find_poly_property<double>(to, "mass")[poly_id{1}] == doctest::Approx((3 * 12 + 2 * 3) / 5.0).epsilon(1e-15));
 }
 
-TEST_CASE("correspondence: sums stay what they are, means lie between, whatever is split and merged") {
+TEST_CASE("correspondence: splitting and merging preserves sums, and means are in range") {
   std::mt19937 random(3);
   for (int round = 0; round < 200; ++round) {
     const std::size_t before = 1 + random() % 20, after = before + random() % 20;
@@ -233,7 +233,7 @@ TEST_CASE("correspondence: sums stay what they are, means lie between, whatever 
   }
 }
 
-TEST_CASE("correspondence: values of maps, and what is refused") {
+TEST_CASE("correspondence: transfers maps, and throws if they do not fit") {
   const auto m = testing::grid<quadmesh>(2);
   auto heat = make_vert_map<double>(m, 2.5);
   const auto c = identity(m);
@@ -246,7 +246,7 @@ TEST_CASE("correspondence: values of maps, and what is refused") {
   CHECK(transfer_values(element_origins(), std::span(words), property_rule::copy).empty());
 }
 
-TEST_CASE_TEMPLATE("correspondence: one that does not fit, or a value that cannot be copied, leaves the mesh as it was", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("correspondence: an error leaves the mesh unchanged", M, CONCINO_KINDS) {
   M m = testing::grid<M>(2), to = testing::grid<M>(2);
   vert_property<double>(m, "u");
   const auto u = vert_property<double>(to, "u");
@@ -277,7 +277,7 @@ TEST_CASE_TEMPLATE("correspondence: one that does not fit, or a value that canno
   CHECK(property_list(to).size() == 3);
 }
 
-TEST_CASE("correspondence: a triangle split at the middles of its edges") {
+TEST_CASE("correspondence: is right for a triangle split at the middles of its edges") {
   trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   trimesh four({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}}, {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}});
   const auto length = edge_property<double>(m, "length");
@@ -303,7 +303,7 @@ TEST_CASE("correspondence: a triangle split at the middles of its edges") {
   CHECK(halves == 6);
 }
 
-TEST_CASE("correspondence: a tet split at an edge") {
+TEST_CASE("correspondence: is right for a tet split at an edge") {
   tetmesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
   tetmesh two({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.25, 0, 0}}, {{0, 4, 2, 3}, {4, 1, 2, 3}});
   const auto load = edge_property<double>(m, "load");

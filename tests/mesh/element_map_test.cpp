@@ -29,7 +29,7 @@ struct concino::mesh_traits<window> {
   static std::size_t index_of(const window& w, vert_id v) { return concino::index_of(*w.mesh, v); }
 };
 
-TEST_CASE_TEMPLATE("element maps: a value per vert, edge, poly (and face), set and read", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("element maps: have a value per element, which can be set and read", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   auto v = make_vert_map<double>(m, -1);
   auto e = make_edge_map<std::string>(m, "none");
@@ -55,7 +55,7 @@ TEST_CASE_TEMPLATE("element maps: a value per vert, edge, poly (and face), set a
   }
 }
 
-TEST_CASE("element maps: bools are references too, also through copies and assignment") {
+TEST_CASE("element maps: of bool return references too") {
   const auto m = grid<trimesh>(1);
   auto marked = make_vert_map<bool>(m);
   marked[vert_id{2}] = true;
@@ -67,7 +67,7 @@ TEST_CASE("element maps: bools are references too, also through copies and assig
   CHECK((marked[vert_id{2}] && !marked[vert_id{1}]));
 }
 
-TEST_CASE("element maps: a temporary mesh is refused, a view is copied") {
+TEST_CASE("element maps: reject temporary meshes and copy views") {
   static_assert(has_vert_maps<trimesh&> && has_vert_maps<const trimesh&> && !has_vert_maps<trimesh> && !has_vert_maps<const trimesh>);
   static_assert(has_vert_maps<window> && has_vert_maps<window&> && !has_vert_maps<int&>);
   const auto m = grid<trimesh>(1);
@@ -77,7 +77,7 @@ TEST_CASE("element maps: a temporary mesh is refused, a view is copied") {
   CHECK(d.mesh().mesh == &m);
 }
 
-TEST_CASE("element maps: of an empty mesh, and of a mesh with opaque descriptors") {
+TEST_CASE("element maps: work on empty meshes and with opaque descriptors") {
   const trimesh none;
   CHECK(make_vert_map<int>(none, 1).values().empty());
   const auto m = grid<hexmesh>(1);

@@ -19,7 +19,7 @@ std::vector<origin> listed(const element_origins::range& origins) {
 
 }  // namespace
 
-TEST_CASE("element_origins: at most one each") {
+TEST_CASE("element_origins: store at most one origin each") {
   element_origins o(std::vector<std::uint32_t>{4, element_origins::none, 4});
   CHECK(o.size() == 3);
   CHECK(listed(o[0]) == std::vector<origin>{{4, 1}});
@@ -32,7 +32,7 @@ TEST_CASE("element_origins: at most one each") {
   CHECK(element_origins().size() == 0);
 }
 
-TEST_CASE("element_origins: what was told before one with several stays") {
+TEST_CASE("element_origins: origins are kept when an element gets several") {
   element_origins o;
   o.add(3);
   o.add(element_origins::none);

@@ -11,7 +11,7 @@
 using namespace concino;
 using namespace concino::detail;
 
-TEST_CASE("face_soup: common faces are found, of equal verts in another cycle too are not") {
+TEST_CASE("face_soup: finds common faces, but not equal verts in another cyclic order") {
   // two tets on one face, a third whose copy of it runs the same way
   cell_arrays c{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}}, {}, 4};
   for (const int v : {0, 1, 2, 3, 0, 2, 1, 4}) c.verts.push_back(vert_id{v});
@@ -39,7 +39,7 @@ TEST_CASE("face_soup: common faces are found, of equal verts in another cycle to
   CHECK(to_polyhedra(cell_arrays{}).num_polys() == 0);
 }
 
-TEST_CASE("face_soup: a triangle and a quad on its verts are two faces") {
+TEST_CASE("face_soup: a triangle and a quad with its verts are two faces") {
   face_soup soup;
   for (const auto& face : {std::vector{0u, 1u, 2u}, {0u, 1u, 2u, 3u}, {2u, 1u, 0u}, {3u, 2u, 1u, 0u}}) {
     for (const unsigned v : face) soup.face_verts.push_back(vert_id{v});
@@ -52,7 +52,7 @@ TEST_CASE("face_soup: a triangle and a quad on its verts are two faces") {
   CHECK(m.outward == std::vector<std::uint8_t>{1, 1, 0, 0});
 }
 
-TEST_CASE("face_soup: a triangle is no quad, whatever face follows it") {
+TEST_CASE("face_soup: a triangle never equals a quad, whatever face follows it") {
   for (const bool triangle_first : {false, true}) {
     std::vector<std::vector<unsigned>> lists = {{0, 1, 2}, {3, 0, 1}, {0, 1, 2, 3}};
     if (!triangle_first) std::swap(lists[0], lists[2]);

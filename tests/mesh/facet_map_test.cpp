@@ -16,7 +16,7 @@ template<class M> concept has_facet_maps = requires { make_facet_map<double>(std
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("facet maps: a value per edge of a surface, per face of a volume", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("facet maps: have a value per edge of a surface, per face of a volume", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   auto count = make_facet_map<int>(m);
   static_assert(std::same_as<decltype(count), facet_map<const M&, int>> && WritableMap<decltype(count), facet_t<M>, int>);

@@ -39,14 +39,14 @@ struct concino::mesh_traits<solid> : concino::indexed_volume<solid> {
 static_assert(cn::TriMesh<flat> && cn::Embedded<flat> && !cn::MutablePoints<flat>);
 static_assert(cn::TetMesh<const solid&> && cn::Embedded<solid>);
 
-TEST_CASE("a surface of lists") {
+TEST_CASE("indexed bases: a surface of lists obeys all laws") {
   auto arrays = cn::testing::triangle_grid(3);
   const flat m{arrays.points, cn::surface_tables<3>(arrays.points.size(), arrays.verts)};
   CHECK(cn::num_edges(m) == 33);
   CHECK(cn::check_laws(m).empty());
 }
 
-TEST_CASE("a volume of lists") {
+TEST_CASE("indexed bases: a volume of lists obeys all laws") {
   auto arrays = cn::testing::tet_grid(2);
   solid m{{}, cn::tet_tables(arrays.points.size(), arrays.verts)};
   for (const auto& p : arrays.points)

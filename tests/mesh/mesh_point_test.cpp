@@ -7,7 +7,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("mesh_point: tells verts, edges and polys apart", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("mesh_point: distinguishes verts, edges and polys", M, CONCINO_KINDS) {
   const M m = grid<M>(1);
   const mesh_point<M> at_vert{vert_id{0}, point(m, vert_id{0})}, inside{poly_id{0}, {0.25, 0.25, 0.25}};
   const mesh_point<M> along{edge_point<M>{edge_id{2}, 0.5}, {}};

@@ -58,7 +58,7 @@ std::vector<std::set<std::set<unsigned>>> sides_of_polys(const cn::testing::soup
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("any soup of polys is represented", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("native meshes: represent any soup of polys", M, CONCINO_ALL_KINDS) {
   std::mt19937 random(2);
   for (unsigned round = 0; round < 120; ++round) {
     const unsigned vert_count = 8 + static_cast<unsigned>(random() % 12), poly_count = 1 + static_cast<unsigned>(random() % 24);
@@ -82,7 +82,7 @@ TEST_CASE_TEMPLATE("any soup of polys is represented", M, CONCINO_ALL_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("lists of verts are kept in their order", M, cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
+TEST_CASE_TEMPLATE("native meshes: keep the order of verts in polys", M, cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
   std::mt19937 random(3);
   const auto soup = cn::testing::random_soup<M>(random, 20, 30);
   const M m = soup.mesh();
@@ -93,7 +93,7 @@ TEST_CASE_TEMPLATE("lists of verts are kept in their order", M, cn::trimesh, cn:
   }
 }
 
-TEST_CASE("the polys around an edge: whole rings, several rings, rings beside open fans") {
+TEST_CASE("the polys around an edge: rings and open fans are right") {
   // Each entry is one ring (closed) or fan (open) of tets around the edge 0-1, of so many tets.
   struct fan { unsigned tets; bool closed; };
   const std::vector<std::vector<fan>> cases = {{{3, true}},           {{5, true}},           {{6, true}},           {{7, true}},
@@ -121,7 +121,7 @@ TEST_CASE("the polys around an edge: whole rings, several rings, rings beside op
   }
 }
 
-TEST_CASE("the polys around an edge: very many that share nothing else") {
+TEST_CASE("the polys around an edge: very many polys that share nothing else are right") {
   constexpr unsigned n = 4000;
   std::vector<std::array<unsigned, 4>> tets;
   for (unsigned i = 0; i < n; ++i) tets.push_back({0, 1, 2 + 2 * i, 3 + 2 * i});
@@ -129,14 +129,14 @@ TEST_CASE("the polys around an edge: very many that share nothing else") {
   CHECK(raw_set(cn::adj_e2p(m, *cn::adj_v2e(m, cn::vert_id{0}).begin())).size() == n);
 }
 
-TEST_CASE("the polys around an edge: where the same poly stands twice") {
+TEST_CASE("the polys around an edge: equal polys are right") {
   const cn::tetmesh m(std::vector<cn::vec3>(8), std::vector<std::array<unsigned, 4>>{{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 5, 6}, {0, 1, 6, 7}, {0, 1, 7, 4}});
   for (const auto e : cn::edges(m))
     if (raw_set(cn::adj_e2v(m, e)) == std::set<unsigned>{0, 1}) CHECK(raw_set(cn::adj_e2p(m, e)).size() == 6);
   keeps_all_laws(m);
 }
 
-TEST_CASE("counts and Euler characteristic of grids") {
+TEST_CASE("native meshes: grids have the known counts and Euler characteristic") {
   const auto chi = [](const auto& m) {
     auto x = static_cast<long>(cn::num_verts(m)) - static_cast<long>(cn::num_edges(m));
     if constexpr (cn::VolumeMesh<decltype(m)>) x += static_cast<long>(cn::num_faces(m)) - static_cast<long>(cn::num_polys(m));
@@ -156,7 +156,7 @@ TEST_CASE("counts and Euler characteristic of grids") {
   CHECK(arcs / 2 == 3 * 4 * 4 * 3);  // 3 n^2 (n-1)
 }
 
-TEST_CASE("two polygons glued along all their edges are neighbours once, however many those are") {
+TEST_CASE("native meshes: two polygons that share all their edges are neighbours once") {
   for (const unsigned n : {3u, 4u, 23u, 24u, 25u, 26u, 60u})
     for (const bool third : {false, true}) {
       std::vector<std::vector<unsigned>> lists(2);
@@ -174,7 +174,7 @@ TEST_CASE("two polygons glued along all their edges are neighbours once, however
     }
 }
 
-TEST_CASE("polygons with many verts, glued along many edges") {
+TEST_CASE("native meshes: polygons with many verts may share many edges") {
   const unsigned n = 3000;
   std::vector<cn::vec3> points;
   for (unsigned i = 0; i < n; ++i) points.push_back({i, i % 7, 0});
@@ -198,7 +198,7 @@ TEST_CASE("polygons with many verts, glued along many edges") {
   keeps_all_laws(w);
 }
 
-TEST_CASE("from braces with variables, containers, arrays") {
+TEST_CASE("native meshes: can be constructed from braces, containers and arrays") {
   const int i = 0, j = 1;
   const long k = 2;
   CHECK(cn::num_edges(cn::trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1.5, 0}}, {{i, j, k}})) == 3);
@@ -211,7 +211,7 @@ TEST_CASE("from braces with variables, containers, arrays") {
   CHECK(cn::face_is_outward(tet, cn::poly_id{0}, cn::face_id{3}));
 }
 
-TEST_CASE("a face shared by two cells is outward for one and inward for the other") {
+TEST_CASE("native meshes: a face of two cells is outward for one and inward for the other") {
   const cn::tetmesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
   unsigned shared = 0;
   for (const auto f : cn::faces(m)) {
@@ -223,7 +223,7 @@ TEST_CASE("a face shared by two cells is outward for one and inward for the othe
   CHECK(shared == 1);
 }
 
-TEST_CASE("what cannot be a mesh is refused by name") {
+TEST_CASE("native meshes: the error names the reason why arrays are not a mesh") {
   const auto message = [](auto make) -> std::string {
     try {
       make();
@@ -264,7 +264,7 @@ TEST_CASE("what cannot be a mesh is refused by name") {
   CHECK(has(message([&] { cn::polygonmesh(std::vector<cn::vec3>(39), lists{large}); }), "vert 0 twice"));
 }
 
-TEST_CASE_TEMPLATE("what is not there, or stands twice, is refused, whichever poly or face names it", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("native meshes: invalid and repeated elements throw, in whichever poly or face", M, CONCINO_ALL_KINDS) {
   const auto arrays = cn::testing::grid_arrays<M>(2);
   const cn::vert_id none{static_cast<unsigned>(arrays.points.size())};
   const auto check_refused = [](const auto& bad, const std::string& what) {
@@ -296,7 +296,7 @@ TEST_CASE_TEMPLATE("what is not there, or stands twice, is refused, whichever po
   }
 }
 
-TEST_CASE("more polys, verts or corners than can be numbered are refused") {
+TEST_CASE("native meshes: more polys, verts or corners than ids throw") {
   using cn::detail::check_counts;
   CHECK_NOTHROW(check_counts(0xFFFFFFFEu, cn::detail::encoded_neighbour::mask - 1, 0xFFFFFFFEu));
   CHECK_THROWS_AS(check_counts(0, cn::detail::encoded_neighbour::mask, 0), cn::unsupported);
@@ -304,7 +304,7 @@ TEST_CASE("more polys, verts or corners than can be numbered are refused") {
   CHECK_THROWS_AS(check_counts(0, 0, 0xFFFFFFFFu), cn::unsupported);
 }
 
-TEST_CASE("polyhedra are refused where large faces belong to very many of them, and only there") {
+TEST_CASE("native meshes: only large faces with very many polyhedra throw") {
   // A face of `verts` verts, and `polys` polys that have this face alone.
   const auto crowded = [](std::size_t verts, std::size_t polys) {
     cn::polyhedra_arrays a{std::vector<cn::vec3>(verts), {0, static_cast<std::uint32_t>(verts)}, {}, {0}, {}, {}};
@@ -322,7 +322,7 @@ TEST_CASE("polyhedra are refused where large faces belong to very many of them, 
                        cn::unsupported);
 }
 
-TEST_CASE_TEMPLATE("empty meshes, copies, moves", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("native meshes: can be empty, copied and moved", M, CONCINO_ALL_KINDS) {
   const M empty;
   CHECK(cn::num_verts(empty) + cn::num_edges(empty) + cn::num_polys(empty) == 0);
   keeps_all_laws(empty);
@@ -342,7 +342,7 @@ TEST_CASE_TEMPLATE("empty meshes, copies, moves", M, CONCINO_ALL_KINDS) {
   CHECK(cn::num_edges(m) == edges);
 }
 
-TEST_CASE_TEMPLATE("a const mesh is read by several threads at once", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("native meshes: several threads can read a const mesh", M, CONCINO_ALL_KINDS) {
   const M m = cn::testing::grid<M>(4);
   std::array<std::size_t, 4> sums{};
   std::vector<std::thread> threads;

@@ -14,7 +14,7 @@ namespace cn = concino;
 static_assert(cn::HasProperties<cn::trimesh> && cn::HasProperties<const cn::hexmesh&>);
 static_assert(!cn::HasProperties<int>);
 
-TEST_CASE_TEMPLATE("made if absent, found again by name and type", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("properties: are created if absent, and found by name and type", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(2);
   CHECK_FALSE(cn::find_vert_property<double>(m, "heat"));
   auto heat = cn::vert_property<double>(m, "heat");
@@ -32,14 +32,14 @@ TEST_CASE_TEMPLATE("made if absent, found again by name and type", M, CONCINO_KI
   CHECK(*cn::property_list(m)[1].type == typeid(bool));
 }
 
-TEST_CASE("another type under the same name is an error") {
+TEST_CASE("properties: another type under the same name throws") {
   auto m = cn::testing::grid<cn::trimesh>(1);
   cn::vert_property<double>(m, "u");
   CHECK_THROWS_AS(cn::vert_property<int>(m, "u"), cn::invalid_argument);
   CHECK_THROWS_AS(cn::find_vert_property<float>(m, "u"), cn::invalid_argument);
 }
 
-TEST_CASE("a handle outlives the removal of its property") {
+TEST_CASE("properties: a handle is valid after its property is removed") {
   auto m = cn::testing::grid<cn::trimesh>(1);
   auto u = cn::vert_property<double>(m, "u");
   u[cn::vert_id{0}] = 5;
@@ -49,7 +49,7 @@ TEST_CASE("a handle outlives the removal of its property") {
   CHECK_FALSE(cn::find_vert_property<double>(m, "u"));
 }
 
-TEST_CASE_TEMPLATE("a property of the mesh as a whole is one value, copied with it and left alone by edits", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("properties: of the mesh have one value, which edits do not change", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(2);
   CHECK_FALSE(cn::find_mesh_property<std::string>(m, "title"));
   const auto title = cn::mesh_property<std::string>(m, "title");
@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("a property of the mesh as a whole is one value, copied with 
   CHECK(cn::find_vert_property<double>(m, "title"));
 }
 
-TEST_CASE_TEMPLATE("properties follow their elements through edits", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("properties: follow their elements through edits", M, CONCINO_KINDS) {
   M m = cn::testing::grid<M>(2);
   auto u = cn::vert_property<unsigned>(m, "u");
   auto w = cn::poly_property<unsigned>(m, "w");
@@ -109,7 +109,7 @@ struct alignas(64) wide {
 
 }  // namespace
 
-TEST_CASE("values of any type are made, copied, moved and destroyed as they should be") {
+TEST_CASE("properties: values of any type are constructed, copied, moved and destroyed correctly") {
   {
     auto m = cn::testing::grid<cn::trimesh>(3);
     auto text = cn::vert_property<counted>(m, "text");
@@ -135,7 +135,7 @@ TEST_CASE("values of any type are made, copied, moved and destroyed as they shou
   CHECK(counted::alive == 0);
 }
 
-TEST_CASE("a value that cannot be made or copied leaves everything as it was") {
+TEST_CASE("properties: a value that cannot be constructed or copied changes nothing") {
   {
     auto m = cn::testing::grid<cn::trimesh>(2);
     counted::left = 3;

@@ -27,7 +27,7 @@ std::vector<vert_id> first_ids(unsigned n) {
 
 }  // namespace
 
-TEST_CASE("standard cells: tables are closed, wound outward, and agree with those of the meshes") {
+TEST_CASE("standard cells: tables are closed, oriented outward, and agree with the meshes") {
   for (const cell_shape s : shapes) {
     const standard_cell& t = standard_cell_of(s);
     int runs[8][8] = {};
@@ -46,7 +46,7 @@ TEST_CASE("standard cells: tables are closed, wound outward, and agree with thos
     for (unsigned i = 0; i < 4; ++i) CHECK(standard_cell_of(cell_shape::hex).face_vert[f][i] == hex_shape::face_vert[f][i]);
 }
 
-TEST_CASE("standard cells: a mirrored cell is put right once, a flat one left alone") {
+TEST_CASE("standard cells: a mirrored cell is corrected once, a flat one is not changed") {
   for (const cell_shape s : shapes) {
     const standard_cell& t = standard_cell_of(s);
     auto points = unit_cell(s);
@@ -64,7 +64,7 @@ TEST_CASE("standard cells: a mirrored cell is put right once, a flat one left al
   }
 }
 
-TEST_CASE("compare_cycles") {
+TEST_CASE("standard cells: compare_cycles compares up to rotation and reversal") {
   const auto a = ids({4, 7, 1, 9});
   CHECK(compare_cycles(a.data(), ids({1, 9, 4, 7}).data(), 4) == 1);
   CHECK(compare_cycles(a.data(), ids({7, 4, 9, 1}).data(), 4) == -1);

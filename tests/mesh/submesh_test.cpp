@@ -54,7 +54,7 @@ static_assert(!takes_temporary<user_mesh::surface> && takes_temporary<const user
 
 }  // namespace
 
-TEST_CASE("a part of a surface") {
+TEST_CASE("submesh: a part of a surface equals a mesh of its polys") {
   const auto part = cn::submesh(s, [](user_mesh::cell p) { return p.i == 0 || p.i == 3; });
   keeps_all_laws(part);
   CHECK(cn::num_polys(part) == 2);
@@ -70,7 +70,7 @@ TEST_CASE("a part of a surface") {
   CHECK_FALSE(cn::adj_p2p(part, user_mesh::cell{0}).begin() != cn::adj_p2p(part, user_mesh::cell{0}).end());
 }
 
-TEST_CASE("a part of a volume") {
+TEST_CASE("submesh: a part of a volume equals a mesh of its polys") {
   const auto top = cn::submesh(w, [](user_mesh::cell p) { return p.i == 1; });
   keeps_all_laws(top);
   CHECK(cn::num_polys(top) == 1);
@@ -80,7 +80,7 @@ TEST_CASE("a part of a volume") {
   CHECK(cn::vert_index_bound(top) == cn::vert_index_bound(w));
 }
 
-TEST_CASE("all and none") {
+TEST_CASE("submesh: may keep all polys or none") {
   keeps_all_laws(cn::submesh(w, all));
   CHECK(cn::num_faces(cn::submesh(w, all)) == cn::num_faces(w));
   CHECK(cn::num_verts(cn::submesh(w, all)) == 9);  // v9 is used by no poly
@@ -88,7 +88,7 @@ TEST_CASE("all and none") {
   CHECK(cn::num_verts(cn::submesh(s, none)) == 0);
 }
 
-TEST_CASE_TEMPLATE("parts of every kind of mesh, also through archetypes and views", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("submesh: works on every kind of mesh, archetypes and views", M, CONCINO_KINDS) {
   const M m = cn::testing::grid<M>(3);
   int asked = 0;
   const auto some = [&](auto p) { return ++asked, cn::index_of(m, p) % 3 != 0; };
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("parts of every kind of mesh, also through archetypes and vie
   CHECK(cn::num_polys(twice) == n);
 }
 
-TEST_CASE_TEMPLATE("parts of non-manifold meshes", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("submesh: works on non-manifold meshes", M, CONCINO_KINDS) {
   std::mt19937 random(7);
   for (int round = 0; round < 30; ++round) {
     const M m = cn::testing::random_soup<M>(random, 9, 1 + unsigned(round) / 2).mesh();

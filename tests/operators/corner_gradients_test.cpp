@@ -15,7 +15,7 @@ using namespace concino::testing;
 
 
 
-TEST_CASE_TEMPLATE("corner_gradients: verts as walked, their mean and measure, gradients of linear functions", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("corner_gradients: have the verts in order, their mean and measure, and exact gradients", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   corner_gradients<M> local;
   const vec3 a{1, -2, 3};
@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("corner_gradients: verts as walked, their mean and measure, g
   }
 }
 
-TEST_CASE_TEMPLATE("simplex_gradients: the same numbers", M, trimesh, tetmesh) {
+TEST_CASE_TEMPLATE("simplex_gradients: equal corner_gradients", M, trimesh, tetmesh) {
   static_assert(std::is_same_v<poly_gradients<M>, simplex_gradients<M>>);
   static_assert(std::is_same_v<poly_gradients<hexmesh>, corner_gradients<hexmesh>>);
   auto arrays = jittered(grid_arrays<M>(2), 0.05);
@@ -64,7 +64,7 @@ TEST_CASE_TEMPLATE("simplex_gradients: the same numbers", M, trimesh, tetmesh) {
   }
 }
 
-TEST_CASE("corner_gradients: polyhedra of few verts and of many are the same to it") {
+TEST_CASE("corner_gradients: give the same result for polyhedra of few and of many verts") {
   // Prisms over rings: corners of 26 verts are found by looking, of 80 by their numbers.
   for (const unsigned n : {13u, 40u}) {
     surface_arrays ring;
@@ -90,7 +90,7 @@ TEST_CASE("corner_gradients: polyhedra of few verts and of many are the same to 
   }
 }
 
-TEST_CASE("corner_gradients: polys without measure and points that are no numbers have none") {
+TEST_CASE("corner_gradients: polys without measure, or with points that are NaN, have none") {
   corner_gradients<quadmesh> polygon;
   for (const vec3 last : {vec3{3, 0, 0}, vec3{std::nan(""), 0, 0}, vec3{0, HUGE_VAL, 0}}) {
     const quadmesh m({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, last}, {{0, 1, 2, 3}});
@@ -119,7 +119,7 @@ TEST_CASE("corner_gradients: polys without measure and points that are no number
   CHECK(triangle.gradient[2].y == doctest::Approx(1e150));
 }
 
-TEST_CASE("corner_gradients: a polygon without verts has none; neither has a triangle whose height is too small for its inverse") {
+TEST_CASE("corner_gradients: empty polygons and extremely thin triangles have none") {
   user_mesh::surface m;
   m.polygons = {{}};
   corner_gradients<user_mesh::surface> none;
@@ -136,7 +136,7 @@ TEST_CASE("corner_gradients: a polygon without verts has none; neither has a tri
   }
 }
 
-TEST_CASE("corner_gradients: pyramids of a stranger") {
+TEST_CASE("corner_gradients: work on pyramids of a user's mesh") {
   const auto m = user_mesh::volume_example();
   corner_gradients<user_mesh::volume> local;
   local.visit(m, user_mesh::cell{1});

@@ -39,7 +39,7 @@ struct concino::mesh_traits<spun> : concino::mesh_traits<user_mesh::surface> {
   }
 };
 
-TEST_CASE("cotangent weights: whichever edge a poly names first") {
+TEST_CASE("cotangent weights: do not depend on the first edge of a poly") {
   const std::vector<std::array<double, 3>> x = {{0, 0, 0}, {2, 0.1, 0}, {2.3, 1.5, 0.2}, {-0.3, 1.1, 0.4}};
   const std::vector<user_mesh::polygon> triangles = {{0, 1, 2}, {0, 2, 3}};
   const Eigen::MatrixXd expected = laplacian(user_mesh::surface(x, triangles), cotangent);
@@ -50,7 +50,7 @@ TEST_CASE("cotangent weights: whichever edge a poly names first") {
     }
 }
 
-TEST_CASE("weights of a triangle in space: one formula for surfaces and volumes, checked against gradients of the hat functions") {
+TEST_CASE("cotangent weights: of a triangle equal products of gradients of the hat functions") {
   const std::array<vec3, 3> x = {vec3{0.1, 0.3, -1}, vec3{2, 0.5, 0.4}, vec3{0.7, 1.9, 0.2}};
   const detail::simplex_weights<2> w(x);
   const vec3 normal = cross(x[1] - x[0], x[2] - x[0]);
@@ -64,7 +64,7 @@ TEST_CASE("weights of a triangle in space: one formula for surfaces and volumes,
     for (std::size_t j = 0; j < 3; ++j) CHECK(w(i, j) == doctest::Approx(-0.5 * norm(normal) * dot(gradient[i], gradient[j])));
 }
 
-TEST_CASE("weights of a tet") {
+TEST_CASE("cotangent weights: of a tet are right") {
   const std::array<vec3, 4> x = {vec3{0.1, 0.3, -1}, vec3{2, 0.5, 0.4}, vec3{0.7, 1.9, 0.2}, vec3{0.3, 0.2, 2}};
   const detail::simplex_weights<3> w(x);
   const double volume = std::abs(dot(cross(x[1] - x[0], x[2] - x[0]), x[3] - x[0])) / 6;

@@ -21,14 +21,14 @@ template<class M> Eigen::MatrixXd matrix_of(const M& m) { return stiffness<conci
 
 }  // namespace
 
-TEST_CASE("de Goes is the cotangent Laplacian on triangles") {
+TEST_CASE("de Goes: equals the cotangent Laplacian on triangles") {
   const trimesh m(jittered(triangle_grid(3), 0.05));
   const Eigen::MatrixXd expected = laplacian(m, cotangent);
   CHECK((matrix_of(m) + expected).cwiseAbs().maxCoeff() < 1e-13);
   CHECK((matrix_of(polygonmesh(with_offsets(jittered(triangle_grid(3), 0.05)))) + expected).cwiseAbs().maxCoeff() < 1e-13);
 }
 
-TEST_CASE_TEMPLATE("de Goes: positive semidefinite, constants in the kernel and nothing else; linear functions harmonic", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("de Goes: is semidefinite with constants as kernel, and linear functions are harmonic", M, CONCINO_SURFACE_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.04, false));
   const Eigen::MatrixXd k = matrix_of(m);
   CHECK(k.rowwise().sum().cwiseAbs().maxCoeff() < 1e-13);
@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("de Goes: positive semidefinite, constants in the kernel and 
   CHECK(y.dot(k * y) == doctest::Approx(total_measure(m)).epsilon(1e-12));
 }
 
-TEST_CASE_TEMPLATE("de Goes out of the plane: still semidefinite; scales exactly; the same on the archetype", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("de Goes: is semidefinite on non-planar polygons, scales exactly, the same on the archetype", M, CONCINO_SURFACE_KINDS) {
   auto arrays = jittered(grid_arrays<M>(3), 0.1);
   const M m(arrays);
   const Eigen::MatrixXd k = matrix_of(m);
@@ -58,7 +58,7 @@ TEST_CASE_TEMPLATE("de Goes out of the plane: still semidefinite; scales exactly
   CHECK((matrix_of(M(arrays)) - k).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("de Goes of the unit square, and of a letter C that no one point sees") {
+TEST_CASE("de Goes: is right on the unit square and on a polygon that is not star-shaped") {
   const Eigen::MatrixXd square = matrix_of(grid<quadmesh>(1));
   const auto& row = square.row(0);  // verts 0 1 / 2 3: of the alternating function all of the differences count
   CHECK(row[0] == doctest::Approx(1.5));
@@ -71,13 +71,13 @@ TEST_CASE("de Goes of the unit square, and of a letter C that no one point sees"
   CHECK(values[1] > 1e-3);
 }
 
-TEST_CASE("de Goes on a mesh of other making") {
+TEST_CASE("de Goes: works on a user's mesh") {
   const auto values = spectrum(matrix_of(user_mesh::surface_example()));
   CHECK(std::abs(values[1]) < 1e-13);  // the constants of the mesh and of the vert that nothing uses
   CHECK(values[2] > 1e-3);
 }
 
-TEST_CASE_TEMPLATE("de Goes: polys without an area and points that are not finite", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("de Goes: throws for polys without area and points that are not finite", M, CONCINO_SURFACE_KINDS) {
   auto arrays = grid_arrays<M>(2);
   arrays.points[1].x = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(matrix_of(M(arrays)), invalid_mesh);

@@ -100,12 +100,12 @@ double difference(const A& a, const B& b) {
 
 }  // namespace
 
-TEST_CASE("explain says nothing about discretisations") {
+TEST_CASE("explain_... compiles for discretisations") {
   explain_discretisation<uniform_t, graph>();
   explain_discretisation<const of_quads_alone&, quadmesh>();
 }
 
-TEST_CASE_TEMPLATE("discretisations for comparison: minus the stiffness of the polys", M, polygonmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("discretisations: all equal minus the sum of local stiffness matrices", M, polygonmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const Eigen::MatrixXd refined = laplacian(m, virtual_refinement);
   CHECK((refined + stiffness<detail::virtual_refinement_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
@@ -115,7 +115,7 @@ TEST_CASE_TEMPLATE("discretisations for comparison: minus the stiffness of the p
   }
 }
 
-TEST_CASE_TEMPLATE("discretisations: one's own, by weights of neighbours and of edges, is the library's", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("discretisations: a user's, by weights of neighbours or edges, equals the library's", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.03));
   CHECK(difference(laplacian(m, counted_neighbours{}), laplacian(m, uniform)) == 0);
   CHECK(difference(laplacian(m, counted_edges{}), laplacian(m, uniform)) == 0);
@@ -136,7 +136,7 @@ TEST_CASE_TEMPLATE("discretisations: one's own, by weights of neighbours and of 
   check(counted_edges{});
 }
 
-TEST_CASE("discretisations: one's own, by a matrix for each poly") {
+TEST_CASE("discretisations: a user's may have a matrix for each poly") {
   const trimesh m(jittered(triangle_grid(3), 0.04));
   const Eigen::MatrixXd l = laplacian(m, counted_polys{});
   for (const auto e : edges(m)) {
@@ -150,7 +150,7 @@ TEST_CASE("discretisations: one's own, by a matrix for each poly") {
   CHECK(u[vert_id{5}] == 1);
 }
 
-TEST_CASE("discretisations: with masses of the mesh, or for one type of mesh, the same up to rounding") {
+TEST_CASE("discretisations: a user's with masses of the mesh is the same up to rounding") {
   auto arrays = jittered(grid_arrays<quadmesh>(3), 0.04);
   for (vec3& x : arrays.points) x *= 40;
   const quadmesh m(arrays);
@@ -169,7 +169,7 @@ TEST_CASE("discretisations: with masses of the mesh, or for one type of mesh, th
   CHECK(difference(heat_geodesics(m, a, of_quads_alone{}), heat_geodesics(m, a)) < 1e-9);
 }
 
-TEST_CASE_TEMPLATE("discretisations: one that depends on places is asked about the mesh as it is, wherever that lies", M, trimesh, hexmesh) {
+TEST_CASE_TEMPLATE("discretisations: one that depends on position gets the mesh without translation", M, trimesh, hexmesh) {
   auto arrays = grid_arrays<M>(2);
   for (vec3& x : arrays.points) x *= 40;
   const M m(arrays);
@@ -185,13 +185,13 @@ TEST_CASE_TEMPLATE("discretisations: one that depends on places is asked about t
   CHECK(within);
 }
 
-TEST_CASE("discretisations: a mass that is not positive is refused") {
+TEST_CASE("discretisations: a mass that is not positive throws") {
   const auto m = grid<trimesh>(2);
   CHECK_THROWS_WITH_AS(smooth(m, make_vert_map<double>(m), 1, without_mass{}),
                        "smooth: the discretisation gives vert 0 the mass 0; masses must be positive and finite", invalid_argument);
 }
 
-TEST_CASE_TEMPLATE("discretisations: with uniform a mesh is what its primal graph is", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("discretisations: with uniform a mesh equals its primal graph", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.03));
   const auto g = primal(m);
   const vert_id a{0}, b{3};

@@ -56,7 +56,7 @@ void check_constants(const M& m, std::size_t inside_at_least) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("divergence_matrix: minus the transposed gradient with masses; each column sums to 0", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("divergence_matrix: is minus the transposed gradient with masses; columns sum to 0", M, CONCINO_KINDS) {
   M m(jittered(two_grids_arrays<M>(2), 0.05));
   check_is_adjoint(m);
   check_is_adjoint(only_embedded_mesh(m));
@@ -65,19 +65,19 @@ TEST_CASE_TEMPLATE("divergence_matrix: minus the transposed gradient with masses
   CHECK(divergence_matrix(M()).size() == 0);
 }
 
-TEST_CASE_TEMPLATE("divergence_matrix: constant fields have none at interior verts", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("divergence_matrix: the divergence of constant fields is 0 at interior verts", M, CONCINO_KINDS) {
   check_constants(grid<M>(3), 4);
   check_constants(M(jittered(grid_arrays<M>(3), 0.05, VolumeMesh<M>)), 4);
   if constexpr (VolumeMesh<M>) check_constants(M(as_frustum(grid_arrays<M>(3))), 8);
 }
-TEST_CASE("divergence_matrix: constant fields have none inside prisms and turned surfaces") {
+TEST_CASE("divergence_matrix: the divergence of constant fields is 0 in prisms and rotated surfaces") {
   check_constants(polyhedralmesh(jittered(extrude(triangle_grid(3), 3), 0.05)), 8);
   auto turned_plane = jittered(polygon_grid(3), 0.02, false);
   for (vec3& x : turned_plane.points) x.z = 0.5 * x.x;  // the field (3, -2, 0) is not in its plane: only what is in it counts
   check_constants(polygonmesh(turned_plane), 9);
 }
 
-TEST_CASE_TEMPLATE("divergence_matrix: of the gradient, the cotangent Laplacian; of the position, the dimension", M, trimesh, tetmesh) {
+TEST_CASE_TEMPLATE("divergence_matrix: of the gradient is the cotangent Laplacian, of the position the dimension", M, trimesh, tetmesh) {
   const M m(jittered(grid_arrays<M>(3), 0.04));
   const sparse l = laplacian(m, cotangent);
   CHECK(difference(divergence_matrix(m) * gradient_matrix(m), l) < 1e-13);
@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE("divergence_matrix: of the gradient, the cotangent Laplacian;
   CHECK(n == (VolumeMesh<M> ? 27 : 9));
 }
 
-TEST_CASE("divergence_matrix: polygons that are triangles and polyhedra that are tets, turned inside out or not") {
+TEST_CASE("divergence_matrix: accepts polygons that are triangles and polyhedra that are tets, also inverted") {
   const auto triangles = jittered(triangle_grid(2), 0.05);
   const polygonmesh polygons(with_offsets(triangles));
   CHECK(difference(divergence_matrix(polygons) * gradient_matrix(polygons), laplacian(trimesh(triangles), cotangent)) < 1e-13);
@@ -120,7 +120,7 @@ TEST_CASE_TEMPLATE("divergence_matrix: scales exactly", M, CONCINO_KINDS) {
   for (const double s : {1e6, 1e-6}) CHECK(difference(1 / growth(s) * divergence_matrix(M(scaled_arrays(arrays, s))), d) < 1e-9);
 }
 
-TEST_CASE("divergence_matrix: a stranger's mesh; errors name the poly") {
+TEST_CASE("divergence_matrix: works on a user's mesh; errors name the poly") {
   check_is_adjoint(user_mesh::volume_example());
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
   CHECK_THROWS_WITH_AS(divergence_matrix(flat), doctest::Contains("divergence_matrix: poly 1 has no area"), invalid_mesh);

@@ -43,19 +43,19 @@ template<class M, class F> concept has_divergence = requires(M&& m, const F& f) 
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("divergence: what the matrix gives, of any map, on archetypes too", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("divergence: equals the matrix product, for any map, also on archetypes", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.05));
   check_as_matrix(m);
   check_as_matrix(only_embedded_mesh(m));
 }
 
-TEST_CASE_TEMPLATE("divergence: of more polys than one thread takes at a time", M, quadmesh, hexmesh) {
+TEST_CASE_TEMPLATE("divergence: is right for more polys than one chunk", M, quadmesh, hexmesh) {
   const M m(jittered(grid_arrays<M>(VolumeMesh<M> ? 11 : 33), 0.003));
   REQUIRE(num_polys(m) > 1024);
   check_as_matrix(m);
 }
 
-TEST_CASE("divergence: of gradients, sums to 0; strangers, empty meshes, errors, no temporaries") {
+TEST_CASE("divergence: of gradients sums to 0; handles users' meshes, empty meshes and errors") {
   const auto m = grid<polyhedralmesh>(2);
   auto u = make_vert_map<double>(m);
   for (const auto v : verts(m)) u[v] = std::sin(point(m, v).x + 2 * point(m, v).y);

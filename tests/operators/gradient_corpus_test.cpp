@@ -50,7 +50,7 @@ void check_scaling(M m) {
 
 }  // namespace
 
-TEST_CASE("gradients and divergences of the corpus") {
+TEST_CASE("corpus: gradients are exact on linear functions, and divergences of constants are 0") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   for (const auto& row : rows) {
@@ -67,7 +67,7 @@ TEST_CASE("gradients and divergences of the corpus") {
   }
 }
 
-TEST_CASE("gradients of the linear functions of EXPECTED_FIELDS") {
+TEST_CASE("corpus: gradients of the functions of EXPECTED_FIELDS are exact") {
   CONCINO_CORPUS_OR_SKIP(disk_file, "tri/circle_disk.obj");
   const auto disk = load<trimesh>(disk_file.string());
   auto u = make_vert_map<double>(disk);

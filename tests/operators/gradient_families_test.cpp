@@ -22,7 +22,7 @@ void check_operators(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("gradients and divergences on grids, graded and crooked", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("gradients and divergences are exact on graded and distorted grids", M, CONCINO_KINDS) {
   auto m = make_grid<M>({.cells = {4, 3, 5}, .min = {-1, 0, 100}, .max = {2, 1, 101}});
   check_operators(m);
   jitter(m, 0.15);
@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE("gradients and divergences on grids, graded and crooked", M, 
   check_operators(graded);
 }
 
-TEST_CASE("gradients and divergences on Voronoi polygons, dual polygons and concave ones") {
+TEST_CASE("gradients and divergences are exact on Voronoi, dual and concave polygons") {
   const box square{{0, 0, 0}, {1, 1, 0}};
   check_operators(voronoi_polygons(random_points(60, square), square));
   auto triangles = make_grid<trimesh>({.cells = {8, 8, 1}});
@@ -41,7 +41,7 @@ TEST_CASE("gradients and divergences on Voronoi polygons, dual polygons and conc
   check_operators(agglomerate(triangles, random_labels(triangles, 8)));
 }
 
-TEST_CASE("gradients and divergences on Voronoi polyhedra, dual polyhedra and concave ones") {
+TEST_CASE("gradients and divergences are exact on Voronoi, dual and concave polyhedra") {
   const box cube{{0, 0, 0}, {1, 1, 1}};
   check_operators(voronoi_polyhedra(random_points(40, cube), cube));
   auto tets = make_grid<tetmesh>({.cells = {3, 3, 3}});

@@ -52,7 +52,7 @@ struct concino::mesh_traits<sparsely_numbered> : concino::mesh_traits<user_mesh:
   static std::size_t poly_index_bound(const user_mesh::surface&) { return std::size_t{1} << 30; }
 };
 
-TEST_CASE_TEMPLATE("gradient_matrix: exact on linear functions, planar or not, concave or not, far from the origin too", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("gradient_matrix: is exact on linear functions, on any polys, also far from the origin", M, CONCINO_KINDS) {
   check_linear(grid<M>(2));
   check_linear(M(jittered(two_grids_arrays<M>(2), 0.04, false)));
   auto crooked = jittered(grid_arrays<M>(3), 0.06);
@@ -62,9 +62,9 @@ TEST_CASE_TEMPLATE("gradient_matrix: exact on linear functions, planar or not, c
   check_linear(M(turned_arrays(as_frustum(grid_arrays<M>(2)))));
 }
 
-TEST_CASE("gradient_matrix: exact on more polys than one thread takes at once") { check_linear(grid<trimesh>(25)); }
+TEST_CASE("gradient_matrix: is exact for more polys than one chunk") { check_linear(grid<trimesh>(25)); }
 
-TEST_CASE("gradient_matrix: exact on prisms, on a pyramid and on a polygon of a hundred verts") {
+TEST_CASE("gradient_matrix: is exact on prisms, on a pyramid and on a polygon of a hundred verts") {
   check_linear(polyhedralmesh(jittered(extrude(triangle_grid(2), 2), 0.05)));
   check_linear(user_mesh::volume_example());
   surface_arrays wheel;
@@ -79,7 +79,7 @@ TEST_CASE("gradient_matrix: exact on prisms, on a pyramid and on a polygon of a 
   check_linear(polyhedralmesh(jittered(extrude(wheel, 2), 0.01)));
 }
 
-TEST_CASE("gradient_matrix: of one triangle, one square, one tet and one cube") {
+TEST_CASE("gradient_matrix: is right for one triangle, one square, one tet and one cube") {
   const auto t = gradient_matrix(trimesh({{0, 0, 0}, {2, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}));
   CHECK(Eigen::MatrixXd(t).isApprox((Eigen::MatrixXd(3, 3) << -0.5, 0.5, 0, -0.25, 0, 0.25, 0, 0, 0).finished(), 1e-15));
   const auto q = gradient_matrix(quadmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}));
@@ -93,7 +93,7 @@ TEST_CASE("gradient_matrix: of one triangle, one square, one tet and one cube") 
       CHECK(std::abs(h.coeff(k, static_cast<int>(index_of(cube, v))) - (point(cube, v)[static_cast<std::size_t>(k)] > 0.5 ? 0.25 : -0.25)) < 1e-15);
 }
 
-TEST_CASE_TEMPLATE("gradient_matrix: scales exactly with powers of two, to rounding with others, and turns with the mesh", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("gradient_matrix: scales and rotates with the mesh, exactly for powers of two", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.05);
   const auto g = gradient_matrix(M(arrays));
   for (const double s : {0x1p20, 0x1p-20, 0x1p-100, 0x1p100}) CHECK(same_entries(gradient_matrix(M(scaled_arrays(arrays, s))), g, 1 / s));
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("gradient_matrix: scales exactly with powers of two, to round
   for (std::size_t p = 0; p < static_cast<std::size_t>(g.rows() / 3); ++p) CHECK(distance(turned(vector_at(here, p)), vector_at(there, p)) < 1e-12);
 }
 
-TEST_CASE_TEMPLATE("gradient_matrix: deleted elements and verts of no poly have nothing", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("gradient_matrix: has no entries for deleted elements and isolated verts", M, CONCINO_KINDS) {
   M m(jittered(two_grids_arrays<M>(2), 0.05));
   const auto whole = gradient_matrix(m);  // what stays may be walked from another vert or face, so that sums are rounded otherwise
   remove_poly(m, poly_id{1});
@@ -122,7 +122,7 @@ TEST_CASE_TEMPLATE("gradient_matrix: deleted elements and verts of no poly have 
   CHECK(g.nonZeros() == 3 * corners);
 }
 
-TEST_CASE_TEMPLATE("gradient_matrix: on archetypes, on an empty mesh", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("gradient_matrix: works on archetypes and on an empty mesh", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05));
   const auto g = gradient_matrix(m);
   CHECK(difference(gradient_matrix(only_embedded_mesh(m)), g) < 1e-14);
@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("gradient_matrix: on archetypes, on an empty mesh", M, CONCIN
   CHECK((none.rows() == 0 && none.cols() == 0));
 }
 
-TEST_CASE("gradient_matrix: polyhedra turned inside out have the same gradients") {
+TEST_CASE("gradient_matrix: inverted polyhedra have the same gradients") {
   auto tets = jittered(tet_grid(1), 0.05);
   const auto g = gradient_matrix(tetmesh(tets));
   const auto h = gradient_matrix(polyhedralmesh(to_polyhedra(cell_arrays(tets))));
@@ -141,7 +141,7 @@ TEST_CASE("gradient_matrix: polyhedra turned inside out have the same gradients"
   CHECK(difference(gradient_matrix(polyhedralmesh(to_polyhedra(cell_arrays(tets)))), g) < 1e-13);
 }
 
-TEST_CASE("gradient_matrix: columns are sorted whatever the order of the walk") {
+TEST_CASE("gradient_matrix: columns are sorted in any order of the verts") {
   const std::vector<std::array<double, 3>> x = {{0, 0, 0}, {1, 0.2, 0.1}, {0.3, 1, 0}, {-1, 0.4, 0}, {0.1, -1, 0.5}};
   for (const auto& p : {std::vector<user_mesh::polygon>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}}) {
     const auto g = gradient_matrix(backwards(x, p));
@@ -150,7 +150,7 @@ TEST_CASE("gradient_matrix: columns are sorted whatever the order of the walk") 
   }
 }
 
-TEST_CASE("gradient_matrix: errors") {
+TEST_CASE("gradient_matrix: throws if a poly has no gradient") {
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
   CHECK_THROWS_WITH_AS(gradient_matrix(flat),
                        "gradient_matrix: poly 1 has no area, or points that are not finite, so functions on it have no gradient; "

@@ -42,13 +42,13 @@ concept can_take_gradient = requires(M&& m, const U& u) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("gradient, vert_gradient: what the matrices give, of any map, on archetypes too", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("gradient, vert_gradient: equal the matrix products, for any map, also on archetypes", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.05));
   check_as_matrices(m);
   check_as_matrices(only_embedded_mesh(m));
 }
 
-TEST_CASE_TEMPLATE("gradient, vert_gradient: constants have none at all, however large", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("gradient, vert_gradient: of constants are exactly 0, however large they are", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.05));
   const auto u = make_vert_map<double>(m, 1e30);
   const auto g = gradient(m, u);
@@ -57,7 +57,7 @@ TEST_CASE_TEMPLATE("gradient, vert_gradient: constants have none at all, however
   for (const auto v : verts(m)) REQUIRE(h[v] == vec3());
 }
 
-TEST_CASE_TEMPLATE("vert_gradient: exact on linear functions, at the boundary too; 0 at verts of no poly", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("vert_gradient: is exact on linear functions, also on the boundary; 0 at isolated verts", M, CONCINO_KINDS) {
   const M m(jittered(two_grids_arrays<M>(3), 0.04, VolumeMesh<M>));
   auto u = make_vert_map<double>(m);
   for (const auto v : verts(m)) u[v] = 2 * point(m, v)[0] - 3 * point(m, v)[1] + point(m, v)[2] + 1;
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("vert_gradient: exact on linear functions, at the boundary to
   }
 }
 
-TEST_CASE("gradient: values that are no numbers spoil the polys that have them and no others") {
+TEST_CASE("gradient: values that are NaN change only the polys that have them") {
   const auto m = grid<hexmesh>(2);
   auto u = make_vert_map<double>(m, 1.0);
   u[vert_id{0}] = std::nan("");
@@ -76,7 +76,7 @@ TEST_CASE("gradient: values that are no numbers spoil the polys that have them a
   for (const auto p : polys(m)) CHECK(is_finite(g[p]) == (p != poly_id{0}));
 }
 
-TEST_CASE("gradient, vert_gradient: on a stranger's mesh with a pyramid; empty meshes; no maps of temporaries") {
+TEST_CASE("gradient, vert_gradient: work on a user's mesh and empty meshes; reject temporaries") {
   check_as_matrices(user_mesh::volume_example());
   const polyhedralmesh none;
   CHECK(gradient(none, make_vert_map<double>(none)).values().empty());

@@ -52,7 +52,7 @@ Eigen::Index kernel_size(const Eigen::SparseMatrix<double>& l) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("laplacian, uniform: minus the degree and ones; the kernel counts components", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, uniform: has minus the degree and ones; its kernel has the number of components", M, CONCINO_ALL_KINDS) {
   const M m = two_grids<M>(2);
   const auto l = laplacian(m, uniform);
   check_is_laplacian(m, l, 1e-13);
@@ -69,13 +69,13 @@ TEST_CASE_TEMPLATE("laplacian, uniform: minus the degree and ones; the kernel co
   CHECK(kernel_size(l) == 3);  // two grids and the lonely vert
 }
 
-TEST_CASE_TEMPLATE("laplacian, uniform: uses nothing but a primal graph", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, uniform: runs on the archetype of a primal graph", M, CONCINO_ALL_KINDS) {
   const M m = grid<M>(2);
   const auto l = laplacian(m, uniform);
   CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m), uniform)) == Eigen::MatrixXd(l));
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: the default on all kinds; its kernel are the constants of each component", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, standard: is the default; its kernel is the constants of each component", M, CONCINO_ALL_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.04, VolumeMesh<M>));
   const auto l = laplacian(m);
   check_is_laplacian(m, l, 1e-13);
@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: the default on all kinds; its kernel ar
   CHECK((l - laplacian(m, virtual_elements)).norm() == 0);
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: linear functions are in the kernel at interior verts, whatever the polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, standard: linear functions are harmonic at interior verts, for any polys", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.03, VolumeMesh<M>));
   const auto l = laplacian(m);
   Eigen::VectorXd f(l.rows());
@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: linear functions are in the kernel at i
   CHECK(interior > 0);
 }
 
-TEST_CASE("laplacian, standard: of more polys than are computed at a time") {
+TEST_CASE("laplacian, standard: is right for more polys than one chunk") {
   const quadmesh m(jittered(quad_grid(33), 0.005, false));
   REQUIRE(num_polys(m) > 1024);
   const auto l = laplacian(m);
@@ -113,7 +113,7 @@ TEST_CASE("laplacian, standard: of more polys than are computed at a time") {
   CHECK(f.dot(lf) == doctest::Approx(-13 * total_measure(m)).epsilon(1e-11));
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: the cotangents where all polys are triangles or tets, by type or not", M, trimesh, tetmesh) {
+TEST_CASE_TEMPLATE("laplacian, standard: equals the cotangent Laplacian if all polys are triangles or tets", M, trimesh, tetmesh) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.05);
   const M m(arrays);
   const Eigen::MatrixXd expected = laplacian(m, cotangent);
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: the cotangents where all polys are tria
     CHECK((Eigen::MatrixXd(laplacian(polyhedralmesh(to_polyhedra(cell_arrays(arrays))))) - expected).cwiseAbs().maxCoeff() < 1e-13);
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: scales as lengths to the dimension minus two, to the last bit", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, standard: scales exactly as lengths to the dimension minus two", M, CONCINO_ALL_KINDS) {
   auto arrays = jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>);
   const auto original = arrays.points;
   const auto l = Eigen::MatrixXd(laplacian(M(arrays)));
@@ -139,7 +139,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: scales as lengths to the dimension minu
   }
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: the same on the archetype and after elements were removed", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, standard: is the same on the archetype, and works with gaps in the indices", M, CONCINO_ALL_KINDS) {
   M m(jittered(grid_arrays<M>(3), 0.02, VolumeMesh<M>));
   const auto same_on_archetype = [&] {
     const auto l = laplacian(m);
@@ -160,7 +160,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: the same on the archetype and after ele
   CHECK(laplacian(m).col(static_cast<Eigen::Index>(gone.raw())).nonZeros() == 0);
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: polys without a measure and coordinates that are no numbers are named", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, standard: the error names polys without a measure and points that are NaN", M, CONCINO_ALL_KINDS) {
   auto arrays = grid_arrays<M>(1);
   auto flat = arrays;
   for (vec3& x : flat.points) x.y = x.z = 0;
@@ -173,7 +173,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: polys without a measure and coordinates
   }
 }
 
-TEST_CASE("laplacian, cotangent: half the sum of the cotangents opposite each edge; at the boundary one of them") {
+TEST_CASE("laplacian, cotangent: has half the sum of the cotangents opposite each edge") {
   const trimesh m({{0, 0, 0}, {2, 0, 0.3}, {0.5, 1, 0}, {1.5, -1, 0.2}}, {{0, 1, 2}, {1, 0, 3}});
   const auto l = laplacian(m, cotangent);
   const auto x = [&](unsigned i) { return to_vec3(point(m, vert_id{i})); };
@@ -190,7 +190,7 @@ TEST_CASE("laplacian, cotangent: negative weights are kept") {
   check_is_laplacian(m, l, 1e-13);
 }
 
-TEST_CASE("laplacian, cotangent: of a tet, length times cotangent of the dihedral angle at the opposite edge") {
+TEST_CASE("laplacian, cotangent: is right for a tet, by the dihedral angles at opposite edges") {
   const std::vector<vec3> x = {{0, 0, 0}, {2, 0.1, 0}, {0.4, 1.5, 0.2}, {0.3, 0.6, 1.7}};
   const tetmesh m(x, std::vector<std::vector<int>>{{0, 1, 2, 3}});
   const tetmesh inverted(x, std::vector<std::vector<int>>{{1, 0, 2, 3}});
@@ -236,7 +236,7 @@ TEST_CASE_TEMPLATE("laplacian, cotangent: scales as lengths to the dimension min
   CHECK(s == l * (VolumeMesh<M> ? 0x1p-30 : 1.0));
 }
 
-TEST_CASE("laplacian, cotangent: decided poly by poly, so polygons that all are triangles and polyhedra that all are tets will do") {
+TEST_CASE("laplacian, cotangent: accepts polygons that are triangles and polyhedra that are tets") {
   const auto arrays = jittered(triangle_grid(2), 0.05);
   const auto as_polygons = laplacian(polygonmesh(with_offsets(arrays)), cotangent);
   CHECK(Eigen::MatrixXd(as_polygons) == Eigen::MatrixXd(laplacian(trimesh(arrays), cotangent)));
@@ -273,7 +273,7 @@ TEST_CASE("laplacian, cotangent: the order of the edges of a poly does not matte
   }
 }
 
-TEST_CASE("laplacian, cotangent: works on archetypes of meshes, is refused on bare graphs") {
+TEST_CASE("laplacian, cotangent: runs on archetypes of meshes, and rejects graphs") {
   const auto m = grid<tetmesh>(2);
   const auto t = grid<trimesh>(2);
   CHECK(Eigen::MatrixXd(laplacian(only_embedded_mesh(t), cotangent)).isApprox(Eigen::MatrixXd(laplacian(t, cotangent))));
@@ -295,7 +295,7 @@ TEST_CASE("laplacian, cotangent: errors name the poly") {
   CHECK_THROWS_WITH_AS(laplacian(pressed, cotangent), doctest::Contains("poly 0 is degenerate"), invalid_mesh);
 }
 
-TEST_CASE_TEMPLATE("laplacian: of an empty mesh and of verts alone", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian: is empty for an empty mesh, and 0 for isolated verts", M, CONCINO_ALL_KINDS) {
   CHECK(laplacian(M()).size() == 0);
   auto arrays = grid_arrays<M>(1);
   using arrays_type = decltype(arrays);
@@ -307,7 +307,7 @@ TEST_CASE_TEMPLATE("laplacian: of an empty mesh and of verts alone", M, CONCINO_
   CHECK(Eigen::MatrixXd(l).isZero(0));
 }
 
-TEST_CASE("laplacian: a fan of a thousand triangles, three of them at one edge") {
+TEST_CASE("laplacian: is right for a fan of a thousand triangles, three of them at one edge") {
   std::vector<vec3> x = {{0, 0, 0}};
   std::vector<std::vector<int>> polys_;
   const int n = 1000;
@@ -327,7 +327,7 @@ TEST_CASE("laplacian: a fan of a thousand triangles, three of them at one edge")
   CHECK(laplacian(m, uniform).coeff(0, 0) == -(n + 1));
 }
 
-TEST_CASE("laplacian, cotangent: a mesh of a stranger; coordinates that are no numbers are refused, not passed on") {
+TEST_CASE("laplacian, cotangent: works on a user's mesh, and throws if a coordinate is NaN") {
   user_mesh::surface m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const auto l = laplacian(m, cotangent);
   CHECK(l.coeff(1, 2) == doctest::Approx(0));

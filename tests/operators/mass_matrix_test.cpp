@@ -15,7 +15,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("masses sum to the measure, are positive on verts of polys and 0 on others", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("masses: sum to the measure, are positive on verts of polys and 0 on others", M, CONCINO_KINDS) {
   auto arrays = two_grids_arrays<M>(3);
   for (vec3& x : arrays.points) x.x *= 1 + x.x / 8;
   const M m(arrays);
@@ -33,7 +33,7 @@ TEST_CASE_TEMPLATE("masses sum to the measure, are positive on verts of polys an
   for (const auto v : verts(m)) CHECK(matrix.coeff(static_cast<int>(index_of(m, v)), static_cast<int>(index_of(m, v))) == mass[v]);
 }
 
-TEST_CASE_TEMPLATE("masses: the same on the archetype; nothing on an empty mesh", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("masses: are the same on the archetype, and empty on an empty mesh", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto g = only_embedded_mesh(m);
   const auto mass = vert_masses(m);
@@ -42,7 +42,7 @@ TEST_CASE_TEMPLATE("masses: the same on the archetype; nothing on an empty mesh"
   CHECK(mass_matrix(M()).rows() == 0);
 }
 
-TEST_CASE("masses: equal parts to the verts of each poly, by absolute volume") {
+TEST_CASE("masses: each poly gives equal parts of its absolute measure to its verts") {
   const polygonmesh m({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {2, 3, 0}}, {{0, 1, 2, 3}, {2, 4, 3}});
   const auto mass = vert_masses(m);
   CHECK(mass[vert_id{0}] == doctest::Approx(1));
@@ -52,7 +52,7 @@ TEST_CASE("masses: equal parts to the verts of each poly, by absolute volume") {
   for (const auto v : verts(inverted)) CHECK(vert_masses(inverted)[v] == doctest::Approx(1.0 / 24));
 }
 
-TEST_CASE_TEMPLATE("Galerkin mass: by edges where the type says simplices, by virtual elements where it does not, the same", M, trimesh, tetmesh) {
+TEST_CASE_TEMPLATE("Galerkin mass: is the same for simplices by type and by virtual elements", M, trimesh, tetmesh) {
   const M m = two_grids<M>(2);
   const Eigen::SparseMatrix<double> mass = mass_matrix(m, {.lumped = false});
   const auto check = [&](const auto& g) {
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("Galerkin mass: by edges where the type says simplices, by vi
   check(only_fixed_arity_mesh(m));
 }
 
-TEST_CASE_TEMPLATE("Galerkin mass: symmetric, positive definite, sums to the measure, integrates products of linear functions exactly", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("Galerkin mass: is positive definite, and integrates products of linear functions exactly", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.04, VolumeMesh<M>));
   const Eigen::SparseMatrix<double> mass = mass_matrix(m, {.lumped = false});
   const Eigen::MatrixXd dense = mass;
@@ -82,7 +82,7 @@ TEST_CASE_TEMPLATE("Galerkin mass: symmetric, positive definite, sums to the mea
   CHECK(one.dot(dense * x) == doctest::Approx(expected).epsilon(1e-12));
 }
 
-TEST_CASE_TEMPLATE("Galerkin mass: squares of linear functions over the unit square and cube", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("Galerkin mass: integrates squares of linear functions over the unit square and cube", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(3);
   const auto moved = jittered(arrays, 0.03, VolumeMesh<M>);
   for (std::size_t i = 0; i < arrays.points.size(); ++i) {  // the boundary stays
@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("Galerkin mass: squares of linear functions over the unit squ
   CHECK(x.dot(mass * y) == doctest::Approx(1.0 / 4).epsilon(1e-12));
 }
 
-TEST_CASE("Galerkin mass: that of linear elements on simplices, of bilinear ones on rectangles") {
+TEST_CASE("Galerkin mass: equals that of linear elements on simplices, of bilinear ones on rectangles") {
   const trimesh t({{0, 0, 1}, {3, 1, 0}, {1, 2, 5}}, {{0, 1, 2}});
   const double a = area(t, poly_id{0});
   CHECK((Eigen::MatrixXd(mass_matrix(t, {.lumped = false})) - a / 12 * (Eigen::MatrixXd::Ones(3, 3) + Eigen::MatrixXd::Identity(3, 3))).norm() < 1e-13 * a);
@@ -114,7 +114,7 @@ TEST_CASE("Galerkin mass: that of linear elements on simplices, of bilinear ones
   CHECK((Eigen::Matrix4d(mass_matrix(q, {.lumped = false})) - 1.5 / 36 * bilinear).norm() < 1e-14);
 }
 
-TEST_CASE_TEMPLATE("masses: points that are not finite are refused; polys without a measure have no Galerkin mass", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("masses: points that are not finite throw; polys without measure have no Galerkin mass", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(1);
   auto flat = arrays;
   for (vec3& x : flat.points) x.y = x.z = 0;

@@ -50,7 +50,7 @@ void check(M m) {
 
 }  // namespace
 
-TEST_CASE("Laplacians and masses of the corpus") {
+TEST_CASE("corpus: Laplacians and masses obey their laws") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   for (const auto& row : rows) {

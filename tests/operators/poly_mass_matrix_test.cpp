@@ -13,7 +13,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("poly_masses: sum to the measure; as a matrix three times each, nothing for deleted polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("poly_masses: sum to the measure; the matrix has each three times, without deleted polys", M, CONCINO_KINDS) {
   M m(jittered(two_grids_arrays<M>(2), 0.05));
   remove_poly(m, poly_id{1});
   const auto mass = poly_masses(m);
@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("poly_masses: sum to the measure; as a matrix three times eac
   CHECK(poly_mass_matrix(M()).size() == 0);
 }
 
-TEST_CASE("poly_masses: positive inside out, 0 where degenerate, an error where points are no numbers") {
+TEST_CASE("poly_masses: are positive for inverted polys, 0 for degenerate ones, an error for NaN") {
   tetmesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}}, {{0, 2, 1, 3}, {0, 1, 2, 4}});
   CHECK(poly_masses(m)[poly_id{0}] == doctest::Approx(1.0 / 6));
   CHECK(poly_masses(m)[poly_id{1}] == 0);

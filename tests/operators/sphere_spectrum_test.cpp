@@ -18,7 +18,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("eigenvalues and mean curvature of a sphere") {
+TEST_CASE("corpus: eigenvalues and mean curvature of a sphere are the known ones") {
   const auto file = corpus("tri/sphere.obj");
   if (file.empty()) return skip("no corpus");
   const auto m = load<trimesh>(file);

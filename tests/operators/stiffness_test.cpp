@@ -11,7 +11,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("lower_stiffness: minus the Laplacian below and on the diagonal", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("lower_stiffness: is the lower triangle of minus the Laplacian", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.03));
   const auto check = [&](const auto& which) {
     const Eigen::MatrixXd lower = lower_stiffness(m, which), l = laplacian(m, which);
@@ -22,7 +22,7 @@ TEST_CASE_TEMPLATE("lower_stiffness: minus the Laplacian below and on the diagon
   check(virtual_elements);
 }
 
-TEST_CASE("with_stiffness: hands on the weights of edges, or an element for each thread") {
+TEST_CASE("with_stiffness: passes the weights of edges, or an element for each thread") {
   const auto triangles = grid<trimesh>(1);
   const auto quads = grid<quadmesh>(1);
   int by_weights = 0, by_polys = 0;

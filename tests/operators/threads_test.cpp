@@ -28,7 +28,7 @@ void with_threads(F&& f) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("operators: the same for any number of threads", M, trimesh, polygonmesh, tetmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("operators: do not depend on the number of threads", M, trimesh, polygonmesh, tetmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(VolumeMesh<M> ? 9 : 45), 0.1 / (VolumeMesh<M> ? 9 : 45)));
   const auto g = gradient_matrix(m), d = divergence_matrix(m), w = vert_gradient_matrix(m);
   auto u = make_vert_map<double>(m);
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("operators: the same for any number of threads", M, trimesh, 
   });
 }
 
-TEST_CASE_TEMPLATE("Laplacians and masses: the same for any number of threads", M, trimesh, polygonmesh, tetmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("Laplacians and masses: do not depend on the number of threads", M, trimesh, polygonmesh, tetmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(VolumeMesh<M> ? 9 : 45), 0.1 / (VolumeMesh<M> ? 9 : 45)));
   const auto standard = laplacian(m), counted = laplacian(m, uniform), mass = mass_matrix(m, {.lumped = false});
   with_threads([&] {
@@ -58,7 +58,7 @@ TEST_CASE_TEMPLATE("Laplacians and masses: the same for any number of threads", 
   });
 }
 
-TEST_CASE("operators: of several polys without area the first is named, by any number of threads") {
+TEST_CASE("operators: the error names the first poly without area, with any number of threads") {
   auto arrays = triangle_grid(50);
   for (const std::size_t p : {4000u, 1500u, 1501u, 2500u}) arrays.points[arrays.verts[3 * p].raw()] = arrays.points[arrays.verts[3 * p + 1].raw()];
   const trimesh m(arrays);

@@ -39,7 +39,7 @@ void check_is_mean(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("vert_gradient_matrix: the mean of the gradients around, weighted by area or volume", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("vert_gradient_matrix: is the mean of the adjacent gradients, weighted by measure", M, CONCINO_KINDS) {
   M m(jittered(two_grids_arrays<M>(2), 0.05));
   check_is_mean(m);
   remove_poly(m, poly_id{1});
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("vert_gradient_matrix: the mean of the gradients around, weig
   CHECK(vert_gradient_matrix(M()).size() == 0);
 }
 
-TEST_CASE_TEMPLATE("vert_gradient_matrix: exact on linear functions, scales exactly", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("vert_gradient_matrix: is exact on linear functions, and scales exactly", M, CONCINO_KINDS) {
   const auto arrays = jittered(two_grids_arrays<M>(2), 0.05, VolumeMesh<M>);
   const M m(arrays);
   const auto w = vert_gradient_matrix(m);
@@ -61,7 +61,7 @@ TEST_CASE_TEMPLATE("vert_gradient_matrix: exact on linear functions, scales exac
   for (const double s : {1e6, 1e-6}) CHECK(difference(s * vert_gradient_matrix(M(scaled_arrays(arrays, s))), w) < 1e-9);
 }
 
-TEST_CASE("vert_gradient_matrix: of more polys than one thread takes at a time, and a single vert more than the columns") {
+TEST_CASE("vert_gradient_matrix: is right for more polys than one chunk") {
   auto arrays = jittered(triangle_grid(31), 0.01, false);
   arrays.points.push_back({-0.1, -0.1, 0});
   for (const unsigned v : {0u, 32u, 1024u}) arrays.verts.push_back(vert_id{v});
@@ -74,7 +74,7 @@ TEST_CASE("vert_gradient_matrix: of more polys than one thread takes at a time, 
   CHECK(worst < 1e-11);
 }
 
-TEST_CASE("vert_gradient_matrix: cubes and pyramids of a stranger; errors name the poly") {
+TEST_CASE("vert_gradient_matrix: works on a user's mesh; errors name the poly") {
   check_is_mean(user_mesh::volume_example());
   const tetmesh pressed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});
   CHECK_THROWS_WITH_AS(vert_gradient_matrix(pressed), doctest::Contains("vert_gradient_matrix: poly 0 has no volume"), invalid_mesh);

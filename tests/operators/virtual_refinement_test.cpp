@@ -92,7 +92,7 @@ template<class M> std::string message_for(const M& m) {
 
 }  // namespace
 
-TEST_CASE("a sum of squares: where it is least, 0 in directions in which it does not grow") {
+TEST_CASE("virtual refinement: a sum of squares has its minimum where expected") {
   const auto turned = [](const vec3& a, std::size_t by) { return vec3{a[by], a[(by + 1) % 3], a[(by + 2) % 3]}; };
   CHECK(detail::sum_of_squares{}.minimum() == vec3{});
   for (const double scale : {1.0, 0x1p-60, 0x1p60})
@@ -116,19 +116,19 @@ TEST_CASE("a sum of squares: where it is least, 0 in directions in which it does
   }
 }
 
-TEST_CASE_TEMPLATE("virtual refinement is the cotangent Laplacian on simplices", M, trimesh, tetmesh) {
+TEST_CASE_TEMPLATE("virtual refinement: equals the cotangent Laplacian on simplices", M, trimesh, tetmesh) {
   const M m(jittered(grid_arrays<M>(3), 0.05));
   const Eigen::MatrixXd expected = laplacian(m, cotangent);
   CHECK((refined(m) + expected).cwiseAbs().maxCoeff() < 1e-13);
 }
 
-TEST_CASE("virtual refinement is the cotangent Laplacian on triangles among polygons") {
+TEST_CASE("virtual refinement: equals the cotangent Laplacian on triangles among polygons") {
   const trimesh m(jittered(triangle_grid(3), 0.05));
   const polygonmesh same(with_offsets(jittered(triangle_grid(3), 0.05)));
   CHECK((refined(m) - refined(same)).cwiseAbs().maxCoeff() < 1e-14);
 }
 
-TEST_CASE_TEMPLATE("virtual refinement: positive semidefinite, the kernel is the constants, linear functions are harmonic", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("virtual refinement: is semidefinite with constants as kernel, and linear functions are harmonic", M, CONCINO_KINDS) {
   const M m = pushed_grid<M>(3);
   const Eigen::MatrixXd k = refined(m);
   CHECK(k.rowwise().sum().cwiseAbs().maxCoeff() < 1e-13);
@@ -142,7 +142,7 @@ TEST_CASE_TEMPLATE("virtual refinement: positive semidefinite, the kernel is the
   CHECK(x.dot(k * x) == doctest::Approx(1).epsilon(1e-12));
 }
 
-TEST_CASE_TEMPLATE("virtual refinement: scales exactly, does not see where the mesh lies, the same on the archetype", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("virtual refinement: scales exactly, is invariant to translation, the same on the archetype", M, CONCINO_KINDS) {
   auto arrays = jittered(grid_arrays<M>(2), 0.03);
   const M m(arrays);
   const Eigen::MatrixXd k = refined(m);
@@ -161,7 +161,7 @@ TEST_CASE_TEMPLATE("virtual refinement: scales exactly, does not see where the m
   CHECK((refined(M(arrays)) - k).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("virtual refinement of the unit square and the unit cube") {
+TEST_CASE("virtual refinement: is right for the unit square and the unit cube") {
   const Eigen::MatrixXd square = refined(grid<quadmesh>(1));
   for (Eigen::Index i = 0; i < 4; ++i)
     for (Eigen::Index j = 0; j < 4; ++j) CHECK(square(i, j) == doctest::Approx(i == j ? 0.75 : -0.25));
@@ -175,7 +175,7 @@ TEST_CASE("virtual refinement of the unit square and the unit cube") {
   CHECK(alternating.dot(refined(cube) * alternating) == doctest::Approx(4));
 }
 
-TEST_CASE("virtual refinement of a bipyramid and of a pyramid: as it is defined") {
+TEST_CASE("virtual refinement: agrees with its definition on a bipyramid and a pyramid") {
   polyhedra_arrays bipyramid{{{1, 0, 0.1}, {-0.6, 0.9, 0}, {-0.4, -0.8, 0.2}, {0.1, 0.2, 1.3}, {0.2, 0.1, -0.7}}, {0}, {}, {0}, {}, {}};
   add_face(bipyramid, {0, 1, 3}), add_face(bipyramid, {1, 2, 3}), add_face(bipyramid, {2, 0, 3});
   add_face(bipyramid, {1, 0, 4}), add_face(bipyramid, {2, 1, 4}), add_face(bipyramid, {0, 2, 4});
@@ -192,7 +192,7 @@ TEST_CASE("virtual refinement of a bipyramid and of a pyramid: as it is defined"
   CHECK((refined(polyhedralmesh(pyramid)) - one).cwiseAbs().maxCoeff() < 1e-13);
 }
 
-TEST_CASE("virtual refinement on a mesh of other making, and of a polyhedron with more verts than are looked for one by one") {
+TEST_CASE("virtual refinement: works on a user's mesh, and on a polyhedron with many verts") {
   const auto volume = user_mesh::volume_example();
   const Eigen::MatrixXd k = refined(volume);
   CHECK(k.row(9).cwiseAbs().maxCoeff() == 0);
@@ -213,7 +213,7 @@ TEST_CASE("virtual refinement on a mesh of other making, and of a polyhedron wit
   }
 }
 
-TEST_CASE("virtual refinement: polys that are not star-shaped are named") {
+TEST_CASE("virtual refinement: the error names polys that are not star-shaped") {
   const polygonmesh c(letter_c());
   CHECK(message_for(c).find("poly 0 is not star-shaped") != std::string::npos);
   CHECK(message_for(c).find("virtual_elements") != std::string::npos);
@@ -223,7 +223,7 @@ TEST_CASE("virtual refinement: polys that are not star-shaped are named") {
   CHECK(message_for(grid<polyhedralmesh>(2)).empty());
 }
 
-TEST_CASE_TEMPLATE("virtual refinement: polys without a measure and points that are not finite", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("virtual refinement: throws for polys without measure and points that are not finite", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(2);
   arrays.points[1].x = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(refined(M(arrays)), invalid_mesh);
@@ -231,11 +231,11 @@ TEST_CASE_TEMPLATE("virtual refinement: polys without a measure and points that 
   CHECK_THROWS_AS(refined(M(arrays)), invalid_mesh);
 }
 
-TEST_CASE("virtual refinement: an area beyond the range of numbers is none") {
+TEST_CASE("virtual refinement: throws if an area is not a finite number") {
   CHECK_THROWS_AS(refined(polygonmesh({{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}}, {{0, 1, 2}})), invalid_mesh);
 }
 
-TEST_CASE_TEMPLATE("virtual refinement: a volume turned inside out counts as if it were not", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("virtual refinement: an inverted volume gives the same result", M, CONCINO_VOLUME_KINDS) {
   auto arrays = jittered(grid_arrays<M>(2), 0.03);
   const Eigen::MatrixXd k = refined(M(arrays));
   for (vec3& x : arrays.points) x.x = -x.x;

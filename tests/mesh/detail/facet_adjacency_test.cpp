@@ -67,7 +67,7 @@ list numbers(unsigned first, unsigned n) {
 
 }  // namespace
 
-TEST_CASE("sides: polys that meet across one side or several, where there are few sides and many") {
+TEST_CASE("facet_adjacency: polys may share one facet or several, of few or many") {
   for (const unsigned n : {3u, 6u, 24u, 25u, 40u, 80u}) {
     const list ring = numbers(0, n), apart = numbers(n, n);
     list one = apart, two = apart, first_two = apart, last_two = apart;
@@ -82,7 +82,7 @@ TEST_CASE("sides: polys that meet across one side or several, where there are fe
   }
 }
 
-TEST_CASE("sides: three polys at a facet, two of which may meet again") {
+TEST_CASE("facet_adjacency: two of three polys at a facet may share another facet") {
   for (const unsigned n : {4u, 30u, 80u}) {
     const list ring = numbers(0, n);
     list a = numbers(100, n), b = numbers(200, n), again = b, c = numbers(300, n);
@@ -99,7 +99,7 @@ TEST_CASE("sides: three polys at a facet, two of which may meet again") {
   }
 }
 
-TEST_CASE("sides: between the sides that lead to the same poly some lead nowhere") {
+TEST_CASE("facet_adjacency: boundary facets may lie between facets to the same poly") {
   const list ring = numbers(0, 40);
   list every_other = numbers(100, 40);
   for (unsigned i = 0; i < 40; i += 2) every_other[i] = i;
@@ -107,7 +107,7 @@ TEST_CASE("sides: between the sides that lead to the same poly some lead nowhere
   are_right({every_other, ring});
 }
 
-TEST_CASE("sides: facets with many polys, some of which meet again in other crowds and across facets of two polys") {
+TEST_CASE("facet_adjacency: polys at non-manifold facets may share other facets too") {
   std::mt19937 random(11);
   for (int round = 0; round < 60; ++round) {
     // few facets for many polys: nearly every facet has a crowd, and crowds overlap
@@ -123,7 +123,7 @@ TEST_CASE("sides: facets with many polys, some of which meet again in other crow
   }
 }
 
-TEST_CASE("sides: equal polys, with and without a poly of its own at every side") {
+TEST_CASE("facet_adjacency: equal polys are right, with and without other neighbours") {
   for (const unsigned n : {3u, 9u, 30u, 90u})
     for (const unsigned copies : {2u, 3u, 20u}) {
       std::vector<list> lists(copies, numbers(0, n));

@@ -22,7 +22,7 @@ jagged_array<int, 0> three_rows() {
 
 }  // namespace
 
-TEST_CASE("packed rows are where the offsets say") {
+TEST_CASE("jagged_array: packed rows are at their offsets") {
   const jagged_array<int, 0> r = three_rows();
   CHECK(r.size() == 3);
   CHECK(row(r, 0) == std::vector<int>{0, 1});
@@ -30,7 +30,7 @@ TEST_CASE("packed rows are where the offsets say") {
   CHECK(row(r, 2) == std::vector<int>{2, 3, 4});
 }
 
-TEST_CASE("rows of equal lengths share their offsets until one is edited") {
+TEST_CASE("jagged_array: rows of equal length need no offsets until one is edited") {
   jagged_array<int, 0> a = three_rows(), b(a.shared_offsets(), std::vector<int>(5, 7));
   CHECK(a.shared_offsets() == b.shared_offsets());
   b.push(0, 8);
@@ -40,7 +40,7 @@ TEST_CASE("rows of equal lengths share their offsets until one is edited") {
   CHECK(row(b, 2) == std::vector<int>{7, 7, 7});
 }
 
-TEST_CASE("copies are independent, moved-from rows are empty") {
+TEST_CASE("jagged_array: copies are independent, moved-from arrays are empty") {
   jagged_array<int, 0> a = three_rows();
   a.push(1, 9);
   jagged_array<int, 0> b = a;
@@ -54,7 +54,7 @@ TEST_CASE("copies are independent, moved-from rows are empty") {
   CHECK(row(a, 1) == std::vector<int>{9, 10});
 }
 
-TEST_CASE("random edits agree with vectors of vectors") {
+TEST_CASE("jagged_array: random edits agree with vectors of vectors") {
   std::mt19937 random(1);
   jagged_array<int, 0> r = three_rows();
   std::vector<std::vector<int>> oracle{{0, 1}, {}, {2, 3, 4}};
@@ -88,14 +88,14 @@ TEST_CASE("random edits agree with vectors of vectors") {
   for (std::size_t i = 0; i < oracle.size(); ++i) CHECK(row(r, i) == oracle[i]);
 }
 
-TEST_CASE("rows hold as many values as 32 bits can count") {
+TEST_CASE("jagged_array: holds as many values as 32 bits can count") {
   concino::detail::offsets most{0, 0xFFFFFFFEu, 1}, more{0, 0xFFFFFFFFu, 1};
   CHECK_NOTHROW(concino::detail::prefix_sum(most));
   CHECK(most == concino::detail::offsets{0, 0xFFFFFFFEu, 0xFFFFFFFFu});
   CHECK_THROWS_AS(concino::detail::prefix_sum(more), concino::unsupported);
 }
 
-TEST_CASE("rows made by adding, from nothing") {
+TEST_CASE("jagged_array: can be built by adding rows") {
   jagged_array<int, 0> r;
   const std::vector<int> one{1, 2}, two{3};
   r.add_row(one.begin(), one.end());
@@ -107,7 +107,7 @@ TEST_CASE("rows made by adding, from nothing") {
   CHECK(row(copy, 0) == one);
 }
 
-TEST_CASE("rows of one length") {
+TEST_CASE("jagged_array: rows of equal length are right") {
   jagged_array<int, 2> r(std::vector<int>{1, 2, 3, 4});
   const int more[] = {5, 6};
   r.add_row(more, more + 2);
@@ -116,7 +116,7 @@ TEST_CASE("rows of one length") {
   CHECK(r.length(0) == 2);
 }
 
-TEST_CASE("a staged row counts when it is committed, and may hold the rows' own values") {
+TEST_CASE("jagged_array: a staged row is visible after commit, and may copy from the array") {
   jagged_array<int, 0> r = three_rows();
   const std::vector<int> before = row(r, 2);
   for (int i = 0; i < 20; ++i) {
@@ -149,7 +149,7 @@ TEST_CASE("a staged row counts when it is committed, and may hold the rows' own 
   CHECK(pairs[21][1] == 4);
 }
 
-TEST_CASE("with room reserved, rows stay where they are while values are added") {
+TEST_CASE("jagged_array: with reserved capacity rows do not move when values are added") {
   jagged_array<int, 0> r = three_rows();
   r.reserve_in_row(1, 9);
   r.reserve_rows(2, 6);

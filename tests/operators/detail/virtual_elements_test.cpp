@@ -41,7 +41,7 @@ const vec3 slope{2, -3, 0.5};
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("stiffness of a poly: the energy of linear functions is exact, only constants have none", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("stiffness: the energy of linear functions is exact, and 0 only for constants", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const vec3 a = VolumeMesh<M> ? slope : vec3{2, -3, 0};
   for (const auto p : polys(m)) {
@@ -56,7 +56,7 @@ TEST_CASE_TEMPLATE("stiffness of a poly: the energy of linear functions is exact
   }
 }
 
-TEST_CASE("stiffness of a rectangle is that of the bilinear element, however long it is") {
+TEST_CASE("stiffness: of a rectangle equals that of the bilinear element, at any aspect ratio") {
   for (const double b : {1.0, 0.01, 300.0}) {
     const quadmesh m({{0, 0, 0}, {1, 0, 0}, {1, b, 0}, {0, b, 0}}, {{0, 1, 2, 3}});
     Eigen::Matrix4d along, across;  // integrals of u_x^2 and u_y^2
@@ -67,7 +67,7 @@ TEST_CASE("stiffness of a rectangle is that of the bilinear element, however lon
   }
 }
 
-TEST_CASE("stiffness of a cube: products of two coordinates have the energy they have in the trilinear element") {
+TEST_CASE("stiffness: in a cube products of two coordinates have the energy of the trilinear element") {
   const auto m = grid<hexmesh>(1);
   const Eigen::MatrixXd k = matrix_of(m, detail::virtual_stiffness<hexmesh>(m), poly_id{0});
   const auto u = at_corners(m, poly_id{0}, [](const vec3& x) { return (2 * x.x - 1) * (2 * x.y - 1); });
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("stiffness of a polyhedron: what linear functions do not see 
   CHECK(most > 1.05);  // some polys are ragged
 }
 
-TEST_CASE("stiffness of boxes next to flat: rounding makes nothing negative, and nothing more than it is") {
+TEST_CASE("stiffness: rounding errors are harmless in nearly flat boxes") {
   Eigen::VectorXd alternating(8);
   alternating << 1, -1, 1, -1, -1, 1, -1, 1;
   for (const double height : {3e-8, 1e-8, 5e-9})
@@ -121,7 +121,7 @@ TEST_CASE("stiffness of boxes next to flat: rounding makes nothing negative, and
     }
 }
 
-TEST_CASE_TEMPLATE("stiffness and mass of a poly turned inside out are those of the poly", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("stiffness and mass: are the same for an inverted poly", M, CONCINO_VOLUME_KINDS) {
   auto arrays = jittered(grid_arrays<M>(1), 0.1);
   const M m(arrays);
   for (vec3& x : arrays.points) x.x = -x.x;
@@ -133,7 +133,7 @@ TEST_CASE_TEMPLATE("stiffness and mass of a poly turned inside out are those of 
   }
 }
 
-TEST_CASE_TEMPLATE("mass of a poly: first moments as the centroid says, positive definite", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("mass: is positive definite, with first moments given by the centroid", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   for (const auto p : polys(m)) {
     const Eigen::MatrixXd mass = matrix_of(m, detail::virtual_mass<M>(m), p);
@@ -159,7 +159,7 @@ rounding rounding_of(const Eigen::MatrixXd& k) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("stiffness: no negative energy but rounding of single entries, however thin polys are", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("stiffness: energies are not negative up to rounding, however thin polys are", M, CONCINO_KINDS) {
   rounding worst{0, 0};
   for (const double jitter : {0.0, 0.08})
     for (const double thin : {1e-3, 1e-6, 1e-9, 1e-12})
