@@ -105,7 +105,7 @@ TEST_CASE("explain_... compiles for discretisations") {
   explain_discretisation<const of_quads_alone&, quadmesh>();
 }
 
-TEST_CASE_TEMPLATE("discretisations: all equal minus the sum of local stiffness matrices", M, polygonmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("discretisations: those for comparison equal minus the sum of local stiffness matrices", M, polygonmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const Eigen::MatrixXd refined = laplacian(m, virtual_refinement);
   CHECK((refined + stiffness<detail::virtual_refinement_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
@@ -169,7 +169,7 @@ TEST_CASE("discretisations: a user's with masses of the mesh is the same up to r
   CHECK(difference(heat_geodesics(m, a, of_quads_alone{}), heat_geodesics(m, a)) < 1e-9);
 }
 
-TEST_CASE_TEMPLATE("discretisations: one that depends on position gets the mesh without translation", M, trimesh, hexmesh) {
+TEST_CASE_TEMPLATE("discretisations: one that depends on position gets the mesh at its true position and scale", M, trimesh, hexmesh) {
   auto arrays = grid_arrays<M>(2);
   for (vec3& x : arrays.points) x *= 40;
   const M m(arrays);

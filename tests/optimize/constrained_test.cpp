@@ -19,7 +19,7 @@ struct rough_solver : lu {
 
 }  // namespace
 
-TEST_CASE("solve_with_constraints: the point of a plane nearest to the origin") {
+TEST_CASE("solve_with_constraints: finds the point of a plane nearest to the origin") {
   const auto r = solve_with_constraints(from(3, 3, {{0, 0, 1.0}, {1, 1, 1.0}, {2, 2, 1.0}}), Eigen::Vector3d::Zero(),
                                         from(1, 3, {{0, 0, 1.0}, {0, 1, 2.0}, {0, 2, 2.0}}), Eigen::VectorXd::Constant(1, 9.0));
   CHECK(distance(r.x, Eigen::Vector3d(1, 2, 2)) < 1e-14);
@@ -27,7 +27,7 @@ TEST_CASE("solve_with_constraints: the point of a plane nearest to the origin") 
   CHECK(r.redundant == 0);
 }
 
-TEST_CASE("solve_with_constraints: the conditions of a minimum hold, by either solver, small and large") {
+TEST_CASE("solve_with_constraints: the optimality conditions hold, by both solvers, at any size") {
   for (const int n : {2, 5, 30}) {
     const sparse k = grid(n);
     std::mt19937 random(4);
@@ -46,7 +46,7 @@ TEST_CASE("solve_with_constraints: the conditions of a minimum hold, by either s
   }
 }
 
-TEST_CASE("solve_with_constraints: none, and as many as unknowns") {
+TEST_CASE("solve_with_constraints: accepts no constraints, and as many as unknowns") {
   const sparse k = grid(4);
   const Eigen::VectorXd x = random_vector(16);
   CHECK(distance(solve_with_constraints(k, k * x, sparse(0, 16), Eigen::VectorXd(0)).x, x) < 1e-12);
@@ -55,7 +55,7 @@ TEST_CASE("solve_with_constraints: none, and as many as unknowns") {
   CHECK(distance(solve_with_constraints(k, Eigen::VectorXd::Zero(16), identity, x).x, x) < 1e-14);
 }
 
-TEST_CASE("solve_with_constraints: a singular K is determined by a mean, and without it is an error") {
+TEST_CASE("solve_with_constraints: a mean constraint determines a singular K; without it K is an error") {
   const sparse k = grid(10, 0);
   Eigen::VectorXd b = random_vector(100);
   b.array() -= b.mean();
@@ -67,7 +67,7 @@ TEST_CASE("solve_with_constraints: a singular K is determined by a mean, and wit
                        doctest::Contains("not determined by K and 0 constraints"), solver_error);
 }
 
-TEST_CASE("solve_with_constraints: redundant constraints are counted, contradicting ones named") {
+TEST_CASE("solve_with_constraints: redundant constraints are counted; the error names contradicting ones") {
   const sparse k = grid(3);
   const Eigen::VectorXd b = random_vector(9);
   // rows 2 = row 0 + 2 row 1, 3 = 3 row 0, 4 empty, 5 free of them
@@ -89,7 +89,7 @@ TEST_CASE("solve_with_constraints: redundant constraints are counted, contradict
   }
 }
 
-TEST_CASE("solve_with_constraints: constraints that nearly depend on others are constraints, in any units") {
+TEST_CASE("solve_with_constraints: nearly dependent constraints are kept, in any units") {
   sparse k(2, 2);
   k.setIdentity();
   for (const double little : {1e-6, 1e-9, 1e-11, 3e-12, 1e-13})
@@ -111,7 +111,7 @@ TEST_CASE("solve_with_constraints: constraints that nearly depend on others are 
   }
 }
 
-TEST_CASE("solve_with_constraints: redundancy as a dense rank has it") {
+TEST_CASE("solve_with_constraints: redundancy agrees with a dense rank") {
   std::mt19937 random(6);
   for (int round = 0; round < 40; ++round) {
     const int rank = 1 + static_cast<int>(random() % 8);
@@ -128,7 +128,7 @@ TEST_CASE("solve_with_constraints: redundancy as a dense rank has it") {
   }
 }
 
-TEST_CASE("solve_with_constraints: what is wrong is said") {
+TEST_CASE("solve_with_constraints: the error names the invalid argument") {
   const sparse k = grid(2), c = from(1, 4, {{0, 0, 1.0}});
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(4), d = Eigen::VectorXd::Ones(1);
   CHECK_THROWS_WITH_AS(solve_with_constraints(sparse(2, 3), b, c, d), doctest::Contains("it must be square"), solver_error);
@@ -139,7 +139,7 @@ TEST_CASE("solve_with_constraints: what is wrong is said") {
   CHECK_THROWS_WITH_AS(solve_with_constraints(k, b, c, d * HUGE_VAL), doctest::Contains("not finite"), solver_error);
 }
 
-TEST_CASE("solve_with_constraints: what the solver is off by is corrected once") {
+TEST_CASE("solve_with_constraints: the error of the solver is corrected once") {
   const sparse k = grid(4), c = from(1, 16, {{0, 2, 1.0}, {0, 7, 1.0}});
   const Eigen::VectorXd b = random_vector(16), d = Eigen::VectorXd::Constant(1, 0.5);
   CHECK(distance(solve_with_constraints(k, b, c, d, rough_solver{}).x, solve_with_constraints(k, b, c, d).x) < 1e-5);

@@ -38,7 +38,7 @@ sparse tall(int n, int m) {
 
 }  // namespace
 
-TEST_CASE("least_squares: a line through points") {
+TEST_CASE("least_squares: fits a line to points") {
   const sparse a = from(4, 2, {{0, 0, 1.0}, {1, 0, 1.0}, {2, 0, 1.0}, {3, 0, 1.0}, {1, 1, 1.0}, {2, 1, 2.0}, {3, 1, 3.0}});
   const Eigen::VectorXd b = Eigen::Vector4d(1, 3, 4, 4);
   const auto fit = least_squares(a, b);
@@ -55,7 +55,7 @@ TEST_CASE("least_squares: a line through points") {
   CHECK(weighted_least_squares(a, Eigen::Vector4d(1, 1, 1e20, 1e20), b).x[1] == doctest::Approx(0).epsilon(1e-8));
 }
 
-TEST_CASE("least_squares: no smaller residual beside the result, with and without conditions, by any solver") {
+TEST_CASE("least_squares: the residual is minimal, with and without conditions, by any solver") {
   const sparse a = tall(300, 80);
   const Eigen::VectorXd b = random_vector(300);
   const std::vector<std::pair<int, double>> given{{3, 0.1}, {79, -2.5}, {3, 0.1}};
@@ -77,7 +77,7 @@ TEST_CASE("least_squares: no smaller residual beside the result, with and withou
   CHECK(least_squares(a, b, given, mine).x == least_squares(a, b, given).x);
 }
 
-TEST_CASE("least_squares: nearly dependent columns lose no more digits than by qr, whatever the solver") {
+TEST_CASE("least_squares: nearly dependent columns are as accurate as with qr, by any solver") {
   const int rows = 60;
   bool some_by_qr = false, some_without = false;
   for (int degree = 2; degree <= 12; ++degree) {  // polynomials through points: condition numbers up to 10^9
@@ -101,7 +101,7 @@ TEST_CASE("least_squares: nearly dependent columns lose no more digits than by q
   CHECK_FALSE(least_squares(tall(300, 80), random_vector(300)).used_qr);
 }
 
-TEST_CASE("least_squares: exact systems, and conditions on all unknowns") {
+TEST_CASE("least_squares: solves consistent systems, and accepts conditions on all unknowns") {
   const sparse a = differences(200);
   const Eigen::VectorXd x = random_vector(200);
   CHECK(distance(least_squares(a, a * x).x, x) < 1e-9);
@@ -114,7 +114,7 @@ TEST_CASE("least_squares: exact systems, and conditions on all unknowns") {
   CHECK(least_squares(sparse(3, 0), Eigen::Vector3d(0, 3, 4)).residual == 5);
 }
 
-TEST_CASE("least_squares: a condition determines what A leaves open; without it, that is an error") {
+TEST_CASE("least_squares: a condition determines what A does not; without it A is an error") {
   const sparse a = differences(50).bottomRows(49);
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(49);
   const auto r = least_squares(a, b, {{10, 5.0}});
@@ -124,7 +124,7 @@ TEST_CASE("least_squares: a condition determines what A leaves open; without it,
   CHECK_THROWS_AS(least_squares(sparse(3, 2), Eigen::Vector3d(1, 1, 1)), solver_error);
 }
 
-TEST_CASE("least_squares: what is wrong is said") {
+TEST_CASE("least_squares: the error names the invalid argument") {
   sparse a = differences(4);
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(4);
   CHECK_THROWS_WITH_AS(least_squares(a, Eigen::VectorXd::Ones(3)), doctest::Contains("3 entries, the matrix 4 rows"), solver_error);

@@ -69,7 +69,7 @@ double violation(const program& p, const qp_result& r) {
 
 }  // namespace
 
-TEST_CASE("solve_qp: 200 programs with known solutions, polished to rounding errors and plain to the tolerance") {
+TEST_CASE("solve_qp: solves 200 programs, to rounding errors with polish, else to the tolerance") {
   for (unsigned seed = 0; seed < 200; ++seed) {
     CAPTURE(seed);
     const program p = with_known_solution(seed);
@@ -84,7 +84,7 @@ TEST_CASE("solve_qp: 200 programs with known solutions, polished to rounding err
   }
 }
 
-TEST_CASE("solve_qp: a warm start needs fewer steps") {
+TEST_CASE("solve_qp: a warm start needs fewer iterations") {
   int cold = 0, warm = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     program p = with_known_solution(seed);
@@ -96,7 +96,7 @@ TEST_CASE("solve_qp: a warm start needs fewer steps") {
   CHECK(warm < cold);
 }
 
-TEST_CASE("solve_qp: programs without a feasible point are recognised, with a proof") {
+TEST_CASE("solve_qp: infeasible programs are recognised, with a certificate") {
   std::mt19937 random(3);
   for (unsigned seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
@@ -120,7 +120,7 @@ TEST_CASE("solve_qp: programs without a feasible point are recognised, with a pr
   }
 }
 
-TEST_CASE("solve_qp: programs whose objective falls without end are recognised, with the direction") {
+TEST_CASE("solve_qp: unbounded programs are recognised, with the direction") {
   MatrixXd h = MatrixXd::Zero(3, 3);
   h(0, 0) = 2;
   MatrixXd a(2, 3);
@@ -134,7 +134,7 @@ TEST_CASE("solve_qp: programs whose objective falls without end are recognised, 
   CHECK((a * r.certificate).maxCoeff() < 1e-4);
 }
 
-TEST_CASE("solve_qp: equations only, and nothing at all, are one linear system") {
+TEST_CASE("solve_qp: equality constraints only, or none, take one linear system") {
   MatrixXd h(2, 2), a(1, 2);
   h << 2, 0, 0, 4;
   a << 1, 1;
@@ -157,7 +157,7 @@ TEST_CASE("solve_qp: equations only, and nothing at all, are one linear system")
   CHECK(solve_qp(make(h), g, make(twice), different, different).status == qp_status::infeasible);
 }
 
-TEST_CASE("solve_qp: the point of a box nearest to another") {
+TEST_CASE("solve_qp: finds the point of a box nearest to another") {
   const Eigen::Index n = 40;
   sparse one(n, n);
   one.setIdentity();
@@ -168,7 +168,7 @@ TEST_CASE("solve_qp: the point of a box nearest to another") {
   for (Eigen::Index i = 0; i < n; ++i) CHECK(r.x[i] == doctest::Approx(std::clamp(target[i], -1.0, 0.5)).epsilon(1e-9));
 }
 
-TEST_CASE("solve_qp: wrong input is refused") {
+TEST_CASE("solve_qp: throws if the input is invalid") {
   MatrixXd h = MatrixXd::Identity(2, 2);
   const sparse a(0, 2);
   const VectorXd none(0), g = VectorXd::Zero(2);
@@ -190,7 +190,7 @@ TEST_CASE("solve_qp: wrong input is refused") {
   CHECK_THROWS_AS(solve_qp(box, VectorXd::Constant(2, 5.0), box, VectorXd::Constant(2, -1.0), VectorXd::Ones(2), {.progress = [](double, const char*) { return false; }}), cancelled);
 }
 
-TEST_CASE("solve_qp: which of the sizes, numbers and options is wrong is said") {
+TEST_CASE("solve_qp: the error names the invalid size, number or option") {
   const auto refused = [](const MatrixXd& h, const VectorXd& g, const MatrixXd& a, const VectorXd& low, const VectorXd& high, const char* why,
                           const qp_options& options = {}) {
     CHECK_THROWS_WITH_AS(solve_qp(make(h), g, make(a), low, high, options), doctest::Contains(why), invalid_argument);
@@ -227,7 +227,7 @@ TEST_CASE("solve_qp: which of the sizes, numbers and options is wrong is said") 
     CHECK_NOTHROW(solve_qp(make(h), two, make(a), -two, two, options));
 }
 
-TEST_CASE("solve_qp: H may be 0, and off from symmetric by rounding errors") {
+TEST_CASE("solve_qp: H may be 0, and unsymmetric by rounding errors") {
   const sparse box = make(MatrixXd::Identity(2, 2));
   const auto linear = solve_qp(sparse(2, 2), Eigen::Vector2d(1, -1), box, VectorXd::Constant(2, -3.0), VectorXd::Constant(2, 4.0));
   REQUIRE(linear.status == qp_status::solved);

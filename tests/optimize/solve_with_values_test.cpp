@@ -41,7 +41,7 @@ void check_conditions(const sparse& a, const Eigen::VectorXd& b, const values& g
 
 }  // namespace
 
-TEST_CASE("solve_with_values: a path between two given ends is a line") {
+TEST_CASE("solve_with_values: a path between two prescribed ends is a line") {
   sparse path(5, 5);
   for (int i = 0; i < 5; ++i) {
     path.coeffRef(i, i) = i % 4 ? 2 : 1;
@@ -52,7 +52,7 @@ TEST_CASE("solve_with_values: a path between two given ends is a line") {
   CHECK_THROWS_WITH_AS(solve_with_values(path, Eigen::VectorXd::Zero(5), {}), doctest::Contains("singular"), solver_error);  // constants are free
 }
 
-TEST_CASE("solve_with_values: every solver, small and large, whichever unknowns are given") {
+TEST_CASE("solve_with_values: works with every solver, at any size, for any prescribed unknowns") {
   for (const int n : {2, 9}) {
     const sparse a = grid(n, 0);  // singular without conditions
     const Eigen::VectorXd b = random_vector(n * n);
@@ -72,7 +72,7 @@ TEST_CASE("solve_with_values: every solver, small and large, whichever unknowns 
   }
 }
 
-TEST_CASE("solve_with_values: unsymmetric systems by lu; by a solver that reads one triangle they are an error, not a wrong result") {
+TEST_CASE("solve_with_values: unsymmetric systems work by lu, and throw by a solver of one triangle") {
   const sparse a = grid(6, 0.1, 0.4);
   const Eigen::VectorXd b = random_vector(36);
   const values given{{7, 2.0}, {30, -1.0}};
@@ -85,7 +85,7 @@ TEST_CASE("solve_with_values: unsymmetric systems by lu; by a solver that reads 
   check_conditions(less, b, given, solve_with_values(less, b, given, lu{}));
 }
 
-TEST_CASE("solve_with_values: without given values, not compressed, empty, scaled") {
+TEST_CASE("solve_with_values: accepts no values and uncompressed, empty and scaled matrices") {
   sparse a = grid(4);
   const Eigen::VectorXd x = random_vector(16);
   CHECK(distance(solve_with_values(a, a * x, {}), x) < 1e-13);
@@ -99,7 +99,7 @@ TEST_CASE("solve_with_values: without given values, not compressed, empty, scale
   CHECK(solve_with_values(sparse(0, 0), Eigen::VectorXd(0), {}).size() == 0);
 }
 
-TEST_CASE("solve_with_values: what is wrong is said, rows by their own numbers") {
+TEST_CASE("solve_with_values: the error names the invalid argument, and rows by their own numbers") {
   const sparse a = grid(2);
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(4);
   CHECK_THROWS_WITH_AS(solve_with_values(sparse(3, 2), b, {}), doctest::Contains("3 rows and 2 columns"), solver_error);
@@ -115,7 +115,7 @@ TEST_CASE("solve_with_values: what is wrong is said, rows by their own numbers")
   CHECK(solve_with_values(gap, b, {{2, 5.0}})[2] == 5);
 }
 
-TEST_CASE("solve_with_values: a solver that answers with what is no number is noticed, in whichever row") {
+TEST_CASE("solve_with_values: a solver that returns NaN is an error, in any row") {
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(16);
   for (int i = 0; i < 16; ++i) {
     broken_solver solver;
@@ -125,7 +125,7 @@ TEST_CASE("solve_with_values: a solver that answers with what is no number is no
   }
 }
 
-TEST_CASE("solve_with_values: given unknowns stand in a unit of the matrix, and their right-hand sides say nothing") {
+TEST_CASE("solve_with_values: right-hand sides of prescribed unknowns are ignored") {
   for (int largest = 0; largest < 4; ++largest)
     for (const double unit : {1.0, 0x1p-30, 0x1p30}) {
       std::vector<Eigen::Triplet<double>> entries;
@@ -147,7 +147,7 @@ TEST_CASE("solve_with_values: given unknowns stand in a unit of the matrix, and 
     }
 }
 
-TEST_CASE("solve_with_values: one unknown, and one that is left") {
+TEST_CASE("solve_with_values: works with one unknown, and with one that is not prescribed") {
   CHECK(solve_with_values(from(1, 1, {{0, 0, 2.0}}), Eigen::VectorXd::Constant(1, 4.0), {})[0] == 2);
   const sparse a = from(2, 2, {{0, 0, 2.0}, {1, 0, 1.0}, {0, 1, 1.0}, {1, 1, 4.0}});
   CHECK(solve_with_values(a, Eigen::Vector2d(0, 9), {{0, 1.0}}) == Eigen::Vector2d(1, 2));

@@ -10,13 +10,13 @@
 using namespace concino;
 using namespace systems;
 
-TEST_CASE("auto_solver: solves, and says what it cannot, by either way") {
+TEST_CASE("auto_solver: fulfils the laws of solvers, by factorisation and by iteration") {
   auto_solver direct, iterative({.max_factor_entries = 0});
   check_solver(direct, 30);
   check_solver(iterative, 30);
 }
 
-TEST_CASE("auto_solver: takes the factorisation up to the limit, and tells") {
+TEST_CASE("auto_solver: factorises up to the limit, and reports its choice") {
   const sparse path = from(3, 3, {{0, 0, 2.0}, {1, 0, -1.0}, {0, 1, -1.0}, {1, 1, 2.0}, {2, 1, -1.0}, {1, 2, -1.0}, {2, 2, 2.0}});  // no fill
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(3);
   auto_solver at({.max_factor_entries = 2}), below({.max_factor_entries = 1});
@@ -39,7 +39,7 @@ TEST_CASE("auto_solver: takes the factorisation up to the limit, and tells") {
   CHECK_THROWS_AS(auto_solver({.max_factor_entries = -1}), invalid_argument);
 }
 
-TEST_CASE("auto_solver: another one like it, and other values in the pattern of before, by either way") {
+TEST_CASE("auto_solver: make_similar_solver and a new matrix with the same pattern work") {
   auto_solver solver({.max_factor_entries = 100, .iteration = {.tolerance = 1e-9}});
   const auto_solver another(solver.options());
   CHECK(another.options().max_factor_entries == 100);
@@ -54,7 +54,7 @@ TEST_CASE("auto_solver: another one like it, and other values in the pattern of 
     }
 }
 
-TEST_CASE("auto_solver: counts the entries that the factor has") {
+TEST_CASE("auto_solver: counts the entries of the factor") {
   for (const int n : {1, 2, 7, 20}) {
     const Eigen::SimplicialLDLT<sparse> factors(grid(n));
     detail::elimination_order order;
@@ -67,7 +67,7 @@ TEST_CASE("auto_solver: counts the entries that the factor has") {
   }
 }
 
-TEST_CASE("auto_solver: an order taken over from another counts only within its own limit") {
+TEST_CASE("auto_solver: an order copied from another obeys its own limit") {
   const sparse a = grid(10);
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(a.rows());
   auto_solver first, second, small({.max_factor_entries = 100});
@@ -82,7 +82,7 @@ TEST_CASE("auto_solver: an order taken over from another counts only within its 
   CHECK(small.used() == solver_used::conjugate_gradients);
 }
 
-TEST_CASE("auto_solver: what it says of an iteration, and nothing of one before a factorisation") {
+TEST_CASE("auto_solver: reports an iteration, and nothing of it after a factorisation") {
   auto_solver solver({.max_factor_entries = 0, .iteration = {.max_iterations = 1, .accept_missed_tolerance = true}});
   conjugate_gradients same(solver.options().iteration);
   solver.factorize(grid(10));

@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace systems;
 
-TEST_CASE("conjugate_gradients: solves, and says what it cannot") {
+TEST_CASE("conjugate_gradients: fulfils the laws of solvers") {
   conjugate_gradients solver;
   check_solver(solver, 40);
   check_scaling(solver);
@@ -51,7 +51,7 @@ sparse stretched(int n, double stretch) {
 
 }  // namespace
 
-TEST_CASE("conjugate_gradients: iterations, error and residual of the last solve, and the tolerance asked for") {
+TEST_CASE("conjugate_gradients: reports iterations, error and residual, and meets the tolerance") {
   conjugate_gradients fine, coarse({.tolerance = 1e-3});
   const sparse a = grid(30, 0.01);
   fine.factorize(a);
@@ -72,7 +72,7 @@ TEST_CASE("conjugate_gradients: iterations, error and residual of the last solve
   CHECK(fine.error() == 0);
 }
 
-TEST_CASE("conjugate_gradients: the estimated error is near the true one") {
+TEST_CASE("conjugate_gradients: the estimated error is close to the true one") {
   for (const sparse& a : {grid(40, 1e-4), grid(40, 1.0), stretched(40, 30), sparse(grid(16) * grid(16))}) {
     const Eigen::VectorXd x = random_vector(a.cols()), b = a * x;
     for (const double tolerance : {1e-2, 1e-4, 1e-7, 1e-10}) {
@@ -111,7 +111,7 @@ TEST_CASE("conjugate_gradients: large entries of some rows do not hide the other
   }
 }
 
-TEST_CASE("conjugate_gradients: units of the unknowns change neither error nor number of iterations much") {
+TEST_CASE("conjugate_gradients: error and iterations hardly depend on the units of the unknowns") {
   const sparse a = grid(30, 0.01);
   const Eigen::VectorXd x = random_vector(900);
   std::mt19937 random(7);
@@ -145,7 +145,7 @@ TEST_CASE("conjugate_gradients: a missed tolerance is an error, or by option a f
   CHECK(flagged.has_converged());
 }
 
-TEST_CASE("conjugate_gradients: singular systems are solved if they are consistent, and given up soon if not") {
+TEST_CASE("conjugate_gradients: consistent singular systems are solved, others fail early") {
   const int n = 60;
   conjugate_gradients solver;
   solver.factorize(grid(n, 0));
@@ -160,14 +160,14 @@ TEST_CASE("conjugate_gradients: singular systems are solved if they are consiste
   CHECK_THROWS_AS(solver.solve(Eigen::Vector2d(1, 3)), solver_error);
 }
 
-TEST_CASE("conjugate_gradients: reads the lower triangle only") {
+TEST_CASE("conjugate_gradients: reads only the lower triangle") {
   conjugate_gradients solver;
   solver.factorize(grid(6).triangularView<Eigen::Lower>());
   const Eigen::VectorXd x = random_vector(36);
   CHECK(distance(solver.solve(grid(6) * x), x) < 1e-10);
 }
 
-TEST_CASE("conjugate_gradients: what does not converge, and what cannot be definite") {
+TEST_CASE("conjugate_gradients: missing convergence and indefinite matrices are errors") {
   conjugate_gradients few({.max_iterations = 3}), solver;
   few.factorize(grid(30, 0.01));
   CHECK_THROWS_WITH_AS(few.solve(random_vector(900)), doctest::Contains("not converged after 3 iterations: the error is estimated as "), solver_error);
@@ -179,7 +179,7 @@ TEST_CASE("conjugate_gradients: what does not converge, and what cannot be defin
   CHECK_THROWS_WITH_AS(solver.solve(Eigen::VectorXd::Ones(36)), doctest::Contains("not converged"), solver_error);
 }
 
-TEST_CASE("conjugate_gradients: few iterations in any order of rows, and where sums of rows are negative") {
+TEST_CASE("conjugate_gradients: takes few iterations in any order of rows, also if sums of rows are negative") {
   std::vector<int> place(2500);
   for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<int>(i);
   std::shuffle(place.begin(), place.end(), std::mt19937(2));
@@ -204,7 +204,7 @@ TEST_CASE("conjugate_gradients: few iterations in any order of rows, and where s
   CHECK(distance(near_singular * solver.solve(Eigen::Vector2d(1, 3)), Eigen::Vector2d(1, 3)) < 1e-5);
 }
 
-TEST_CASE("conjugate_gradients: another one like it, and copies") {
+TEST_CASE("conjugate_gradients: make_similar_solver and copies work") {
   conjugate_gradients one({.tolerance = 1e-4, .max_iterations = 70});
   const conjugate_gradients another(one.options());
   CHECK(another.options().tolerance == 1e-4);
@@ -216,7 +216,7 @@ TEST_CASE("conjugate_gradients: another one like it, and copies") {
   CHECK(copy.solve(b) == x);
 }
 
-TEST_CASE("conjugate_gradients: options out of their range") {
+TEST_CASE("conjugate_gradients: options out of range throw") {
   for (const double tolerance : {0.0, 1.0, -1.0, std::nan("")}) CHECK_THROWS_AS(conjugate_gradients({.tolerance = tolerance}), invalid_argument);
   CHECK_THROWS_AS(conjugate_gradients({.max_iterations = -1}), invalid_argument);
 }

@@ -31,12 +31,12 @@ Eigen::SparseMatrix<double> path(int n, double diagonal = 2) {
 
 }  // namespace
 
-TEST_CASE("ldlt: solves, and says what it cannot") {
+TEST_CASE("ldlt: fulfils the laws of solvers") {
   ldlt solver;
   systems::check_solver(solver, 40);
 }
 
-TEST_CASE("ldlt: the row that made the matrix singular") {
+TEST_CASE("ldlt: the error names the row that makes the matrix singular") {
   ldlt solver;
   auto a = path(3, 1);
   for (const int j : {0, 2}) a.coeffRef(1, j) = a.coeffRef(j, 1) = 0;
@@ -45,14 +45,14 @@ TEST_CASE("ldlt: the row that made the matrix singular") {
                        "ldlt: the matrix is singular to working precision in row 1: of the diagonal entry 0 elimination leaves 0", solver_error);
 }
 
-TEST_CASE("ldlt: the first pivot counts as others do, and so does one that is too large") {
+TEST_CASE("ldlt: the first pivot and a too large one are checked as others") {
   ldlt solver;
   CHECK_THROWS_WITH_AS(solver.factorize(systems::from(1, 1, {{0, 0, 0.0}})), doctest::Contains("in row 0"), solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(systems::from(2, 2, {{0, 0, 1e-300}, {1, 0, 1e10}, {1, 1, 1.0}})), doctest::Contains("elimination leaves -inf"),
                        solver_error);
 }
 
-TEST_CASE("ldlt: a limit to the entries of the factor") {
+TEST_CASE("ldlt: the number of entries of the factor can be limited") {
   ldlt solver;
   CHECK(!solver.factorize_within(path(9), 7));
   CHECK_THROWS_AS(solver.solve(Eigen::VectorXd::Ones(9)), solver_error);
@@ -64,7 +64,7 @@ TEST_CASE("ldlt: a limit to the entries of the factor") {
   CHECK(solver.factorize_within(Eigen::SparseMatrix<double>(0, 0), 0));
 }
 
-TEST_CASE("ldlt: factorises once, solves many, small and large") {
+TEST_CASE("ldlt: a factorisation serves many right-hand sides, at any size") {
   std::mt19937 random(3);
   for (const int n : {1, 2, 50, 3000}) {
     const auto a = path(n);
@@ -79,7 +79,7 @@ TEST_CASE("ldlt: factorises once, solves many, small and large") {
   }
 }
 
-TEST_CASE("ldlt: reads the lower triangle only, solves indefinite systems, and again after another matrix") {
+TEST_CASE("ldlt: reads only the lower triangle, solves indefinite systems, and can be reused") {
   ldlt solver;
   solver.factorize(path(5).triangularView<Eigen::Lower>());
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(5);
@@ -99,7 +99,7 @@ TEST_CASE("ldlt: an empty system has an empty solution") {
   CHECK(solver.solve(Eigen::VectorXd(0)).size() == 0);
 }
 
-TEST_CASE("ldlt: what it cannot solve it says") {
+TEST_CASE("ldlt: a matrix that it cannot solve is an error") {
   ldlt solver;
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(3);
   CHECK_THROWS_WITH_AS(solver.solve(one), "ldlt: solve without a factorised matrix; call factorize first", solver_error);
@@ -119,7 +119,7 @@ TEST_CASE("ldlt: what it cannot solve it says") {
   CHECK_THROWS_WITH_AS(solver.solve(one * std::nan("")), doctest::Contains("not finite"), solver_error);
 }
 
-TEST_CASE("ldlt: badly scaled rows are not mistaken for singular ones") {
+TEST_CASE("ldlt: badly scaled rows are not taken for singular ones") {
   auto a = path(6);
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
@@ -132,7 +132,7 @@ TEST_CASE("ldlt: badly scaled rows are not mistaken for singular ones") {
   CHECK(((solver.solve(b) - x).array() / x.array()).abs().maxCoeff() < 1e-12);
 }
 
-TEST_CASE("ldlt: random matrices of any pattern, compressed or not, as a dense solver has it") {
+TEST_CASE("ldlt: agrees with a dense solver on random matrices, compressed or not") {
   std::mt19937 random(11);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned long>(n)); };
   const auto real = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
@@ -156,7 +156,7 @@ TEST_CASE("ldlt: random matrices of any pattern, compressed or not, as a dense s
   }
 }
 
-TEST_CASE("ldlt: blocks of every width, and right-hand sides that are 0 nearly everywhere") {
+TEST_CASE("ldlt: solves with blocks of any width and sparse right-hand sides") {
   std::mt19937 random(7);
   for (int width = 1; width <= 11; ++width) {  // a chain of dense blocks, each joined to the next, with gaps in between
     const int blocks = 6, n = blocks * width + 1;
@@ -180,7 +180,7 @@ TEST_CASE("ldlt: blocks of every width, and right-hand sides that are 0 nearly e
   }
 }
 
-TEST_CASE("ldlt: an order taken over from another, for its pattern and for others") {
+TEST_CASE("ldlt: an order copied from another is used for its pattern only") {
   using namespace systems;
   const sparse a = grid(9), b = sparse(3 * grid(9)), other = from(2, 2, {{0, 0, 2.0}, {1, 0, 1.0}, {0, 1, 1.0}, {1, 1, 2.0}});
   const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(a.rows(), 1, 2);

@@ -7,13 +7,13 @@
 using namespace concino;
 using namespace systems;
 
-TEST_CASE("lu: solves, and says what it cannot") {
+TEST_CASE("lu: fulfils the laws of solvers") {
   lu solver;
   check_solver(solver, 30);
   check_scaling(solver);
 }
 
-TEST_CASE("lu: unsymmetric and indefinite matrices, as a dense solver has it") {
+TEST_CASE("lu: agrees with a dense solver on unsymmetric and indefinite matrices") {
   std::mt19937 random(11);
   lu solver;
   for (int round = 0; round < 60; ++round) {
@@ -46,7 +46,7 @@ TEST_CASE("lu: singular matrices are errors that name a column") {
   for (const int n : {2, 10, 40}) CHECK_THROWS_WITH_AS(solver.factorize(grid(n, 0)), doctest::Contains("singular in column"), solver_error);
 }
 
-TEST_CASE("lu: unknowns and equations in different units") {
+TEST_CASE("lu: solves systems with different units of unknowns and equations") {
   lu solver;
   const sparse a = grid(4, 0.5, 0.2);
   std::vector<Eigen::Triplet<double>> entries;
@@ -61,7 +61,7 @@ TEST_CASE("lu: unknowns and equations in different units") {
   for (int i = 0; i < 16; ++i) CHECK(std::abs(std::ldexp(y[i], -30 * (i % 3)) - x[i]) < 1e-12);
 }
 
-TEST_CASE("lu: entries nearly as far apart as numbers can be") {
+TEST_CASE("lu: solves systems with entries of extremely different size") {
   lu solver;
   for (const int apart : {900, 1000, 1020, 1030}) {
     const double large = std::ldexp(1.0, apart / 2 + 85), small = std::ldexp(large, -apart);

@@ -7,7 +7,7 @@
 using namespace concino;
 using namespace systems;
 
-TEST_CASE("qr: solves square systems, and says what it cannot") {
+TEST_CASE("qr: fulfils the laws of solvers on square systems") {
   qr solver;
   check_solver(solver, 8, 0.1);
   solver.factorize(grid(5, 0.1, 0.4));
@@ -15,7 +15,7 @@ TEST_CASE("qr: solves square systems, and says what it cannot") {
   CHECK(distance(solver.solve(grid(5, 0.1, 0.4) * x), x) < 1e-12);
 }
 
-TEST_CASE("qr: least squares as a dense solver has them, with rows of zeros and columns in any unit") {
+TEST_CASE("qr: least squares agree with a dense solver, with zero rows and columns in any unit") {
   const int n = 12;
   std::mt19937 random(5);
   std::vector<Eigen::Triplet<double>> entries;
@@ -31,7 +31,7 @@ TEST_CASE("qr: least squares as a dense solver has them, with rows of zeros and 
   for (int c = 0; c < n; ++c) CHECK(std::abs(gradient[c]) < 1e-12 * Eigen::MatrixXd(a).col(c).norm());
 }
 
-TEST_CASE("qr: columns that depend on others, or are too many") {
+TEST_CASE("qr: dependent columns, or more columns than rows, are errors") {
   qr solver;
   CHECK_THROWS_WITH_AS(solver.factorize(from(4, 2, {{0, 0, 1.0}, {0, 1, 2.0}, {3, 0, 2.0}, {3, 1, 4.0}})),
                        doctest::Contains("is a combination of others"),

@@ -7,7 +7,7 @@
 using namespace concino;
 using namespace systems;
 
-TEST_CASE("solve_columns: what solve gives for each") {
+TEST_CASE("solve_columns: equals solve for each column") {
   ldlt solver;
   solver.factorize(grid(5));
   Eigen::MatrixXd b(25, 4);

@@ -24,13 +24,13 @@ void keeps_all_laws(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("native meshes keep all laws", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("check_laws: native meshes obey all laws", M, CONCINO_KINDS) {
   keeps_all_laws(M());
   for (unsigned n : {1u, 2u, 3u, 5u}) keeps_all_laws(cn::testing::grid<M>(n));
   keeps_all_laws(cn::testing::two_grids<M>(2));
 }
 
-TEST_CASE_TEMPLATE("archetypes of native meshes keep all laws", M, concino::trimesh, concino::polyhedralmesh) {
+TEST_CASE_TEMPLATE("check_laws: archetypes of native meshes obey all laws", M, concino::trimesh, concino::polyhedralmesh) {
   const M two = cn::testing::two_grids<M>(2);
   keeps_all_laws(cn::only_primal_graph(two));
   keeps_all_laws(cn::only_embedded_graph(two));
@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("archetypes of native meshes keep all laws", M, concino::trim
   if constexpr (cn::arity_v<M> > 0) keeps_all_laws(cn::only_fixed_arity_mesh(two));
 }
 
-TEST_CASE("non-manifold surfaces keep all laws") {
+TEST_CASE("check_laws: non-manifold surfaces obey all laws") {
   // Three polys at an edge, two of which are wound the same way; two fans that touch in a vert; the same poly twice.
   const std::vector<cn::vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {-1, -1, 0}, {-1, 0, 0}};
   keeps_all_laws(cn::trimesh(x, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 5, 6}, {0, 6, 5}, {0, 5, 6}}));
@@ -50,7 +50,7 @@ TEST_CASE("non-manifold surfaces keep all laws") {
   keeps_all_laws(cn::quadmesh(x, std::vector<std::array<int, 4>>{{0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 6, 5}, {0, 1, 2, 3}}));
 }
 
-TEST_CASE("non-manifold volumes keep all laws") {
+TEST_CASE("check_laws: non-manifold volumes obey all laws") {
   const std::vector<cn::vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 1}, {9, 9, 9}};
   // Three tets at a face, one of them inside out, and one that only shares an edge.
   keeps_all_laws(cn::tetmesh(x, std::vector<std::array<int, 4>>{{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 5}, {0, 3, 4, 6}}));
@@ -62,7 +62,7 @@ TEST_CASE("non-manifold volumes keep all laws") {
                                     cells{{{0, true}, {1, true}, {2, true}, {3, true}}, {{3, false}, {0, false}}}));
 }
 
-TEST_CASE("a native mesh with a point that is no point breaks EM1 only") {
+TEST_CASE("check_laws: a native mesh with a point that is not finite breaks only EM1") {
   cn::trimesh m = cn::testing::grid<cn::trimesh>(2);
   cn::set_point(m, cn::vert_id{3}, cn::vec3{0, std::nan(""), 0});
   const auto found = cn::check_laws(m);

@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("corpus: facts and numbers of defects are those of the index") {
+TEST_CASE("corpus: facts and numbers of defects match the index") {
   const auto rows = corpus_meshes();
   if (rows.empty()) return skip("no corpus");
   // "nonmanifold_verts=422" in the column of remarks

@@ -43,7 +43,7 @@ void is_right(const std::string& name, M m) {
 
 }  // namespace
 
-TEST_CASE("crowds: surfaces keep their laws, built and edited") {
+TEST_CASE("dense meshes: surfaces obey all laws, built and edited") {
   for (const dense_mesh& c : {equal_triangles(3), equal_triangles(70), pages(5), pages(80)}) {
     is_right(c.name, c.mesh<trimesh>());
     is_right(c.name, c.mesh<polygonmesh>());
@@ -55,7 +55,7 @@ TEST_CASE("crowds: surfaces keep their laws, built and edited") {
   }
 }
 
-TEST_CASE("crowds: volumes keep their laws, built and edited") {
+TEST_CASE("dense meshes: volumes obey all laws, built and edited") {
   for (const unsigned n : {3u, 40u})
     for (const dense_mesh& c : {tets_on_a_face(n), tets_around_an_edge(n), tets_on_an_edge(n), tets_at_a_vert(n), equal_tets(n)}) {
       is_right(c.name, c.mesh<tetmesh>());
@@ -74,7 +74,7 @@ TEST_CASE("crowds: volumes keep their laws, built and edited") {
   for (const unsigned n : {5u, 90u}) is_right("polys of one face", polyhedra_of(equal_polygons(n, 1, false), n));
 }
 
-TEST_CASE("crowds: faces on the same verts are one however many have the same three smallest verts") {
+TEST_CASE("dense meshes: equal faces are merged, however many have the same three smallest verts") {
   // All quads over the verts 0, 1, 2 and another, in each of their three cycles, from any vert on and either way round.
   face_soup soup;
   std::map<std::vector<unsigned>, unsigned> cycles;

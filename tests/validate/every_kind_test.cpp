@@ -98,7 +98,7 @@ slow_facts look_slowly(const std::vector<std::vector<unsigned>>& ring, unsigned 
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("the weakest meshes are validated alike", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("validate: archetypes have the same report", M, CONCINO_ALL_KINDS) {
   M m = two_grids<M>(2);
   set_point(m, vert_id{1}, vec3{0, std::nan(""), 0});
   set_point(m, vert_id{num_verts(m) - 2}, point(m, vert_id{num_verts(m) - 3}));
@@ -114,7 +114,7 @@ TEST_CASE_TEMPLATE("the weakest meshes are validated alike", M, CONCINO_ALL_KIND
   CHECK(bare.facts.components == 2);
 }
 
-TEST_CASE_TEMPLATE("random surfaces: the same is found by looking at everything", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("validate: agrees with a brute-force check on random surfaces", M, CONCINO_SURFACE_KINDS) {
   std::mt19937 random(7);
   std::size_t one_sided = 0;
   for (int round = 0; round < 150; ++round) {
@@ -140,7 +140,7 @@ TEST_CASE_TEMPLATE("random surfaces: the same is found by looking at everything"
   CHECK(one_sided > 0);
 }
 
-TEST_CASE_TEMPLATE("random lists of polys: told, never thrown", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("validate: random lists of polys are reported and never throw", M, CONCINO_ALL_KINDS) {
   std::mt19937 random(11);
   for (int round = 0; round < 60; ++round) {
     const unsigned vert_count = 9 + static_cast<unsigned>(random() % 6), poly_count = 1 + static_cast<unsigned>(random() % 12);
@@ -160,14 +160,14 @@ TEST_CASE_TEMPLATE("random lists of polys: told, never thrown", M, CONCINO_ALL_K
   }
 }
 
-TEST_CASE_TEMPLATE("meshes with removed elements", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("validate: works on meshes with removed elements", M, CONCINO_ALL_KINDS) {
   M m = grid<M>(3);
   remove_poly(m, poly_id{1});
   for (const auto& d : validate(m)) CHECK((d.kind == defect_kind::isolated_vert || d.kind == defect_kind::unreferenced_face));
   CHECK(validate(m).facts.manifold);
 }
 
-TEST_CASE_TEMPLATE("nothing depends on the scale", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("validate: does not depend on the scale", M, CONCINO_ALL_KINDS) {
   auto arrays = jittered(grid_arrays<M>(3), 0.02);
   arrays.points[1] = arrays.points[0];
   arrays.points[5] = arrays.points[5] + vec3{0.9, 0.4, -0.2};

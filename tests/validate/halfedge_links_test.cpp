@@ -147,7 +147,7 @@ const lists tetrahedron = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
 }  // namespace
 
-TEST_CASE("surfaces that half-edges hold pass") {
+TEST_CASE("half-edge links: manifold surfaces pass") {
   for (const lists& polys : {strip, tetrahedron, lists{}, lists{{0, 1, 2, 3}}}) {
     CHECK(cause(student(7, polys)) == "");
     CHECK(cn::check_laws(student(7, polys)).empty());
@@ -157,7 +157,7 @@ TEST_CASE("surfaces that half-edges hold pass") {
   }
 }
 
-TEST_CASE("a vert with several fans") {
+TEST_CASE("half-edge links: the cause is a vert with several fans") {
   const std::string remedy = " fans of polys: use indexed_surface, or link the border half-edges from one fan to the next";
   refused(student(5, two_fans), "HE4", "vert 0 has two" + remedy);
   refused(open_student(5, two_fans), "HE4", "vert 0 has two" + remedy);
@@ -166,7 +166,7 @@ TEST_CASE("a vert with several fans") {
   refused(student(8, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {3, 5, 4}, {3, 4, 6}, {3, 6, 5}, {4, 5, 6}}), "HE4", "vert 3 has two" + remedy);
 }
 
-TEST_CASE("an edge of three polys") {
+TEST_CASE("half-edge links: the cause is an edge with three polys") {
   const std::string what = "the edge from vert 0 to vert 1 has 3 polys (p0, p1, p2): half-edges cannot hold that, use indexed_surface";
   refused(student(5, three_at_an_edge), "HE2", what);
   refused(student(5, three_at_an_edge, border::none), "HE2", what);
@@ -175,7 +175,7 @@ TEST_CASE("an edge of three polys") {
           "the edge from vert 0 to vert 1 has 7 polys (p0, p1, p2, p3, ...): half-edges cannot hold that, use indexed_surface");
 }
 
-TEST_CASE("polys whose orientations disagree, or that meet themselves") {
+TEST_CASE("half-edge links: the cause is inconsistent orientation, or a poly adjacent to itself") {
   const std::string what = "poly 0 and poly 1 both run from vert 0 to vert 1, their orientations disagree: turn one of them, or use indexed_surface";
   for (const border b : {border::halfedges, border::none, border::itself}) refused(student(4, disagreeing, b), "HE2", what);
   refused(open_student(4, disagreeing), "HE2", what);
@@ -183,7 +183,7 @@ TEST_CASE("polys whose orientations disagree, or that meet themselves") {
   refused(open_student(4, {{0, 0, 1}}), "HE2", "poly 0 runs from vert 0 to itself");
 }
 
-TEST_CASE("border half-edges that do not exist") {
+TEST_CASE("half-edge links: the cause is a missing border half-edge") {
   const auto what = [](const char* gives) {
     return std::string("lies at the border, and opposite gives ") + gives +
            ": border half-edges must exist, or the links say static constexpr bool has_border_halfedges = false";
@@ -192,7 +192,7 @@ TEST_CASE("border half-edges that do not exist") {
   refused(student(7, strip, border::itself), "HE3", "the edge from vert 0 to vert 1 " + what("the half-edge itself"));
 }
 
-TEST_CASE("links that are wrong are named") {
+TEST_CASE("half-edge links: the cause is a wrong link") {
   const auto wrong = [](const char* law, const std::string& what, auto change) {
     student m(7, strip);
     change(m);
@@ -221,14 +221,14 @@ TEST_CASE("links that are wrong are named") {
         [](student& m) { m.halves[1].next = -1; });
 }
 
-TEST_CASE("elements at fault are refused by assert_halfedge_links too") {
+TEST_CASE("half-edge links: assert_halfedge_links throws for invalid elements too") {
   CHECK(cause(miscounting(3, {{0, 1, 2}})) == "half-edges: walking the edges meets 3, but num_edges is 4");
   student m(3, {{0, 1, 2}});
   m.of_vert.push_back(0);
   CHECK(cause(m) == "half-edges: vert 3: is_isolated is false, but no half-edge leaves it");
 }
 
-TEST_CASE("the border leads into a poly") {
+TEST_CASE("half-edge links: the cause is a border that leads into a poly") {
   student m(7, strip);
   const int into = [&] { for (int h = 0;; ++h) if (m.at(h).poly < 0 && m.at(h).target == 0) return h; }();
   m.halves[std::size_t(into)].next = 3;

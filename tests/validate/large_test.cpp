@@ -40,7 +40,7 @@ std::vector<std::vector<unsigned>> cone_sides(unsigned n) {
 
 }  // namespace
 
-TEST_CASE("a closed surface of two stars of 30,000 triangles, and with three polys at every edge of the rim") {
+TEST_CASE("validate: two fans of 30,000 triangles, closed and with three polys at boundary edges") {
   const auto r = validate(trimesh(wheel(many), cone_sides(many)));
   for (const auto& d : r) FAIL_CHECK(d.what);
   CHECK(r.facts.manifold);
@@ -57,7 +57,7 @@ TEST_CASE("a closed surface of two stars of 30,000 triangles, and with three pol
   CHECK_FALSE(crowded.facts.manifold);
 }
 
-TEST_CASE("a polygon of 30,000 sides, and one polyhedron of 2,000 faces") {
+TEST_CASE("validate: a polygon of 30,000 verts, and a polyhedron of 2,000 faces") {
   auto x = wheel(many);
   std::vector<std::vector<unsigned>> ring(1);
   for (unsigned i = 0; i < many; ++i) ring[0].push_back(i);
@@ -74,7 +74,7 @@ TEST_CASE("a polygon of 30,000 sides, and one polyhedron of 2,000 faces") {
   CHECK(r.facts.euler_characteristic == 1);
 }
 
-TEST_CASE("30,000 tets around one edge, closed to a ring and open by one") {
+TEST_CASE("validate: 30,000 tets around one edge, as a closed ring and without one tet") {
   std::vector<std::vector<unsigned>> tets;
   for (unsigned i = 0; i < many; ++i) tets.push_back({i, (i + 1) % many, many, many + 1});
   for (auto& t : tets) std::swap(t[2], t[3]);

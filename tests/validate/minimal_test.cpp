@@ -110,7 +110,7 @@ kinds_shown on_volumes() {
 
 }  // namespace
 
-TEST_CASE("every kind of defect has a smallest mesh that shows exactly it") {
+TEST_CASE("validate: for every kind of defect a minimal mesh has exactly this defect") {
   kinds_shown all = on_surfaces();
   all.merge(on_volumes());
   for (std::size_t k = 0; k < num_defect_kinds; ++k) {
@@ -119,7 +119,7 @@ TEST_CASE("every kind of defect has a smallest mesh that shows exactly it") {
   }
 }
 
-TEST_CASE("validate: the report has its records in `defects` and everything in words") {
+TEST_CASE("validate: the report has records in `defects` and a text with everything") {
   const trimesh sound(points({0, 1, 2}), std::vector<std::array<int, 3>>{{0, 1, 2}});
   CHECK(validate(sound).text() == "no defects\n");
   CHECK(validate(sound).defects.empty());

@@ -43,7 +43,7 @@ const polygons tet_faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("grids, pieces and empty meshes have no defect", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("validate: grids, disconnected and empty meshes have no defect", M, CONCINO_KINDS) {
   CHECK(validate(M()).is_clean());
   for (const unsigned n : {1u, 2u, 4u}) {
     const M m = grid<M>(n);
@@ -64,7 +64,7 @@ TEST_CASE_TEMPLATE("grids, pieces and empty meshes have no defect", M, CONCINO_K
   CHECK(validate(two).facts.euler_characteristic == 2);
 }
 
-TEST_CASE("meshes of strangers") {
+TEST_CASE("validate: works on users' meshes") {
   shows(user_mesh::surface_example(), defect_kind::isolated_vert, user_mesh::vertex{7});
   shows(user_mesh::volume_example(), defect_kind::isolated_vert, user_mesh::vertex{9});
   CHECK(validate(user_mesh::volume_example()).facts.genus == std::optional<std::size_t>(0));
@@ -77,7 +77,7 @@ TEST_CASE("meshes of strangers") {
   CHECK(validate(loop).count(defect_kind::degenerate_element) == 2);  // the poly and its edge
 }
 
-TEST_CASE("points that are none") {
+TEST_CASE("validate: finds points that are not finite") {
   for (const double x : {std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
     trimesh s = grid<trimesh>(2);
     set_point(s, vert_id{3}, vec3{0, x, 0});
@@ -88,7 +88,7 @@ TEST_CASE("points that are none") {
   }
 }
 
-TEST_CASE("surfaces: how polys meet") {
+TEST_CASE("validate: finds topological defects of surfaces") {
   shows(trimesh(some, tris{{0, 1, 2}, {0, 2, 1}, {3, 4, 5}, {3, 5, 6}, {3, 6, 7}}), defect_kind::duplicated_element, poly_id{1});
   const std::vector<vec3> six(some.begin(), some.begin() + 5);
   const auto edge_of = [](const auto& m, int a, int b) {
@@ -127,7 +127,7 @@ TEST_CASE("surfaces: how polys meet") {
   CHECK(mixed.count() == 2);
 }
 
-TEST_CASE("surfaces: sizes and shapes") {
+TEST_CASE("validate: finds geometric defects of surfaces") {
   const std::vector<std::vector<vec3>> flat = {{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}},
                                                {{1e6, 0.1, 0.7}, {1e6 + 1, 0.2, 0.8}, {1e6 + 3, 0.4, 1.0}}};
   for (const auto& x : flat) shows(trimesh(x, tris{{0, 1, 2}}), defect_kind::zero_size, poly_id{0});
@@ -170,7 +170,7 @@ TEST_CASE("surfaces: sizes and shapes") {
   }
 }
 
-TEST_CASE("volumes: how polys meet") {
+TEST_CASE("validate: finds topological defects of volumes") {
   const auto upright = [](tets list) {  // with positive volumes
     for (auto& t : list) {
       const auto x = [&](std::size_t i) { return some[static_cast<std::size_t>(t[i])]; };
@@ -224,7 +224,7 @@ TEST_CASE("volumes: how polys meet") {
   CHECK(twice[0].element == mesh_element<tetmesh>(poly_id{1}));
 }
 
-TEST_CASE("volumes: polys and faces") {
+TEST_CASE("validate: finds defects of polys and faces of volumes") {
   const std::vector<vec3> four(some.begin(), some.begin() + 4), five(some.begin(), some.begin() + 5);
   const auto tet = cells{{{0, true}, {1, true}, {2, true}, {3, true}}};
   CHECK(validate(polyhedralmesh(four, tet_faces, tet)).is_clean());
@@ -269,7 +269,7 @@ TEST_CASE("volumes: polys and faces") {
   CHECK(validate(cube).count(defect_kind::non_planar) > 0);
 }
 
-TEST_CASE("options: kinds, how many, tolerances, progress") {
+TEST_CASE("validate: obeys the options kinds, limit, tolerances and progress") {
   std::vector<vec3> x;
   for (int i = 0; i < 30; ++i) x.push_back({i, i * i, 0});
   const trimesh loose(x, tris{{0, 1, 2}});

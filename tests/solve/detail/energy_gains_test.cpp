@@ -15,7 +15,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("energy_gains: what is left of a geometric series, once there are two windows of it") {
+TEST_CASE("energy_gains: estimates the rest of a geometric series from two windows") {
   for (const double q : {0.5, 0.9, 0.99}) {
     energy_gains gains;
     CHECK(!gains.has_any());
@@ -30,7 +30,7 @@ TEST_CASE("energy_gains: what is left of a geometric series, once there are two 
   }
 }
 
-TEST_CASE("energy_gains: what does not fall has no end, and what falls at once leaves a little") {
+TEST_CASE("energy_gains: handles gains that do not decrease, and gains that vanish at once") {
   for (const double q : {1.0, 1.5}) {
     energy_gains gains;
     for (int k = 0; k < 20; ++k) gains.add(std::pow(q, k));
@@ -57,7 +57,7 @@ TEST_CASE("energy_gains: the last window grows with the number of iterations, fr
   CHECK(gains.all() == sum_of_all);
 }
 
-TEST_CASE("energy_gains: a gain is a rounding error beside those since the start, in any unit") {
+TEST_CASE("energy_gains: recognises gains that are rounding errors, in any unit") {
   for (const double unit : {1e-60, 1.0, 1e60}) {
     energy_gains gains;
     gains.add(unit);

@@ -41,7 +41,7 @@ void check_order(const sparse& a) {
 
 }  // namespace
 
-TEST_CASE("sparse_factor: to the last bit as Eigen's SimplicialLDLT in the same order") {
+TEST_CASE("sparse_factor: equals Eigen's SimplicialLDLT in the same order to the last bit") {
   for (const int n : {1, 2, 7, 20}) {
     detail::elimination_order order;
     order.find(grid(n));
@@ -59,7 +59,7 @@ TEST_CASE("sparse_factor: to the last bit as Eigen's SimplicialLDLT in the same 
   }
 }
 
-TEST_CASE("elimination_order: as Eigen's AMDOrdering, of one triangle, the other, both and parts of both") {
+TEST_CASE("elimination_order: equals Eigen's AMDOrdering, from any triangle") {
   for (const int n : {1, 2, 7, 20}) {
     const sparse a = grid(n), lower = a.triangularView<Eigen::Lower>(), upper = a.triangularView<Eigen::Upper>();
     check_order(a);

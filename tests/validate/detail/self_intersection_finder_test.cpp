@@ -38,7 +38,7 @@ bool touches(const std::vector<whole>& p) {
 
 }  // namespace
 
-TEST_CASE("random polygons, simple and not, are told apart as by all pairs") {
+TEST_CASE("self_intersection_finder: agrees with a test of all pairs on random polygons") {
   std::mt19937 random(3);
   concino::detail::self_intersection_finder touch, impatient(0);
   std::size_t simple = 0;
@@ -80,7 +80,7 @@ TEST_CASE("random polygons, simple and not, are told apart as by all pairs") {
   CHECK(simple < 3500);
 }
 
-TEST_CASE("sides without length do not count") {
+TEST_CASE("self_intersection_finder: edges without length are ignored") {
   concino::detail::self_intersection_finder touch;
   const std::vector<plane_point> square = {{0, 0}, {0, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
   CHECK_FALSE(touch(square));
@@ -88,7 +88,7 @@ TEST_CASE("sides without length do not count") {
   CHECK_FALSE(touch({}));
 }
 
-TEST_CASE("many corners are no matter") {
+TEST_CASE("self_intersection_finder: is fast for many corners") {
   concino::detail::self_intersection_finder touch;
   std::vector<plane_point> circle;
   for (int i = 0; i < 100000; ++i) circle.push_back({std::cos(6.283185307 * i / 100000), std::sin(6.283185307 * i / 100000)});
@@ -99,7 +99,7 @@ TEST_CASE("many corners are no matter") {
   CHECK(touch(circle));
 }
 
-TEST_CASE("long sides beside one another are no matter") {
+TEST_CASE("self_intersection_finder: is fast for long edges close to one another") {
   // A comb whose teeth stand askew: every two of its long sides overlap in both coordinates.
   const auto comb = [](int teeth, double bend) {
     std::vector<plane_point> corners;
