@@ -1,4 +1,4 @@
-// One function body over all six kinds: measures, matrices, fields and the tree of boxes.
+// One function body for all six kinds: measures, matrices, fields and the bounding tree.
 #include <concino/fields.hpp>
 #include <concino/geometry.hpp>
 #include <concino/operators.hpp>

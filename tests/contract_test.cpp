@@ -1,4 +1,4 @@
-// One function body over all six kinds: from a file through graphs and fields and back to a file.
+// One function body for all six kinds: load a file, run graph algorithms and fields, save a file.
 #include <concino/fields.hpp>
 #include <concino/graph.hpp>
 #include <concino/io.hpp>

@@ -1,5 +1,4 @@
-// Views of arrays hold no copy of them: seen in the memory that a view takes beside that of a native mesh, and in what a view says once the
-// arrays have changed.
+// Views of arrays do not copy them: tested by the memory of a view compared with a native mesh, and by its results after the arrays have changed.
 #include <concino/adapters/eigen.hpp>
 #include <concino/adapters/span.hpp>
 

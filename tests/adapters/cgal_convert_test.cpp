@@ -1,4 +1,4 @@
-// CGAL::Surface_mesh converted from and to this library's meshes, and proven by the conformance kit in every state.
+// CGAL::Surface_mesh converts from and to native meshes, and passes the conformance kit in every state.
 #include <concino/adapters/cgal_surface_mesh.hpp>
 #include <concino/adapters/doctest.hpp>
 

@@ -1,4 +1,4 @@
-// Meshes of CGAL generated, moved and merged.
+// CGAL meshes can be generated, jittered and agglomerated.
 #include <concino/adapters/cgal_surface_mesh.hpp>
 
 #include <CGAL/Simple_cartesian.h>

@@ -1,4 +1,4 @@
-// Exact geodesics beside those of CGAL, which come another way to the same lengths.
+// Exact geodesics agree with those of CGAL, which uses another algorithm.
 #include <concino/adapters/cgal_surface_mesh.hpp>
 #include <concino/fields/exact_geodesics.hpp>
 #include <concino/generate/icosphere.hpp>

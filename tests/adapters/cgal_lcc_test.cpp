@@ -1,4 +1,4 @@
-// Linear cell complexes of CGAL are polyhedral meshes through indexed(lcc): they conform, names lead there and back, points are read where they lie.
+// Linear cell complexes of CGAL are polyhedral meshes through indexed(lcc): they conform, handles convert both ways, points are not copied.
 #include <concino/adapters/cgal_lcc.hpp>
 #include <concino/adapters/doctest.hpp>
 #include <concino/geometry/measure.hpp>

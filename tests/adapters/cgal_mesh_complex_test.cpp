@@ -1,4 +1,4 @@
-// A Mesh_complex_3_in_triangulation_3, as CGAL's meshers make, is the tet mesh of its cells through indexed(c).
+// A Mesh_complex_3_in_triangulation_3, the result of CGAL's meshers, is the tet mesh of its cells through indexed(c).
 #include <concino/adapters/cgal_triangulation.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/validate/check_laws.hpp>

@@ -1,4 +1,4 @@
-// No mesh data is copied: walking a mesh of CGAL allocates nothing, and algorithms allocate on it what they do on a native mesh.
+// No mesh data is copied: iterating over a CGAL mesh allocates nothing, and algorithms allocate as much as on a native mesh.
 #include <concino/adapters/cgal_polyhedron.hpp>
 #include <concino/adapters/cgal_surface_mesh.hpp>
 #include <concino/fields.hpp>

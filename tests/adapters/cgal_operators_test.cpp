@@ -1,4 +1,4 @@
-// Operators on CGAL's Surface_mesh: real and generated surfaces.
+// The laws of operators hold on CGAL's Surface_mesh, for real and generated surfaces.
 #include <concino/adapters/cgal_surface_mesh.hpp>
 
 #include <CGAL/Simple_cartesian.h>

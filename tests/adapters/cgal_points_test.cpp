@@ -1,4 +1,4 @@
-// Surface_mesh over points of every kind: inexact and exact kernels, the plane, arrays, and things that are no points.
+// Surface_mesh works with points of every kind: inexact and exact kernels, the plane, arrays, and types that are not points.
 #include <concino/adapters/cgal_surface_mesh.hpp>
 #include <concino/graph/dijkstra.hpp>
 #include <concino/mesh/trimesh.hpp>

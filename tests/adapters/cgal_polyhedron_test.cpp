@@ -1,4 +1,4 @@
-// CGAL::Polyhedron_3 keeps all laws, directly by its ids and through indexed(m), and CGAL's own handles go in and come out.
+// CGAL::Polyhedron_3 obeys all laws, directly by its ids and through indexed(m), and algorithms take and return CGAL's handles.
 #include <concino/adapters/cgal_polyhedron.hpp>
 #include <concino/graph.hpp>
 #include <concino/validate/check_laws.hpp>

@@ -1,4 +1,4 @@
-// Property maps of CGAL's meshes are maps: algorithms read from them, write into them, and nothing is copied.
+// Property maps of CGAL's meshes are maps: algorithms read and write them without copies.
 #include <concino/adapters/cgal_polyhedron.hpp>
 #include <concino/adapters/cgal_surface_mesh.hpp>
 #include <concino/concepts/maps.hpp>

@@ -1,4 +1,4 @@
-// CGAL::Surface_mesh keeps all laws in every state that its editing can leave, and its own indices go in and come out.
+// CGAL::Surface_mesh obeys all laws in every state after editing, and algorithms take and return its indices.
 #include <concino/adapters/cgal_surface_mesh.hpp>
 #include <concino/graph.hpp>
 #include <concino/validate/check_laws.hpp>

@@ -1,4 +1,4 @@
-// Triangulations of CGAL are tet meshes through indexed(t): they keep all laws, names lead there and back, results are those of a tetmesh.
+// Triangulations of CGAL are tet meshes through indexed(t): they obey all laws, handles convert both ways, results equal those of a tetmesh.
 #include <concino/adapters/cgal_triangulation.hpp>
 #include <concino/fields.hpp>
 #include <concino/geometry.hpp>

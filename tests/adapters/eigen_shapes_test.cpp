@@ -1,4 +1,4 @@
-// Matrices of all layouts, polygons and polyhedra, and what is refused.
+// Views of matrices of all layouts, of polygons and polyhedra, and their errors.
 #include <concino/adapters/eigen.hpp>
 
 #include <support/eigen_arrays.hpp>

@@ -1,4 +1,4 @@
-// Boost.Graph's algorithms on OpenMesh's meshes, with OpenMesh's properties as their maps.
+// Boost.Graph's algorithms run on OpenMesh's meshes, with OpenMesh's properties as property maps.
 #include <support/allocations.hpp>
 #include <support/openmesh.hpp>
 

@@ -1,4 +1,4 @@
-// OpenMesh's meshes converted from and to this library's, and proven by the conformance kit in every state.
+// OpenMesh's meshes convert from and to native meshes, and pass the conformance kit in every state.
 #include <concino/adapters/doctest.hpp>
 #include <concino/adapters/openmesh.hpp>
 

@@ -1,4 +1,4 @@
-// Meshes of OpenMesh with deleted elements that were not collected as garbage: all laws hold, and rings are those of what is left.
+// OpenMesh meshes with deleted elements, before garbage collection, obey all laws, and rings have only the remaining elements.
 #include <support/openmesh.hpp>
 
 #include <random>

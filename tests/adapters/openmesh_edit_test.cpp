@@ -1,4 +1,4 @@
-// Meshes of OpenMesh changed by concino's verbs.
+// concino's verbs edit OpenMesh meshes.
 #include <support/openmesh.hpp>
 
 #include <concino/edit.hpp>

@@ -1,4 +1,4 @@
-// Meshes of OpenMesh generated, moved and merged.
+// OpenMesh meshes can be generated, jittered and agglomerated.
 #include <support/openmesh.hpp>
 
 #include <concino/generate.hpp>

@@ -1,4 +1,4 @@
-// Properties of OpenMesh's meshes serve as maps, and nothing is copied.
+// Properties of OpenMesh's meshes are maps, without copies.
 #include <support/openmesh.hpp>
 
 #include <concino/concepts/maps.hpp>

@@ -1,5 +1,5 @@
-// No mesh data is copied: walking a mesh of OpenMesh allocates nothing, algorithms allocate on it what they do on a native mesh, and they run on
-// a mesh that cannot be copied.
+// No mesh data is copied: iterating over an OpenMesh mesh allocates nothing, algorithms allocate as much as on a native mesh, and they run on a
+// mesh that cannot be copied.
 #include <support/allocations.hpp>
 #include <support/openmesh.hpp>
 #include <support/threads.hpp>

@@ -1,4 +1,4 @@
-// Operators on OpenMesh's meshes: real and generated surfaces.
+// The laws of operators hold on OpenMesh's meshes, for real and generated surfaces.
 #include <support/openmesh.hpp>
 
 #include <support/operator_laws.hpp>

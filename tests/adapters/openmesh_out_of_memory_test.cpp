@@ -1,4 +1,4 @@
-// OpenMesh meshes where memory for the status attributes that removing needs runs out: nothing is removed, and removing works later.
+// If there is no memory for the status attributes of an OpenMesh mesh, removing an element changes nothing, and works later.
 #include <concino/adapters/openmesh.hpp>
 #include <concino/edit.hpp>
 #include <concino/validate/check_laws.hpp>

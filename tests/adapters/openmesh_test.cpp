@@ -1,4 +1,4 @@
-// Every mesh of OpenMesh, and every class derived from one, is a SurfaceMesh with OpenMesh's own handles.
+// Every OpenMesh mesh, and every class derived from one, is a SurfaceMesh with OpenMesh's own handles.
 #include <support/openmesh.hpp>
 
 #include <support/models.hpp>

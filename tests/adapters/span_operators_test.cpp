@@ -1,4 +1,4 @@
-// Operators on meshes of plain arrays: real and generated surfaces and volumes.
+// The laws of operators hold on views of arrays, for real and generated surfaces and volumes.
 #include <concino/adapters/span.hpp>
 
 #include <support/input_arrays.hpp>

@@ -1,4 +1,4 @@
-// An allocation that fails while a picture is compressed or written: the file is the old one or the whole new one, and no memory is lost.
+// If an allocation fails while a picture is compressed or written, the file is the old one or the complete new one, and nothing leaks.
 #include <concino/adapters/stb.hpp>
 
 #include <support/failing_allocations.hpp>

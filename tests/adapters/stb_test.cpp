@@ -1,4 +1,4 @@
-// A program's own settings of stb, which are nothing to the adapter: it would not compile with this one.
+// The adapter ignores a program's own settings of stb. With this one it would not compile.
 #define STBIW_FREE(p) own p
 #include <concino/adapters/stb.hpp>
 #if !defined(STBIW_FREE) || defined(STBIW_MALLOC)

@@ -1,4 +1,4 @@
-// Archetypes model exactly the concept they are named after, give the same answers as the mesh they show, and offer no more.
+// Archetypes model exactly the concept after which they are named, and give the same results as the mesh to which they refer.
 #include <concino/concepts/archetypes.hpp>
 
 #include <support/user_mesh.hpp>

@@ -1,4 +1,4 @@
-// adj_e2e and adj_f2f are what they say by brute force, on foreign meshes, on the weakest model and where edges are shared twice.
+// adj_e2e and adj_f2f agree with a brute-force search, on users' meshes, on archetypes and where faces share several edges.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/derived.hpp>
 

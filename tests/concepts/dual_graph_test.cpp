@@ -1,4 +1,4 @@
-// Polys alone are a graph too.
+// A type with only polys models DualGraph.
 #include <concino/concepts/dual_graph.hpp>
 
 #include <support/models.hpp>

@@ -1,4 +1,4 @@
-// end_verts names what adj_e2v lists, on foreign meshes and on the weakest models.
+// end_verts returns the verts of adj_e2v, on users' meshes and on archetypes.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/end_verts.hpp>
 

@@ -1,5 +1,4 @@
-// Facets of surfaces and volumes: the laws that their verbs follow, on foreign meshes, on the weakest models, at boundaries and where polys meet
-// that make no manifold.
+// The verbs of facets obey their laws, on surfaces and volumes, users' meshes, archetypes, at boundaries and at non-manifold facets.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/facets.hpp>
 

@@ -1,4 +1,4 @@
-// A small half-edge mesh, written as anybody might, is a SurfaceMesh by its links, and its rings equal those found by brute force.
+// A small half-edge mesh of a user becomes a SurfaceMesh by halfedge_kernel, and its rings equal those of a brute-force search.
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/views/dual.hpp>
 #include <concino/graph/bfs.hpp>

@@ -1,4 +1,4 @@
-// What counts as a map.
+// The concepts of maps: models and non-models.
 #include <concino/concepts/maps.hpp>
 
 #include <concino/concepts/descriptors.hpp>

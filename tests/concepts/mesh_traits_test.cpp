@@ -1,4 +1,4 @@
-// Types that nobody has adapted are no meshes: a plain "no", whatever they are.
+// A type without mesh_traits is not a mesh: every concept is false for it, never an error.
 #include <concino/concepts/mesh_traits.hpp>
 
 #include <support/models.hpp>

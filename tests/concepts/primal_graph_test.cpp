@@ -1,4 +1,4 @@
-// A graph is a struct of six members. Nothing else is one, and asking is never an error.
+// PrimalGraph requires six members of mesh_traits. It is false for other types, never an error.
 #include <concino/concepts/primal_graph.hpp>
 
 #include <support/models.hpp>

@@ -1,4 +1,4 @@
-// What counts as a range of elements, and the two small ranges of the library.
+// The concept of element ranges, and the two range types of the library.
 #include <concino/concepts/descriptors.hpp>
 #include <concino/concepts/ranges.hpp>
 

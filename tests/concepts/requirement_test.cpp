@@ -1,4 +1,4 @@
-// Lists of requirements are walked in order, into the lists within them, and no further than to the first that does not hold.
+// Lists of requirements, also nested ones, are checked in order up to the first that does not hold.
 #include <concino/concepts/requirement.hpp>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// adj_p2e and adj_f2e bring edges into order where the traits say edges_in_order = false; models that are in order are not touched.
+// adj_p2e and adj_f2e sort the edges if the traits define edges_in_order = false, and do not change them otherwise.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/facets.hpp>

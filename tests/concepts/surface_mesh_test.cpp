@@ -1,4 +1,4 @@
-// Surfaces: models, non-models, and the choice among overloads.
+// SurfaceMesh: models, non-models, and overload resolution.
 #include <concino/concepts/surface_mesh.hpp>
 
 #include <support/models.hpp>

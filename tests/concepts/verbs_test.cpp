@@ -1,4 +1,4 @@
-// Verbs answer what the traits answer, and vanish where these say nothing.
+// Verbs forward to the traits, and cannot be called if the traits lack the member.
 #include <concino/concepts/verbs.hpp>
 
 #include <support/user_mesh.hpp>

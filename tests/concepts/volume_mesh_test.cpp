@@ -1,4 +1,4 @@
-// Volumes: models and non-models.
+// VolumeMesh: models and non-models.
 #include <concino/concepts/volume_mesh.hpp>
 
 #include <support/models.hpp>

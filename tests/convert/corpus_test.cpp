@@ -1,4 +1,4 @@
-// Every mesh of the corpus, to the general kind and back: verts, polys, coordinates and properties are what they were.
+// Converting every mesh of the corpus to the general kind and back preserves verts, polys, coordinates and properties.
 #include <concino/convert.hpp>
 
 #include <support/corpus_meshes.hpp>

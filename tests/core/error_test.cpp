@@ -1,4 +1,4 @@
-// Everything that concino throws is caught as concino::error, and says where a file went wrong.
+// Everything that concino throws is a concino::error, and errors of files name the line.
 #include <concino/core/error.hpp>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Arrays that are not filled before they are written: the same as vectors otherwise.
+// flat_array does not initialise its values, and otherwise behaves like std::vector.
 #include <concino/core/flat_array.hpp>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// What counts as a container.
+// The concept iterable: models and non-models.
 #include <concino/core/iterable.hpp>
 
 #include <doctest/doctest.h>

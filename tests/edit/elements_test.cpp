@@ -1,4 +1,4 @@
-// Adding and removing: after any sequence the mesh keeps all laws, equals one built afresh, and nothing else was renamed.
+// After any sequence of adding and removing, the mesh obeys all laws, equals a new mesh, and other descriptors are unchanged.
 #include <concino/edit.hpp>
 #include <concino/mesh.hpp>
 #include <concino/validate/check_laws.hpp>

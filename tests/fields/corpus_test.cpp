@@ -1,4 +1,4 @@
-// Harmonic maps on real meshes: against known functions, and the maximum principle on every mesh.
+// Harmonic maps on real meshes agree with known functions, and obey the maximum principle.
 #include <concino/fields.hpp>
 #include <concino/graph/bfs.hpp>
 #include <concino/operators.hpp>

@@ -1,4 +1,4 @@
-// Exact geodesics on real meshes, and heat geodesics with these as the yardstick.
+// Exact geodesics on real meshes, and heat geodesics compared with them.
 #include <concino/fields/exact_geodesics.hpp>
 #include <concino/fields/heat_geodesics.hpp>
 

@@ -1,4 +1,4 @@
-// Harmonic maps on meshes stripped down to what they need.
+// Harmonic maps run on archetypes of the concepts that they need.
 #include <concino/fields/harmonic_map.hpp>
 
 #include <concino/concepts/archetypes.hpp>

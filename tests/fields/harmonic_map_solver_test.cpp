@@ -1,4 +1,4 @@
-// What harmonic maps ask of their solver.
+// How harmonic maps use their solver.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>

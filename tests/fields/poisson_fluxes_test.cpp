@@ -1,4 +1,4 @@
-// Poisson's equation with derivatives given across the boundary.
+// Poisson's equation with Neumann boundary conditions.
 #include <concino/fields/poisson.hpp>
 
 #include <concino/concepts/archetypes.hpp>

@@ -1,4 +1,4 @@
-// Problems on meshes with elements removed, with points that are not finite, and on such that are not manifold.
+// Problems on meshes with removed elements, with points that are not finite, and on non-manifold meshes.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/fields/heat_flow.hpp>
 #include <concino/fields/poisson.hpp>

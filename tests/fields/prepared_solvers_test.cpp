@@ -1,4 +1,4 @@
-// Problems prepared with every solver.
+// Prepared problems work with every solver.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/fields/heat_flow.hpp>
 #include <concino/fields/poisson.hpp>

@@ -1,4 +1,4 @@
-// Fields on meshes of any size are those on meshes of size 1, to the last bit.
+// Fields do not depend on the scale of the mesh, to the last bit.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/fields/heat_flow.hpp>
 #include <concino/fields/poisson.hpp>

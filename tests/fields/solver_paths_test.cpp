@@ -1,4 +1,4 @@
-// Every solver through every way a problem can go.
+// Every solver passes the checks of special problems.
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/bicgstab.hpp>
 #include <concino/solve/conjugate_gradients.hpp>

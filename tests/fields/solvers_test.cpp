@@ -1,4 +1,4 @@
-// Problems by every solver: the same field, whichever triangle the solver reads.
+// Every solver gives the same field, whichever triangle of the matrix it reads.
 #include <concino/fields/harmonic_map.hpp>
 
 #include <concino/fields/heat_geodesics.hpp>

@@ -1,4 +1,4 @@
-// The poly that holds a point, and what is inside: no gaps and no doubts between neighbours, on verts, edges and faces too.
+// Point location and inside tests are consistent between neighbouring polys, also on verts, edges and faces.
 #include <concino/geometry/bounding_tree.hpp>
 
 #include <concino/mesh/boundary.hpp>

@@ -1,4 +1,4 @@
-// The nearest poly, those that a ray or a box meets: on every kind against looking at all polys, and where the answer is known exactly.
+// The nearest poly and the polys that meet a ray or a box agree with brute force on every kind, and with known results.
 #include <concino/geometry/bounding_tree.hpp>
 
 #include <concino/concepts/archetypes.hpp>

@@ -1,4 +1,4 @@
-// Areas, volumes and angles of every mesh of the corpus, against the figures of an independent program and the laws that join them.
+// Areas, volumes and angles of every mesh of the corpus agree with the results of an independent program and with known laws.
 #include <concino/geometry.hpp>
 #include <concino/mesh/boundary.hpp>
 

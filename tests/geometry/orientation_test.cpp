@@ -1,4 +1,4 @@
-// Orientation predicates are exact: against integer arithmetic, where rounding would decide, and under all permutations.
+// Orientation predicates are exact: they agree with integer arithmetic, also where rounding fails, and under all permutations.
 #include <concino/geometry/orientation.hpp>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Algorithms of Boost.Graph on views, beside concino's own. Flows are in boost_flows_test.cpp.
+// Algorithms of Boost.Graph on views agree with concino's own. Flows are in boost_flows_test.cpp.
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/depth_first_search.hpp>

@@ -1,4 +1,4 @@
-// Maximum flows by algorithms of Boost.Graph on views, with the certificate that they are right: a cut of the same value.
+// Maximum flows by algorithms of Boost.Graph on views are right: there is a cut of the same value.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/views.hpp>
 #include <concino/graph/bfs.hpp>

@@ -1,4 +1,4 @@
-// Views are graphs of Boost's: concepts, descriptors, numbers, maps. What algorithms of Boost say is in boost_algorithms_test.cpp.
+// Views model the graph concepts of Boost: descriptors, iterators, maps. Algorithms of Boost are in boost_algorithms_test.cpp.
 #include <concino/graph/boost.hpp>
 
 #include <concino/concepts/archetypes.hpp>

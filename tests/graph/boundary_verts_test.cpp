@@ -1,4 +1,4 @@
-// Which verts lie on the boundary.
+// boundary_verts marks the verts on the boundary.
 #include <concino/graph/boundary_verts.hpp>
 
 #include <concino/concepts/archetypes.hpp>

@@ -1,4 +1,4 @@
-// Searches, paths and regions on real meshes with random walls and lengths, against Boost.Graph on the arcs that are left.
+// Searches, paths and regions on real meshes with random barriers and lengths agree with Boost.Graph on the remaining arcs.
 #include <concino/graph/bfs.hpp>
 #include <concino/graph/grow_regions.hpp>
 #include <concino/graph/shortest_path.hpp>

@@ -1,4 +1,4 @@
-// Connected components of real meshes, whole and with random walls, against Boost.Graph.
+// Connected components of real meshes, with and without random barriers, agree with Boost.Graph.
 #include <concino/graph/components.hpp>
 #include <concino/graph/grow_regions.hpp>
 

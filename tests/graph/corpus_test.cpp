@@ -1,4 +1,4 @@
-// Searches and shortest paths on real meshes: against Boost.Graph and against known figures.
+// Searches and shortest paths on real meshes agree with Boost.Graph and with known results.
 #include <concino/graph.hpp>
 
 #include <support/boost_graph.hpp>

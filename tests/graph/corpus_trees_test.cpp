@@ -1,4 +1,4 @@
-// Spanning trees of real meshes, whole and with random walls, against Boost.Graph.
+// Spanning trees of real meshes, with and without random barriers, agree with Boost.Graph.
 #include <concino/graph/components.hpp>
 #include <concino/graph/spanning_tree.hpp>
 

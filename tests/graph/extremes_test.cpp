@@ -1,4 +1,4 @@
-// Graph algorithms on what is empty, single, long or huge.
+// Graph algorithms on empty meshes, single verts, long strips and verts of high degree.
 #include <concino/graph.hpp>
 
 #include <support/kinds.hpp>

@@ -1,4 +1,4 @@
-// Every graph algorithm on the weakest meshes that model its concept: those that own what they show, and can be neither copied nor moved.
+// Every graph algorithm runs on the archetype of its concept that owns its elements and can be neither copied nor moved.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/graph.hpp>
 

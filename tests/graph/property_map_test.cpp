@@ -1,4 +1,4 @@
-// Property maps of Boost of all categories are maps of concino, and write through.
+// Property maps of Boost of all categories are maps of concino.
 #include <concino/graph/property_map.hpp>
 
 #include <boost/property_map/function_property_map.hpp>

@@ -1,4 +1,4 @@
-// Algorithms of Boost.Graph on views of random meshes, some with gaps in their numbers: they say what they say on copies of the graphs.
+// Algorithms of Boost.Graph give the same results on views of random meshes, some with gaps in the indices, and on copies of the graphs.
 #include <concino/core/function_ref.hpp>
 #include <concino/graph/boost.hpp>
 

@@ -1,4 +1,4 @@
-// The random meshes on which algorithms are compared with Boost.Graph are what they should be: of all sorts, with walls that matter.
+// The random meshes on which algorithms are compared with Boost.Graph have all kinds of topology, and effective barriers.
 #include <support/random_meshes.hpp>
 
 #include <concino/concepts/views.hpp>

@@ -1,4 +1,4 @@
-// Regions on random meshes with barriers, against Boost's distances and the slowest way of growing.
+// Regions on random meshes with barriers agree with Boost's distances and with a naive implementation.
 #include <concino/graph/grow_regions.hpp>
 
 #include <concino/graph/components.hpp>

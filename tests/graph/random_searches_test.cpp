@@ -1,4 +1,4 @@
-// Searches without predecessors and may_cross, from several sources, by straight lines: on random meshes, against Boost.Graph.
+// Searches without predecessors and may_cross, from several sources, with default lengths agree with Boost.Graph on random meshes.
 // The others are in predecessors_test.cpp.
 #include <concino/graph/bfs.hpp>
 #include <concino/graph/dijkstra.hpp>

@@ -1,4 +1,4 @@
-// Spanning trees on random meshes with barriers, against Boost's.
+// Spanning trees on random meshes with barriers agree with Boost's.
 #include <concino/graph/spanning_tree.hpp>
 
 #include <concino/graph/components.hpp>

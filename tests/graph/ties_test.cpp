@@ -1,4 +1,4 @@
-// Which of several equally good ways is taken, and that a search asks no more than it must.
+// Ties between equal paths are broken as documented, and a search visits no more elements than necessary.
 #include <concino/graph/bfs.hpp>
 #include <concino/graph/dijkstra.hpp>
 

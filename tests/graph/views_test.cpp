@@ -1,4 +1,4 @@
-// Graph algorithms run on views as on the meshes they show.
+// Graph algorithms give the same results on views as on their base meshes.
 #include <concino/concepts/views.hpp>
 #include <concino/graph/bfs.hpp>
 #include <concino/graph/dijkstra.hpp>

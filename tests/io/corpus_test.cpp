@@ -1,4 +1,4 @@
-// Every file of the corpus in the formats known here, against its row of INDEX.tsv or bad/EXPECTED.md.
+// Every file of the corpus in the formats of the library agrees with its row of INDEX.tsv or bad/EXPECTED.md.
 #include <concino/io.hpp>
 
 #include <support/corpus.hpp>

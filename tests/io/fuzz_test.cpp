@@ -1,4 +1,4 @@
-// Readers never crash, hang, read out of bounds or make a mesh that does not hold together, whatever the text. Sanitizers watch.
+// Readers never crash, hang, read out of bounds or return an invalid mesh, whatever the text. Sanitizers check this too.
 #include <concino/io/load.hpp>
 
 #include <doctest/doctest.h>

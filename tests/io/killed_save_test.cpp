@@ -1,4 +1,4 @@
-// Saves that end at each call that changes a folder, and the order in which files reach the disk.
+// Saves that are killed at each call that changes a folder, and the order in which files reach the disk.
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/scalar_field.hpp>

@@ -1,4 +1,4 @@
-// Files beyond 4 GiB: sparse ones, which take no room on the disk, and text that a pipe brings.
+// Files beyond 4 GiB: sparse ones, which take no space on the disk, and text from a pipe.
 #include <concino/io/load_any.hpp>
 
 #include <support/corpus.hpp>

@@ -1,4 +1,4 @@
-// Each law, broken on purpose, is found under its own number with a witness; the mesh as it was breaks none.
+// Each law that is broken on purpose is reported under its own number with a witness; the correct mesh breaks none.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/mesh/boundary.hpp>
 #include <concino/mesh/polygonmesh.hpp>

@@ -1,4 +1,4 @@
-// boundary(m): the faces of one poly, as a surface that is wound outward.
+// boundary(m) is the surface of all faces with one poly, oriented outward.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/mesh/boundary.hpp>
 #include <concino/mesh/submesh.hpp>

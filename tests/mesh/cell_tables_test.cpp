@@ -1,4 +1,4 @@
-// Tables of tets and of hexes: the polys around edges that are no simple ring or fan, and lists of verts that are refused.
+// Tables of tets and hexes: the polys around edges that are not a simple ring or fan, and invalid lists of verts.
 #include <concino/mesh/cell_tables.hpp>
 
 #include <support/soups.hpp>

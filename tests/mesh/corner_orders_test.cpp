@@ -1,4 +1,4 @@
-// Hexes and tets whose corners are listed as another library lists them are the same meshes; validate says which order a list looks like.
+// Hexes and tets can be constructed from the corner orders of other libraries; validate names the order that a list seems to have.
 #include <concino/adapters/span.hpp>
 #include <concino/mesh/corner_orders.hpp>
 #include <concino/mesh/hexmesh.hpp>

@@ -1,4 +1,4 @@
-// Properties of corners: numbered without overlap, following edits, copies and whatever is made of the mesh.
+// Properties of corners have unique indices, and follow edits, copies and conversions of the mesh.
 #include <concino/mesh/corner_property.hpp>
 
 #include <concino/convert.hpp>

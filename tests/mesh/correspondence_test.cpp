@@ -1,4 +1,4 @@
-// What properties and values become in a mesh that was made of another one, by rule and by kind of mesh.
+// A correspondence transfers properties and values to a new mesh, by each rule, on each kind of mesh.
 #include <concino/mesh/correspondence.hpp>
 
 #include <concino/core/rgba.hpp>

@@ -1,4 +1,4 @@
-// Origins of elements: none, one or several each, in whichever order they are told.
+// Elements have no origin, one or several, added in any order.
 #include <concino/mesh/element_origins.hpp>
 
 #include <doctest/doctest.h>

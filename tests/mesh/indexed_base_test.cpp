@@ -1,4 +1,4 @@
-// A user's mesh of lists becomes a full mesh through the indexed bases.
+// A user's mesh with lists of verts becomes a complete mesh through the indexed bases.
 #include <concino/concepts/mesh.hpp>
 #include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/indexed_base.hpp>

@@ -1,4 +1,4 @@
-// The six meshes: how they are built, what they refuse, and that every adjacency is right on whatever can be represented.
+// The six native meshes: construction, errors, and all adjacencies on any soup of polys.
 #include <concino/mesh.hpp>
 #include <concino/validate/check_laws.hpp>
 

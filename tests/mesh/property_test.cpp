@@ -1,4 +1,4 @@
-// Named properties: typed, made on first use, copied with the mesh, grown by edits.
+// Named properties are typed, created on first use, copied with the mesh, and follow edits.
 #include <concino/edit.hpp>
 #include <concino/mesh/property.hpp>
 

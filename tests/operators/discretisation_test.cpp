@@ -1,4 +1,4 @@
-// Discretisations: which the library has, what they are on which mesh, and one's own.
+// Discretisations of the library, the meshes that each supports, and discretisations of users.
 #include <concino/operators/discretisation.hpp>
 
 #include <concino/concepts/archetypes.hpp>

@@ -1,4 +1,4 @@
-// Gradients and divergences of real meshes: exact on linear functions, whatever their polys look like.
+// Gradients and divergences on real meshes are exact on linear functions, for polys of any shape.
 #include <concino/operators/divergence_matrix.hpp>
 #include <concino/operators/gradient.hpp>
 #include <concino/operators/gradient_matrix.hpp>

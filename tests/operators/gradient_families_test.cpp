@@ -1,4 +1,4 @@
-// Gradients and divergences on generated families: Voronoi cells, duals, concave agglomerates, graded and crooked grids.
+// Gradients and divergences on generated families: Voronoi cells, duals, concave agglomerates, graded and distorted grids.
 #include <concino/operators/divergence_matrix.hpp>
 #include <concino/operators/gradient_matrix.hpp>
 

@@ -1,4 +1,4 @@
-// Laplacians and masses of real meshes: what holds of them on any mesh.
+// Laplacians and masses of real meshes obey the laws of operators.
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 

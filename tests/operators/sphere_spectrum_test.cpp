@@ -1,4 +1,4 @@
-// The Laplacian of a sphere of real data: its lowest eigenvalues and its mean curvature, beside figures computed without a mesh library.
+// The Laplacian of a sphere from the corpus: its lowest eigenvalues and its mean curvature agree with results without a mesh library.
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/solve/ldlt.hpp>

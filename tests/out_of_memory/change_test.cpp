@@ -1,4 +1,4 @@
-// Assignments, maps, properties and changes of points, with any allocation failing: done as a whole or not at all, and nothing leaks.
+// Assignments, maps, properties and changes of points succeed or change nothing if any allocation fails, and nothing leaks.
 #include <concino/convert.hpp>
 #include <concino/edit.hpp>
 #include <concino/generate/grade.hpp>

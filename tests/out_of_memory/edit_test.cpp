@@ -1,4 +1,4 @@
-// An edit that meets std::bad_alloc at any of its allocations leaves the mesh, its adjacencies and its properties as they were.
+// An edit that throws std::bad_alloc at any of its allocations changes neither the mesh, nor its adjacencies, nor its properties.
 #include <concino/edit.hpp>
 #include <concino/mesh.hpp>
 #include <concino/validate/check_laws.hpp>

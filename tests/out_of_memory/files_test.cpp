@@ -1,4 +1,4 @@
-// Saving over a file and loading into a mesh, with any allocation failing: done as a whole or not at all, and nothing leaks.
+// Saving over a file and loading into a mesh succeed or change nothing if any allocation fails, and nothing leaks.
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/save.hpp>

@@ -1,4 +1,4 @@
-// An allocation that fails while a mesh is saved or read: files, links and libraries stay as they were, and no memory is lost.
+// If an allocation fails while a mesh is saved or read, files, links and libraries do not change, and nothing leaks.
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/scalar_field.hpp>

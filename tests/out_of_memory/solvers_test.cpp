@@ -1,4 +1,4 @@
-// A factorisation that runs out of memory says so, leaves nothing to solve with, and can be made again.
+// A factorisation that runs out of memory throws, leaves the solver without a factorisation, and can be repeated.
 #include <concino/solve.hpp>
 
 #include <support/failing_allocations.hpp>

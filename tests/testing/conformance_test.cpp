@@ -1,4 +1,4 @@
-// The conformance kit passes the library's own meshes in every state, views of them, and graphs that are no meshes.
+// Native meshes in every state, their views, and graphs that are not meshes pass the conformance kit.
 #include <concino/adapters/doctest.hpp>
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/views.hpp>

@@ -1,4 +1,4 @@
-// The conformance kit finds each of these mistakes, under the right law. Every one is a mistake that people make when they adapt a mesh.
+// The conformance kit finds each planted bug under the right law. All are common bugs of adapters.
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/tetmesh.hpp>
 #include <concino/testing/conformance.hpp>

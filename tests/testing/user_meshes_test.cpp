@@ -1,5 +1,5 @@
-// Meshes of strangers, adapted in the lesson that proves them: they conform with borders, with several components and with what nothing uses, and
-// algorithms give on them what they give on the library's own.
+// The users' meshes of lesson 15 conform, with boundaries, several components and isolated verts, and algorithms give the same results on them as
+// on native meshes.
 #include <concino/adapters/doctest.hpp>
 #include <concino/mesh.hpp>
 

@@ -1,4 +1,4 @@
-// check_laws on the six native meshes: whole, in two pieces with a vert of no poly, empty, non-manifold; and through every archetype.
+// check_laws on the six native meshes: connected, with two components and an isolated vert, empty, non-manifold; and on every archetype.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/validate.hpp>
 

@@ -1,4 +1,4 @@
-// What validate says of every mesh of the corpus, against the figures of an independent program.
+// The reports of validate on every mesh of the corpus agree with an independent program.
 #include <concino/validate/validate.hpp>
 
 #include <support/corpus_meshes.hpp>

@@ -1,5 +1,5 @@
-// Building, validate and check_laws take time about in proportion to the mesh, whatever its shape: compared with a mesh of as many polys that
-// lie apart. What looks through all of a crowd for each of its members takes hundreds of times as long at these sizes.
+// Building, validate and check_laws take time about proportional to the mesh, whatever its shape: compared with a mesh of as many disjoint polys.
+// An algorithm that is quadratic in the number of polys at an element takes hundreds of times as long at these sizes.
 #include <concino/mesh.hpp>
 #include <concino/mesh/face_soup.hpp>
 #include <concino/validate/check_laws.hpp>

@@ -1,4 +1,4 @@
-// Much that comes together at one place: tables are right where they are built and edited otherwise than usual.
+// Many elements at one element: tables are right in the special cases of building and editing.
 #include <concino/edit/elements.hpp>
 #include <concino/mesh.hpp>
 #include <concino/mesh/face_soup.hpp>

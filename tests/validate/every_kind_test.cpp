@@ -1,4 +1,4 @@
-// validate on all six kinds: through the archetypes, at every scale, on lists of polys that make no sense.
+// validate on all six kinds: on archetypes, at every scale, on random lists of polys.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit.hpp>
 #include <concino/validate/validate.hpp>

@@ -1,4 +1,4 @@
-// Half-edges of meshes that they cannot hold: check_laws and assert_halfedge_links name the cause, whatever the links answer there.
+// check_laws and assert_halfedge_links name the cause if half-edges cannot represent a mesh, whatever the links return.
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/validate/check_laws.hpp>
 #include <concino/validate/halfedge_links.hpp>

@@ -1,4 +1,4 @@
-// Meshes with very large stars, polygons and polyhedra.
+// Meshes with verts of very high degree, and very large polygons and polyhedra.
 #include <concino/validate/validate.hpp>
 
 #include <support/kinds.hpp>

@@ -1,4 +1,4 @@
-// For every kind of defect smallest meshes that have this one defect and no other, by the options as they are.
+// For every kind of defect, minimal meshes have this defect and no other, with the default options.
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>

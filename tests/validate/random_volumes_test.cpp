@@ -1,4 +1,4 @@
-// What validate says of random volumes, against looking at every element for itself.
+// The reports of validate on random volumes agree with a brute-force check of every element.
 #include <concino/validate/validate.hpp>
 
 #include <support/random_meshes.hpp>

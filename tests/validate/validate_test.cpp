@@ -1,4 +1,4 @@
-// Every kind of defect on a small mesh that shows exactly it.
+// validate finds every kind of defect on a small mesh with exactly this defect.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/validate/validate.hpp>
 

@@ -1,4 +1,4 @@
-// dual(m) is the graph of polys and no more.
+// dual(m) models DualGraph and no other concept.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/views/dual.hpp>
 #include <concino/validate/check_laws.hpp>

@@ -1,4 +1,4 @@
-// primal(m) is the graph of verts and no more.
+// primal(m) models PrimalGraph and no other concept.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/views/primal.hpp>
 #include <concino/validate/check_laws.hpp>

@@ -1,4 +1,4 @@
-// with_points(m, map): the same connectivity, other coordinates.
+// with_points(m, map) has the connectivity of m and the coordinates of the map.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/views/with_points.hpp>
 #include <concino/validate/check_laws.hpp>

@@ -1,4 +1,4 @@
-// What lies across the sides of polys that share several sides, or sides with many polys.
+// The neighbours of polys that share several facets, or facets with many polys.
 #include <concino/mesh/detail/facet_adjacency.hpp>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Rows of values: packed, shared and edited.
+// jagged_array: rows that are packed, of equal length, and edited.
 #include <concino/mesh/detail/jagged_array.hpp>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Places of values in rows, short and long, also after the rows have changed.
+// row_lookup finds values in rows, short and long, also after the rows have changed.
 #include <concino/mesh/detail/row_lookup.hpp>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// The sweep over the sides of a polygon against all pairs in exact integers.
+// The sweep over the edges of a polygon agrees with a test of all pairs in exact integers.
 #include <concino/validate/detail/self_intersection_finder.hpp>
 
 #include <doctest/doctest.h>
