@@ -1,6 +1,6 @@
-// What it takes to compile the ten lines that read a mesh and map it harmonically: CPU seconds and peak memory of the compiler, beside a program that
-// only factorises with Eigen, the floor. By each compiler, without optimisation and with: header-only, with concino::compiled, with the precompiled
-// header of concino_precompile, with a solver and with a mesh of the caller's own; and what building concino::compiled takes on one core.
+// The compile time of ten lines that read a mesh and compute a harmonic map: CPU seconds and peak memory of the compiler. The floor is a program that
+// only factorises with Eigen. Variants, for each compiler, with and without optimisation: header-only, with concino::compiled, with the precompiled
+// header of concino_precompile, with a solver and with a mesh of the caller's own. Also the time to build concino::compiled on one core.
 #include "support/compiler.hpp"
 #include "support/program.hpp"
 

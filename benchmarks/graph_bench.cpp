@@ -20,7 +20,7 @@ void expect_equal(const std::string& work, const A& a, const B& b) {
   }
 }
 
-/// One graph, all contenders. `centres`: makes where the nodes lie, within the measured time, for it is part of the work.
+/// Measures all contenders on one graph. `centres` computes the positions of the nodes; this is part of the measured work.
 template<u32 Stride, bool Filled, class M, class Node, class Centres>
 void searches(const bench::program& p, const std::string& what, const floors::rows<Stride>& g, const M& m, Node source, Centres centres) {
   const auto points = centres();

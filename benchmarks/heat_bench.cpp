@@ -1,5 +1,5 @@
-// Heat geodesics by the library's own solver: preparing them beside the factorisations that they cannot do without, two or, where there is a
-// boundary, three, and one question beside as many back-substitutions, with bounds by shortest ways (query) and without (unclamped).
+// Heat geodesics by the library's own solver. Preparing them is compared with the necessary factorisations: two, or three with a boundary. One query
+// is compared with as many back-substitutions, with bounds by shortest paths (query) and without (unclamped).
 #include "support/kinds.hpp"
 
 #include <concino/fields.hpp>

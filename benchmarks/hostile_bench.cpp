@@ -1,4 +1,4 @@
-// Files made to take long: how many seconds a megabyte of them takes to load and validate, and to check the laws of. No input may take more
+// Files constructed to take long: the seconds per megabyte to load, to validate and to check the laws. No input may take more
 // than 5 s per megabyte and 1 s, even with the address sanitizer (build with -DCMAKE_CXX_FLAGS=-fsanitize=address); one that does is stopped
 // and fails the program. Laws are not checked where the neighbours of all elements together are many more than the bytes of the file: they
 // take as long as walking these. The files of the folder $CONCINO_CORPUS are measured too, as they are and damaged.

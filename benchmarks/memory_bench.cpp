@@ -1,5 +1,5 @@
-// Bytes per poly that a mesh holds once every adjacency was asked for, and the peak while reading as a multiple of it. The same walk
-// checks that the library and the floor hold the same mesh.
+// Bytes per poly of a mesh after every adjacency was used, and the peak while reading as a multiple of it. The same pass checks that the library
+// and the floor have the same mesh.
 #include "support/check.hpp"
 #include "support/heap.hpp"
 #include "support/kinds.hpp"

@@ -118,7 +118,7 @@ void grow(const bench::program& p, const std::string& name, Kind kind, bool with
   }
 }
 
-/// A closed torus of about so many triangles.
+/// A closed torus with about this number of triangles.
 bench::surface_arrays torus_of(double triangles) {
   const double rows = std::sqrt(triangles / 3);
   return bench::torus(static_cast<u32>(rows), static_cast<u32>(1.5 * rows));

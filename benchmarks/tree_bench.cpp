@@ -1,4 +1,4 @@
-// Trees over the polys of a surface and of volumes: building one, and 100,000 questions of each sort. Peers stand in peers/cgal_tree_bench.cpp.
+// Trees over the polys of a surface and of volumes: building one, and 100,000 queries of each kind. The peer is in peers/cgal_tree_bench.cpp.
 #include "support/kinds.hpp"
 #include "support/queries.hpp"
 

@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Minus the Laplacian of a mesh, one vert held: its lower triangle.
+/// The lower triangle of minus the Laplacian of a mesh with one constrained vert.
 template<class M>
 Eigen::SparseMatrix<double> system_of(const M& m) {
   Eigen::SparseMatrix<double> a = -concino::laplacian(m, concino::uniform);

@@ -27,7 +27,7 @@ inline std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
 }
 inline std::uint64_t edge_key(std::uint64_t a, std::uint64_t b) { return a < b ? mix(a, b) : mix(b, a); }
 
-/// Every verb asked of every element; what the mesh builds only when asked is built after this.
+/// Calls every verb for every element. Afterwards the mesh has built everything that it builds on first use.
 template<class M>
 digest digest_of(const M& m) {
   namespace cn = concino;

@@ -87,7 +87,7 @@ struct program {
   }
 };
 
-/// Runs the body of a program; what goes wrong is said and fails the program.
+/// Runs the body of a program. An exception is printed and makes the program fail.
 template<class F>
 int run_program(int argc, char** argv, F&& body) {
   try {

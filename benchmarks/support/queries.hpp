@@ -1,4 +1,4 @@
-// Places to ask a tree about: the same random points for every contender.
+// Query points for trees: the same random points for every contender.
 #pragma once
 
 #include <concino/geometry/bounding_tree.hpp>

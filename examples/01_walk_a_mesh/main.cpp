@@ -1,4 +1,4 @@
-// Walk a mesh: every element is reached by a verb, every neighbour by adj_a2b.
+// Iterate over a mesh: verbs return its elements, and adj_a2b the neighbours b of an element a.
 #include <concino/mesh.hpp>
 
 #include <fmt/core.h>
@@ -27,7 +27,7 @@ int main() {
   }
   fmt::print("{} edges lie on the border\n", border);
 
-  // Values at elements: a map outside the mesh, or a named property that the mesh keeps.
+  // Values of elements: a map outside the mesh, or a named property that the mesh stores.
   auto height = cn::make_vert_map<double>(m, 0.0);
   for (cn::vert_id v : cn::verts(m)) height[v] = cn::point(m, v)[2];
   fmt::print("vert 4 is {} high\n", height[cn::vert_id{4}]);

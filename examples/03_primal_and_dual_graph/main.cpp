@@ -1,5 +1,5 @@
-// One line of Dijkstra, four graphs: from a vert it walks the edges of a mesh, from a poly the polys, and polys are polygons on a surface and
-// polyhedra in a volume. The type of the source says which graph is meant.
+// One line of Dijkstra for four graphs: from a vert it searches along edges, from a poly from poly to poly, on a surface and in a volume.
+// The type of the source determines the graph: primal or dual.
 #include <concino/graph.hpp>
 #include <concino/mesh.hpp>
 
@@ -10,7 +10,7 @@
 
 namespace cn = concino;
 
-/// The farthest that one gets from `source`.
+/// The largest distance from `source`.
 template<class M, class Source>
 double reach(const M& m, Source source) {
   const auto distance = cn::dijkstra(m, source);  // the one line
@@ -43,7 +43,7 @@ int main() {
   fmt::print("from poly to poly, surface: {}\n", reach(surface, cn::poly_id{0}));
   fmt::print("from poly to poly, volume:  {}\n", reach(volume, cn::poly_id{0}));
 
-  // Any length will do, and one may stop early.
+  // Lengths may be any function, and targets stop the search early.
   const auto hops = cn::dijkstra(volume, cn::poly_id{0}, [](auto, auto) { return 1.0; }, {.targets = {cn::poly_id{5}}});
   fmt::print("poly 5 is {} faces away\n", hops[cn::poly_id{5}]);
 }

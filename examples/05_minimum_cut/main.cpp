@@ -1,5 +1,5 @@
-// Where does a solid break? A bar of tets with a notch is pulled at both ends. Its tets are a graph of Boost's: an arc leads through each
-// face, with the face's area as its capacity. The maximum flow from end to end is the least area that separates them: the minimum cut.
+// Where does a solid break? A bar of tets with a notch is pulled at both ends. Its tets are the nodes of a Boost graph, with an arc through each
+// face whose capacity is the face's area. The maximum flow from end to end equals the smallest area that separates them: the minimum cut.
 #include <concino/geometry.hpp>
 #include <concino/graph/boost.hpp>
 #include <concino/mesh.hpp>
@@ -35,7 +35,7 @@ cn::tetmesh notched_bar() {
 int main() {
   const cn::tetmesh bar = notched_bar();
   const auto at = [&](cn::poly_id p) { return cn::centroid(bar, p).x; };
-  // The area between two tets; as much as one likes within the ends, where the bar is held.
+  // The area between two tets; unlimited within the ends, where the bar is fixed.
   const auto strength = [&](cn::poly_id p, cn::poly_id q) {
     if ((at(p) < 1 && at(q) < 1) || (at(p) > 7 && at(q) > 7)) return 1e6;
     for (cn::face_id f : cn::adj_p2f(bar, p))

@@ -1,4 +1,4 @@
-// What is wrong with this mesh? validate answers in sentences and in records that a program can act on.
+// What is wrong with this mesh? validate returns sentences, and records that a program can use.
 #include <concino/mesh.hpp>
 #include <concino/validate.hpp>
 
@@ -18,7 +18,7 @@ void tell(const char* title, const M& m) {
 }
 
 int main() {
-  // A tent of four triangles on a square. One triangle is wound the wrong way, a fifth stands on an edge that has two already, a vert is not used.
+  // A tent of four triangles on a square. One triangle is oriented inconsistently, a fifth is at an edge that already has two, and a vert is unused.
   const cn::trimesh tent({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 1}, {1, 0, 2}, {9, 9, 9}},
                          {{0, 1, 4}, {1, 2, 4}, {3, 2, 4}, {3, 0, 4}, {0, 4, 5}});
   tell("tent", tent);
@@ -30,7 +30,7 @@ int main() {
   cn::tetmesh tets({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1, 0.1, 0.1}}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
   tell("tets", tets);
 
-  // Records name elements by descriptors, so that they can be acted on; options say what to look for.
+  // Records have the descriptors of elements; options choose what to check.
   for (auto& defect : cn::validate(tets, {.kinds = {cn::defect_kind::inverted_cell}})) {
     const auto p = std::get<cn::poly_id>(defect.element);
     for (auto v : cn::adj_p2v(tets, p))

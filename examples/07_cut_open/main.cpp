@@ -1,5 +1,5 @@
-// A torus cut open. Two loops, around its tube and through its hole, generate all others; cut along both, the torus is one square sheet
-// that could be laid flat. The same lines cut a surface with any number of holes into one disk.
+// A torus is cut open. Two loops, around its tube and through its hole, generate all others; after cutting along both, the torus is one square
+// sheet, a disk. The same code cuts a surface with any number of holes into one disk.
 #include <concino/graph.hpp>
 #include <concino/mesh.hpp>
 
@@ -31,7 +31,7 @@ int main() {
   fmt::print("torus: {} verts, chi {}, genus {}, {} borders\n", cn::num_verts(torus), chi(torus), (2 - chi(torus)) / 2,
              cn::boundary_loops(torus).count);
 
-  // A tree of verts, a tree of polys that does not cross it: the edges in neither close one loop each.
+  // A tree of verts, and a tree of polys that does not cross it: each edge in neither of them closes one loop.
   const auto trees = cn::tree_cotree(torus);
   fmt::print("{} edges: {} in the tree, {} crossed by the cotree, {} left\n", cn::num_edges(torus), trees.tree.size(), trees.cotree.size(),
              trees.rest.size());
@@ -49,7 +49,7 @@ int main() {
   fmt::print("cut open: {} verts, chi {}, {} border of {} edges\n", cn::num_verts(disk), chi(disk), border.count,
              border.loops[0].edges.size());
 
-  // Corners of the square: where both cuts cross, one vert has become four.
+  // The corners of the square: where both cuts cross, one vert has four copies.
   int copies = 0;
   for (const auto v : cut.verts) copies += v == loops[0].verts[0];
   fmt::print("where the loops cross, {} verts for one\n", copies);

@@ -1,5 +1,5 @@
 // Convert and keep attributes. A block of hexahedra becomes a polyhedral mesh; its boundary becomes a surface of its own, in this library and in a
-// mesh of your own making; temperatures and names come along, and it is always known which element is which.
+// mesh type of your own; temperatures and names are transferred, and the correspondence between elements is known.
 #include <concino/convert.hpp>
 #include <concino/mesh.hpp>
 #include <concino/mesh/boundary.hpp>
@@ -10,7 +10,7 @@
 
 namespace cn = concino;
 
-/// A mesh as you may have one: it can add a vert and a poly, and its connectivity is a list. That is all convert() asks for.
+/// A mesh type of a user: it can add a vert and a poly, and stores lists of verts. convert() needs no more.
 struct drawing {
   cn::polygonmesh inner;
 };

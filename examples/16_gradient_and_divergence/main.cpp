@@ -1,5 +1,5 @@
-// Gradient and divergence of a known function, on hexagons in the plane and on hexahedra whose faces are crooked. The same lines serve both, and
-// would any other mesh: what a poly looks like is no matter.
+// Gradient and divergence of a known function, on hexagons in the plane and on hexahedra with non-planar faces. The same code works for both, and
+// for any other mesh: the shape of polys does not matter.
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>

@@ -1,5 +1,5 @@
-// Poisson's equation on a mesh of polyhedra: heat made evenly in a block whose surface is kept at 0. The solution is known, so the error can be
-// told: with eight times as many cells it falls to about a fourth, whatever their shape.
+// Poisson's equation on a mesh of polyhedra: uniform heat sources in a block whose surface is kept at 0. The solution is known, and so is the
+// error: with eight times as many cells it falls to about a fourth, whatever their shape.
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>

@@ -1,5 +1,5 @@
-// Find the cell that holds a point. A tree of boxes answers in the time of a few comparisons, for cells of any shape and for every point: on a face
-// that two cells share, one of them is found, and always the same. A tree over the skin says how far it is to it, and what is inside.
+// Find the cell that contains a point. A tree of boxes takes only a few comparisons, for cells of any shape and for every point: on a face that
+// two cells share, it always finds the same one of them. A tree over the boundary gives the distance to it, and tells what is inside.
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/mesh.hpp>
@@ -11,7 +11,7 @@
 namespace cn = concino;
 
 int main() {
-  // The Voronoi cells of some sites in a block: whichever site is nearest, the point must be in its cell.
+  // The Voronoi cells of some sites in a block: a point must be in the cell of its nearest site.
   cn::box block;
   block.add({0, 0, 0});
   block.add({2, 1, 1});
@@ -47,7 +47,7 @@ int main() {
                around.is_inside(x) ? "inside" : "outside", hit.distance, hit.point.x, hit.point.y, hit.point.z);
   }
 
-  // A ray through the block, and what lies in a corner of it.
+  // The cells along a ray through the block, and the cells in a corner of it.
   const auto passed = tree.ray_all({-1, 0.5, 0.5}, {1, 0, 0});
   fmt::print("a ray along the middle passes {} cells from {:.3f} on\n", passed.size(), passed.front().parameter);
   cn::box corner;

@@ -1,4 +1,4 @@
-// Why did my solve fail? Every solve returns or throws with its reason. Here each goes wrong on purpose and says so.
+// Why did my solve fail? Every failing solve returns or throws its reason. Here each one fails on purpose.
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
@@ -64,7 +64,7 @@ int main() {
   cn::harmonic_map(sphere, {{cn::vert_id{0}, 0.0}, {cn::vert_id{1}, 1.0}}, {}, solver);
   fmt::print("auto_solver took {}\n", solver.used() == cn::solver_used::ldlt ? "ldlt" : "conjugate_gradients");
 
-  // Constraints: x + y = 1; then 2x + 2y = 2 says nothing new, and x + y = 3 cannot be.
+  // Constraints: x + y = 1; then 2x + 2y = 2 is redundant, and x + y = 3 contradicts it.
   const sparse k = matrix(2, 2, {{0, 0, 1.0}, {1, 1, 1.0}});
   const sparse c = matrix(3, 2, {{0, 0, 1.0}, {0, 1, 1.0}, {1, 0, 2.0}, {1, 1, 2.0}, {2, 0, 1.0}, {2, 1, 1.0}});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
