@@ -1,0 +1,37 @@
+# Writes docs/messages.md, the error messages that the tests provoke; messages.awk says what a row of it is.
+#   cmake -D source=<repository> -D build=<build folder> -P docs/messages.cmake      runs the tests of a build and writes the page of their messages
+#   cmake -D source=<repository> -D records=<folder> -P docs/messages.cmake          brings the rows up to date of tests that ran with the environment
+#                                                                                    variable CONCINO_TEST_MESSAGES=<folder>
+#   ... -D compare=ON ...                                                            fails if the page lacks a recorded message; writes nothing
+find_program(awk NAMES mawk gawk awk REQUIRED)
+set(page ${source}/docs/messages.md)
+set(options "")
+if(build)
+  set(records ${build}/messages)
+  file(REMOVE_RECURSE ${records})
+  file(MAKE_DIRECTORY ${records})
+  set(ENV{CONCINO_TEST_MESSAGES} ${records})
+  execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${build} -L doctest --output-on-failure RESULT_VARIABLE code)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "tests fail; ${page} is not written")
+  endif()
+else()
+  list(APPEND options -v page=${page})
+endif()
+
+file(GLOB files ${records}/*.tsv)
+if(NOT files)
+  message(FATAL_ERROR "no test has recorded anything in ${records}")
+endif()
+if(compare)
+  list(APPEND options -v compare=1)
+endif()
+set(ENV{LC_ALL} C)
+execute_process(COMMAND ${awk} ${options} -f ${CMAKE_CURRENT_LIST_DIR}/messages.awk ${files} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE wrong)
+if(wrong OR (NOT compare AND NOT code EQUAL 0))
+  message(FATAL_ERROR "messages.awk: ${wrong}")
+elseif(compare AND NOT code EQUAL 0)
+  message(FATAL_ERROR "docs/messages.md lacks messages that tests provoked. Add them by\n  cmake -D source=${source} -D records=${records} -P docs/messages.cmake\n${text}")
+elseif(NOT compare)
+  file(WRITE ${page} "${text}")
+endif()
