@@ -32,7 +32,7 @@ function shown(file, type, message) {
 }
 
 function pattern(type, message) {
-  if (type == "parse_error") sub(/, found ('.*|the end of the (line|file).*|something else.*|an empty file.*)$/, ", found ...", message)
+  if (type == "parse_error") sub(/, found ('.*|the end of the (line|file).*|another value.*|an empty file.*)$/, ", found ...", message)
   gsub(/'[^']*'/, "'...'", message)
   gsub(/[A-Za-z0-9_.-]*\.(obj|off|mesh|hedra|mtl|txt|soup|tris|xyz|stl|ply)/, "file", message)
   gsub(/[-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?|[-+]?(inf|nan)/, "0", message)

@@ -157,7 +157,7 @@ TEST_CASE("atomic_file: names may be as long as the system allows") {
 TEST_CASE("atomic_file: a path with a character of value 0 is an io_error") {
   const temporary_folder dir;
   const auto with_zero = [&](const std::string& rest) { return dir / (std::string("a\0", 2) + rest); };
-  const std::string message = (dir / "a\\0.obj") + ": no path holds a character of value 0";
+  const std::string message = (dir / "a\\0.obj") + ": a path cannot contain a character of value 0";
   CHECK_THROWS_WITH_AS(save(triangle, with_zero(".obj")), message.c_str(), io_error);
   CHECK_THROWS_WITH_AS(load<trimesh>(with_zero(".obj")), message.c_str(), io_error);
   CHECK_THROWS_WITH_AS(load_any(with_zero(".obj")), message.c_str(), io_error);

@@ -110,9 +110,9 @@ TEST_CASE("format: the extension or the options choose from a list") {
   CHECK_THROWS_AS(load_text<trimesh>(one, known), invalid_argument);
   CHECK_THROWS_AS(save_text(triangle, known), invalid_argument);
   CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", known),
-                       ((dir / "text") + ": the extension names no format known here; known are .obj, .off, .mesh, .hedra, .soup, .tris").c_str(), unsupported);
+                       ((dir / "text") + ": the extension is not that of a known format; known extensions: .obj, .off, .mesh, .hedra, .soup, .tris").c_str(), unsupported);
   CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", {.format = soup_format{}}),
-                       ((dir / "text") + ": this call does not know the format soup; known are obj, off, medit, hedra").c_str(), unsupported);
+                       ((dir / "text") + ": this call does not know the format soup; it knows obj, off, medit, hedra").c_str(), unsupported);
   CHECK_THROWS_AS(load<trimesh>(dir / "a.obj", format_list{soup_format{}}), unsupported);
   CHECK_THROWS_AS(save(triangle, dir / "a.obj", format_list<>{}), unsupported);
 }

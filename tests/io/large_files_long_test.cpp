@@ -106,10 +106,10 @@ TEST_CASE("large files: binary OFF beyond 4 GiB can be mapped and read") {
   // The place of an error is told beyond 4 GiB too.
   file.write(polys_at + 8, words({5000}));
   CHECK_THROWS_WITH_AS(load<surface_arrays>(file.path, {.map = true}),
-                       (file.path + ":1: expected the index of a vert, of 1100, found something else at byte " + std::to_string(polys_at + 8)).c_str(), parse_error);
+                       (file.path + ":1: expected the index of a vert below 1100, found another value at byte " + std::to_string(polys_at + 8)).c_str(), parse_error);
   file.resize(polys_at + 6);
   CHECK_THROWS_WITH_AS(load<surface_arrays>(file.path, {.map = true}),
-                       (file.path + ":1: expected the number of verts of a poly, no more than the rest of the file can hold, found something else at byte " +
+                       (file.path + ":1: expected the number of verts of a poly, no more than the rest of the file can hold, found another value at byte " +
                         std::to_string(polys_at))
                            .c_str(),
                        parse_error);

@@ -104,8 +104,8 @@ class cholmod {
     const std::vector<double> input_diagonal = core::diagonal(a);
     if (const Eigen::Index row = factors_.failed_row(); row >= 0)
       core::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ", static_cast<std::size_t>(row),
-                                          ": of the diagonal entry ",
-                                          core::number_text(input_diagonal[static_cast<std::size_t>(row)]), " elimination leaves nothing positive"});
+                                          ": elimination turns the diagonal entry ",
+                                          core::number_text(input_diagonal[static_cast<std::size_t>(row)]), " into one that is not positive"});
     factors_.for_each_pivot([&](Eigen::Index row, double pivot) {
       const double diagonal = input_diagonal[static_cast<std::size_t>(row)];
       if (!(pivot > 1e-15 * diagonal && pivot < std::numeric_limits<double>::infinity()))

@@ -57,7 +57,7 @@ class embree_caster {
   /// Errors: unsupported if Embree cannot run here, std::bad_alloc.      Cost: O(n log n), with all cores.
   explicit embree_caster(const triangle_soup& soup) : device_(rtcNewDevice(nullptr)) {
     check(device_.get(), "starting");
-    if (!device_) throw unsupported("embree: starting: no device");
+    if (!device_) throw unsupported("embree: Embree cannot be started: it gives no device");
     scene_.reset(rtcNewScene(device_.get()));
     check(device_.get(), "making a scene");
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);  // so that no ray passes between two adjacent triangles

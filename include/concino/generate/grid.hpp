@@ -32,8 +32,8 @@ class spaced {
     const double far = std::max(std::abs(min), std::abs(max));
     const double spacing = std::max(far - std::nextafter(far, 0), std::numeric_limits<double>::min());
     if (!(extent_ / n_ > 8 * spacing))
-      core::throw_joined<invalid_argument>({what, ": between min.", axis, " and max.", axis, " no ", n,
-                                      " steps can be told apart; take fewer cells or a larger box"});
+      core::throw_joined<invalid_argument>({what, ": ", n, " steps between min.", axis, " and max.", axis,
+                                      " are too small for double precision; take fewer cells or a larger box"});
   }
   double operator[](std::size_t i) const { return i == last_ ? max_ : min_ + extent_ * (static_cast<double>(i) / n_); }
 };

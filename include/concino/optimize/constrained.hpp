@@ -73,8 +73,8 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   try {
     solver.factorize(whole);
   } catch (const solver_error& e) {
-    core::throw_joined<solver_error>({caller, ": the unknowns, ", static_cast<std::size_t>(n), " of them, are not determined by K and ",
-                                        static_cast<std::size_t>(m), " constraints, or the solver cannot tell: ", std::string(e.what())});
+    core::throw_joined<solver_error>({caller, ": K and ", static_cast<std::size_t>(m), " constraints do not determine the ",
+                                        static_cast<std::size_t>(n), " unknowns, or the solver fails: ", std::string(e.what())});
   }
   Eigen::VectorXd found = solver.solve(right);
   found += solver.solve(Eigen::VectorXd(right - whole * found));

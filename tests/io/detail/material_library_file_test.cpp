@@ -347,7 +347,7 @@ TEST_CASE("library_file: lines that name libraries are found in pieces of any si
 TEST_CASE("library_file: a thousand libraries of others are enough") {
   const temporary_folder dir;
   for (int i = 0; i < 1000; ++i) write_file(dir / (i ? "a_" + std::to_string(i) + ".mtl" : "a.mtl"), "newmtl color_1\n");
-  CHECK_THROWS_WITH_AS(save(colored(1), dir / "a.obj"), ((dir / "a.obj") + ": 1000 material libraries of this name hold other materials").c_str(), io_error);
+  CHECK_THROWS_WITH_AS(save(colored(1), dir / "a.obj"), ((dir / "a.obj") + ": 1000 material libraries of this name exist and hold other materials; remove them or save under another name").c_str(), io_error);
   CHECK(dir.num_files() == 1000);
 }
 

@@ -391,9 +391,9 @@ TEST_CASE("read_off: binary") {
 
 TEST_CASE("read_off: in binary, messages name the byte, and counts are as large as the file can hold") {
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
-  const std::string head = "OFF BINARY\n", too_many = ", no more than the rest of the file can hold | something else at byte ";
-  CHECK(says(head + bytes().i(-1).i(0).i(0).text) == "1: the number of verts, not negative | something else at byte 11");
-  CHECK(says(head + bytes().i(0x80000000).i(0).i(0).text) == "1: the number of verts, not negative | something else at byte 11");
+  const std::string head = "OFF BINARY\n", too_many = ", no more than the rest of the file can hold | another value at byte ";
+  CHECK(says(head + bytes().i(-1).i(0).i(0).text) == "1: the number of verts, not negative | another value at byte 11");
+  CHECK(says(head + bytes().i(0x80000000).i(0).i(0).text) == "1: the number of verts, not negative | another value at byte 11");
   CHECK(says(head + bytes().i(0x7FFFFFFF).i(0).i(0).text) == "1: the number of verts" + too_many + "11");
   CHECK(says(head + bytes().i(2).i(0).i(0).f({0, 0, 0}).text) == "1: the number of verts" + too_many + "11");
   CHECK(says("4" + head + bytes().i(3).i(0).i(0).text + std::string(32, '\0')) == "1: the number of verts" + too_many + "12");
@@ -402,17 +402,17 @@ TEST_CASE("read_off: in binary, messages name the byte, and counts are as large 
   CHECK(says("ST" + head + bytes().i(3).i(0).i(0).text + std::string(40, '\0')) == "1: the number of verts" + too_many + "13");
   CHECK(says(head + bytes().i(2).i(2).i(0).f({0, 0, 0, 0, 0, 0}).text + std::string(10, '\0')) == "1: the number of polys" + too_many + "15");
   CHECK(says(head + bytes().i(0).i(0).text) == "1: the number of edges | the end of the file at byte 19");
-  CHECK(says(head + bytes().i(1).i(0).i(0).f({0, INFINITY, 0}).text) == "1: a finite number | something else at byte 27");
-  CHECK(says("n" + head + bytes().i(0).i(0).i(0).i(0).text) == "1: the dimension of the space, from 1 | something else at byte 12");
-  CHECK(says("4" + head + bytes().i(1).i(0).i(0).f({1, 2, 3, 0}).text) == "1: a weight w by which x y z can be divided | something else at byte 36");
+  CHECK(says(head + bytes().i(1).i(0).i(0).f({0, INFINITY, 0}).text) == "1: a finite number | another value at byte 27");
+  CHECK(says("n" + head + bytes().i(0).i(0).i(0).i(0).text) == "1: the dimension of the space, at least 1 | another value at byte 12");
+  CHECK(says("4" + head + bytes().i(1).i(0).i(0).f({1, 2, 3, 0}).text) == "1: a weight w by which x y z can be divided | another value at byte 36");
   const std::string three = head + bytes().i(3).i(1).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0}).text;
-  CHECK(says(three + bytes().i(2).i(0).i(1).i(0).i(0).text) == "1: a poly of at least three verts | something else at byte 59");
+  CHECK(says(three + bytes().i(2).i(0).i(1).i(0).i(0).text) == "1: a poly of at least three verts | another value at byte 59");
   CHECK(says(three + bytes().i(4).i(0).i(1).i(2).text) == "1: the number of verts of a poly" + too_many + "59");
-  CHECK(says(three + bytes().i(3).i(0).i(1).i(3).i(0).text) == "1: the index of a vert, of 3 | something else at byte 71");
+  CHECK(says(three + bytes().i(3).i(0).i(1).i(3).i(0).text) == "1: the index of a vert below 3 | another value at byte 71");
   CHECK(says(three + bytes().i(3).i(0).i(1).i(1).i(0).text) == "1: different verts at the corners of a poly | vert 1 twice");
   CHECK(says(three + bytes().i(3).i(0).i(1).i(2).i(5).text + std::string(20, '\0')) ==
-        "1: a colour of at most 4 numbers | something else at byte 75");
-  CHECK(says("# c\r\nOFF BINARY\r\n" + bytes().i(-1).i(0).i(0).text) == "2: the number of verts, not negative | something else at byte 17");
+        "1: a colour of at most 4 numbers | another value at byte 75");
+  CHECK(says("# c\r\nOFF BINARY\r\n" + bytes().i(-1).i(0).i(0).text) == "2: the number of verts, not negative | another value at byte 17");
   CHECK(complaint<trimesh>("OFF 4 1 0\n" + points + "4 0 1 2 3\n", file_format::off) ==
         "6: a triangle (polygonmesh and load_any take any polygon) | a polygon of 4 corners");
 
@@ -493,7 +493,7 @@ TEST_CASE("read_off: binary numbers in little-endian order are recognised, and n
 }
 
 TEST_CASE("read_off: binary numbers are little-endian only if the whole file makes sense so") {
-  const std::string head = "OFF BINARY\n", no_verts = "1: the number of verts, no more than the rest of the file can hold | something else at byte 11";
+  const std::string head = "OFF BINARY\n", no_verts = "1: the number of verts, no more than the rest of the file can hold | another value at byte 11";
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
   const auto is_little = [](const std::string& text) {
     load_report r;
@@ -522,7 +522,7 @@ TEST_CASE("read_off: binary numbers are little-endian only if the whole file mak
   const std::size_t both_counts = 8, begin_of_polys = 60, least_of_polys = 80;
   for (std::size_t n = begin_of_polys; n < colored.text.size(); ++n) {
     const std::string found = says(head + colored.text.substr(0, n));
-    if (n < both_counts + least_of_polys) CHECK(found == "1: the number of polys, no more than the rest of the file can hold | something else at byte 15");
+    if (n < both_counts + least_of_polys) CHECK(found == "1: the number of polys, no more than the rest of the file can hold | another value at byte 15");
     else CHECK_MESSAGE((found.find(" of a ") != found.npos || found.starts_with("1: a number | the end of the file")), found);
   }
 
@@ -548,12 +548,12 @@ TEST_CASE("read_off: binary numbers are little-endian only if the whole file mak
   }
 
   // With the dimension of the space before them.
-  const std::string dimension = "1: the dimension of the space, from 1 | the end of the file at byte ";
+  const std::string dimension = "1: the dimension of the space, at least 1 | the end of the file at byte ";
   for (std::size_t n = 0; n < 4; ++n) CHECK(says("n" + head + std::string(4, '\0').substr(0, n)) == dimension + std::to_string(12 + n));
-  CHECK(says("n" + head + std::string(16, '\0')) == "1: the dimension of the space, from 1 | something else at byte 12");
+  CHECK(says("n" + head + std::string(16, '\0')) == "1: the dimension of the space, at least 1 | another value at byte 12");
   const std::string plane = little(bytes().i(2).i(1).i(0).i(0).f({5, 6}));
   CHECK(is_little("n" + head + plane));
   for (std::size_t n = 4; n < plane.size(); ++n)
-    CHECK(says("n" + head + plane.substr(0, n)) == "1: the dimension of the space, from 1, no more than the rest of the file can hold | something else at byte 12");
+    CHECK(says("n" + head + plane.substr(0, n)) == "1: the dimension of the space, at least 1, no more than the rest of the file can hold | another value at byte 12");
   CHECK(says("n" + head + bytes().i(1).i(0).i(0).text) == "1: the number of edges | the end of the file at byte 24");
 }

@@ -141,8 +141,8 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
     do gap = m.opposite_halfedge_handle(m.next_halfedge_handle(gap));
     while (!m.is_boundary(gap));
     if (gap == in)
-      refuse(core::joined({"closes the ring of polys around ", name(corners[(i + 1) % n]),
-                     ", at which others stand in the gap; OpenMesh can hold no others there"}));
+      refuse(core::joined({"closes a fan of polys around ", name(corners[(i + 1) % n]),
+                     ", which has polys of another fan too; in OpenMesh a closed fan is the only one at its vert"}));
   }
 }
 

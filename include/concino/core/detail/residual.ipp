@@ -62,7 +62,7 @@ CONCINO_INLINE double residual_beside_largest(const Eigen::SparseMatrix<double>&
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_solved(const char* caller, double error) {
-  core::throw_joined<solver_error>({caller, ": the system is too badly conditioned for double precision, or not what the solver is for: the relative"
+  core::throw_joined<solver_error>({caller, ": the system is too badly conditioned for double precision, or the solver is not made for such a system: the relative"
                               " residual is ", core::number_text(error)});
 }
 

@@ -49,8 +49,8 @@ CONCINO_INLINE void check_solution(const char* caller, const Eigen::VectorXd& x)
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double diagonal,
                                                                             double pivot) {
-  throw singular_row(core::joined({caller, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": of the diagonal entry ",
-                             core::number_text(diagonal), " elimination leaves ", core::number_text(pivot)}),
+  throw singular_row(core::joined({caller, ": the matrix is ", what, " in row ", static_cast<std::size_t>(row), ": elimination turns the diagonal entry ",
+                             core::number_text(diagonal), " into ", core::number_text(pivot)}),
                      row);
 }
 

@@ -63,8 +63,8 @@ class off_binary_reader {
     little_ = is_little();
     if (little_) report_.notes.push_back("the numbers of the binary file are little-endian; those of OFF are big-endian");
     if (header_.any_dimension) {
-      header_.dimension = count("the dimension of the space, from 1", 1);
-      if (header_.dimension == 0) fail(in_.at - 4, "the dimension of the space, from 1");
+      header_.dimension = count("the dimension of the space, at least 1", 1);
+      if (header_.dimension == 0) fail(in_.at - 4, "the dimension of the space, at least 1");
     }
     const std::uint64_t verts = count("the number of verts", 4 * header_.numbers());
     const std::uint64_t polys = count("the number of polys", 20);
@@ -101,7 +101,7 @@ class off_binary_reader {
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message_piece expected) const {
     in_.fail(
         line_, {expected},
-        {place == in_.end() ? "the end of the file at byte " : "something else at byte ", static_cast<std::uint64_t>(place - in_.begin())});
+        {place == in_.end() ? "the end of the file at byte " : "another value at byte ", static_cast<std::uint64_t>(place - in_.begin())});
   }
 
   std::uint32_t word(const char* expected) {
@@ -185,7 +185,7 @@ class off_binary_reader {
     const std::size_t first = out.verts.size();
     for (std::uint64_t k = 0; k < size; ++k) {
       const std::uint32_t i = word("the index of a vert");
-      if (i >= out.points.size()) fail(in_.at - 4, core::joined({"the index of a vert, of ", out.points.size()}));
+      if (i >= out.points.size()) fail(in_.at - 4, core::joined({"the index of a vert below ", out.points.size()}));
       const vert_id v{i};
       out.verts.push_back(v);
     }

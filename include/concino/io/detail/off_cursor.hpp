@@ -49,8 +49,8 @@ class off_cursor : protected text_cursor {
     } else if (header_.any_dimension) {
       skip_space('#');
       const char* const place = at;
-      const std::int64_t n = integer("the dimension of the space, from 1");
-      if (n < 1 || static_cast<std::uint64_t>(n) > left()) fail(place, "the dimension of the space, from 1");
+      const std::int64_t n = integer("the dimension of the space, at least 1");
+      if (n < 1 || static_cast<std::uint64_t>(n) > left()) fail(place, "the dimension of the space, at least 1");
       header_.dimension = static_cast<std::uint64_t>(n);
     }
   }

@@ -108,7 +108,7 @@ class qp_solver {
       r.multipliers = iterates.multipliers();
       const relative_residuals left = residuals_of(r, iterates.row_values());
       r.residual = residual(r.x, r.multipliers);
-      if (!std::isfinite(r.residual)) throw solver_error("quadratic program: the iteration left the finite numbers; scale the program");
+      if (!std::isfinite(r.residual)) throw solver_error("quadratic program: the iterates are no longer finite; scale H, g and A");
       if (left.are_within(options_.tolerance)) {
         r.status = qp_status::solved;
         if (options_.polish) r.polished = polish(r);
