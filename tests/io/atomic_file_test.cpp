@@ -193,7 +193,7 @@ TEST_CASE("atomic_file: a target that cannot be replaced is an io_error, and no 
   CHECK(said(dir / "new/") == ": cannot be written: Is a directory");
   CHECK(said(dir / "none/f") == ": cannot be written: No such file or directory");
   REQUIRE(::mkfifo((dir / "pipe").c_str(), 0600) == 0);  // no device: a fault would destroy those of the machine
-  CHECK(said(dir / "pipe") == ": is not a file");
+  CHECK(said(dir / "pipe") == ": is not a regular file");
   fs::remove(dir / "pipe");
   write_file(dir / "f", "old");
   CHECK(said(dir / "f/g") == ": cannot be written: Not a directory");

@@ -97,7 +97,7 @@ TEST_CASE("file_text: the io_error of a file that cannot be read names path and 
   CHECK_THROWS_WITH_AS(file_text(dir / "none"), ((dir / "none") + ": cannot be opened: No such file or directory").c_str(), io_error);
   for (const bool pipes : {false, true}) {
     CHECK_THROWS_WITH_AS(file_text(dir.path(), {.pipes = pipes}), (dir.path() + ": cannot be read: Is a directory").c_str(), io_error);
-    CHECK_THROWS_WITH_AS(file_text("/dev/zero", {.pipes = pipes}), "/dev/zero: is not a file", io_error);
+    CHECK_THROWS_WITH_AS(file_text("/dev/zero", {.pipes = pipes}), "/dev/zero: is not a regular file", io_error);
     CHECK_THROWS_AS(file_text("", {.pipes = pipes}), io_error);
   }
   ::mkfifo((dir / "pipe").c_str(), 0600);

@@ -176,7 +176,7 @@ TEST_CASE("solve_qp: throws if the input is invalid") {
   CHECK_THROWS_AS(solve_qp(make(h), g, sparse(0, 3), none, none), invalid_argument);
   CHECK_THROWS_AS(solve_qp(make(h), g, sparse(1, 2), none, none), invalid_argument);
   CHECK_THROWS_AS(solve_qp(make(h), VectorXd::Constant(2, NAN), a, none, none), invalid_argument);
-  CHECK_THROWS_WITH_AS(solve_qp(make(h), g, sparse(1, 2), VectorXd::Ones(1), VectorXd::Zero(1)), doctest::Contains("row 0 has the bounds 1 and 0"), invalid_argument);
+  CHECK_THROWS_WITH_AS(solve_qp(make(h), g, sparse(1, 2), VectorXd::Ones(1), VectorXd::Zero(1)), doctest::Contains("row 0 has the lower bound 1 and the upper bound 0"), invalid_argument);
   CHECK_THROWS_AS(solve_qp(make(h), g, sparse(1, 2), VectorXd::Constant(1, NAN), VectorXd::Zero(1)), invalid_argument);
   h(0, 1) = 1;
   CHECK_THROWS_WITH_AS(solve_qp(make(h), g, a, none, none), doctest::Contains("symmetric"), invalid_argument);
@@ -213,7 +213,7 @@ TEST_CASE("solve_qp: the error names the invalid size, number or option") {
     for (const double end : {-inf, inf}) {
       VectorXd low = -two, high = two;
       low[i] = high[i] = end;
-      refused(h, two, a, low, high, i == 0 ? "row 0 has the bounds" : "row 1 has the bounds");
+      refused(h, two, a, low, high, i == 0 ? "row 0 has the lower bound" : "row 1 has the lower bound");
     }
   refused(h, two, a, two, two, "tolerance", {.tolerance = 0.9e-12});
   refused(h, two, a, two, two, "tolerance", {.tolerance = 1.5});

@@ -16,7 +16,7 @@ namespace concino {
 /// Source: SplitMix64, Steele, Lea and Flood 2014.
 inline std::vector<vec3> random_points(std::size_t n, const box& domain, std::uint64_t seed = 1) {
   if (domain.is_empty() || !is_finite(domain.max - domain.min))
-    throw invalid_argument("random points need a box that is not empty, with finite corners and size");
+    throw invalid_argument("random_points: the box must not be empty, and its corners and size must be finite");
   detail::random_stream random(seed);
   std::vector<vec3> points(n);
   for (vec3& x : points)

@@ -26,7 +26,7 @@ struct voronoi_options {
 template<class Sites = std::initializer_list<vec3>>
   requires detail::PointRange<Sites>
 polygonmesh voronoi_polygons(const Sites& sites, const box& domain, const voronoi_options& options = {}) {
-  if (!std::isfinite(domain.min.z)) throw invalid_argument("the box of Voronoi polygons has a min.z that is not finite; it says where their plane is");
+  if (!std::isfinite(domain.min.z)) throw invalid_argument("voronoi_polygons: min.z of the box is not finite; it is the height of the plane of the polygons");
   return detail::with_relaxed_sites<2>(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
     const detail::site_lattice<2> lattice(x, b);
     const detail::voronoi_complex<2> cells(lattice);

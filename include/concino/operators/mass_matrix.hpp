@@ -26,7 +26,7 @@ template<class M>
   for (const poly_t<M> p : polys(m))
     if (!std::isfinite(measure(m, p)))
       core::throw_joined<invalid_mesh>({"masses: poly ", index_of(m, p), " has points that are not finite, so it has no mass; move its verts"});
-  core::throw_joined<invalid_mesh>({"masses: the polys are so large that their measures sum to infinity; scale the mesh"});
+  core::throw_joined<invalid_mesh>({"masses: the sum of the measures of the polys is infinite; scale the mesh"});
 }
 
 }  // namespace detail

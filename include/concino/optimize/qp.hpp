@@ -37,7 +37,8 @@ inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::Vec
   for (Eigen::Index i = 0; i < low.size(); ++i)
     if (!(low[i] <= high[i]) || low[i] == std::numeric_limits<double>::infinity() || high[i] == -std::numeric_limits<double>::infinity())
       core::throw_joined<invalid_argument>({"quadratic program: row ", static_cast<std::size_t>(i), " has the lower bound ",
-                                              core::number_text(low[i]), " and the upper bound ", core::number_text(high[i]), "; no finite number lies between them"});
+                                              core::number_text(low[i]), " and the upper bound ", core::number_text(high[i]),
+                                              "; no finite number lies between them"});
   if (!(options.tolerance >= 1e-12 && options.tolerance <= 1)) refuse("tolerance must be from 1e-12 to 1");
   if (options.max_iterations < 1) refuse("max_iterations must be 1 or more");
   if (options.x.size() && (options.x.size() != g.size() || !options.x.allFinite())) refuse("the x to start from must be finite and of the size of g");

@@ -62,8 +62,8 @@ CONCINO_INLINE double residual_beside_largest(const Eigen::SparseMatrix<double>&
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_solved(const char* caller, double error) {
-  core::throw_joined<solver_error>({caller, ": the system is too badly conditioned for double precision, or the solver is not made for such a system: the relative"
-                              " residual is ", core::number_text(error)});
+  core::throw_joined<solver_error>({caller, ": the system is too badly conditioned for double precision, or the solver is not made for such a system:"
+                              " the relative residual is ", core::number_text(error)});
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_singular_at_vert(const char* caller, std::size_t vert, const char* why) {

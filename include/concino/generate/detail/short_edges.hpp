@@ -21,8 +21,8 @@ struct cell_loops {
 };
 
 [[noreturn]] inline void throw_thin_cell(std::size_t cell) {
-  core::throw_joined<invalid_argument>({"the Voronoi cell of site ", cell,
-                                  " is thinner than rounding of the size of the box; remove the site or one of those next to it"});
+  core::throw_joined<invalid_argument>({"Voronoi diagram: the cell of site ", cell,
+                                  " is thinner than rounding errors of the box's size; remove the site or one next to it"});
 }
 
 /// The sets of verts to merge: those connected by negligibly short edges.

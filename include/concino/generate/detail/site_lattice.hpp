@@ -26,28 +26,30 @@ class site_lattice {
     for (std::size_t k = 0; k < D; ++k) {
       const double side = domain.max[k] - domain.min[k];
       if (!(side > 0) || !std::isfinite(side))
-        core::throw_joined<invalid_argument>({"the box of a Voronoi diagram needs finite corners, max above min, and a finite size"});
+        core::throw_joined<invalid_argument>({"Voronoi diagram: the box must have finite corners, max above min, and a finite size"});
       longest = std::max(longest, side);
     }
     std::frexp(longest, &exponent_);
     exponent_ -= bits;
     for (std::size_t k = 0; k < D; ++k) {
       size_[k] = to_lattice(domain.max[k], k);
-      if (size_[k] < 1 << 16) core::throw_joined<invalid_argument>({"the box of a Voronoi diagram is more than 2^32 times as long as it is wide"});
+      if (size_[k] < 1 << 16) core::throw_joined<invalid_argument>({"Voronoi diagram: the box is more than 2^32 times as long as it is wide"});
     }
     std::size_t i = 0;
     for (const auto& site : sites) {
       const vec3 x = to_vec3(site);
       place p{};
       for (std::size_t k = 0; k < D; ++k) {
-        if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k])) core::throw_joined<invalid_argument>({"site ", i, " is not finite or lies outside the box"});
+        if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k]))
+          core::throw_joined<invalid_argument>({"Voronoi diagram: site ", i, " is not finite or lies outside the box"});
         p[k] = to_lattice(x[k], k);
       }
       places_.push_back(p);
       ++i;
     }
-    if (places_.empty()) core::throw_joined<invalid_argument>({"a Voronoi diagram needs at least one site"});
-    if (places_.size() >= 0xffffff00u) core::throw_joined<invalid_argument>({"a Voronoi diagram of ", places_.size(), " sites is too large"});
+    if (places_.empty()) core::throw_joined<invalid_argument>({"Voronoi diagram: there must be at least one site"});
+    if (places_.size() >= 0xffffff00u)
+      core::throw_joined<invalid_argument>({"Voronoi diagram: there are ", places_.size(), " sites; 32 bits cannot number them"});
     sort_into_bins();
   }
 
@@ -161,7 +163,8 @@ class site_lattice {
         squared += d * d;
       }
       if (squared == 0)
-        core::throw_joined<invalid_argument>({"sites ", std::min(i, j), " and ", std::max(i, j), " are the same point, within rounding of the size of the box"});
+        core::throw_joined<invalid_argument>({"Voronoi diagram: sites ", std::min(i, j), " and ", std::max(i, j),
+                                              " are the same point, up to rounding errors of the box's size; remove one of them"});
       if (squared <= reach * reach) out.push_back({squared, j});
     }
   }

@@ -101,7 +101,7 @@ CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) 
     const bool exists = ::fstatat(folder_, name_.c_str(), &old, 0) == 0;
     if (!exists && errno != ENOENT) fail();
     if (exists && S_ISDIR(old.st_mode)) detail::throw_io_error(path_, "cannot be written", EISDIR);
-    if (exists && !S_ISREG(old.st_mode)) core::throw_joined<io_error>({path_, ": is not a file"});
+    if (exists && !S_ISREG(old.st_mode)) core::throw_joined<io_error>({path_, ": is not a regular file"});
     if (exists && ::faccessat(folder_, name_.c_str(), W_OK, 0) != 0) fail();
     if (!open_unnamed()) open_named(base);
     if (exists) (void)!::fchmod(file_, old.st_mode & 07777);  // best effort: the new file is correct without it

@@ -39,7 +39,7 @@ namespace concino {
     if (::fcntl(file.fd, F_SETFL, O_RDONLY) != 0) detail::throw_io_error(path, "cannot be read", errno);
     read(file.fd, path, 0);
   } else if (!S_ISREG(info.st_mode)) {
-    core::throw_joined<io_error>({path, ": is not a file"});
+    core::throw_joined<io_error>({path, ": is not a regular file"});
   } else if (!access.map || info.st_size == 0) {
     read(file.fd, path, static_cast<std::uint64_t>(info.st_size));
   } else {

@@ -184,7 +184,8 @@ class material_library_file final : public companion_files {
                                    const std::vector<std::string>& old_lines, load_report& unused_report) {
     numbered_libraries r;
     for (std::size_t attempt = 0, num_free = 0; num_free < 2; ++attempt) {
-      if (attempt == 1000) core::throw_joined<io_error>({path_, ": 1000 material libraries of this name exist and hold other materials; remove them or save under another name"});
+      if (attempt == 1000)
+        core::throw_joined<io_error>({path_, ": 1000 material libraries of this name exist and hold other materials; remove them or save under another name"});
       const std::string name = name_of(attempt), path = core::joined({folder_, name});
       if (std::string_view(name) == std::string_view(path_).substr(folder_.size())) continue;  // an OBJ file called .mtl
       struct ::stat info {};

@@ -6,11 +6,25 @@
 #include <concino/mesh/property_set.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
+#if __has_include(<cxxabi.h>)
+#include <cxxabi.h>
+#endif
 
 namespace concino {
 
 namespace detail {
+
+/// The type as it is written in C++, where the compiler can say it; for messages.
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::string written_type(const std::type_info& type) {
+#if __has_include(<cxxabi.h>)
+  const std::unique_ptr<char, void (*)(void*)> text(abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr), std::free);
+  if (text) return text.get();
+#endif
+  return type.name();
+}
 
 [[gnu::noinline]] CONCINO_INLINE void column::make_room(std::size_t n) {
   column fresh(*type_);
@@ -177,8 +191,8 @@ CONCINO_INLINE property_set& property_set::operator=(property_set o) noexcept {
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (e.values->type() != *type.type)
-      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" holds values of type ", e.values->type().name(),
-                                              ", not of the type asked for (", type.type->name(), "); use another name or remove it first"});
+      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" holds values of type ", detail::written_type(e.values->type()),
+                                              ", not ", detail::written_type(*type.type), "; use another name or remove it first"});
     return e.values;
   }
   return nullptr;
@@ -209,8 +223,9 @@ CONCINO_INLINE bool property_set::has(element_kind kind) const {
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (!e.values->set_rule(rule))
-      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" cannot be taken along by the rule `", to_string(rule), "`: its values, of type ",
-                                            e.values->type().name(), rule == property_rule::sum ? ", cannot be added" : ", have no mean"});
+      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" cannot be transferred by the rule `", to_string(rule),
+                                            "`: its values, of type ", detail::written_type(e.values->type()),
+                                            rule == property_rule::sum ? ", cannot be added" : ", have no mean"});
     return;
   }
   core::throw_joined<invalid_argument>({"the mesh has no ", to_string(kind), " property \"", name, "\""});
