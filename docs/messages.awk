@@ -1,6 +1,6 @@
 # Makes docs/messages.md of what test programs recorded (tests/support/recorded_messages.cpp), or compares that page with their records.
 # usage: awk -f messages.awk record... > new.md               only what was recorded
-#        awk -v page=messages.md -f messages.awk record... > new.md   also the rows of `page` whose test cases have recorded nothing
+#        awk -v page=messages.md -f messages.awk record... > new.md   also the rows of `page` of test files that recorded nothing
 #        awk -v page=messages.md -v compare=1 -f messages.awk record...   prints the messages that `page` lacks; the exit code is 1 if there are some
 # A record has four fields with tabs between them: the file of the test below tests/, the test case, the type thrown and the message.
 #
@@ -64,6 +64,7 @@ function read_page(    row, section, cell, i) {
     old_message[i] = substr(cell[1], 4, length(cell[1]) - 4)
     old_type[i] = cell[2]
     old_test[i] = substr(cell[3], 1, length(cell[3]) - 2)
+    old_file[i] = substr(cell[3], 2, index(cell[3], "`:") - 2)
     in_page[pattern(old_type[i], old_message[i])] = 1
   }
 }
@@ -73,7 +74,7 @@ NF == 4 && $1 !~ left_out {
   test = "`" $1 "`: " $2
   gsub(/\|/, "\\|", test)
   if (!compare) {
-    has_run[test] = 1
+    has_run[$1] = 1
     consider($3, message, section_of($1, message), test)
   } else if (!(pattern($3, message) in in_page)) {
     in_page[pattern($3, message)] = 1
@@ -108,7 +109,7 @@ function print_page(    i, row, section) {
 END {
   if (!compare) {
     for (i = 1; i <= num_old; ++i)
-      if (!(old_test[i] in has_run)) consider(old_type[i], old_message[i], old_section[i], old_test[i])
+      if (!(old_file[i] in has_run)) consider(old_type[i], old_message[i], old_section[i], old_test[i])
     sort_rows()
     print_page()
   }

@@ -1,7 +1,7 @@
 # Writes docs/messages.md, the error messages that the tests provoke; messages.awk says what a row of it is.
 #   cmake -D source=<repository> -D build=<build folder> -P docs/messages.cmake      runs the tests of a build and writes the page of their messages
-#   cmake -D source=<repository> -D records=<folder> -P docs/messages.cmake          brings the rows up to date of tests that ran with the environment
-#                                                                                    variable CONCINO_TEST_MESSAGES=<folder>
+#   cmake -D source=<repository> -D records=<folder> -P docs/messages.cmake          brings the rows of those test files up to date that ran with
+#                                                                                    CONCINO_TEST_MESSAGES=<folder> in the environment
 #   ... -D compare=ON ...                                                            fails if the page lacks a recorded message; writes nothing
 find_program(awk NAMES mawk gawk awk REQUIRED)
 set(page ${source}/docs/messages.md)

@@ -61,7 +61,7 @@ set(files "| `FILE: cannot be read: it is \\x60c\\|d\\x60\\` | io_error | `io/ob
 page(text "${records}")
 expect("the page" "${text}" "## Files${head}${files}\n## geometry${head}${camera}")
 
-# A page lacks new patterns only. Rows of tests that have run are replaced, others stay.
+# A page lacks new patterns only. Rows of test files that have run are replaced, others stay.
 file(WRITE ${scratch}/page.md "${text}")
 set(new "geometry/camera_test.cpp -> angles -> invalid_argument -> camera: the angle is 200 degrees\n")
 page(text "${records}${new}" -v page=${scratch}/page.md -v compare=1)
