@@ -69,13 +69,11 @@ make() {
 }
 
 # check <folder> <what> [ctest option...]: runs, shows the output of what failed, adds to the counts. A doctest program counts as its cases.
-# The tests record the error messages that they provoke in <folder>/messages.
 check() {
   local dir=$build/$1 what=$2 counts
   shift 2
   say "$what"
-  rm -rf "$dir/messages" && mkdir "$dir/messages"
-  CONCINO_TEST_MESSAGES=$(realpath "$dir/messages") ctest --test-dir "$dir" -j "$jobs" "$@" >"$dir.ctest.log" 2>&1
+  ctest --test-dir "$dir" -j "$jobs" "$@" >"$dir.ctest.log" 2>&1
   counts=$(awk -v skips="$skipped_names" -f scripts/count_tests.awk "$dir/Testing/Temporary/LastTest.log" 2>"$dir.failures.log")
   cat "$dir.failures.log"
   passed=$((passed + ${counts% *}))
@@ -97,23 +95,11 @@ if [ $long -eq 1 ]; then
 fi
 [ $quick -eq 0 ] || selection+=(-E '^consumers/')
 
-# messages <folder>: whether docs/messages.md has all messages that the tests of `check` have provoked.
-messages() {
-  local dir=$build/$1
-  if cmake -D source="$PWD" -D records="$dir/messages" -D compare=ON -P docs/messages.cmake >"$dir.messages.log" 2>&1; then
-    passed=$((passed + 1))
-  else
-    cat "$dir.messages.log"
-    failed=$((failed + 1))
-  fi
-}
-
 # whole <folder> <preset> <compiler> [option...]: builds and runs all that the options leave.
 whole() {
   configure "$@" || return
   make "$1" "$3: build ($2)"
   check "$1" "$3: run ($2)" "${selection[@]}"
-  messages "$1"
 }
 
 # headers <folder> <compiler> [option...]: every header compiles alone. What one forgets to include, either compiler finds.
