@@ -58,7 +58,7 @@ TEST_CASE("with_both_triangles, scaled_product: handle empty matrices, cancellat
   const auto cancelled = scaled_product(row, {1, -1}, column);
   CHECK(cancelled.nonZeros() == 1);
   CHECK(cancelled.coeff(0, 0) == 0);
-  CHECK_THROWS_WITH_AS(scaled_product(row, {1}, column), "scaled_product: there are 2 columns of a, 1 factors and 2 rows of b; they have to be as many", invalid_argument);
+  CHECK_THROWS_WITH_AS(scaled_product(row, {1}, column), "scaled_product: there are 2 columns of a, 1 factors and 2 rows of b; the numbers must be equal", invalid_argument);
   CHECK_THROWS_AS(scaled_product(row, {1, 1}, row), invalid_argument);
   CHECK_THROWS_WITH_AS(with_both_triangles(row), "with_both_triangles: the matrix is not square", invalid_argument);
   Eigen::SparseMatrix<double> loose(2, 2);

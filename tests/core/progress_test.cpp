@@ -9,5 +9,5 @@ TEST_CASE("progress: the callback is optional; false cancels, and the error name
   concino::detail::report_progress(go_on, 0.25, "thinking");
   CHECK(heard == 0.25);
   const auto stop = [](double, const char*) { return false; };
-  CHECK_THROWS_WITH_AS(concino::detail::report_progress(stop, 0.5, "thinking"), "stopped by the progress callback while thinking", concino::cancelled);
+  CHECK_THROWS_WITH_AS(concino::detail::report_progress(stop, 0.5, "thinking"), "thinking: stopped by the progress callback", concino::cancelled);
 }

@@ -259,13 +259,13 @@ TEST_CASE_TEMPLATE("poisson: throws if a flux is invalid", M, CONCINO_KINDS) {
   const constant f{1};
   CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{none, 1.0}}}), doctest::Contains(("poisson: a flux is given at something that is no " + std::string(word) + "of the mesh").c_str()), invalid_mesh);
   CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{inner, 1.0}}}),
-                       doctest::Contains(("poisson: a flux is given at " + named(inner) + ", which has 2 polys and so is not on").c_str()),
+                       doctest::Contains(("poisson: a flux is given at " + named(inner) + ", which has 2 polys; give fluxes on").c_str()),
                        invalid_mesh);
   CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{outer, INFINITY}}}), ("poisson: the flux given at " + named(outer) + " is not finite").c_str(),
                        invalid_argument);
   CHECK_THROWS_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{outer, NAN}}}), invalid_argument);
   CHECK_THROWS_AS(poisson(m, make_vert_map<vec3>(m), {.values = {{a, {0, 0, 0}}}, .fluxes = {{outer, {0, INFINITY, 0}}}}), invalid_argument);
   CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{outer, 1.0}, {outer, 2.0}}}),
-                       ("poisson: the flux given at " + named(outer) + " is not the one given there before; keep one").c_str(), invalid_argument);
+                       ("poisson: the flux given at " + named(outer) + " differs from another one given there; keep one").c_str(), invalid_argument);
   CHECK_THROWS_WITH_AS(poisson(m, f, {.fluxes = {{outer, 1.0}}}), doctest::Contains("has no value prescribed"), solver_error);
 }

@@ -167,10 +167,10 @@ TEST_CASE("prepared problems: throw if an argument is invalid") {
   const auto m = grid<quadmesh>(2);
   const vert_id a{0}, b{8}, c{4}, none{9};
   const auto h = prepare_harmonic_map(m, {a, b});
-  CHECK_THROWS_WITH_AS(h.with_values({{a, 0.0}}), doctest::Contains("harmonic_map: no value is given at vert 8, which was named when this"),
+  CHECK_THROWS_WITH_AS(h.with_values({{a, 0.0}}), doctest::Contains("harmonic_map: no value is given at vert 8, which was named when the"),
                        invalid_argument);
   CHECK_THROWS_WITH_AS(h.with_values({{a, 0.0}, {b, 1.0}, {c, 2.0}}),
-                       doctest::Contains("harmonic_map: a value is given at vert 4, which is none of those that were named"), invalid_argument);
+                       doctest::Contains("harmonic_map: a value is given at vert 4, which is not among those that were named"), invalid_argument);
   CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, 1.0}, {none, 2.0}}), invalid_mesh);
   CHECK_THROWS_WITH_AS(h.with_values({{a, 0.0}, {a, 0.0}, {a, 0.0}}), doctest::Contains("no value is given at vert 8"), invalid_argument);
   CHECK_THROWS_WITH_AS(h.with_values<vec3>({{a, {0, 0, 0}}}), doctest::Contains("no value is given at vert 8"), invalid_argument);
@@ -178,7 +178,7 @@ TEST_CASE("prepared problems: throw if an argument is invalid") {
   CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, 1.0}, {b, 2.0}}), invalid_argument);
   CHECK(h.with_values({{a, 1.0}, {b, 1.0}, {b, 1.0}})[c] == doctest::Approx(1));  // it has not suffered
   CHECK_THROWS_WITH_AS(prepare_harmonic_map(m, {none}),
-                       "harmonic_map: what is to be prescribed is something that is no vert of the mesh; take verts from verts(m)", invalid_mesh);
+                       "harmonic_map: a value is to be prescribed at something that is no vert of the mesh; take verts from verts(m)", invalid_mesh);
   CHECK_THROWS_AS(prepare_harmonic_map(m, {a}, {.exponent = 0}), invalid_argument);
   CHECK_THROWS_AS(prepare_harmonic_map(m, {}), solver_error);
   CHECK_THROWS_AS(prepare_poisson(m, {}), solver_error);

@@ -172,17 +172,17 @@ TEST_CASE("agglomerate: works on a user's mesh") {
 TEST_CASE("agglomerate: throws if the polys of a label are not a disk") {
   const auto m = make_grid<quadmesh>({.cells = {4, 4}});
   CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 5)),
-                       "agglomerate: the polys with label 0, poly 0 among them, are no disk: they have more than one border; random_labels() gives labels "
+                       "agglomerate: the polys with label 0, poly 0 among them, do not form a disk: they have more than one boundary; random_labels() gives labels "
                        "that can be merged",
                        invalid_mesh);
-  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 1, 4, 5)), doctest::Contains("they do not hang together across edges"), invalid_mesh);
-  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 5, 10)), doctest::Contains("their border comes twice through vert 12"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 1, 4, 5)), doctest::Contains("they are not connected across edges"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 5, 10)), doctest::Contains("their boundary passes twice through vert 12"), invalid_mesh);
   const quadmesh closed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                         {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
-  CHECK_THROWS_WITH_AS(agglomerate(closed, all_but(closed)), doctest::Contains("they have no border"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(closed, all_but(closed)), doctest::Contains("they have no boundary"), invalid_mesh);
   CHECK(num_polys(agglomerate(closed, all_but(closed, 0))) == 2);
   const trimesh turned({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 3, 2}});
-  CHECK_THROWS_WITH_AS(agglomerate(turned, all_but(turned)), doctest::Contains("two of them run the same way along edge"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(turned, all_but(turned)), doctest::Contains("two of them run in the same direction along edge"), invalid_mesh);
   const trimesh book({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   CHECK_THROWS_WITH_AS(agglomerate(book, all_but(book)), doctest::Contains("more than two of them meet at edge 0"), invalid_mesh);
   // A torus without one quad: one border, but a handle.
@@ -198,12 +198,12 @@ TEST_CASE("agglomerate: throws if the polys of a label are not a disk") {
 
 TEST_CASE_TEMPLATE("agglomerate: throws if the polys of a label are not a ball", M, hexmesh, polyhedralmesh) {
   const M m = make_grid<M>({.cells = {3, 3, 3}});
-  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 13)), doctest::Contains("are no ball: they have more than one border"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 13)), doctest::Contains("do not form a ball: they have more than one boundary"), invalid_mesh);
   CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 4, 13, 22)), doctest::Contains("they have a handle"), invalid_mesh);
-  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 1, 3, 9)), doctest::Contains("they do not hang together across faces"), invalid_mesh);
-  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 0, 4)), doctest::Contains("their border comes twice through edge"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 1, 3, 9)), doctest::Contains("they are not connected across faces"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 0, 4)), doctest::Contains("their boundary passes twice through edge"), invalid_mesh);
   const M eight = make_grid<M>({.cells = {2, 2, 2}});  // six around a diagonal leave two corners that touch in the middle
-  CHECK_THROWS_WITH_AS(agglomerate(eight, all_but(eight, 0, 7)), doctest::Contains("their border touches itself at a vert"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(agglomerate(eight, all_but(eight, 0, 7)), doctest::Contains("their boundary touches itself at a vert"), invalid_mesh);
   CHECK(num_polys(agglomerate(m, all_but(m, 4))) == 2);
 }
 

@@ -245,13 +245,13 @@ TEST_CASE("dual_mesh: works on non-orientable surfaces") {
 
 TEST_CASE("dual_mesh: throws if the mesh is not manifold, not closed or not finite") {
   refused(polygonmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), "edge 0 has more than two polys");
-  refused(trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{1, 2, 0}, {3, 4, 0}}), "vert 0 are no single fan");
+  refused(trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{1, 2, 0}, {3, 4, 0}}), "vert 0 do not form a single fan");
   refused(trimesh({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}}, {{0, 1, 2}}), "poly 0");
 
   const std::vector<vec3> x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
   refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 2, 1, 6}, {2, 1, 0, 4}}), "has more than two polys");
-  refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 1, 6, 5}}), "no single fan");   // at an edge
-  refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 4, 5, 6}}), "vert 0 are no single ball");
+  refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 1, 6, 5}}), "do not form a single fan");   // at an edge
+  refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 4, 5, 6}}), "vert 0 do not form a single ball");
   const polyhedralmesh open({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}, {{{0, true}, {1, true}, {2, true}}});
   refused(open, "poly 0 is not closed");
 }

@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("grade: errors leave the mesh unchanged; empty meshes stay em
   CHECK_THROWS_WITH_AS(grade(m, {2, 2, 2}), "grade: vert 0 is not at a finite point; nothing was moved", invalid_mesh);
   set_point(m, v, vec3{-1e308, 0, 0});
   set_point(m, vert_t<M>{1}, vec3{1e308, 0, 0});
-  CHECK_THROWS_WITH_AS(grade(m, {2, 2, 2}), "grade: the mesh is wider than the largest number; nothing was moved", invalid_mesh);
+  CHECK_THROWS_WITH_AS(grade(m, {2, 2, 2}), "grade: the size of the mesh exceeds the largest double; nothing was moved", invalid_mesh);
   M empty;
   grade(empty, {2, 2, 2});
   CHECK(num_verts(empty) == 0);

@@ -66,8 +66,8 @@ struct cgal_polyhedron_ids : cgal_polyhedron_links<P> {
   template<class Iterator>
   static std::size_t bound(std::size_t size, Iterator end, const char* kind) {
     if (size > 0 && (--end)->id() != size - 1)
-      core::throw_joined<invalid_mesh>({"CGAL::Polyhedron_3: the last ", kind,
-                                          " has another id than the number of those before it; call "
+      core::throw_joined<invalid_mesh>({"CGAL::Polyhedron_3: the ids of the ", kind,
+                                          "s are not 0, 1, 2, ... in their order; call "
                                           "CGAL::set_halfedgeds_items_id(m) after changes of connectivity"});
     return size;
   }

@@ -135,7 +135,7 @@ struct cgal_surface_links {
     }
     const poly p = m.add_face(corners);
     if (p == mesh::null_face())
-      refuse("cannot be linked: two polys at most share an edge, which they walk in opposite directions, and there must be a gap at each of its verts");
+      refuse("cannot be linked: in CGAL::Surface_mesh at most two polys share an edge, in opposite directions, and each vert of a new poly is on the boundary");
     return p;
   }
 };

@@ -15,7 +15,7 @@ using progress = function_ref<bool(double fraction, const char* label)>;
 namespace detail {
 
 inline void report_progress(const progress& p, double fraction, const char* label) {
-  if (p && !p(fraction, label)) core::throw_joined<cancelled>({"stopped by the progress callback while ", label});
+  if (p && !p(fraction, label)) core::throw_joined<cancelled>({label, ": stopped by the progress callback"});
 }
 
 }  // namespace detail

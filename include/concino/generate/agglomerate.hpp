@@ -116,7 +116,7 @@ template<AnyMesh M, class V>
 [[noreturn]] void throw_not_mergeable(const M& m, V label, const poly_t<M>& p, const merge_fault& fault) {
   const std::string which = ~fault.index != 0 ? core::joined({" ", fault.index}) : std::string();
   core::throw_joined<invalid_mesh>({"agglomerate: the polys with label ", core::number_text(static_cast<long long>(label)), ", poly ", index_of(m, p),
-                              " among them, are no ", std::string(SurfaceMesh<M> ? "disk: " : "ball: "), fault.text, which,
+                              " among them, do not form a ", std::string(SurfaceMesh<M> ? "disk: " : "ball: "), fault.text, which,
                               "; random_labels() gives labels that can be merged"});
 }
 

@@ -29,7 +29,7 @@ void grade(M& m, const vec3& powers) {
                                               core::number_text(powers[k]), "; it must be finite and above 0"});
   detail::check_points_finite("grade", m);
   const box b = bounding_box(m);
-  if (!b.is_empty() && !is_finite(b.max - b.min)) throw invalid_mesh("grade: the mesh is wider than the largest number; nothing was moved");
+  if (!b.is_empty() && !is_finite(b.max - b.min)) throw invalid_mesh("grade: the size of the mesh exceeds the largest double; nothing was moved");
   std::vector<vec3> moved;
   for (const vert_t<M> v : verts(m)) {
     vec3 x = to_vec3(point(m, v));

@@ -180,7 +180,7 @@ std::vector<std::remove_const_t<T>> transfer_values(const element_origins& origi
   using value = std::remove_const_t<T>;
   detail::column source(detail::values_of<value>, from.size());
   std::copy(from.begin(), from.end(), static_cast<value*>(source.data()));
-  if (!source.set_rule(rule)) core::throw_joined<invalid_argument>({"transfer_values: values of this type do not allow the rule `", to_string(rule), "`"});
+  if (!source.set_rule(rule)) core::throw_joined<invalid_argument>({"transfer_values: values of this type do not allow the rule \"", to_string(rule), "\""});
   for (std::size_t i = 0; i < origins.size(); ++i)
     for (const origin x : origins[i])
       if (x.index >= from.size()) core::throw_joined<invalid_argument>({"transfer_values: element ", i, " was made of element ", x.index, ", but there are ", from.size(), " values"});

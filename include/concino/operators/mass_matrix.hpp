@@ -25,8 +25,8 @@ template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_infinite_mass(const M& m) {
   for (const poly_t<M> p : polys(m))
     if (!std::isfinite(measure(m, p)))
-      core::throw_joined<invalid_mesh>({"masses: poly ", index_of(m, p), " has points that are not finite, so it has no mass; move its verts"});
-  core::throw_joined<invalid_mesh>({"masses: the sum of the measures of the polys is infinite; scale the mesh"});
+      core::throw_joined<invalid_mesh>({"vert_masses: poly ", index_of(m, p), " has points that are not finite, so it has no mass; move its verts"});
+  core::throw_joined<invalid_mesh>({"vert_masses: the sum of the measures of the polys is infinite; scale the mesh"});
 }
 
 }  // namespace detail

@@ -160,8 +160,8 @@ inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tole
       core::throw_joined<solver_error>({"eigenpairs: ", static_cast<std::size_t>(converged), " of ", static_cast<std::size_t>(count),
                                   " have converged after ",
                                   static_cast<std::size_t>(max_restarts), " restarts and ", static_cast<std::size_t>(lanczos.num_operations()),
-                                  " solves; the largest relative residual is ", core::number_text(lanczos.residual()), ", asked for were ",
-                                  core::number_text(tolerance), ": allow more restarts or more than that"});
+                                  " solves; the largest relative residual is ", core::number_text(lanczos.residual()), ", the tolerance ",
+                                  core::number_text(tolerance), ": allow more restarts or a larger tolerance"});
     r.values = lanczos.eigenvalues();
     r.vectors = lanczos.eigenvectors();
     r.solves = static_cast<std::size_t>(lanczos.num_operations());
@@ -196,8 +196,8 @@ inline eigenbasis refine(const Eigen::SparseMatrix<double>& stiffness, const Eig
     if (above.empty()) return r;
     if (!(worst < before / 2))
       core::throw_joined<solver_error>({"eigenpairs: not converged: ", above.size(), " of ", static_cast<std::size_t>(count), " residuals are up to ",
-                                  core::number_text(worst), " of the eigenvalue plus the shift, asked for were ", core::number_text(tolerance),
-                                  ": allow more than that, or take another solver"});
+                                  core::number_text(worst), " of the eigenvalue plus the shift, the tolerance is ", core::number_text(tolerance),
+                                  ": allow a larger one, or use another solver"});
     before = worst;
     found = std::move(r.vectors);
     for (const Eigen::Index i : above) {

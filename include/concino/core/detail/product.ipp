@@ -62,7 +62,7 @@ CONCINO_INLINE Eigen::SparseMatrix<double> with_both_triangles(const Eigen::Spar
 CONCINO_INLINE Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMatrix<double>& a, const std::vector<double>& d, const Eigen::SparseMatrix<double>& b) {
   if (static_cast<std::size_t>(a.cols()) != d.size() || static_cast<std::size_t>(b.rows()) != d.size())
     core::throw_joined<invalid_argument>({"scaled_product: there are ", static_cast<std::size_t>(a.cols()), " columns of a, ", d.size(), " factors and ",
-                                          static_cast<std::size_t>(b.rows()), " rows of b; they have to be as many"});
+                                          static_cast<std::size_t>(b.rows()), " rows of b; the numbers must be equal"});
   detail::expect_compressed("scaled_product", a);
   detail::expect_compressed("scaled_product", b);
   const auto n = static_cast<std::size_t>(b.cols()), height = static_cast<std::size_t>(a.rows());

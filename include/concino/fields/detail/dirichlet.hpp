@@ -96,7 +96,7 @@ struct constrained_verts {
   void constrain(const M& m, const R& verts_or_pairs, const char* caller) {
     for (const auto& x : verts_or_pairs) {
       if constexpr (std::convertible_to<decltype(x), vert_t<M>>) {
-        constrain_vert(m, x, caller, "what is to be prescribed is");
+        constrain_vert(m, x, caller, "a value is to be prescribed at");
       } else {
         const auto& [vert, value] = x;
         static_cast<void>(value);

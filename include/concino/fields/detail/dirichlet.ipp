@@ -20,11 +20,11 @@ namespace concino::detail {
   core::throw_joined<invalid_argument>({caller, ": two values are given at vert ", vert, ", ", core::number_text(x), " and ", core::number_text(y), "; keep one"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_constrained(const char* caller, std::size_t vert) {
-  core::throw_joined<invalid_argument>({caller, ": a value is given at vert ", vert, ", which is none of those that were named when this was prepared"});
+  core::throw_joined<invalid_argument>({caller, ": a value is given at vert ", vert, ", which is not among those that were named when the solver was prepared"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_value(const char* caller, std::size_t vert) {
   core::throw_joined<invalid_argument>({caller, ": no value is given at vert ", vert,
-                                  ", which was named when this was prepared; give one at each of those verts"});
+                                  ", which was named when the solver was prepared; give one at each of those verts"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_unconstrained_component(const char* caller, std::size_t vert, std::size_t component) {
   core::throw_joined<solver_error>({caller, ": singular, because the component of vert ", vert, " (", component,

@@ -60,12 +60,12 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
     const std::size_t polys = num_elements(adj_facet2p(m, x));
     if (polys != 1)
       core::throw_joined<invalid_mesh>({caller, ": a flux is given at ", is_surface ? "edge " : "face ", index_of(m, x),
-                                  ", which has ", polys, " polys and so is not on the boundary; it can be given where there is one"});
+                                  ", which has ", polys, " polys; give fluxes on the boundary only, where there is one poly"});
     T& before = known[x];
     const bool again = !std::isnan(field_component(before, 0));
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
       if (!std::isfinite(field_component(flux, k))) throw_bad_flux(caller, m, x, " is not finite");
-      if (again && field_component(before, k) != field_component(flux, k)) throw_bad_flux(caller, m, x, " is not the one given there before; keep one");
+      if (again && field_component(before, k) != field_component(flux, k)) throw_bad_flux(caller, m, x, " differs from another one given there; keep one");
     }
     if (again) continue;
     before = flux;

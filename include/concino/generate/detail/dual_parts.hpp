@@ -55,7 +55,7 @@ class dual_parts {
   /// Errors: invalid_mesh if the polys around the centre are not one fan.
   void add_loop(std::size_t centre, std::uint32_t centre_vert, std::vector<vert_id>& loop) {
     const fan_kind kind = fans_.arrange(centre, [&](std::uint32_t f) { return is_border(f); });
-    if (kind == fan_kind::broken) throw_no_dual(is_surface ? "the polys around vert " : "the polys around edge ", centre, " are no single fan");
+    if (kind == fan_kind::broken) throw_no_dual(is_surface ? "the polys around vert " : "the polys around edge ", centre, " do not form a single fan");
     for (const sector& w : fans_[centre]) {
       if (facet_vert_[w.in] != none) loop.push_back(vert_id{facet_vert_[w.in]});
       loop.push_back(vert_id{w.poly});

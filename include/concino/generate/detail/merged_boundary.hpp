@@ -101,7 +101,7 @@ class merged_boundary<M> {
       for (const vert_t<M> v : adj_p2v(m_, polys.front())) ring_.push_back(v);
       return {};
     }
-    if (!members_.set(polys)) return {"they do not hang together across edges"};
+    if (!members_.set(polys)) return {"they are not connected across edges"};
     leaving_.clear(), first_from_.clear(), met_.clear(), edges_.clear();
     std::ptrdiff_t inside = 0, met = 0;
     merge_fault fault;
@@ -111,24 +111,24 @@ class merged_boundary<M> {
         const std::size_t n = members_.count(adj_e2p(m_, e)), at = index_of(m_, from);
         if (n > 2) fault = {"more than two of them meet at edge", index_of(m_, e)};
         if (n == 1) {
-          if (!leaving_.add(at, static_cast<std::uint32_t>(edges_.size()))) fault = {"their border comes twice through vert", at};
+          if (!leaving_.add(at, static_cast<std::uint32_t>(edges_.size()))) fault = {"their boundary passes twice through vert", at};
           edges_.push_back({from, to});
         } else if (first_from_.add(index_of(m_, e), static_cast<std::uint32_t>(at))) {
           ++inside;
         } else if (first_from_[index_of(m_, e)] == at) {
-          fault = {"two of them run the same way along edge", index_of(m_, e)};
+          fault = {"two of them run in the same direction along edge", index_of(m_, e)};
         }
       }
       if (fault) return fault;
     }
-    if (edges_.empty()) return {"they have no border"};
+    if (edges_.empty()) return {"they have no boundary"};
     for (std::size_t k = 0; ring_.size() < edges_.size();) {
       ring_.push_back(edges_[k].from);
       const std::size_t next = index_of(m_, edges_[k].to);
       k = leaving_.has(next) ? leaving_[next] : 0;
       if (k == 0) break;
     }
-    if (ring_.size() != edges_.size()) return {"they have more than one border"};
+    if (ring_.size() != edges_.size()) return {"they have more than one boundary"};
     const std::ptrdiff_t chi = met - inside - static_cast<std::ptrdiff_t>(edges_.size()) + static_cast<std::ptrdiff_t>(polys.size());
     if (chi != 1) return {"they have a handle, or touch themselves at a vert"};
     return {};
@@ -162,7 +162,7 @@ class merged_boundary<M> {
       for (const face_t<M> f : adj_p2f(m_, polys.front())) faces_.push_back({f, face_is_outward(m_, polys.front(), f)});
       return {};
     }
-    if (!members_.set(polys)) return {"they do not hang together across faces"};
+    if (!members_.set(polys)) return {"they are not connected across faces"};
     inside_.clear(), met_vert_.clear(), times_.clear(), first_face_.clear();
     for (const poly_t<M>& p : polys)
       for (const face_t<M> f : adj_p2f(m_, p)) {
@@ -170,9 +170,9 @@ class merged_boundary<M> {
         if (n > 2) return {"more than two of them meet at face", i};
         const bool outward = face_is_outward(m_, p, f);
         if (n == 1) faces_.push_back({f, outward});
-        else if (!inside_.add(i, outward) && (inside_[i] != 0) == outward) return {"two of them have the same side of a face, face", i};
+        else if (!inside_.add(i, outward) && (inside_[i] != 0) == outward) return {"two of them lie on the same side of face", i};
       }
-    if (faces_.empty()) return {"they have no border"};
+    if (faces_.empty()) return {"they have no boundary"};
     disjoint_sets pieces(faces_.size());
     std::size_t num_pieces = faces_.size(), open = 0;
     std::ptrdiff_t chi = static_cast<std::ptrdiff_t>(faces_.size());
@@ -185,14 +185,14 @@ class merged_boundary<M> {
           continue;
         }
         if (++times_[i] == 2) --open;
-        else return {"their border comes twice through edge", i};
+        else return {"their boundary passes twice through edge", i};
         num_pieces -= pieces.unite(first_face_[i], k);
       }
       for (const vert_t<M> v : adj_f2v(m_, faces_[k].face)) chi += met_vert_.add(index_of(m_, v), 1);
     }
     if (open != 0) return {"their border is not closed"};
-    if (num_pieces != 1) return {"they have more than one border"};
-    if (chi != 2) return {"they have a handle, or their border touches itself at a vert"};
+    if (num_pieces != 1) return {"they have more than one boundary"};
+    if (chi != 2) return {"they have a handle, or their boundary touches itself at a vert"};
     return {};
   }
 };

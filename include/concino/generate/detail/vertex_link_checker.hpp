@@ -30,7 +30,7 @@ class vertex_link_checker {
       if (second != parts_.none && joined.unite(slot_[first], slot_[second])) --pieces;
     }
     for (const edge_t<M> e : adj_v2e(m_, v)) ne += parts_.has_polys(index_of(m_, e));
-    if (pieces != 1 || ne + np != nf + (on_border ? 1 : 2)) throw_no_dual("the polys around vert ", index_of(m_, v), " are no single ball");
+    if (pieces != 1 || ne + np != nf + (on_border ? 1 : 2)) throw_no_dual("the polys around vert ", index_of(m_, v), " do not form a single ball");
     if (!on_border && ne < 3) throw_no_dual("vert ", index_of(m_, v), " has only two edges: its cell would be flat");
   }
 };

@@ -35,7 +35,7 @@ class edge_numbers {
 
   [[noreturn]] static void throw_one_way(const std::string& word, std::size_t from, std::size_t to) {
     core::throw_joined<invalid_mesh>({"edge numbers: ", word, " ", to, " is a neighbour of ", word, " ", from,
-                                ", but not the other way round; check_laws names the law that is broken, and where"});
+                                ", but not the reverse; check_laws(m) describes the error"});
   }
 
   /// Sets table_[arc] = the opposite arc. Arcs are sorted by target. Then, for each node, its arcs are marked at their

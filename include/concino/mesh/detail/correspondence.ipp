@@ -8,7 +8,7 @@ namespace concino::detail {
 
 CONCINO_INLINE void check_origins(element_kind kind, const element_origins& origins, std::size_t bound_before, std::size_t bound_after) {
   if (origins.size() != bound_after)
-    core::throw_joined<invalid_argument>({"correspondence: the origins of ", origins.size(), " ", to_string(kind), "s are known, but the index bound of the mesh is ", bound_after});
+    core::throw_joined<invalid_argument>({"correspondence: the origins of ", origins.size(), " ", to_string(kind), "s are given, but the index bound of the mesh is ", bound_after});
   for (std::size_t i = 0; i < origins.size(); ++i)
     for (const origin x : origins[i])
       if (x.index >= bound_before)

@@ -19,6 +19,7 @@ namespace detail {
 
 /// The type as it is written in C++, where the compiler can say it; for messages.
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE std::string written_type(const std::type_info& type) {
+  if (type == typeid(std::string)) return "std::string";
 #if __has_include(<cxxabi.h>)
   const std::unique_ptr<char, void (*)(void*)> text(abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr), std::free);
   if (text) return text.get();
@@ -223,8 +224,8 @@ CONCINO_INLINE bool property_set::has(element_kind kind) const {
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (!e.values->set_rule(rule))
-      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" cannot be transferred by the rule `", to_string(rule),
-                                            "`: its values, of type ", detail::written_type(e.values->type()),
+      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" cannot be transferred by the rule \"", to_string(rule),
+                                            "\": its values, of type ", detail::written_type(e.values->type()),
                                             rule == property_rule::sum ? ", cannot be added" : ", have no mean"});
     return;
   }

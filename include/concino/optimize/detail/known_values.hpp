@@ -25,7 +25,8 @@ struct known_values {
       const auto i = static_cast<Eigen::Index>(index);
       const auto v = static_cast<double>(value);
       if (i < 0 || i >= size)
-        core::throw_joined<invalid_argument>({caller, ": a value is given for unknown ", core::number_text(i), ", but there are ", static_cast<std::size_t>(size)});
+        core::throw_joined<invalid_argument>({caller, ": a value is given for unknown ", core::number_text(i), ", but there are ", static_cast<std::size_t>(size),
+                                              ", numbered from 0"});
       if (!std::isfinite(v)) core::throw_joined<invalid_argument>({caller, ": the value given for unknown ", core::number_text(i), " is not finite"});
       int& u = unknown[static_cast<std::size_t>(i)];
       if (u < 0 && x[i] != v)
