@@ -85,7 +85,7 @@ struct concino::mesh_traits<added> : concino::indexed_surface<added> {
   static const vec3& point(const added& m, vert_id v) { return concino::point(m.inner, v); }
   static vert_id add_vert(added& m, const vec3& x) { return concino::add_vert(m.inner, x); }
   static poly_id add_poly(added& m, std::span<const vert_id> corners) {
-    if (corners[0] == vert_id{13}) throw invalid_mesh("verts 13 come first never");
+    if (corners[0] == vert_id{13}) throw invalid_mesh("a poly cannot begin with vert 13");
     return concino::add_poly(m.inner, corners);
   }
 };
@@ -151,7 +151,7 @@ TEST_CASE("convert: the error names the poly that the new mesh cannot hold") {
   const auto hexes = cn::testing::grid<cn::hexmesh>(2);
   CHECK_THROWS_WITH_AS(cn::convert<cn::tetmesh>(hexes), doctest::Contains("poly 0 is a hex of 6 faces"), cn::unsupported);
   cn::trimesh grid = cn::testing::grid<cn::trimesh>(4);
-  CHECK_THROWS_WITH_AS(cn::convert<added>(grid), doctest::Contains("verts 13 come first never"), cn::unsupported);
+  CHECK_THROWS_WITH_AS(cn::convert<added>(grid), doctest::Contains("a poly cannot begin with vert 13"), cn::unsupported);
 }
 
 TEST_CASE("convert: a mesh type without arrays is built by adding verts and polys") {
