@@ -68,6 +68,8 @@ page(text "${records}${new}" -v page=${scratch}/page.md -v compare=1)
 expect("what the page lacks" "${text}" "invalid_argument: camera: the angle is 200 degrees (geometry/camera_test.cpp: angles)\n")
 page(text "${records}" -v page=${scratch}/page.md -v compare=1)
 expect("what the page lacks of itself" "${text}" "")
+page(text "geometry/camera_test.cpp -> angles -> invalid_argument -> camera: the angle is 4; it must be below 180\n" -v page=${scratch}/page.md -v all=1)
+expect("the page of one test" "${text}" "## geometry${head}${camera}")
 page(text "${new}" -v page=${scratch}/page.md)
 expect("the new page" "${text}"
   "## Files${head}${files}\n## geometry${head}| `camera: the angle is 200 degrees` | invalid_argument | `geometry/camera_test.cpp`: angles |\n")
