@@ -19,7 +19,7 @@ class submesh_view : public partial_view<M> {
 namespace detail {
 
 template<class M>
-struct submesh_traits : partial_view_traits<views::submesh_view<M>, M>, fixed_arity<arity_v<M>> {
+struct submesh_traits : partial_view_traits<views::submesh_view<M>, M>, forward_properties<views::submesh_view<M>, M>, fixed_arity<arity_v<M>> {
   using V = views::submesh_view<M>;
   using base = partial_view_traits<V, M>;
   using vert = vert_t<M>;
@@ -32,16 +32,6 @@ struct submesh_traits : partial_view_traits<views::submesh_view<M>, M>, fixed_ar
   static std::size_t index_of(const V& m, const vert& x) { return concino::index_of(m.base(), x); }
   static std::size_t index_of(const V& m, const edge& x) { return concino::index_of(m.base(), x); }
   static std::size_t index_of(const V& m, const poly& x) { return concino::index_of(m.base(), x); }
-
-  template<class B = M>
-    requires requires(const B& m) { traits<B>::properties(m); }
-  static const auto& properties(const V& m) { return traits<B>::properties(m.base()); }
-  template<class B = M>
-    requires requires(const B& m, const poly_t<B>& p) { traits<B>::first_corner(m, p); }
-  static std::size_t first_corner(const V& m, const poly_t<B>& p) { return traits<B>::first_corner(m.base(), p); }
-  template<class B = M>
-    requires requires(const B& m) { traits<B>::corner_index_bound(m); }
-  static std::size_t corner_index_bound(const V& m) { return traits<B>::corner_index_bound(m.base()); }
 
   using base::contains;
   static bool contains(const V& m, const poly& x) { return base::is_visible(m, m.elements().polys, x); }

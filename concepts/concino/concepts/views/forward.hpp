@@ -112,6 +112,20 @@ struct forward_points<V, M, true> {
   static decltype(auto) point(const V& m, const vert_t<M>& x) { return traits<M>::point(m.base(), x); }
 };
 
+/// Forwards named properties and the numbers of corners, if M has them.
+template<class V, class M>
+struct forward_properties {
+  template<class B = M>
+    requires requires(const B& m) { traits<B>::properties(m); }
+  static const auto& properties(const V& m) { return traits<B>::properties(m.base()); }
+  template<class B = M>
+    requires requires(const B& m, const poly_t<B>& p) { traits<B>::first_corner(m, p); }
+  static std::size_t first_corner(const V& m, const poly_t<B>& p) { return traits<B>::first_corner(m.base(), p); }
+  template<class B = M>
+    requires requires(const B& m) { traits<B>::corner_index_bound(m); }
+  static std::size_t corner_index_bound(const V& m) { return traits<B>::corner_index_bound(m.base()); }
+};
+
 /// The arity of polys, if it is fixed.
 template<int Arity> struct fixed_arity { static constexpr int arity = Arity; };
 template<> struct fixed_arity<0> {};

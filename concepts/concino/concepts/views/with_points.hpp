@@ -28,20 +28,10 @@ class with_points_view : public view_base<M> {
 }  // namespace views
 
 template<class M, class P>
-struct mesh_traits<views::with_points_view<M, P>> : detail::forward_all<views::with_points_view<M, P>, M>, detail::fixed_arity<arity_v<M>> {
+struct mesh_traits<views::with_points_view<M, P>> : detail::forward_all<views::with_points_view<M, P>, M>,
+                                                    detail::forward_properties<views::with_points_view<M, P>, M>, detail::fixed_arity<arity_v<M>> {
   static constexpr bool is_view = true;
   static decltype(auto) point(const views::with_points_view<M, P>& m, const vert_t<M>& v) { return m.points()[v]; }
-
-  using V = views::with_points_view<M, P>;
-  template<class B = M>
-    requires requires(const B& m) { traits<B>::properties(m); }
-  static const auto& properties(const V& m) { return traits<B>::properties(m.base()); }
-  template<class B = M>
-    requires requires(const B& m, const poly_t<B>& p) { traits<B>::first_corner(m, p); }
-  static std::size_t first_corner(const V& m, const poly_t<B>& p) { return traits<B>::first_corner(m.base(), p); }
-  template<class B = M>
-    requires requires(const B& m) { traits<B>::corner_index_bound(m); }
-  static std::size_t corner_index_bound(const V& m) { return traits<B>::corner_index_bound(m.base()); }
 };
 
 /// Needs:  PrimalGraph M; points[v] is a point p with p[0], p[1], p[2] for each vert v. A mesh that owns its elements must outlive the
