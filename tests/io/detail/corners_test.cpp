@@ -7,7 +7,7 @@
 using namespace concino;
 using namespace concino::detail;
 
-TEST_CASE("first_repeated: few and many") {
+TEST_CASE("first_repeated: finds the first repeated vert of a short or long list") {
   std::vector<vert_id> v;
   std::vector<std::uint64_t> scratch;
   for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});
@@ -19,7 +19,7 @@ TEST_CASE("first_repeated: few and many") {
   CHECK(first_repeated(v.data() + 21, 79, scratch) == 49);
 }
 
-TEST_CASE("first_repeated: any number of verts, whatever their numbers") {
+TEST_CASE("first_repeated: works for lists of any length, with any indices") {
   for (const std::uint32_t n : {33u, 64u, 65u, 128u, 200u, 1000u})
     for (const std::uint32_t step : {1u, 2u, 64u, 65536u, 0x9e3779b1u}) {
       std::vector<vert_id> v;
@@ -31,7 +31,7 @@ TEST_CASE("first_repeated: any number of verts, whatever their numbers") {
     }
 }
 
-TEST_CASE("first_repeated: neighbours, among few and many") {
+TEST_CASE("first_repeated: finds equal consecutive verts") {
   std::vector<vert_id> v;
   std::vector<std::uint64_t> scratch;
   for (unsigned i = 0; i < 100; ++i) v.push_back(vert_id{i});

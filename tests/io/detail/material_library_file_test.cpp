@@ -49,7 +49,7 @@ std::map<std::string, std::string> contents_of(const temporary_folder& dir) {
   return all;
 }
 
-/// With wood.mtl and glass.mtl.
+/// Writes a surface and the libraries wood.mtl and glass.mtl that it names. It names a third one, which does not exist.
 void write_scene(const temporary_folder& dir, const std::string& name) {
   write_file(dir / "wood.mtl", wood);
   write_file(dir / "glass.mtl", glass);
@@ -58,7 +58,7 @@ void write_scene(const temporary_folder& dir, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("library_file: saving over what was loaded changes no library") {
+TEST_CASE("library_file: saving a mesh over its own file changes no library") {
   const temporary_folder dir;
   write_scene(dir, "a.obj");
   const auto m = load<trimesh>(dir / "a.obj");
@@ -76,7 +76,7 @@ TEST_CASE("library_file: saving over what was loaded changes no library") {
   CHECK(said_of(m).materials[2].lines.size() == 13);
 }
 
-TEST_CASE("library_file: elsewhere all libraries become one, which holds all lines") {
+TEST_CASE("library_file: saving to another folder merges all libraries into one, with all lines") {
   const temporary_folder dir, other;
   write_scene(dir, "a.obj");
   const auto m = load<trimesh>(dir / "a.obj");
@@ -91,7 +91,7 @@ TEST_CASE("library_file: elsewhere all libraries become one, which holds all lin
   for (const char* const line : {"Ka 0.1 0.1 0.1", "Ke 0 0 0", "Tr 0.25", "my_program a  b", "# by hand", "newmtl unused"})
     CHECK(read_file(other / "b.mtl").find(std::string("\n") + line + "\n") != std::string::npos);
 
-  // through edits, copies and conversions
+  // materials are the same after edits, copies and conversions
   auto edited = load<trimesh>(other / "b.obj");
   remove_poly(edited, poly_id{1});
   add_poly(edited, {vert_id{1}, vert_id{2}, vert_id{3}});
@@ -102,7 +102,7 @@ TEST_CASE("library_file: elsewhere all libraries become one, which holds all lin
   CHECK(said_in(other / "c.obj").names == list{"wood", ""});
 }
 
-TEST_CASE("library_file: another's library stays as it is, and the report says where the materials are") {
+TEST_CASE("library_file: libraries of other files are not changed, and the report names the new library") {
   const temporary_folder dir;
   write_file(dir / "a.mtl", wood);
   save_report r;
@@ -110,10 +110,10 @@ TEST_CASE("library_file: another's library stays as it is, and the report says w
   CHECK(r.notes == list{"the materials are in a_1.mtl: a.mtl holds others, and stays as it is"});
   CHECK(read_file(dir / "a.mtl") == wood);
   CHECK(said_in(dir / "a.obj") == said_of(colored(0.5f)));
-  // one that holds what is needed is named and not written, even by a link
+  // a library that has exactly the needed materials is named and not written
   write_file(dir / "b.mtl", "newmtl color_2\nKd 0 0.5 0\n# more\nnewmtl color_3\nKd 0 0.25 0\nnewmtl color_1\nKd 0.5 0 0\n");
   save(colored(0.5f), dir / "b.obj", {.report = &r});
-  CHECK(r.notes == list{"the materials are in b_1.mtl: b.mtl holds others, and stays as it is"});  // a comment more
+  CHECK(r.notes == list{"the materials are in b_1.mtl: b.mtl holds others, and stays as it is"});  // it has a comment more
   write_file(dir / "c.mtl", "newmtl color_2\nKd 0 0.5 0\nnewmtl color_3\nKd 0 0.25 0\nnewmtl color_1\nKd 0.5 0 0\n");
   const auto before = contents_of(dir);
   save(colored(0.5f), dir / "c.obj", {.report = &r});
@@ -124,7 +124,7 @@ TEST_CASE("library_file: another's library stays as it is, and the report says w
   CHECK(said_in(dir / "c.obj").colors == said_of(colored(0.5f)).colors);
 }
 
-TEST_CASE("library_file: of the libraries that saves made for a file the last remains, unless somebody changed one") {
+TEST_CASE("library_file: saving removes the previous library of the file, unless it was changed since") {
   const temporary_folder dir;
   save_report r;
   for (int i = 1; i <= 5; ++i) {
@@ -147,14 +147,14 @@ TEST_CASE("library_file: of the libraries that saves made for a file the last re
   CHECK(files_in(dir) == list{"a.mtl", "a.obj", "a_2.mtl"});
   save(colored(0.25f), dir / "a.obj");
   CHECK(files_in(dir) == list{"a.mtl", "a.obj", "a_1.mtl"});
-  // the library of another file is no library of this one
+  // a library that was written for another file is kept
   fs::rename(dir / "a_1.mtl", dir / "b.mtl");
   save(colored(0.5f), dir / "b.obj");
   CHECK(fs::exists(dir / "b.mtl"));
   CHECK(fs::exists(dir / "b_1.mtl"));
 }
 
-TEST_CASE("library_file: both files change or neither, whatever fails and when") {
+TEST_CASE("library_file: saving changes both files or neither, whatever fails") {
   const temporary_folder dir;
   save(colored(0.5f), dir / "a.obj");
   const auto before = contents_of(dir);
@@ -162,7 +162,7 @@ TEST_CASE("library_file: both files change or neither, whatever fails and when")
   CHECK_THROWS_AS(save(colored(1), dir / "a.obj", {.progress = stop_at_the_end}), cancelled);
   CHECK(before == contents_of(dir));
 
-  // another program makes the library meanwhile
+  // another program creates the library at the same time
   const auto make_library = [&](double f, const char*) {
     if (f == 1) write_file(dir / "a_1.mtl", "mine");
     return true;
@@ -172,7 +172,7 @@ TEST_CASE("library_file: both files change or neither, whatever fails and when")
   fs::remove(dir / "a_1.mtl");
   CHECK(before == contents_of(dir));
 
-  // the library gets its name, the mesh does not
+  // the library gets its new name, but renaming the mesh fails
   const auto make_folder = [&](double f, const char*) {
     if (f == 1) {
       fs::remove(dir / "a.obj");
@@ -186,7 +186,7 @@ TEST_CASE("library_file: both files change or neither, whatever fails and when")
   write_file(dir / "a.obj", before.at("a.obj"));
   CHECK(before == contents_of(dir));
 
-  // a disk that fills up while the library, or the mesh, is written
+  // the disk is full while the library, or the mesh, is written
   trimesh large = colored(1);
   for (int i = 0; i < 2000; ++i) mesh_property<material_table>(large, "materials")->materials.push_back({"m" + std::to_string(i), {"Kd 1 0 0"}});
   struct ::rlimit was {};
@@ -203,8 +203,8 @@ TEST_CASE("library_file: both files change or neither, whatever fails and when")
   std::signal(SIGXFSZ, handler);
 }
 
-TEST_CASE("library_file: between two renames the old file finds its old materials") {
-  // every state that a save goes through: the new library, then the new mesh, then the outdated library gone
+TEST_CASE("library_file: at every step of saving the .obj file finds its own materials") {
+  // every state of a save: the new library is there, then the new mesh, then the outdated library is removed
   const auto steps = [](const std::function<void(const temporary_folder&)>& prepare, const trimesh& m) {
     const temporary_folder dir;
     prepare(dir);
@@ -230,7 +230,7 @@ TEST_CASE("library_file: between two renames the old file finds its old material
         write_file(dir / "a.obj", "mtllib a.mtl\n" + uses);
       },
       colored(0.25f));
-  // the old file names a library that is not there
+  // the old file names a library that does not exist
   steps([](const auto& dir) { write_file(dir / "a.obj", "mtllib ./a.mtl\n" + geometry + "usemtl color_1\nf 1 2 3\n"); }, colored(0.25f));
   trimesh recolored = [] {
     const temporary_folder dir;
@@ -245,7 +245,7 @@ TEST_CASE("library_file: between two renames the old file finds its old material
   CHECK(read_file(dir / "wood.mtl") == wood);
 }
 
-TEST_CASE("library_file: killed at any moment, the pair on the disk is that of one save") {
+TEST_CASE("library_file: after a killed save both files on disk are of the same save") {
   const temporary_folder dir;
   const trimesh a = colored(0.5f), b = colored(0.25f);
   save(a, dir / "a.obj");
@@ -263,7 +263,7 @@ TEST_CASE("library_file: killed at any moment, the pair on the disk is that of o
     const said_materials now = said_in(dir / "a.obj");
     wrong += now != said_of(a) && now != said_of(b);
     num_a += now == said_of(a);
-    wrong += dir.num_files() > 4;  // the mesh, its library, one outdated or new, one between being linked and being renamed
+    wrong += dir.num_files() > 4;  // the mesh, its library, an outdated or new one, and one between being linked and being renamed
   }
   CHECK(wrong == 0);
   CHECK(num_a > 0);
@@ -299,7 +299,7 @@ TEST_CASE("library_file: names of libraries are no longer than the system allows
   CHECK(said_of(load<trimesh>(dir / "a #1 \\ b.obj")) == said_of(colored(1)));
 }
 
-TEST_CASE("library_file: through links, and to the disk") {
+TEST_CASE("library_file: follows symbolic links, with and without sync") {
   const temporary_folder other;
   fs::create_directory(other / "real");
   fs::create_symlink("real/mesh.obj", other / "link.obj");
@@ -308,7 +308,7 @@ TEST_CASE("library_file: through links, and to the disk") {
   CHECK(fs::exists(other / "real/mesh.mtl"));
   CHECK(said_in(other / "link.obj") == said_of(colored(0.5f)));
   CHECK(said_in(other / "real/mesh.obj") == said_of(colored(0.5f)));
-  write_file(other / "mesh.mtl", "newmtl color_1\nKd 1 1 0\n");  // beside the link: the first that is looked for
+  write_file(other / "mesh.mtl", "newmtl color_1\nKd 1 1 0\n");  // beside the link, where it is looked for first
   CHECK(said_in(other / "link.obj").colors[0] == rgba{1, 1, 0});
   CHECK(said_in(other / "real/mesh.obj") == said_of(colored(0.5f)));
 
@@ -323,7 +323,7 @@ TEST_CASE("library_file: through links, and to the disk") {
   CHECK(files_in(dir) == list{"a.mtl", "a.obj", "a_1.mtl", "b.mtl"});
 }
 
-TEST_CASE("library_file: lines that are no line of a library are made one or left out") {
+TEST_CASE("library_line: replaces line breaks, and leaves out empty lines and newmtl") {
   using concino::detail::library_line;
   CHECK(library_line(" \tKd 1\n0\r0 # c \v") == "Kd 1 0 0 # c");
   CHECK(library_line("a\x01\\") == "a\x01\\");
@@ -331,7 +331,7 @@ TEST_CASE("library_file: lines that are no line of a library are made one or lef
   for (const char* const none : {"", " \n ", "newmtl", " newmtl x", "newmtl\tx"}) CHECK(library_line(none).empty());
 }
 
-TEST_CASE("library_file: lines that name libraries are found in pieces of any size") {
+TEST_CASE("library_lines: finds all mtllib lines, reading in pieces of any size") {
   using concino::detail::library_lines;
   const temporary_folder dir;
   write_file(dir / "a.obj", "mtllib one.mtl\r\nv 0 0 0\n mtllib\ttwo words.mtl three.mtl\rusemtl mtl\nmtllib\n# " + std::string(100, 'c') + "\nmtllib last.mtl");
@@ -344,14 +344,14 @@ TEST_CASE("library_file: lines that name libraries are found in pieces of any si
   CHECK_THROWS_AS(library_lines(dir.path()), io_error);
 }
 
-TEST_CASE("library_file: a thousand libraries of others are enough") {
+TEST_CASE("library_file: throws if 1,000 other libraries have the name") {
   const temporary_folder dir;
   for (int i = 0; i < 1000; ++i) write_file(dir / (i ? "a_" + std::to_string(i) + ".mtl" : "a.mtl"), "newmtl color_1\n");
   CHECK_THROWS_WITH_AS(save(colored(1), dir / "a.obj"), ((dir / "a.obj") + ": 1000 material libraries of this name exist and hold other materials; remove them or save under another name").c_str(), io_error);
   CHECK(dir.num_files() == 1000);
 }
 
-TEST_CASE("library_file: whatever the libraries of a file say, it is said again elsewhere") {
+TEST_CASE("library_file: randomly changed libraries have the same materials after saving elsewhere") {
   std::mt19937 random(7);
   const auto below = [&](std::size_t n) { return n ? static_cast<std::size_t>(random()) % n : 0; };
   const temporary_folder dir, other;
@@ -373,7 +373,7 @@ TEST_CASE("library_file: whatever the libraries of a file say, it is said again 
     const auto m = load<trimesh>(dir / "a.obj");
     save_report r;
     save(m, other / "b.obj", {.report = &r});
-    if (!r.lost.empty()) continue;  // a name that no line can hold
+    if (!r.lost.empty()) continue;  // a name cannot be written on one line
     ++compared;
     if (said_in(other / "b.obj") != said_of(m)) {
       ++wrong;

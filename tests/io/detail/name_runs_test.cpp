@@ -16,7 +16,7 @@ std::string spelled(const name_runs& names, std::size_t polys) {
 
 }  // namespace
 
-TEST_CASE("name_runs: a name holds until the next, and only for polys that there are") {
+TEST_CASE("name_runs: a name applies to the polys up to the next name or the end") {
   name_runs n;
   CHECK(n.empty());
   CHECK(spelled(n, 3) == "0-3= ");
@@ -33,7 +33,7 @@ TEST_CASE("name_runs: a name holds until the next, and only for polys that there
   CHECK(!n.all([](std::string_view s) { return s < "b"; }));
 }
 
-TEST_CASE("name_runs: what changes nothing leaves no trace") {
+TEST_CASE("name_runs: changes without effect are not stored") {
   name_runs n;
   n.change(0, "");
   CHECK(n.empty());
@@ -49,7 +49,7 @@ TEST_CASE("name_runs: what changes nothing leaves no trace") {
   CHECK(n.empty());
 }
 
-TEST_CASE("name_numbers: from 1, as they come; none is 0") {
+TEST_CASE("name_numbers: names are numbered from 1 in order of appearance; the empty name is 0") {
   name_numbers number;
   CHECK(number("b") == 1);
   CHECK(number("a") == 2);
@@ -57,7 +57,7 @@ TEST_CASE("name_numbers: from 1, as they come; none is 0") {
   CHECK(number("b") == 1);
 }
 
-TEST_CASE("says_number: only what is written again the same way") {
+TEST_CASE("is_number: accepts exactly the texts that writing the number gives") {
   int i = 0;
   CHECK(is_number("label_7", "label_", i));
   CHECK(i == 7);
@@ -66,7 +66,7 @@ TEST_CASE("says_number: only what is written again the same way") {
     CHECK_MESSAGE(!is_number(bad, "label_", i), bad);
 }
 
-TEST_CASE("name_table: many names keep their numbers") {
+TEST_CASE("name_table: finds each of 1,000 names, and keeps its number") {
   name_table names;
   CHECK(names.find("") == name_table::none);
   for (std::size_t i = 0; i < 1000; ++i) CHECK(names.add("name " + std::to_string(i)) == i);

@@ -12,7 +12,7 @@ using namespace concino;
 using namespace concino::testing;
 using namespace concino::detail;
 
-TEST_CASE("orient_polyhedra: outward flags of any pattern are found again") {
+TEST_CASE("orient_polyhedra: restores outward flags after random changes") {
   for (const polyhedra_arrays& right : {polyhedra_grid(3), to_polyhedra(tet_grid(2)), to_polyhedra(jittered(hex_grid(3), 0.05))}) {
     polyhedra_arrays m = right;
     CHECK(orient_polyhedra(m) == 0);
@@ -34,8 +34,8 @@ TEST_CASE("orient_polyhedra: outward flags of any pattern are found again") {
   }
 }
 
-TEST_CASE("orient_polyhedra: the wall of a cavity looks into it") {
-  // a cube of side 3 around one of side 1
+TEST_CASE("orient_polyhedra: the faces of a cavity are oriented into the cavity") {
+  // a cube of edge length 3 around one of edge length 1
   polyhedra_arrays m;
   for (const auto& [low, high] : {std::pair{0.0, 3.0}, std::pair{1.0, 2.0}})
     for (const auto& [x, y, z] : {std::array{low, low, low},
@@ -62,7 +62,7 @@ TEST_CASE("orient_polyhedra: the wall of a cavity looks into it") {
   for (auto& o : copy.outward) o = !o;
   CHECK(orient_polyhedra(copy) == 1);
   CHECK(copy.outward == m.outward);
-  // in either wall one face alone is wrong: the majority is believed, the cavity does not turn over
+  // in each of the two shells one face is wrong: the majority decides, and the cavity is not inverted
   for (const std::size_t outer : {0u, 3u, 5u})
     for (const std::size_t inner : {6u, 7u, 11u}) {
       copy.outward[outer] = !copy.outward[outer];
@@ -72,9 +72,9 @@ TEST_CASE("orient_polyhedra: the wall of a cavity looks into it") {
     }
 }
 
-TEST_CASE("orient_polyhedra: open, flat and empty polyhedra") {
+TEST_CASE("orient_polyhedra: orients open polyhedra; flat and empty ones do not change") {
   polyhedra_arrays m = to_polyhedra(hex_grid(1));
-  m.poly_offsets.back() = 5;  // no lid
+  m.poly_offsets.back() = 5;  // without the last face
   m.poly_faces.pop_back();
   m.outward.pop_back();
   m.outward[2] = 0;
@@ -87,7 +87,7 @@ TEST_CASE("orient_polyhedra: open, flat and empty polyhedra") {
   CHECK(orient_polyhedra(none) == 0);
 }
 
-TEST_CASE("orient_polyhedra: open strips wind as most of their faces do, or else the first; faces apart stay") {
+TEST_CASE("orient_polyhedra: an open component gets the orientation of most of its faces, or of the first") {
   struct row {
     std::vector<std::vector<unsigned>> faces;
     std::vector<std::uint8_t> expected;
@@ -114,8 +114,8 @@ TEST_CASE("orient_polyhedra: open strips wind as most of their faces do, or else
   }
 }
 
-TEST_CASE("orient: edges that are chosen to collide are left to the way that sorts them") {
-  // Of 6,000 edges in a table of 32,768 places every third wants one of 16.
+TEST_CASE("winding_check: returns false if too many edges collide in its table, and works afterwards") {
+  // A third of 6,000 edges are hashed to the same 16 of 32,768 places of the table.
   polyhedra_arrays m;
   m.points.resize(4000);
   m.face_offsets = {0};
@@ -132,6 +132,6 @@ TEST_CASE("orient: edges that are chosen to collide are left to the way that sor
   m.poly_offsets.push_back(2000);
   concino::detail::winding_check<polyhedra_arrays> agree;
   CHECK(!agree(m, 0, 2000));
-  CHECK(agree(m, 0, 1));  // nothing is left behind
+  CHECK(agree(m, 0, 1));  // the table is empty again
   CHECK(agree(m, 1999, 2000));
 }

@@ -26,7 +26,7 @@ std::size_t line(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("read_hedra: verts, faces and signed faces of polyhedra") {
+TEST_CASE("read_hedra: reads verts, faces and the signed faces of polyhedra") {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     load_report r;
     const polyhedra_arrays m = hedra(with_line_ends(tet, end), {.report = &r});
@@ -42,7 +42,7 @@ TEST_CASE("read_hedra: verts, faces and signed faces of polyhedra") {
   CHECK(hedra("4 4 0\n" + points + face_rows).num_faces() == 4);
 }
 
-TEST_CASE("read_hedra: windings are made to agree and to point outward, and counted") {
+TEST_CASE("read_hedra: inconsistent and inverted polyhedra are oriented outward and counted") {
   for (const char* cell : {"4 -1 -2 -3 -4", "4 -1 2 3 4", "4 1 -2 3 -4", "4 -1 -2 -3 4"}) {
     load_report r;
     const auto m = hedra("4 4 1\n" + points + face_rows + cell, {.report = &r});
@@ -52,7 +52,7 @@ TEST_CASE("read_hedra: windings are made to agree and to point outward, and coun
   }
 }
 
-TEST_CASE("read_hedra: errors name their line") {
+TEST_CASE("read_hedra: errors name the line") {
   CHECK(line("") == 1);
   CHECK(line("OFF") == 1);
   CHECK(line("4 4") == 1);
@@ -77,7 +77,7 @@ TEST_CASE("read_hedra: errors name their line") {
         "6: different verts at the corners of a face | vert 4 twice");
 }
 
-TEST_CASE("read_hedra: a mesh of tets takes tets only, whatever their faces' order") {
+TEST_CASE("read_hedra: a mesh of tets accepts only tets, with faces in any order") {
   load_report r;
   const auto c = hedra<cell_arrays>("4 4 2\n" + points + face_rows + "4 4 2 1 3\n4 1 2 3 4", {.report = &r});
   CHECK(c.arity == 4);
@@ -88,7 +88,7 @@ TEST_CASE("read_hedra: a mesh of tets takes tets only, whatever their faces' ord
         17);
 }
 
-TEST_CASE("read_hedra: a mesh of hexes takes hexes only") {
+TEST_CASE("read_hedra: a mesh of hexes accepts only hexes") {
   const std::string corners = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
   const std::string cube = "4 1 4 3 2\n4 5 6 7 8\n4 1 2 6 5\n4 2 3 7 6\n4 3 4 8 7\n4 4 1 5 8\n";
   const auto c = hedra<cell_arrays>("8 6 1\n" + corners + cube + "6 1 2 3 4 5 6\n");
@@ -110,7 +110,7 @@ TEST_CASE("read_hedra: a mesh of hexes takes hexes only") {
   CHECK(num_polys(hedra<hexmesh>("4 4 0\n" + points + face_rows)) == 0);
 }
 
-TEST_CASE("read_hedra: a large face of very many polyhedra") {
+TEST_CASE("read_hedra: throws if a large face belongs to too many polyhedra") {
   const auto crowded = [](int n, int copies) {
     const auto text = [](int i) { return std::to_string(i); };
     std::string s = text(n) + " 1 " + text(copies) + "\n";
@@ -126,7 +126,7 @@ TEST_CASE("read_hedra: a large face of very many polyhedra") {
   CHECK_THROWS_AS(hedra<cell_arrays>(crowded(1104, 981)), unsupported);
 }
 
-TEST_CASE("read_hedra: many polyhedra of small faces are not too many") {
+TEST_CASE("read_hedra: accepts many polyhedra with small faces") {
   const int n = 300;
   std::string all = std::to_string(4 * n) + " " + std::to_string(4 * n) + " " + std::to_string(n) + "\n", face_lists, poly_lists;
   for (int i = 0; i < n; ++i) {
@@ -142,7 +142,7 @@ TEST_CASE("read_hedra: many polyhedra of small faces are not too many") {
   CHECK(hedra(all + face_lists + poly_lists).num_polys() == 300);
 }
 
-TEST_CASE("read_hedra: a volume asked for as a surface") {
+TEST_CASE("read_hedra: throws if a volume is loaded as a surface") {
   CHECK_THROWS_AS(hedra<surface_arrays>(tet), unsupported);
   CHECK_THROWS_AS(hedra<surface_arrays>("0 0 0"), unsupported);
 }

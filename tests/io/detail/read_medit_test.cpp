@@ -29,7 +29,7 @@ std::size_t line(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("read_medit: tets, hexes, triangles, quads") {
+TEST_CASE("read_medit: reads tets, hexes, triangles and quads, with any line ends") {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     const auto tets = medit<cell_arrays>(with_line_ends(one_tet, end));
     CHECK(tets.arity == 4);
@@ -48,7 +48,7 @@ TEST_CASE("read_medit: tets, hexes, triangles, quads") {
   CHECK(mixed.offsets == std::vector<std::uint32_t>{0, 3, 6, 10, 13});
 }
 
-TEST_CASE("read_medit: free layout, comments, sections in any order, dimension 2") {
+TEST_CASE("read_medit: accepts free layout, comments, sections in any order, and dimension 2") {
   const auto t = medit<cell_arrays>(
       "# c\nMeshVersionFormatted # d\n1 Tetrahedra 1 1 2 3 4 7 # e\nCorners 1 1 Dimension\n3 Vertices 4 0 0 0 1 1 0 0 1 0 1 0 1 0 0 1 1 "
       "End rest is not read");
@@ -58,7 +58,7 @@ TEST_CASE("read_medit: free layout, comments, sections in any order, dimension 2
   CHECK(flat.num_polys() == 1);
 }
 
-TEST_CASE("read_medit: surface elements of a volume and other sections are skipped, and the report says so") {
+TEST_CASE("read_medit: surface elements of a volume and other sections are skipped and reported") {
   load_report r;
   const auto t = medit<cell_arrays>(
       head + "NormalAtVertices 1\n1 2\n" + points +
@@ -72,7 +72,7 @@ TEST_CASE("read_medit: surface elements of a volume and other sections are skipp
   CHECK(r.notes == std::vector<std::string>{"the file has no End: it may be cut off"});
 }
 
-TEST_CASE("read_medit: mixed cells share their faces") {
+TEST_CASE("read_medit: cells of different shapes share their common faces") {
   const auto m = medit<polyhedra_arrays>(cube + "Pyramids 1\n5 6 7 8 9 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd");
   CHECK(m.num_polys() == 2);
   CHECK(m.num_faces() == 10);
@@ -85,7 +85,7 @@ TEST_CASE("read_medit: mixed cells share their faces") {
   CHECK(detail::six_times_poly_volume(two_prisms, 0) + detail::six_times_poly_volume(two_prisms, 1) == doctest::Approx(6));
 }
 
-TEST_CASE("read_medit: cells of negative volume are turned into the standard order and counted") {
+TEST_CASE("read_medit: cells of negative volume are reordered and counted") {
   for (const std::string cells : {"Tetrahedra 2\n1 3 2 5 0\n1 2 3 5 0\n", "Hexahedra 2\n1 4 3 2 5 8 7 6 0\n1 2 3 4 5 6 7 8 0\n",
                                   "Prisms 2\n1 3 2 5 7 6 0\n1 2 3 5 6 7 0\n", "Pyramids 2\n5 8 7 6 9 0\n5 6 7 8 9 0\n"}) {
     load_report r;
@@ -100,7 +100,7 @@ TEST_CASE("read_medit: cells of negative volume are turned into the standard ord
   CHECK(raw(flat.verts) == std::vector<unsigned>{0, 1, 2, 3});
 }
 
-TEST_CASE("read_medit: errors name their line") {
+TEST_CASE("read_medit: errors name the line") {
   CHECK(line("") == 1);
   CHECK(line("# only\n") == 1);
   CHECK(line("OFF\n1 2 3\n") == 1);
@@ -123,12 +123,12 @@ TEST_CASE("read_medit: errors name their line") {
   CHECK(line<surface_arrays>(head + points + "Triangles\n1\n1 2 5 0\nEnd\n") == 11);
 }
 
-TEST_CASE("read_medit: cells of two kinds do not fit into cell_arrays, and the first of the second is named") {
+TEST_CASE("read_medit: the error names the line of the first cell that cell_arrays cannot hold") {
   CHECK(line(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd") == 9);
   CHECK(line(cube + "Prisms 1\n\n1 2 3 5 6 7 0\nEnd") == 8);
 }
 
-TEST_CASE("read_medit: messages say what is wrong") {
+TEST_CASE("read_medit: messages name what was expected and what was found") {
   const auto says = [](const std::string& text) { return complaint<cell_arrays>(text, file_format::medit); };
   CHECK(says("MeshVersionFormatted 1\nDimension\n4\n") == "3: the dimension, 2 or 3 | '4'");
   CHECK(says(head + points + "Tetrahedra\n1\n1 3 3 2 0\nEnd\n") == "11: different vertices in an element | vertex 3 twice");
@@ -138,11 +138,11 @@ TEST_CASE("read_medit: messages say what is wrong") {
   CHECK(complaint<hexmesh>(one_tet, file_format::medit) == "11: a hex (polyhedralmesh and load_any take any cell) | an element of section Tetrahedra");
   CHECK_THROWS_WITH_AS(medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd"),
                        "t.mesh: holds a surface of 1 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
-  // cells are not even looked at where a surface is wanted
+  // cells are not checked if a surface is loaded
   CHECK_THROWS_AS(medit<surface_arrays>(head + points + "Tetrahedra\n1\n1 2 3 9 0\nEnd\n"), unsupported);
 }
 
-TEST_CASE("read_medit: references at the ends of their range, from the first that is not zero on") {
+TEST_CASE("read_medit: references become labels if one is not zero, up to the ends of their range") {
   const auto label = [](const std::string& number) {
     const auto m = load_text<trimesh>(head + points + "Triangles 1\n1 2 3 " + number + "\nEnd", file_format::medit);
     return find_poly_property<int>(m, "label")[poly_id{0}];
@@ -158,7 +158,7 @@ TEST_CASE("read_medit: references at the ends of their range, from the first tha
   for (unsigned p = 0; p < 5; ++p) CHECK(labels[poly_id{p}] == expected[p]);
 }
 
-TEST_CASE("read_medit: references that are written as reals") {
+TEST_CASE("read_medit: references written as reals are rounded") {
   const std::string vertices = "Vertices\n4\n0 0 0 0.0\n1 0 0 7.\n0 1 0 -3e0\n0 0 1 +2.000\n";
   load_report r;
   const auto m = load_text<trimesh>(head + vertices + "Triangles 2\n1 2 3 5.0#c\n1 2 4 0.\nEnd", file_format::medit, {.report = &r});
@@ -184,7 +184,7 @@ TEST_CASE("read_medit: references that are written as reals") {
   CHECK(says("2147483647.0").empty());
 }
 
-TEST_CASE("read_medit: several sections of a kind, empty ones, and what is skipped") {
+TEST_CASE("read_medit: sections may be repeated, empty or unknown") {
   load_report r;
   CHECK(medit<cell_arrays>(head + points + "Tetrahedra 1\n1 2 3 4 0\nTetrahedra 2\n1 2 3 4 0\n1 2 3 4 0\nEnd").arity == 4);
   const auto three = medit<polyhedra_arrays>(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nPrisms 1\n1 2 3 5 6 7 0\nEnd");
@@ -201,7 +201,7 @@ TEST_CASE("read_medit: several sections of a kind, empty ones, and what is skipp
   CHECK(r.notes.size() == 1);
 }
 
-TEST_CASE("read_medit: a mesh without polys is of the wanted kind, and what can be either is what the file holds") {
+TEST_CASE("read_medit: a file without polys loads as any kind; a type of several kinds gets that of the file") {
   CHECK(medit<cell_arrays>(head + points + "End").arity == 4);
   CHECK(num_verts(medit<hexmesh>(head + points + "End")) == 4);
   CHECK(medit<surface_arrays>(head + points + "End").offsets == std::vector<std::uint32_t>{0});
@@ -229,7 +229,7 @@ TEST_CASE("read_medit: a mesh without polys is of the wanted kind, and what can 
   CHECK(triangles.polys == 1);
 }
 
-TEST_CASE("read_medit: surfaces asked for as volumes and the reverse") {
+TEST_CASE("read_medit: throws if a volume is loaded as a surface or the reverse") {
   CHECK_THROWS_WITH_AS(medit<surface_arrays>(one_tet),
                        "t.mesh: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any",
                        unsupported);

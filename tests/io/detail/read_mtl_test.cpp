@@ -26,7 +26,7 @@ detail::material_library library(const std::string& text, load_report& r) {
 
 }  // namespace
 
-TEST_CASE("read_mtl: colours of materials, whatever else there is") {
+TEST_CASE("read_mtl: reads colours and opacities of materials, among other lines") {
   load_report r;
   auto l = library(
       "# c\r\nKd 9 9 9\nnewmtl  a b # c\n  Ka 1 1 1\n\tKd 0.5 0 1 # c\nd 0.25\nmap_Kd x.png\n\nnewmtl none\nillum 2\n"
@@ -40,7 +40,7 @@ TEST_CASE("read_mtl: colours of materials, whatever else there is") {
   CHECK(library("", r).names.size() == 0);
 }
 
-TEST_CASE("read_mtl: what is wrong with a library is a note") {
+TEST_CASE("read_mtl: an invalid line is noted in the report, and no error") {
   load_report r;
   auto l = library("newmtl a\nKd 1 2\nKd 1 x 2\nnewmtl b\nKd 0 0 0\n", r);
   CHECK(l.names.size() == 1);
@@ -48,7 +48,7 @@ TEST_CASE("read_mtl: what is wrong with a library is a note") {
   CHECK(r.notes[0].starts_with("t.mtl:2: expected three numbers after Kd"));
 }
 
-TEST_CASE("read_mtl: colours of polys by their materials, from files beside the file") {
+TEST_CASE("read_mtl: polys get the colours of their materials, from libraries in the folder of the file") {
   const temporary_folder dir;
   write_file(dir / "one.mtl", "newmtl red\nKd 1 0 0\n");
   write_file(dir / "two words.mtl", "newmtl blue\nKd 0 0 1\nmap_Kd blue.png\n");
@@ -85,7 +85,7 @@ TEST_CASE("read_mtl: colours of polys by their materials, from files beside the 
   CHECK(r.notes == list{"material library 'one.mtl': not read, the text has no folder"});
 }
 
-TEST_CASE("read_mtl: materials are kept whole, with lines that nobody knows") {
+TEST_CASE("read_mtl: the table keeps all lines of a material, also unknown ones") {
   load_report r;
   const auto l = library(
       "# made by hand\r\n\r\n# twice\nnewmtl  a b # c\r\n  Ka 0.1 0.2 0.3  \n\tKd 0.5 0 1 # c\n# a comment\nillum 2\n\nNs 96.078431\nTr 0.5\n"
@@ -100,7 +100,7 @@ TEST_CASE("read_mtl: materials are kept whole, with lines that nobody knows") {
   CHECK(r.notes == list{"t.mtl: a material without a name was skipped"});
 }
 
-TEST_CASE("read_mtl: the mesh holds the materials of all libraries that its file names") {
+TEST_CASE("read_mtl: the mesh has the materials of all libraries that its file names") {
   const temporary_folder dir;
   write_file(dir / "one.mtl", "newmtl red\nKd 1 0 0\nillum 1\nnewmtl color_1\nKd 0 1 0\nd 0.5\n");
   write_file(dir / "two.mtl", "newmtl red\nKd 0 0 1\nnewmtl color_2\nKd 0 1 0\nKs 1 1 1\nnewmtl unused\nKa 0 0 0\nnewmtl color_3\nKd 1 1 0\n");
@@ -131,7 +131,7 @@ TEST_CASE("read_mtl: the mesh holds the materials of all libraries that its file
   CHECK(r.skipped == list{"what libraries say of materials"});
 }
 
-TEST_CASE("read_mtl: a library is read once, whatever it is called") {
+TEST_CASE("read_mtl: a library is read once, even if its path is written in several ways") {
   const temporary_folder dir;
   std::string library = "newmtl red\nKd 1 0 0\n", lines;
   for (int i = 0; i < 2000; ++i) {
@@ -144,13 +144,13 @@ TEST_CASE("read_mtl: a library is read once, whatever it is called") {
   const auto m = load<trimesh>(dir / "a.obj", {.report = &r});
   CHECK(find_poly_property<rgba>(m, "color")[poly_id{0}] == rgba{1, 0, 0});
   CHECK(r.notes.size() == 1);
-  // a name goes on after a character of value 0: there is no such file
+  // the name contains a character of value 0: there is no such file
   write_file(dir / "b.obj", "mtllib one.mtl" + std::string("\0x\n", 3) + points + "usemtl red\n" + face);
   CHECK(!find_poly_property<rgba>(load<trimesh>(dir / "b.obj", {.report = &r}), "color"));
   CHECK(r.notes.size() == 1);
 }
 
-TEST_CASE("read_mtl: a ball of the corpus has two materials") {
+TEST_CASE("read_mtl: the polys of the football of the corpus have the colours of two materials") {
   CONCINO_CORPUS_OR_SKIP(ball, "tri/soccerball_materials.obj");
   load_report r;
   const trimesh m = load<trimesh>(ball, {.report = &r});

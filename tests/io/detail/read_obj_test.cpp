@@ -21,7 +21,7 @@ std::size_t line(const std::string& text) { return bad_line<surface_arrays>(text
 
 }  // namespace
 
-TEST_CASE("read_obj: points and polys, whatever the line ends") {
+TEST_CASE("read_obj: reads points and polys, with any line ends") {
   for (const std::string end : {"\n", "\r\n", "\r"})
     for (const std::string& last : {end, std::string()}) {
       const std::string text = with_line_ends(tet, end);
@@ -34,7 +34,7 @@ TEST_CASE("read_obj: points and polys, whatever the line ends") {
     }
 }
 
-TEST_CASE("read_obj: offsets appear with the first poly of another size") {
+TEST_CASE("read_obj: stores offsets only if polys have different sizes") {
   const surface_arrays quads = obj(points + "f 1 2 3 4\nf 4 3 2 1\n");
   CHECK(quads.arity == 4);
   CHECK(quads.num_polys() == 2);
@@ -47,7 +47,7 @@ TEST_CASE("read_obj: offsets appear with the first poly of another size") {
   CHECK(none.num_polys() == 0);
 }
 
-TEST_CASE("read_obj: indices from the start, from the end, before their verts") {
+TEST_CASE("read_obj: indices count from the start or the end, and may precede their verts") {
   CHECK(raw(obj(points + "f -4 -2 -3\nv 9 9 9\nf -5 -2 5\n").verts) == std::vector<unsigned>{0, 2, 1, 0, 3, 4});
   CHECK(raw(obj("f 1 2 3\n" + points).verts) == std::vector<unsigned>{0, 1, 2});
   CHECK(line("v 0 0 0\nf -1 1 2\n") == 2);
@@ -60,7 +60,7 @@ TEST_CASE("read_obj: indices from the start, from the end, before their verts") 
   CHECK(line(points + "f 1 2 4294967297\n") == 5);
 }
 
-TEST_CASE("read_obj: corners with texture coordinates and normals") {
+TEST_CASE("read_obj: indices of texture coordinates and normals are accepted and checked") {
   const std::string attributes = points + "vt 0 0\nvt 1 0\nvn 0 0 1\n";
   CHECK(raw(obj(attributes + "f 1/1 2/2 3/-1\nf 1//1 2//-1 3//1\nf 1/2/1 2/1/1 4/1/1\nf 1/ 2/ 3/\nf 1// 2/1/ 3\n").verts) ==
         std::vector<unsigned>{0, 1, 2, 0, 1, 2, 0, 1, 3, 0, 1, 2, 0, 1, 2});
@@ -69,7 +69,7 @@ TEST_CASE("read_obj: corners with texture coordinates and normals") {
     CHECK_MESSAGE(line(attributes + bad) == 8, bad);
 }
 
-TEST_CASE("read_obj: blanks, comments, lines that go on, letters in capitals") {
+TEST_CASE("read_obj: accepts blanks, comments and continued lines") {
   const surface_arrays s =
       obj("   # leading\n\n\tv\t0 0   0   # tail\nv 1 0 0\n#v 5 5 5\n  v 0 1 0 \nv 0 0 1 1.0\ng\no name\ns off\nf 1 3 \\\n2 # c\nf 1 2 "
           "\\\r\n 4\\\n\n# ends \\\nf 2 3 4#\n");
@@ -86,7 +86,7 @@ TEST_CASE("read_obj: a vert needs three finite numbers") {
   CHECK(obj("v 0 0 0 0.5 0.5 0.5\nv 1e-400 -0 +1\n").points[1] == vec3{0, 0, 1});
 }
 
-TEST_CASE("read_obj: a poly needs three verts, all different") {
+TEST_CASE("read_obj: a poly needs at least three verts, all different") {
   CHECK(line(points + "f\n") == 5);
   CHECK(line(points + "f 1 2\n") == 5);
   CHECK(line(points + "f 1 2 2\n") == 5);
@@ -100,7 +100,7 @@ TEST_CASE("read_obj: a poly needs three verts, all different") {
   CHECK(line(many + ring + " 50") == 101);
 }
 
-TEST_CASE("read_obj: what is no OBJ file is an error, never an empty mesh") {
+TEST_CASE("read_obj: a text that is not OBJ is an error, not an empty mesh") {
   CHECK(line("") == 1);
   CHECK(line(" \n\t\r\n") == 1);
   CHECK(line("OFF\n3 1 3\n0 0 0\n") == 2);
@@ -109,7 +109,7 @@ TEST_CASE("read_obj: what is no OBJ file is an error, never an empty mesh") {
   CHECK(obj("# nothing\n").points.empty());
 }
 
-TEST_CASE("read_obj: what has no place in the mesh is counted in the report") {
+TEST_CASE("read_obj: the report counts what the mesh cannot store") {
   load_report r;
   obj(tet + "vt 0 0\nvt 1 0\nvn 0 0 1\nl 1 2\np 1\nusemtl red\nmtllib x.mtl\ng a\ng b\ng c\ns 1\nvp 0 0\nv 0 0 0 1\n", {.report = &r});
   CHECK(r.skipped == std::vector<std::string>{"2 texture coordinates (vt)", "1 normals (vn)",
@@ -121,7 +121,7 @@ TEST_CASE("read_obj: what has no place in the mesh is counted in the report") {
   CHECK(r.skipped.empty());
 }
 
-TEST_CASE("read_obj: colours of verts, white where there is none") {
+TEST_CASE("read_obj: reads colours of verts; verts without one are white") {
   const auto m = load_text<trimesh>("v 0 0 0\nv 1 0 0 0.5 0.25 1\nv 0 1 0 1.0\nv 0 0 1 # c\nf 1 2 3\n", file_format::obj);
   const auto color = find_vert_property<rgba>(m, "color");
   REQUIRE(bool(color));
@@ -135,7 +135,7 @@ TEST_CASE("read_obj: colours of verts, white where there is none") {
   CHECK(property_list(load_text<trimesh>(tet, file_format::obj)).empty());
 }
 
-TEST_CASE("read_obj: groups, objects and materials hold until the next") {
+TEST_CASE("read_obj: groups, objects and materials apply to the polys up to the next") {
   const auto m =
       load_text<trimesh>(points +
                              "f 1 2 3\ng left # c\no C# 1\nf 1 2 3\nusemtl a\tb \ng  left side\\\n 2 #c\nf 1 2 4\ng\nf 2 3 4\ng left\nf 1 "
@@ -159,7 +159,7 @@ TEST_CASE("read_obj: groups, objects and materials hold until the next") {
   CHECK(r.skipped == std::vector<std::string>{"labels of polys", "names of objects", "names of groups", "names of materials"});
 }
 
-TEST_CASE("read_obj: labels number objects where there are no groups; groups that say numbers are labels") {
+TEST_CASE("read_obj: labels number groups, else objects; a group named label_5 has the label 5") {
   const auto labels = [](const trimesh& m) {
     std::vector<int> all;
     for (const auto p : polys(m)) all.push_back(find_poly_property<int>(m, "label")[p]);
@@ -179,7 +179,7 @@ TEST_CASE("read_obj: labels number objects where there are no groups; groups tha
   CHECK(labels(load_text<trimesh>("g a\nf 1 2 3\ng b\nf 1 2 3\n" + points, file_format::obj)) == std::vector<int>{1, 2});
 }
 
-TEST_CASE("read_obj: a backslash joins lines everywhere but in comments") {
+TEST_CASE("read_obj: a backslash at the end of a line joins lines, except in comments") {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     const surface_arrays s =
         obj(with_line_ends("v\\\n0 0 0\nv 1 \\\n2\\\n 3\nv 0 1 0\\\n\nl 1\\\n2\nl 12\\\n3\nusemtl a\\\nb\nf\\\n1 2 3\n# c\\\nf 3 2 1\n", end));
@@ -192,12 +192,12 @@ TEST_CASE("read_obj: a backslash joins lines everywhere but in comments") {
   CHECK(line("v") == 1);
   CHECK(line(points + "f") == 5);
   CHECK(obj(points + "v 0 0 9 # c\nf 1 2 3/").points.size() == 5);
-  // but one inside a line that is skipped joins nothing
+  // a backslash within a skipped line does not join lines
   CHECK(raw(obj(points + "l 1\\2 \\ 3\nf 1 2 3\n").verts) == std::vector<unsigned>{0, 1, 2});
   for (const std::string last : {"s 1", "g", "g a", "l 1 2\\"}) CHECK(obj(points + "f 1 2 3\n" + last).num_polys() == 1);
 }
 
-TEST_CASE("read_obj: messages say what is wrong") {
+TEST_CASE("read_obj: messages name what was expected and what was found") {
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::obj); };
   const std::string range = ", or from -1 back to the first read so far";
   CHECK(says(points + "f 1 2 0\n") == "5: the index of a vert from 1 to 4" + range + " | '0'");
@@ -215,7 +215,7 @@ TEST_CASE("read_obj: messages say what is wrong") {
   CHECK(line(points + "g! x\n") == 5);
 }
 
-TEST_CASE("read_obj: what is skipped is counted once, whatever there is besides") {
+TEST_CASE("read_obj: the report counts each skipped line once") {
   load_report r;
   obj(points + "f 1 2 3\nl 1 2\n", {.report = &r});
   CHECK(r.skipped == std::vector<std::string>{"1 points and lines (p, l)"});
@@ -229,7 +229,7 @@ TEST_CASE("read_obj: what is skipped is counted once, whatever there is besides"
   CHECK(num_verts(load_text<trimesh>(points, file_format::obj)) == 4);
 }
 
-TEST_CASE("read_obj: groups of polygons of different sizes, from the first on") {
+TEST_CASE("read_obj: groups are numbered in order of appearance, also with polygons of different sizes") {
   const auto labels = [](const std::string& text) {
     const auto m = load_text<polygonmesh>(points + text, file_format::obj);
     std::vector<int> all;
@@ -244,13 +244,13 @@ TEST_CASE("read_obj: groups of polygons of different sizes, from the first on") 
   CHECK(labels("g label_7\nf 1 2 3\n") == std::vector<int>{7});
 }
 
-TEST_CASE("read_obj: the locale does not matter") {
+TEST_CASE("read_obj: numbers do not depend on the locale") {
   const char* const set = std::setlocale(LC_ALL, "de_DE.UTF-8");
   CHECK(obj("v 1.5 -2.25 1e-3\n").points[0] == vec3{1.5, -2.25, 0.001});
   if (set) std::setlocale(LC_ALL, "C");
 }
 
-TEST_CASE("read_obj: very long names are cut, and noted; labels tell them apart by their whole length") {
+TEST_CASE("read_obj: names longer than 1,000 bytes are cut; labels distinguish them by their full length") {
   const std::string a(1000, 'a');
   load_report r;
   const auto m = load_text<polygonmesh>("v 0 0 0\nv 1 0 0\nv 0 1 0\ng " + a + "\nf 1 2 3\ng " + a + "b\nf 1 2 3\ng " + a + "c\nf 1 2 3\n",

@@ -57,7 +57,7 @@ std::string little(const bytes& b) {
 
 }  // namespace
 
-TEST_CASE("read_off: points and polys, whatever the line ends") {
+TEST_CASE("read_off: reads points and polys, with any line ends") {
   for (const std::string end : {"\n", "\r\n", "\r"})
     for (const std::string& last : {end, std::string()}) {
       const std::string text = with_line_ends(tet, end);
@@ -70,7 +70,7 @@ TEST_CASE("read_off: points and polys, whatever the line ends") {
   CHECK(r.notes.empty());
 }
 
-TEST_CASE("read_off: the head may lack the word or the edges, go on in its line, and be full of comments") {
+TEST_CASE("read_off: the header may lack OFF or the number of edges, and contain comments") {
   const std::string rest = points + faces_text;
   for (const std::string head : {"OFF 4 4 6\n", "4 4 6\n", "4 4\n", "OFF\n4 4\n", "OFF 4 4\n", "OFF\n4\n4\n6\n", "OFF#c\n# c\n\n 4 4 # c\n",
                                  "\xEF\xBB\xBFOFF\n4 4 -1\n", " # c\nOFF\n4 4 # 6\n6\n"})
@@ -81,17 +81,17 @@ TEST_CASE("read_off: the head may lack the word or the edges, go on in its line,
   CHECK(off("OFF\n2 0\n1 2 3\n4 5 6\n").points[1] == vec3{4, 5, 6});
 }
 
-TEST_CASE("read_off: numbers wherever they stand") {
+TEST_CASE("read_off: line breaks may be between any two numbers") {
   CHECK(is_tet(off("OFF 4 4 6 0 0 0 1 0 0 0 1 0 0 0 1 3 0 2 1 3 0 1 3 3 1 2 3 3 0 3 2")));
   CHECK(is_tet(off("OFF\n4 4 6\n0 0 0 1 0 0\n0 1 0 0 0 1\n" + faces_text)));
   CHECK(is_tet(off("OFF\n4 4 6\n0\n0\n0\n1 0 0 0 1 0 0 0\n1\n3 0\n2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2")));
   const auto m = mesh("OFF\n4 2 0\n0 0 0 1 0 0\n0 1 0 0 0 1\n3 0 1 2 7\n3 0 1 3\n");
   CHECK(names(m) == list{"poly label"});
-  // a poly of many verts goes on in the next line
+  // the verts of a poly may continue on the next line
   CHECK(off("OFF\n4 2 0\n" + points + "4 0 1\n2 3 # c\n3 0\n# c\n1\n2\n").num_polys() == 2);
 }
 
-TEST_CASE("read_off: offsets appear with the first poly of another size") {
+TEST_CASE("read_off: stores offsets only if polys have different sizes") {
   CHECK(off("OFF\n4 2 0\n" + points + "4 0 1 2 3\n4 3 2 1 0\n").arity == 4);
   const auto mixed = off("OFF\n4 3 0\n" + points + "3 0 1 2\n4 0 1 2 3\n3 1 2 3\n");
   CHECK(mixed.arity == 0);
@@ -101,7 +101,7 @@ TEST_CASE("read_off: offsets appear with the first poly of another size") {
   CHECK(off(many).verts.size() == 35000);
 }
 
-TEST_CASE("read_off: every prefix, and what it gives") {
+TEST_CASE("read_off: reads the properties of every valid prefix of OFF, and rejects others") {
   const std::string poly = "3 0 1 2\n";
   struct row {
     std::string prefix, vert;
@@ -142,7 +142,7 @@ TEST_CASE("read_off: every prefix, and what it gives") {
     CHECK_MESSAGE(line("# c\n" + bad + "\n3\n0 0 0\n") == 2, bad);
 }
 
-TEST_CASE("read_off: spaces of other dimensions") {
+TEST_CASE("read_off: points may have any dimension, and a weight that divides them") {
   load_report r;
   CHECK(off("nOFF\n2\n3 1 0\n5 6\n1 0\n0 1\n3 0 1 2\n", &r).points[0] == vec3{5, 6, 0});
   CHECK(r.skipped.empty());
@@ -156,7 +156,7 @@ TEST_CASE("read_off: spaces of other dimensions") {
   CHECK(line("4OFF\n1 0 0\n1 2 3 1e-320\n") == 3);
 }
 
-TEST_CASE("read_off: colours of polys by how many numbers there are, and whether they are integers") {
+TEST_CASE("read_off: the numbers after a poly are a label, or a colour of integers or reals") {
   load_report r;
   const std::string head = "OFF\n4 8 0\n" + points;
   const auto m = mesh(head +
@@ -177,7 +177,7 @@ TEST_CASE("read_off: colours of polys by how many numbers there are, and whether
   CHECK(r.skipped == list{"labels of polys", "colours of polys"});
 }
 
-TEST_CASE("read_off: colours of verts, of three or four numbers") {
+TEST_CASE("read_off: colours of verts have three or four numbers, integers or reals") {
   load_report r;
   const auto color = [&](const std::string& a, const std::string& b) {
     const auto m = mesh("COFF\n2 0 0\n0 0 0 " + a + "\n1 0 0 " + b + "\n", &r);
@@ -194,7 +194,7 @@ TEST_CASE("read_off: colours of verts, of three or four numbers") {
   CHECK(line("COFF\n2 0 0\n0 0 0 1 0 0 0\n0 0 0 1 0\n") == 4);
 }
 
-TEST_CASE("read_off: verts with more numbers than the header says") {
+TEST_CASE("read_off: surplus numbers after verts are skipped and reported") {
   load_report r;
   const auto s = off("OFF\n3 1 0\n0 0 0 9 9 9\n1 0 0\n0 1 0 0.5\n3 0 1 2\n", &r);
   CHECK(s.points[2] == vec3{0, 1, 0});
@@ -203,7 +203,7 @@ TEST_CASE("read_off: verts with more numbers than the header says") {
   CHECK(line("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0 x\n3 0 1 2\n") == 5);
 }
 
-TEST_CASE("read_off: what follows the last poly is reported") {
+TEST_CASE("read_off: text after the last poly is skipped and reported") {
   load_report r;
   off(tet + "\n# c\n3 0 1 2\n", &r);
   CHECK(r.skipped == list{"what follows the last poly, from line 13 on"});
@@ -232,7 +232,7 @@ TEST_CASE("read_off: errors name the line") {
   CHECK(line("OFF\n0 1 0\n3 0 1 2\n") == 3);
 }
 
-TEST_CASE("read_off: comments between any two numbers, and no other sign begins one") {
+TEST_CASE("read_off: comments begin with # and may be between any two numbers") {
   const std::string vert_rows[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"}, poly_rows[] = {"3 0 2 1", "3 0 1 3", "3 1 2 3", "3 0 3 2"};
   for (const std::string head : {"OFF", "nOFF\n3"})
     for (const bool free : {false, true}) {
@@ -262,7 +262,7 @@ TEST_CASE("read_off: comments between any two numbers, and no other sign begins 
   CHECK(off("nOFF 4\n0 0").points.empty());
 }
 
-TEST_CASE("read_off: whether lines matter is told by the first vert and the number of lines, without comments and empty ones") {
+TEST_CASE("read_off: the first vert and the number of lines decide whether lines separate elements") {
   load_report r;
   CHECK(off("OFF\n3 1 0\n# c\n0 0 0\n1 0 0 9\n0 1 0\n3 0 1 2\nmore\n", &r).points[2] == vec3{0, 1, 0});
   CHECK(off("OFF\n3 1 0\n0 0 0 9\n1 0 0\n0 1 0\n3 0 1 2\nmore\n", &r).points[2] == vec3{0, 1, 0});
@@ -276,7 +276,7 @@ TEST_CASE("read_off: whether lines matter is told by the first vert and the numb
   CHECK(find_vert_property<rgba>(m, "color")[vert_id{0}] == rgba{0, 0, 1});
 }
 
-TEST_CASE("read_off: counts are no larger than the rest of the file can hold, and as large as it can") {
+TEST_CASE("read_off: counts may be as large as the rest of the file can hold, and no larger") {
   CHECK(line("OFF\n2 0 0\n0 0 0\n") == 3);
   CHECK(line("OFF\n2 0 0\n0 0 0") == 2);
   CHECK(line("OFF\n100 0 0\n0 0 0\n") == 2);
@@ -289,7 +289,7 @@ TEST_CASE("read_off: counts are no larger than the rest of the file can hold, an
   CHECK(off(colors).points.size() == 20);
 }
 
-TEST_CASE("read_off: messages say what is wrong") {
+TEST_CASE("read_off: messages name what was expected and what was found") {
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
   CHECK(says("OFF\n4 1 0\n" + points + "3 0 1 4\n") == "7: the index of a vert from 0 to 3 | '4'");
   CHECK(says("OFF\n0 1 0\n3 0 1 2\n") == "3: no polys, as there are no verts | '0'");
@@ -297,7 +297,7 @@ TEST_CASE("read_off: messages say what is wrong") {
   CHECK(says("OFF BINAR") == "1: the number of verts | 'BINAR'");
 }
 
-TEST_CASE("read_off: colours at the ends of their ranges") {
+TEST_CASE("read_off: colours and labels are right at the ends of their ranges") {
   const auto colors = [](const std::string& numbers) {
     const auto m = mesh("OFF\n4 1 0\n" + points + "3 0 1 2 " + numbers + "\n");
     const auto color = find_poly_property<rgba>(m, "color");
@@ -328,7 +328,7 @@ TEST_CASE("read_off: colours at the ends of their ranges") {
   CHECK(off("OFF 0 0").arity == 0);
 }
 
-TEST_CASE("read_off: meshes take only polys that they can hold") {
+TEST_CASE("read_off: the error names the line of the first poly that the mesh cannot hold") {
   const std::string both = "OFF\n4 2 0\n" + points + "3 0 1 2\n4 0 1 2 3\n";
   CHECK(bad_line<trimesh>(both, file_format::off) == 8);
   CHECK(bad_line<quadmesh>(both, file_format::off) == 7);
@@ -342,7 +342,7 @@ TEST_CASE("read_off: meshes take only polys that they can hold") {
   CHECK(load_any(dir / "a.off").index() == 2);
 }
 
-TEST_CASE("read_off: binary") {
+TEST_CASE("read_off: reads binary files, and rejects truncated and invalid ones") {
   bytes b;
   b.i(4).i(3).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
   b.i(3).i(0).i(2).i(1).i(0);
@@ -389,7 +389,7 @@ TEST_CASE("read_off: binary") {
   CHECK(line("OFF BINARY 3\n") == 1);
 }
 
-TEST_CASE("read_off: in binary, messages name the byte, and counts are as large as the file can hold") {
+TEST_CASE("read_off: binary: messages name the byte; counts may be as large as the file can hold") {
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
   const std::string head = "OFF BINARY\n", too_many = ", no more than the rest of the file can hold | another value at byte ";
   CHECK(says(head + bytes().i(-1).i(0).i(0).text) == "1: the number of verts, not negative | another value at byte 11");
@@ -433,7 +433,7 @@ TEST_CASE("read_off: in binary, messages name the byte, and counts are as large 
   CHECK(off(head + ring.i(0).text).verts.size() == 30);
 }
 
-TEST_CASE("read_off: in binary, what follows the corners is a colour, an index of one, or odd") {
+TEST_CASE("read_off: binary: the numbers after a poly are a colour or a label; others are reported") {
   bytes b;
   b.i(3).i(7).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0});
   const auto poly = [&]() -> bytes& { return b.i(3).i(0).i(1).i(2); };
@@ -455,7 +455,7 @@ TEST_CASE("read_off: in binary, what follows the corners is a colour, an index o
   CHECK(r.skipped == list{"3 polys with numbers after the corners that are no colour"});
 }
 
-TEST_CASE("read_off: binary numbers in little-endian order are recognised, and noted") {
+TEST_CASE("read_off: binary: little-endian numbers are recognised and reported") {
   bytes b;
   b.i(4).i(2).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
   b.i(3).i(0).i(2).i(1).i(0);
@@ -477,7 +477,7 @@ TEST_CASE("read_off: binary numbers in little-endian order are recognised, and n
   bytes dimension;
   dimension.i(2).i(3).i(1).i(0).f({1, 2, 3, 4, 5, 6}).i(3).i(0).i(1).i(2).i(0);
   CHECK(point(mesh("nOFF BINARY\n" + little(dimension)), vert_id{2}) == vec3{5, 6, 0});
-  // Counts that are possible in both orders: big-endian if the polys are. 65536 points are 256 in the other order.
+  // The counts are possible in both byte orders, as 65536 is 256 in the other order. The numbers are big-endian if the polys are valid that way.
   for (const bool is_little : {false, true}) {
     bytes both;
     both.i(65536).i(65536).i(0);
@@ -492,7 +492,7 @@ TEST_CASE("read_off: binary numbers in little-endian order are recognised, and n
   CHECK(r.notes.empty());
 }
 
-TEST_CASE("read_off: binary numbers are little-endian only if the whole file makes sense so") {
+TEST_CASE("read_off: binary: numbers are little-endian only if the whole file is valid that way") {
   const std::string head = "OFF BINARY\n", no_verts = "1: the number of verts, no more than the rest of the file can hold | another value at byte 11";
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
   const auto is_little = [](const std::string& text) {
@@ -514,7 +514,7 @@ TEST_CASE("read_off: binary numbers are little-endian only if the whole file mak
   CHECK(find_poly_property<rgba>(m, "color")[poly_id{3}] == rgba{1, 0, 0.5f});
   CHECK(raw(adj_p2v(m, poly_id{3})) == std::vector<unsigned>{1, 2, 3});
 
-  // What is cut makes sense in neither order, and is read as big-endian.
+  // A truncated file is valid in neither order, and is read as big-endian.
   for (std::size_t n = 0; n < text.size(); ++n) {
     const std::string cut = head + text.substr(0, n);
     CHECK(says(cut) == (n < 4 ? "1: the number of verts | the end of the file at byte " + std::to_string(11 + n) : no_verts));
@@ -526,10 +526,10 @@ TEST_CASE("read_off: binary numbers are little-endian only if the whole file mak
     else CHECK_MESSAGE((found.find(" of a ") != found.npos || found.starts_with("1: a number | the end of the file")), found);
   }
 
-  // Points alone, up to the last byte of the file.
+  // Files with points only, up to the last byte.
   CHECK(is_little(head + little(bytes().i(2).i(0).i(0).f({0, 0, 0, 1, 2, 3}))));
   CHECK(off(head + little(bytes().i(2).i(0).i(0).f({0, 0, 0, 1, 2, 3}))).points[1] == vec3{1, 2, 3});
-  // A poly that is none, whether it is the only one or the last.
+  // An invalid poly, as the only one, the last or the first.
   const auto with = [&](std::initializer_list<bytes> all) {
     bytes b;
     b.i(3).i(static_cast<std::int64_t>(all.size())).i(0).f({0, 0, 0, 1, 0, 0, 0, 1, 0});
@@ -547,7 +547,7 @@ TEST_CASE("read_off: binary numbers are little-endian only if the whole file mak
     CHECK(says(with({bad, good})) == no_verts);
   }
 
-  // With the dimension of the space before them.
+  // With the dimension of the space in the header.
   const std::string dimension = "1: the dimension of the space, at least 1 | the end of the file at byte ";
   for (std::size_t n = 0; n < 4; ++n) CHECK(says("n" + head + std::string(4, '\0').substr(0, n)) == dimension + std::to_string(12 + n));
   CHECK(says("n" + head + std::string(16, '\0')) == "1: the dimension of the space, at least 1 | another value at byte 12");

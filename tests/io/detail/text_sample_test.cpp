@@ -1,4 +1,4 @@
-// Counting lines by samples.
+// sample_lines estimates the number of lines of a text by samples.
 #include <concino/io/detail/text_sample.hpp>
 
 #include <doctest/doctest.h>
@@ -7,7 +7,7 @@
 
 using namespace concino::detail;
 
-TEST_CASE("samples of a long text tell how many lines there are to about a percent") {
+TEST_CASE("sample_lines: estimates the number of lines of a long text to 2 percent") {
   std::string text;
   std::size_t verts = 0, faces = 0;
   for (; verts < 60000; ++verts) text += "v 0." + std::to_string(verts * 7919 % 100000) + " 1.5 2\n";
@@ -24,12 +24,12 @@ TEST_CASE("samples of a long text tell how many lines there are to about a perce
   CHECK(with_margin(1000) >= 1000);
 }
 
-TEST_CASE("a short text is not worth it") {
+TEST_CASE("sample_lines: returns 0 for short texts") {
   CHECK(sample_lines("v 0 0 0\nv 1 1 1\n", [](const char*, const char*) {}) == 0);
   CHECK(sample_lines("", [](const char*, const char*) {}) == 0);
 }
 
-TEST_CASE("words of a line") {
+TEST_CASE("words_of_line: counts the words up to the end of the line") {
   const auto words = [](const std::string& s) { return words_of_line(s.data(), s.data() + s.size()); };
   CHECK(words("f 1 2 3\nf 1") == 4);
   CHECK(words("  f\t1/2/3  2 \r\n") == 3);

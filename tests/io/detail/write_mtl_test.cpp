@@ -57,7 +57,7 @@ lines lines_of(const trimesh& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("write_mtl: colours of polys come back through the library, to the last bit", M, trimesh, quadmesh, polygonmesh) {
+TEST_CASE_TEMPLATE("write_mtl: colours of polys are the same to the last bit after saving and loading", M, trimesh, quadmesh, polygonmesh) {
   const temporary_folder dir;
   M m = grid<M>(3);
   const auto color = poly_property<rgba>(m, "color");
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("write_mtl: colours of polys come back through the library, t
   CHECK(text.find("mtl") == text.npos);
 }
 
-TEST_CASE("write_mtl: materials, groups, objects and labels come back") {
+TEST_CASE("write_mtl: materials, groups, objects and labels are the same after saving and loading") {
   const temporary_folder dir;
   const auto comes_back = [&](const trimesh& m) {
     save_report r;
@@ -130,7 +130,7 @@ TEST_CASE("write_mtl: materials, groups, objects and labels come back") {
   CHECK(r.lost == list{"poly property \"label\": .obj has no place for it"});
 }
 
-TEST_CASE("write_mtl: colours of verts come back, opacity does not") {
+TEST_CASE("write_mtl: colours of verts are saved, and their opacity is reported as lost") {
   auto m = grid<quadmesh>(2);
   const auto color = vert_property<rgba>(m, "color");
   for (const auto v : verts(m)) color[v] = {1.0f / 3, static_cast<float>(v.raw()), 1e-7f};
@@ -143,7 +143,7 @@ TEST_CASE("write_mtl: colours of verts come back, opacity does not") {
   CHECK(r.lost == list{"opacity of verts: .obj has no place for it"});
 }
 
-TEST_CASE("write_mtl: a material has one colour, and a name fits on a line") {
+TEST_CASE("write_mtl: materials are split by colour, and names are changed to fit on a line") {
   const temporary_folder dir;
   trimesh m = grid<trimesh>(2);
   const auto name = poly_property<std::string>(m, "material");
@@ -169,7 +169,7 @@ TEST_CASE("write_mtl: a material has one colour, and a name fits on a line") {
   CHECK(find_poly_property<std::string>(changed, "material")[poly_id{7}].starts_with("_a_f 1 2 3_ _x_"));
 }
 
-TEST_CASE("write_mtl: a library that cannot be written leaves the mesh's file as it was") {
+TEST_CASE("write_mtl: if the library cannot be written, the .obj file is unchanged") {
   const temporary_folder dir;
   trimesh m = grid<trimesh>(1);
   poly_property<rgba>(m, "color");
@@ -180,7 +180,7 @@ TEST_CASE("write_mtl: a library that cannot be written leaves the mesh's file as
   CHECK(dir.num_files() == 2);
 }
 
-TEST_CASE("write_mtl: a poly in another colour has a material that differs in the colour alone") {
+TEST_CASE("write_mtl: a poly with a colour of its own gets a copy of its material with that colour") {
   const temporary_folder dir;
   trimesh m = triangles(6);
   mesh_property<material_table>(m, "materials")->materials = {
@@ -189,11 +189,11 @@ TEST_CASE("write_mtl: a poly in another colour has a material that differs in th
   const auto color = poly_property<rgba>(m, "color");
   const std::string names[] = {"gold", "gold", "gold", "plain", "glass", ""};
   for (const auto p : polys(m)) name[p] = names[p.raw()];
-  color[poly_id{0}] = {0, 1, 0};  // not the colour of gold, which is met later
+  color[poly_id{0}] = {0, 1, 0};  // not the colour of gold, which the next poly has
   color[poly_id{1}] = {1, 0.75f, 0};
   color[poly_id{2}] = {1, 0.75f, 0, 0.25f};
   color[poly_id{3}] = {};
-  color[poly_id{4}] = {0, 0, 0.5f, 0.5f};  // nobody has the colour of glass
+  color[poly_id{4}] = {0, 0, 0.5f, 0.5f};  // no poly has the colour of glass
   color[poly_id{5}] = {};                  // white, and no material
   save_report r;
   save(m, dir / "a.obj", {.report = &r});
@@ -211,7 +211,7 @@ TEST_CASE("write_mtl: a poly in another colour has a material that differs in th
   const std::string expected[] = {"gold_1", "gold", "gold_2", "plain", "glass", ""};
   for (const auto p : polys(m)) CHECK(named[p] == expected[p.raw()]);
 
-  // a material that says no colour, in a colour; one that is said to be opaque elsewhere
+  // a material without a colour gets one; a line of its opacity is replaced
   trimesh other = triangles(2);
   mesh_property<material_table>(other, "materials")->materials = {{"plain", {"illum 1", "d 0.5"}}, {"odd", {"Kd xyz 1 1 1", "Kd 0 0", "d -halo 0.5", "Kd 1 1 0"}}};
   for (const auto p : polys(other)) {
@@ -225,7 +225,7 @@ TEST_CASE("write_mtl: a poly in another colour has a material that differs in th
   CHECK(lines_of(back) == lines{{"plain", {"Kd 0 0.5 0", "illum 1", "d 1"}}, {"odd", {"Kd 0 0.5 0", "d 0.5"}}});
 }
 
-TEST_CASE("write_mtl: what no library can hold of the materials of a mesh is reported") {
+TEST_CASE("write_mtl: reports what a library cannot store of the materials") {
   const temporary_folder dir;
   trimesh m = triangles(1);
   *mesh_property<material_table>(m, "materials") = {
@@ -248,7 +248,7 @@ TEST_CASE("write_mtl: what no library can hold of the materials of a mesh is rep
   CHECK(r.lost.empty());
 }
 
-TEST_CASE("write_mtl: names that no library defines stay undefined beside a table, and white") {
+TEST_CASE("write_mtl: names without a material in the table stay undefined and white") {
   const temporary_folder dir;
   trimesh m = triangles(3);
   mesh_property<material_table>(m, "materials")->materials = {{"red", {"Kd 1 0 0"}}};
@@ -262,11 +262,11 @@ TEST_CASE("write_mtl: names that no library defines stay undefined beside a tabl
   CHECK(same_properties(m, again));
   CHECK(lines_of(again).size() == 1);
   CHECK(read.notes == list{"1 materials have no colour in a library: white; 'grey'"});
-  // a library that defines it is none for this mesh
+  // a library that defines the name is not used for this mesh
   write_file(dir / "b.mtl", "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl red\nKd 1 0 0\n");
   save(m, dir / "b.obj");
   CHECK(same_properties(m, load<trimesh>(dir / "b.obj")));
-  // but one of two colours is defined
+  // but a name whose polys have two colours is defined
   name[poly_id{2}] = "grey", color[poly_id{2}] = {0, 0, 0.5f};
   save(m, dir / "c.obj");
   CHECK(same_property<rgba>(m, load<trimesh>(dir / "c.obj"), "color"));

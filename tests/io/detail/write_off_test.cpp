@@ -31,7 +31,7 @@ bool same(const M& a, const M& b) {
   return true;
 }
 
-/// A grid with something odd at every element.
+/// A grid with different properties at every element.
 template<class M>
 M dressed(unsigned n, bool bytes) {
   M m = grid<M>(n);
@@ -55,7 +55,7 @@ M dressed(unsigned n, bool bytes) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("write_off: what was saved is loaded again, to the last bit", M, trimesh, quadmesh, polygonmesh) {
+TEST_CASE_TEMPLATE("write_off: loading gives the same mesh to the last bit", M, trimesh, quadmesh, polygonmesh) {
   const temporary_folder dir;
   for (const bool bytes : {false, true})
     for (const M& m : {dressed<M>(1, bytes), dressed<M>(5, bytes)}) {
@@ -81,14 +81,14 @@ TEST_CASE_TEMPLATE("write_off: what was saved is loaded again, to the last bit",
   }
 }
 
-TEST_CASE("write_off: integers where a colour of a poly is bytes, reals elsewhere") {
+TEST_CASE("write_off: colours of polys are integers if they are multiples of 1/255, else reals") {
   trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}});
   poly_property<rgba>(m, "color")[poly_id{0}] = {1, 0, 0.2f};
   poly_property<rgba>(m, "color")[poly_id{1}] = {1, 0, 0.5f};
   CHECK(save_text(m, file_format::off) == "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 51 255\n3 0 2 1 1.0 0.0 0.5 1.0\n");
 }
 
-TEST_CASE("write_off: labels are indices of colours, where there are no colours") {
+TEST_CASE("write_off: labels are saved as indices of colours, if there are no colours") {
   auto m = grid<quadmesh>(2);
   const auto label = poly_property<int>(m, "label");
   label[poly_id{1}] = std::numeric_limits<int>::min();
@@ -105,7 +105,7 @@ TEST_CASE("write_off: labels are indices of colours, where there are no colours"
                        "vert property \"color\": .off has no place for it"});
 }
 
-TEST_CASE("write_off: binary holds what floats can") {
+TEST_CASE("write_off: binary rounds numbers to floats, and keeps colours and labels") {
   for (const bool bytes : {false, true}) {
     const auto m = dressed<quadmesh>(2, bytes);
     save_report r;
@@ -126,7 +126,7 @@ TEST_CASE("write_off: binary holds what floats can") {
   for (const format_id f : std::initializer_list<format_id>{file_format::obj, file_format::medit}) CHECK_THROWS_AS(save_text(m, f, {.binary = true}), unsupported);
 }
 
-TEST_CASE("write_off: what it cannot hold") {
+TEST_CASE("write_off: throws for volumes and points that are not finite; other numbers become 0") {
   CHECK_THROWS_AS(save_text(grid<tetmesh>(1), file_format::off), unsupported);
   auto m = grid<trimesh>(1);
   vert_property<rgba>(m, "color")[vert_id{0}].r = std::numeric_limits<float>::infinity();
@@ -145,7 +145,7 @@ TEST_CASE("write_off: what it cannot hold") {
   CHECK(num_verts(s) == 8);
 }
 
-TEST_CASE("write_off: parts of colours come back as the same floats") {
+TEST_CASE("write_off: components of colours read back as the same floats") {
   std::mt19937 random(3);
   for (int i = 0; i < 20000; ++i) {
     const float x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
