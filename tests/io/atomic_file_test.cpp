@@ -105,7 +105,7 @@ TEST_CASE("atomic_file: with must_be_new no file is replaced") {
     atomic_file late(dir / "f", {.must_be_new = true, .unnamed = unnamed});
     write(late, "late");
     replace(dir / "f", "first", {.must_be_new = true, .unnamed = unnamed});
-    CHECK_THROWS_WITH_AS(late.commit(), ((dir / "f") + ": cannot be made: File exists").c_str(), io_error);
+    CHECK_THROWS_WITH_AS(late.commit(), ((dir / "f") + ": cannot be created: File exists").c_str(), io_error);
     CHECK(read_file(dir / "f") == "first");
     atomic_file undone(dir / "g", {.must_be_new = true, .unnamed = unnamed});
     undone.commit();
@@ -157,7 +157,7 @@ TEST_CASE("atomic_file: names may be as long as the system allows") {
 TEST_CASE("atomic_file: a path with a character of value 0 is an io_error") {
   const temporary_folder dir;
   const auto with_zero = [&](const std::string& rest) { return dir / (std::string("a\0", 2) + rest); };
-  const std::string message = (dir / "a\\0.obj") + ": a path cannot contain a character of value 0";
+  const std::string message = (dir / "a\\0.obj") + ": a path cannot contain a null character";
   CHECK_THROWS_WITH_AS(save(triangle, with_zero(".obj")), message.c_str(), io_error);
   CHECK_THROWS_WITH_AS(load<trimesh>(with_zero(".obj")), message.c_str(), io_error);
   CHECK_THROWS_WITH_AS(load_any(with_zero(".obj")), message.c_str(), io_error);

@@ -112,7 +112,7 @@ TEST_CASE("format: the extension or the options choose from a list") {
   CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", known),
                        ((dir / "text") + ": the extension is not that of a known format; known extensions: .obj, .off, .mesh, .hedra, .soup, .tris").c_str(), unsupported);
   CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", {.format = soup_format{}}),
-                       ((dir / "text") + ": this call does not know the format soup; it knows obj, off, medit, hedra").c_str(), unsupported);
+                       ((dir / "text") + ": the format soup is not among those of this call: obj, off, medit, hedra").c_str(), unsupported);
   CHECK_THROWS_AS(load<trimesh>(dir / "a.obj", format_list{soup_format{}}), unsupported);
   CHECK_THROWS_AS(save(triangle, dir / "a.obj", format_list<>{}), unsupported);
 }
@@ -120,7 +120,7 @@ TEST_CASE("format: the extension or the options choose from a list") {
 TEST_CASE("format: throws if it cannot hold the mesh or has no binary form") {
   const temporary_folder dir;
   CHECK_THROWS_WITH_AS(save_text(tet, soup_format{}), "text: .soup cannot hold volumes; save it as .mesh or .hedra", unsupported);
-  CHECK_THROWS_WITH_AS(save_text(triangle, soup_format{}, {.binary = true}), "text: .soup has no binary form here", unsupported);
+  CHECK_THROWS_WITH_AS(save_text(triangle, soup_format{}, {.binary = true}), "text: .soup cannot be written in binary; use binary = false", unsupported);
   CHECK_THROWS_AS(load_text<tetmesh>(one, soup_format{}), unsupported);
   CHECK_THROWS_AS(load_text<quadmesh>(one, soup_format{}), invalid_mesh);
   CHECK_THROWS_WITH_AS(load_text<trimesh>("0 0 x", soup_format{}), "text:1: expected z, found 'x'", parse_error);
@@ -129,7 +129,7 @@ TEST_CASE("format: throws if it cannot hold the mesh or has no binary form") {
   vert_property<int>(m, "n");
   save_report r;
   save_text(m, soup_format{}, {.report = &r});
-  CHECK(r.lost == std::vector<std::string>{"vert property \"n\": .soup has no place for it"});
+  CHECK(r.lost == std::vector<std::string>{"vert property \"n\": .soup cannot store it"});
   set_point(m, vert_id{1}, vec3{0, std::numeric_limits<double>::infinity(), 0});
   save(triangle, dir / "f", soup_format{});
   CHECK_THROWS_WITH_AS(save(m, dir / "f", soup_format{}),
@@ -145,9 +145,9 @@ TEST_CASE("format: a reader of volumes can return surfaces") {
   CHECK(num_polys(load_text<tetmesh>("both 3", both_format{})) == 1);
   CHECK(num_polys(load_text<polyhedralmesh>("both 3", both_format{})) == 1);
   CHECK_THROWS_WITH_AS(load_text<trimesh>("both 3", both_format{}),
-                       "text: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any", unsupported);
+                       "text: holds a volume of 1 polyhedra, but a surface mesh was requested; load it as polyhedralmesh or with load_any", unsupported);
   CHECK_THROWS_WITH_AS(load_text<tetmesh>("both 2", both_format{}),
-                       "text: holds a surface of 2 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
+                       "text: holds a surface of 2 polygons, but a volume mesh was requested; load it as polygonmesh or with load_any", unsupported);
   CHECK(save_text(triangle, both_format{}, {.binary = true}) == "both 2 binary\n");
   CHECK_THROWS_WITH_AS(save_text(tet, both_format{}), "text: .soup cannot hold volumes yet; save it as .mesh", unsupported);
 }

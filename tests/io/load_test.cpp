@@ -133,13 +133,13 @@ TEST_CASE("load: a polyhedralmesh can hold any volume") {
 TEST_CASE_TEMPLATE("load: throws if a volume is loaded as a surface or the reverse", M, CONCINO_ALL_KINDS) {
   if constexpr (dimension_v<M> == 2) {
     CHECK_THROWS_WITH_AS(from<M>(tet_and_labels, file_format::medit),
-                         "text: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any",
+                         "text: holds a volume of 1 polyhedra, but a surface mesh was requested; load it as polyhedralmesh or with load_any",
                          unsupported);
     CHECK_THROWS_AS(from<M>(mixed, file_format::medit), unsupported);
     CHECK_THROWS_AS(from<M>("0 0 0", file_format::hedra), unsupported);
   } else {
     CHECK_THROWS_WITH_AS(from<M>(square + "f 1 2 3\n", file_format::obj),
-                         "text: holds a surface, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
+                         "text: holds a surface, but a volume mesh was requested; load it as polygonmesh or with load_any", unsupported);
   }
 }
 

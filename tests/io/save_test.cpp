@@ -228,8 +228,8 @@ TEST_CASE("save: stores labels, and reports properties that the format cannot st
   const auto again = load_text<quadmesh>(save_text(m, file_format::medit, {.report = &r}), file_format::medit);
   CHECK(find_vert_property<int>(again, "label")[vert_id{4}] == -9);
   CHECK(find_poly_property<int>(again, "label")[poly_id{1}] == 12);
-  CHECK(r.lost == std::vector<std::string>{"vert property \"heat\": .mesh has no place for it",
-                                           "edge property \"label\": .mesh has no place for it"});
+  CHECK(r.lost == std::vector<std::string>{"vert property \"heat\": .mesh cannot store it",
+                                           "edge property \"label\": .mesh cannot store it"});
   save_text(m, file_format::obj, {.report = &r});
   CHECK(r.lost.size() == 3);
   auto odd = grid<quadmesh>(1);
@@ -248,7 +248,7 @@ TEST_CASE_TEMPLATE("save: a submesh keeps the labels of its elements", M, trimes
   const auto part = submesh(m, [](const poly_id p) { return p.raw() % 4 > 1; });
   save_report report;
   const std::string text = save_text(part, file_format::medit, {.report = &report});
-  CHECK(report.lost == std::vector<std::string>{"vert property \"heat\": .mesh has no place for it"});
+  CHECK(report.lost == std::vector<std::string>{"vert property \"heat\": .mesh cannot store it"});
   const M again = load_text<M>(text, file_format::medit);
   std::size_t n = 0;
   for (const auto v : verts(part)) CHECK(find_vert_property<int>(again, "label")[vert_id{n++}] == of_verts[v]);

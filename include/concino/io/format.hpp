@@ -129,7 +129,7 @@ namespace mistake {
 template<class F>
 concept is_no_format = std::is_class_v<F> && !Format<F> && !detail::is_format_list<F> && !std::convertible_to<F, load_options> &&
                        !std::convertible_to<F, save_options> && !std::convertible_to<F, format_id>;
-inline constexpr sentence complete_the_format("this is no Format: explain_format<F>() names what it lacks, and <concino/io/format.hpp> says what a format is");
+inline constexpr sentence complete_the_format("this type is not a Format: explain_format<F>() names what it lacks, and <concino/io/format.hpp> describes formats");
 
 }  // namespace mistake
 

@@ -46,7 +46,7 @@ M load(const std::string& path, F formats, const load_options& options = {}) {
 template<Loadable M, Formats F>
 M load_text(std::string_view text, F format, const load_options& options = {}, std::string_view name = "text") {
   if constexpr (detail::is_format_list<F>)
-    if (options.format == format_id()) core::throw_joined<invalid_argument>({"load_text: say which format the text is in; it has no extension"});
+    if (options.format == format_id()) core::throw_joined<invalid_argument>({"load_text: name the format; text has no file extension"});
   return detail::load_text_with<M>(text, name, format, options);
 }
 /// One of standard_formats, chosen when the program runs.
@@ -54,15 +54,15 @@ template<Loadable M>
 M load_text(std::string_view text, format_id format, const load_options& options = {}, std::string_view name = "text") {
   load_options with_format = options;
   with_format.format = format;
-  if (format == format_id()) core::throw_joined<invalid_argument>({"load_text: say which format the text is in; it has no extension"});
+  if (format == format_id()) core::throw_joined<invalid_argument>({"load_text: name the format; text has no file extension"});
   return detail::load_standard_text<M>(text, name, with_format);
 }
 
 // What to write instead of calls that cannot compile.
-template<class M, class R = mistake::remedy<"files are read as a mesh of this library, auto m = load<polygonmesh>(path); convert<To>(m) makes others of it">>
+template<class M, class R = mistake::remedy<"load returns native meshes only: auto m = load<polygonmesh>(path); convert<To>(m) converts it to other types">>
   requires(!Loadable<M>)
 M load(...) = delete;  // load<trimesh>(path), load<polygonmesh>(path) ..., then convert<To>(m)
-template<class M, class R = mistake::remedy<"texts are read as a mesh of this library, auto m = load_text<polygonmesh>(text, format); convert<To>(m) makes others of it">>
+template<class M, class R = mistake::remedy<"load_text returns native meshes only: auto m = load_text<polygonmesh>(text, format); convert<To>(m) converts it to other types">>
   requires(!Loadable<M>)
 M load_text(...) = delete;  // load_text<trimesh>(text, format) ..., then convert<To>(m)
 template<Loadable M, class F, class R = mistake::remedy<mistake::complete_the_format>>

@@ -53,7 +53,7 @@ void save(const M& m, const std::string& path, F formats, const save_options& op
 template<EmbeddedMesh M, Formats F>
 std::string save_text(const M& m, F format, const save_options& options = {}) {
   if constexpr (detail::is_format_list<F>)
-    if (options.format == format_id()) core::throw_joined<invalid_argument>({"save_text: say which format to write; text has no extension"});
+    if (options.format == format_id()) core::throw_joined<invalid_argument>({"save_text: name the format; text has no file extension"});
   return detail::save_text_with(m, format, options);
 }
 /// One of standard_formats, chosen at run time.
@@ -61,7 +61,7 @@ template<EmbeddedMesh M>
 std::string save_text(const M& m, format_id format, const save_options& options = {}) {
   save_options with_format = options;
   with_format.format = format;
-  if (format == format_id()) core::throw_joined<invalid_argument>({"save_text: say which format to write; text has no extension"});
+  if (format == format_id()) core::throw_joined<invalid_argument>({"save_text: name the format; text has no file extension"});
   return detail::standard_text<dimension_v<M>>(detail::visitable_mesh<M>{m}, with_format);
 }
 

@@ -18,8 +18,8 @@ namespace concino {
 inline void check_poly_corners(std::uint64_t poly_corners, std::uint64_t face_corners, std::uint64_t poly_faces, std::string_view before = {}) {
   constexpr std::uint64_t always = 1 << 20, times = 16;
   if (poly_corners > always + times * (face_corners + poly_faces))
-    core::throw_joined<unsupported>({before, "faces of many verts belong to so many polys that the adjacencies would have ", poly_corners,
-                                     " entries, for lists of ", face_corners + poly_faces, "; a face of more than ", times,
+    core::throw_joined<unsupported>({before, "large faces belong to so many polys that the adjacencies would have ", poly_corners,
+                                     " entries for input lists of ", face_corners + poly_faces, "; a face of more than ", times,
                                      " verts should belong to at most ", times, " polys"});
 }
 

@@ -83,7 +83,7 @@ TEST_CASE("library_file: saving to another folder merges all libraries into one,
   save_report r;
   save(m, other / "b.obj", {.report = &r});
   CHECK(r.lost.empty());
-  CHECK(r.notes == list{"the pictures that materials name (map_Kd and the like) are not copied"});
+  CHECK(r.notes == list{"the textures of materials (map_Kd and the like) are not copied"});
   CHECK(files_in(other) == list{"b.mtl", "b.obj"});
   CHECK(said_in(other / "b.obj") == said_of(m));
   CHECK(read_file(other / "b.obj").find("mtllib b.mtl\nmtllib gone.mtl\n") != std::string::npos);
@@ -107,13 +107,13 @@ TEST_CASE("library_file: libraries of other files are not changed, and the repor
   write_file(dir / "a.mtl", wood);
   save_report r;
   save(colored(0.5f), dir / "a.obj", {.report = &r});
-  CHECK(r.notes == list{"the materials are in a_1.mtl: a.mtl holds others, and stays as it is"});
+  CHECK(r.notes == list{"the materials are in a_1.mtl: a.mtl holds other materials and is unchanged"});
   CHECK(read_file(dir / "a.mtl") == wood);
   CHECK(said_in(dir / "a.obj") == said_of(colored(0.5f)));
   // a library that has exactly the needed materials is named and not written
   write_file(dir / "b.mtl", "newmtl color_2\nKd 0 0.5 0\n# more\nnewmtl color_3\nKd 0 0.25 0\nnewmtl color_1\nKd 0.5 0 0\n");
   save(colored(0.5f), dir / "b.obj", {.report = &r});
-  CHECK(r.notes == list{"the materials are in b_1.mtl: b.mtl holds others, and stays as it is"});  // it has a comment more
+  CHECK(r.notes == list{"the materials are in b_1.mtl: b.mtl holds other materials and is unchanged"});  // it has a comment more
   write_file(dir / "c.mtl", "newmtl color_2\nKd 0 0.5 0\nnewmtl color_3\nKd 0 0.25 0\nnewmtl color_1\nKd 0.5 0 0\n");
   const auto before = contents_of(dir);
   save(colored(0.5f), dir / "c.obj", {.report = &r});
@@ -141,7 +141,7 @@ TEST_CASE("library_file: saving removes the previous library of the file, unless
   CHECK(files_in(dir) == list{"a.mtl", "a.obj"});
   write_file(dir / "a.mtl", read_file(dir / "a.mtl") + "Ks 1 1 1\n");
   save(colored(1), dir / "a.obj", {.report = &r});
-  CHECK(r.notes == list{"the materials are in a_1.mtl: a.mtl holds others, and stays as it is"});
+  CHECK(r.notes == list{"the materials are in a_1.mtl: a.mtl holds other materials and is unchanged"});
   CHECK(files_in(dir) == list{"a.mtl", "a.obj", "a_1.mtl"});
   save(colored(0.5f), dir / "a.obj");
   CHECK(files_in(dir) == list{"a.mtl", "a.obj", "a_2.mtl"});
@@ -167,7 +167,7 @@ TEST_CASE("library_file: saving changes both files or neither, whatever fails") 
     if (f == 1) write_file(dir / "a_1.mtl", "mine");
     return true;
   };
-  CHECK_THROWS_WITH_AS(save(colored(1), dir / "a.obj", {.progress = make_library}), ((dir / "a_1.mtl") + ": cannot be made: File exists").c_str(), io_error);
+  CHECK_THROWS_WITH_AS(save(colored(1), dir / "a.obj", {.progress = make_library}), ((dir / "a_1.mtl") + ": cannot be created: File exists").c_str(), io_error);
   CHECK(read_file(dir / "a_1.mtl") == "mine");
   fs::remove(dir / "a_1.mtl");
   CHECK(before == contents_of(dir));

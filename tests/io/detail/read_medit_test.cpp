@@ -137,7 +137,7 @@ TEST_CASE("read_medit: messages name what was expected and what was found") {
         "11: a triangle (polygonmesh and load_any take any polygon) | an element of section Quadrilaterals");
   CHECK(complaint<hexmesh>(one_tet, file_format::medit) == "11: a hex (polyhedralmesh and load_any take any cell) | an element of section Tetrahedra");
   CHECK_THROWS_WITH_AS(medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd"),
-                       "t.mesh: holds a surface of 1 polygons, but a volume mesh was asked for; load it as polygonmesh or by load_any", unsupported);
+                       "t.mesh: holds a surface of 1 polygons, but a volume mesh was requested; load it as polygonmesh or with load_any", unsupported);
   // cells are not checked if a surface is loaded
   CHECK_THROWS_AS(medit<surface_arrays>(head + points + "Tetrahedra\n1\n1 2 3 9 0\nEnd\n"), unsupported);
 }
@@ -171,7 +171,7 @@ TEST_CASE("read_medit: references written as reals are rounded") {
   const auto n = load_text<trimesh>(head + points + "Triangles 3\n1 2 3 1.4\n1 2 4 -1.6\n1 3 4 2.0\nEnd", file_format::medit, {.report = &r});
   const int rounded[] = {1, -2, 2};
   for (unsigned p = 0; p < 3; ++p) CHECK(find_poly_property<int>(n, "label")[poly_id{p}] == rounded[p]);
-  CHECK(r.notes == std::vector<std::string>{"2 references are no integers and were rounded, the first on line 10"});
+  CHECK(r.notes == std::vector<std::string>{"2 references are not integers and were rounded, the first on line 10"});
 
   const auto says = [](const std::string& number) {
     return complaint<surface_arrays>(head + points + "Triangles\n1\n1 2 3 " + number + "\nEnd", file_format::medit);
@@ -231,7 +231,7 @@ TEST_CASE("read_medit: a file without polys loads as any kind; a type of several
 
 TEST_CASE("read_medit: throws if a volume is loaded as a surface or the reverse") {
   CHECK_THROWS_WITH_AS(medit<surface_arrays>(one_tet),
-                       "t.mesh: holds a volume of 1 polyhedra, but a surface mesh was asked for; load it as polyhedralmesh or by load_any",
+                       "t.mesh: holds a volume of 1 polyhedra, but a surface mesh was requested; load it as polyhedralmesh or with load_any",
                        unsupported);
   CHECK_THROWS_AS(medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nEnd"), unsupported);
   CHECK_THROWS_AS(medit<surface_arrays>("MeshVersionFormatted 1 Tetrahedra 1 1 2 3 4 0 Dimension 3 " + points + " End"), unsupported);

@@ -71,7 +71,7 @@ TEST_CASE("read_mtl: polys get the colours of their materials, from libraries in
       CHECK(material[poly_id{p}] == names[p]);
     }
     CHECK(r.skipped == list{"1 textures of materials (map_Kd and the like)"});
-    CHECK(r.notes == list{"1 materials have no colour in a library: white; 'grey'"});
+    CHECK(r.notes == list{"1 materials have no colour in a library and become white; 'grey'"});
   }
   CHECK(find_poly_property<rgba>(read("mtllib none.mtl one.mtl\n", r), "color")[poly_id{1}] == rgba{1, 0, 0});
   CHECK(r.notes[0] == "material library 'none.mtl': there is no such file beside this one");
@@ -82,7 +82,7 @@ TEST_CASE("read_mtl: polys get the colours of their materials, from libraries in
   CHECK(!find_poly_property<rgba>(read("mtllib\n", r), "color"));
   const auto m = load_text<trimesh>("mtllib one.mtl\n" + uses, file_format::obj, {.report = &r});
   CHECK(!find_poly_property<rgba>(m, "color"));
-  CHECK(r.notes == list{"material library 'one.mtl': not read, the text has no folder"});
+  CHECK(r.notes == list{"material library 'one.mtl': not read, as text has no folder"});
 }
 
 TEST_CASE("read_mtl: the table keeps all lines of a material, also unknown ones") {
@@ -108,7 +108,7 @@ TEST_CASE("read_mtl: the mesh has the materials of all libraries that its file n
   load_report r;
   const auto m = load<trimesh>(dir / "a.obj", {.report = &r});
   CHECK(r.notes == list{"material library 'none.mtl': there is no such file beside this one",
-                        "1 materials are defined again otherwise: the first definition counts; 'red'"});
+                        "1 materials have several definitions: the first one is used; 'red'"});
   const auto table = find_mesh_property<material_table>(m, "materials");
   REQUIRE(bool(table));
   CHECK(table->libraries == list{"one.mtl", "none.mtl", "two.mtl"});
@@ -128,7 +128,7 @@ TEST_CASE("read_mtl: the mesh has the materials of all libraries that its file n
   CHECK(property_list(bare).size() == 1);
   CHECK(r.notes.empty());
   load<surface_arrays>(dir / "b.obj", {.report = &r});
-  CHECK(r.skipped == list{"what libraries say of materials"});
+  CHECK(r.skipped == list{"definitions of materials in libraries"});
 }
 
 TEST_CASE("read_mtl: a library is read once, even if its path is written in several ways") {

@@ -113,10 +113,10 @@ TEST_CASE("read_obj: the report counts what the mesh cannot store") {
   load_report r;
   obj(tet + "vt 0 0\nvt 1 0\nvn 0 0 1\nl 1 2\np 1\nusemtl red\nmtllib x.mtl\ng a\ng b\ng c\ns 1\nvp 0 0\nv 0 0 0 1\n", {.report = &r});
   CHECK(r.skipped == std::vector<std::string>{"2 texture coordinates (vt)", "1 normals (vn)",
-                                              "1 weights of verts, or other numbers after x y z that are no r g b",
+                                              "1 weights of verts, or other numbers after x y z that are not r g b",
                                               "2 points and lines (p, l)", "1 smoothing groups (s)",
                                               "1 lines with other keywords, the first 'vp' on line 20"});
-  CHECK(r.notes == std::vector<std::string>{"material library 'x.mtl': not read, the text has no folder"});
+  CHECK(r.notes == std::vector<std::string>{"material library 'x.mtl': not read, as text has no folder"});
   obj(tet, {.report = &r});
   CHECK(r.skipped.empty());
 }
@@ -131,7 +131,7 @@ TEST_CASE("read_obj: reads colours of verts; verts without one are white") {
   CHECK(color[vert_id{3}] == rgba{});
   load_report r;
   obj("v 0 0 0 1 1 1\nv 0 0 0 1 1\nv 0 0 0 1 1 1 1\n", {.report = &r});
-  CHECK(r.skipped == std::vector<std::string>{"2 weights of verts, or other numbers after x y z that are no r g b", "colours of verts"});
+  CHECK(r.skipped == std::vector<std::string>{"2 weights of verts, or other numbers after x y z that are not r g b", "colours of verts"});
   CHECK(property_list(load_text<trimesh>(tet, file_format::obj)).empty());
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("read_obj: a backslash at the end of a line joins lines, except in com
 
 TEST_CASE("read_obj: messages name what was expected and what was found") {
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::obj); };
-  const std::string range = ", or from -1 back to the first read so far";
+  const std::string range = ", or from -1 (the last one read) back to the first";
   CHECK(says(points + "f 1 2 0\n") == "5: the index of a vert from 1 to 4" + range + " | '0'");
   CHECK(says(points + "f 1 2 9\nv 0 0 0\n") == "5: the index of a vert from 1 to 5" + range + " | '9'");
   CHECK(says("f 0 1 2\n" + points) == "1: the index of a vert from 1 to 0" + range + " | '0'");
@@ -222,7 +222,7 @@ TEST_CASE("read_obj: the report counts each skipped line once") {
   obj("s 1\n", {.report = &r});
   CHECK(r.skipped == std::vector<std::string>{"1 smoothing groups (s)"});
   obj(points + "shadow_obj x\nk2 y\ns#off\nv 0 0 0 1 2 3 4 5\nf 1 2 3\n", {.report = &r});
-  CHECK(r.skipped == std::vector<std::string>{"1 weights of verts, or other numbers after x y z that are no r g b", "1 smoothing groups (s)",
+  CHECK(r.skipped == std::vector<std::string>{"1 weights of verts, or other numbers after x y z that are not r g b", "1 smoothing groups (s)",
                                               "2 lines with other keywords, the first 'shadow_obj' on line 5"});
   CHECK(obj(points).offsets == std::vector<std::uint32_t>{0});
   CHECK(obj(points).arity == 0);
@@ -259,7 +259,7 @@ TEST_CASE("read_obj: names longer than 1,000 bytes are cut; labels distinguish t
     CHECK(find_poly_property<std::string>(m, "group")[poly_id{p}] == a);
     CHECK(find_poly_property<int>(m, "label")[poly_id{p}] == static_cast<int>(p + 1));
   }
-  CHECK(r.notes == std::vector<std::string>{"names longer than 1000 bytes were cut: every poly has a copy of its name"});
+  CHECK(r.notes == std::vector<std::string>{"names longer than 1000 bytes were truncated, as every poly has a copy of its name"});
   load_text<polygonmesh>("v 0 0 0\nv 1 0 0\nv 0 1 0\no " + a + "\nf 1 2 3\n", file_format::obj, {.report = &r});
   CHECK(r.notes.empty());
 }

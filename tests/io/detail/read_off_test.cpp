@@ -169,7 +169,7 @@ TEST_CASE("read_off: the numbers after a poly are a label, or a colour of intege
   const auto label = find_poly_property<int>(m, "label");
   CHECK(label[poly_id{1}] == -7);
   CHECK(label[poly_id{0}] == 0);
-  CHECK(r.skipped == list{"2 polys with numbers after the corners that are no colour"});
+  CHECK(r.skipped == list{"2 polys with numbers after the corners that are not a colour"});
   for (const std::string bad : {"256 0 0", "-1 0 0", "1 2 x", "nan 0 0", "3000000000", "0 0 0 300"})
     CHECK_MESSAGE(line("OFF\n4 2 0\n" + points + "3 0 1 2\n3 0 1 2 " + bad + "\n") == 8, bad);
   load_text<surface_arrays>(head + faces_text + faces_text.substr(0, 8) + "3 0 1 2 1\n3 0 1 2 0 0 0\n3 0 1 2\n", file_format::off,
@@ -452,7 +452,7 @@ TEST_CASE("read_off: binary: the numbers after a poly are a colour or a label; o
   CHECK(color[poly_id{6}] == rgba{});
   CHECK(find_poly_property<int>(m, "label")[poly_id{4}] == -2147483520);
   CHECK(find_poly_property<int>(m, "label")[poly_id{1}] == 0);
-  CHECK(r.skipped == list{"3 polys with numbers after the corners that are no colour"});
+  CHECK(r.skipped == list{"3 polys with numbers after the corners that are not a colour"});
 }
 
 TEST_CASE("read_off: binary: little-endian numbers are recognised and reported") {

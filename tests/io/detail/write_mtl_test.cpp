@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("write_mtl: colours of polys are the same to the last bit aft
   CHECK(same_properties(m, load<M>(dir / "a.b.obj", {.report = &read})));
   CHECK(read.notes.empty());
   const auto text = save_text(m, file_format::obj, {.report = &r});
-  CHECK(r.lost == list{"poly property \"color\": it goes to a .mtl file beside the .obj file, and text has none beside it"});
+  CHECK(r.lost == list{"poly property \"color\": it belongs in a .mtl file beside the .obj file, and text has no folder"});
   CHECK(text.find("mtl") == text.npos);
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("write_mtl: materials, groups, objects and labels are the same after s
 
   save_report r;
   save(with(group, labels), dir / "a.obj", {.report = &r});
-  CHECK(r.lost == list{"poly property \"label\": .obj has no place for it"});
+  CHECK(r.lost == list{"poly property \"label\": .obj cannot store it"});
 }
 
 TEST_CASE("write_mtl: colours of verts are saved, and their opacity is reported as lost") {
@@ -140,7 +140,7 @@ TEST_CASE("write_mtl: colours of verts are saved, and their opacity is reported 
   CHECK(r.lost.empty());
   color[vert_id{0}].a = 0.5f;
   save_text(m, file_format::obj, {.report = &r});
-  CHECK(r.lost == list{"opacity of verts: .obj has no place for it"});
+  CHECK(r.lost == list{"opacity of verts: .obj cannot store it"});
 }
 
 TEST_CASE("write_mtl: materials are split by colour, and names are changed to fit on a line") {
@@ -154,7 +154,7 @@ TEST_CASE("write_mtl: materials are split by colour, and names are changed to fi
   }
   save_report r;
   save(m, dir / "a.obj", {.report = &r});
-  CHECK(r.lost == list{"materials of several colours: 1 were given names of their own, as a material of .mtl has one colour"});
+  CHECK(r.lost == list{"materials of several colours: 1 got new names, as a material of .mtl has one colour"});
   const auto again = load<trimesh>(dir / "a.obj");
   CHECK(same_property<rgba>(m, again, "color"));
   CHECK(find_poly_property<std::string>(again, "material")[poly_id{1}] == "wood");
@@ -197,7 +197,7 @@ TEST_CASE("write_mtl: a poly with a colour of its own gets a copy of its materia
   color[poly_id{5}] = {};                  // white, and no material
   save_report r;
   save(m, dir / "a.obj", {.report = &r});
-  CHECK(r.lost == list{"materials of several colours: 2 were given names of their own, as a material of .mtl has one colour"});
+  CHECK(r.lost == list{"materials of several colours: 2 got new names, as a material of .mtl has one colour"});
   CHECK(r.notes.empty());
   const auto again = load<trimesh>(dir / "a.obj");
   CHECK(same_property<rgba>(m, again, "color"));
@@ -232,17 +232,17 @@ TEST_CASE("write_mtl: reports what a library cannot store of the materials") {
       .materials = {{"a\nb", {"Ks 1\n1 1 ", " # x", "newmtl c", "  "}}, {"a_b", {}}, {"", {"Kd 1 1 1"}}, {"d", {}}}, .head = {"# head"}};
   save_report r;
   save(m, dir / "a.obj", {.report = &r});
-  CHECK(r.lost == list{"materials without a name, or of a name that another has: 2 were left out",
+  CHECK(r.lost == list{"materials without a name, or with the name of another: 2 were left out",
                        "lines of materials that are empty or begin another material: 2 were left out",
-                       "names of polys that no line of .obj can hold: they were changed"});
+                       "names of polys that do not fit into a line of .obj: they were changed"});
   const auto again = load<trimesh>(dir / "a.obj");
   CHECK(lines_of(again) == lines{{"a_b", {"Ks 1 1 1", "# x"}}, {"d", {}}});
   CHECK(find_mesh_property<material_table>(again, "materials")->head == list{"# head"});
 
   save_text(m, file_format::obj, {.report = &r});
-  CHECK(r.lost == list{"mesh property \"materials\": it goes to a .mtl file beside the .obj file, and text has none beside it"});
+  CHECK(r.lost == list{"mesh property \"materials\": it belongs in a .mtl file beside the .obj file, and text has no folder"});
   save_text(m, file_format::off, {.report = &r});
-  CHECK(r.lost == list{"mesh property \"materials\": .off has no place for it"});
+  CHECK(r.lost == list{"mesh property \"materials\": .off cannot store it"});
   const auto text = load_text<trimesh>("mtllib x.mtl\n" + save_text(triangles(1), file_format::obj), file_format::obj);
   CHECK(save_text(text, file_format::obj, {.report = &r}).find("\nmtllib x.mtl\n") != std::string::npos);
   CHECK(r.lost.empty());
@@ -261,7 +261,7 @@ TEST_CASE("write_mtl: names without a material in the table stay undefined and w
   const auto again = load<trimesh>(dir / "a.obj", {.report = &read});
   CHECK(same_properties(m, again));
   CHECK(lines_of(again).size() == 1);
-  CHECK(read.notes == list{"1 materials have no colour in a library: white; 'grey'"});
+  CHECK(read.notes == list{"1 materials have no colour in a library and become white; 'grey'"});
   // a library that defines the name is not used for this mesh
   write_file(dir / "b.mtl", "newmtl grey\nKd 0.5 0.5 0.5\nnewmtl red\nKd 1 0 0\n");
   save(m, dir / "b.obj");

@@ -101,8 +101,8 @@ TEST_CASE("write_off: labels are saved as indices of colours, if there are no co
   vert_property<int>(m, "label");
   vert_property<int>(m, "color");
   save_text(m, file_format::off, {.report = &r});
-  CHECK(r.lost == list{"poly property \"label\": .off has no place for it", "vert property \"label\": .off has no place for it",
-                       "vert property \"color\": .off has no place for it"});
+  CHECK(r.lost == list{"poly property \"label\": .off cannot store it", "vert property \"label\": .off cannot store it",
+                       "vert property \"color\": .off cannot store it"});
 }
 
 TEST_CASE("write_off: binary rounds numbers to floats, and keeps colours and labels") {
@@ -133,7 +133,7 @@ TEST_CASE("write_off: throws for volumes and points that are not finite; other n
   poly_property<rgba>(m, "color")[poly_id{0}].a = std::numeric_limits<float>::quiet_NaN();
   save_report r;
   const auto again = load_text<trimesh>(save_text(m, file_format::off, {.report = &r}), file_format::off);
-  CHECK(r.lost == list{"2 numbers of colours and the like that are not finite: written as 0"});
+  CHECK(r.lost == list{"2 numbers of colours and other properties that are not finite: written as 0"});
   CHECK(find_poly_property<rgba>(again, "color")[poly_id{0}] == rgba{1, 1, 1, 0});
   m = grid<trimesh>(1);
   set_point(m, vert_id{1}, vec3{0, std::numeric_limits<double>::infinity(), 0});

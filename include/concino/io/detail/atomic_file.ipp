@@ -122,9 +122,9 @@ CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) 
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE void atomic_file::commit() {
   finish();
-  if (temporary_.empty() ? !commit_unnamed() : !commit_named()) fail(options_.must_be_new ? "cannot be made" : "cannot be replaced");
+  if (temporary_.empty() ? !commit_unnamed() : !commit_named()) fail(options_.must_be_new ? "cannot be created" : "cannot be replaced");
   committed_ = true;
-  if (options_.sync && ::fsync(folder_) != 0 && errno != EINVAL) fail("is written, but its folder cannot be brought to the disk");
+  if (options_.sync && ::fsync(folder_) != 0 && errno != EINVAL) fail("is written, but its folder cannot be synchronised to disk");
 }
 
 CONCINO_INLINE void atomic_file::undo() { ::unlinkat(folder_, name_.c_str(), 0); }

@@ -39,7 +39,7 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
   }
   if (found != 0) return found;
   if (by_extension) core::throw_joined<unsupported>({path, ": the extension is not that of a known format; known extensions: ", all});
-  core::throw_joined<unsupported>({path, ": this call does not know the format ", asked.name(), "; it knows ", all});
+  core::throw_joined<unsupported>({path, ": the format ", asked.name(), " is not among those of this call: ", all});
 }
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text) {

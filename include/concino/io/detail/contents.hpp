@@ -39,7 +39,7 @@ inline void end_poly(surface_arrays& s, std::uint32_t& arity, std::size_t first)
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_wrong_dimension(std::string_view name, bool holds_volume, std::size_t polys = 0) {
   const std::string of = polys ? core::joined({" of ", polys, holds_volume ? " polyhedra" : " polygons"}) : std::string();
   core::throw_joined<unsupported>({name, ": holds a ", holds_volume ? "volume" : "surface", of, ", but a ", holds_volume ? "surface" : "volume",
-                             " mesh was asked for; load it as ", holds_volume ? "polyhedralmesh" : "polygonmesh", " or by load_any"});
+                             " mesh was requested; load it as ", holds_volume ? "polyhedralmesh" : "polygonmesh", " or with load_any"});
 }
 
 }  // namespace concino::detail

@@ -222,11 +222,11 @@ class material_library_file final : public companion_files {
   }
 
   void add_notes(const std::string& chosen, const std::string& other, bool leaves_pictures, save_report& report) const {
-    if (!other.empty()) report.notes.push_back(core::joined({"the materials are in ", chosen, ": ", other, " holds others, and stays as it is"}));
+    if (!other.empty()) report.notes.push_back(core::joined({"the materials are in ", chosen, ": ", other, " holds other materials and is unchanged"}));
     for (const old_library& o : outdated_)
       report.notes.push_back(
-          core::joined({std::string_view(o.path).substr(folder_.size()), ", which an earlier save made for this file, is removed"}));
-    if (leaves_pictures) report.notes.push_back("the pictures that materials name (map_Kd and the like) are not copied");
+          core::joined({std::string_view(o.path).substr(folder_.size()), ", which an earlier save wrote for this file, is removed"}));
+    if (leaves_pictures) report.notes.push_back("the textures of materials (map_Kd and the like) are not copied");
   }
 
  public:

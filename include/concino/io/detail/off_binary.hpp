@@ -91,7 +91,7 @@ class off_binary_reader {
       in_.report_progress();
     }
     if (!in_.at_end()) report_.skipped.push_back(core::joined({in_.left(), " bytes after the last poly"}));
-    if (num_odd_) report_.skipped.push_back(core::joined({num_odd_, " polys with numbers after the corners that are no colour"}));
+    if (num_odd_) report_.skipped.push_back(core::joined({num_odd_, " polys with numbers after the corners that are not a colour"}));
     in_.at = in_.end();
   }
 
@@ -193,7 +193,7 @@ class off_binary_reader {
   }
 
   void attributes(file_contents& extra, std::uint64_t f) {
-    const std::uint32_t n = word("the number of numbers of a colour");
+    const std::uint32_t n = word("the number of components of a colour");
     if (n > 4) fail(in_.at - 4, "a colour of at most 4 numbers");
     if (n == 3 || n == 4) {
       extra.poly_colors.resize(f);

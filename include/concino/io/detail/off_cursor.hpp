@@ -37,7 +37,7 @@ class off_cursor : protected text_cursor {
       at = from;
       return;
     }
-    if (!header_.parse(word)) fail(from, "OFF, with nothing but ST, C, N, 4, n before it, in this order");
+    if (!header_.parse(word)) fail(from, "OFF, preceded only by ST, C, N, 4, n in this order");
     blanks();
     const std::string_view rest{at, static_cast<std::size_t>(end() - at)};
     if (rest.starts_with("BINARY")) {

@@ -17,7 +17,7 @@ namespace concino::detail {
   if (path.find('\0') == path.npos) return;
   std::string printable;
   for (const char c : path) printable.append(c ? std::string_view(&c, 1) : std::string_view("\\0"));
-  core::throw_joined<io_error>({printable, ": a path cannot contain a character of value 0"});
+  core::throw_joined<io_error>({printable, ": a path cannot contain a null character"});
 }
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE std::string resolve_links(const std::string& path) {

@@ -59,7 +59,7 @@ namespace concino::detail {
   skipped(contents.objects.empty(), "names of objects");
   skipped(contents.groups.empty(), "names of groups");
   skipped(contents.materials.empty(), "names of materials");
-  skipped(contents.table.materials.empty(), "what libraries say of materials");
+  skipped(contents.table.materials.empty(), "definitions of materials in libraries");
 }
 
 }  // namespace concino::detail

@@ -90,7 +90,7 @@ class hedra_reader : token_cursor {
       skip();
       const char* const from = at;
       const std::uint64_t size = next_count("the number of faces of a polyhedron", 2);
-      if (size == 0) fail(from, {"a polyhedron of at least one face"}, {"one of none"});
+      if (size == 0) fail(from, {"a polyhedron of at least one face"}, {"one without faces"});
       for (std::uint64_t i = 0; i < size; ++i) {
         skip();
         const char* const here = at;

@@ -72,7 +72,7 @@ class medit_reader : token_cursor {
     } else {
       for (const medit_section& s : medit_sections)
         if (keyword == s.keyword) {
-          const part here{&s, at, next_count("a number of elements", 2 * s.arity + 2)};
+          const part here{&s, at, next_count("the number of elements", 2 * s.arity + 2)};
           if (Volumes && s.volume && has_verts_) {
             elements(here);
           } else {
@@ -214,12 +214,12 @@ class medit_reader : token_cursor {
         continue;
       }
       at = p.at;
-      next_count("a number of elements", 2 * p.section->arity + 2);
+      next_count("the number of elements", 2 * p.section->arity + 2);
       elements(p);
     }
     if (num_rounded_)
       report_.notes.push_back(
-          core::joined({num_rounded_, " references are no integers and were rounded, the first on line ", line_of(first_rounded_)}));
+          core::joined({num_rounded_, " references are not integers and were rounded, the first on line ", line_of(first_rounded_)}));
     if (report_.reoriented_polys)
       report_.notes.push_back(core::joined({report_.reoriented_polys, " of ", polys_,
                                       " cells had a negative volume: their verts were put into the standard order"}));

@@ -187,7 +187,7 @@ class material_library_reader {
     const std::size_t before = seen_lines.size();
     if (seen_lines.add(line) != before || line.empty()) continue;
     if (!context.is_file) {
-      report.notes.push_back(core::joined({"material library '", line, "': not read, the text has no folder"}));
+      report.notes.push_back(core::joined({"material library '", line, "': not read, as text has no folder"}));
       add(line, false);
       continue;
     }
@@ -218,7 +218,7 @@ class material_library_reader {
       for (const std::string& name : missing) add(name, false);
   }
   if (library.num_redefined)
-    report.notes.push_back(core::joined({library.num_redefined, " materials are defined again otherwise: the first definition counts; '", library.redefined, "'"}));
+    report.notes.push_back(core::joined({library.num_redefined, " materials have several definitions: the first one is used; '", library.redefined, "'"}));
 }
 
 /// Sets the materials and colours of the polys from the libraries that a file names. Materials that a writer has created only for a colour lose
@@ -239,7 +239,7 @@ class material_library_reader {
     std::size_t first = 0;  // the alphabetically first
     for (std::size_t i = 1; i < missing.size(); ++i)
       if (std::string_view(missing[i]) < missing[first]) first = i;
-    report.notes.push_back(core::joined({missing.size(), " materials have no colour in a library: white; '", missing[first], "'"}));
+    report.notes.push_back(core::joined({missing.size(), " materials have no colour in a library and become white; '", missing[first], "'"}));
   }
   if (any) {
     contents.poly_colors.resize(polys);

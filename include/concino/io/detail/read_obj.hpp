@@ -144,7 +144,7 @@ class obj_reader : text_cursor {
   std::uint64_t absolute(const char* place, std::int64_t i, std::uint64_t so_far, std::uint64_t bound, const char* what) const {
     if (i < 0) i += static_cast<std::int64_t>(so_far) + 1;
     if (i < 1 || static_cast<std::uint64_t>(i) > bound)
-      fail(place, {"the index of ", what, " from 1 to ", bound < max_ids ? bound : so_far, ", or from -1 back to the first read so far"});
+      fail(place, {"the index of ", what, " from 1 to ", bound < max_ids ? bound : so_far, ", or from -1 (the last one read) back to the first"});
     return static_cast<std::uint64_t>(i);
   }
 
@@ -238,7 +238,7 @@ class obj_reader : text_cursor {
     for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) {
       if (names->longest() <= max_name) continue;
       names->rename([](std::string_view name) { return std::string(name.substr(0, max_name)); });
-      context_.report->notes.push_back(core::joined({"names longer than ", max_name, " bytes were cut: every poly has a copy of its name"}));
+      context_.report->notes.push_back(core::joined({"names longer than ", max_name, " bytes were truncated, as every poly has a copy of its name"}));
     }
   }
 
@@ -268,7 +268,7 @@ class obj_reader : text_cursor {
     };
     skipped(num_textures_, "texture coordinates (vt)");
     skipped(num_normals_, "normals (vn)");
-    skipped(num_extra_, "weights of verts, or other numbers after x y z that are no r g b");
+    skipped(num_extra_, "weights of verts, or other numbers after x y z that are not r g b");
     skipped(num_lines_, "points and lines (p, l)");
     skipped(num_smooth_, "smoothing groups (s)");
     if (num_other_)

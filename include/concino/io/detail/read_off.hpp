@@ -117,7 +117,7 @@ class off_reader : off_cursor {
   };
   [[gnu::noinline]] void add_part(color_parts& c) {
     const char* const from = at;
-    const double x = real("a number of a colour");
+    const double x = real("a component of a colour");
     if (c.size < 4) c.x[c.size] = x;
     ++c.size;
     for (const char* p = from; p != at; ++p) c.whole = c.whole && (is_digit(*p) || *p == '-' || *p == '+');
@@ -211,7 +211,7 @@ class off_reader : off_cursor {
     for (; !line_is_over(); blanks()) add_part(c);
     if (c.size == 1 && c.whole) {
       if (c.x[0] < std::numeric_limits<int>::min() || c.x[0] > std::numeric_limits<int>::max())
-        fail(place, "the index of a colour of 32 bits");
+        fail(place, "the index of a colour, an integer of 32 bits");
       extra_.poly_labels.resize(f);
       const int label = static_cast<int>(c.x[0]);
       extra_.poly_labels.push_back(label);
@@ -233,13 +233,13 @@ class off_reader : off_cursor {
         rgba& c = extra_.vert_colors[v];
         for (float* const part : {&c.r, &c.g, &c.b, &c.a}) *part = *part > 0 ? 1.0f : 0.0f;
       }
-      report_.notes.push_back("colours of verts: no integer is larger than 1, so they were taken as parts from 0 to 1");
+      report_.notes.push_back("colours of verts: no integer is larger than 1, so they were read as components from 0 to 1");
     }
     const auto skipped = [&](std::uint64_t n, const char* what) {
       if (n) report_.skipped.push_back(core::joined({n, " ", what}));
     };
     skipped(num_extra_, "verts with more numbers than the header says");
-    skipped(num_odd_, "polys with numbers after the corners that are no colour");
+    skipped(num_odd_, "polys with numbers after the corners that are not a colour");
     if (header_.dimension > 3) report_.skipped.push_back(core::joined({"coordinates beyond the third, of ", header_.dimension}));
   }
 };

@@ -32,7 +32,7 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
   save_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};
   const format_row& row = format_rows_of(known).rows[chosen];
-  if (options.binary && !row.has_binary) core::throw_joined<unsupported>({name, ": ", row.extensions[0], " has no binary form here"});
+  if (options.binary && !row.has_binary) core::throw_joined<unsupported>({name, ": ", row.extensions[0], " cannot be written in binary; use binary = false"});
   write_context context{out, name, path, options, report};
   with_format(known, chosen, [&]<Format G>(G) {
     if constexpr (Dimension == 2 ? G::holds_surfaces : G::holds_volumes) {  // a format may hold one of them only

@@ -26,7 +26,7 @@ namespace concino::detail {
     const property_info p = all.info(i);
     bool is_kept = false;
     for (const write_context::stored_property& k : stored) is_kept = is_kept || (p.kind == k.kind && k.name == p.name && *p.type == *k.type);
-    if (!is_kept) lost.push_back(core::joined({to_string(p.kind), " property \"", p.name, "\": ", format, " has no place for it"}));
+    if (!is_kept) lost.push_back(core::joined({to_string(p.kind), " property \"", p.name, "\": ", format, " cannot store it"}));
   }
 }
 
@@ -39,7 +39,7 @@ CONCINO_INLINE void check_savable_points(std::string_view name, const flat_mesh&
 CONCINO_INLINE void report_lost(const write_context& c, const flat_mesh& m, std::string_view format) {
   if (m.properties) report_lost_properties(*m.properties, c.stored, format, c.report.lost);
   if (c.num_not_finite)
-    c.report.lost.push_back(core::joined({c.num_not_finite, " numbers of colours and the like that are not finite: written as 0"}));
+    c.report.lost.push_back(core::joined({c.num_not_finite, " numbers of colours and other properties that are not finite: written as 0"}));
 }
 
 #ifdef CONCINO_COMPILED

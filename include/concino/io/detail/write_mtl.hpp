@@ -71,7 +71,7 @@ class mtl_names {
     c.declare_stored<rgba>(element_kind::poly, "color");
     c.declare_stored<material_table>(element_kind::mesh, "materials");
     if (!library) {
-      constexpr const char* where = "it goes to a .mtl file beside the .obj file, and text has none beside it";
+      constexpr const char* where = "it belongs in a .mtl file beside the .obj file, and text has no folder";
       if (color_) c.report.lost.push_back(core::joined({"poly property \"color\": ", where}));
       if (table_ && !table_->materials.empty()) c.report.lost.push_back(core::joined({"mesh property \"materials\": ", where}));
       color_ = {};
@@ -137,8 +137,8 @@ class mtl_names {
     const auto lost = [&](std::size_t n, const char* what, const char* why) {
       if (n) c_.report.lost.push_back(core::joined({what, n, why}));
     };
-    lost(num_renamed_, "materials of several colours: ", " were given names of their own, as a material of .mtl has one colour");
-    lost(num_duplicates_, "materials without a name, or of a name that another has: ", " were left out");
+    lost(num_renamed_, "materials of several colours: ", " got new names, as a material of .mtl has one colour");
+    lost(num_duplicates_, "materials without a name, or with the name of another: ", " were left out");
     lost(num_bad_lines_, "lines of materials that are empty or begin another material: ", " were left out");
     std::vector<std::string> libraries;
     if (library_) libraries = library_->choose_or_write(needed_, undefined_, table_, c_.report);

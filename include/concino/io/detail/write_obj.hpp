@@ -93,9 +93,9 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
     c.out << '\n';
     c.report_progress();
   }
-  if (transparent) c.report.lost.push_back("opacity of verts: .obj has no place for it");
+  if (transparent) c.report.lost.push_back("opacity of verts: .obj cannot store it");
   if (objects.changed || groups.changed || material.changed)
-    c.report.lost.push_back("names of polys that no line of .obj can hold: they were changed");
+    c.report.lost.push_back("names of polys that do not fit into a line of .obj: they were changed");
 }
 
 }  // namespace concino
