@@ -1,4 +1,4 @@
-// Views of arrays do not copy them: tested by the memory of a view compared with a native mesh, and by its results after the arrays have changed.
+// Views of arrays do not copy the arrays: a view takes less memory than a native mesh, and its results change with the arrays.
 #include <concino/adapters/eigen.hpp>
 #include <concino/adapters/span.hpp>
 
@@ -21,7 +21,7 @@ std::size_t bytes_now() {
   return info.uordblks + info.hblkhd;
 }
 
-/// What stays of it after it was made.
+/// The memory that an object still uses after its construction.
 template<class F>
 std::size_t bytes_of(F&& make) {
   const std::size_t before = bytes_now();
@@ -29,7 +29,7 @@ std::size_t bytes_of(F&& make) {
   return bytes_now() - before;
 }
 
-/// `mesh` is larger than `view` by what the view leaves with the user, but for some pages.
+/// Checks that `view` takes less memory than `mesh`, by the size of the arrays that stay with the user, up to a few pages.
 template<class Mesh, class View>
 void check_no_copy(const Mesh& mesh, const View& view, std::size_t left_with_user) {
   const std::size_t whole = bytes_of(mesh), part = bytes_of(view);
@@ -44,7 +44,7 @@ void check_no_copy(const Mesh& mesh, const View& view, std::size_t left_with_use
 
 template<class T> using rows_of = Eigen::Matrix<T, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Everything that is walked of a mesh, added up so that it is not left out.
+/// A sum over all elements and adjacencies of a mesh, so that the compiler does not remove the loops.
 template<class M>
 double walked(const M& m) {
   double sum = 0;
@@ -112,7 +112,7 @@ TEST_CASE("arrays: the verts of polys and faces are read from the user's array")
   auto corners = raws<int>(tris.verts);
   const auto m = view_tri(tris.points, corners);
   const vert_id second{corners[1]};
-  std::rotate(corners.begin(), corners.begin() + 1, corners.begin() + 3);  // not for users to do
+  std::rotate(corners.begin(), corners.begin() + 1, corners.begin() + 3);  // users must not do this
   CHECK(*adj_p2v(m, poly_id{0}).begin() == second);
   corners = std::vector<int>(corners);
   CHECK(*adj_p2v(m, poly_id{0}).begin() == second);

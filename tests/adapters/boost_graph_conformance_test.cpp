@@ -13,7 +13,7 @@ namespace cn = concino;
 
 namespace {
 
-const std::vector<std::pair<int, int>> house = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {2, 4}, {4, 3}, {6, 7}};  // 5 has no edge
+const std::vector<std::pair<int, int>> house = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {2, 4}, {4, 3}, {6, 7}};  // vert 5 has no edge
 
 }  // namespace
 

@@ -25,7 +25,7 @@ namespace {
 
 using pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// One edge after another, once or both ways.
+/// A graph to which edges are added one by one; a directed graph gets both directions.
 template<class G>
 struct listed {
   static constexpr bool one_way = boost::is_directed_graph<G>::value;
@@ -55,7 +55,7 @@ struct csr {
   Number vert(std::size_t i) const { return static_cast<Number>(i); }
 };
 
-/// Verts are pointers here, numbered by a property.
+/// A graph whose verts are pointers, numbered by a property.
 struct linked {
   using graph = boost::adjacency_list<boost::listS, boost::listS, boost::undirectedS, boost::property<boost::vertex_index_t, int>>;
   graph g;
@@ -68,7 +68,7 @@ struct linked {
   auto vert(std::size_t i) const { return all[i]; }
 };
 
-/// The same without a number of their own.
+/// The same without numbers.
 struct unnumbered {
   using graph = boost::adjacency_list<boost::vecS, boost::listS, boost::undirectedS>;
   graph g;
@@ -90,13 +90,13 @@ struct matrix : listed<boost::adjacency_matrix<boost::undirectedS>> {
   auto shown() const { return graph_view(g); }
 };
 
-/// A view of a graph that could do without.
+/// A view of a graph that does not need one.
 struct shown_list : listed<boost::adjacency_list<>> {
   using listed::listed;
   auto shown() const { return graph_view(g); }
 };
 
-/// A class of the user's.
+/// A user's class.
 struct roads : boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, boost::property<boost::edge_weight_t, double>> {
   using adjacency_list::adjacency_list;
 };
@@ -118,7 +118,7 @@ pairs edges_of(const M& m) {
 static_assert(models_in_all_forms<csr<boost::directedS, unsigned>::graph>(primal_graph) && models_in_all_forms<boost::adjacency_list<>>(primal_graph));
 static_assert(models_in_all_forms<roads>(primal_graph) && std::same_as<vert_t<roads>, std::size_t>);
 static_assert(models_in_all_forms<decltype(std::declval<linked>().shown())>(primal_graph));
-static_assert(models_in_all_forms<linked::graph>(nothing) && models_in_all_forms<boost::adjacency_matrix<>>(nothing));  // by graph_view only
+static_assert(models_in_all_forms<linked::graph>(nothing) && models_in_all_forms<boost::adjacency_matrix<>>(nothing));  // these need graph_view
 static_assert(requirement::has_vertex_index<linked::graph> && !requirement::has_vertex_index<int> && !requirement::has_vertex_index<std::vector<int>>);
 static_assert(requirement::is_boost_graph<unnumbered::graph> && !requirement::has_vertex_index<unnumbered::graph>);
 
@@ -215,7 +215,7 @@ TEST_CASE("Boost's graphs: check_laws reports laws that Boost does not require")
   const auto lacking = check_laws(one_way);
   REQUIRE(!lacking.empty());
   CHECK(lacking[0].law == "PG3");
-  CHECK(bfs(one_way, 0)[2] == 2);  // along the arcs
+  CHECK(bfs(one_way, 0)[2] == 2);  // only in the direction of the arcs
   CHECK(bfs(one_way, 2)[0] == -1);
   CHECK(dijkstra(one_way, 0, [](auto, auto) { return 2.0; })[2] == 4);
 
@@ -247,7 +247,7 @@ TEST_CASE("graph_view: works on a graph with fewer verts than indices") {
 }
 
 TEST_CASE("graph_view: works on implicit graphs and reversed ones") {
-  using cell = boost::array<std::size_t, 2>;  // a vert of it is a container itself
+  using cell = boost::array<std::size_t, 2>;  // a vert is itself a container
   const boost::grid_graph<2> plane(cell{{5, 4}});
   const auto g = graph_view(plane);
   CHECK(check_laws(g).empty());

@@ -17,7 +17,7 @@ using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using point = kernel::Point_3;
 
 template<class P>
-P house() {  // a tetrahedron without one of its facets, and a whole one beside it
+P house() {  // a tetrahedron without one of its facets, and a closed one
   P m;
   m.make_tetrahedron(point(0, 0, 0), point(1, 0, 0), point(0, 1, 0), point(0, 0, 1));
   m.make_tetrahedron(point(5, 0, 0), point(6, 0, 0), point(5, 1, 0), point(5, 0, 1));

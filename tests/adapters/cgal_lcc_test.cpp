@@ -16,7 +16,7 @@ auto box(complex& c, double x) {
   return c.make_hexahedron(point3(x, 0, 0), point3(x + 1, 0, 0), point3(x + 1, 1, 0), point3(x, 1, 0), point3(x, 1, 1), point3(x, 0, 1), point3(x + 1, 0, 1), point3(x + 1, 1, 1));
 }
 
-/// A row of n boxes with a tet beside them.
+/// A row of n boxes, and a tet that is not connected to them.
 complex row(int n) {
   complex c;
   for (int i = 0; i < n; ++i) box(c, i);

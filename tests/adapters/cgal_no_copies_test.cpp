@@ -25,7 +25,7 @@ using kernel = CGAL::Simple_cartesian<double>;
 using surface_mesh = CGAL::Surface_mesh<kernel::Point_3>;
 using with_id = CGAL::Polyhedron_3<kernel, CGAL::Polyhedron_items_with_id_3>;
 
-/// Every element, index, adjacency and point.
+/// Calls the verbs for every element, index, adjacency and point.
 template<class M>
 void walk_everything(const M& m) {
   std::size_t met = 0;
@@ -52,7 +52,7 @@ void walk_everything(const M& m) {
   CHECK(sum > 0);
 }
 
-/// What each algorithm allocates.
+/// The allocations of each algorithm.
 template<class M>
 std::vector<allocations> allocated_on(const M& m) {
   const auto v = *verts(m).begin();
@@ -84,13 +84,13 @@ TEST_CASE("iterating allocates nothing, and algorithms allocate as much as on a 
   with_id p;
   CGAL::copy_face_graph(m, p);
   CGAL::set_halfedgeds_items_id(p);
-  const testing::with_num_threads alone(1);  // helpers of a loop allocate, and start where it takes long
+  const testing::with_num_threads alone(1);  // threads that help in a loop allocate, and start only if the loop takes long
   const auto expected = allocated_on(native), on_surface_mesh = allocated_on(m), on_polyhedron = allocated_on(p);
   CHECK(expected.back() == allocations{});
   for (std::size_t i = 0; i < expected.size(); ++i) {
     CAPTURE(i);
     CHECK(on_surface_mesh[i].bytes <= expected[i].bytes);
-    CHECK(on_polyhedron[i].bytes <= 2 * expected[i].bytes);  // its handles, which wait in queues, are pointers
+    CHECK(on_polyhedron[i].bytes <= 2 * expected[i].bytes);  // the handles in its queues are pointers, which are larger
   }
   CHECK(on_polyhedron.back() == allocations{});
 }

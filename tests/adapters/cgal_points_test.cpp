@@ -29,10 +29,10 @@ constexpr int in_space = testing::surface | testing::embedded | testing::mutable
 static_assert(testing::models_in_all_forms<mesh<inexact::Point_3>>(in_space) && testing::models_in_all_forms<mesh<exact::Point_3>>(in_space));
 static_assert(testing::models_in_all_forms<mesh<vec3>>(in_space) && testing::models_in_all_forms<mesh<std::array<float, 3>>>(in_space));
 static_assert(testing::models_in_all_forms<mesh<inexact::Point_2>>(testing::surface | testing::embedded));
-static_assert(testing::models_in_all_forms<mesh<inexact::Weighted_point_3>>(testing::surface | testing::embedded));  // a weight would get lost
+static_assert(testing::models_in_all_forms<mesh<inexact::Weighted_point_3>>(testing::surface | testing::embedded));  // set_point would lose the weight
 static_assert(testing::models_in_all_forms<mesh<int>>(testing::surface) && testing::models_in_all_forms<mesh<std::array<double, 2>*>>(testing::surface));
 
-// Coordinates of kernels are made doubles, other points are not touched.
+// Coordinates of kernels are converted to doubles; other points are returned as they are.
 static_assert(std::same_as<decltype(point(mesh<exact::Point_3>(), CGAL::SM_Vertex_index())), vec3>);
 static_assert(std::same_as<decltype(point(mesh<std::array<float, 3>>(), CGAL::SM_Vertex_index())), const std::array<float, 3>&>);
 

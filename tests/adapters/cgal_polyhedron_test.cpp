@@ -43,7 +43,7 @@ static_assert(testing::models_in_all_forms<in_vectors>(testing::models<with_id>(
 static_assert(testing::models_in_all_forms<view_of<plain>>(testing::surface | testing::embedded));
 static_assert(testing::models_in_all_forms<view_of<with_id>>(testing::surface | testing::embedded) && std::same_as<view_of<derived>, view_of<with_id>>);
 static_assert(!may_be_temporary<plain>);
-static_assert(testing::models_in_all_forms<plain>(testing::embedded | testing::mutable_points));  // no index_of: say indexed(m)
+static_assert(testing::models_in_all_forms<plain>(testing::embedded | testing::mutable_points));  // there is no index_of: use indexed(m)
 static_assert(testing::models_in_all_forms<CGAL::Polyhedron_3<kernel, CGAL::Polyhedron_min_items_3>>(testing::nothing));
 
 static_assert(std::same_as<vert_t<with_id>, with_id::Vertex_handle> && std::same_as<poly_t<with_id>, with_id::Facet_handle> &&
@@ -82,7 +82,7 @@ void check_sound(const M& m) {
   for (const auto& b : check_laws(m)) FAIL_CHECK(b.law << ": " << b.what);
 }
 
-/// A closed, an open and an empty surface, one in two pieces with an isolated vert, and polygons that touch several times.
+/// A closed, an open and an empty surface, one with two components and an isolated vert, and polygons that share several verts.
 std::vector<surface_arrays> inputs() {
   return {testing::rolled_grid(4, 3), testing::triangle_grid(3), surface_arrays{{}, {}, {}, 3}, testing::two_grids_arrays<trimesh>(2), testing::polygon_grid(2)};
 }
@@ -193,14 +193,14 @@ TEST_CASE_TEMPLATE("algorithms take and return handles, and results equal those 
     for (auto f = p.facets_begin(); f != p.facets_end(); ++f, ++i) CHECK(hops[f] == expected_hops[poly_id{i}]);
     const std::vector<typename P::Vertex_handle> path = shortest_path(m, a, std::prev(p.vertices_end()));
     CHECK(path.size() > 5);
-    // An edge is the same from both sides.
+    // Both half-edges of an edge give the same edge.
     auto crossed = make_edge_map<int>(m);
     for (auto h = p.halfedges_begin(); h != p.halfedges_end(); ++h) ++crossed[edge_t<P>(h)];
     for (const auto e : edges(m)) CHECK(crossed[e] == 2);
   };
   check(indexed(p));
   if constexpr (SurfaceMesh<P>) check(p);
-  // A temporary view may be asked: maps keep a copy of it.
+  // A temporary view can be used: maps store a copy of it.
   CHECK(bfs(indexed(p), p.vertices_begin())[std::prev(p.vertices_end())] == bfs(native, vert_id{0})[vert_id{35}]);
 }
 

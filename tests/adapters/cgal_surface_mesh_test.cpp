@@ -27,7 +27,7 @@ using vertex = surface_mesh::Vertex_index;
 using edge = surface_mesh::Edge_index;
 using face = surface_mesh::Face_index;
 
-/// As users derive: with members that are called like CGAL's and mean something else.
+/// A class as users derive it: its members have names of CGAL's members and another meaning.
 class derived : public surface_mesh {
  public:
   int next = 0, point = 0;
@@ -60,7 +60,7 @@ static_assert(walkable<decltype(adj_v2v(surface_mesh(), vertex())), vertex> && w
 
 namespace {
 
-/// All laws hold, and counts are those of what is there.
+/// Checks that all laws hold, and that the counts are those of the elements.
 template<class M>
 void check_sound(const M& m) {
   for (const auto& b : check_laws(m)) FAIL_CHECK(b.law << ": " << b.what);
@@ -70,7 +70,7 @@ void check_sound(const M& m) {
   CHECK(m.is_valid(false));
 }
 
-/// From the vert that comes first by its coordinates, in ascending order: the same whatever the verts' numbers are.
+/// Distances from the vert with the smallest coordinates, in ascending order, so that they do not depend on the numbers of the verts.
 std::vector<double> distances(const surface_mesh& m) {
   const auto all = verts(m);
   const vertex first = *std::min_element(all.begin(), all.end(), [&](vertex v, vertex w) { return m.point(v) < m.point(w); });
@@ -81,7 +81,7 @@ std::vector<double> distances(const surface_mesh& m) {
   return r;
 }
 
-/// Bow-ties and fans: polys that touch in a vert and nowhere else.
+/// Fans of triangles that share only a vert.
 surface_arrays fans() {
   surface_arrays s{{}, {}, {}, 3};
   for (int i = 0; i < 8; ++i) s.points.push_back({i, i * i, 0});
@@ -180,7 +180,7 @@ TEST_CASE("algorithms take and return handles") {
   auto length = make_edge_map<double>(m);
   for (const edge e : m.edges()) length[e] = 2;
   CHECK(length[m.edge(m.halfedge(a))] == 2);
-  // A path that may not cross an edge: the option takes CGAL's edges.
+  // The option may_cross takes CGAL's edges.
   const auto barred = bfs(m, face(0), {.may_cross = [&](edge e) { return m.is_border(e) || e != m.edge(m.halfedge(face(0))); }});
   CHECK(num_polys(m) == 32);
   CHECK(barred[face(0)] == 0);
@@ -216,7 +216,7 @@ TEST_CASE("two edges with the same ends are found by check_laws") {
   surface_mesh m;
   const vertex a = m.add_vertex(), b = m.add_vertex();
   const auto h = m.add_edge(a, b), k = m.add_edge(a, b);
-  const auto link = [&](auto x, auto y, face f) {  // the two-sided polygon x y
+  const auto link = [&](auto x, auto y, face f) {  // a polygon of the half-edges x and y
     m.set_next(x, y);
     m.set_next(y, x);
     m.set_face(x, f);

@@ -23,7 +23,7 @@ using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using delaunay = CGAL::Delaunay_triangulation_3<kernel>;
 using view = decltype(indexed(std::declval<const delaunay&>()));
 
-/// What a complex of CGAL offers, here of the cells on one side of x = 1/2.
+/// The members that a complex of CGAL has, here for the cells on one side of x = 1/2.
 struct half_complex {
   using Triangulation = delaunay;
   delaunay t;
@@ -54,7 +54,7 @@ delaunay random_points(int n, unsigned seed = 4) {
   return t;
 }
 
-/// The same mesh in arrays of its own.
+/// A native mesh with the same verts and cells.
 template<class M>
 tetmesh native(const M& m) {
   cell_arrays a{{}, {}, 4};
@@ -84,7 +84,7 @@ TEST_CASE("laws hold before and after the triangulation changes, with a new view
     const auto m = indexed(t);
     check_sound(m);
     CHECK(num_verts(m) == t.number_of_vertices());
-    CHECK(num_polys(m) == 0);  // all in one plane
+    CHECK(num_polys(m) == 0);  // all points are in one plane
   }
   t = random_points(60);
   for (int step = 0; step < 6; ++step) {
@@ -156,7 +156,7 @@ TEST_CASE("results equal those of a tetmesh; tets are positive, the boundary is 
   const auto surface = boundary(m);
   check_sound(surface);
   CHECK(num_verts(surface) - num_edges(surface) + num_polys(surface) == 2);
-  CHECK(bfs(indexed(t), a)[b] == bfs(n, a)[b]);  // maps keep a copy of a temporary view
+  CHECK(bfs(indexed(t), a)[b] == bfs(n, a)[b]);  // maps store a copy of a temporary view
 }
 
 TEST_CASE("a complex has exactly its cells and their verts") {
@@ -170,7 +170,7 @@ TEST_CASE("a complex has exactly its cells and their verts") {
   CHECK(m.handle(poly_id{3}) == c.cells[3]);
   for (const delaunay::Vertex_handle v : c.t.finite_vertex_handles())
     if (const vert_id x = m.vert(v); !x.is_none()) CHECK(m.handle(x) == v);
-  // A facet between a cell of the complex and one that is not in it has one face, whichever way it is named.
+  // A facet between a cell of the complex and one outside it has one face, from whichever of the two cells it is named.
   int borders = 0;
   for (const face_id f : faces(m)) {
     const auto facet = m.handle(f), mirrored = c.t.mirror_facet(facet);

@@ -28,12 +28,12 @@ TEST_CASE("cholmod: indefinite and singular matrices are errors that name the ro
                        "cholmod: the matrix is not positive definite in row 1: elimination turns the diagonal entry -2 into one that is not positive", solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {2, 2, 1.0}})), doctest::Contains("in row 1"), solver_error);
   for (const int n : {4, 30}) CHECK_THROWS_WITH_AS(solver.factorize(grid(n, 0)), doctest::Contains("not positive definite"), solver_error);
-  solver.factorize(grid(30));  // after a failure of the same pattern
+  solver.factorize(grid(30));  // after a failed factorisation of the same pattern
   CHECK(distance(grid(30) * solver.solve(Eigen::VectorXd::Ones(900)), Eigen::VectorXd::Ones(900)) < 1e-11);
 }
 
 TEST_CASE("cholmod: chooses the elimination order, and keeps it for other values") {
-  const int n = 1200;  // every unknown with every other
+  const int n = 1200;  // every unknown is coupled with every other
   sparse a(n, n);
   a.reserve(Eigen::VectorXi::Constant(n, n));
   for (int c = 0; c < n; ++c)

@@ -1,4 +1,4 @@
-// Views of matrices of all layouts, of polygons and polyhedra, and their errors.
+// Views accept matrices of every layout, and polygons and polyhedra; their errors name the poly.
 #include <concino/adapters/eigen.hpp>
 
 #include <support/eigen_arrays.hpp>
@@ -83,7 +83,7 @@ TEST_CASE("eigen: views accept maps, references, blocks, transposes and derived 
   mine.topRows(points.rows()) = points;
   check_same_mesh(view_tri(mine, lists), native);
 
-  const Eigen::MatrixX2d flat = points.leftCols(2);  // the grid lies in the plane
+  const Eigen::MatrixX2d flat = points.leftCols(2);  // the grid is planar
   auto in_plane = view_tri(flat, lists);
   static_assert(Embedded<decltype(in_plane)> && !MutablePoints<decltype(view_tri(std::declval<Eigen::MatrixX2d&>(), lists))>);
   check_same_mesh(in_plane, native);
@@ -101,7 +101,7 @@ TEST_CASE("eigen: errors name the poly, the index and the bound") {
   CHECK(message([&] { view_tri(points, lists); }) == "view_tri: poly 1 names point -3, but there are 4 points, numbered from 0");
   lists(1, 1) = 4;
   CHECK(message([&] { view_tri(points, lists); }) == "view_tri: poly 1 names point 4, but there are 4 points, numbered from 0");
-  Eigen::Matrix<std::int64_t, 1, 4> huge(0, 1, 2, (std::int64_t{1} << 32) + 3);  // 3, once it is cut to 32 bits
+  Eigen::Matrix<std::int64_t, 1, 4> huge(0, 1, 2, (std::int64_t{1} << 32) + 3);  // this is 3 if it is truncated to 32 bits
   CHECK(message([&] { view_tet(points, huge); }) == "view_tet: poly 0 names point 4294967299, but there are 4 points, numbered from 0");
   huge[3] = std::numeric_limits<std::int64_t>::min();
   CHECK(message([&] { view_quad(points, huge); }) == "view_quad: poly 0 names point -9223372036854775808, but there are 4 points, numbered from 0");

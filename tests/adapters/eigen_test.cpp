@@ -37,7 +37,7 @@ static_assert(models_in_all_forms<decltype(view_quad(std::declval<const V&>(), s
 static_assert(models_in_all_forms<decltype(view_tet(std::declval<V&>(), std::declval<F&>()))>(concino::testing::volume | embedded | mutable_points | fixed_arity));
 static_assert(TriMesh<tri_of> && HexMesh<decltype(view_hex(std::declval<V&>(), std::declval<F&>()))> && is_view_v<tri_of>);
 
-// Temporaries are refused, unless they only point to what somebody else keeps. So are what is no row of three, and what is no index.
+// Temporaries are rejected, unless they only refer to memory of others. Rows of other than three numbers and indices that are no integers are rejected.
 static_assert(makes_tri<V&, F&> && makes_tri<const V&, const F&> && makes_tri<cloud&, F&>);
 static_assert(!makes_tri<V, F&> && !makes_tri<V&, F> && !makes_tri<const V, F&> && !makes_tri<cloud, F&>);
 static_assert(makes_tri<Eigen::Map<V>, Eigen::Map<const F>> && makes_tri<Eigen::Ref<V>, Eigen::Ref<F>> && makes_tri<const Eigen::Ref<const V>&, F&>);
@@ -77,7 +77,7 @@ TEST_CASE("eigen: views refer to the user's coordinates") {
   CHECK(point(m, v) == vec3{1, 1, 5});
   set_point(m, v, vec3{7, 8, 9});
   CHECK(points.row(2) == Eigen::RowVector3d(7, 8, 9));
-  points = V::Ones(4, 3);  // another piece of memory, moved in
+  points = V::Ones(4, 3);  // moved in from other memory
   CHECK(point(m, v) == vec3{1, 1, 1});
   Eigen::MatrixXf floats = points.cast<float>();
   auto n = view_tri(floats, lists);

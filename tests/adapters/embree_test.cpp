@@ -40,7 +40,7 @@ TEST_CASE("Embree has the same hits as brute force") {
     const double far = i % 3 ? 1e30 : 1.0;
     const ray_hit a = fast.intersect(origin, d, 0, far), b = slow.intersect(origin, d, 0, far);
     CHECK(fast.occluded(origin, d, 0, far) == static_cast<bool>(a));
-    differ += a.triangle != b.triangle;  // single precision: a ray on an edge may fall on either side
+    differ += a.triangle != b.triangle;  // single precision: a ray at an edge may hit either of its triangles
     if (!a || a.triangle != b.triangle) continue;
     ++hits;
     CHECK(a.t == doctest::Approx(b.t).epsilon(1e-3));
@@ -93,6 +93,6 @@ TEST_CASE("best_view shows a mark on the far side; without marks it keeps the pr
   const camera plain = best_view(scene, 1, first, embree{});
   CHECK(norm(plain.back - first.towards / norm(first.towards)) == doctest::Approx(0));
   scene.push_back(make_balls({&behind, 1}, 0.05, srgb(1, 0, 0)));
-  CHECK(best_view(scene, 1, first, embree{}).back.z < 0.3);  // turned until the mark shows beside the ball
+  CHECK(best_view(scene, 1, first, embree{}).back.z < 0.3);  // rotated until the mark is visible beside the ball
   CHECK_THROWS_AS(best_view(scene, 1), unsupported);
 }

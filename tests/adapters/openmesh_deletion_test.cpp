@@ -31,13 +31,13 @@ H any(const auto& range, std::mt19937& random) {
   return all[random() % all.size()];
 }
 
-/// One random edit by OpenMesh's own functions.
+/// Makes one random edit by OpenMesh's own functions.
 template<class M>
 void edit(M& m, std::mt19937& random) {
   using namespace OpenMesh;
   if (num_polys(m) == 0) return;
   const auto what = random() % 8;
-  const bool drop = random() % 2;  // verts that lose their last edge
+  const bool drop = random() % 2;  // whether verts without edges are deleted too
   if (what < 3) m.delete_face(any<FaceHandle>(polys(m), random), drop);
   else if (what == 3) m.delete_vertex(any<VertexHandle>(verts(m), random), drop);
   else if (what == 4) m.delete_edge(any<EdgeHandle>(edges(m), random), drop);
@@ -46,7 +46,7 @@ void edit(M& m, std::mt19937& random) {
     if constexpr (triangles_only<M>)
       if (m.is_collapse_ok(h)) m.collapse(h);
   } else if (what == 6) {
-    // A new vert on a border edge.
+    // Adds a triangle with a new vert at a boundary edge.
     for (const EdgeHandle e : edges(m)) {
       if (!m.is_boundary(e)) continue;
       const HalfedgeHandle h = m.halfedge_handle(e, m.is_boundary(m.halfedge_handle(e, 0)) ? 0 : 1);
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("laws hold after any edits", M, tri_status, poly_status) {
 }
 
 TEST_CASE("laws hold if everything is deleted, and after garbage collection") {
-  poly_double m;  // without status, until it is asked for
+  poly_double m;  // its status attributes are not requested yet
   fill(m, two_grids<poly_double>(2));
   m.request_vertex_status();
   m.request_edge_status();

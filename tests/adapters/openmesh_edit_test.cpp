@@ -1,4 +1,4 @@
-// concino's verbs edit OpenMesh meshes.
+// add_vert, add_poly and the other verbs that edit work on OpenMesh meshes.
 #include <support/openmesh.hpp>
 
 #include <concino/edit.hpp>
@@ -109,7 +109,7 @@ TEST_CASE("closing a ring at a vert throws if other polys are in the gap") {
                        invalid_mesh);
   check_laws_hold<>(m);
   CHECK(num_polys(m) == 3);
-  // Into the gap between both fans a poly fits, and with two fans beside each other one of them gives way.
+  // A poly that joins both fans can be added.
   add_poly(m, {v(0), v(5), v(1)});
   check_laws_hold<>(m);
   check_rings(m);

@@ -25,7 +25,7 @@ using flags = map_t<only_one, OpenMesh::EPropHandleT<bool>>;
 using manager = OpenMesh::PropertyManager<OpenMesh::VPropHandleT<double>>;
 
 static_assert(ReadableMap<verts_of_doubles, VertexHandle> && WritableMap<verts_of_doubles, VertexHandle, double>);
-static_assert(WritableMap<const verts_of_doubles, VertexHandle, double>);  // the map is const, not what it shows
+static_assert(WritableMap<const verts_of_doubles, VertexHandle, double>);  // the map is const, its values are not
 static_assert(ReadableMap<const_doubles, VertexHandle> && !WritableMap<const_doubles, VertexHandle, double>);
 static_assert(ReadableMap<flags, EdgeHandle> && WritableMap<flags, EdgeHandle, bool>);
 static_assert(ReadableMap<manager, VertexHandle> && WritableMap<manager, VertexHandle, double> && !WritableMap<const manager, VertexHandle, double>);
@@ -59,7 +59,7 @@ TEST_CASE("a map refers to the property") {
   const auto w = as_map(read, vh);
   CHECK(w[OpenMesh::make_smart(m.vertex_handle(7), m)] == 2.5);
 
-  // New elements have values too, and a map made before reaches them.
+  // New elements have values too, also in a map created before them.
   const VertexHandle added = m.add_vertex({0, 0, 1});
   u[added] = 4;
   CHECK(w[added] == 4);

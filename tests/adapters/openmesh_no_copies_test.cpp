@@ -45,7 +45,7 @@ void walk_everything(const M& m) {
   CHECK(met > 0);
 }
 
-/// What each algorithm allocates, the first of them nothing.
+/// The allocations of each algorithm. The first of them allocates nothing.
 template<class M>
 std::vector<allocations> allocated_on(const M& m) {
   auto v = *verts(m).begin();
@@ -75,10 +75,10 @@ TEST_CASE_TEMPLATE("iterating allocates nothing, and algorithms allocate as much
   trimesh native(arrays);
   M m;
   fill(m, arrays);
-  const testing::with_num_threads alone(1);  // helpers of a loop allocate, and start where it takes long
+  const testing::with_num_threads alone(1);  // threads that help in a loop allocate, and start only if the loop takes long
   const auto compare = [&] {
-    // Where assertions are on, OpenMesh allocates a string for each look at a property: too many of them for the points, which are read through
-    // a map therefore, and a few, known by their size, for the status attributes.
+    // With assertions, OpenMesh allocates a string each time a property is read. For points these would be too many, so they are read through a map.
+    // For status attributes they are few, and are recognised by their size.
     const auto mesh = with_points(m, as_map(m, m.points_property_handle()));
     const allocations string = allocated_by([&] { return m.has_face_status() && m.status(m.face_handle(0)).deleted(); });
     const auto expected = allocated_on(native), found = allocated_on(mesh);

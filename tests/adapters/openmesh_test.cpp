@@ -21,7 +21,7 @@ constexpr int tri_mesh = poly_mesh | testing::fixed_arity;
 static_assert(models_in_all_forms<poly_double>(poly_mesh) && models_in_all_forms<poly_eigen>(poly_mesh) &&
               models_in_all_forms<poly_homogeneous>(poly_mesh));
 static_assert(models_in_all_forms<tri_float>(tri_mesh) && models_in_all_forms<tri_own>(tri_mesh) && models_in_all_forms<only_one>(tri_mesh));
-// A mesh in the plane lies in space, but cannot be moved out of the plane; connectivity alone lies nowhere.
+// A mesh with points in the plane is Embedded, but its points cannot leave the plane. Connectivity alone has no points.
 static_assert(models_in_all_forms<tri_planar>(testing::surface | testing::embedded | testing::fixed_arity));
 static_assert(models_in_all_forms<OpenMesh::PolyConnectivity>(testing::surface));
 static_assert(models_in_all_forms<OpenMesh::TriConnectivity>(testing::surface | testing::fixed_arity));
@@ -100,7 +100,7 @@ TEST_CASE("algorithms take handles and smart handles, and return handles") {
   CHECK(!contains(m, OpenMesh::VertexHandle(static_cast<int>(m.n_vertices()))));
   CHECK(!contains(m, OpenMesh::FaceHandle(-7)));
   CHECK_THROWS_AS(dijkstra(m, OpenMesh::VertexHandle()), invalid_mesh);
-  const auto across = dijkstra(m, m.face_handle(0));  // a face: from poly to poly
+  const auto across = dijkstra(m, m.face_handle(0));  // a face is a source, so the distances are those of polys
   CHECK(across[m.face_handle(1)] > 0);
   for (const OpenMesh::EdgeHandle e : adj_v2e(m, s)) {
     const OpenMesh::HalfedgeHandle h = m.halfedge_handle(e, 0);

@@ -11,7 +11,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// The mesh once more as a view of arrays.
+/// Checks the same mesh as a view of arrays.
 template<class M>
 void check_as_arrays(const M& m) {
   std::vector<int> corners, begins{0};

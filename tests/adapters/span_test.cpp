@@ -22,7 +22,7 @@ using ints = std::vector<int>;
 template<class T> using span = std::span<T>;
 template<class P, class F> using tri_of = decltype(view_tri(std::declval<P>(), std::declval<F>()));
 
-/// Rows of N, from a flat array.
+/// The flat array as rows of N values.
 template<std::size_t N, class T>
 std::vector<std::array<T, N>> in_rows(const std::vector<T>& flat) {
   std::vector<std::array<T, N>> r(flat.size() / N);
@@ -39,7 +39,7 @@ template<class Case> std::string message(Case&& f) {
   return "none";
 }
 
-/// A point of the user's.
+/// A user's point type.
 struct single_point {
   float at[3];
   float& operator[](int i) { return at[i]; }
@@ -53,13 +53,13 @@ static_assert(models_in_all_forms<tri_of<span<const double>, span<const int>>>(s
 static_assert(models_in_all_forms<tri_of<doubles&, ints&>>(surface | embedded | mutable_points | fixed_arity));
 static_assert(models_in_all_forms<tri_of<const doubles&, ints&>>(surface | embedded | fixed_arity) && is_view_v<tri_of<doubles&, ints&>>);
 
-// Temporary spans are taken, temporary containers are not; nor is what holds no floats, or no indices, or rows of another length.
+// Temporary spans are accepted, temporary containers are not. Arrays of other types and rows of another length are rejected too.
 static_assert(makes_tri<span<double>, span<int>> && makes_tri<const std::span<float, 12>, span<const std::int64_t>> && makes_tri<span<vec3>, ints&>);
 static_assert(!makes_tri<doubles, ints&> && !makes_tri<doubles&, ints> && !makes_tri<const doubles, ints&> && !makes_tri<std::array<double, 9>, ints&>);
 static_assert(makes_tri<std::array<double, 9>&, int (&)[3]> && makes_tri<std::vector<single_point>&, std::vector<std::array<unsigned char, 3>>&>);
 static_assert(!makes_tri<ints&, ints&> && !makes_tri<doubles&, doubles&> && !makes_tri<doubles&, span<bool>> && !makes_tri<doubles&, std::vector<bool>&>);
 static_assert(!makes_tri<doubles&, span<std::array<int, 4>>> && !makes_tri<span<std::array<double, 4>>, ints&> && !makes_tri<span<std::string>, ints&>);
-static_assert(!makes_tri<std::vector<doubles>&, std::vector<ints>&>);  // rows in pieces of memory of their own
+static_assert(!makes_tri<std::vector<doubles>&, std::vector<ints>&>);  // each row has memory of its own
 
 TEST_CASE("span: views of flat arrays and of arrays of rows equal the native meshes") {
   const auto compare = [](auto kind, auto arity, const auto& view) {
@@ -105,7 +105,7 @@ TEST_CASE("span: views refer to the user's coordinates") {
   CHECK(point(m, v) == vec3{1, 0, 4});
   set_point(m, v, vec3{5, 6, 7});
   CHECK(xyz == doubles{0, 0, 0, 5, 6, 7, 0, 1, 0});
-  xyz = doubles(9, 2.0);  // another piece of memory
+  xyz = doubles(9, 2.0);  // other memory
   CHECK(point(m, v) == vec3{2, 2, 2});
 
   std::vector<single_point> corners{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}};

@@ -26,7 +26,7 @@ TEST_CASE("eigenfunctions: symmetric spheres have multiple eigenvalues to the la
   const auto r = eigenfunctions(m, 9);
   for (const std::size_t k : {2u, 3u}) CHECK(r.values[k] == doctest::Approx(r.values[1]).epsilon(1e-11));
   for (const std::size_t k : {5u, 6u, 7u, 8u}) CHECK(r.values[k] == doctest::Approx(r.values[4]).epsilon(1e-11));
-  CHECK(eigenfunctions(m, 6).values[5] == doctest::Approx(r.values[4]).epsilon(1e-11));  // cut within
+  CHECK(eigenfunctions(m, 6).values[5] == doctest::Approx(r.values[4]).epsilon(1e-11));  // the number divides a group of equal eigenvalues
 }
 
 TEST_CASE("eigenfunctions: run on archetypes, obey options, and throw errors") {
@@ -36,7 +36,7 @@ TEST_CASE("eigenfunctions: run on archetypes, obey options, and throw errors") {
   const auto by_archetype = eigenfunctions(weak, 4);
   for (std::size_t k = 0; k < 4; ++k) CHECK(by_archetype.values[k] == doctest::Approx(plain.values[k]).epsilon(1e-9));
   CHECK(eigenfunctions(m, 3, cotangent).values[1] == doctest::Approx(plain.values[1]));
-  CHECK(eigenfunctions(m, 3, {.lumped = false}).values[1] > std::numbers::pi * std::numbers::pi);  // from above
+  CHECK(eigenfunctions(m, 3, {.lumped = false}).values[1] > std::numbers::pi * std::numbers::pi);  // an approximation from above
   ldlt solver;
   CHECK(eigenfunctions(m, 3, {.tolerance = 1e-6}, solver).values[2] == doctest::Approx(plain.values[2]));
   CHECK_THROWS_AS(eigenfunctions(m, 0), invalid_argument);

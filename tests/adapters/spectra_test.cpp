@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Minus second differences of n values in a row, the ends free.
+/// Minus the second differences of n values with free ends.
 Eigen::SparseMatrix<double> chain(int n) {
   Eigen::SparseMatrix<double> a(n, n);
   for (int i = 0; i < n; ++i) {
@@ -34,7 +34,7 @@ Eigen::SparseMatrix<double> identity(int n, double value = 1) {
 
 double chain_value(int n, int k) { return 4 * std::pow(std::sin(std::numbers::pi * k / (2.0 * n)), 2); }
 
-/// The same blocks along the diagonal.
+/// The block diagonal matrix of `times` copies of a.
 Eigen::SparseMatrix<double> repeated(const Eigen::SparseMatrix<double>& a, int times) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto n = static_cast<int>(a.cols());
@@ -64,7 +64,7 @@ TEST_CASE("eigenpairs: a chain has the known eigenvalues, by iteration and by th
       CHECK(worst_product(r.vectors, identity(n)) < 1e-13);
       CHECK(r.vectors.rows() == n);
       CHECK(r.isolated == 0);
-      CHECK((r.solves > 0) == (n == 100 && count < 50));  // others all at once
+      CHECK((r.solves > 0) == (n == 100 && count < 50));  // others are solved by the dense solver
       const Eigen::VectorXd again = eigenpairs(chain(n), identity(n), static_cast<std::size_t>(count)).values;
       CHECK(again == r.values);
     }
@@ -105,7 +105,7 @@ TEST_CASE("eigenpairs: accepts masses, lower triangles, solvers, shifts and isol
       for (const auto* other : {&by_cg, &shifted, &by_own}) CHECK(std::abs(other->values[k] - r.values[k]) < 1e-10);
     }
   }
-  // empty rows between others
+  // rows without entries between others
   std::vector<Eigen::Triplet<double>> entries;
   const Eigen::SparseMatrix<double> inner = chain(60);
   for (int c = 0; c < 60; ++c)

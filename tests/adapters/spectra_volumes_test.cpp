@@ -9,7 +9,7 @@ TEST_CASE_TEMPLATE("eigenfunctions: are right on the cube, balls and two cubes, 
   CHECK(fine < 0.4 * coarse);
   CHECK(fine < 0.08);
   const M ball = make_sphere<M>({.cells = 4});
-  check_sphere(ball, {4.333, 11.17}, 0.12);  // squares of roots of derivatives of spherical Bessel functions
+  check_sphere(ball, {4.333, 11.17}, 0.12);  // squares of the zeros of derivatives of spherical Bessel functions
   check_components<M>();
   check_scaling<M>();
 }

@@ -1,4 +1,4 @@
-// A picture of more bytes than stb can count.
+// A picture with more bytes than an int of stb can count throws.
 #include <concino/adapters/stb.hpp>
 
 #include <support/corpus.hpp>

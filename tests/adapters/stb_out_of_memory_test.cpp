@@ -37,7 +37,7 @@ TEST_CASE("saving a picture of few colours without memory keeps the old file or 
   written_or_not(picture);
 }
 
-// It is stored as it is, because compression makes it larger.
+// The picture is stored without compression, which would make it larger.
 TEST_CASE("saving a picture of noise without memory keeps the old file or replaces it") {
   image picture(8, 5);
   std::uint32_t state = 1;

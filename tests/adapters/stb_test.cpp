@@ -1,4 +1,4 @@
-// The adapter ignores a program's own settings of stb. With this one it would not compile.
+// The adapter ignores stb settings of the program: with this one it would not compile.
 #define STBIW_FREE(p) own p
 #include <concino/adapters/stb.hpp>
 #if !defined(STBIW_FREE) || defined(STBIW_MALLOC)
@@ -6,7 +6,7 @@
 #endif
 #undef STBIW_FREE
 
-// A program's own copy of stb beside that of the adapter.
+// The program may contain its own copy of stb beside that of the adapter.
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #pragma GCC diagnostic push
@@ -45,7 +45,7 @@ TEST_CASE("a PNG file has the bytes of the picture") {
     for (std::size_t x = 0; x < 7; ++x) picture(x, y) = srgb(static_cast<float>(x) / 6, static_cast<float>(y) / 4, 0.5f);
   picture(6, 4) = {7, -1, std::numeric_limits<float>::quiet_NaN()};
   write_png(picture, file);
-  write_png(picture, file);  // over an old one
+  write_png(picture, file);  // over an existing file
   int width = 0, height = 0, channels = 0;
   unsigned char* bytes = stbi_load(file.c_str(), &width, &height, &channels, 0);
   REQUIRE(bytes);
@@ -55,7 +55,7 @@ TEST_CASE("a PNG file has the bytes of the picture") {
   const auto expected = srgb_bytes(picture);
   CHECK(std::equal(expected.begin(), expected.end(), bytes));
   stbi_image_free(bytes);
-  CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);  // nothing unfinished is left
+  CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);  // no temporary file is left
 }
 
 TEST_CASE("a failing write is an error, and leaves no file behind") {

@@ -49,7 +49,7 @@ static_assert(strips_lvalue<user_mesh::surface> && !strips_temporary<user_mesh::
 template<class M> concept strips_to_volume = requires(const M& m) { cn::only_volume_mesh(m); };
 static_assert(strips_to_volume<user_mesh::volume> && !strips_to_volume<user_mesh::surface>);
 
-// What concepts do not promise is not there.
+// Archetypes lack operations that the concepts do not require.
 template<class T> concept less_than = requires(const T& a) { a < a; };
 template<class T> concept has_size = requires(const T& a) { a.size(); };
 template<class T> concept has_subscript = requires(const T& a) { a[0]; };

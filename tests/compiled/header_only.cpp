@@ -1,4 +1,4 @@
-// One file of the program mixed.cpp, header-only.
+// A file of the program mixed.cpp that uses concino header-only.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 

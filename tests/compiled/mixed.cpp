@@ -1,4 +1,4 @@
-// Makes a mesh by the compiled library, and hands it to a file that is header-only.
+// Constructs a mesh with the compiled library, and passes it to a file that uses concino header-only.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 

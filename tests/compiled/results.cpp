@@ -1,4 +1,4 @@
-// Prints numbers to the last bit; the header-only program and the one that links the compiled library have to print the same.
+// Prints numbers to the last bit. The header-only program and the one that links the compiled library must print the same.
 #include <concino/convert/convert.hpp>
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/io.hpp>
@@ -12,7 +12,7 @@ namespace cn = concino;
 
 namespace {
 
-/// n x n quads in the unit square, one corner lifted.
+/// n x n quads in the unit square, with one corner raised.
 cn::quadmesh grid(unsigned n) {
   std::vector<cn::vec3> points;
   std::vector<std::vector<unsigned>> polys;

@@ -22,7 +22,7 @@ std::vector<int> numbers(const R& ring, const X& number) {
   return r;
 }
 
-/// Elements x != a of `all` that share one of the ring's answers with a.
+/// The elements x != a of `all` for which ring(x) and ring(a) have a common element.
 template<class A, class All, class Ring>
 std::vector<int> sharing(A a, const All& all, const Ring& ring) {
   std::vector<int> r;
@@ -61,7 +61,7 @@ void check_faces(const user_mesh::volume& m) {
   }
 }
 
-// Traits with their own are believed.
+// Functions of the traits take precedence.
 struct knows_better : user_mesh::surface {};
 
 template<class M> concept has_f2f = requires(const M& m) { cn::adj_f2f(m, cn::face_t<M>()); };
@@ -78,7 +78,7 @@ struct concino::mesh_traits<knows_better> : mesh_traits<user_mesh::surface> {
 TEST_CASE("adj_e2e: neighbours are the edges that share a vert") {
   check_edges(user_mesh::surface_example());
   check_edges(user_mesh::volume_example());
-  // One edge alone on a polygon of two verts' worth of points, and two edges between the same verts.
+  // Two edges have the same ends.
   user_mesh::surface twice({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   twice.es.push_back(twice.es[0]);
   check_edges(twice);
@@ -86,7 +86,7 @@ TEST_CASE("adj_e2e: neighbours are the edges that share a vert") {
 
 TEST_CASE("adj_f2f: neighbours are the faces that share one or more edges") {
   check_faces(user_mesh::volume_example());
-  // Two faces on the same verts: they share three edges.
+  // Two faces with the same verts share three edges.
   check_faces(user_mesh::volume({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}}, {{{0, true}, {1, true}}}));
 }
 

@@ -11,7 +11,7 @@ namespace cn = concino;
 using cn::testing::models_in_all_forms;
 
 namespace {
-struct chain { unsigned n = 0; };  // of pairs: 0-1 2-3 ...
+struct chain { unsigned n = 0; };  // polys in pairs of neighbours: 0-1 2-3 ...
 }  // namespace
 
 template<>

@@ -49,7 +49,7 @@ bool is_permutation(const std::vector<X>& a, const std::vector<X>& b) {
   return std::is_permutation(a.begin(), a.end(), b.begin(), b.end());
 }
 
-/// FC1 to FC4, by brute force.
+/// Checks FC1 to FC4 by brute force.
 template<class M>
 void keeps_the_laws(const M& m) {
   using facet = cn::facet_t<M>;
@@ -89,7 +89,7 @@ void keeps_the_laws(const M& m) {
     CHECK(cn::is_boundary(m, v) == has_boundary_facet([&](const facet& x) { return holds(cn::adj_facet2v(m, x), v); }));
   for (const cn::edge_t<M> e : cn::edges(m))
     CHECK(cn::is_boundary(m, e) == has_boundary_facet([&](const facet& x) {
-      if constexpr (cn::SurfaceMesh<M>) return x == e;  // the dimension itself is tested
+      if constexpr (cn::SurfaceMesh<M>) return x == e;  // here the dimension itself is tested
       else return holds(cn::adj_f2e(m, x), e);
     }));
 }

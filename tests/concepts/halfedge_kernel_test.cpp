@@ -18,12 +18,12 @@ namespace cn = concino;
 
 namespace {
 
-/// Half-edges 2e and 2e + 1 are opposite; -1 is no poly, no half-edge.
+/// Half-edges 2e and 2e + 1 are opposite. A poly or half-edge of -1 means none.
 struct linked {
   std::vector<int> next, target, poly, leaving, along;
 };
 
-/// The links of a surface whose polys agree in orientation. Border half-edges are linked so that all fans of a vert are in one round.
+/// The links of a consistently oriented surface. Border half-edges are linked so that one cycle around a vert visits all of its fans.
 linked link(const user_mesh::surface& s) {
   linked m;
   const std::size_t n = 2 * s.es.size();
@@ -51,12 +51,12 @@ linked link(const user_mesh::surface& s) {
       m.along[p] = h;
     }
   }
-  // At each vert the k-th border half-edge that comes in is followed by the one that leaves at the other side of the next fan.
+  // At each vert the k-th incoming border half-edge is followed by the border half-edge that leaves at the other end of the next fan.
   for (std::size_t v = 0; v < s.points.size(); ++v) {
     std::vector<int> in, out;
     for (int h = 0; h < static_cast<int>(n); ++h)
       if (m.poly[std::size_t(h)] < 0 && m.target[std::size_t(h)] == static_cast<int>(v)) {
-        // Turn through the fan from the incoming border to the border that leaves.
+        // Rotate through the fan from the incoming border half-edge to the outgoing one.
         int o = h ^ 1;
         while (m.poly[std::size_t(o)] >= 0) {
           int back = m.next[std::size_t(o)];
@@ -91,7 +91,7 @@ struct links {
   static std::size_t num_polys(const linked& m) { return m.along.size(); }
 };
 
-/// Made from an integer only where one says so, even from none.
+/// A descriptor that is explicitly constructed from an integer, also from -1.
 template<char Kind>
 struct own_handle {
   int i;
@@ -99,7 +99,7 @@ struct own_handle {
   friend bool operator==(own_handle, own_handle) = default;
 };
 
-/// Links of a mesh with descriptors of its own and with verts that were deleted.
+/// Links of a mesh with its own descriptors and with deleted verts.
 struct own_handles : links {
   using vert = own_handle<'v'>;
   using poly = own_handle<'p'>;
@@ -127,7 +127,7 @@ struct own_handles : links {
 };
 struct gappy : linked {};
 
-/// Links that count how often they are asked what lies across a half-edge.
+/// Links that count the calls of opposite.
 struct counting_links : links {
   static inline int asked = 0;
   static int opposite(const linked&, int h) {
@@ -137,7 +137,7 @@ struct counting_links : links {
 };
 struct counting : linked {};
 
-/// The same links as if the border had no half-edges: nothing is asked about those that it has.
+/// The same links as if there were no border half-edges: those are never queried.
 struct inner_links : links {
   static constexpr bool has_border_halfedges = false;
   static void is_border(const linked&, int) = delete;
@@ -198,7 +198,7 @@ std::multiset<std::size_t> numbers(const R& r) {
   return s;
 }
 
-/// A range's own loop calls for what its iterators show, in the same order.
+/// Checks that the loop function of a range visits the same elements as its iterators, in the same order.
 template<class R>
 void same_loop(const R& r) {
   using element = std::remove_cvref_t<decltype(*r.begin())>;
@@ -241,7 +241,7 @@ void same_rings_of(const M& m, const user_mesh::surface& s) {
   }
 }
 
-/// `fans`: some vert has several fans, which only border half-edges can link.
+/// Checks all rings. `fans`: some vert has several fans, which only border half-edges can link.
 void same_rings(const user_mesh::surface& s, bool fans = false) {
   const linked m = link(s);
   const gappy g{m};
@@ -269,9 +269,9 @@ TEST_CASE("halfedge_kernel: a vert may have several fans") {
 }
 
 TEST_CASE("halfedge_kernel: polys that share several edges are neighbours once") {
-  // Two polygons over the same verts; and one that wraps around another, with more polys in between.
+  // Two polygons with the same verts; and one that encloses another, with further polys in between.
   same_rings({points(6), {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}}});
-  // Two triangles and two quads over the same verts, and a quad that shares two edges with its neighbour.
+  // Two triangles and two quads with the same verts; a quad that shares two edges with its neighbour.
   same_rings({points(3), {{0, 1, 2}, {2, 1, 0}}});
   same_rings({points(4), {{0, 1, 2, 3}, {3, 2, 1, 0}}});
   same_rings({points(5), {{0, 1, 2, 3}, {3, 2, 1, 4}, {4, 1, 0, 3}}});
@@ -286,7 +286,7 @@ TEST_CASE("halfedge_kernel: polys that share several edges are neighbours once")
 }
 
 TEST_CASE("halfedge_kernel: a poly with both half-edges of an edge is not its own neighbour") {
-  // A triangle from one corner of which an edge leads inside: its half-edges are walked there and back.
+  // A triangle and an edge that leads from one of its corners into it: the poly has both half-edges of this edge.
   const linked m{{2, 5, 4, 1, 6, 3, 7, 0}, {1, 0, 2, 1, 0, 2, 3, 0}, {0, -1, 0, -1, 0, -1, 0, 0}, {0, 2, 4, 7}, {0}};
   const auto neighbours = cn::adj_p2p(m, cn::poly_id(0));
   CHECK(neighbours.begin() == neighbours.end());
@@ -297,7 +297,7 @@ TEST_CASE("halfedge_kernel: a poly with both half-edges of an edge is not its ow
 }
 
 TEST_CASE("halfedge_kernel: searches over polys test each edge of each poly once") {
-  // A polygon of 12 sides with a triangle at each.
+  // A polygon of 12 edges with a triangle at each.
   std::vector<std::vector<int>> polygons(1);
   for (int i = 0; i < 12; ++i) {
     polygons[0].push_back(i);

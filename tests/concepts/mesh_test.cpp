@@ -1,4 +1,4 @@
-// Embedded, AnyMesh, MutablePoints and the verb contains.
+// The concepts Embedded, AnyMesh and MutablePoints, and the verb contains.
 #include <concino/concepts/mesh.hpp>
 
 #include <support/user_mesh.hpp>

@@ -23,7 +23,7 @@ static_assert(models_in_all_forms<abstract>(0) && models_in_all_forms<incomplete
 static_assert(models_in_all_forms<std::unique_ptr<user_mesh::surface>>(0) && models_in_all_forms<user_mesh::surface*>(0));
 static_assert(cn::testing::models<void>() == 0 && cn::testing::models<int[3]>() == 0 && cn::testing::models<int(int)>() == 0);
 
-// A class derived from a model is not one by that: its author opts in.
+// A class derived from a model is not a model unless its author specialises mesh_traits.
 struct derived : user_mesh::surface {};
 static_assert(models_in_all_forms<derived>(0));
 struct opted_in : user_mesh::surface {};

@@ -1,4 +1,4 @@
-// oriented_edges has the edges of polys and faces in the order of their verts, on users' meshes and archetypes.
+// oriented_edges lists the edges of polys and faces in the order of their verts, on users' meshes and archetypes.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/oriented_edges.hpp>

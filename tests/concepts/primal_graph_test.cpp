@@ -29,7 +29,7 @@ struct concino::mesh_traits<ring_graph> {
 namespace {
 static_assert(models_in_all_forms<ring_graph>(cn::testing::primal_graph));
 
-// A range of something else than the descriptor is refused, and so is each member missing (tests/must_not_compile/explain).
+// Ranges of other types are rejected here, missing members in tests/must_not_compile/explain.
 struct wrong_range : ring_graph {};
 struct wrong_count : ring_graph {};
 }  // namespace

@@ -11,7 +11,7 @@ struct number_requirement {
   template<class T> static constexpr bool holds = requires(T x) { x + 1; };
 };
 struct small_requirement {
-  template<class T> static constexpr bool holds = sizeof(T) < 8;  // an error for types that are not complete
+  template<class T> static constexpr bool holds = sizeof(T) < 8;  // an error for incomplete types
 };
 struct whole_requirement {
   template<class T> static constexpr bool holds = requires(T x) { x % 2; };
@@ -27,7 +27,7 @@ static_assert(std::is_same_v<first_missing<whole_number_requirements, unknown&>,
 static_assert(check<list<>, int>::value && std::is_same_v<first_missing<list<>, int>, nothing_missing>);
 
 
-// A base of traits knows the types, whichever mesh is asked about.
+// A base class of traits knows the types, whatever the mesh is.
 static_assert(bound<whole_number_requirements, int>::holds<void> && !bound<whole_number_requirements, float>::holds<void>);
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace cn = concino;
 
 namespace {
 
-/// Lists the edges of polys and faces in an order of its own, another one for each seed.
+/// A mesh that lists the edges of polys and faces in a random order, which depends on the seed.
 template<class M>
 struct shuffled : M {
   unsigned seed = 0;
@@ -54,7 +54,7 @@ struct concino::mesh_traits<in_order<user_mesh::surface>> : mesh_traits<user_mes
 };
 
 
-// Models that say edges_in_order = false and lack a member that sorting needs: asking about them answers "no".
+// Models with edges_in_order = false that lack a member needed for sorting: their concepts are false, and no errors.
 enum class without { nothing, adj_p2v, adj_e2v, adj_v2e, adj_e2p, adj_f2v, adj_e2f };
 template<without What, int Arity = 0> struct bare_polygons {};
 template<without What> struct bare_faces {};
@@ -203,7 +203,7 @@ TEST_CASE("sorted edges: edges of faces and tets are sorted") {
 
 TEST_CASE("sorted edges: a missing edge breaks a law, but nothing is read out of bounds") {
   user_mesh::surface s = user_mesh::surface_example();
-  s.es.erase(s.es.begin() + 1);  // edges are numbered by place, so that those of poly 0 are too few
+  s.es.erase(s.es.begin() + 1);  // descriptors of edges are positions, so poly 0 now has too few edges
   std::size_t met = 0;
   for ([[maybe_unused]] const auto e : cn::adj_p2e(s, user_mesh::cell{0})) ++met;
   CHECK(met == 3);

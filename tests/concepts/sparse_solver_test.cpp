@@ -5,7 +5,7 @@
 namespace {
 
 struct matrix { double d; };
-struct halves {  // the weakest model: factorize returns what it likes
+struct halves {  // the weakest model: factorize may return any type
   double d = 1;
   int factorize(const matrix& a) { d = a.d; return 0; }
   double solve(double b) const { return b / d; }

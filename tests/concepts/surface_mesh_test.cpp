@@ -28,7 +28,7 @@ namespace {
 
 static_assert(models_in_all_forms<triangles>(cn::testing::surface | cn::testing::embedded | cn::testing::fixed_arity));
 static_assert(cn::TriMesh<const triangles&> && !cn::QuadMesh<triangles> && !cn::TetMesh<triangles>);
-// One type for two kinds of elements: only the graphs are left.
+// If two kinds of elements have the same type, only the graph concepts hold.
 static_assert(models_in_all_forms<one_descriptor>(cn::testing::primal_graph | cn::testing::dual_graph | cn::testing::embedded));
 
 constexpr int pick(const cn::PrimalGraph auto&) { return 1; }

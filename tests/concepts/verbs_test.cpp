@@ -15,7 +15,7 @@ template<class M> concept has_faces = requires(const M& m) { cn::faces(m); };
 static_assert(walks<user_mesh::surface> && has_points<user_mesh::surface> && !has_faces<user_mesh::surface> && has_faces<user_mesh::volume>);
 static_assert(!walks<int> && !has_points<int>);
 
-// A function of the same name beside the mesh is never picked up.
+// A function of the same name in the namespace of the mesh is never called.
 struct greedy : user_mesh::surface {};
 [[maybe_unused]] int verts(const greedy&) { return -1; }
 [[maybe_unused]] int num_verts(const greedy&) { return -1; }

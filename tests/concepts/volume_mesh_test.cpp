@@ -26,7 +26,7 @@ struct concino::mesh_traits<flat> : mesh_traits<user_mesh::volume> {
 };
 static_assert(models_in_all_forms<tets>(cn::testing::volume | cn::testing::embedded | cn::testing::fixed_arity));
 static_assert(cn::TetMesh<const tets&> && !cn::HexMesh<tets> && !cn::QuadMesh<tets>);
-// The dimension decides: what has faces besides may still be a surface.
+// The dimension decides: a surface may have faces too.
 static_assert(models_in_all_forms<flat>(cn::testing::surface | cn::testing::embedded));
 
 TEST_CASE("the faces of a volume are oriented outward") {

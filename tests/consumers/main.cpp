@@ -1,4 +1,4 @@
-// What a stranger's first program may look like.
+// An example of a user's first program.
 #include <concino/fields.hpp>
 #include <concino/mesh.hpp>
 

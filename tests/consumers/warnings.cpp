@@ -1,5 +1,5 @@
-// A stranger's program that is compiled with all optimisation and every warning an error, concino by -I. Some warnings come only where
-// templates are used and optimised, so it hands in arrays of many types, which are checked. Not in main: it runs once, and is optimised less.
+// A user's program compiled with full optimisation and all warnings as errors, with concino by -I. Some warnings come only from optimised
+// templates, so it passes arrays of many types and checks the results. The code is not in main, which runs once and is optimised less.
 #include <concino/adapters/span.hpp>
 #include <concino/mesh/view_arrays.hpp>
 

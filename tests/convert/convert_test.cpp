@@ -1,4 +1,4 @@
-// Converting there and back is the identity: connectivity, coordinates and properties.
+// Converting to another kind of mesh and back preserves connectivity, coordinates and properties.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/convert.hpp>
 #include <concino/mesh.hpp>
@@ -44,7 +44,7 @@ void same_mesh(const A& a, const B& b) {
   }
 }
 
-/// Every element's stand-in has the stand-ins of what is at it.
+/// Checks that the correspondence maps the adjacent elements of every element to those of its counterpart.
 template<class C>
 void names_agree(const C& c) {
   const auto& m = c.from();
@@ -71,7 +71,7 @@ void names_agree(const C& c) {
 template<class M>
 using general_of = std::conditional_t<cn::VolumeMesh<M>, cn::polyhedralmesh, cn::polygonmesh>;
 
-/// A mesh as its users write them: verts and polys are added one by one. Grids of this library lie behind it.
+/// A user's mesh type, to which verts and polys are added one by one. It contains a mesh of this library.
 struct added {
   cn::trimesh inner;
 };
@@ -96,7 +96,7 @@ TEST_CASE_TEMPLATE("convert: any soup converts to the general kind and back unch
     const M m = cn::testing::random_soup<M>(random, 8 + static_cast<unsigned>(random() % 12), 1 + static_cast<unsigned>(random() % 20)).mesh();
     const auto there = cn::convert_with_correspondence<general_of<M>>(m);
     names_agree(there);
-    if constexpr (cn::HexMesh<M>) continue;  // soups of hexes have cells that cannot be told from their faces alone
+    if constexpr (cn::HexMesh<M>) continue;  // faces alone do not determine the hexes of a soup
     const auto back = cn::convert_with_correspondence<M>(there.mesh);
     names_agree(back);
     same_mesh(m, back.mesh);
@@ -225,7 +225,7 @@ TEST_CASE_TEMPLATE("convert: the correspondence maps each new element to its ori
     CHECK(c.faces.size() == cn::face_index_bound(there.mesh));
     for (const auto f : cn::faces(m)) CHECK(c.faces.only(there.face_of(f).raw()) == f.raw());
   }
-  // The same edges and faces follow from the verts.
+  // Edges and faces follow from the verts.
   cn::correspondence from_verts{c.verts, {}, {}, c.polys};
   cn::match_edges_and_faces(m, there.mesh, from_verts);
   for (std::size_t i = 0; i < c.edges.size(); ++i) CHECK(from_verts.edges.only(i) == c.edges.only(i));

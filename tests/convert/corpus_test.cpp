@@ -15,7 +15,7 @@ namespace {
 template<class M>
 using general_of = std::conditional_t<VolumeMesh<M>, polyhedralmesh, polygonmesh>;
 
-/// How many elements of m differ from what stands for them at the end.
+/// The number of elements of m that differ from their counterparts after converting there and back.
 template<class M, class There, class Back>
 std::size_t differences(const M& m, const There& there, const Back& back) {
   std::size_t wrong = 0;

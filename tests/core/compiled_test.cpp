@@ -16,5 +16,5 @@ CONCINO_INLINE std::string mode() {
 
 }  // namespace
 
-// That both ways link with each other, give the same results and refuse other flags is in tests/compiled/.
+// tests/compiled/ checks that both forms link with each other, give the same results and reject other flags.
 TEST_CASE("compiled: CONCINO_INLINE fits header-only use and the compiled library") { CHECK_FALSE(mode().empty()); }

@@ -9,7 +9,7 @@ using namespace systems;
 
 namespace {
 
-/// A grid with its rows and columns in units of their own.
+/// A grid matrix with different units of rows and columns.
 sparse in_units(int n, int row_unit, int column_unit) {
   sparse a = grid(n, 0.5, 0.2);
   for (int c = 0; c < a.cols(); ++c)
@@ -18,7 +18,7 @@ sparse in_units(int n, int row_unit, int column_unit) {
   return a;
 }
 
-/// The largest entries of rows and columns are within a factor of 4 of each other, and the scaled matrix is the given one, scaled.
+/// Checks that the largest entries of rows and columns are within a factor of 4, and that the result is the input, scaled.
 void check_equilibrated(const sparse& given) {
   sparse a = given;
   const auto scale = core::equilibrate(a);
@@ -52,7 +52,7 @@ TEST_CASE("equilibrate: the result does not depend on the units of rows and colu
   }
   for (const double x : {1.0, 3.0, 5.0, 1e-3, 1e300}) check_equilibrated(from(1, 1, {{0, 0, x}}));
   check_equilibrated(from(3, 3, {{0, 0, 1e-3}, {1, 1, 1.0}, {2, 2, 1e-7}}));
-  check_equilibrated(from(2, 2, {{0, 0, 0x1p-430}, {1, 1, 0x1p600}}));  // nearly as far apart as numbers can be
+  check_equilibrated(from(2, 2, {{0, 0, 0x1p-430}, {1, 1, 0x1p600}}));  // nearly as far apart as doubles can be
 }
 
 TEST_CASE("equilibrate: multiples of a matrix have the same result") {

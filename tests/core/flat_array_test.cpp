@@ -30,7 +30,7 @@ TEST_CASE("flat_array: random operations agree with std::vector") {
         break;
       case 2:
         if (!oracle.empty()) {
-          a.push_back(a[0]);  // the array's own entries, while they may move
+          a.push_back(a[0]);  // the argument is in the array, which may be reallocated
           a.append(a.data(), 1);
           oracle.insert(oracle.end(), 2, oracle[0]);
         }

@@ -25,7 +25,7 @@ TEST_CASE("indexed_heap: finds the smallest of random keys that decrease, as a l
       const std::size_t i = random() % n;
       const double key = static_cast<double>(random() % 1000000);
       if (random() % 3 > 0) {
-        if (expected[i] < inf && !waits[i]) continue;  // popped
+        if (expected[i] < inf && !waits[i]) continue;  // was removed before
         if (!(key < heap.key(i))) continue;
         heap.decrease_key(static_cast<int>(i), i, key);
         expected[i] = key;

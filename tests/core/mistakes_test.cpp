@@ -23,7 +23,7 @@ using pure_mesh = std::remove_cvref_t<decltype(cn::only_surface_mesh(std::declva
 using pure_vert = cn::vert_t<pure_mesh>;
 using mesh = const cn::trimesh&;
 
-// What a call may be asked, in a requires-expression and without an error: every deleted function answers "no".
+// A requires-expression can check these calls without an error: deleted functions make it false.
 template<class M, class S> concept can_dijkstra = requires(M&& m, const S& s) { cn::dijkstra(static_cast<M&&>(m), s); };
 template<class M, class S> concept can_dijkstra_by_ones = requires(M&& m, const S& s) { cn::dijkstra(static_cast<M&&>(m), s, [](auto, auto) { return 1.0; }); };
 template<class M, class S> concept can_bfs = requires(M&& m, const S& s) { cn::bfs(static_cast<M&&>(m), {s, s}, {.max_hops = 2}); };
@@ -45,7 +45,7 @@ static_assert(can_measure<mesh, cn::poly_id> && can_measure<cn::trimesh, cn::pol
 static_assert(can_save<mesh, cn::vert_map<cn::trimesh, float>> && !can_save<mesh, cn::poly_map<cn::trimesh, double>>);
 static_assert(!can_save<mesh, cn::vert_map<cn::trimesh, cn::vec3>> && !can_save<const foreign&, cn::vert_map<cn::trimesh, double>>);
 
-// Options and values of the wrong type are no either: nothing is known only once the body is compiled.
+// Options and values of wrong types are rejected too, before the body is compiled.
 inline constexpr auto always = [](auto) { return true; };
 using graph = std::remove_cvref_t<decltype(cn::only_primal_graph(std::declval<const cn::trimesh&>()))>;
 template<class M> concept can_cross = requires(const M& m, const cn::vert_t<M>& v) { cn::bfs(m, v, {.may_cross = always}); };
@@ -61,12 +61,12 @@ static_assert(can_prescribe<std::vector<std::pair<cn::vert_id, double>>> && !can
 static_assert(!can_prescribe<std::vector<cn::vert_id>> && !can_prescribe<cn::harmonic_map_options> && !can_prescribe<int>);
 static_assert(can_prepare<std::vector<cn::vert_id>> && !can_prepare<std::vector<cn::poly_id>> && !can_prepare<cn::vert_id>);
 
-// A function of the user's that takes the call is preferred, wherever it is found: vec3 brings in the names of concino.
+// A user's function that accepts the call is preferred, wherever it is declared: vec3 makes the names of concino visible.
 struct base {};
 struct derived : base {};
 double measure(const base&, const cn::vec3&) { return 7; }
 
-// A mesh whose descriptors are plain numbers is asked about numbers.
+// A mesh whose descriptors are plain numbers accepts numbers.
 struct cycle { int n; };
 
 }  // namespace

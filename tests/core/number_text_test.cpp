@@ -1,4 +1,4 @@
-// Numbers as text.
+// number_text writes numbers with the fewest digits.
 #include <concino/core/number_text.hpp>
 
 #include <doctest/doctest.h>

@@ -33,7 +33,7 @@ constexpr int numbers_of_threads[] = {1, 2, 3, 16};
 
 TEST_CASE("parallel: the number of threads is that of the environment, else of the cores") {
   const auto said = [](const char* text) {
-    const with_num_threads before(1);  // puts the variable back
+    const with_num_threads before(1);  // restores the environment variable
     ::setenv("CONCINO_NUM_THREADS", text, 1);
     return concino::core::num_threads();
   };
@@ -50,14 +50,14 @@ TEST_CASE("parallel: the number of threads is that of the environment, else of t
 #ifdef __linux__
 TEST_CASE("parallel: cores on which the process may not run do not count") {
   std::size_t found = 0;
-  std::thread([&] {  // a thread of its own, for the others keep all cores
+  std::thread([&] {  // a separate thread, because the others keep all cores
     ::cpu_set_t all, one;
     REQUIRE(::sched_getaffinity(0, sizeof all, &all) == 0);
     CPU_ZERO(&one);
     for (int c = 0; c < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++c)
       if (CPU_ISSET(c, &all)) CPU_SET(c, &one);
     REQUIRE(::sched_setaffinity(0, sizeof one, &one) == 0);
-    const with_num_threads before(1);  // puts the variable back
+    const with_num_threads before(1);  // restores the environment variable
     ::unsetenv("CONCINO_NUM_THREADS");
     found = concino::core::num_threads();
   }).join();
@@ -70,7 +70,7 @@ TEST_CASE("parallel: chunks that are worth a thread start at once") {
     const with_num_threads now(n);
     std::atomic<int> waiting{0};
     std::vector<std::thread::id> who(static_cast<std::size_t>(n));
-    const auto run = [&](std::size_t c) {  // each call waits for all others, so that each needs a thread of its own
+    const auto run = [&](std::size_t c) {  // each call waits for all others, so each needs its own thread
       ++waiting;
       while (waiting < n) std::this_thread::yield();
       who[c] = std::this_thread::get_id();
@@ -87,7 +87,7 @@ TEST_CASE("parallel: long loops run on several threads, or on one by option") {
     const with_num_threads now(n);
     std::atomic<int> others{0};
     const auto caller = std::this_thread::get_id();
-    const auto work = [&] {  // on the calling thread a call takes long until the others are there; they wait for one another
+    const auto work = [&] {  // on the calling thread each call takes long until the others have started; those wait for one another
       thread_local const void* known = nullptr;
       if (std::this_thread::get_id() == caller) {
         if (others < n - 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -106,7 +106,7 @@ TEST_CASE("parallel: long loops run on several threads, or on one by option") {
 
 TEST_CASE("parallel: short loops run on the calling thread") {
   const with_num_threads now(16);
-  std::size_t fewest = 20;  // calls on other threads; none unless the system keeps the calling thread waiting
+  std::size_t fewest = 20;  // calls on other threads; none unless the system delays the calling thread
   for (int repeat = 0; repeat < 100 && fewest > 0; ++repeat) {
     const auto caller = std::this_thread::get_id();
     std::atomic<std::size_t> elsewhere{0};
@@ -149,7 +149,7 @@ TEST_CASE("parallel_for reports progress and can be cancelled") {
     double last = 0;
     const auto caller = std::this_thread::get_id();
     const auto work = [&](std::size_t i) {
-      if (i > calls.size() / 2 && std::this_thread::get_id() != caller) {  // else the others may finish before the calling thread goes on
+      if (i > calls.size() / 2 && std::this_thread::get_id() != caller) {  // otherwise the others may finish before the calling thread continues
         while (!over) std::this_thread::yield();
         std::this_thread::sleep_for(std::chrono::microseconds(1));
       }

@@ -35,7 +35,7 @@ void check_chunks(const M& m) {
   chunks.template for_each<counter>([&](counter& scratch, const poly_t<M>& p, std::size_t corner) {
     ++met[p];
     first[p] = corner;
-    if (++scratch.calls > 1024) ++met[p];  // a chunk has its own
+    if (++scratch.calls > 1024) ++met[p];  // each chunk has its own scratch
     std::size_t n = 0;
     for ([[maybe_unused]] const auto v : adj_p2v(m, p)) ++n;
     return n;

@@ -31,5 +31,5 @@ TEST_CASE("precompiled: native meshes are precompiled in the compiled library") 
   CHECK(concino::core::is_precompiled<concino::tetmesh> == is_compiled);
   CHECK(concino::core::is_precompiled<const concino::tetmesh&> == is_compiled);
   CHECK_FALSE(concino::core::is_precompiled<no_mesh>);
-  CHECK_FALSE(concino::core::is_precompiled<derived_mesh>);  // the library has no functions of that name
+  CHECK_FALSE(concino::core::is_precompiled<derived_mesh>);  // the library has no functions for this type
 }

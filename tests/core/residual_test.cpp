@@ -12,7 +12,7 @@ using namespace systems;
 
 namespace {
 
-/// Solves diag(d) x = b, every entry wrong by the factor `factor`, and counts.
+/// Returns the solution of diag(d) x = b times `factor`, and counts the calls.
 struct wrong_solver {
   double factor = 1;
   Eigen::VectorXd d = Eigen::Vector3d(2, 4, 8);
@@ -37,7 +37,7 @@ Eigen::VectorXd right() { return Eigen::Vector3d(2, -4, 16); }
 
 TEST_CASE("residual: is relative to the terms of each row, of a full matrix or a lower triangle") {
   const sparse a = from(3, 3, {{0, 0, 4.0}, {1, 0, -1.0}, {0, 1, -1.0}, {1, 1, 3.0}, {2, 1, -2.0}, {1, 2, -2.0}, {2, 2, 5.0}});
-  const Eigen::VectorXd x = Eigen::Vector3d(1, -2, 3), exact = a * x;  // 6, -13, 19; of terms 6, 13 and 19
+  const Eigen::VectorXd x = Eigen::Vector3d(1, -2, 3), exact = a * x;  // a x = 6, -13, 19; the absolute values of the terms sum to 6, 13 and 19
   const sparse lower = a.triangularView<Eigen::Lower>();
   for (int row = 0; row < 3; ++row)
     for (const double off : {-0.5, 0.25}) {
@@ -66,7 +66,7 @@ TEST_CASE("residual: finds the largest entry in both triangles, and the largest 
       CHECK(core::residual_beside_largest(a, x, b, r, false) == doctest::Approx(expected).epsilon(1e-14));
       CHECK(core::residual_beside_largest(lower, x, b, r, true) == doctest::Approx(expected).epsilon(1e-14));
     }
-  // Row 1 has its largest entry above the diagonal: of the lower triangle alone it is not seen.
+  // The largest entry of row 1 is above the diagonal, where the lower triangle alone does not contain it.
   Eigen::VectorXd r = Eigen::Vector3d(0.5, 0, 0), zero = Eigen::Vector3d::Zero(), small = Eigen::Vector3d::Constant(0.25);
   CHECK(core::residual_beside_largest(lower, small, zero, r, false) == 0.5 / 0.25);
   CHECK(core::residual_beside_largest(lower, small, zero, r, true) == 0.5 / (9 * 0.25));
@@ -93,14 +93,14 @@ TEST_CASE("core::solve_and_check: corrects the solution at most three times") {
   const wrong_solver exact;
   CHECK(core::solve_and_check(exact, diagonal(), right(), "x") == Eigen::Vector3d(1, -1, 2));
   CHECK(exact.solves == 1);
-  const wrong_solver near{.factor = 0.99};  // off by 1e-2, 1e-4, 1e-6, 1e-8
+  const wrong_solver near{.factor = 0.99};  // the errors are 1e-2, 1e-4, 1e-6, 1e-8
   CHECK(distance(core::solve_and_check(near, diagonal(), right(), "x"), Eigen::Vector3d(1, -1, 2)) < 3e-8);
   CHECK(near.solves == 4);
   const wrong_solver nearer{.factor = 1 + 1e-7};
   CHECK(distance(core::solve_and_check(nearer, diagonal(), right(), "x", false), Eigen::Vector3d(1, -1, 2)) < 1e-13);
   CHECK(nearer.solves == 2);
   CHECK_THROWS_WITH_AS(core::solve_and_check(wrong_solver{.factor = 0.9}, diagonal(), right(), "x"), doctest::Contains("the relative residual is"), solver_error);
-  const wrong_solver away{.factor = 3};  // corrections take it further away
+  const wrong_solver away{.factor = 3};  // corrections increase the error
   CHECK_THROWS_AS(core::solve_and_check(away, diagonal(), right(), "x"), solver_error);
   CHECK(away.solves == 2);
 }

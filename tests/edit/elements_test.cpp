@@ -1,4 +1,4 @@
-// After any sequence of adding and removing, the mesh obeys all laws, equals a new mesh, and other descriptors are unchanged.
+// After any sequence of adding and removing, the mesh obeys all laws and equals a newly constructed mesh, and other descriptors are unchanged.
 #include <concino/edit.hpp>
 #include <concino/mesh.hpp>
 #include <concino/validate/check_laws.hpp>
@@ -34,7 +34,7 @@ std::set<unsigned> raw_set(const R& range) {
   return {l.begin(), l.end()};
 }
 
-/// A mesh built afresh from the live polys of m, on the same verts, with the polys' old names.
+/// A new mesh of the polys of m, on the same verts, and the names that these polys have in m.
 template<class M>
 std::pair<M, list> rebuilt(const M& m) {
   std::vector<cn::vec3> points(cn::vert_index_bound(m));
@@ -91,7 +91,7 @@ void add_random_poly(M& m, std::mt19937& random) {
       f[k] = cn::add_face(m, span(three));
     }
     const list all = raw(cn::faces(m));
-    const cn::face_id shared{all[random() % (all.size() - 4)]};  // one that is there already
+    const cn::face_id shared{all[random() % (all.size() - 4)]};  // a face that exists already
     cn::add_poly(m, {{f[0], true}, {f[1], false}, {f[2], true}, {f[3], false}, {shared, true}});
   } else {
     const unsigned n = cn::arity_v<M> ? cn::arity_v<M> : 3 + random() % 4;
@@ -148,7 +148,7 @@ TEST_CASE("laws hold after random edits of long polygons that share several edge
       if (polys.size() > 6 || (!polys.empty() && random() % 3 == 0)) {
         cn::remove_poly(m, cn::poly_id{polys[random() % polys.size()]});
       } else {
-        // arcs of one ring, and verts at random between them
+        // arcs of one common cycle, and random verts between them
         const auto n = 20 + static_cast<unsigned>(random() % 20), keep = 2 + static_cast<unsigned>(random() % 8);
         std::vector<cn::vert_id> corners;
         for (unsigned i = 0; i < n; ++i) corners.push_back(cn::vert_id{i});
@@ -201,7 +201,7 @@ TEST_CASE("add_face and add_poly accept ranges that belong to the mesh") {
   const cn::face_id g = cn::add_face(m, std::span<const cn::vert_id>(corners.begin(), corners.size()));
   CHECK(raw(cn::adj_f2v(m, g)) == before);
   const auto in_mesh = cn::adj_p2f(m, p);
-  const std::vector<cn::face_id> faces(in_mesh.begin(), in_mesh.end());  // in_mesh ends with the first edit
+  const std::vector<cn::face_id> faces(in_mesh.begin(), in_mesh.end());  // the range in_mesh is invalid after the first edit
   const list those = raw(faces);
   const std::vector<std::uint8_t> outward(faces.size(), 1);
   const cn::poly_id q = cn::mesh_traits<cn::polyhedralmesh>::add_poly(m, std::span<const cn::face_id>(in_mesh.begin(), in_mesh.size()), outward);

@@ -21,7 +21,7 @@ static_assert(models_in_all_forms<decltype(cn::dual(w))>(cn::testing::dual_graph
 static_assert(std::same_as<cn::poly_t<decltype(cn::dual(s))>, user_mesh::cell> && cn::is_view_v<decltype(cn::dual(s))>);
 template<class M> concept takes_temporary = requires(M&& m) { cn::dual(static_cast<M&&>(m)); };
 static_assert(!takes_temporary<user_mesh::surface> && takes_temporary<user_mesh::surface&> && takes_temporary<decltype(cn::dual(s))>);
-// There is nothing dual about verts alone.
+// A graph of verts has no dual.
 static_assert(!takes_temporary<decltype(cn::only_primal_graph(s))>);
 
 }  // namespace

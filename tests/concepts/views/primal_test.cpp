@@ -22,7 +22,7 @@ static_assert(models_in_all_forms<decltype(cn::primal(w))>(cn::testing::primal_g
 static_assert(models_in_all_forms<decltype(cn::primal(std::declval<bare>()))>(cn::testing::primal_graph));
 static_assert(cn::is_view_v<decltype(cn::primal(s))> && std::copyable<decltype(cn::primal(s))> && sizeof(cn::primal(s)) == sizeof(void*));
 
-// A temporary mesh is refused, a temporary view is not.
+// Temporary meshes are rejected, temporary views are not.
 template<class M> concept takes_temporary = requires(M&& m) { cn::primal(static_cast<M&&>(m)); };
 static_assert(!takes_temporary<user_mesh::surface> && !takes_temporary<const user_mesh::surface> && takes_temporary<user_mesh::surface&> &&
               takes_temporary<const user_mesh::surface&>);

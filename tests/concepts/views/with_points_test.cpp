@@ -19,11 +19,11 @@ namespace {
 const user_mesh::surface s = user_mesh::surface_example();
 const user_mesh::volume w = user_mesh::volume_example();
 
-struct raised {  // computes
+struct raised {  // computes its values
   double z;
   std::array<double, 3> operator[](user_mesh::vertex v) const { return {double(v.i), 0, z}; }
 };
-struct table {  // stores, and cannot be copied
+struct table {  // stores its values and cannot be copied
   std::vector<std::array<double, 3>> at;
   explicit table(std::size_t n) : at(n) {}
   table(const table&) = delete;
@@ -31,7 +31,7 @@ struct table {  // stores, and cannot be copied
 };
 struct no_map {};
 
-template<class A> struct through {  // for the opaque descriptors of an archetype
+template<class A> struct through {  // has the opaque descriptors of an archetype as keys
   A a;
   std::array<double, 3> operator[](cn::vert_t<A> v) const { return {0, double(a.base(v).i), 0}; }
 };
