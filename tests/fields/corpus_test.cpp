@@ -19,7 +19,7 @@ namespace {
 
 using values = std::map<vert_id, double>;
 
-/// Verts of edges with one poly (surfaces) or of faces with one poly (volumes).
+/// The values of f at the verts of boundary edges (surfaces) or boundary faces (volumes).
 template<class M, class F>
 values on_boundary(const M& m, const F& f) {
   values given;

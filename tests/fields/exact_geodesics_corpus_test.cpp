@@ -15,7 +15,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// percent: of the largest distance, that heat may be off in the mean.
+/// Checks that the mean error of the heat method is at most this percentage of the largest distance.
 void compare(const std::filesystem::path& path, double percent) {
   CAPTURE(path);
   const auto m = load<trimesh>(path.string());
@@ -43,8 +43,8 @@ TEST_CASE("corpus: heat geodesics are close to exact ones, which are between str
   CONCINO_CORPUS_OR_SKIP(disk, "tri/circle_disk.obj");
   CONCINO_CORPUS_OR_SKIP(holes, "tri/3holes.obj");
   CONCINO_CORPUS_OR_SKIP(spot, "tri/spot_textured.obj");
-  compare(torus, 3.5);  // coarse
-  compare(socket, 6);   // of very long and thin triangles
+  compare(torus, 3.5);  // a coarse mesh
+  compare(socket, 6);   // a mesh of very long and thin triangles
   compare(spheres, 0.3);
   compare(disk, 0.4);
   compare(holes, 3);
@@ -61,7 +61,7 @@ TEST_CASE("corpus: exact geodesics on the sphere are great circles up to the siz
     const vec3 x = point(m, v);
     largest = std::max(largest, std::abs(d[v] - 0.5 * std::atan2(norm(cross(x, from)), dot(x, from))));
   }
-  CHECK(largest < 0.0025);  // of 1.56
-  CHECK(d[vert_id{1}] <= 0.117679207958);  // along edges
+  CHECK(largest < 0.0025);  // the largest distance is 1.56
+  CHECK(d[vert_id{1}] <= 0.117679207958);  // the length of a path along edges
   CHECK(d[vert_id{1000}] <= 0.81338924806);
 }

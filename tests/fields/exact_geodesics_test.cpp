@@ -25,7 +25,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A square of triangles, those inside it moved about.
+/// A square of triangles whose interior verts were moved randomly.
 surface_arrays uneven_square(unsigned n, unsigned seed = 1) {
   const surface_arrays even = triangle_grid(n);
   surface_arrays a = jittered(even, 0.25 / n, false, seed);
@@ -41,7 +41,7 @@ double largest_error(const Map& d, const F& exact) {
   double worst = 0;
   for (const auto v : verts(d.mesh())) {
     const double e = exact(to_vec3(point(d.mesh(), v)));
-    worst = std::max(worst, e == d[v] ? 0 : std::abs(d[v] - e));  // equal infinities have no difference
+    worst = std::max(worst, e == d[v] ? 0 : std::abs(d[v] - e));  // infinities that are equal have no error
   }
   return worst;
 }
@@ -50,7 +50,7 @@ auto line_from(const vec3& from) {
   return [=](const vec3& x) { return distance(x, from); };
 }
 
-/// Triangles a, b, c, each as n x n of them, sharing verts where they have the same points.
+/// The triangles, each divided into n x n. Equal points become one vert.
 surface_arrays refined(const std::vector<std::array<vec3, 3>>& triangles, unsigned n) {
   surface_arrays r{{}, {}, {}, 3};
   std::map<std::array<long, 3>, unsigned> known;
@@ -80,7 +80,7 @@ TEST_CASE("exact_geodesics: are straight lines in the plane, on any triangles, i
     const auto exact = prepare_exact_geodesics(m);
     for (const unsigned s : {0u, 6u, 84u, 100u, 168u})
       CHECK(largest_error(exact.distance_from(vert_id{s}), line_from(point(m, vert_id{s}))) < 1e-13);
-    // not oriented: every third triangle is turned over
+    // not oriented: every third triangle is reversed
     surface_arrays turned = a;
     for (std::size_t i = 0; i < turned.verts.size(); i += 9) std::swap(turned.verts[i], turned.verts[i + 1]);
     const trimesh t(turned);
@@ -112,7 +112,7 @@ TEST_CASE("exact_geodesics: accept polygons that are triangles and archetypes, a
 }
 
 TEST_CASE("exact_geodesics: go around a hole along its edges and corners") {
-  // the square without the middle: what is not seen is behind one corner or two
+  // a square with a square hole: a shortest path bends at no, one or two corners of the hole
   surface_arrays a = uneven_square(9);
   const surface_arrays even = triangle_grid(9);
   const auto is_hole = [](const vec3& x) { return x.x > 0.33 && x.x < 0.67 && x.y > 0.33 && x.y < 0.67; };
@@ -129,7 +129,7 @@ TEST_CASE("exact_geodesics: go around a hole along its edges and corners") {
   }
   const double lo = 3.0 / 9, hi = 6.0 / 9;
   const std::array<vec3, 4> corner{vec3{lo, lo, 0}, vec3{hi, lo, 0}, vec3{hi, hi, 0}, vec3{lo, hi, 0}};
-  const auto sees = [&](const vec3& p, const vec3& q) {  // by clipping the way to the open square
+  const auto sees = [&](const vec3& p, const vec3& q) {  // clips the segment by the open square of the hole
     double t0 = 0, t1 = 1;
     for (const std::size_t k : {0u, 1u}) {
       const double d = q[k] - p[k];
@@ -205,7 +205,7 @@ TEST_CASE("exact_geodesics: match the unfolded surface of a cube, from a corner 
   CHECK(largest_error(e, [](const vec3& x) {
           if (x.z == 0) return std::hypot(x.x - 0.5, x.y - 0.5);
           double best = infinity;
-          for (const bool swap : {false, true})  // over the side at u = 0 or at u = 1 straight up, or over it and a neighbour of it
+          for (const bool swap : {false, true})  // over the face at u = 0 or u = 1 directly, or over it and an adjacent face
             for (const bool mirror : {false, true}) {
               double u = swap ? x.y : x.x;
               const double v = swap ? x.x : x.y;
@@ -227,9 +227,9 @@ TEST_CASE("exact_geodesics: match the unfolded regular tetrahedron") {
   REQUIRE(point(m, vert_id{0}) == x[0]);
   const vec3 e1{1, 0, 0}, e2{0.5, std::sqrt(0.75), 0};
   CHECK(largest_error(d, [&](const vec3& p) {
-          std::array<double, 4> part;  // at the corners
+          std::array<double, 4> part;  // barycentric coordinates
           for (std::size_t k = 0; k < 4; ++k) part[k] = (1 + dot(p, x[k])) / 4;
-          vec3 y;  // in the plane: corner 0 is at twice the points of the lattice, 1 at e1 more, 2 at e2, 3 at e1 + e2
+          vec3 y;  // unfolded into the plane: copies of corner 0 are at even points of the lattice, of 1 at e1 more, of 2 at e2, of 3 at e1 + e2
           const bool without_0 = std::abs(part[0]) < 1e-9, without_3 = std::abs(part[3]) < 1e-9, without_2 = std::abs(part[2]) < 1e-9;
           if (without_3) y = part[1] * e1 + part[2] * e2;
           else if (without_0) y = part[1] * e1 + part[2] * e2 + part[3] * (e1 + e2);
@@ -245,7 +245,7 @@ TEST_CASE("exact_geodesics: match the unfolded regular tetrahedron") {
 TEST_CASE("exact_geodesics: go around a cone or over its tip") {
   for (const int wedges : {3, 4, 5, 6, 8, 10}) {
     const double turn = 2 * std::numbers::pi / wedges;
-    // rim points a distance of 1 apart and from the tip; where there are too many for that they go up and down in turns
+    // boundary verts are at distance 1 from the tip and from the next; if there are more than 6 triangles, their heights alternate
     const double wide = wedges <= 6 ? 1 / (2 * std::sin(turn / 2)) : std::sqrt(3 / (4 * std::cos(turn / 2) * std::cos(turn / 2)));
     const double high = std::sqrt(std::max(0.0, 1 - wide * wide));
     const auto rim = [&](int k) {
@@ -255,7 +255,7 @@ TEST_CASE("exact_geodesics: go around a cone or over its tip") {
     std::vector<std::array<vec3, 3>> triangles;
     for (int k = 0; k < wedges; ++k) triangles.push_back({vec3{}, rim(k), rim(k + 1)});
     const trimesh m(refined(triangles, 5));
-    const auto polar = [&](const vec3& p) {  // distance from the tip, angle about it
+    const auto polar = [&](const vec3& p) {  // the distance from the tip, and the angle around it
       if (norm(p) < 1e-9) return std::pair{0.0, 0.0};
       const double around = std::atan2(p.y, p.x);
       const int k = static_cast<int>(std::floor(around / turn + 1e-9)) + (around < -1e-9 ? wedges : 0);
@@ -324,9 +324,9 @@ TEST_CASE("exact_geodesics: sources may be in triangles, on edges and at verts")
       std::size_t k = 0;
       for (const auto v : adj_p2v(m, poly_id{p})) x += part[k++] * point(m, v);
       CHECK(largest_error(exact.distance_from(poly_id{p}, x), line_from(x)) < 1e-13);
-      CHECK(largest_error(exact.distance_from(poly_id{p}, x + vec3{0, 0, 3}), line_from(x)) < 1e-13);  // of the triangle's points the nearest
+      CHECK(largest_error(exact.distance_from(poly_id{p}, x + vec3{0, 0, 3}), line_from(x)) < 1e-13);  // the source is the nearest point of the triangle
     }
-  // beside a vert of a sphere as from the vert, less the way there or more
+  // from a point near a vert, distances differ from those of the vert at most by the distance between the two
   const trimesh ball = icosphere(3);
   const auto around = prepare_exact_geodesics(ball);
   const vert_id v{9};
@@ -338,14 +338,14 @@ TEST_CASE("exact_geodesics: sources may be in triangles, on edges and at verts")
     const double off = distance(mean, point(ball, v));
     CHECK(d[v] == doctest::Approx(off).epsilon(1e-12));
     for (const auto w : verts(ball)) CHECK(std::abs(d[w] - from_vert[w]) <= off + 1e-14);
-    for (const auto w : adj_p2v(ball, p)) {  // and back
+    for (const auto w : adj_p2v(ball, p)) {  // the distances at the corners of the triangle are lengths of segments
       CHECK(d[w] == doctest::Approx(distance(mean, point(ball, w))).epsilon(1e-12));
     }
   }
 }
 
 TEST_CASE("exact_geodesics: work at edges with three triangles and verts with several fans") {
-  // pages of the unit square about the line x = 0; from one to another a path is straight when both are laid flat
+  // half-planes that share the line x = 0, each with a unit square; a shortest path is straight after unfolding two of them
   std::vector<std::array<vec3, 3>> triangles;
   const std::array<vec3, 3> out{vec3{1, 0, 0}, vec3{-0.6, 0.8, 0}, vec3{0, -1, 0}};
   const vec3 up{0, 0, 1};

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Calls f for each poly that a point of the mesh lies in or on.
+/// Calls f for each poly that contains a point of the mesh.
 template<class M, class F>
 void for_each_poly_at(const M& m, const mesh_point<M>& x, const F& f) {
   if (const auto* v = std::get_if<vert_t<M>>(&x.element)) {
@@ -41,7 +41,7 @@ bool are_in_one_poly(const M& m, const mesh_point<M>& a, const mesh_point<M>& b)
   return found;
 }
 
-/// Whether the coordinates of a point are those of its element, to rounding at that scale.
+/// Whether a point lies on its element, up to rounding errors at that scale.
 template<class M>
 bool lies_on_its_element(const M& m, const mesh_point<M>& x, double scale) {
   if (const auto* v = std::get_if<vert_t<M>>(&x.element)) return x.position == to_vec3(point(m, *v));
@@ -53,7 +53,7 @@ bool lies_on_its_element(const M& m, const mesh_point<M>& x, double scale) {
   return e->parameter > 0 && e->parameter < 1 && distance(x.position, end[0] + e->parameter * (end[1] - end[0])) <= 1e-15 * scale;
 }
 
-/// Every path runs over the surface from a source to its target, and is as long as the distance says.
+/// Checks that every path is on the surface, goes from a source to its target, and is as long as the distance.
 template<class M>
 void check_paths(const M& m, const exact_paths<M>& paths, double scale = 1) {
   for (const auto v : verts(m)) {
@@ -128,7 +128,7 @@ TEST_CASE("exact_paths: on a sphere are near great circles, with the same length
 }
 
 TEST_CASE("exact_paths: work at edges with three triangles and verts with several fans") {
-  // three pages of a book about the line x = y = 0
+  // three rectangles that share the line x = y = 0
   surface_arrays book{{{0, 0, 0}, {0, 0, 1}, {0, 0, 2}}, {}, {}, 3};
   for (const vec3& out : {vec3{1, 0, 0}, vec3{-0.6, 0.8, 0}, vec3{0, -1, 0}})
     for (const double z : {0.0, 1.0, 2.0}) book.points.push_back(out + vec3{0, 0, z});

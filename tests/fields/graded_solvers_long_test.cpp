@@ -1,4 +1,4 @@
-// Harmonic maps by iteration on large grids graded by x^3, against linear functions, which all of these meshes have exactly.
+// Harmonic maps by iteration on large grids graded by x^3 are close to linear functions, which are exact solutions on all of these meshes.
 #include <support/graded_solvers.hpp>
 
 using namespace graded_solvers;

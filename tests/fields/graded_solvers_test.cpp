@@ -1,4 +1,4 @@
-// Harmonic maps on grids graded by x^3, whose cells differ by orders of magnitude in size and shape: the same by iteration as by factorisation.
+// Harmonic maps on grids graded by x^3, whose cells have very different sizes and shapes, are the same by iteration and by factorisation.
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/solve/ldlt.hpp>
 

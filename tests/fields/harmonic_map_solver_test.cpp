@@ -1,4 +1,4 @@
-// How harmonic maps use their solver.
+// harmonic_map uses the solver argument, and passes positive definite matrices to it.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>

@@ -23,7 +23,7 @@ namespace {
 
 using values = std::map<vert_id, double>;
 
-/// The same by another road: K = A (M^-1 A)^(n-1) dense, rows of prescribed verts replaced by u = value, full pivoting.
+/// A reference solution: K = A (M^-1 A)^(n-1) as a dense matrix, with rows of prescribed verts replaced by u = value, by full pivoting.
 template<class M, class D>
 Eigen::VectorXd dense_solution(const M& m, const values& given, const D& which, int exponent) {
   const Eigen::MatrixXd l = laplacian(m, which);
@@ -138,8 +138,8 @@ TEST_CASE("harmonic_map, cotangent: is exact for harmonic quadratics on the regu
 }
 
 TEST_CASE("harmonic_map: exponent 2 reproduces cubics along a ring of verts") {
-  // uniform weights on a ring of n verts are the second difference: the biharmonic map through values at both ends of a
-  // stretch with two held verts on each side is the cubic through them
+  // With uniform weights on a ring of n verts the Laplacian is the second difference. The biharmonic map with prescribed values at two verts on each
+  // side of an interval is the cubic through them.
   const int n = 24;
   std::vector<vec3> x;
   std::vector<std::vector<int>> ring(1);
@@ -225,7 +225,7 @@ TEST_CASE("harmonic_map: does not depend on the scale of the mesh, for any expon
       auto scaled = arrays;
       for (vec3& x : scaled.points) x *= scale;
       const trimesh s(scaled);
-      if (n > 1 && scale < 0x1p-100) continue;  // areas to the power of 3 leave the range of doubles
+      if (n > 1 && scale < 0x1p-100) continue;  // areas to the power of 3 are out of the range of doubles
       const auto w = harmonic_map(s, {{a, 0}, {b, 1}}, cotangent, {.exponent = n});
       for (const auto v : verts(m)) CHECK(w[v] == doctest::Approx(u[v]).epsilon(1e-9));
     }
@@ -323,7 +323,7 @@ TEST_CASE_TEMPLATE("harmonic_map: the value of isolated verts does not change ot
     for (const auto v : verts(m)) CHECK(u[v] == w[v]);
   }
   CHECK(distance_to_dense(grid<M>(1), {{a, -2}, {vert_id{1}, 5}}, uniform, 4) < 1e-6);
-  CHECK(distance_to_dense(m, {{b, 1}, {c, 2}}, uniform, 2) < 1e-9);  // of which vert 0 is no part
+  CHECK(distance_to_dense(m, {{b, 1}, {c, 2}}, uniform, 2) < 1e-9);  // the component without vert 0
 }
 
 TEST_CASE_TEMPLATE("harmonic_map, laplacian, masses: work with gaps in the indices", M, CONCINO_ALL_KINDS) {

@@ -61,7 +61,7 @@ TEST_CASE_TEMPLATE("heat_flow: cos(pi x) decays as exp(-pi^2 t), with second ord
   const unsigned n = VolumeMesh<M> ? 3 : 6;
   const double coarse = error(n), fine = error(2 * n);
   CHECK(fine < 0.02);
-  CHECK(std::log2(coarse / fine) > (TetMesh<M> ? 1.5 : 1.75));  // tets come to 2 more slowly
+  CHECK(std::log2(coarse / fine) > (TetMesh<M> ? 1.5 : 1.75));  // the order of tets approaches 2 more slowly
 }
 
 TEST_CASE_TEMPLATE("heat_flow: has the order in time of the scheme", M, trimesh, hexmesh) {

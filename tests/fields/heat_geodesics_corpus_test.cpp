@@ -1,4 +1,4 @@
-// Heat geodesics on real meshes, against exact ones.
+// Heat geodesics on real meshes are close to exact ones.
 #include <concino/fields/exact_geodesics.hpp>
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/geometry/edge_length.hpp>
@@ -18,7 +18,7 @@ TEST_CASE("corpus: heat geodesics on the sphere are close to exact ones, and no 
   CONCINO_CORPUS_OR_SKIP(path, "tri/sphere.obj");
   const auto m = load<trimesh>(path.string());
   const auto d = heat_geodesics(m, vert_id{0});
-  const auto exact = exact_geodesics(m, vert_id{0});  // off great circles by 0.0011 in the mean, since triangles cut the sphere short
+  const auto exact = exact_geodesics(m, vert_id{0});  // these differ from great circles by 0.0011 in the mean, because the triangles are inside the sphere
   double mean = 0, largest = 0;
   for (const auto v : verts(m)) {
     const double wrong = std::abs(d[v] - exact[v]);

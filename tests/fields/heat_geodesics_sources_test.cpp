@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: accept several sources, components and isola
   CHECK(each[alone] == 0);
   CHECK(each[nearest(m, {3, 0, 0})] == doctest::Approx(1).epsilon(0.3));
 
-  // a source that another one overtakes is none
+  // a source has no effect if another one is nearer even there
   const auto late = heat.distance_from({{a, 0.25}, {b, 40.0}});
   CHECK(late[a] == 0.25);
   for (const auto v : verts(m))
@@ -93,7 +93,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: are between straight lines and edge paths", 
     for (const auto& [s, before] : sources) least = std::min(least, before + distance(point(m, v), point(m, s)));
     return least;
   };
-  auto along = make_vert_map<double>(m, infinity);  // Bellman and Ford
+  auto along = make_vert_map<double>(m, infinity);  // shortest edge paths by the Bellman-Ford algorithm
   for (const auto& [s, before] : sources) along[s] = std::min(along[s], before);
   for (bool changed = true; changed;) {
     changed = false;

@@ -60,7 +60,7 @@ TEST_CASE("heat_geodesics: are right where heat underflows") {
   CHECK(heat_geodesics(strip, vert_id{0})[vert_id{2 * length}] == doctest::Approx(length).epsilon(1e-3));
   CHECK(heat_geodesics(strip, vert_id{0}, {.time = 0.01})[vert_id{2 * length}] == doctest::Approx(length).epsilon(1e-3));
   CHECK(heat_geodesics(strip, vert_id{0}, {.boundary = heat_boundary::dirichlet})[vert_id{2 * length}] > 0.5 * length);
-  const auto sudden = heat_geodesics(strip, vert_id{0}, {.time = 1e-300});  // no heat at all: ways along edges
+  const auto sudden = heat_geodesics(strip, vert_id{0}, {.time = 1e-300});  // there is no heat, so distances are those of edge paths
   CHECK(sudden[vert_id{2 * length}] == doctest::Approx(length).epsilon(0.1));
 
   for (const double power : {2.0, 3.0}) {
@@ -80,7 +80,8 @@ TEST_CASE("heat_geodesics: work on very thin hexahedra, whose Laplacian makes he
   CHECK(error_from(prepare_heat_geodesics(m, {.clamp = false}), vert_id{0}) < 0.1);
   CHECK(error_from(prepare_heat_geodesics(m), vert_id{0}) < 0.01);
   const hexmesh wide = grid<hexmesh>(1);
-  CHECK(detail::lower_positive_stiffness(wide).coeff(1, 0) == doctest::Approx(-0.25));  // a quarter of the face between two verts, over the edge
+  // a quarter of the area of the face between two verts, divided by the length of the edge
+  CHECK(detail::lower_positive_stiffness(wide).coeff(1, 0) == doctest::Approx(-0.25));
 }
 
 TEST_CASE("heat_geodesics: obey the options") {
@@ -137,7 +138,7 @@ TEST_CASE("heat_geodesics: throw if an argument is invalid") {
 }
 
 TEST_CASE("heat_geodesics: are accurate on polygons with many short edges") {
-  const polygonmesh m = jigsaw(14, 5, 0.2);  // edges are a sixth of the width of polys
+  const polygonmesh m = jigsaw(14, 5, 0.2);  // edges are a sixth as long as polys are wide
   const double edge = detail::mean_edge_length(m);
   const auto heat = prepare_heat_geodesics(m), alone = prepare_heat_geodesics(m, {.clamp = false});
   CHECK(heat.time() > 4 * edge * 4 * edge);

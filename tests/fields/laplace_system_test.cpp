@@ -13,7 +13,7 @@ using namespace concino;
 
 namespace {
 
-/// Walks its verts from the last to the first.
+/// A mesh whose range of verts is in descending order.
 struct downwards : user_mesh::surface {};
 
 }  // namespace
@@ -41,7 +41,7 @@ TEST_CASE("laplace_system: does not depend on the order of the verts") {
 }
 
 TEST_CASE("harmonic_map: higher exponents need a mass at every vert with edges") {
-  auto m = user_mesh::surface_example();  // of which vert 7 has no edges
+  auto m = user_mesh::surface_example();  // vert 7 has no edges
   const user_mesh::vertex a{0}, b{5}, c{7};
   CHECK(harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2})[c] == 0);
   m.es.push_back({0, 7});

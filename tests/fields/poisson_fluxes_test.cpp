@@ -24,7 +24,7 @@ namespace {
 template<class M> using fluxes = std::vector<std::pair<facet_t<M>, double>>;
 template<class M> using values = std::vector<std::pair<vert_t<M>, double>>;
 
-/// A grid whose verts are moved, those on a side of the square or cube within that side.
+/// A grid with moved verts. Those on an edge of the square or a face of the cube stay on it.
 template<class M>
 M moved_grid(unsigned n, double amount) {
   auto a = grid_arrays<M>(n);
@@ -35,7 +35,7 @@ M moved_grid(unsigned n, double amount) {
   return M(a);
 }
 
-/// Calls f(facet, its verts' mean, the direction out of the square or cube) for each on the boundary.
+/// Calls f(facet, mean of its verts, outward direction) for each facet on the boundary of the square or cube.
 template<class M, class F>
 void for_each_boundary_facet(const M& m, const F& f) {
   const auto visit = [&](const auto& x, const auto& polys, const auto& around) {
@@ -69,7 +69,7 @@ struct constant {
   double operator[](const V&) const { return value; }
 };
 
-/// u = cos(pi x + 1) e^y (z + 1 in volumes), values given where x = 0, derivatives elsewhere.
+/// The error for u = cos(pi x + 1) e^y (times z + 1 in volumes), with prescribed values where x = 0 and prescribed derivatives elsewhere.
 template<class M>
 double mixed_error(const M& m) {
   constexpr double pi = 3.14159265358979323846;
@@ -157,7 +157,7 @@ TEST_CASE_TEMPLATE("poisson: load and outflow balance at the constrained verts",
   const M m = moved_grid<M>(2, 0.1);
   fluxes<M> across;
   for_each_boundary_facet(m, [&](const facet_t<M>& e, const vec3&, const vec3&) { across.push_back({e, -(VolumeMesh<M> ? 1 / 6. : 1 / 4.)}); });
-  const auto u = poisson(m, constant{1}, {.values = {{vert_id{0}, 2.0}}, .fluxes = across});  // in balance, so nothing needs to flow at vert 0
+  const auto u = poisson(m, constant{1}, {.values = {{vert_id{0}, 2.0}}, .fluxes = across});  // load and fluxes are in balance, so nothing flows out at vert 0
   Eigen::VectorXd x(static_cast<Eigen::Index>(vert_index_bound(m)));
   for (const auto v : verts(m)) x[static_cast<Eigen::Index>(index_of(m, v))] = u[v];
   const Eigen::VectorXd l = laplacian(m) * x, load = mass_matrix(m, {.lumped = false}) * Eigen::VectorXd::Ones(x.size());

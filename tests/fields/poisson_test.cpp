@@ -28,7 +28,7 @@ bool on_boundary(const vec3& x) {
   return false;
 }
 
-/// A grid with its interior verts moved; the boundary stays where it is.
+/// A grid whose interior verts are moved.
 template<class M>
 M moved_grid(unsigned n, double amount) {
   auto a = grid_arrays<M>(n);
@@ -48,13 +48,13 @@ values on_boundary_of(const M& m, const F& f) {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// The product of sin(pi x_k), and minus its Laplacian.
+/// The product of sin(pi x_k).
 template<class M>
 double wave(const vec3& x) {
   return std::sin(pi * x.x) * std::sin(pi * x.y) * (VolumeMesh<M> ? std::sin(pi * x.z) : 1);
 }
 
-/// Sum of mass times the squared error, rooted.
+/// The root of the sum of mass times the squared error.
 template<class M>
 double error_of_wave(const M& m) {
   auto f = make_vert_map<double>(m);
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("poisson: without a load equals the harmonic map; prescribed 
 TEST_CASE_TEMPLATE("poisson: converges with second order, also on polys that are not boxes", M, CONCINO_KINDS) {
   const unsigned n = VolumeMesh<M> ? 4 : 6;
   const double coarse = error_of_wave(moved_grid<M>(n, 0.15)), fine = error_of_wave(moved_grid<M>(2 * n, 0.15));
-  CHECK(std::log2(coarse / fine) > (TetMesh<M> ? 1.7 : 1.8));  // tets come to 2 more slowly
+  CHECK(std::log2(coarse / fine) > (TetMesh<M> ? 1.7 : 1.8));  // the order of tets approaches 2 more slowly
   CHECK(fine < (VolumeMesh<M> ? 0.04 : 0.02));
 }
 
@@ -117,7 +117,7 @@ TEST_CASE_TEMPLATE("poisson: the equation holds at every vert without prescribed
 }
 
 TEST_CASE("poisson: has_mass finds the verts with a non-zero mass") {
-  Eigen::SparseMatrix<double> mass(4, 4);  // an empty column, one of mass alone, one without, one whose first entry is 0 by chance
+  Eigen::SparseMatrix<double> mass(4, 4);  // columns that are empty, with mass only, without mass, and whose first entry is 0
   mass.insert(1, 1) = 0.5;
   mass.insert(2, 2) = 0;
   mass.insert(1, 3) = 0;
@@ -152,7 +152,7 @@ TEST_CASE_TEMPLATE("poisson: handles isolated verts and throws on missing or inv
   const M m = two_grids<M>(2);
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) / 2)}, lonely{static_cast<unsigned>(num_verts(m) - 1)};
   auto f = make_vert_map<double>(m, 1.0);
-  f[lonely] = NAN;  // a vert of no poly has no load
+  f[lonely] = NAN;  // the load of a vert without polys is not used
   CHECK(poisson(m, f, {.values = {{a, 0}, {b, 1}}, .isolated_value = -3})[lonely] == -3);
   CHECK(poisson(m, f, {.values = {{a, 0}, {b, 1}}})[lonely] == 0);
   CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}}), doctest::Contains("poisson: singular, because the component of vert "), solver_error);

@@ -83,7 +83,7 @@ TEST_CASE("prepared problems: quads may be as large as 1e200; a volume of that s
   const quadmesh m(far(grid_arrays<quadmesh>(1)));
   const auto flow = heat_flow(m, f, 1), smoothed = smooth(m, f, 1);
   for (const auto v : verts(m)) {
-    CHECK(flow[v] == doctest::Approx(f[v]));  // in the time 1 no heat comes that far
+    CHECK(flow[v] == doctest::Approx(f[v]));  // within time 1 no heat gets so far
     CHECK(smoothed[v] == doctest::Approx(f[v]));
   }
   CHECK_NOTHROW(prepare_poisson(m, {vert_id{0}}));

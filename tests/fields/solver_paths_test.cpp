@@ -18,6 +18,6 @@ TEST_CASE("solver paths: qr") { check_all(any_solver::make<qr>(), indefinite::so
 TEST_CASE("solver paths: conjugate_gradients") { check_all(any_solver::make<conjugate_gradients>(), indefinite::either); }
 TEST_CASE("solver paths: bicgstab") { check_all(any_solver::make<bicgstab>(), indefinite::either); }
 TEST_CASE("solver paths: auto_solver by factorisation") { check_all(any_solver::make<auto_solver>(), indefinite::solved); }
-TEST_CASE("solver paths: auto_solver by iteration") {  // a triangle still by factorisation
+TEST_CASE("solver paths: auto_solver by iteration") {  // a triangle is still factorised
   check_all(any_solver::make<auto_solver>(auto_solver_options{.max_factor_entries = 10}), indefinite::either);
 }

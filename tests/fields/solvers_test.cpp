@@ -1,4 +1,4 @@
-// Every solver gives the same field, whichever triangle of the matrix it reads.
+// Every solver gives the same field, whether it reads one triangle of the matrix or both.
 #include <concino/fields/harmonic_map.hpp>
 
 #include <concino/fields/heat_geodesics.hpp>
@@ -62,7 +62,7 @@ TEST_CASE("heat_geodesics: iteration gives the same distances, although small he
   };
   const trimesh square(testing::triangle_grid(30));
   check(square, vert_id{0}, 2e-3);
-  check(square, std::vector<std::pair<vert_id, double>>{{vert_id{0}, 0.0}, {vert_id{30 * 31 + 30}, 1.2}}, 2e-3);  // far less heat at the other
+  check(square, std::vector<std::pair<vert_id, double>>{{vert_id{0}, 0.0}, {vert_id{30 * 31 + 30}, 1.2}}, 2e-3);  // there is far less heat at the other source
   check(tetmesh(testing::grid_arrays<tetmesh>(5)), vert_id{0}, 0.01);
   surface_arrays strip;
   strip.arity = 3;

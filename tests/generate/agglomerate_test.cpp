@@ -18,7 +18,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// Labels of the halves or quarters of the unit square or cube: by the mean point of a poly.
+/// Labels of the halves or quarters of the unit square or cube, by the mean point of each poly.
 template<class M>
 poly_map<M, int> quarters(const M& m) {
   auto labels = make_poly_map<int>(m, 0);
@@ -31,7 +31,7 @@ poly_map<M, int> quarters(const M& m) {
   return labels;
 }
 
-/// All polys with label 0 but those given.
+/// The label 0 for all polys except `others`.
 template<class M, class... P>
 poly_map<M, short> all_but(const M& m, P... others) {
   auto labels = make_poly_map<short>(m, 0);
@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("agglomerate: transfers properties and returns the correspond
     for (const face_id f : faces(a)) CHECK(norm(find_face_property<vec3>(a, "wall")[f] - centroid(a, f)) < 1e-12);
 
   CHECK(property_list(agglomerate(m, labels, {.properties = false})).empty());
-  // Without properties, on what every mesh offers.
+  // The mesh without properties, as an archetype.
   const auto bare = only_embedded_mesh(m);
   auto bare_labels = make_poly_map<long>(bare, 0);
   for (const auto p : polys(bare)) bare_labels[p] = labels[bare.base(p)];
@@ -119,7 +119,7 @@ TEST_CASE_TEMPLATE("agglomerate: merges a jittered grid into four quarters", M, 
   double part[4] = {};
   for (const poly_t<M> p : polys(m)) part[labels[p] == -1 ? 0 : labels[p] == 0 ? 1 : labels[p] == 9 ? 2 : 3] += measure(m, p);
   for (const poly_id p : polys(a)) CHECK(measure(a, p) == doctest::Approx(part[p.raw()]).epsilon(1e-12));
-  // Through what every mesh offers and nothing more, the same.
+  // The archetype has the same result.
   const auto bare = only_embedded_mesh(m);
   auto bare_labels = make_poly_map<long>(bare, 0);
   for (const auto p : polys(bare)) bare_labels[p] = labels[bare.base(p)];
@@ -185,7 +185,7 @@ TEST_CASE("agglomerate: throws if the polys of a label are not a disk") {
   CHECK_THROWS_WITH_AS(agglomerate(turned, all_but(turned)), doctest::Contains("two of them run in the same direction along edge"), invalid_mesh);
   const trimesh book({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   CHECK_THROWS_WITH_AS(agglomerate(book, all_but(book)), doctest::Contains("more than two of them meet at edge 0"), invalid_mesh);
-  // A torus without one quad: one border, but a handle.
+  // A torus without one quad has one border, and a handle.
   surface_arrays t{{}, {}, {}, 4};
   for (unsigned j = 0; j < 4; ++j)
     for (unsigned i = 0; i < 4; ++i) {
@@ -202,7 +202,7 @@ TEST_CASE_TEMPLATE("agglomerate: throws if the polys of a label are not a ball",
   CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 4, 13, 22)), doctest::Contains("they have a handle"), invalid_mesh);
   CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 1, 3, 9)), doctest::Contains("they are not connected across faces"), invalid_mesh);
   CHECK_THROWS_WITH_AS(agglomerate(m, all_but(m, 0, 4)), doctest::Contains("their boundary passes twice through edge"), invalid_mesh);
-  const M eight = make_grid<M>({.cells = {2, 2, 2}});  // six around a diagonal leave two corners that touch in the middle
+  const M eight = make_grid<M>({.cells = {2, 2, 2}});  // the other six cells surround two opposite ones, which touch in the middle vert
   CHECK_THROWS_WITH_AS(agglomerate(eight, all_but(eight, 0, 7)), doctest::Contains("their boundary touches itself at a vert"), invalid_mesh);
   CHECK(num_polys(agglomerate(m, all_but(m, 4))) == 2);
 }

@@ -14,7 +14,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// The volume inside a closed surface, positive if it is wound outward.
+/// The volume inside a closed surface, positive if its polygons are oriented outward.
 template<class M>
 double enclosed(const M& m) {
   double sum = 0;

@@ -35,7 +35,7 @@ long euler(const M& m) {
   return chi + (VolumeMesh<M> ? -1 : 1) * static_cast<long>(num_polys(m));
 }
 
-/// The laws, and in volumes cells that are spheres, those of regular meshes turned outward.
+/// Checks the laws. In volumes each cell must be a sphere, and those of regular meshes must be oriented outward.
 template<class M>
 void check_sound(const M& m, bool regular = true) {
   CHECK(check_laws(m).empty());
@@ -61,7 +61,7 @@ void refused(const M& m, const std::string& why) {
   }
 }
 
-/// Sets of polys around the verts, as numbers.
+/// For each vert the indices of the polys around it.
 template<class M>
 std::vector<std::vector<std::size_t>> stars(const M& m) {
   std::vector<std::vector<std::size_t>> all;
@@ -97,7 +97,7 @@ TEST_CASE_TEMPLATE("dual_mesh: clipped, it has a poly for each vert and the meas
     CHECK(euler(d) == euler(m) - static_cast<long>(num_verts(m) - with_polys));
     for (const auto p : polys(m)) CHECK(norm(point(d, vert_id{i++}) - centroid(m, p)) < 1e-14);
     i = 0;
-    for (const auto v : verts(m)) {  // each cell holds the centroids around its vert
+    for (const auto v : verts(m)) {  // each cell contains the centroids of the polys around its vert
       if (count(adj_v2p(m, v)) == 0) continue;
       std::size_t found = 0;
       for (const auto x : adj_p2v(d, poly_id{i})) found += x.raw() < num_polys(m);
@@ -155,7 +155,7 @@ TEST_CASE("dual_mesh: cube and octahedron are dual to each other") {
   CHECK(num_polys(octahedron) == 8);
   for (const auto p : polys(octahedron)) {
     CHECK(count(adj_p2v(octahedron, p)) == 3);
-    CHECK(dot(area_vector(octahedron, p), centroid(octahedron, p) - vec3{0.5, 0.5, 0.5}) > 0);  // wound as the cube
+    CHECK(dot(area_vector(octahedron, p), centroid(octahedron, p) - vec3{0.5, 0.5, 0.5}) > 0);  // oriented outward, as the cube
   }
   const polygonmesh again = dual_mesh(octahedron);
   CHECK(num_polys(again) == 6);
@@ -202,7 +202,7 @@ TEST_CASE("dual_mesh: works on volumes with any boundary") {
   CHECK(num_polys(d) == num_verts(v));
   CHECK(total_measure(d) == doctest::Approx(2).epsilon(1e-12));
   CHECK(euler(d) == 1);
-  // faces between inner verts are one per edge; seen from a cell they make its neighbours
+  // each edge between interior verts has a face, which separates the cells of its ends
   for (const auto x : verts(v)) {
     bool inner = true;
     for (const auto f : adj_v2f(v, x)) inner = inner && count(adj_f2p(v, f)) == 2;
@@ -222,7 +222,7 @@ TEST_CASE("dual_mesh: works on a real volume") {
 TEST_CASE("dual_mesh: polys that share several facets are connected through each of them") {
   const polygonmesh lens({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 1, 0}, {0, 2, 0}}, {{0, 1, 2, 3}, {0, 3, 4}});
   check_sound(dual_mesh(lens));
-  const polygonmesh pocket({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}}, {{0, 1, 2, 4}, {0, 4, 2, 3}});  // vert 4 has two polys only
+  const polygonmesh pocket({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}}, {{0, 1, 2, 4}, {0, 4, 2, 3}});  // vert 4 has only two polys
   const polygonmesh d = dual_mesh(pocket);
   check_sound(d);
   CHECK(num_polys(d) == 5);
@@ -250,7 +250,7 @@ TEST_CASE("dual_mesh: throws if the mesh is not manifold, not closed or not fini
 
   const std::vector<vec3> x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
   refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 2, 1, 6}, {2, 1, 0, 4}}), "has more than two polys");
-  refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 1, 6, 5}}), "do not form a single fan");   // at an edge
+  refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 1, 6, 5}}), "do not form a single fan");   // not manifold at an edge
   refused(tetmesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2, 3}, {0, 4, 5, 6}}), "vert 0 do not form a single ball");
   const polyhedralmesh open({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}, {{{0, true}, {1, true}, {2, true}}});
   refused(open, "poly 0 is not closed");

@@ -17,7 +17,7 @@ using namespace concino::testing;
 
 namespace concino {
 
-/// A stranger's surface whose points can be moved.
+/// A user's surface whose points can be moved.
 struct movable : user_mesh::surface {};
 template<>
 struct mesh_traits<movable> : mesh_traits<user_mesh::surface> {
@@ -69,7 +69,7 @@ TEST_CASE("jitter: the random numbers are the same on every machine") {
   auto m = make_grid<quadmesh>({.cells = {2, 2}, .max = {2, 2, 0}});
   jitter(m, 0.25);
   detail::random_stream random(1);
-  for (int i = 0; i < 4 * 3; ++i) random.next();  // three a vert, and the fifth vert is inside
+  for (int i = 0; i < 4 * 3; ++i) random.next();  // each vert uses three numbers, and the fifth vert is interior
   const double dx = 2 * random.unit() - 1, dy = 2 * random.unit() - 1;
   CHECK(point(m, vert_id{4}).x == doctest::Approx(1 + 0.25 * dx).epsilon(1e-15));
   CHECK(point(m, vert_id{4}).y == doctest::Approx(1 + 0.25 * dy).epsilon(1e-15));

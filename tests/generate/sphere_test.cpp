@@ -40,7 +40,7 @@ TEST_CASE_TEMPLATE("make_sphere: is valid, oriented outward, and converges to th
     }
     const double missing = 1 - total_measure(m) / exact;
     CHECK(missing > 0);
-    if (cells == 6) CHECK(missing < 0.3 * previous);  // of second order: a quarter
+    if (cells == 6) CHECK(missing < 0.3 * previous);  // second order: a quarter of the error
     previous = missing;
   }
   CHECK(previous < 0.03);

@@ -25,7 +25,7 @@ box rectangle(vec3 low, vec3 high) {
 }
 const box unit_square = rectangle({0, 0, 0}, {1, 1, 0});
 
-/// Conforming, closed up, convex, filling the rectangle.
+/// Checks that the mesh is conforming, without gaps, convex, and covers the rectangle.
 void check_sound(const polygonmesh& m, std::size_t sites, const box& b) {
   REQUIRE(num_polys(m) == sites);
   CHECK(check_laws(m).empty());
@@ -37,7 +37,7 @@ void check_sound(const polygonmesh& m, std::size_t sites, const box& b) {
     sound = sound && point(m, v).z == b.min.z && adj_v2p(m, v).begin() != adj_v2p(m, v).end();
   }
   for (const auto p : polys(m)) sound = sound && area_vector(m, p).z > 0;
-  for (const auto e : edges(m)) {  // one poly only at the walls
+  for (const auto e : edges(m)) {  // edges of one poly are on the boundary of the rectangle only
     int n = 0;
     for ([[maybe_unused]] const auto p : adj_e2p(m, e)) ++n;
     if (n == 2) continue;
@@ -49,7 +49,7 @@ void check_sound(const polygonmesh& m, std::size_t sites, const box& b) {
   CHECK(sound);
 }
 
-/// How far x lies beyond an edge of convex poly p.
+/// The largest distance of x beyond an edge of the convex poly p.
 double outside(const polygonmesh& m, poly_id p, const vec3& x) {
   std::vector<vec3> loop;
   for (const auto v : adj_p2v(m, p)) loop.push_back(point(m, v));
@@ -90,7 +90,7 @@ TEST_CASE("voronoi_polygons: sites on grids and circles give squares, hexagons a
     CHECK(num_verts(m) == (n + 1) * (n + 1));
     CHECK(num_edges(m) == 2 * n * (n + 1));
     for (const auto p : polys(m)) CHECK(measure(m, p) == doctest::Approx(1.0 / (n * n)).epsilon(1e-12));
-    // the same with sites on the walls, too
+    // the same with some sites on the boundary
     sites.clear();
     for (unsigned j = 0; j <= n; ++j)
       for (unsigned i = 0; i <= n; ++i) sites.push_back({double(i) / n, double(j) / n, 0});
@@ -182,6 +182,6 @@ TEST_CASE("voronoi_polygons: throws if a site or the rectangle is invalid") {
   refused({{0, 0, 0}}, rectangle({0, 0, 0}, {1, 1e-12, 0}), "box");
   refused({{0, 0, 0}}, rectangle({0, 0, nan}, {1, 1, 0}), "box");
   refused({{0, 0, 0}}, rectangle({-1.7e308, 0, 0}, {1.7e308, 1, 0}), "box");
-  // three sites in a row closer than rounding: the cell between them is thinner than it
+  // three collinear sites so close that the cell between them is thinner than rounding errors
   refused({{0.5, 0.5, 0}, {0.5 + 0x1p-45, 0.5, 0}, {0.5 + 0x1p-44, 0.5, 0}}, unit_square, "site 1 ");
 }

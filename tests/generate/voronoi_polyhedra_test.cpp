@@ -22,7 +22,7 @@ box construct_from_arrays(vec3 low, vec3 high) {
 }
 const box unit_cube = construct_from_arrays({0, 0, 0}, {1, 1, 1});
 
-/// How far x lies beyond a face of convex poly p.
+/// The largest distance of x beyond a face of the convex poly p.
 double outside(const polyhedralmesh& m, poly_id p, const vec3& x) {
   double most = -infinity;
   for (const auto f : adj_p2f(m, p)) {
@@ -32,7 +32,7 @@ double outside(const polyhedralmesh& m, poly_id p, const vec3& x) {
   return most;
 }
 
-/// Conforming, closed up, filling the box, flat faces only, the boundary on the walls.
+/// Checks that the mesh is conforming, without gaps, fills the box, and has planar faces; boundary faces are on the boundary of the box.
 void check_sound(const polyhedralmesh& m, std::size_t sites, const box& b) {
   REQUIRE(num_polys(m) == sites);
   CHECK(check_laws(m).empty());
@@ -61,7 +61,7 @@ void check_sound(const polyhedralmesh& m, std::size_t sites, const box& b) {
       }
     on_walls = on_walls && (n == 1) == on_wall && (n == 1 || n == 2);
     const polygon_shape s = shape_of(m, adj_f2v(m, f));
-    const double tolerance = 1e-13 * norm(side) * dot(side, side);  // not relative to the area: slivers have no normal to speak of
+    const double tolerance = 1e-13 * norm(side) * dot(side, side);  // not relative to the area, as normals of slivers are inaccurate
     for (const auto v : adj_f2v(m, f)) flat = flat && std::abs(dot(point(m, v) - s.mean, s.area)) <= tolerance;
   }
   CHECK(positive);
@@ -103,7 +103,7 @@ TEST_CASE("voronoi_polyhedra: sites on grids give bricks") {
     CHECK(num_edges(m) == 3 * n * (n + 1) * (n + 1));
     CHECK(num_faces(m) == 3 * n * n * (n + 1));
     for (const auto p : polys(m)) CHECK(volume(m, p) == doctest::Approx(1.0 / (n * n * n)).epsilon(1e-12));
-    const polyhedralmesh w = voronoi_polyhedra(grid_of_sites(n, 0, n - 1), unit_cube);  // some of them on the walls
+    const polyhedralmesh w = voronoi_polyhedra(grid_of_sites(n, 0, n - 1), unit_cube);  // some sites are on the boundary of the cube
     check_sound(w, n * n * n, unit_cube);
     CHECK(num_faces(w) == 3 * n * n * (n + 1));
   }
@@ -119,7 +119,7 @@ TEST_CASE("voronoi_polyhedra: cubic lattices give truncated octahedra and rhombi
   };
   shift(0.5, 0.5, 0), shift(0.5, 0, 0.5), shift(0, 0.5, 0.5);
   check_sound(voronoi_polyhedra(face, unit_cube), face.size(), unit_cube);
-  // the cell in the middle of each
+  // checks the cell in the middle
   const auto inside = [&](const std::vector<vec3>& sites, std::size_t nf, std::size_t nv, double share) {
     const polyhedralmesh m = voronoi_polyhedra(sites, unit_cube);
     const poly_id p{nearest(sites, {0.5 - 1.0 / n / 4, 0.5 - 1.0 / n / 4, 0.5 - 1.0 / n / 4})};

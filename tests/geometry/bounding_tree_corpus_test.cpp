@@ -1,4 +1,4 @@
-// Trees over real meshes: the inside of the bunny, and cells of volumes of every kind.
+// Trees over real meshes: points inside the bunny, and cells of volumes of every kind.
 #include <concino/geometry/bounding_tree.hpp>
 
 #include <concino/geometry/bounding_box.hpp>

@@ -32,7 +32,7 @@ vec3 mean_of(const M& m, const R& verts_of) {
   return sum / n;
 }
 
-/// x turned in space by a matrix whose rows are exact.
+/// x rotated by a matrix with short decimal entries.
 vec3 turned(const vec3& x) { return {0.36 * x.x + 0.48 * x.y - 0.8 * x.z, -0.8 * x.x + 0.6 * x.y, 0.48 * x.x + 0.64 * x.y + 0.6 * x.z}; }
 
 }  // namespace
@@ -67,7 +67,7 @@ TEST_CASE_TEMPLATE("volumes: a point on a vert, edge or face is in one of its po
       REQUIRE(p);
       CHECK(holds(adj_v2p(m, v), *p));
     }
-    if (jitter > 0) continue;  // middles are on their edges and faces only where they need no rounding
+    if (jitter > 0) continue;  // midpoints are exactly on their edges and faces only if they need no rounding
     for (const auto e : edges(m)) {
       const auto p = tree.locate(mean_of(m, adj_e2v(m, e)));
       REQUIRE(p);
@@ -77,7 +77,7 @@ TEST_CASE_TEMPLATE("volumes: a point on a vert, edge or face is in one of its po
       const auto ring = adj_f2v(m, f);
       std::vector<vec3> x;
       for (const auto v : ring) x.push_back(point(m, v));
-      if (x.size() == 8) continue;  // of an L the middle is a corner
+      if (x.size() == 8) continue;  // the middle of an L is a corner
       const auto p = tree.locate(x[0] + 0.5 * (0.5 * (x[1] - x[0]) + 0.5 * (x[2] - x[0])));
       REQUIRE(p);
       CHECK(holds(adj_f2p(m, f), *p));
@@ -164,7 +164,7 @@ TEST_CASE("surfaces: locate works along each axis") {
     const auto tree = bounding_tree(m);
     vec3 x;
     x[axis] = 7.5;
-    x[(axis + 1) % 3] = x[(axis + 2) % 3] = 0.3;  // in the first block's square, not in its L
+    x[(axis + 1) % 3] = x[(axis + 2) % 3] = 0.3;  // in the square around the first L, but not in the L
     CHECK(tree.locate(x) == poly_id{1});
   }
 }
@@ -177,7 +177,7 @@ TEST_CASE_TEMPLATE("closed surfaces: voxels are inside, also if rays pass along 
         if ((i + 2 * j + k) % 3 || i == 1) voxels.insert({i, j, k});
   const M m = from_quads<M>(voxel_skin(voxels));
   const auto tree = bounding_tree(m);
-  const auto filled = [&](double x, double y, double z) {  // closed: any voxel around the point counts
+  const auto filled = [&](double x, double y, double z) {  // the voxels are closed: any voxel around the point counts
     for (const double a : {x - 0.25, x + 0.25})
       for (const double b : {y - 0.25, y + 0.25})
         for (const double c : {z - 0.25, z + 0.25})

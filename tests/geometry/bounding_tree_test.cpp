@@ -77,7 +77,7 @@ TEST_CASE_TEMPLATE("the hits of a ray equal those of a brute-force search", M, C
     if (!first) continue;
     CHECK(first.poly == expected[0].second);
     CHECK(first.parameter == all[0].parameter);
-    // ending the ray between two hits
+    // the ray ends between two hits
     const double end = all.size() > 1 ? 0.5 * (all[0].parameter + all[1].parameter) : infinity;
     CHECK(tree.ray(o, d, {.max_parameter = end}).poly == first.poly);
     CHECK(tree.ray_all(o, d, {.max_parameter = end}).size() == 1);
@@ -189,10 +189,10 @@ TEST_CASE_TEMPLATE("queries from very far away are right", M, CONCINO_KINDS) {
     CHECK(!tree.locate({0.5, far, 0}));
     CHECK(!tree.ray({far, far, far}, {1, 1, 1}));
     CHECK(tree.locate({0.3, 0.3, far}) == (SurfaceMesh<M> ? tree.locate({0.3, 0.3, 0}) : std::nullopt));
-    if (far > 1e100) continue;  // beyond that, products of coordinates overflow
+    if (far > 1e100) continue;  // farther away, products of coordinates overflow
     const auto met = tree.ray({0.3, 0.3, far}, {0, 0, -far});
     REQUIRE(met);
-    CHECK(norm(met.point - vec3{0.3, 0.3, met.point.z}) < 1e-12);  // which of those in the way is first, rounding decides
+    CHECK(norm(met.point - vec3{0.3, 0.3, met.point.z}) < 1e-12);  // rounding decides which of the polys on the ray is first
   }
 }
 
@@ -207,7 +207,7 @@ TEST_CASE_TEMPLATE("a tree works without polys, and with polys without area or v
   CHECK(empty.in_box(b).empty());
   CHECK(!empty.locate({0, 0, 0}));
   CHECK(!empty.is_inside({0, 0, 0}));
-  for (const int flat : {1, 2, 3}) {  // onto a plane, a line, a point
+  for (const int flat : {1, 2, 3}) {  // projected to a plane, a line, a point
     auto arrays = grid_arrays<M>(2);
     for (vec3& x : arrays.points) x = {flat < 3 ? x.x : 0.25, flat < 2 ? x.y : 0.25, 0.25};
     const M m(arrays);
@@ -218,7 +218,7 @@ TEST_CASE_TEMPLATE("a tree works without polys, and with polys without area or v
     b = {};
     b.add({x.x, x.y, 0.25});
     CHECK(!tree.in_box(b).empty());
-    if (flat > 1) CHECK(!tree.ray(x, {0, 0, -1}));  // only seen from edges
+    if (flat > 1) CHECK(!tree.ray(x, {0, 0, -1}));  // the polys are parallel to the ray, which meets their edges only
   }
 }
 
@@ -233,7 +233,7 @@ TEST_CASE_TEMPLATE("queries and polys with points that are not finite throw; iso
     CHECK_THROWS_AS(tree.ray({0, 0, 0}, {1, bad, 0}), invalid_argument);
     CHECK_THROWS_AS(tree.ray_all({0, 0, 0}, {1, bad, 0}), invalid_argument);
     auto arrays = two_grids_arrays<M>(1);
-    arrays.points.back().x = bad;  // of a vert of no poly: no matter
+    arrays.points.back().x = bad;  // the vert has no polys, so it does not matter
     const M isolated(arrays);
     CHECK(bounding_tree(isolated).closest({-1, 0, 0}).distance == 1);
     arrays.points[0].y = bad;
@@ -273,7 +273,7 @@ TEST_CASE("rays at verts and edges of a surface never miss it") {
     std::vector<vec3> ends;
     for (const auto v : adj_e2v(m, e)) ends.push_back(point(m, v));
     for (const double t : {0.3, 0.5, 0.77}) {
-      const vec3 target = ends[0] + t * (ends[1] - ends[0]), o = target + 0.2 * at() + vec3{0, 0, 3};  // steep: nowhere does it graze
+      const vec3 target = ends[0] + t * (ends[1] - ends[0]), o = target + 0.2 * at() + vec3{0, 0, 3};  // the ray is steep, so it meets no poly at a small angle
       const auto all = tree.ray_all(o, target - o);
       CHECK(std::any_of(all.begin(), all.end(), [](const auto& hit) { return std::abs(hit.parameter - 1) < 1e-12; }));
     }
@@ -290,7 +290,7 @@ TEST_CASE("a tree works with coincident polys and with polys of very different s
   }
   const trimesh m(x, t);
   const auto tree = bounding_tree(m);
-  CHECK(tree.closest({3, 0, 0}).poly == poly_id{0});  // of a thousand, the first
+  CHECK(tree.closest({3, 0, 0}).poly == poly_id{0});  // the first of a thousand
   CHECK(tree.closest({3, 0, 0}).point == vec3{2, 0, 0});
   CHECK(tree.ray({1.5, 0.1, 1}, {0, 0, -1}).poly == poly_id{0});
   CHECK(tree.ray_all({1.5, 0.1, 1}, {0, 0, -1}).size() == 1003);

@@ -17,7 +17,7 @@ double off(const vec3& a, const vec3& b) { return norm(a - b); }
 
 TEST_CASE_TEMPLATE("centroid: the mean of centroids, weighted by measure, is that of the mesh", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(3);
-  for (vec3& x : arrays.points) x = {2 * x.x + 0.5 * x.y + 100, x.y - 7, x.z};  // affine, so the centre is known
+  for (vec3& x : arrays.points) x = {2 * x.x + 0.5 * x.y + 100, x.y - 7, x.z};  // an affine map, so the centroid is known
   const M m(arrays);
   vec3 sum;
   for (const auto p : polys(m)) sum += measure(m, p) * centroid(m, p);
@@ -55,7 +55,7 @@ TEST_CASE("centroid: is right for an L, a pyramid and an inverted poly") {
   const polygonmesh l({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}});
   for (const auto p : polys(l)) CHECK(off(centroid(l, p), vec3{5.0 / 6, 5.0 / 6, 0}) < 1e-15);
   CHECK(off(vert_mean(l, poly_id{0}), vec3{1, 1, 0}) < 1e-15);
-  // a hex squeezed to a pyramid: its centre of mass is a quarter of the height up
+  // a hex deformed to a pyramid: its centroid is at a quarter of its height
   const hexmesh pyramid({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 4}, {1, 1, 4}, {1, 1, 4}, {1, 1, 4}}, {{0, 1, 2, 3, 4, 5, 6, 7}});
   CHECK(off(centroid(pyramid, poly_id{0}), vec3{1, 1, 1}) < 1e-14);
   const tetmesh t({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 1, 2, 3}, {1, 0, 2, 3}});

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The sum of the angles of a polygon, and how many corners it has.
+/// The sum of the angles of a polygon, and its number of corners.
 template<class M, class X, class Loop>
 std::pair<double, int> angle_sum(const M& m, const X& x, const Loop& loop) {
   double sum = 0;
@@ -34,7 +34,7 @@ std::pair<double, int> angle_sum(const M& m, const X& x, const Loop& loop) {
   return {sum, n};
 }
 
-/// V - E + P, without verts of no poly.
+/// V - E + P, without isolated verts.
 template<class M>
 double euler_characteristic(const M& m) {
   double chi = static_cast<double>(num_polys(m)) - static_cast<double>(num_edges(m));

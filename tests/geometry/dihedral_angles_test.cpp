@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("dihedral_angle: is right at convex, flat and concave edges, 
 }
 
 TEST_CASE_TEMPLATE("dihedral_angle: the angles around an edge sum to 2 pi, or to the angle of the boundary", M, CONCINO_VOLUME_KINDS) {
-  const M m(jittered(grid_arrays<M>(2), 0.08));  // faces are not planar
+  const M m(jittered(grid_arrays<M>(2), 0.08));  // with faces that are not planar
   const auto skin = boundary(m);
   std::size_t inside = 0;
   for (const auto e : edges(m)) {
@@ -103,14 +103,14 @@ TEST_CASE_TEMPLATE("dihedral_angle: does not depend on scale and rotation, and i
 }
 
 TEST_CASE("dihedral_angle: is right for known cells") {
-  const tetmesh regular({{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}, {{0, 1, 2, 3}, {0, 2, 1, 3}});  // the second one inside out
+  const tetmesh regular({{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}, {{0, 1, 2, 3}, {0, 2, 1, 3}});  // the second tet is inverted
   for (const auto e : edges(regular)) {
     CHECK(dihedral_angle(regular, poly_id{0}, e) == doctest::Approx(std::acos(1.0 / 3)).epsilon(1e-15));
     CHECK(dihedral_angle(regular, poly_id{1}, e) == doctest::Approx(2 * pi - std::acos(1.0 / 3)).epsilon(1e-15));
   }
   const hexmesh cube = grid<hexmesh>(1);
   for (const auto e : edges(cube)) CHECK(dihedral_angle(cube, poly_id{0}, e) == doctest::Approx(pi / 2).epsilon(1e-15));
-  const polyhedralmesh block = grid<polyhedralmesh>(1);  // an L beside a box
+  const polyhedralmesh block = grid<polyhedralmesh>(1);  // a prism over an L, and a box beside it
   double concave = 0;
   for (const auto e : adj_p2e(block, poly_id{0})) concave = std::max(concave, dihedral_angle(block, poly_id{0}, e));
   CHECK(concave == doctest::Approx(3 * pi / 2).epsilon(1e-15));
@@ -121,13 +121,13 @@ TEST_CASE("dihedral_angle: is right for known cells") {
 
 TEST_CASE("dihedral_angle: handles folds, opposite orientations, non-manifold edges and degenerate polys") {
   const std::vector<vec3> x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {3, 0, 0}};
-  const auto at_first_edge = [&](std::vector<std::vector<int>> triangles) {  // from vert 0 to vert 1
+  const auto at_first_edge = [&](std::vector<std::vector<int>> triangles) {  // the dihedral angle at the edge from vert 0 to vert 1
     const trimesh m(x, triangles);
     for (const auto e : edges(m))
       if (adj_e2v(m, e)[0] == vert_id{0} && adj_e2v(m, e)[1] == vert_id{1}) return dihedral_angle(m, e);
     return -1.0;
   };
-  CHECK(at_first_edge({{0, 1, 2}, {1, 0, 3}}) == doctest::Approx(3 * pi / 2));  // z is where the first one's normal points
+  CHECK(at_first_edge({{0, 1, 2}, {1, 0, 3}}) == doctest::Approx(3 * pi / 2));  // the normal of the first triangle points to vert 3
   CHECK(at_first_edge({{0, 1, 2}, {0, 1, 3}}) == doctest::Approx(3 * pi / 2));
   CHECK(at_first_edge({{1, 0, 2}, {1, 0, 3}}) == doctest::Approx(pi / 2));
   CHECK(at_first_edge({{0, 1, 2}, {0, 1, 4}}) == doctest::Approx(pi));

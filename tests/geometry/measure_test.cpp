@@ -82,7 +82,7 @@ TEST_CASE("volume: of an inverted polyhedron is negative, the areas of its faces
   CHECK(total_measure(inside_out) == -total_measure(m));
   double surface = 0;
   for (const auto f : faces(m)) surface += area(m, f);
-  CHECK(surface == doctest::Approx(6 + 1));  // the cube and the two walls between L and cube
+  CHECK(surface == doctest::Approx(6 + 1));  // the cube and the two faces between the L and the rest of the cube
 }
 
 TEST_CASE_TEMPLATE("measures: returns the measure of each poly", M, CONCINO_ALL_KINDS) {
@@ -114,7 +114,7 @@ TEST_CASE_TEMPLATE("measure: of finite points is never NaN, and infinite if too 
         CHECK((fits ? all[p] > 0 : all[p] == HUGE_VAL));
       }
     }
-    for (vec3& x : arrays.points) x.x = -x.x;  // a mirror image
+    for (vec3& x : arrays.points) x.x = -x.x;  // mirrored
     CHECK_FALSE(std::isnan(total_measure(M(arrays))));
   }
 }

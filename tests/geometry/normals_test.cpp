@@ -23,7 +23,7 @@ namespace {
 
 double off(const vec3& a, const vec3& b) { return norm(a - b); }
 
-/// Calls f(element, its normal, that of the map) for the polys of a surface or the faces of a volume, then for the verts.
+/// Calls f(element, its normal, its normal in the map) for the polys of a surface or the faces of a volume, then for the verts.
 template<class M, class F>
 void for_each_normal(const M& m, F&& f) {
   if constexpr (SurfaceMesh<M>) {
@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("normals: on grids are parallel to the axes", M, CONCINO_KIND
     const auto n = vert_normals(m);
     for (const auto v : verts(m)) {
       const vec3 x = point(m, v);
-      vec3 out;  // towards the sides of the cube on which v lies
+      vec3 out;  // the sum of the outward normals of the faces of the cube at v
       int sides = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         out[k] = x[k] == 0 ? -1 : x[k] == 1 ? 1 : 0;
@@ -142,7 +142,7 @@ TEST_CASE_TEMPLATE("normals: on a torus point away from its core, at verts and p
 }
 
 TEST_CASE("normals: weights are areas, without those of deleted polys") {
-  trimesh m({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});  // areas 2, 1, 1
+  trimesh m({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});  // the areas are 2, 1 and 1
   const auto n = vert_normals(m);
   CHECK(off(n[vert_id{0}], vec3{1, 1, 2} / std::sqrt(6.0)) < 1e-15);
   CHECK(off(n[vert_id{3}], vec3{1, 1, 0} / std::sqrt(2.0)) < 1e-15);
@@ -166,7 +166,7 @@ TEST_CASE("normals: of polys without area are 0") {
   const polygonmesh l({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}, {5, 4, 3, 2, 1, 0}});
   CHECK(normal(l, poly_id{0}) == vec3{0, 0, 1});
   CHECK(normal(l, poly_id{1}) == vec3{0, 0, -1});
-  CHECK(vert_normal(l, vert_id{3}) == vec3{});  // two polys cancel
+  CHECK(vert_normal(l, vert_id{3}) == vec3{});  // the normals of two polys cancel
   const trimesh widest({{-huge, -huge, 0}, {huge, -huge, 0}, {-huge, huge, 0}}, {{0, 1, 2}});
   CHECK(normal(widest, poly_id{0}) == vec3{0, 0, 1});
   CHECK(vert_normals(widest)[vert_id{2}] == vec3{0, 0, 1});

@@ -14,7 +14,7 @@ __extension__ typedef __int128 wide;
 
 int sign(wide x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-/// Points on a grid of 2^-30 near (1, 1, 1): differences need some 31 bits, their triple products fit 128.
+/// Points on a grid of 2^-30 near (1, 1, 1): their differences need about 31 bits, the triple products of these fit in 128.
 struct grid_point {
   long long x, y, z;
   vec3 point() const {
@@ -52,7 +52,7 @@ TEST_CASE("orientation: agrees with integer arithmetic near a line or plane") {
     const long long range = round % 2 ? 1 << 30 : 1 << 10;
     const grid_point a{some(range), some(range), some(range)}, b{some(range), some(range), some(range)}, c{some(range), some(range), some(range)};
     grid_point d{some(range), some(range), some(range)};
-    if (round % 3 == 0) {  // nearly in the plane: a combination of the others, moved by at most one step
+    if (round % 3 == 0) {  // nearly coplanar: a combination of the others, moved by at most one unit
       const long long s = some(2), t = some(2), n = some(1);
       d = {a.x + s * (b.x - a.x) + t * (c.x - a.x), a.y + s * (b.y - a.y) + t * (c.y - a.y), a.z + s * (b.z - a.z) + t * (c.z - a.z) + n};
     }
@@ -76,12 +76,12 @@ TEST_CASE("orientation: every exchange of two points changes the sign") {
 }
 
 TEST_CASE("orientation: is right for a point one unit off a line, where rounding fails") {
-  // Kettner et al. 2008: with doubles alone these give all three signs at random
+  // Kettner et al. 2008: evaluated in doubles only, these have all three signs at random
   int wrong = 0;
   for (int i = 0; i < 64; ++i)
     for (int j = 0; j < 64; ++j) {
       const vec3 a{0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53, 0}, b{12, 12, 0}, c{24, 24, 0};
-      const int expected = i < j ? 1 : i > j ? -1 : 0;  // above the diagonal is to the left of it
+      const int expected = i < j ? 1 : i > j ? -1 : 0;  // points above the diagonal are to the left of it
       wrong += orient2d(b, c, a) != expected;
     }
   CHECK(wrong == 0);

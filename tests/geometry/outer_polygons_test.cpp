@@ -26,7 +26,7 @@ TEST_CASE_TEMPLATE("for_each_outer_polygon: visits the polys of a surface or the
     if (SurfaceMesh<M>) CHECK(is_outward);
   });
   std::size_t expected = 0;
-  if constexpr (SurfaceMesh<M>) expected = num_polys(m);  // the dimension itself is tested
+  if constexpr (SurfaceMesh<M>) expected = num_polys(m);  // here the dimension itself is tested
   else for (const auto f : faces(m)) expected += is_boundary(m, f);
   CHECK(met == expected);
   CHECK(norm(sum - (SurfaceMesh<M> ? vec3{0, 0, total_measure(m)} : vec3{})) < 1e-14);

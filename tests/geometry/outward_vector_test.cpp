@@ -33,7 +33,7 @@ TEST_CASE_TEMPLATE("outward_vector: sums to 0 over each poly, and fulfils the di
     const M m(arrays);
     for (const auto p : polys(m)) {
       vec3 sum;
-      double flux = 0;  // of x - o, whose divergence is the dimension
+      double flux = 0;  // the flux of x - o, whose divergence is the dimension
       const vec3 o = centroid(m, p);
       for (const auto x : adj_p2facet(m, p)) {
         const vec3 out = outward_vector(m, p, x);
@@ -42,7 +42,7 @@ TEST_CASE_TEMPLATE("outward_vector: sums to 0 over each poly, and fulfils the di
         CHECK(norm(out) <= measure(m, x) * (1 + 1e-12));
       }
       CHECK(norm(sum) < 1e-13);
-      // Mean points of faces of more than three verts are not their centroids, of jittered ones least of all.
+      // The mean point of a face of more than three verts is not its centroid in general, least of all in jittered meshes.
       if (SurfaceMesh<M> || TetMesh<M>) CHECK(flux / dimension_v<M> == doctest::Approx(measure(m, p)).epsilon(1e-11));
     }
   }
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("outward_vector: rotates with the mesh, scales exactly, is th
       CHECK(outward_vector(larger, p, x) == factor * out);
       CHECK(outward_vector(smaller, p, x) == out / factor);
       const auto wx = [&] {
-        if constexpr (VolumeMesh<M>) return weak.face(x);  // archetypes wrap by kind
+        if constexpr (VolumeMesh<M>) return weak.face(x);  // archetypes wrap each kind of element
         else return weak.edge(x);
       }();
       CHECK(outward_vector(weak, weak.poly(p), wx) == out);
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("outward_vector: rotates with the mesh, scales exactly, is th
 }
 
 TEST_CASE("outward_vector: is right on a user's surface and volume") {
-  const auto s = user_mesh::surface_example();  // poly 0: (0,0) (1,0) (1,1)
+  const auto s = user_mesh::surface_example();  // poly 0 is the triangle (0,0) (1,0) (1,1)
   CHECK(difference(outward_vector(s, user_mesh::cell{0}, user_mesh::segment{0}), {0, -1, 0}) < 1e-15);
   CHECK(difference(outward_vector(s, user_mesh::cell{0}, user_mesh::segment{1}), {1, 0, 0}) < 1e-15);
   const auto w = user_mesh::volume_example();  // a cube under a pyramid

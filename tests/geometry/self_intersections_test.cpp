@@ -17,7 +17,7 @@ namespace {
 
 using triangle = std::array<vec3, 3>;
 
-/// Whether the two triangles, with no corner in common, meet, as the library sees it: in any order of the two and of their corners the same.
+/// Whether two triangles without common corners intersect. The result must not depend on the order of the triangles and of their corners.
 bool meet(const triangle& s, const triangle& t) {
   int yes = 0, asked = 0;
   for (unsigned turn = 0; turn < 3; ++turn)
@@ -37,7 +37,7 @@ bool meet(const triangle& s, const triangle& t) {
   return yes == asked;
 }
 
-/// Moves z up by a multiple of x and y, exactly: nothing is in a coordinate plane any more.
+/// Shears the triangle exactly, so that it is parallel to no coordinate plane.
 triangle sheared(triangle t) {
   for (vec3& x : t) x = {x.x, x.y + 2 * x.x, x.z + x.x - 3 * x.y};
   return t;
@@ -50,18 +50,18 @@ const triangle base = {vec3{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
 TEST_CASE("self_intersections: finds triangles that intersect without a common vert") {
   const std::vector<std::pair<triangle, bool>> others = {
       {{vec3{1, 1, -1}, {1, 1, 1}, {9, 9, 1}}, true},         // crossing
-      {{vec3{1, 1, 0}, {1, 1, 1}, {2, 1, 1}}, true},          // standing on a face with a vert
-      {{vec3{2, 0, 0}, {1, -1, 1}, {2, -1, 1}}, true},        // touching an edge with a vert
-      {{vec3{2, -1, 1}, {2, 1, -1}, {2, -5, -5}}, true},      // edge against edge
-      {{vec3{1, 1, 0x1p-48}, {1, 1, 1}, {2, 1, 1}}, false},   // just above
-      {{vec3{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}, true},          // in the plane and inside
-      {{vec3{-9, -9, 0}, {90, -9, 0}, {-9, 90, 0}}, true},    // in the plane and around
-      {{vec3{3, 3, 0}, {-1, 3, 0}, {-1, 2.5, 0}}, true},      // in the plane and across
-      {{vec3{2, 2, 0}, {4, 2, 0}, {2, 4, 0}}, true},          // in the plane, edge on edge
-      {{vec3{2, 2.5, 0}, {4, 2, 0}, {2, 4, 0}}, false},       // in the plane and beside
+      {{vec3{1, 1, 0}, {1, 1, 1}, {2, 1, 1}}, true},          // a vert touches the face
+      {{vec3{2, 0, 0}, {1, -1, 1}, {2, -1, 1}}, true},        // a vert touches an edge
+      {{vec3{2, -1, 1}, {2, 1, -1}, {2, -5, -5}}, true},      // two edges intersect
+      {{vec3{1, 1, 0x1p-48}, {1, 1, 1}, {2, 1, 1}}, false},   // just above the face
+      {{vec3{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}, true},          // coplanar, inside
+      {{vec3{-9, -9, 0}, {90, -9, 0}, {-9, 90, 0}}, true},    // coplanar, around
+      {{vec3{3, 3, 0}, {-1, 3, 0}, {-1, 2.5, 0}}, true},      // coplanar, overlapping
+      {{vec3{2, 2, 0}, {4, 2, 0}, {2, 4, 0}}, true},          // coplanar, edges touch
+      {{vec3{2, 2.5, 0}, {4, 2, 0}, {2, 4, 0}}, false},       // coplanar, disjoint
       {{vec3{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}, false},         // parallel
-      {{vec3{5, -1, -1}, {5, -1, 1}, {5, 1, 0}}, false},      // cutting the plane beside it
-      {{vec3{1, 1, 0}, {2, 1, 0}, {3, 1, 0}}, false},         // without area: no inside to be met
+      {{vec3{5, -1, -1}, {5, -1, 1}, {5, 1, 0}}, false},      // intersects the plane outside of the triangle
+      {{vec3{1, 1, 0}, {2, 1, 0}, {3, 1, 0}}, false},         // without area: it has no interior
   };
   for (const auto& [t, expected] : others) {
     CHECK(meet(base, t) == expected);
@@ -86,19 +86,19 @@ TEST_CASE("self_intersections: handles triangles with common verts or coincident
       }
       return self_intersections(trimesh(x, std::vector<std::array<unsigned, 3>>{{0, 1, 2}, corners})).size();
     };
-    CHECK(count({vec3{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}) == 0);   // at a vert, in the plane
+    CHECK(count({vec3{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}}) == 0);   // coplanar with a common vert
     CHECK(count({vec3{0, 0, 0}, {-4, 0, 0}, {0, -4, 0}}) == 0);
-    CHECK(count({vec3{0, 0, 0}, {1, 1, 1}, {2, 1, 1}}) == 0);     // at a vert, rising from it
-    CHECK(count({vec3{0, 0, 0}, {1, 1, 1}, {1, 1, -1}}) == 1);    // at a vert, and through the face
-    CHECK(count({vec3{0, 0, 0}, {1, 1, 0}, {1, 1, 1}}) == 1);     // standing on the face with an edge
-    CHECK(count({vec3{0, 0, 0}, {4, 4, 0}, {1, 5, 0}}) == 1);     // overlapping in the plane
-    CHECK(count({vec3{0, 0, 0}, {2, 0, 0}, {0, -1, 0}}) == 1);    // along a part of an edge
-    CHECK(count({vec3{0, 0, 0}, {4, 0, 0}, {0, -4, 0}}) == 0);    // at an edge, in the plane
-    CHECK(count({vec3{0, 0, 0}, {4, 0, 0}, {1, 1, 1}}) == 0);     // folded, not quite shut
+    CHECK(count({vec3{0, 0, 0}, {1, 1, 1}, {2, 1, 1}}) == 0);     // a common vert, above the face
+    CHECK(count({vec3{0, 0, 0}, {1, 1, 1}, {1, 1, -1}}) == 1);    // a common vert, through the face
+    CHECK(count({vec3{0, 0, 0}, {1, 1, 0}, {1, 1, 1}}) == 1);     // a common vert, an edge in the face
+    CHECK(count({vec3{0, 0, 0}, {4, 4, 0}, {1, 5, 0}}) == 1);     // a common vert, overlapping and coplanar
+    CHECK(count({vec3{0, 0, 0}, {2, 0, 0}, {0, -1, 0}}) == 1);    // overlapping edges
+    CHECK(count({vec3{0, 0, 0}, {4, 0, 0}, {0, -4, 0}}) == 0);    // coplanar with a common edge
+    CHECK(count({vec3{0, 0, 0}, {4, 0, 0}, {1, 1, 1}}) == 0);     // folded at a common edge, at a small angle
     CHECK(count({vec3{0, 0, 0}, {4, 0, 0}, {1, 1, 0x1p-300}}) == 0);
-    CHECK(count({vec3{0, 0, 0}, {4, 0, 0}, {1, 1, 0}}) == 1);     // shut
+    CHECK(count({vec3{0, 0, 0}, {4, 0, 0}, {1, 1, 0}}) == 1);     // folded together
     CHECK(count({vec3{4, 0, 0}, {0, 0, 0}, {9, 9, 0}}) == 1);
-    CHECK(count(base) == 1);                                      // twice the same
+    CHECK(count(base) == 1);                                      // the same triangle twice
   }
 }
 
@@ -109,12 +109,12 @@ TEST_CASE_TEMPLATE("self_intersections: grids have none, two that intersect have
   CHECK(self_intersections(M(jittered(grid_arrays<M>(6), 0.01))).empty());
   CHECK(self_intersections(from_quads<M>(rolled_grid(12, 30))).empty());
   CHECK(self_intersections(from_quads<M>(holed_board(2))).empty());
-  CHECK(!self_intersections(from_quads<M>(rolled_grid(12, 30, true))).empty());  // there is no Klein bottle in space
+  CHECK(!self_intersections(from_quads<M>(rolled_grid(12, 30, true))).empty());  // a Klein bottle in space intersects itself
   auto arrays = two_grids_arrays<M>(3);
   const std::size_t half = (arrays.points.size() - 1) / 2;
   for (std::size_t i = half; i < 2 * half; ++i) {
     const vec3 x = arrays.points[i] - vec3{2, 0, 0};
-    arrays.points[i] = {x.x + 0.01, 0.52, x.y - 0.49};  // upright
+    arrays.points[i] = {x.x + 0.01, 0.52, x.y - 0.49};  // vertical
   }
   const M m(arrays);
   const auto pairs = self_intersections(m);
@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE("self_intersections: grids have none, two that intersect have
             const vec3 &a = s[k], d = s[(k + 1) % 3] - a, &b = t[k], e = t[(k + 1) % 3] - b;
             crossing = crossing || met_at(t, a, d) < 1 || met_at(s, b, e) < 1;
           }
-      bool near = false;  // neighbours meet at what they share
+      bool near = false;  // neighbours touch at their common elements
       for (const auto v : adj_p2v(m, p))
         for (const auto w : adj_p2v(m, q)) near = near || v == w;
       if (crossing && !near) expected.push_back({p, q});
@@ -143,10 +143,10 @@ TEST_CASE_TEMPLATE("self_intersections: grids have none, two that intersect have
 }
 
 TEST_CASE("self_intersections: a common diagonal of two polygons is not a common edge") {
-  // two quads folded about their common diagonal
+  // two quads whose common diagonal is a fold
   const polygonmesh folded({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 3}, {0, 1, -3}}, {{0, 1, 2, 3}, {0, 4, 2, 5}});
   CHECK(self_intersections(folded).size() == 1);
-  // a concave one and what fills its notch
+  // a concave polygon, and polygons in its notch
   CHECK(self_intersections(grid<polygonmesh>(3)).empty());
   const polygonmesh notch({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 1, 0}, {0, 4, 0}, {2, 2, 1}, {2, 2, -1}, {3, 9, 0}, {2, 0.5, 1}, {2, 0.5, -1}},
                           {{0, 1, 2, 3, 4}, {5, 6, 7}, {8, 9, 7}});
@@ -170,7 +170,7 @@ TEST_CASE("self_intersections: a sphere has none, two that intersect have some, 
   for (unsigned i = 0; i < triangles.size(); ++i)
     for (unsigned j = i + 1; j < triangles.size(); ++j) {
       const auto &s = triangles[i], &t = triangles[j];
-      if (norm(s[0] - t[0]) > 0.3) continue;  // longer than any two sides
+      if (norm(s[0] - t[0]) > 0.3) continue;  // farther apart than two edges are long
       bool crossing = false, near = false;
       for (std::size_t k = 0; k < 3; ++k) {
         crossing = crossing || met_at(t, s[k], s[(k + 1) % 3] - s[k]) < 1 || met_at(s, t[k], t[(k + 1) % 3] - t[k]) < 1;

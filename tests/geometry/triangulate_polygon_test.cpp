@@ -19,7 +19,7 @@ vec3 vector_area(const polygon& p) {
   return n / 2;
 }
 
-// Every triangulation law that holds for polygons simple in the plane of their vector area.
+// Checks the properties of a triangulation of a polygon that is simple in the plane of its vector area.
 void check_simple(const polygon& p) {
   const auto triangles = triangulate_polygon(p);
   REQUIRE(triangles.size() == p.size() - 2);
@@ -36,7 +36,7 @@ void check_simple(const polygon& p) {
   CHECK(worst >= -1e-12 * area);
 }
 
-// n-2 triangles that use each side of the polygon once and each diagonal twice, in opposite directions.
+// Checks that n-2 triangles use each edge of the polygon once, and each diagonal twice, in opposite directions.
 void check_joined(std::size_t n, const std::vector<polygon_triangle>& triangles) {
   REQUIRE(triangles.size() == n - 2);
   std::set<std::pair<std::size_t, std::size_t>> sides;
@@ -79,12 +79,12 @@ TEST_CASE("triangulate_polygon: triangles cover a simple polygon, and none is fl
   const std::vector<polygon> shapes = {
       flat({{0, 0}, {1, 0}, {0, 1}}),
       flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}}),
-      flat({{0, 0}, {4, 0}, {1, 1}, {0, 4}}),                                                // arrow: one diagonal lies outside
+      flat({{0, 0}, {4, 0}, {1, 1}, {0, 4}}),                                                // an arrow: one diagonal is outside
       flat({{1, 1}, {0, 4}, {0, 0}, {4, 0}}),
-      flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}),                // a square with four corners too many
+      flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}),                // a square with four flat corners
       flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 3}}),
       flat({{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}),
-      flat({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}),  // a hole reached along a cut
+      flat({{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 0}, {2, 2}, {2, 4}, {4, 4}, {4, 2}, {2, 2}}),  // a square with a hole, connected to it by a cut
       letter_e,
       spiral(20),
       spiral(300),
@@ -132,11 +132,11 @@ TEST_CASE("triangulate_polygon: works on random star-shaped polygons with flat c
 TEST_CASE("triangulate_polygon: polygons that are not simple give n-2 triangles with all corners") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<polygon> shapes = {
-      flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}}),                   // on a line
-      flat({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}}),                   // a point
+      flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}}),                   // collinear points
+      flat({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}}),                   // equal points
       flat({{0, 0}, {1, 1}, {1, 0}, {0, 1}}),                           // a bow tie
       flat({{0, 0}, {2, 3}, {4, 0}, {0, 2}, {4, 2}}),                   // a pentagram
-      flat({{0, 0}, {2, 0}, {1, 0}, {3, 0}, {3, 1}, {0, 1}}),           // runs back on itself
+      flat({{0, 0}, {2, 0}, {1, 0}, {3, 0}, {3, 1}, {0, 1}}),           // an edge that runs back on the previous one
       flat({{0, 0}, {nan, 0}, {1, 1}, {0, 1}, {-1, 0}}),
       flat({{0, 0}, {1e308, 0}, {1e308, 1e308}, {-1e308, 1e308}, {-1e308, 0}}),
   };
