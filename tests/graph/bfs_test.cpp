@@ -47,7 +47,7 @@ TEST_CASE("bfs: hop counts on a ring are right, from one source and several") {
   CHECK(bfs(r, std::vector{vert_id{5}, vert_id{5}})[vert_id{1}] == 3);
   CHECK_THROWS_WITH_AS(bfs(r, std::vector<vert_id>{}), "bfs: there is no source; give at least one vert", invalid_argument);
   CHECK_THROWS_WITH_AS(bfs(r, std::vector<vert_id>{}, {.max_hops = 3}), "bfs: there is no source; give at least one vert", invalid_argument);
-  CHECK(bfs(r, std::vector<vert_id>(10000, vert_id{5}))[vert_id{1}] == 3);  // a source enters the queue once
+  CHECK(bfs(r, std::vector<vert_id>(10000, vert_id{5}))[vert_id{1}] == 3);  // each source enters the queue once
 }
 
 TEST_CASE("bfs: may_enter excludes nodes, but not the source") {
@@ -161,7 +161,7 @@ TEST_CASE_TEMPLATE("bfs: crossed elements join predecessors, and visit is called
     using node = std::remove_const_t<decltype(s)>;
     const auto hops = bfs(m, s);
     std::vector<node> order;
-    bool known = true;  // what visit may rely on
+    bool known = true;  // whether all that visit may rely on is true
     const auto again = bfs(m, s, {.predecessors = &before, .crossed = &across, .visit = [&](const node& x, int h) {
                                     known = known && h == hops[x] && (h == 0 ? before[x] == x : is_between(across[x], x) && is_between(across[x], before[x]));
                                     order.push_back(x);
@@ -177,7 +177,7 @@ TEST_CASE_TEMPLATE("bfs: crossed elements join predecessors, and visit is called
     CHECK(order.size() == reached);
     for (std::size_t i = 1; i < order.size(); ++i) REQUIRE(hops[order[i - 1]] <= hops[order[i]]);
 
-    // The visitor stops at the third node, or at the source.
+    // visit ends the search at the source, or at the third node.
     for (std::size_t most : {std::size_t{1}, std::size_t{3}}) {
       std::vector<node> seen;
       const auto part = bfs(m, s, {.visit = [&](const node& x, int) {
@@ -239,11 +239,11 @@ TEST_CASE_TEMPLATE("bfs_forest: has a tree for each component, equal to bfs from
     CHECK(order.size() == count);
     CHECK(roots.size() >= 2);
 
-    // Nodes that are barred are in no tree; of no height, all others are roots.
+    // Nodes that may not be entered are in no tree. With max_hops = 0 every other node is a root.
     const node barred = order[1];
     const auto around = bfs_forest(graph, {.may_enter = [&](const node& x) { return x != barred; }, .max_hops = 0});
     for (const auto x : nodes) REQUIRE(around[x] == (x == barred ? -1 : 0));
-    // Over with the tree in which the target is, or where the visitor says so.
+    // The search ends after the tree that contains the target, or when visit returns false.
     const auto first = bfs_forest(graph, {.targets = {roots[0]}});
     const auto all = bfs_forest(graph, {.targets = {roots[1]}});
     int met = 0;

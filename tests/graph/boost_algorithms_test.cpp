@@ -31,14 +31,14 @@ namespace {
 template<class M> auto nodes_of(const cn::views::primal_view<M>& g) { return cn::verts(g.base()); }
 template<class M> auto nodes_of(const cn::views::dual_view<M>& g) { return cn::polys(g.base()); }
 
-/// Values of Boost's, by vertex_index.
+/// A property map of Boost that writes to `values` by vertex_index.
 template<class T, class G>
 auto map_into(std::vector<T>& values, const G& g) {
   values.resize(num_vertices(g));
   return boost::make_iterator_property_map(values.begin(), get(boost::vertex_index, g));
 }
 
-/// Some lengths between 1 and 2, the same for both directions.
+/// A length between 1 and 2, which is the same in both directions.
 constexpr auto uneven = [](std::size_t i, std::size_t j) { return 1 + static_cast<double>((7 * i * j + 3 * (i + j)) % 101) / 101; };
 
 template<class G>
@@ -100,7 +100,7 @@ void check_trees(const G& g, std::size_t components) {
   double kruskal = 0;
   for (const auto& e : tree) kruskal += weights[e];
 
-  // Prim's, from one node of each component.
+  // Prim's algorithm, from one node of each component.
   double prim = 0;
   std::vector<int> label;
   boost::connected_components(g, map_into(label, g));

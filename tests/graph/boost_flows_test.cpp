@@ -22,7 +22,7 @@ namespace cn = concino;
 
 namespace {
 
-/// Where the flow goes: from the first node to the farthest of its component.
+/// The source and the sink of the flow: the first node, and the farthest of its component.
 template<class G>
 auto ends_of_flow(const G& undirected) {
   const auto s = *vertices(undirected).first;
@@ -33,7 +33,7 @@ auto ends_of_flow(const G& undirected) {
   return std::pair(s, t);
 }
 
-/// A flow that obeys the capacities, and a cut of the same value: neither can be better.
+/// Checks that the flow obeys the capacities and that a cut has the same value, so that both are optimal.
 template<class G>
 void check_flow(const G& undirected) {
   const auto [s, t] = ends_of_flow(undirected);
@@ -47,7 +47,7 @@ void check_flow(const G& undirected) {
   const auto side_map = boost::make_iterator_property_map(side.begin(), index);
   const int flow = boost::boykov_kolmogorov_max_flow(g, capacity, residual, reverse, side_map, index, s, t);
 
-  // On arcs at the two ends Boost leaves the opposite residual as it was, hence the flow of an arc is looked at where it is positive.
+  // Boost does not update the residual opposite to arcs at source and sink. So the flow of an arc is only used where it is positive.
   const auto along = [&](const auto& a) { return std::max(0, capacity[a] - residual[a]); };
   int cut = 0;
   for (auto [e, last] = edges(g); e != last; ++e) {

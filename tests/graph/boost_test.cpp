@@ -29,7 +29,7 @@ namespace cn = concino;
 
 namespace {
 
-/// All concepts of Boost that g models, with its index map.
+/// Whether g models all graph concepts of Boost, with its index map.
 template<class G>
 constexpr bool models_boost() {
   using traits = boost::graph_traits<G>;
@@ -74,7 +74,7 @@ template<class G> concept has_weights = requires(const G& g) { get(boost::edge_w
 static_assert(!has_weights<primal_of<weak_primal>> && !has_weights<dual_of<weak_dual>>);
 static_assert(has_weights<primal_of<decltype(cn::only_embedded_graph(std::declval<const cn::tetmesh&>()))>>);
 
-/// Indices of the ends of edges, as they come.
+/// The indices of the ends of the edges in a range, in its order.
 template<class G, class Range>
 auto ends(const G& g, const Range& range) {
   std::vector<std::pair<std::size_t, std::size_t>> r;
@@ -83,7 +83,7 @@ auto ends(const G& g, const Range& range) {
   return r;
 }
 
-/// What walks over g say is what adj_v2v or adj_p2p say. The first that does not, by name; else nothing.
+/// Compares everything that can be iterated in g with adj_v2v or adj_p2p. Returns the name of the first difference, or an empty string.
 template<class G>
 std::string wrong_walk(const G& g) {
   const auto shown = cn::detail::base_graph(g);
@@ -131,12 +131,12 @@ std::string wrong_walk(const G& g) {
   return "";
 }
 
-/// Counts how often it is asked for neighbours.
+/// A ring of verts that counts the queries for neighbours.
 struct counted_ring {
   std::size_t n;
   mutable int asked = 0;
 };
-/// Arcs that need not be mutual, of verts that need not come in the order of their numbers.
+/// A graph of arcs without opposite arcs in general, whose range of verts may be in descending order.
 struct arcs {
   std::vector<std::vector<unsigned>> to;
   bool backwards = false;
@@ -144,7 +144,7 @@ struct arcs {
 struct numbered { unsigned i = 0; friend bool operator==(numbered, numbered) = default; };
 struct from_zero {};
 
-/// A map that gives proxies, and one that can only be read.
+/// A map whose operator[] returns a proxy, and a read-only map.
 struct halves {
   using value_type = double;
   std::vector<int>* twice;
@@ -366,7 +366,7 @@ TEST_CASE("boost: throws for asymmetric neighbours, and rejects descriptors with
     CHECK_THROWS_WITH_AS(cn::directed(cn::primal(bad)), doctest::Contains(what), cn::invalid_mesh);
     CHECK_THROWS_WITH_AS(get(boost::edge_index, cn::primal(bad)), doctest::Contains(what), cn::invalid_mesh);
   };
-  check_refused({{{1}, {2}, {0}}, false}, "edge numbers: vert 0 is a neighbour of vert 2, but not");  // as many arcs in as out
+  check_refused({{{1}, {2}, {0}}, false}, "edge numbers: vert 0 is a neighbour of vert 2, but not");  // every vert has as many arcs in as out
   check_refused({{{1}, {2}, {0}}, true}, "edge numbers: vert 2 is a neighbour of vert 1, but not");
   check_refused({{{3}, {2}, {3}, {1, 0}}, false}, "edge numbers: vert 1 is a neighbour of vert 3, but not");
   check_refused({{{1, 2}, {0}, {}}, false}, "edge numbers: vert 2 is a neighbour of vert 0, but not");

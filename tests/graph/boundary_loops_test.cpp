@@ -43,7 +43,7 @@ bool joins(const M& m, const edge_t<M>& e, const vert_t<M>& a, const vert_t<M>& 
   return yes && n == 2;
 }
 
-/// How many there are by counting slowly.
+/// The number of borders, by naive propagation of labels.
 template<class M>
 std::size_t count_borders(const M& m) {
   std::map<std::size_t, std::size_t> label;
@@ -67,7 +67,7 @@ std::size_t count_borders(const M& m) {
   return different.size();
 }
 
-/// Of a loop in the plane; negative where it runs clockwise.
+/// The area inside a planar loop; negative if it is clockwise.
 template<class M>
 double area_inside(const M& m, const edge_walk<M>& loop) {
   double twice = 0;
@@ -93,7 +93,7 @@ void check_borders(const M& m) {
   for (const auto& loop : b.loops) {
     std::set<std::size_t> different;
     for (const auto& v : loop.verts) different.insert(index_of(m, v));
-    CHECK(different.size() == loop.verts.size());  // simple
+    CHECK(different.size() == loop.verts.size());  // no vert is repeated
     const std::size_t n = loop.verts.size();
     REQUIRE(loop.edges.size() == (loop.is_closed() ? n : n - 1));
     open += !loop.is_closed();
@@ -206,7 +206,7 @@ TEST_CASE("boundary_loops: have the known numbers on every surface of the corpus
   if (rows.empty()) return skip("no corpus");
   std::size_t surfaces = 0;
   for (const auto& row : rows) {
-    if (row.column.at("boundary_loops") == "n/a") continue;  // volumes
+    if (row.column.at("boundary_loops") == "n/a") continue;  // a volume
     ++surfaces;
     INFO(row.name);
     const auto m = load<polygonmesh>(row.file.string());

@@ -26,6 +26,6 @@ TEST_CASE_TEMPLATE("boundary_verts: are the verts on the boundary of a grid, as 
 TEST_CASE("boundary_verts: facets with three polys and isolated verts are not on the boundary") {
   const trimesh book({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {5, 5, 5}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   const auto on_boundary = boundary_verts(book);
-  for (const unsigned v : {0u, 1u, 2u, 3u, 4u}) CHECK(on_boundary[vert_id{v}]);  // 0 and 1 by their other edges
+  for (const unsigned v : {0u, 1u, 2u, 3u, 4u}) CHECK(on_boundary[vert_id{v}]);  // 0 and 1 have other edges on the boundary
   CHECK(!on_boundary[vert_id{5}]);
 }

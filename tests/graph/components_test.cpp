@@ -24,7 +24,7 @@ TEST_CASE_TEMPLATE("connected_components: equal Boost's on 1,000 random meshes w
     const auto graph = side::view(g.m);
     const auto cc = connected_components(graph, {.may_enter = g.enter(), .may_cross = g.cross()});
     const auto expected = boost_components(make_undirected(g, g.even_length()));
-    std::map<int, int> number;  // of Boost's labels
+    std::map<int, int> number;  // by Boost's labels
     for (const auto x : g.nodes()) {
       const auto i = index_of(g.m, x);
       if (!g.free_node[i]) {
@@ -75,6 +75,6 @@ TEST_CASE_TEMPLATE("connected_components: run on the archetypes of primal and du
   CHECK(cd.count == 2);
   for (const auto v : verts(g)) CHECK(cc[v] == connected_components(m)[g.base(v)]);
   for (const auto p : polys(d)) CHECK(cd[p] == connected_components(dual(m))[d.base(p)]);
-  static_assert(has_components<views::dual_view<M>&> && !has_components<decltype(d)&>);  // which say that polys are meant, or not
+  static_assert(has_components<views::dual_view<M>&> && !has_components<decltype(d)&>);  // dual(m) says that polys are meant, a dual graph itself does not
   static_assert(has_components<trimesh&> && !has_components<trimesh> && !has_components<int&>);
 }

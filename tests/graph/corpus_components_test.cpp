@@ -20,7 +20,7 @@ std::vector<typename Side::node> check_components(const barred_graph<Side>& g) {
   using node = typename Side::node;
   const auto cc = connected_components(Side::view(g.m), {.may_enter = g.enter(), .may_cross = g.cross()});
   const auto expected = boost_components(make_undirected(g, g.even_length()));
-  std::map<int, int> number;  // of Boost's labels
+  std::map<int, int> number;  // by Boost's labels
   std::vector<node> firsts;
   std::size_t wrong = 0;
   for (const node x : g.nodes()) {

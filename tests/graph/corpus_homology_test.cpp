@@ -18,7 +18,7 @@ TEST_CASE("homology_generators: are right on all closed surfaces of the corpus, 
   std::set<int> genera;
   for (const auto& row : rows) {
     const auto is = [&](const char* column, const char* value) { return row.column.at(column) == value; };
-    if (is("boundary_loops", "n/a")) continue;  // volumes
+    if (is("boundary_loops", "n/a")) continue;  // a volume
     INFO(row.name);
     const auto m = load<polygonmesh>(row.file.string());
     if (!is("manifold", "yes") || !is("boundary_loops", "0")) {

@@ -21,7 +21,7 @@ void compare(const M& m, const All& all, const boost_graph& g, const Mine& mine,
   for ([[maybe_unused]] const auto x : all) ++n;
   std::size_t i = 0;
   for (const auto s : all) {
-    if (i++ % (n / 2 + 1) != 0) continue;  // the first and one in the middle
+    if (i++ % (n / 2 + 1) != 0) continue;  // only the first node and one in the middle
     const auto d = mine(s);
     const auto h = hops(s);
     const auto expected = boost_distances(g, index_of(m, s));
@@ -79,5 +79,5 @@ TEST_CASE("corpus: shortest edge paths on the sphere have the known lengths") {
     }
   }
   CHECK(worst == doctest::Approx(1.15298952009).epsilon(1e-10));
-  CHECK(where == vert_id{6461});  // by great circles
+  CHECK(where == vert_id{6461});  // the farthest vert by great circles
 }

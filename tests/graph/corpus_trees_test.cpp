@@ -22,7 +22,7 @@ TEST_CASE("corpus: spanning trees agree with Boost.Graph on verts and polys of e
     CHECK(behind_walls.arcs.size() == open - static_cast<std::size_t>(cc.count));
     CHECK(behind_walls.weight == boost_tree_weight(make_undirected(g, length)));
 
-    if (g.bound() > 15000) return;  // else it takes long
+    if (g.bound() > 15000) return;  // larger meshes take too long
     tear_down_walls(g);
     std::vector<vec3> place(g.bound());
     for (const auto x : g.nodes()) {

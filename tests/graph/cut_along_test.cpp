@@ -19,7 +19,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// The polys are the same ones, at the same places.
+/// Checks that the polys are the same, with the same points.
 template<class M>
 void check_same_polys(const M& m, const cut_along_result<M>& cut) {
   const polygonmesh c(cut.surface);
@@ -71,8 +71,8 @@ TEST_CASE("cut_along: cuts a grid from side to side, partially, and inside") {
   CHECK(slit.verts.size() == 26);
   CHECK(slit.verts.back() == vert_id{12});
   CHECK(boundary_loops(quadmesh(slit.surface)).count == 2);
-  CHECK(cut_along(m, {edge_between(m, 7, 12)}).verts.size() == 25);  // both ends inside: nothing to open
-  CHECK(cut_along(m, {edge_between(m, 0, 1)}).verts.size() == 25);   // on the border: open already
+  CHECK(cut_along(m, {edge_between(m, 7, 12)}).verts.size() == 25);  // both ends are interior, so the cut does not open
+  CHECK(cut_along(m, {edge_between(m, 0, 1)}).verts.size() == 25);   // the edge is on the boundary already
 }
 
 TEST_CASE_TEMPLATE("cut_along: cutting all edges separates all polys", M, CONCINO_SURFACE_KINDS) {
@@ -133,9 +133,9 @@ TEST_CASE_TEMPLATE("cut_along: polys stay adjacent exactly across edges that are
     const auto r = cut_along(m, cut);
     check_same_polys(m, r);
     const M c(r.surface);
-    std::vector<poly_id> there(poly_index_bound(m));  // where a poly of m is in c
+    std::vector<poly_id> there(poly_index_bound(m));  // the poly of c for each poly of m
     for (const auto p : polys(c)) there[r.polys[p.raw()].raw()] = p;
-    // Whatever is joined in m by an edge that is not cut stays so.
+    // Polys that share an edge that is not cut are still neighbours.
     for (const auto e : edges(m)) {
       if (is_cut[e.raw()]) continue;
       for (const auto p : adj_e2p(m, e))
@@ -145,7 +145,7 @@ TEST_CASE_TEMPLATE("cut_along: polys stay adjacent exactly across edges that are
           REQUIRE(neighbours);
         }
     }
-    // As many verts as there are fans between cut edges, counted one vert after another; those that are not on the cut stay one.
+    // c has a vert for each fan of polys between cut edges at a vert of m, and one for each vert that is not on the cut.
     std::size_t fans = 0;
     for (const auto v : verts(m)) {
       std::vector<poly_id> star;

@@ -28,7 +28,7 @@ auto straight(const M& m) {
   return [&m](vert_t<M> v, vert_t<M> w) { return norm(to_vec3(point(m, v)) - to_vec3(point(m, w))); };
 }
 
-/// From centre to centre, by another road than the library's.
+/// The distance between mean points, computed in another way than by the library.
 template<class M>
 auto centre_to_centre(const M& m) {
   return [&m](poly_t<M> p, poly_t<M> q) {
@@ -44,7 +44,7 @@ auto centre_to_centre(const M& m) {
   };
 }
 
-/// A length that differs by direction and never is the same twice, from the indices alone.
+/// A length that depends on the indices and the direction, and is different for nearly all arcs.
 constexpr auto scrambled = [](auto v, auto w) { return double((v.raw() * 2654435761u + w.raw() * 40503u) % 1009) / 64; };
 
 }  // namespace
@@ -127,7 +127,7 @@ TEST_CASE_TEMPLATE("dijkstra: returns the distance to the nearest of several sou
 }
 
 TEST_CASE_TEMPLATE("dijkstra: stops at targets: distances are exact up to the farthest, and +inf beyond", M, CONCINO_ALL_KINDS) {
-  const M m = grid<M>(4);  // many equal distances
+  const M m = grid<M>(4);  // has many equal distances
   const auto d = dijkstra(m, vert_id{0});
   const vert_id near{1}, far{static_cast<unsigned>(num_verts(m) / 2)};
   const auto stopped = dijkstra(m, vert_id{0}, {.targets = {near, far, near}});
@@ -292,7 +292,7 @@ TEST_CASE_TEMPLATE("dijkstra: obeys initial distances, may_cross and visit, on v
       REQUIRE(order.size() == reached);
       for (std::size_t i = 1; i < order.size(); ++i) REQUIRE(d[order[i - 1]] <= d[order[i]]);
     }
-    // Without predecessors or the like; and stopped by the visitor at the fourth node.
+    // Without predecessors and other outputs; then visit ends the search at the fourth node.
     const auto plain = dijkstra(m, std::vector{b, a, b}, length, {.initial_distance = [&](const node& x) { return x == a ? -1.0 : 0.5; }});
     for (const auto x : nodes) REQUIRE(plain[x] == doctest::Approx(std::min(from_a[x] - 1, from_b[x] + 0.5)).epsilon(1e-13));
     std::vector<node> seen;

@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("graphs: algorithms handle points that are NaN or huge", M, C
   CHECK_THROWS_WITH_AS(shortest_path(m, vert_id{0}, vert_id{2}), doctest::Contains("is not a number"), invalid_mesh);
   CHECK_THROWS_WITH_AS(spanning_tree(m), doctest::Contains("spanning_tree: the length from vert 0 to vert 1 is not a number"), invalid_mesh);
   CHECK_THROWS_WITH_AS(spanning_tree(dual(m)), doctest::Contains("is not a number"), invalid_mesh);
-  set_point(m, vert_id{1}, vec3{0, inf, 0});  // infinitely far is out of reach
+  set_point(m, vert_id{1}, vec3{0, inf, 0});  // a node at infinite distance is not reached
   CHECK(dijkstra(m, vert_id{0})[vert_id{1}] == inf);
   CHECK(spanning_tree(m).arcs.size() == num_verts(m) - 2);
   set_point(m, vert_id{1}, vec3{0, 1e307, 0});

@@ -28,7 +28,7 @@ TEST_CASE("grow_regions: grow evenly, ties go to the earlier seed, barriers are 
   CHECK(rg[poly_id{1}] == 1);
   CHECK(rg[poly_id{2}] == 0);
   const auto three = grow_regions(m, {poly_id{0}, poly_id{2}}, [](auto, auto) { return 1.0; });
-  CHECK(three[poly_id{1}] == 0);  // as far from both
+  CHECK(three[poly_id{1}] == 0);  // at equal distance from both seeds
   CHECK(grow_regions(m, {poly_id{2}, poly_id{0}}, [](auto, auto) { return 1.0; })[poly_id{1}] == 0);
   CHECK(grow_regions(m, {p, p, q}, freely)[q] == 2);
   CHECK(grow_regions(m, p, freely, {.max_cost = 1})[poly_id{1}] == 0);
@@ -37,7 +37,7 @@ TEST_CASE("grow_regions: grow evenly, ties go to the earlier seed, barriers are 
   CHECK(grow_regions(m, vert_id{0}, freely, {.may_enter = [](auto) { return false; }})[vert_id{0}] == 0);
   CHECK(grow_regions(m, vert_id{0}, freely, {.may_cross = [](auto) { return false; }})[vert_id{1}] == -1);
   CHECK(grow_regions(dual(m), p, freely, {.may_cross = [](auto) { return false; }})[poly_id{1}] == -1);
-  // Cheap steps first, however many: along the row 0 1 2 the later seed comes before the dear step of the first is made.
+  // With growth::step the cheapest steps come first, however many: in the row 0 1 2 the second seed is faster than the expensive step of the first.
   const auto dear = [](auto from, auto) { return from == poly_id{0} ? 5.0 : 1.0; };
   CHECK(grow_regions(m, {poly_id{0}, poly_id{3}}, dear, {.priority = growth::step})[poly_id{1}] == 1);
   CHECK(grow_regions(m, {poly_id{0}, poly_id{15}}, dear)[poly_id{1}] == 0);

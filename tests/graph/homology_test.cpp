@@ -42,7 +42,7 @@ std::size_t rank_of(const M& m, const std::vector<std::vector<edge_t<M>>>& chain
   return rank;
 }
 
-/// No sum of loops bounds polys: together with the borders of polys they have the rank that they should.
+/// Checks that no sum of loops is a boundary: with the boundaries of polys, the rank is larger by the number of loops.
 template<class M>
 void check_independent(const M& m, const std::vector<edge_walk<M>>& loops) {
   std::vector<std::vector<edge_t<M>>> chains;

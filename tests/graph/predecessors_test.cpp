@@ -18,7 +18,7 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// A map of nodes by nodes of the kind of x.
+/// A map from nodes to nodes, of the kind of its argument.
 template<class M> auto node_map(const M& m, vert_t<M>) { return make_vert_map<vert_t<M>>(m); }
 template<class M> auto node_map(const M& m, poly_t<M>) { return make_poly_map<poly_t<M>>(m); }
 
@@ -116,7 +116,7 @@ TEST_CASE("bfs, dijkstra: the first settled predecessor is kept; each source is 
   bfs(m, {vert_id{15}, vert_id{0}}, {.predecessors = &from});
   CHECK(path_to(from, vert_id{14}).front() == vert_id{15});
   CHECK(path_to(from, vert_id{1}).front() == vert_id{0});
-  CHECK(path_to(from, vert_id{3}).front() == vert_id{15});  // as far from both
+  CHECK(path_to(from, vert_id{3}).front() == vert_id{15});  // at equal distance from both sources
   auto last = make_vert_map<vert_id>(m);
   dijkstra(m, {vert_id{15}, vert_id{0}}, [](auto, auto) { return 1; }, {.predecessors = &last});
   CHECK(path_to(last, vert_id{14}).front() == vert_id{15});

@@ -13,7 +13,7 @@ using namespace concino;
 
 namespace {
 
-/// Read and written by get and put only, as maps over foreign containers are.
+/// A map that is only accessed by get and put, as maps over foreign containers are.
 struct in_bits {
   using key_type = int;
   using value_type = bool;
@@ -24,7 +24,7 @@ struct in_bits {
   friend void put(in_bits& m, int i, bool b) { (*m.bits)[std::size_t(i)] = b; }
 };
 
-/// Takes values and gives none back.
+/// A write-only map.
 struct sum {
   using key_type = int;
   using value_type = int;

@@ -19,7 +19,7 @@ namespace cn = concino;
 
 namespace {
 
-/// Labels of the nodes that are open, and how many there are, are those of a copy of the graph in which gaps and closed nodes stand alone.
+/// Checks the labels and the number of components of open nodes. In the copied graph, gaps and closed nodes are isolated.
 template<class G>
 void check_labels(const G& g, const std::vector<int>& label, int count) {
   const auto expected = boost_components(make_undirected(g, g.even_length()));
@@ -31,7 +31,7 @@ void check_labels(const G& g, const std::vector<int>& label, int count) {
   REQUIRE(count == static_cast<int>(number.size()));
 }
 
-/// Algorithms on the view and on a copy.
+/// Runs algorithms on the view and on a copy.
 template<class G>
 void check_views(const G& g) {
   const auto view = G::side::view(g.m);
@@ -39,7 +39,7 @@ void check_views(const G& g) {
   const auto index = get(boost::vertex_index, view);
   REQUIRE(num_vertices(view) == g.bound());
   REQUIRE(static_cast<std::size_t>(std::distance(vertices(view).first, vertices(view).second)) == nodes.size());
-  if (nodes.empty()) return;  // Boost counts no components of nothing
+  if (nodes.empty()) return;  // Boost's connected_components needs at least one node
 
   const auto length = g.even_length();
   const auto weights = cn::boost_weights(view, length);
@@ -64,7 +64,7 @@ void check_views(const G& g) {
   for (const auto x : nodes) REQUIRE(far[index[x]] == expected[index[x]]);
 }
 
-/// Closed nodes, by a filter of Boost's.
+/// Excludes closed nodes by boost::filtered_graph.
 template<class G>
 void check_filter(const G& g) {
   const auto view = G::side::view(g.m);
@@ -98,7 +98,7 @@ namespace {
 
 template<class G>
 std::size_t edges_met(const G& g) {
-  using namespace concino;  // where this is in force, the names of two functions must be said in full
+  using namespace concino;  // with this directive, the names of two functions must be qualified
   std::size_t n = 0;
   for (auto [e, last] = concino::views::edges(g); e != last; ++e) ++n;
   CHECK(concino::views::num_edges(g) == n);

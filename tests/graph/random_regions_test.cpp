@@ -19,7 +19,7 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr auto freely = [](const auto&, const auto&) { return true; };
 
-/// Three nodes, perhaps the same one twice.
+/// Three nodes, which may be equal.
 template<class G>
 auto some_seeds(const G& g) {
   const auto nodes = g.nodes();
@@ -28,13 +28,13 @@ auto some_seeds(const G& g) {
   return seeds;
 }
 
-/// Never the same twice, so that there is always one cheapest step.
+/// A cost that is different for all steps, so that there is always one cheapest step.
 template<class G>
 auto distinct_cost(const G& g) {
   return [&g](auto a, auto b) { return double((index_of(g.m, a) * 64 + index_of(g.m, b)) * 2654435761u % 65536) + 1; };
 }
 
-/// Step by step, the cheapest of all from any region to what is free.
+/// A naive implementation: takes the cheapest of all steps from a region to a free node, again and again.
 template<class G, class C>
 std::vector<int> grown_by_step(const G& g, const std::vector<typename G::node>& seeds, const C& cost) {
   std::vector<int> label(g.bound(), -1);
@@ -70,7 +70,7 @@ TEST_CASE_TEMPLATE("grow_regions: assigns the nearest seed by Boost's distances,
         REQUIRE(near[x] == (at_x(nearest) <= 3 ? rg[x] : -1));
         if (rg[x] == -1) continue;
         if (least_step > 0) REQUIRE(rg[x] == static_cast<int>(nearest));
-        else REQUIRE(at_x(static_cast<std::size_t>(rg[x])) == at_x(nearest));  // a region does not grow through the seed of another
+        else REQUIRE(at_x(static_cast<std::size_t>(rg[x])) == at_x(nearest));  // a region cannot grow through the seed of another one
       }
     }
   });
@@ -94,7 +94,7 @@ TEST_CASE_TEMPLATE("grow_regions: obeys a predicate; one seed per component give
     std::vector<typename std::remove_cvref_t<decltype(g)>::node> seeds;
     for (const auto x : g.nodes())
       if (cc[x] == static_cast<int>(seeds.size())) seeds.push_back(x);
-    if (seeds.empty()) return;  // a mesh of nothing has no seed
+    if (seeds.empty()) return;  // an empty mesh has no seeds
     const auto rg = grow_regions(g.m, seeds, freely, {.may_cross = g.cross()});
     for (const auto x : g.nodes()) REQUIRE(rg[x] == cc[x]);
 

@@ -18,7 +18,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// The arcs as pairs of indices, lower first.
+/// The arcs as pairs of indices, the smaller one first.
 template<class M, class T>
 std::set<std::pair<std::size_t, std::size_t>> ends(const M& m, const T& tree) {
   std::set<std::pair<std::size_t, std::size_t>> r;
@@ -64,13 +64,13 @@ TEST_CASE_TEMPLATE("spanning_tree: is a spanning tree with the weight of Boost's
     REQUIRE(grown.weight == weight);
     REQUIRE(ends(g.m, grown) == ends(g.m, tree));
     std::vector<char> reached(g.bound());
-    for (const auto& [a, b] : grown.arcs) {  // outward from the first node of each component
+    for (const auto& [a, b] : grown.arcs) {  // from the first node of each component outwards
       const auto i = index_of(g.m, a), j = index_of(g.m, b);
       REQUIRE(!reached[j]);
       reached[i] = reached[j] = 1;
     }
 
-    // The longest tree is the shortest by lengths of the other sign, and the first by the other order.
+    // The longest tree is the shortest one for negative lengths, and the first one in the reversed order.
     const auto longest = spanning_tree(graph, [&](auto a, auto b) { return -length(a, b); }, {.may_enter = g.enter(), .may_cross = g.cross()});
     const auto before = [&](const auto& a, const auto& b) { return length(a.first, a.second) > length(b.first, b.second); };
     for (const auto method : {tree_method::kruskal, tree_method::prim}) {

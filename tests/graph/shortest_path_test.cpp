@@ -88,7 +88,7 @@ TEST_CASE("shortest_path: handles trivial and missing paths, barriers and braces
   CHECK(shortest_path(m, {a}, {b}, [](auto, auto) { return 1; }).size() == 3);
   CHECK_THROWS_WITH_AS(shortest_path(m, a, std::vector<vert_id>{}), "shortest_path: there is no target; give at least one vert", invalid_argument);
   CHECK_THROWS_WITH_AS(shortest_path(m, std::vector<vert_id>{}, a), "shortest_path: there is no source; give at least one vert", invalid_argument);
-  CHECK(shortest_path(m, vert_id{5}, {vert_id{9}, vert_id{6}, vert_id{4}}).back() == vert_id{9});  // all equally near
+  CHECK(shortest_path(m, vert_id{5}, {vert_id{9}, vert_id{6}, vert_id{4}}).back() == vert_id{9});  // all are at equal distance
   CHECK(shortest_path(dual(m), poly_id{0}, poly_id{2}) == std::vector<poly_id>{poly_id{0}, poly_id{1}, poly_id{2}});
 }
 

@@ -57,7 +57,7 @@ TEST_CASE_TEMPLATE("dijkstra: among equal predecessors the first settled is kept
     const auto nodes = g.nodes();
     if (nodes.empty()) return;
     const auto s = nodes[g.salt % nodes.size()];
-    std::vector<typename std::remove_cvref_t<decltype(g)>::node> settled;  // lengths are asked from a node when it is
+    std::vector<typename std::remove_cvref_t<decltype(g)>::node> settled;  // a node is settled when dijkstra asks for the lengths of its arcs
     const auto length = [&](auto a, auto b) {
       if (settled.empty() || !(settled.back() == a)) settled.push_back(a);
       return g.length()(a, b);

@@ -20,7 +20,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// Both trees span, by joining slowly what edges join, and the three sets are all edges.
+/// Checks that both trees are spanning forests, by naive unions, and that each edge is in exactly one of the three sets.
 template<class M>
 void check_decomposition(const M& m) {
   const auto t = tree_cotree(m);

@@ -33,7 +33,7 @@ void replace(const std::string& path, const std::string& text, const atomic_file
   file.commit();
 }
 
-/// A process that ends at once, with nothing destroyed, after doing something.
+/// Calls f in a process that then ends at once, without destructors.
 void in_a_process_that_dies(const std::function<void()>& f) {
   const ::pid_t child = ::fork();
   if (child == 0) {
@@ -62,7 +62,7 @@ TEST_CASE("atomic_file: only commit replaces the target") {
     CHECK(read_file(dir / "f") == "old");
     CHECK(dir.num_files() == 1);
     {
-      // two writers at once: the last to commit wins, whole
+      // of two writers at a time, the last to commit replaces the whole file
       atomic_file a(dir / "f", {.unnamed = unnamed}), b(dir / "f", {.unnamed = unnamed});
       write(a, "aaa");
       write(b, "bbbbbb");
@@ -92,7 +92,7 @@ TEST_CASE("atomic_file: a killed process leaves nothing, or a file that the next
   CHECK(read_file(dir / "f") == "newer");
   CHECK(dir.num_files() == 1);
 
-  // killed between being linked and being renamed
+  // what a process leaves that is killed between linking and renaming
   write_file(dir / (atomic_file::temporary_name("f") + ".link"), "left behind");
   replace(dir / "f", "newest");
   CHECK(read_file(dir / "f") == "newest");
@@ -125,7 +125,7 @@ TEST_CASE("atomic_file: a symbolic link is kept, whatever it refers to") {
   const std::pair<const char*, const char*> links[] = {
       {"dangling.obj", "sub/b.obj"}, {"to_link.obj", "sub/b.obj"}, {"sub/up.obj", "c.obj"}, {"absolute.obj", "d.obj"}};
   for (const auto& [link, target] : links) {
-    for (int round = 0; round < 2; ++round) {  // then there is a file
+    for (int round = 0; round < 2; ++round) {  // in the second round the file exists
       save(triangle, dir / link);
       CHECK(fs::is_symlink(dir / link));
       CHECK(fs::is_regular_file(fs::symlink_status(dir / target)));
@@ -192,7 +192,7 @@ TEST_CASE("atomic_file: a target that cannot be replaced is an io_error, and no 
   CHECK(said(dir / "d/") == ": cannot be written: Is a directory");
   CHECK(said(dir / "new/") == ": cannot be written: Is a directory");
   CHECK(said(dir / "none/f") == ": cannot be written: No such file or directory");
-  REQUIRE(::mkfifo((dir / "pipe").c_str(), 0600) == 0);  // no device: a fault would destroy those of the machine
+  REQUIRE(::mkfifo((dir / "pipe").c_str(), 0600) == 0);  // not a device, as a failing test would destroy those of the machine
   CHECK(said(dir / "pipe") == ": is not a regular file");
   fs::remove(dir / "pipe");
   write_file(dir / "f", "old");

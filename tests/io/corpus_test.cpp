@@ -142,7 +142,7 @@ TEST_CASE("corpus: every bad file causes the expected error in the expected line
     if (outcome.starts_with("valid")) {
       ++valid;
       const figures f = std::visit([](const auto& mesh) { return measure(mesh); }, load_any(path));
-      // "V 4, E 6, F 4": also "V 6 of which", "V 4 (1 isolated)", "readers do not merge: V 6"
+      // "V 4, E 6, F 4", but also "V 6 of which", "V 4 (1 isolated)" and "readers do not merge: V 6"
       for (const auto& [letter, count] : {std::pair{"V ", f.verts}, {"E ", f.edges}, {"F ", f.faces}, {"C ", f.cells}})
         if (const auto k = cells[3].find(letter); k != std::string::npos && (k == 0 || cells[3][k - 1] == ' '))
           CHECK(count == std::stoul(cells[3].substr(k + 2)));

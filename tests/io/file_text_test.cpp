@@ -37,7 +37,7 @@ TEST_CASE("file_text: has the text of files, read or mapped, also after a move")
     b.close("a");
     CHECK(b.text().empty());
   }
-  CHECK(file_text("/proc/self/stat").text().size() > 10);  // says that it holds 0 bytes
+  CHECK(file_text("/proc/self/stat").text().size() > 10);  // its reported size is 0
 }
 
 // Files of this size are read in parts, by several threads.
@@ -52,9 +52,9 @@ TEST_CASE("file_text: reads large files in parts, from the current position of a
   REQUIRE(::lseek(file, 1000, SEEK_SET) == 1000);
   CHECK((file_text(file, "a", text.size() - 1000).text() == std::string_view(text).substr(1000)));
   REQUIRE(::lseek(file, 1000, SEEK_SET) == 1000);
-  CHECK_THROWS_AS(file_text(file, "a", text.size() - 999), io_error);    // less than it said
+  CHECK_THROWS_AS(file_text(file, "a", text.size() - 999), io_error);    // the file is shorter than the given size
   REQUIRE(::lseek(file, 1000, SEEK_SET) == 1000);
-  CHECK_THROWS_AS(file_text(file, "a", text.size() - 1001), io_error);   // more
+  CHECK_THROWS_AS(file_text(file, "a", text.size() - 1001), io_error);   // the file is longer than the given size
   REQUIRE(::lseek(file, 1000, SEEK_SET) == 1000);
   CHECK_THROWS_AS(file_text(file, "a", text.size() + 5'000'000), io_error);
   ::close(file);
@@ -68,7 +68,7 @@ TEST_CASE("file_text: the text does not change when the file changes later") {
   CHECK(a.text() == "hello\n");
 }
 
-// Nobody else has descriptor 0, so it is the file's. It is no error, is not handed on to other programs, and is closed.
+// Descriptor 0 is then the descriptor of the file. This is no error; it is closed, and other programs do not inherit it.
 TEST_CASE("file_text: works in a program without a standard input") {
   const testing::temporary_folder dir;
   testing::write_file(dir / "a", "hello\n");
@@ -101,7 +101,7 @@ TEST_CASE("file_text: the io_error of a file that cannot be read names path and 
     CHECK_THROWS_AS(file_text("", {.pipes = pipes}), io_error);
   }
   ::mkfifo((dir / "pipe").c_str(), 0600);
-  CHECK_THROWS_AS(file_text(dir / "pipe"), io_error);  // and does not wait for a writer
+  CHECK_THROWS_AS(file_text(dir / "pipe"), io_error);  // does not wait for a writer
   if (::geteuid() != 0) {
     testing::write_file(dir / "secret", "x");
     ::chmod((dir / "secret").c_str(), 0);
@@ -112,12 +112,12 @@ TEST_CASE("file_text: the io_error of a file that cannot be read names path and 
 TEST_CASE("file_text: pipes are read to their end if the option allows them") {
   const testing::temporary_folder dir;
   ::mkfifo((dir / "pipe").c_str(), 0600);
-  CHECK(file_text(dir / "pipe", {.pipes = true}).text().empty());  // nobody writes to it
+  CHECK(file_text(dir / "pipe", {.pipes = true}).text().empty());  // no process writes to it
 
   for (const bool map : {false, true}) {
     int ends[2];
     REQUIRE(::pipe(ends) == 0);
-    const std::string sent(500'000, 'y');  // more than a pipe holds
+    const std::string sent(500'000, 'y');  // more than the buffer of a pipe
     std::thread writer([&] {
       for (std::size_t done = 0; done < sent.size();) done += static_cast<std::size_t>(::write(ends[1], sent.data() + done, sent.size() - done));
       ::close(ends[1]);
@@ -135,7 +135,7 @@ TEST_CASE("file_text: a failing read is an io_error, and never writes beyond the
   CHECK_THROWS_WITH_AS(file_text(fd, "a", 0), "a: cannot be read: Bad file descriptor", io_error);
   ::close(fd);
 
-  // A read from such a socket takes one message, of which it drops what it has no room for: here 40,000 bytes and then 25,536.
+  // Each read from such a socket takes one message and drops what does not fit: here the reads get 40,000 and then 25,536 bytes.
   int ends[2];
   REQUIRE(::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends) == 0);
   const std::string message(40'000, 'm');

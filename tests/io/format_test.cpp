@@ -14,7 +14,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// Triangles as nine numbers each.
+/// A format that stores triangles as nine numbers each.
 struct soup_format {
   static constexpr std::string_view name = "soup";
   static constexpr std::string_view extensions[] = {".soup", ".tris"};
@@ -34,7 +34,7 @@ struct soup_format {
   }
 };
 
-/// Of any dimension, told by its first word; its reader knows no other contents than those of volumes. Lists sizes although all are equal.
+/// A format for surfaces and volumes, whose first word is the dimension. Its reader only fills volume_contents. It has offsets, though sizes are equal.
 struct both_format {
   static constexpr const char* name = "both";
   static constexpr std::array<const char*, 1> extensions = {".soup"};
@@ -162,7 +162,7 @@ TEST_CASE("format: among formats with the same extension the signature decides, 
   CHECK(num_polys(load<trimesh>(dir / "two.soup", first)) == 2);
   CHECK(num_polys(load<trimesh>(dir / "one.soup", second)) == 1);
   CHECK(num_polys(load<trimesh>(dir / "two.soup", second)) == 2);
-  CHECK(load_any(dir / "two.soup", second).index() == 0);  // equal sizes are one arity
+  CHECK(load_any(dir / "two.soup", second).index() == 0);  // the sizes are equal, so the mesh has an arity
   save(triangle, dir / "three.soup", first);
   CHECK(read_file(dir / "three.soup") == "both 2\n");
   save(triangle, dir / "three.soup", second);

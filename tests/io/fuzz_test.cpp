@@ -72,7 +72,7 @@ bool holds_together(const polyhedra_arrays& a) {
          std::all_of(a.poly_faces.begin(), a.poly_faces.end(), [&](face_id f) { return f.raw() < a.num_faces(); });
 }
 
-/// Reads a text that ends where its memory ends, as M and finds it whole, refused with a line of the text, or of the wrong kind.
+/// Whether reading M gives a valid mesh, a parse_error in a line of the text, or `unsupported`. The memory ends at the end of the text.
 template<class M>
 bool survives(const std::string& text, format_id format) {
   const std::unique_ptr<char[]> exact(new char[text.size()]);

@@ -21,9 +21,9 @@ using namespace concino::testing;
 
 namespace {
 
-int calls_left = -1;  // a process ends before the call that finds 0; negative: never
+int calls_left = -1;  // the process ends before this call, counted from 0; negative: it does not end
 std::vector<std::string>* synced = nullptr;
-std::string watched;  // a file
+std::string watched;  // the path of a file
 
 void before_a_change() {
   if (calls_left >= 0 && calls_left-- == 0) ::_exit(77);
@@ -31,7 +31,7 @@ void before_a_change() {
 
 }  // namespace
 
-// Calls of this program come here instead of the system's library.
+// The program calls these functions instead of those of the system's library.
 extern "C" {
 int linkat(int from, const char* old, int to, const char* name, int flags) noexcept {
   before_a_change();
@@ -63,7 +63,7 @@ namespace {
 
 const std::string scene = "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl oak\nf 1 2 3\nusemtl color_1\nf 3 2 1\n";
 
-/// Saves m with a process that ends at each change of the folder, and looks at what is there. Returns the number of changes.
+/// Saves m in processes that end before the first, second, ... change of the folder, and checks the files. Returns the number of changes.
 int number_of_steps(const std::function<void(const temporary_folder&)>& prepare, const std::function<trimesh(const temporary_folder&)>& make) {
   for (int steps = 0;; ++steps) {
     const temporary_folder dir;
@@ -89,7 +89,7 @@ int number_of_steps(const std::function<void(const temporary_folder&)>& prepare,
     const bool is_one = now == old || now == fresh;
     CHECK(is_one);
     if (steps == 0) CHECK(now == old);
-    // the next saves find their way, and leave nothing of this one behind
+    // later saves work, and remove all files of this one
     const std::size_t others = std::filesystem::exists(dir / "oak.mtl") ? 1 : 0;
     for (const float r : {0.125f, 0.0625f}) {
       save(colored(r), path);
@@ -119,9 +119,9 @@ TEST_CASE("killed_save: at every step the files on disk are both old or both new
     poly_property<rgba>(m, "color")[poly_id{1}] = {0, 0, 1};
     return m;
   };
-  CHECK(number_of_steps(nothing, other) == 2);           // the library, the mesh
-  CHECK(number_of_steps(earlier, other) == 5);           // the library, three for the mesh, the outdated library
-  CHECK(number_of_steps(earlier, loaded) == 3);          // the mesh: a name that is taken, another, and renamed
+  CHECK(number_of_steps(nothing, other) == 2);           // the new library, the mesh
+  CHECK(number_of_steps(earlier, other) == 5);           // the library, three for the mesh, removing the outdated library
+  CHECK(number_of_steps(earlier, loaded) == 3);          // the mesh: a link to a name in use, a link to another name, a rename
   CHECK(number_of_steps(from_elsewhere, other) == 4);    // the library, the mesh
   CHECK(number_of_steps(from_elsewhere, loaded) == 3);   // the mesh
   CHECK(number_of_steps(from_elsewhere, changed) == 4);  // the library, the mesh

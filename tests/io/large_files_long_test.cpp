@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint64_t gib = std::uint64_t{1} << 30;
 
-/// A file of pieces at places; all else is zeros that take no room.
+/// A file that consists of pieces at given positions. The rest is zeros that take no space on the disk.
 struct sparse_file {
   std::string path;
   int fd;
@@ -54,7 +54,7 @@ std::uint64_t free_memory() {
 /// The text of a pipe: `head`, then n times `line`, then `tail`.
 template<class F>
 void with_pipe(const std::string& head, const std::string& line, std::uint64_t n, const std::string& tail, const F& f) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that gives up is no reason to die
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that stops early must not end this process
   int ends[2];
   REQUIRE(::pipe(ends) == 0);
   std::string block;
@@ -84,7 +84,7 @@ void with_pipe(const std::string& head, const std::string& line, std::uint64_t n
 
 }  // namespace
 
-// Space of a million dimensions makes a large file of few verts.
+// Points of a million coordinates make a large file with few verts.
 TEST_CASE("large files: binary OFF beyond 4 GiB can be mapped and read") {
   constexpr std::uint64_t dimension = 1'000'000, num_points = 1'100, points_at = 12 + 16, polys_at = points_at + 4 * dimension * num_points;
   static_assert(polys_at > 4 * gib);
@@ -103,7 +103,7 @@ TEST_CASE("large files: binary OFF beyond 4 GiB can be mapped and read") {
     CHECK(m.points[1097] == vec3{0, 0, 0});
     CHECK(raw(m.verts) == std::vector<unsigned>{0, 1, 1099, 1, 1098, 1099});
   }
-  // The place of an error is told beyond 4 GiB too.
+  // The byte of an error is right beyond 4 GiB too.
   file.write(polys_at + 8, words({5000}));
   CHECK_THROWS_WITH_AS(load<surface_arrays>(file.path, {.map = true}),
                        (file.path + ":1: expected the index of a vert below 1100, found another value at byte " + std::to_string(polys_at + 8)).c_str(), parse_error);
@@ -131,7 +131,7 @@ TEST_CASE("large files: text beyond 4 GiB with more than 2^32 lines can be read 
   if (free_memory() < 10 * gib) return skip("less than 10 GiB of memory are free");
   constexpr std::uint64_t lines = (std::uint64_t{1} << 32) + 10;
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  // Verts and faces after the 2^32 lines are read, up to the last one.
+  // Verts and faces after 2^32 lines are read, including the last one.
   with_pipe(triangle, "\n", lines, "v 0 0 9\nf -1 1 2\nf 1 2 5\nf 1 2 x\n", [&](const std::string& path) {
     CHECK_THROWS_WITH_AS(load<surface_arrays>(path, {.format = file_format::obj}),
                          (path + ":" + std::to_string(lines + 7) + ": expected the index of a vert, found 'x'").c_str(), parse_error);

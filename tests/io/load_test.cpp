@@ -73,7 +73,7 @@ TEST_CASE("load: a file that shrinks or grows while it is read is an io_error") 
       std::filesystem::resize_file(path, text.size() + 10 * grow);
       return true;
     };
-    // A file that is read is safe from changes by then; one that is mapped is not.
+    // Files that are read do not change any more; files that are mapped may.
     CHECK(num_polys(load<polygonmesh>(path, {.progress = change})) == 1);
     write_file(path, text);
     CHECK_THROWS_WITH_AS(load<polygonmesh>(path, {.progress = [&](double done, std::string_view) {

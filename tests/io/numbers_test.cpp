@@ -24,7 +24,7 @@ double reference(const std::string& s) {
   return x;
 }
 
-/// Where the number ends; -1 where there is none.
+/// The number of characters of the number; -1 if there is none.
 std::ptrdiff_t extent(const std::string& s) {
   double x = 0;
   const char* end = parse_real(s.data(), s.data() + s.size(), x);
@@ -37,7 +37,7 @@ TEST_CASE("numbers: reals equal those of from_chars to the last bit") {
   std::mt19937_64 random(7);
   std::size_t wrong = 0;
   for (int i = 0; i < 200000; ++i) {
-    // digits of any length, with the point anywhere: most take the short way, some are near a tie, some are too long for it
+    // numbers of any length, with the point anywhere: most take the fast path, some are near a tie, some have too many digits for it
     std::string s = std::to_string(random() >> (random() % 64));
     s.insert(random() % (s.size() + 1), ".");
     if (s == ".") continue;

@@ -20,7 +20,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// A trimesh of which the first vert and the first poly are deleted: ids go on from 1.
+/// A trimesh whose first vert and first poly are deleted, so that ids start at 1.
 struct with_holes {
   trimesh m;
 };
@@ -35,7 +35,7 @@ bool same_points(const A& a, const B& b) {
   return true;
 }
 
-/// Everything that a file can say about a mesh.
+/// All connectivity that a file can store.
 template<class M>
 std::vector<std::vector<unsigned>> said(const M& m) {
   std::vector<std::vector<unsigned>> all;
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("save: loading gives the same mesh to the last bit", M, CONCI
     if constexpr (dimension_v<M> == 2 || arity_v<M> == 0) {
       CHECK(said(m) == said(again));
     } else {
-      // tets and hexes come back from their faces: the same verts, turned
+      // tets and hexes are restored from their faces: with the same verts, in another order
       REQUIRE(num_polys(m) == num_polys(again));
       for (const auto p : polys(m)) {
         auto a = raw(adj_p2v(m, p)), b = raw(adj_p2v(again, p));
@@ -270,7 +270,7 @@ TEST_CASE("save: after any error the target is unchanged and no other file is le
   CHECK(read_file(dir / "a.obj") == "old");
   CHECK(dir.num_files() == 1);
 
-  // a disk that fills up: no file may grow beyond 16 KiB
+  // a full disk, simulated by a limit of 16 KiB for files
   struct ::rlimit was {};
   ::getrlimit(RLIMIT_FSIZE, &was);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -292,7 +292,7 @@ TEST_CASE("save: after any error the target is unchanged and no other file is le
                        io_error);
   std::filesystem::create_directory(dir / "d.obj");
   CHECK_THROWS_AS(save(m, dir / "d.obj"), io_error);
-  REQUIRE(::mkfifo((dir / "pipe").c_str(), 0600) == 0);  // no device: a fault would destroy those of the machine
+  REQUIRE(::mkfifo((dir / "pipe").c_str(), 0600) == 0);  // not a device, as a failing test would destroy those of the machine
   CHECK_THROWS_AS(save(m, dir / "pipe", {.format = file_format::obj}), io_error);
   CHECK(dir.num_files() == 3);
 }

@@ -38,7 +38,7 @@ bool names(const std::vector<cn::broken_law>& found, std::string_view law, std::
   return false;
 }
 
-/// A ring of `verb` at `a` is replaced.
+/// The broken laws if the ring of `verb` at `a` is replaced.
 template<class M>
 std::vector<cn::broken_law> with_ring(const char* verb, int a, std::vector<int> instead) {
   M m = example(static_cast<M*>(nullptr));
@@ -69,7 +69,7 @@ void law_by_number(const char* law, const char* witness, const char* verb, int a
   INFO(std::string(verb) << " " << a << "\n" << list(found));
   CHECK(names(found, law, witness));
 }
-/// Nothing but this law is broken.
+/// Checks that only this law is broken.
 void only(const std::vector<cn::broken_law>& found, std::string_view law) {
   INFO(list(found));
   for (const auto& b : found) CHECK(b.law == law);
@@ -163,7 +163,7 @@ TEST_CASE("each broken law of volumes is found") {
 
 namespace {
 
-/// Answers that change while the mesh is read: ring number `call`, counted from 1, of `verb` at `a` is replaced.
+/// The broken laws if a ring changes while the mesh is checked: call number `call` (from 1) of `verb` at `a` returns another ring.
 template<class M>
 std::vector<cn::broken_law> with_ring_at_call(const char* verb, int a, int call, std::vector<int> instead) {
   M m = example(static_cast<M*>(nullptr));
@@ -174,7 +174,7 @@ std::vector<cn::broken_law> with_ring_at_call(const char* verb, int a, int call,
   CHECK_FALSE(found.empty());
   return found;
 }
-/// Facet 1 has two polys in both examples: its polys are asked for first as a law of the mesh, then for FC2, by two walks for FC3, for FC4 of the facet.
+/// Facet 1 has two polys in both examples. Its polys are queried first for a law of the mesh, then for FC2, twice for FC3, and for FC4.
 template<class M>
 void law_by_ring_at_call(const char* law, const char* witness, const char* verb, int a, int call, std::vector<int> instead) {
   const auto found = with_ring_at_call<M>(verb, a, call, instead);
@@ -183,7 +183,7 @@ void law_by_ring_at_call(const char* law, const char* witness, const char* verb,
   only(found, law);
 }
 
-/// A model that keeps what adj_p2facet and adj_facet2p return in one buffer: each is right as long as the other is not asked for.
+/// A model that stores the results of adj_p2facet and adj_facet2p in the same buffer: each is right until the other is called.
 template<class M>
 struct one_buffer : M {
   explicit one_buffer(const M& m) : M(m) {}
@@ -212,7 +212,7 @@ struct one_buffer : M {
   }
 };
 
-/// A volume of tets or hexes known by type; adj_p2v in the order given.
+/// A volume that declares tets or hexes; adj_p2v returns the verts in their order.
 template<int Arity>
 struct shaped : user_mesh::volume {
   std::vector<int> order;
@@ -281,7 +281,7 @@ TEST_CASE("the laws of facets: a wrong poly before a right one at a facet is fou
 
 TEST_CASE("the laws of facets: wrong verts of an edge are found") {
   surface m = example(static_cast<surface*>(nullptr));
-  int walks = 0;  // over all edges: once as edges, once as facets
+  int walks = 0;  // iterations over all edges: first as edges, then as facets
   m.ring = [&](std::string_view asked, int x, std::vector<int>& ring) {
     if (asked == "edges") ++walks;
     if (walks == 2 && asked == "adj_e2v" && x == 2) ring = {0, 7};
@@ -330,7 +330,7 @@ TEST_CASE("a wrong order of the verts of tets and hexes is found") {
   const user_mesh::volume one_tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {2, 3, 0}, {1, 2, 3}},
                              {{{0, true}, {1, true}, {2, false}, {3, true}}});
   user_mesh::volume tet(one_tet);
-  tet.facets[2] = {0, 2, 3};  // stored inward
+  tet.facets[2] = {0, 2, 3};  // stored with inward orientation
   static_assert(cn::TetMesh<shaped<4>> && cn::HexMesh<shaped<8>>);
   CHECK(cn::check_laws(shaped<4>{tet, {0, 1, 2, 3}}).empty());
   CHECK(cn::check_laws(shaped<4>{tet, {1, 2, 0, 3}}).empty());
@@ -347,7 +347,7 @@ TEST_CASE("a wrong order of the verts of tets and hexes is found") {
 }
 
 namespace {
-/// A surface that says it is of triangles.
+/// A surface that declares triangles, whatever its polys are.
 struct so_called_triangles : user_mesh::surface {};
 }  // namespace
 template<>
@@ -362,7 +362,7 @@ TEST_CASE("a wrong arity of a surface is found") {
 }
 
 namespace {
-/// A mesh that lists the edges of polys and faces backwards, and says so or not.
+/// A mesh that lists the edges of polys and faces in reverse; SaysSo: it declares edges_in_order = false.
 template<class M, bool SaysSo = false>
 struct backwards : M {
   using M::M;
@@ -384,13 +384,13 @@ struct concino::mesh_traits<backwards<M, SaysSo>> : mesh_traits<M> {
 TEST_CASE("a wrong order of edges is found, unless the type declares another order") {
   const backwards<cn::trimesh> triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const auto of_triangle = cn::check_laws(triangle);
-  CHECK(of_triangle.size() == 2);  // the one in the middle is where it should be
+  CHECK(of_triangle.size() == 2);  // the edge in the middle is at its place
   CHECK(names(of_triangle, "SM7", "p0 e0"));
   const backwards<cn::polygonmesh> square({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
   CHECK(cn::check_laws(square).size() == 4);
   const backwards<cn::tetmesh> tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
   const auto of_tet = cn::check_laws(tet);
-  CHECK(of_tet.size() == 4);  // as many as are told of one law
+  CHECK(of_tet.size() == 4);  // the largest number of reports per law
   for (const auto& b : of_tet) CHECK(b.law == "VM8");
   const backwards<cn::polyhedralmesh> prism(cn::testing::polyhedra_grid(1));
   const auto of_prism = cn::check_laws(prism);
@@ -432,7 +432,7 @@ TEST_CASE_TEMPLATE("meshes that throw or return nonsense are reported, at most f
     m.number = [&](std::string_view verb, int, int, std::size_t real) { return verb.starts_with("index_of") ? real : n; };
     CHECK_FALSE(cn::check_laws(m).empty());
     m.number = [&](std::string_view verb, int, int, std::size_t real) { return verb.ends_with("bound") ? n : real; };
-    CHECK(cn::check_laws(m).empty() == (n > 1));  // a bound may be generous
+    CHECK(cn::check_laws(m).empty() == (n > 1));  // a bound may be too large
   }
   for (const char* verb : {"vert_index_bound", "edge_index_bound", "poly_index_bound", "num_verts", "num_edges", "num_polys"}) {
     m.number = [&](std::string_view asked, int, int, std::size_t real) { return asked == verb ? throw std::out_of_range("no numbers") : real; };
@@ -442,7 +442,7 @@ TEST_CASE_TEMPLATE("meshes that throw or return nonsense are reported, at most f
 
 TEST_CASE_TEMPLATE("any wrong, missing or additional element in a ring is found", M, surface, volume) {
   M m = example(static_cast<M*>(nullptr));
-  // Every ring there is, found by listening.
+  // Record all rings that check_laws queries.
   std::vector<std::pair<std::string, int>> asked;
   m.ring = [&](std::string_view verb, int a, std::vector<int>&) { asked.emplace_back(verb, a); };
   cn::check_laws(m);
@@ -483,7 +483,7 @@ TEST_CASE("every face with the wrong orientation is found") {
 }
 
 namespace {
-/// Walks that never end and that are different each time.
+/// Ranges that never end, and that are different each time.
 struct endless {
   mutable int calls = 0;
 };

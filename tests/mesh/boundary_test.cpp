@@ -24,7 +24,7 @@ void keeps_all_laws(const M& m) {
   CHECK(found.empty());
 }
 
-/// Volume inside a closed surface whose polygons are planar: positive where it is wound outward.
+/// The volume inside a closed surface with planar polygons, positive if it is oriented outward.
 template<class S>
 double inside(const S& s) {
   double six = 0;
@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE("boundary: of a grid is a closed box", M, CONCINO_VOLUME_KIND
     for ([[maybe_unused]] auto p : cn::adj_e2p(b, e)) ++n;
     CHECK(n == 2);
   }
-  // The surface of a part, and a part of the surface.
+  // The boundary of a part, and a part of the boundary.
   keeps_all_laws(cn::boundary(cn::submesh(m, [&](auto p) { return cn::index_of(m, p) % 2 == 0; })));
   keeps_all_laws(cn::submesh(b, [&](auto f) { return cn::index_of(m, f) % 2 == 0; }));
   const M empty;

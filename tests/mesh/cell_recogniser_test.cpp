@@ -34,7 +34,7 @@ TEST_CASE("cell_recogniser: recognises every shape, in any order of its faces an
         if (backwards) known.reverse_face();
       }
       REQUIRE(known.recognise() == s);
-      // positive as listed: the same shape in the points of the original
+      // the volume is positive in the recognised order of the verts
       std::vector<vec3> points(200);
       for (unsigned i = 0; i < t.num_verts; ++i) points[name[i]] = unit_cell(s)[i];
       CHECK(six_times_volume(s, known.cell, points) == doctest::Approx(six_volumes_of(s)));

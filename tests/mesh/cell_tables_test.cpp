@@ -26,7 +26,7 @@ Tables tables_of(unsigned vert_count, const std::vector<list>& polys) {
   return Tables(vert_count, verts);
 }
 
-/// How many polys at e can be reached from the first of them across faces at e that have two polys.
+/// The number of polys at e that can be reached from the first of them through faces at e with two polys.
 template<class Tables>
 std::size_t reached_around(const Tables& t, edge_id e, const std::vector<poly_id>& polys) {
   std::set<unsigned> met = {polys[0].raw()};
@@ -45,7 +45,7 @@ std::size_t reached_around(const Tables& t, edge_id e, const std::vector<poly_id
   return met.size();
 }
 
-/// The polys around every edge are those that have it; they are stepped around if they are one ring or fan, and listed if not.
+/// Checks that the polys around each edge are complete. They are found through faces if they are one ring or fan, and stored in a list otherwise.
 template<class Tables>
 void edges_are_right(const Tables& t) {
   std::vector<std::vector<poly_id>> at(t.edges().bound());
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("cell_tables: the polys around edges of any soup are right, b
 }
 
 TEST_CASE("cell_tables: the polys around an edge with several rings and fans are right") {
-  // Each entry is one ring (closed) or fan (open) of tets around the edge 0-1, of so many tets.
+  // Each entry is a ring (closed) or fan (open) of that many tets around the edge 0-1.
   struct fan { unsigned tets; bool closed; };
   const std::vector<std::vector<fan>> cases = {{{3, true}}, {{6, true}}, {{9, true}}, {{3, true}, {3, true}}, {{3, true}, {4, true}}, {{8, true}, {3, true}},
                                                {{3, true}, {8, true}}, {{5, false}}, {{3, true}, {2, false}}, {{2, false}, {2, false}},
@@ -100,7 +100,7 @@ TEST_CASE("cell_tables: the polys around an edge with several rings and fans are
         for (unsigned i = 0; i < f.tets; ++i) tets.push_back({0, 1, next + i, f.closed && i + 1 == f.tets ? first : next + i + 1});
         next += f.tets + (f.closed ? 0 : 1);
       }
-      // elsewhere some tets that keep the edge from being the first
+      // more tets, so that the edge is not the first one
       tets.insert(tets.begin(), {{next, next + 1, next + 2, next + 3}, {next, next + 1, next + 2, next + 4}});
       next += 5;
       for (list& t : tets) {

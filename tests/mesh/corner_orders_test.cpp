@@ -19,7 +19,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// A box of boxes; every hex as `places` of the unit cube's corners (x + 2 y + 4 z).
+/// A box divided into boxes. Each hex lists the corners x + 2 y + 4 z of the unit cube in the order `places`.
 struct boxes {
   std::vector<vec3> points;
   std::vector<std::array<int, 8>> hexes;
@@ -76,7 +76,7 @@ TEST_CASE("corner orders: every order gives the same hexes") {
     CHECK(validate(m).is_clean());
     if (o.order == hex_order::standard || o.order == hex_order::lexicographic) CHECK(corners(m) == corners(expected));
 
-    // The arrays of the user, read where they lie; and tables beside a mesh of the user's.
+    // A view of the user's arrays, and tables with a user's mesh.
     const auto view = view_hex(b.points, b.hexes, o.order);
     CHECK(corners(view) == corners(m));
     CHECK(check_laws(view).empty());

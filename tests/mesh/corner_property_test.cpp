@@ -20,7 +20,7 @@ static_assert(NumbersCorners<trimesh> && NumbersCorners<const polyhedralmesh&> &
 
 namespace {
 
-/// What stands at corner k of p in these tests: the poly, and the vert there.
+/// The value at a corner in these tests, made from its poly and vert.
 double value_at(poly_id p, vert_id v) { return 1000.0 * p.raw() + v.raw() + 1; }
 
 template<class M>
@@ -156,7 +156,7 @@ TEST_CASE_TEMPLATE("corner properties: are transferred by convert, submesh and a
     std::size_t k = 0;
     for (const vert_id v : adj_p2v(part, p)) CHECK(kept[k++] == value_at(p, v));
   }
-  // One poly of all: its corners have the mean of those that they were, weighted by the polys.
+  // All polys in one: the values at its corners are means of the old ones, weighted by the polys.
   M whole = testing::grid<M>(2);
   const auto same = corner_property<double>(whole, "same");
   const auto by_poly = corner_property<double>(whole, "by poly");

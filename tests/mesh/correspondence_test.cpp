@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint32_t none = element_origins::none;
 
-/// Every element of m comes from the one with its index.
+/// The correspondence that maps every element to the one with the same index.
 template<class M>
 correspondence identity(const M& m) {
   const auto same = [](std::size_t n) {
@@ -44,7 +44,7 @@ property_rule rule_of(const M& m, std::string_view name) {
   return {};
 }
 
-/// Throws when it is copied for the time that `left` has come down to 0.
+/// The copy constructor counts `left` down, and throws where it is 0.
 struct throwing {
   static inline int left = 1 << 30;
   int value = 0;
@@ -118,7 +118,7 @@ TEST_CASE_TEMPLATE("correspondence: copies are exact for every kind of elements"
   *mesh_property<std::string>(m, "title") = "a grid";
   for (const bool edges_follow : {false, true}) {
     M to = testing::grid<M>(2);
-    const auto replaced = vert_property<int>(to, "u");  // of another type: it goes
+    const auto replaced = vert_property<int>(to, "u");  // a property of another type is replaced
     poly_property<int>(to, "kept");
     correspondence c = identity(m);
     if (edges_follow) c.edges = c.faces = {};
@@ -156,10 +156,10 @@ TEST_CASE_TEMPLATE("correspondence: inserted, split, merged and new elements fol
 
   M to = testing::grid<M>(2);
   correspondence k;
-  k.verts.add({{0, 3}, {1, 1}});  // a: nearer to the first; amounts need not add up to 1
+  k.verts.add({{0, 3}, {1, 1}});  // a is nearer to the first; weights need not sum to 1
   k.verts.add({{0, 2}, {1, 2}});
   k.verts.add(none);
-  k.verts.add({{0, 0}, {1, 0}});  // of nothing in common: both alike
+  k.verts.add({{0, 0}, {1, 0}});  // weights of 0: both count equally
   while (k.verts.size() < num_verts(m)) k.verts.add(2);
   k.polys.add({{0, 1}});  // poly 0 is split in the ratio 1 : 3, the larger part is merged with poly 1
   k.polys.add({{0, 3}, {1, 2}});
@@ -177,12 +177,12 @@ TEST_CASE_TEMPLATE("correspondence: inserted, split, merged and new elements fol
   CHECK(find_vert_property<std::array<double, 2>>(to, "texture")[a] == std::array<double, 2>{2, 3});
   const auto new_name = find_vert_property<std::string>(to, "name");
   CHECK(new_name[a] == "first");
-  CHECK(new_name[b] == "first");  // of two alike
+  CHECK(new_name[b] == "first");  // of two equal weights the first
   CHECK(new_name[c].empty());
   const auto new_mass = find_poly_property<double>(to, "mass");
   CHECK(new_mass[poly_id{0}] == 3);
   CHECK(new_mass[poly_id{1}] == 12);
-  const auto new_count = find_poly_property<int>(to, "count");  // goes as a whole to the larger part
+  const auto new_count = find_poly_property<int>(to, "count");  // integers are not split: the larger part gets all
   CHECK(new_count[poly_id{0}] == 0);
   CHECK(new_count[poly_id{1}] == 12);
 
@@ -201,7 +201,7 @@ TEST_CASE("correspondence: splitting and merging preserves sums, and means are i
     const std::size_t before = 1 + random() % 20, after = before + random() % 20;
     element_origins o;
     std::vector<std::vector<origin>> list(after);
-    for (std::uint32_t i = 0; i < before; ++i) list[i].push_back({i, 1.0 + static_cast<double>(random() % 5)});  // each goes somewhere
+    for (std::uint32_t i = 0; i < before; ++i) list[i].push_back({i, 1.0 + static_cast<double>(random() % 5)});  // each old element has a new one
     for (std::size_t n = random() % 60; n > 0; --n) {
       const auto i = static_cast<std::uint32_t>(random() % before);
       auto& at = list[random() % after];

@@ -12,7 +12,7 @@ using namespace concino;
 using namespace concino::detail;
 
 TEST_CASE("face_soup: finds common faces, but not equal verts in another cyclic order") {
-  // two tets on one face, a third whose copy of it runs the same way
+  // two tets at one face, and a third one that has the face in the same orientation
   cell_arrays c{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}}, {}, 4};
   for (const int v : {0, 1, 2, 3, 0, 2, 1, 4}) c.verts.push_back(vert_id{v});
   const polyhedra_arrays two = to_polyhedra(cell_arrays(c));

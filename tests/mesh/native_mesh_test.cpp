@@ -28,7 +28,7 @@ std::set<unsigned> raw_set(const R& range) {
   return all;
 }
 
-/// The sides of polys as sets of verts, found without the tables that are tested.
+/// The facets of polys as sets of verts, computed without the tested tables.
 template<class M>
 std::vector<std::set<std::set<unsigned>>> sides_of_polys(const cn::testing::soup<M>& s) {
   std::vector<std::set<std::set<unsigned>>> all;
@@ -40,7 +40,7 @@ std::vector<std::set<std::set<unsigned>>> sides_of_polys(const cn::testing::soup
   } else if constexpr (cn::TetMesh<M>) {
     for (const auto& v : s.verts) all.push_back({{v[0], v[1], v[2]}, {v[0], v[1], v[3]}, {v[0], v[2], v[3]}, {v[1], v[2], v[3]}});
   } else if constexpr (cn::HexMesh<M>) {
-    // Two quads on the same verts are the same face only if they walk them in the same order: the diagonals tell.
+    // Two quads with the same verts are the same face only if their cyclic orders are equal. The diagonals distinguish these.
     const auto quad = [](unsigned a, unsigned b, unsigned c, unsigned d) {
       return std::set<unsigned>{a, b, c, d, 1000 * (1 + std::min(a, c)) + std::max(a, c), 1000 * (1 + std::min(b, d)) + std::max(b, d)};
     };
@@ -50,7 +50,7 @@ std::vector<std::set<std::set<unsigned>>> sides_of_polys(const cn::testing::soup
   } else {
     for (const auto& faces : s.poly_faces) {
       all.emplace_back();
-      for (const auto& [f, outward] : faces) all.back().insert({1000000 + f});  // polyhedra share faces by number, not by verts
+      for (const auto& [f, outward] : faces) all.back().insert({1000000 + f});  // polyhedra share faces by id, not by verts
     }
   }
   return all;
@@ -94,7 +94,7 @@ TEST_CASE_TEMPLATE("native meshes: keep the order of verts in polys", M, cn::tri
 }
 
 TEST_CASE("the polys around an edge: rings and open fans are right") {
-  // Each entry is one ring (closed) or fan (open) of tets around the edge 0-1, of so many tets.
+  // Each entry is a ring (closed) or fan (open) of that many tets around the edge 0-1.
   struct fan { unsigned tets; bool closed; };
   const std::vector<std::vector<fan>> cases = {{{3, true}},           {{5, true}},           {{6, true}},           {{7, true}},
                                                {{3, true}, {3, true}}, {{3, true}, {4, true}}, {{4, true}, {3, true}}, {{5, true}, {9, true}},
@@ -191,7 +191,7 @@ TEST_CASE("native meshes: polygons with many verts may share many edges") {
   for (const auto e : cn::edges(m)) crowded += cn::adj_e2p(m, e).size() == 3;
   CHECK(crowded == n / 3);
 
-  // The two as the faces of a flat polyhedron, one of them also of another that is open.
+  // The two polygons as the faces of a flat polyhedron; one of them is also in an open polyhedron.
   const cn::polyhedralmesh w(points, std::vector<std::vector<unsigned>>(lists.begin(), lists.begin() + 2),
                              std::vector<std::vector<std::pair<unsigned, bool>>>{{{0, true}, {1, true}}, {{0, false}}});
   CHECK(raw_set(cn::adj_p2p(w, cn::poly_id{0})) == std::set<unsigned>{1});
@@ -305,7 +305,7 @@ TEST_CASE("native meshes: more polys, verts or corners than ids throw") {
 }
 
 TEST_CASE("native meshes: only large faces with very many polyhedra throw") {
-  // A face of `verts` verts, and `polys` polys that have this face alone.
+  // A face of `verts` verts that is the only face of each of `polys` polys.
   const auto crowded = [](std::size_t verts, std::size_t polys) {
     cn::polyhedra_arrays a{std::vector<cn::vec3>(verts), {0, static_cast<std::uint32_t>(verts)}, {}, {0}, {}, {}};
     for (std::size_t v = 0; v < verts; ++v) a.face_verts.push_back(cn::vert_id{v});
@@ -316,7 +316,7 @@ TEST_CASE("native meshes: only large faces with very many polyhedra throw") {
   };
   CHECK(cn::adj_p2v(crowded(16, 80000), cn::poly_id{79999}).size() == 16);
   CHECK(cn::adj_v2p(crowded(80000, 16), cn::vert_id{79999}).size() == 16);
-  CHECK(cn::adj_v2p(crowded(1104, 980), cn::vert_id{0}).size() == 980);  // 2^20 + 16 (1104 + 980) verts of polys: the most there may be
+  CHECK(cn::adj_v2p(crowded(1104, 980), cn::vert_id{0}).size() == 980);  // 2^20 + 16 (1104 + 980) entries of adj_p2v: the limit
   CHECK_THROWS_AS(crowded(1104, 981), cn::unsupported);
   CHECK_THROWS_WITH_AS(crowded(2000, 2000), doctest::Contains("4000000 entries for input lists of 4000; a face of more than 16 verts should belong to at most 16 polys"),
                        cn::unsupported);

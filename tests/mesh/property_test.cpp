@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("properties: follow their elements through edits", M, CONCINO
 
 namespace {
 
-/// Counts itself; the one that uses up `left` throws.
+/// Counts its objects. Constructors count `left` down, and throw where it is 0.
 struct counted {
   static inline int alive = 0, left = 1 << 30;
   std::string text = "as made, and too long to be kept inside of the string";

@@ -1,4 +1,4 @@
-// submesh(m, keep) equals the mesh that has only the kept polys, law for law and element for element.
+// submesh(m, keep) equals a mesh that has only the kept polys, in laws and elements.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/concepts/derived.hpp>
 #include <concino/mesh/submesh.hpp>
@@ -25,7 +25,7 @@ void keeps_all_laws(const M& m) {
   CHECK(found.empty());
 }
 
-/// The same laws as m, if it is a volume wound at random.
+/// Checks that the part breaks no law, except VM6 if m has random orientations.
 template<class M, class V>
 void keeps_laws_of(const M& m, const V& part) {
   const auto winding = [](const auto& found) {
@@ -63,7 +63,7 @@ TEST_CASE("submesh: a part of a surface equals a mesh of its polys") {
   CHECK(cn::contains(part, user_mesh::vertex{2}));
   CHECK_FALSE(cn::contains(part, user_mesh::vertex{3}));
   CHECK_FALSE(cn::contains(part, user_mesh::vertex{100}));
-  // v0 keeps its edges to v1, v2, v4, v6, and the two polys are no neighbours.
+  // v0 is adjacent to v1, v2, v4, v6, and the two polys are not neighbours.
   std::set<int> next;
   for (auto v : cn::adj_v2v(part, user_mesh::vertex{0})) next.insert(v.i);
   CHECK(next == std::set<int>{1, 2, 4, 6});

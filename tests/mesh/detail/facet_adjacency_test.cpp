@@ -17,7 +17,7 @@ namespace {
 
 using list = std::vector<unsigned>;
 
-/// Poly p has the facets polys[p]: the polys across its sides are those with a facet in common, each once.
+/// Checks that the neighbours of each poly p, which has the facets polys[p], are all polys with a common facet, each once.
 void are_right(const std::vector<list>& polys, bool first_is_known) {
   detail::offsets lengths{0};
   unsigned facets = 0;
@@ -92,7 +92,7 @@ TEST_CASE("facet_adjacency: two of three polys at a facet may share another face
     are_right({ring, a, b});
     are_right({ring, a, again});
     are_right({again, a, ring});
-    // the number of a facet with three polys is no number of a poly
+    // the number of a facet with three polys is not taken for a poly
     are_right({c, ring, a, b});
     are_right({c, a, ring, b});
     are_right({c, a, ring, again});
@@ -110,7 +110,7 @@ TEST_CASE("facet_adjacency: boundary facets may lie between facets to the same p
 TEST_CASE("facet_adjacency: polys at non-manifold facets may share other facets too") {
   std::mt19937 random(11);
   for (int round = 0; round < 60; ++round) {
-    // few facets for many polys: nearly every facet has a crowd, and crowds overlap
+    // few facets for many polys: nearly every facet is non-manifold, and their polys overlap
     const unsigned facet_count = round % 3 == 0 ? 8 : round % 3 == 1 ? 60 : 400, count = 2 + static_cast<unsigned>(random() % 30);
     std::vector<list> lists;
     for (unsigned p = 0; p < count; ++p) {

@@ -120,7 +120,7 @@ TEST_CASE("jagged_array: a staged row is visible after commit, and may copy from
   jagged_array<int, 0> r = three_rows();
   const std::vector<int> before = row(r, 2);
   for (int i = 0; i < 20; ++i) {
-    const int* const staged = r.stage_row(r.begin(2), 3);  // not committed: the next one takes its place
+    const int* const staged = r.stage_row(r.begin(2), 3);  // it is not committed, so the next one replaces it
     CHECK(std::vector<int>(staged, staged + 3) == before);
   }
   CHECK(r.size() == 3);

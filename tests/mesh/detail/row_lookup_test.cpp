@@ -29,7 +29,7 @@ TEST_CASE("row_lookup: finds every value in its row, and no other") {
     }
   };
   are_right();
-  // What the places do not know is looked for.
+  // Values added after the construction are found by linear search.
   lists.push_back(lists[5]);
   std::reverse(lists.back().begin(), lists.back().end());
   all.add_row(lists.back().begin(), lists.back().end());
