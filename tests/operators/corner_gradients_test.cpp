@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("simplex_gradients: equal corner_gradients", M, trimesh, tetm
   static_assert(std::is_same_v<poly_gradients<M>, simplex_gradients<M>>);
   static_assert(std::is_same_v<poly_gradients<hexmesh>, corner_gradients<hexmesh>>);
   auto arrays = jittered(grid_arrays<M>(2), 0.05);
-  std::swap(arrays.verts[0], arrays.verts[1]);  // a tet turned inside out
+  std::swap(arrays.verts[0], arrays.verts[1]);  // invert a tet
   for (vec3& x : arrays.points) x += vec3{1000, 0, -2000};
   const M m(arrays);
   corner_gradients<M> general;
@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("simplex_gradients: equal corner_gradients", M, trimesh, tetm
 }
 
 TEST_CASE("corner_gradients: give the same result for polyhedra of few and of many verts") {
-  // Prisms over rings: corners of 26 verts are found by looking, of 80 by their numbers.
+  // Prisms over regular polygons: among 26 verts a corner is found by linear search, among 80 by its index.
   for (const unsigned n : {13u, 40u}) {
     surface_arrays ring;
     ring.offsets = {0, n};
@@ -76,7 +76,7 @@ TEST_CASE("corner_gradients: give the same result for polyhedra of few and of ma
     std::reverse(ring.verts.begin(), ring.verts.end());
     const polyhedralmesh m(extrude(ring, 2));
     corner_gradients<polyhedralmesh> local;
-    for (const auto p : polys(m)) {  // twice with the same scratch: nothing stays from the poly before
+    for (const auto p : polys(m)) {  // both with the same scratch, which keeps nothing of the poly before
       local.visit(m, p);
       vec3 sum;
       for (std::size_t i = 0; i < local.verts.size(); ++i) {
@@ -110,7 +110,7 @@ TEST_CASE("corner_gradients: polys without measure, or with points that are NaN,
   simplex_gradients<trimesh> triangle;
   triangle.visit(trimesh({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}, {{0, 1, 2}}), poly_id{0});
   CHECK(!triangle.has_gradients());
-  const trimesh tiny_one({{0, 0, 0}, {1e-160, 0, 0}, {0, 1e-160, 0}}, {{0, 1, 2}});  // its area is no number any more
+  const trimesh tiny_one({{0, 0, 0}, {1e-160, 0, 0}, {0, 1e-160, 0}}, {{0, 1, 2}});  // its area underflows
   triangle.visit(tiny_one, poly_id{0});
   CHECK(!triangle.has_gradients());
   const trimesh thin({{0, 0, 0}, {1, 0, 0}, {0, 1e-150, 0}}, {{0, 1, 2}});
@@ -125,7 +125,7 @@ TEST_CASE("corner_gradients: empty polygons and extremely thin triangles have no
   corner_gradients<user_mesh::surface> none;
   none.visit(m, user_mesh::cell{0});
   CHECK(!none.has_gradients());
-  // the area is a number, and the heights over the short edges have inverses
+  // the area is positive, and heights over the short edges have finite inverses
   const double length = 0x1p20, height = 5e-309;
   simplex_gradients<trimesh> triangle;
   for (unsigned i = 0; i < 3; ++i) {

@@ -16,7 +16,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// A mesh that names the edges of a poly as it is walked, from any of them on; half-edges that name their targets begin with the last.
+/// A mesh that lists the edges of a poly from edge `turn` on, or in reverse. Half-edges that store their targets begin with the last edge.
 struct spun : user_mesh::surface {
   std::size_t turn = 0;
   bool back = false;
@@ -54,7 +54,7 @@ TEST_CASE("cotangent weights: of a triangle equal products of gradients of the h
   const std::array<vec3, 3> x = {vec3{0.1, 0.3, -1}, vec3{2, 0.5, 0.4}, vec3{0.7, 1.9, 0.2}};
   const detail::simplex_weights<2> w(x);
   const vec3 normal = cross(x[1] - x[0], x[2] - x[0]);
-  vec3 gradient[3];  // of hat i: normal to the opposite edge in the plane, 1 / height
+  vec3 gradient[3];  // of the hat function at vert i: orthogonal to the opposite edge in the plane, with length 1 / height
   for (std::size_t i = 0; i < 3; ++i) {
     const vec3 edge = x[(i + 2) % 3] - x[(i + 1) % 3];
     gradient[i] = cross(normal, edge) / dot(normal, normal);

@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("de Goes: is semidefinite on non-planar polygons, scales exac
 
 TEST_CASE("de Goes: is right on the unit square and on a polygon that is not star-shaped") {
   const Eigen::MatrixXd square = matrix_of(grid<quadmesh>(1));
-  const auto& row = square.row(0);  // verts 0 1 / 2 3: of the alternating function all of the differences count
+  const auto& row = square.row(0);  // with verts 0 1 / 2 3; all differences of the alternating function have energy
   CHECK(row[0] == doctest::Approx(1.5));
   CHECK(row[1] == doctest::Approx(-1));
   CHECK(row[2] == doctest::Approx(-1));
@@ -73,7 +73,7 @@ TEST_CASE("de Goes: is right on the unit square and on a polygon that is not sta
 
 TEST_CASE("de Goes: works on a user's mesh") {
   const auto values = spectrum(matrix_of(user_mesh::surface_example()));
-  CHECK(std::abs(values[1]) < 1e-13);  // the constants of the mesh and of the vert that nothing uses
+  CHECK(std::abs(values[1]) < 1e-13);  // constants on the mesh, and on the isolated vert
   CHECK(values[2] > 1e-3);
 }
 

@@ -26,7 +26,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// The discretisations of the library again, by each of the members that a discretisation may have.
+/// Discretisations of the library, implemented by each of the members that a discretisation may have.
 struct counted_neighbours {
   template<class M> auto neighbour_weights(const M&) const {
     return [](const auto&, const auto&) { return 1; };
@@ -37,7 +37,7 @@ struct counted_edges {
   template<AnyMesh M> auto edge_weights(const M& m) const { return make_edge_map<double>(m, 1); }
   template<class M> auto masses(const M& m) const { return make_vert_map<double>(m, 1); }
 };
-struct counted_polys {  // of triangles: half a weight for each of the polys at an edge, so a whole one within
+struct counted_polys {  // of triangles: each poly has half a weight for each of its edges, so interior edges have weight 1
   template<AnyMesh M> auto poly_matrices(const M& m) const {
     return [&m](const poly_t<M>& p, local_matrix<vert_t<M>>& k) {
       k.verts.clear();
@@ -47,7 +47,7 @@ struct counted_polys {  // of triangles: half a weight for each of the polys at 
   }
   template<class M> auto masses(const M& m) const { return make_vert_map<double>(m, 1); }
 };
-struct given_masses {  // those of the mesh, so that problems are solved at the mesh's own size
+struct given_masses {  // the masses are those of the mesh, so problems are solved at the scale of the mesh
   template<class M> auto poly_matrices(const M& m) const { return virtual_elements.poly_matrices(m); }
   template<class M> auto masses(const M& m) const { return vert_masses(m); }
 };
@@ -77,7 +77,7 @@ using graph = decltype(only_primal_graph(std::declval<const trimesh&>()));
 using surface_without_points = decltype(only_surface_mesh(std::declval<const trimesh&>()));
 static_assert(has_default_laplacian<trimesh> && has_default_laplacian<polyhedralmesh>);
 static_assert(!has_default_laplacian<graph> && !has_default_laplacian<surface_without_points>);
-static_assert(!has_default_laplacian<views::primal_view<trimesh>>);  // f(m) equals f(primal(m)) wherever both are allowed
+static_assert(!has_default_laplacian<views::primal_view<trimesh>>);  // f(m) equals f(primal(m)) if both are allowed
 static_assert(has_cotangents<trimesh> && has_cotangents<polygonmesh> && has_cotangents<tetmesh> && has_cotangents<polyhedralmesh>);
 static_assert(!has_cotangents<quadmesh> && !has_cotangents<hexmesh> && !has_cotangents<graph>);
 static_assert(Discretisation<uniform_t, graph> && Discretisation<const uniform_t&, const graph&> && Discretisation<counted_neighbours, graph>);

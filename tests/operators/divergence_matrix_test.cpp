@@ -34,7 +34,7 @@ void check_is_adjoint(const M& m) {
   CHECK((sums.size() == 0 || sums.cwiseAbs().maxCoeff() < 1e-13));
 }
 
-/// The field c on every poly.
+/// The constant field c.
 template<class M>
 Eigen::VectorXd constant(const M& m, const vec3& c) {
   Eigen::VectorXd x(3 * static_cast<Eigen::Index>(poly_index_bound(m)));
@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("divergence_matrix: the divergence of constant fields is 0 at
 TEST_CASE("divergence_matrix: the divergence of constant fields is 0 in prisms and rotated surfaces") {
   check_constants(polyhedralmesh(jittered(extrude(triangle_grid(3), 3), 0.05)), 8);
   auto turned_plane = jittered(polygon_grid(3), 0.02, false);
-  for (vec3& x : turned_plane.points) x.z = 0.5 * x.x;  // the field (3, -2, 0) is not in its plane: only what is in it counts
+  for (vec3& x : turned_plane.points) x.z = 0.5 * x.x;  // the field (3, -2, 0) is not in the plane of the mesh: only its component in the plane counts
   check_constants(polygonmesh(turned_plane), 9);
 }
 

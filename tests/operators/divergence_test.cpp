@@ -17,7 +17,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// Vectors that are not vec3.
+/// A vector field whose values are not vec3.
 template<class M>
 struct whirl {
   const M& m;

@@ -17,7 +17,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// Linear functions have their gradient, without its part along the vector area on surfaces, and constants none.
+/// Checks that linear functions have their exact gradient (on surfaces without its component along the vector area), and constants the gradient 0.
 template<class M>
 void check_linear(const M& m) {
   const auto g = gradient_matrix(m);
@@ -27,11 +27,11 @@ void check_linear(const M& m) {
   CHECK(linear_error(m, g) < 1);
 }
 
-/// Walks its polys from the last to the first, but for the last two of four.
+/// A mesh whose range of polys is in descending order, except for the last two of four.
 struct backwards : user_mesh::surface {
   using user_mesh::surface::surface;
 };
-/// Numbers its polys as if there had been very many.
+/// A mesh with very large indices of polys.
 struct sparsely_numbered : user_mesh::surface {
   using user_mesh::surface::surface;
 };
@@ -106,7 +106,7 @@ TEST_CASE_TEMPLATE("gradient_matrix: scales and rotates with the mesh, exactly f
 
 TEST_CASE_TEMPLATE("gradient_matrix: has no entries for deleted elements and isolated verts", M, CONCINO_KINDS) {
   M m(jittered(two_grids_arrays<M>(2), 0.05));
-  const auto whole = gradient_matrix(m);  // what stays may be walked from another vert or face, so that sums are rounded otherwise
+  const auto whole = gradient_matrix(m);  // the remaining polys may start at another vert or face, so sums are rounded differently
   remove_poly(m, poly_id{1});
   remove_poly(m, poly_id{5});
   const auto g = gradient_matrix(m);

@@ -15,7 +15,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// Not an array: any class with [] is a map.
+/// A map that is not an array: any class with operator[] is a map.
 template<class M>
 struct waves {
   const M& m;

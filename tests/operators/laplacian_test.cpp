@@ -21,7 +21,7 @@ namespace {
 
 double cot(const vec3& at, const vec3& a, const vec3& b) { return dot(a - at, b - at) / norm(cross(a - at, b - at)); }
 
-/// Every column sorted, no row twice, all rows inside.
+/// Checks that rows are sorted, unique and in range in each column.
 void check_compressed(const Eigen::SparseMatrix<double>& l) {
   CHECK(l.isCompressed());
   for (Eigen::Index c = 0; c < l.cols(); ++c) {
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("laplacian, uniform: has minus the degree and ones; its kerne
     CHECK(l.coeff(i, i) == -degree);
   }
   CHECK(static_cast<std::size_t>(l.nonZeros()) == num_verts(m) + 2 * num_edges(m));
-  CHECK(kernel_size(l) == 3);  // two grids and the lonely vert
+  CHECK(kernel_size(l) == 3);  // two grids and the isolated vert
 }
 
 TEST_CASE_TEMPLATE("laplacian, uniform: runs on the archetype of a primal graph", M, CONCINO_ALL_KINDS) {
@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: is the default; its kernel is the const
   const M m(jittered(two_grids_arrays<M>(2), 0.04, VolumeMesh<M>));
   const auto l = laplacian(m);
   check_is_laplacian(m, l, 1e-13);
-  CHECK(kernel_size(l) == 3);  // two grids and the lonely vert
+  CHECK(kernel_size(l) == 3);  // two grids and the isolated vert
   CHECK((l - laplacian(m, virtual_elements)).norm() == 0);
 }
 
@@ -262,7 +262,7 @@ TEST_CASE("laplacian, cotangent: the order of the edges of a poly does not matte
   };
   const auto tets = jittered(tet_grid(2), 0.05);
   same(tetmesh(tets), polyhedralmesh(to_polyhedra(cell_arrays(tets))));
-  for (unsigned turn = 0; turn < 6; ++turn) {  // edges stand where the first poly that has them was walked
+  for (unsigned turn = 0; turn < 6; ++turn) {  // the order of edges depends on the first poly that has them
     auto turned = tets;
     const unsigned orders[][4] = {{1, 2, 0, 3}, {3, 1, 0, 2}, {1, 0, 3, 2}, {2, 3, 0, 1}, {0, 3, 1, 2}, {3, 2, 1, 0}};
     for (std::size_t p = 0; p < turned.num_polys(); ++p)

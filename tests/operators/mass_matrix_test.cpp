@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE("Galerkin mass: is positive definite, and integrates products
   CHECK(dense == dense.transpose());
   CHECK(dense.sum() == doctest::Approx(total_measure(m)).epsilon(1e-12));
   CHECK(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly).eigenvalues()[0] > 1e-5);
-  // 1 and x against 1 and x: what the centres of mass and, on boxes, the moments say
+  // products of 1 and x, by the centroids
   Eigen::VectorXd one = Eigen::VectorXd::Ones(dense.rows()), x(dense.rows());
   for (const auto v : verts(m)) x[static_cast<Eigen::Index>(index_of(m, v))] = point(m, v)[0] + 2 * point(m, v)[1];
   double expected = 0;
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("Galerkin mass: is positive definite, and integrates products
 TEST_CASE_TEMPLATE("Galerkin mass: integrates squares of linear functions over the unit square and cube", M, CONCINO_KINDS) {
   auto arrays = grid_arrays<M>(3);
   const auto moved = jittered(arrays, 0.03, VolumeMesh<M>);
-  for (std::size_t i = 0; i < arrays.points.size(); ++i) {  // the boundary stays
+  for (std::size_t i = 0; i < arrays.points.size(); ++i) {  // boundary verts do not move
     bool inside = true;
     for (std::size_t k = 0; k < (VolumeMesh<M> ? 3u : 2u); ++k) inside = inside && arrays.points[i][k] > 0.01 && arrays.points[i][k] < 0.99;
     if (inside) arrays.points[i] = moved.points[i];

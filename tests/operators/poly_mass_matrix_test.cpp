@@ -28,7 +28,7 @@ TEST_CASE_TEMPLATE("poly_masses: sum to the measure; the matrix has each three t
     for (int k = 0; k < 3; ++k) CHECK(matrix.coeff(3 * static_cast<int>(p.raw()) + k, 3 * static_cast<int>(p.raw()) + k) == mass[p]);
   }
   CHECK(sum == doctest::Approx(total_measure(m)).epsilon(1e-13));
-  CHECK(std::accumulate(mass.values().begin(), mass.values().end(), 0.0) == sum);  // deleted polys count nothing
+  CHECK(std::accumulate(mass.values().begin(), mass.values().end(), 0.0) == sum);  // deleted polys have mass 0
   const auto g = only_embedded_mesh(m);
   const auto stripped = poly_masses(g);
   for (const auto p : polys(g)) CHECK(stripped[p] == doctest::Approx(mass[g.base(p)]).epsilon(1e-14));

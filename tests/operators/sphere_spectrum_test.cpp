@@ -36,7 +36,7 @@ TEST_CASE("corpus: eigenvalues and mean curvature of a sphere are the known ones
   CHECK(curvature.minCoeff() == doctest::Approx(0.248478134992).epsilon(1e-8));
   CHECK(curvature.maxCoeff() == doctest::Approx(7.03603419647).epsilon(1e-9));
 
-  // Inverse iteration of nine functions that are nearly the wanted ones: 1, the coordinates and their products.
+  // Inverse iteration of nine functions that are close to the eigenfunctions: 1, the coordinates and their products.
   Eigen::MatrixXd u(n, 9);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double a = x(i, 0), b = x(i, 1), c = x(i, 2);

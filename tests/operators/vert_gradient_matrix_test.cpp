@@ -15,7 +15,7 @@ using namespace concino::testing;
 
 namespace {
 
-/// Row by row the mean of the rows of the gradient matrix.
+/// Checks that each row is the mean of rows of the gradient matrix.
 template<class M>
 void check_is_mean(const M& m) {
   const auto w = vert_gradient_matrix(m);

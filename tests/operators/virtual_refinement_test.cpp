@@ -26,7 +26,7 @@ namespace {
 
 template<class M> Eigen::MatrixXd refined(const M& m) { return stiffness<concino::detail::virtual_refinement_element<M>>(m); }
 
-/// A grid whose verts inside are pushed about, in the plane or in space.
+/// A grid whose interior verts are moved, within the plane or in space.
 template<class M> M pushed_grid(unsigned n) {
   auto arrays = grid_arrays<M>(n);
   const auto moved = jittered(arrays, 0.06 / n, dimension_v<M> == 3);
@@ -38,7 +38,7 @@ template<class M> M pushed_grid(unsigned n) {
   return M(arrays);
 }
 
-/// A C of 8 verts: no point of it sees both arms.
+/// A C of 8 verts, which is not star-shaped: from no point both arms are visible.
 surface_arrays letter_c() {
   surface_arrays s{{{0, 0, 0}, {6, 0, 0}, {6, 1, 0}, {1, 1, 0}, {1, 5, 0}, {6, 5, 0}, {6, 6, 0}, {0, 6, 0}}, {0, 8}, {}, 0};
   for (unsigned i = 0; i < 8; ++i) s.verts.push_back(vert_id{i});
@@ -52,7 +52,7 @@ void add_face(polyhedra_arrays& a, std::initializer_list<unsigned> corners) {
   a.outward.push_back(1);
 }
 
-/// The matrix of a polyhedron with these triangles on it; if it has a square of verts 0 to 3, about one vert more in the middle of it.
+/// The stiffness matrix of a polyhedron with these triangles as faces. With has_square it also has the quad 0 1 2 3, with a virtual vert in its middle.
 Eigen::MatrixXd by_definition(std::vector<vec3> x, bool has_square, const std::vector<std::array<unsigned, 3>>& triangles) {
   const auto column = [](const vec3& a) { return Eigen::Vector3d(a.x, a.y, a.z); };
   const auto n = static_cast<unsigned>(x.size()), last = has_square ? n + 1 : n;
@@ -108,7 +108,7 @@ TEST_CASE("virtual refinement: a sum of squares has its minimum where expected")
       two.add(scale * (axis - 2 * other), c);
       CHECK(distance(two.minimum(), dot(c, axis) * axis + dot(c, other) * other) < 1e-15);
     }
-  for (int i = 1; i < 40; ++i) {  // rounding is no growth
+  for (int i = 1; i < 40; ++i) {  // rounding errors do not grow
     const vec3 d{0.01 * i, 0.3 / i, 1 + 0.1 * i}, c{1.5, -0.5, 0.75};
     detail::sum_of_squares s = {};
     for (const double factor : {0.7, 1.1, 1.3, 0.9}) s.add(factor * d, c);
@@ -183,7 +183,7 @@ TEST_CASE("virtual refinement: agrees with its definition on a bipyramid and a p
   const Eigen::MatrixXd two = by_definition(bipyramid.points, false, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}});
   CHECK((refined(polyhedralmesh(bipyramid)) - two).cwiseAbs().maxCoeff() < 1e-13);
 
-  polyhedra_arrays pyramid{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.7, 0.4, 1.3}, {0.5, -0.4, 0.4}}, {0}, {}, {0}, {}, {}};  // with a knob
+  polyhedra_arrays pyramid{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.7, 0.4, 1.3}, {0.5, -0.4, 0.4}}, {0}, {}, {0}, {}, {}};  // with an additional tip
   add_face(pyramid, {3, 2, 1, 0}), add_face(pyramid, {0, 1, 5}), add_face(pyramid, {1, 4, 5}), add_face(pyramid, {4, 0, 5});
   add_face(pyramid, {1, 2, 4}), add_face(pyramid, {2, 3, 4}), add_face(pyramid, {3, 0, 4});
   pyramid.poly_offsets.push_back(7);
@@ -196,7 +196,7 @@ TEST_CASE("virtual refinement: works on a user's mesh, and on a polyhedron with 
   const auto volume = user_mesh::volume_example();
   const Eigen::MatrixXd k = refined(volume);
   CHECK(k.row(9).cwiseAbs().maxCoeff() == 0);
-  CHECK(std::abs(spectrum(k)[1]) < 1e-13);  // the constants of the mesh and of the vert that nothing uses
+  CHECK(std::abs(spectrum(k)[1]) < 1e-13);  // constants on the mesh, and on the isolated vert
   CHECK(spectrum(k)[2] > 1e-3);
   surface_arrays disk{{}, {0, 20}, {}, 0};
   for (unsigned i = 0; i < 20; ++i) {
@@ -218,7 +218,7 @@ TEST_CASE("virtual refinement: the error names polys that are not star-shaped") 
   CHECK(message_for(c).find("poly 0 is not star-shaped") != std::string::npos);
   CHECK(message_for(c).find("virtual_elements") != std::string::npos);
   CHECK(message_for(polyhedralmesh(extrude(letter_c(), 1))).find("poly 0 is not star-shaped") != std::string::npos);
-  // concave polys that are star-shaped are no reason
+  // star-shaped polys do not throw, even if they are concave
   CHECK(message_for(grid<polygonmesh>(2)).empty());
   CHECK(message_for(grid<polyhedralmesh>(2)).empty());
 }

@@ -12,7 +12,7 @@ using namespace systems;
 
 namespace {
 
-/// Solutions are off by a thousandth.
+/// A solver whose solutions have a relative error of 1/1000.
 struct rough_solver : lu {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return 1.001 * lu::solve(b); }
 };
@@ -70,7 +70,7 @@ TEST_CASE("solve_with_constraints: a mean constraint determines a singular K; wi
 TEST_CASE("solve_with_constraints: redundant constraints are counted; the error names contradicting ones") {
   const sparse k = grid(3);
   const Eigen::VectorXd b = random_vector(9);
-  // rows 2 = row 0 + 2 row 1, 3 = 3 row 0, 4 empty, 5 free of them
+  // row 2 = row 0 + 2 row 1, row 3 = 3 row 0, row 4 is empty, row 5 is independent
   const sparse c = from(6, 9, {{0, 0, 0.1}, {0, 4, 0.7}, {1, 4, 1.0}, {1, 8, 0.3}, {2, 0, 0.1}, {2, 4, 2.7}, {2, 8, 0.6},
                             {3, 0, 0.1 * 3}, {3, 4, 0.7 * 3}, {5, 2, 1e-20}});
   Eigen::VectorXd d(6);
@@ -102,7 +102,7 @@ TEST_CASE("solve_with_constraints: nearly dependent constraints are kept, in any
       const Eigen::Vector2d terms = c.transpose().cwiseAbs() * r.multipliers.cwiseAbs();
       CHECK(distance(r.x, -(c.transpose() * r.multipliers)) < 1e-14 * terms.maxCoeff());
     }
-  for (const double unit : {1e-30, 1.0, 1e40}) {  // and those that depend are none, also on a row of which little was left
+  for (const double unit : {1e-30, 1.0, 1e40}) {  // dependent constraints are found, also after a row that is nearly eliminated
     const sparse c = from(4, 3, {{0, 0, 1.0}, {0, 1, 1.0}, {1, 0, 1.0}, {1, 1, 1 + 1e-7}, {1, 2, 1e-7}, {2, 0, 0.3 * unit}, {2, 1, (0.3 + 0.3e-7) * unit},
                               {2, 2, 0.3e-7 * unit}, {3, 0, 0.7 * unit}, {3, 1, 0.7 * unit}});
     sparse k3(3, 3);

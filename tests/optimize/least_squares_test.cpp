@@ -15,7 +15,7 @@ using namespace systems;
 
 namespace {
 
-/// Differences along a path of n, and the first value.
+/// The differences along a path of n values, and its first value.
 sparse differences(int n) {
   std::vector<Eigen::Triplet<double>> entries{{0, 0, 1.0}};
   for (int i = 1; i < n; ++i) {
@@ -25,7 +25,7 @@ sparse differences(int n) {
   return from(n, n, entries);
 }
 
-/// n equations in m unknowns, independent.
+/// n independent equations in m unknowns.
 sparse tall(int n, int m) {
   std::mt19937 random(9);
   std::vector<Eigen::Triplet<double>> entries;
@@ -80,13 +80,13 @@ TEST_CASE("least_squares: the residual is minimal, with and without conditions, 
 TEST_CASE("least_squares: nearly dependent columns are as accurate as with qr, by any solver") {
   const int rows = 60;
   bool some_by_qr = false, some_without = false;
-  for (int degree = 2; degree <= 12; ++degree) {  // polynomials through points: condition numbers up to 10^9
+  for (int degree = 2; degree <= 12; ++degree) {  // polynomials through points, with condition numbers up to 10^9
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < rows; ++i)
       for (int k = 0; k <= degree; ++k) entries.emplace_back(i, k, std::pow(i / (rows - 1.0), k));
     const sparse a = from(rows, degree + 1, entries);
     const Eigen::VectorXd x = random_vector(degree + 1), b = a * x;
-    for (const double away : {0.0, 1e-6}) {  // from what A reaches
+    for (const double away : {0.0, 1e-6}) {  // the distance of the right-hand side from the range of A
       const Eigen::VectorXd near = b + away * random_vector(rows, 5);
       const Eigen::VectorXd expected = least_squares(a, near, {}, qr{}).x;
       const double allowed = 50 * distance(least_squares(a, b, {}, qr{}).x, x) + 1e-12;

@@ -22,7 +22,7 @@ struct program {
   VectorXd g, low, high, solution;
 };
 
-/// A program whose solution is known because it is made of it: multipliers only where a bound is met, and the gradient they balance.
+/// A program constructed from its solution: multipliers are non-zero at active bounds only, and the gradient balances them.
 program with_known_solution(unsigned seed) {
   std::mt19937 random(seed);
   const auto number = [&] { return static_cast<double>(random()) / 2147483648.0 - 1; };

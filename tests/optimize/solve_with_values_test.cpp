@@ -19,7 +19,7 @@ namespace {
 
 using values = std::vector<std::pair<int, double>>;
 
-/// Its solutions have one entry that is no number.
+/// A solver whose solutions have one entry that is NaN.
 struct broken_solver : ldlt {
   int entry = 0;
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
@@ -29,7 +29,7 @@ struct broken_solver : ldlt {
   }
 };
 
-/// Given values are exact, other rows hold.
+/// Checks that prescribed values are exact, and that the other equations hold.
 void check_conditions(const sparse& a, const Eigen::VectorXd& b, const values& given, const Eigen::VectorXd& x) {
   Eigen::VectorXd r = b - a * x;
   for (const auto& [i, v] : given) {
@@ -49,12 +49,12 @@ TEST_CASE("solve_with_values: a path between two prescribed ends is a line") {
   }
   const Eigen::VectorXd x = solve_with_values(path, Eigen::VectorXd::Zero(5), {{0, 1.0}, {4, 3.0}});
   for (int i = 0; i < 5; ++i) CHECK(x[i] == doctest::Approx(1 + i / 2.0));
-  CHECK_THROWS_WITH_AS(solve_with_values(path, Eigen::VectorXd::Zero(5), {}), doctest::Contains("singular"), solver_error);  // constants are free
+  CHECK_THROWS_WITH_AS(solve_with_values(path, Eigen::VectorXd::Zero(5), {}), doctest::Contains("singular"), solver_error);  // constants are the kernel
 }
 
 TEST_CASE("solve_with_values: works with every solver, at any size, for any prescribed unknowns") {
   for (const int n : {2, 9}) {
-    const sparse a = grid(n, 0);  // singular without conditions
+    const sparse a = grid(n, 0);  // singular without prescribed values
     const Eigen::VectorXd b = random_vector(n * n);
     values all, some{{1, 0.25}, {n * n - 1, -3}, {1, 0.25}}, one{{0, 0x1p10}};
     for (int i = 0; i < n * n; ++i) all.emplace_back(i, 0.5 * i);

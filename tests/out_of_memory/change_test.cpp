@@ -20,7 +20,7 @@ using cn::testing::whole;
 
 namespace {
 
-/// change(m) with every allocation failing: m stays as it was, properties by name too. Returns how many allocations it makes.
+/// Runs change(m) with each of its allocations failing, and checks that m is unchanged, with its properties. Returns the number of allocations.
 template<class M, class F>
 std::size_t all_or_nothing(const M& before, const F& change) {
   const std::vector<double> old = whole(before);
@@ -43,7 +43,7 @@ M with_properties(unsigned n) {
   return m;
 }
 
-/// So many more of these can be made.
+/// How many more objects can be constructed.
 int left = 0;
 struct limited {
   limited() {
@@ -52,7 +52,7 @@ struct limited {
   limited(const limited&) {}
 };
 
-/// made() with every allocation failing: nothing leaks.
+/// Runs made() with each of its allocations failing, and checks that nothing leaks.
 template<class F>
 void leaks_nothing(const F& made) {
   const auto result = for_each_failing_allocation([&](const auto& attempt) { attempt([&] { made(); }); });

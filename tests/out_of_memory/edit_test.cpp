@@ -20,7 +20,7 @@ auto listed(const R& range) {
   return std::vector<std::remove_cvref_t<decltype(*range.begin())>>(range.begin(), range.end());
 }
 
-/// edit(m) with every allocation failing: m stays as it was, and can be edited then.
+/// Runs edit(m) with each of its allocations failing, and checks that m is unchanged and can be edited afterwards.
 template<class M, class F>
 std::size_t all_or_nothing(const M& before, const F& edit) {
   const std::vector<double> old = whole(before);
@@ -97,7 +97,7 @@ TEST_CASE_TEMPLATE("an edit that runs out of memory changes nothing", M, CONCINO
 }
 
 TEST_CASE("an edit of long polygons that runs out of memory changes nothing") {
-  // two polygons of 40 verts with every third edge in common, and a third on one of these edges
+  // two polygons of 40 verts that share every third edge, and a third polygon at one of these edges
   std::vector<cn::vec3> points(80);
   std::vector<std::vector<unsigned>> lists(2);
   for (unsigned i = 0; i < 40; ++i) lists[0].push_back(i), lists[1].push_back(i % 3 == 2 ? 40 + i : i);

@@ -17,7 +17,7 @@ using cn::testing::whole;
 
 namespace {
 
-/// The file is the old one or the new one, and no other is left beside it.
+/// Checks that the file is the old one or the new one, and that no other file is left.
 template<class M>
 void saved_or_not(const M& m, const std::string& name, bool binary = false) {
   INFO(name);
@@ -36,7 +36,7 @@ void saved_or_not(const M& m, const std::string& name, bool binary = false) {
   CHECK(result.leaks == 0);
 }
 
-/// A mesh that a file is loaded into is what it was, or what the file holds.
+/// Checks that a mesh into which a file is loaded is unchanged, or has the contents of the file.
 template<class M>
 void loaded_or_not(const M& m, const std::string& name) {
   INFO(name);
@@ -56,7 +56,7 @@ void loaded_or_not(const M& m, const std::string& name) {
   CHECK(any.leaks == 0);
 }
 
-/// One cell or few, with what the formats can hold and what they cannot.
+/// A mesh of one or few cells, with properties that the formats can store and others.
 template<class M>
 M labelled() {
   M m = cn::testing::grid<M>(1);

@@ -36,7 +36,7 @@ const std::string scene =
 const std::string wood =
     "# by hand\nnewmtl wood of an old oak\nKa 0.1 0.1 0.1\nKd 0.5 0.25 0\nKs 1 1 1\nmap_Kd a picture of planks.png\nnewmtl color_1\nKd 1 0 0\n";
 
-/// Saves m at every failing allocation: nothing changes, or all.
+/// Saves m with each of its allocations failing, and checks that no file changes or all do.
 template<class M>
 void changes_all_or_nothing(const cn::testing::temporary_folder& dir, const M& m, const std::string& name) {
   const files before = files_in(dir);
@@ -63,11 +63,11 @@ TEST_CASE("saving with materials changes both files or none") {
   auto m = cn::load<cn::trimesh>(dir / "a.obj");
   const auto color = cn::poly_property<cn::rgba>(m, "color");
   color[cn::poly_id{1}] = {0, 1, 0, 0.5f};
-  changes_all_or_nothing(dir, m, "a.obj");  // a new library
+  changes_all_or_nothing(dir, m, "a.obj");  // writes a new library
   cn::save(m, dir / "a.obj");
   color[cn::poly_id{1}] = {0, 0, 1};
-  changes_all_or_nothing(dir, m, "a.obj");  // and an outdated one
-  changes_all_or_nothing(dir, cn::load<cn::trimesh>(dir / "a.obj"), "a.obj");  // in the libraries that are there
+  changes_all_or_nothing(dir, m, "a.obj");  // also removes an outdated library
+  changes_all_or_nothing(dir, cn::load<cn::trimesh>(dir / "a.obj"), "a.obj");  // uses the existing libraries
 }
 
 TEST_CASE("loading with materials succeeds or throws std::bad_alloc") {

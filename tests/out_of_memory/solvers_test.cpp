@@ -9,7 +9,7 @@ namespace cn = concino;
 
 namespace {
 
-/// The Laplacian of a grid of n x n, with boundary values.
+/// The Laplacian of a grid of n x n verts with prescribed boundary values.
 Eigen::SparseMatrix<double> grid_matrix(int n) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < n * n; ++i) {

@@ -18,7 +18,7 @@ std::vector<std::string> texts(const std::vector<cn::broken_law>& laws) {
   return all;
 }
 
-/// f() either throws std::bad_alloc or gives what it gives when no allocation fails.
+/// Checks that f() throws std::bad_alloc or returns the same as without failing allocations.
 template<class F>
 std::size_t gives_the_same_or_throws(const F& f) {
   const std::vector<std::string> expected = f();
@@ -31,7 +31,7 @@ std::size_t gives_the_same_or_throws(const F& f) {
   return result.allocations;
 }
 
-/// A mesh whose adj_v2v forgets the first neighbour of every third vert: laws are broken, and messages are made.
+/// A mesh whose adj_v2v lacks the first neighbour of every third vert, so that laws are broken and messages are allocated.
 struct forgetful {
   cn::trimesh mesh;
 };

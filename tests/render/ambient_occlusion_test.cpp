@@ -9,7 +9,7 @@ using testing::brute_force;
 
 namespace {
 
-// A square well of the given depth, open above, wound so that its inside is the outer side; the floor is poly 0.
+// A square well of the given depth, open at the top. Its polygons are oriented to the inside of the well; the floor is poly 0.
 polygonmesh well(double depth) {
   return polygonmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, depth}, {1, 0, depth}, {1, 1, depth}, {0, 1, depth}},
                      {{0, 1, 2, 3}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}});
@@ -43,8 +43,8 @@ TEST_CASE("ambient_occlusion: a deep well is darker than a shallow one, and dist
 }
 
 TEST_CASE("ambient_occlusion: the sky visible through a square opening is its form factor") {
-  // From the middle of a unit square to a parallel one at distance 1: 4/pi (a/sqrt(1+a^2)) atan(a/sqrt(1+a^2)) with a = 1/2.
-  // The floor's two triangle middles lie off the centre, where the form factor is a little less.
+  // The form factor from the centre of a unit square to a parallel one at distance 1 is 4/pi (a/sqrt(1+a^2)) atan(a/sqrt(1+a^2)) with a = 1/2.
+  // The centroids of the two triangles of the floor are not at the centre, where the factor is larger.
   const polygonmesh m = well(1);
   const double b = 0.5 / std::sqrt(1.25), middle = 4 / 3.14159265358979 * b * std::atan(b);
   const double ao = ambient_occlusion(m, {.directions = 4000}, brute_force{})[poly_id{0}];

@@ -33,7 +33,7 @@ TEST_CASE("camera: the target is in the middle of the picture, and up points up"
     CHECK(c.project(target + vec3{0, 0.1, 0}).x == doctest::Approx(0));
     CHECK(c.project(target + c.right * 0.1).x > 0);
   }
-  // 90 degrees: at distance 1 the upper margin is 1 above the middle.
+  // With an angle of 90 degrees and at distance 1, the upper margin is 1 above the middle.
   const camera wide = perspective_camera({0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90);
   CHECK(wide.project({0, 1, 0}).y == doctest::Approx(1));
   CHECK(orthographic_camera({0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 4).project({0, 2, -7}).y == doctest::Approx(1));
@@ -54,7 +54,7 @@ TEST_CASE("framing: all points are within the margins, and two opposite margins 
           const camera c = f.best();
           double x0 = 9, x1 = -9, y0 = 9, y1 = -9;
           for (const vec3& p : points) {
-            CHECK(dot(p - c.eye, c.back) < 0);  // in front
+            CHECK(dot(p - c.eye, c.back) < 0);  // the point is in front of the camera
             const image_point q = c.project(p);
             x0 = std::min(x0, q.x), x1 = std::max(x1, q.x), y0 = std::min(y0, q.y), y1 = std::max(y1, q.y);
           }

@@ -42,7 +42,7 @@ TEST_CASE_TEMPLATE("drawable: contains the boundary of a grid, oriented outward"
   for (std::size_t c = 0; c < d.corners.size(); ++c) {
     const vec3 n = to_vec3(d.normals[c]), p = d.points[d.corners[c]];
     CHECK(norm(n) == doctest::Approx(1));
-    if (volume) CHECK(dot(n, p - vec3{0.5, 0.5, 0.5}) == doctest::Approx(0.5));  // cube: the sides are flat, their edges sharp
+    if (volume) CHECK(dot(n, p - vec3{0.5, 0.5, 0.5}) == doctest::Approx(0.5));  // a cube: its faces are planar, and its edges sharp
     else CHECK(n.z == doctest::Approx(1));
   }
   if (!volume) CHECK(d.polygons().size() == num_polys(m));

@@ -63,8 +63,8 @@ TEST_CASE("render: values, bands and edges are visible; a value that is not fini
   d.look.band_width = 0.3;
   d.look.band_limit = 1;
   const image bands = shot(d);
-  CHECK(bands(5, 20).r > 3 * smooth(5, 20).r);     // white at 1/8
-  CHECK(bands(10, 20) == smooth(10, 20));          // and not at 2/8
+  CHECK(bands(5, 20).r > 3 * smooth(5, 20).r);     // a white band at 1/8
+  CHECK(bands(10, 20) == smooth(10, 20));          // no band at 2/8
   d.look.band_limit = 0.01;                        // less than half a pixel
   const image thin = shot(d);
   CHECK(thin(5, 20).r < 0.7f * bands(5, 20).r);
@@ -74,7 +74,7 @@ TEST_CASE("render: values, bands and edges are visible; a value that is not fini
   d.look.edge_opacity = 1;
   const image lines = shot(d);
   CHECK(lines(20, 1).g < 0.3f * smooth(20, 1).g);
-  CHECK(lines(20, 20) == smooth(20, 20));          // on the diagonal along which the square was cut: no edge of the mesh
+  CHECK(lines(20, 20) == smooth(20, 20));          // on the diagonal that divides the square into triangles, which is no edge of the mesh
   d.look.edge_width = 0;
   d.values.assign(4, std::numeric_limits<double>::quiet_NaN());
   const rgb grey = shot(d)(20, 20);

@@ -7,7 +7,7 @@ using namespace concino;
 
 namespace {
 
-// Two unit squares joined at x = 0, the second turned up by an angle.
+// Two unit squares joined at x = 0, the second rotated by an angle.
 struct roof {
   std::vector<vec3> points;
   std::vector<std::uint32_t> offsets = {0, 4, 8}, corners = {0, 1, 4, 3, 1, 2, 5, 4};

@@ -26,7 +26,7 @@ TEST_CASE("value_scale: a linear scale is proportional") {
 
 TEST_CASE("value_scale: an equalised scale increases and gives equal parts to equally many values") {
   std::vector<double> values;
-  for (int i = 0; i <= 4800; ++i) values.push_back(std::exp(i / 400.0));  // crowded near 1, sparse near exp(12)
+  for (int i = 0; i <= 4800; ++i) values.push_back(std::exp(i / 400.0));  // dense near 1, sparse near exp(12)
   for (const double share : {0.0, 0.5, 1.0}) {
     const value_scale s = value_scale::equalized(values, share);
     CHECK(s(values.front()) == doctest::Approx(0));

@@ -17,7 +17,7 @@ TEST_CASE("auto_solver: fulfils the laws of solvers, by factorisation and by ite
 }
 
 TEST_CASE("auto_solver: factorises up to the limit, and reports its choice") {
-  const sparse path = from(3, 3, {{0, 0, 2.0}, {1, 0, -1.0}, {0, 1, -1.0}, {1, 1, 2.0}, {2, 1, -1.0}, {1, 2, -1.0}, {2, 2, 2.0}});  // no fill
+  const sparse path = from(3, 3, {{0, 0, 2.0}, {1, 0, -1.0}, {0, 1, -1.0}, {1, 1, 2.0}, {2, 1, -1.0}, {1, 2, -1.0}, {2, 2, 2.0}});  // no fill-in
   const Eigen::VectorXd b = Eigen::VectorXd::Ones(3);
   auto_solver at({.max_factor_entries = 2}), below({.max_factor_entries = 1});
   CHECK(at.used() == solver_used::none);

@@ -45,7 +45,7 @@ TEST_CASE("bicgstab: a missed tolerance is an error, or by option a flag") {
   CHECK_FALSE(flagged.has_converged());
   CHECK(flagged.residual() > 1e-12);
   CHECK(flagged.residual() <= 1);
-  for (const double scale : {1.0, 1e150}) {  // singular; in the iteration numbers may overflow
+  for (const double scale : {1.0, 1e150}) {  // singular; numbers may overflow during the iteration
     std::vector<Eigen::Triplet<double>> entries{{0, 0, 1.0}, {0, 1, 1.0}, {1, 0, scale}, {1, 1, scale}, {2, 2, 1.0}};
     bicgstab singular;
     std::string said = "solved";

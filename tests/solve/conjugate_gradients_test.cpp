@@ -20,7 +20,7 @@ namespace {
 
 double energy_norm(const sparse& a, const Eigen::VectorXd& x) { return std::sqrt(x.dot(a * x)); }
 
-/// The largest |b - A x|_i / (|b|_i + a_ii max|x|), or in unknowns with a diagonal of 1.
+/// The largest |b - A x|_i / (|b|_i + a_ii max|x|), or the same after scaling the diagonal to 1.
 double largest_residual(const sparse& a, const Eigen::VectorXd& b, const Eigen::VectorXd& x) {
   const Eigen::VectorXd r = b - a * x, d = a.diagonal(), root = d.cwiseSqrt();
   const double largest = x.cwiseAbs().maxCoeff(), scaled = root.cwiseProduct(x).cwiseAbs().maxCoeff();
@@ -29,7 +29,7 @@ double largest_residual(const sparse& a, const Eigen::VectorXd& b, const Eigen::
   return worst;
 }
 
-/// Minus the Laplacian of a square of n x n verts whose upper half is longer by `stretch`, its sides held: of quads cut by their diagonals.
+/// Minus the Laplacian of a square of n x n verts, of quads divided by a diagonal, with a constrained boundary. `stretch` scales the height of its upper half.
 sparse stretched(int n, double stretch) {
   std::vector<Eigen::Triplet<double>> entries;
   const auto edge = [&](int i, int j, double weight) {
@@ -92,7 +92,7 @@ TEST_CASE("conjugate_gradients: large entries of some rows do not hide the other
     sparse a = grid(n, 0);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n * n), expected(n * n);
     for (int i = 0; i < n * n; ++i) expected[i] = 1 + i % n;
-    for (int i = 0; i < n * n; ++i) {  // held at either end by penalties
+    for (int i = 0; i < n * n; ++i) {  // constrained at both ends by penalties
       if (i % n != 0 && i % n != n - 1) continue;
       a.coeffRef(i, i) += penalty;
       b[i] = (a.row(i) * expected)[0];
@@ -175,7 +175,7 @@ TEST_CASE("conjugate_gradients: missing convergence and indefinite matrices are 
   CHECK(few.residual() > 1e-12);
   CHECK_THROWS_WITH_AS(solver.factorize(from(2, 2, {{0, 0, 1.0}, {1, 1, -1.0}})),
                        doctest::Contains("the diagonal entry of row 1 is -1"), solver_error);
-  solver.factorize(grid(6, 0));  // singular: not for every right-hand side
+  solver.factorize(grid(6, 0));  // singular: not solvable for every right-hand side
   CHECK_THROWS_WITH_AS(solver.solve(Eigen::VectorXd::Ones(36)), doctest::Contains("not converged"), solver_error);
 }
 
@@ -195,7 +195,7 @@ TEST_CASE("conjugate_gradients: takes few iterations in any order of rows, also 
     solver.solve(random_vector(2500));
     CHECK(solver.iterations() < 80);
   }
-  const sparse square = grid(12) * grid(12);  // entries of either sign: the first factorisations fail
+  const sparse square = grid(12) * grid(12);  // entries of both signs, for which the first incomplete factorisations fail
   solver.factorize(square);
   const Eigen::VectorXd x = random_vector(144);
   CHECK(distance(solver.solve(square * x), x) < 1e-8);

@@ -18,7 +18,7 @@ namespace {
 
 static_assert(SparseSolver<ldlt, Eigen::SparseMatrix<double>, Eigen::VectorXd>);
 
-/// The path of n verts with both ends held: tridiagonal, positive definite.
+/// The Laplacian of a path of n verts with both ends constrained: tridiagonal and positive definite.
 Eigen::SparseMatrix<double> path(int n, double diagonal = 2) {
   Eigen::SparseMatrix<double> a(n, n);
   for (int i = 0; i < n; ++i) {
@@ -113,7 +113,7 @@ TEST_CASE("ldlt: a matrix that it cannot solve is an error") {
   auto nothing = path(3);
   nothing.coeffRef(1, 1) = nothing.coeffRef(0, 1) = nothing.coeffRef(1, 0) = nothing.coeffRef(2, 1) = nothing.coeffRef(1, 2) = 0;
   CHECK_THROWS_WITH_AS(solver.factorize(nothing), doctest::Contains("singular"), solver_error);
-  CHECK_THROWS_AS(solver.solve(one), solver_error);  // a failed factorisation leaves none
+  CHECK_THROWS_AS(solver.solve(one), solver_error);  // after a failed factorisation there is none
   solver.factorize(path(3));
   CHECK_THROWS_WITH_AS(solver.solve(Eigen::VectorXd::Ones(4)), doctest::Contains("4 entries, the matrix 3 rows"), solver_error);
   CHECK_THROWS_WITH_AS(solver.solve(one * std::nan("")), doctest::Contains("not finite"), solver_error);
@@ -144,7 +144,7 @@ TEST_CASE("ldlt: agrees with a dense solver on random matrices, compressed or no
       const int i = below(n), j = below(n);
       if (i != j) a.coeffRef(std::max(i, j), std::min(i, j)) = real();
     }
-    for (int i = 0; i < n; ++i) a.coeffRef(i, i) += 4 * n;  // definite
+    for (int i = 0; i < n; ++i) a.coeffRef(i, i) += 4 * n;  // positive definite
     if (round % 2) a.makeCompressed();
     const Eigen::MatrixXd whole = Eigen::MatrixXd(a).selfadjointView<Eigen::Lower>();
     Eigen::VectorXd b(n);
@@ -158,7 +158,7 @@ TEST_CASE("ldlt: agrees with a dense solver on random matrices, compressed or no
 
 TEST_CASE("ldlt: solves with blocks of any width and sparse right-hand sides") {
   std::mt19937 random(7);
-  for (int width = 1; width <= 11; ++width) {  // a chain of dense blocks, each joined to the next, with gaps in between
+  for (int width = 1; width <= 11; ++width) {  // a chain of dense blocks, each coupled with the next, with gaps in between
     const int blocks = 6, n = blocks * width + 1;
     Eigen::SparseMatrix<double> a(n, n);
     for (int b = 0; b < blocks; ++b)

@@ -34,11 +34,11 @@ TEST_CASE("llt: indefinite and singular matrices are errors that name the row") 
   CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {2, 2, 1.0}})), doctest::Contains("to working precision in row 1"), solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(grid(4, 0)), doctest::Contains("not positive definite"), solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(from(1, 1, {{0, 0, -2.0}})), doctest::Contains("in row 0: elimination turns the diagonal entry -2 into -2"), solver_error);
-  const double near = 1 + 0x1p-52;  // what elimination leaves is a rounding error
+  const double near = 1 + 0x1p-52;  // the pivot after elimination is a rounding error
   CHECK_THROWS_WITH_AS(solver.factorize(from(2, 2, {{0, 0, 1.0}, {1, 0, 1.0}, {0, 1, 1.0}, {1, 1, near}})), doctest::Contains("to working precision in row"),
                        solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(from(4, 4, {{0, 0, 1.0}, {1, 1, 1.0}, {2, 2, 1.0}, {3, 2, 1.0}, {2, 3, 1.0}, {3, 3, near}})),
                        doctest::Contains("to working precision in row"), solver_error);
-  solver.factorize(grid(4));  // after a failure of the same pattern
+  solver.factorize(grid(4));  // after a failed factorisation of the same pattern
   CHECK(distance(grid(4) * solver.solve(Eigen::VectorXd::Ones(16)), Eigen::VectorXd::Ones(16)) < 1e-12);
 }

@@ -19,7 +19,7 @@ TEST_CASE("lu: agrees with a dense solver on unsymmetric and indefinite matrices
   for (int round = 0; round < 60; ++round) {
     const int n = 1 + static_cast<int>(random() % 30);
     std::vector<Eigen::Triplet<double>> entries;
-    for (int i = 0; i < n; ++i) entries.emplace_back(i, (i + 1) % n, 2.0);  // no diagonal: rows must be exchanged
+    for (int i = 0; i < n; ++i) entries.emplace_back(i, (i + 1) % n, 2.0);  // the diagonal is empty, so rows must be exchanged
     for (int k = 0; k < 2 * n; ++k)
       entries.emplace_back(static_cast<int>(random()) & 1 ? k % n : (k * 7) % n, static_cast<int>(random() % 1000) % n,
                            static_cast<double>(random() % 100) / 1000);

@@ -40,7 +40,7 @@ TEST_CASE("qr: dependent columns, or more columns than rows, are errors") {
                        doctest::Contains("column 1 of the matrix"), solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(from(1, 2, {{0, 0, 1.0}})), doctest::Contains("at least as many rows as columns"), solver_error);
   CHECK_THROWS_AS(solver.factorize(grid(5, 0)), solver_error);
-  // more columns than rows that have entries
+  // more columns than rows with entries
   CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 1, 1.0}, {1, 2, 1.0}})), doctest::Contains("column 0 of the matrix"), solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {1, 2, 1.0}})), doctest::Contains("column 1 of the matrix"), solver_error);
   CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {1, 1, 1.0}})), doctest::Contains("column 2 of the matrix"), solver_error);

@@ -38,14 +38,14 @@ enum class bug {
   swaps_with_the_last,
   add_poly_loses_a_corner,
   deleted_still_contained,
-  // of volumes
+  // bugs of volumes
   face_turned,
   cells_in_another_order,
   face_of_one_poly_too_few,
   face_lists_no_cycle,
 };
 
-/// A mesh of this library with a mistake put over it. Every ring is a vector of its own, unless that is the mistake.
+/// A native mesh with a planted bug. Every ring is a vector of its own, unless the bug is that they are not.
 template<class Inner>
 struct planted {
   Inner inner;
@@ -56,7 +56,7 @@ struct planted {
   std::vector<std::vector<cn::poly_id>> across_as_made;
 
   void keep_in_buffer(const std::vector<cn::vert_id>& ring) const {
-    buffer.reserve(1000);  // so that ranges stay in memory that is there, with other values
+    buffer.reserve(1000);  // so that old ranges refer to valid memory, with other values
     buffer.assign(ring.begin(), ring.end());
   }
 };
@@ -68,7 +68,7 @@ auto copied(const R& range) {
   return all;
 }
 
-/// A range whose iterators each know their place, unless they all stand where the last of them was moved to.
+/// A range whose iterators are independent, unless the bug is that they share their position.
 struct places {
   std::vector<cn::poly_id> values;
   bool shared = false;
@@ -101,7 +101,7 @@ struct planted_traits {
   using poly = cn::poly_id;
   static constexpr int dimension = T::dimension;
 
-  // An edge between the vert that nothing else uses and the first.
+  // An additional edge between the isolated vert and the first one.
   static edge loose(const M& m) { return edge{T::edge_index_bound(m.inner)}; }
   static bool is_loose(const M& m, edge e) { return m.mistake == bug::edge_of_no_poly && e == loose(m); }
 
@@ -208,7 +208,7 @@ struct planted_traits {
 template<>
 struct concino::mesh_traits<planted<cn::polygonmesh>> : planted_traits<cn::polygonmesh> {};
 
-/// The same, but its type promises triangles.
+/// The same with a type that declares triangles.
 struct promised : planted<cn::polygonmesh> {};
 template<>
 struct concino::mesh_traits<promised> : planted_traits<cn::polygonmesh> {
@@ -249,7 +249,7 @@ namespace {
 template<class M = planted<cn::polygonmesh>>
 M surface(bug mistake) {
   M m;
-  // three by three squares, the middle one cut into two triangles, and a vert that nothing uses
+  // three by three squares, the middle one divided into two triangles, and an isolated vert
   std::vector<cn::vec3> points;
   std::vector<std::vector<unsigned>> polys;
   for (unsigned i = 0; i < 16; ++i) points.push_back({double(i % 4), double(i / 4), 0.1 * (i % 3)});

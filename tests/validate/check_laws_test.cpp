@@ -42,7 +42,7 @@ TEST_CASE_TEMPLATE("check_laws: archetypes of native meshes obey all laws", M, c
 }
 
 TEST_CASE("check_laws: non-manifold surfaces obey all laws") {
-  // Three polys at an edge, two of which are wound the same way; two fans that touch in a vert; the same poly twice.
+  // Three polys at an edge, two of them with the same orientation; two fans that share a vert; the same poly twice.
   const std::vector<cn::vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {-1, -1, 0}, {-1, 0, 0}};
   keeps_all_laws(cn::trimesh(x, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 5, 6}, {0, 6, 5}, {0, 5, 6}}));
   keeps_all_laws(
@@ -52,10 +52,10 @@ TEST_CASE("check_laws: non-manifold surfaces obey all laws") {
 
 TEST_CASE("check_laws: non-manifold volumes obey all laws") {
   const std::vector<cn::vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1, 1}, {9, 9, 9}};
-  // Three tets at a face, one of them inside out, and one that only shares an edge.
+  // Three tets at a face, one of them inverted, and one that only shares an edge.
   keeps_all_laws(cn::tetmesh(x, std::vector<std::array<int, 4>>{{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 5}, {0, 3, 4, 6}}));
   keeps_all_laws(cn::tetmesh(x, std::vector<std::array<int, 4>>{{0, 1, 2, 3}, {0, 1, 2, 3}}));
-  // A poly that is not closed, and a face of no poly.
+  // A poly that is not closed, and a face without polys.
   using faces = std::vector<std::vector<int>>;
   using cells = std::vector<std::vector<std::pair<int, bool>>>;
   keeps_all_laws(cn::polyhedralmesh(x, faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {1, 2, 5}},

@@ -47,7 +47,7 @@ times times_of(const Make& make, bool laws = true) {
   return t;
 }
 
-/// At most `most` times as long as the mesh whose polys lie apart.
+/// Checks that the times are at most `most` times those of the mesh of disjoint polys.
 void is_in_proportion(const std::string& name, const times& t, const times& usual, double most) {
   CAPTURE(name);
   CHECK(t.build < most * usual.build);
@@ -65,7 +65,7 @@ TEST_CASE("time is proportional to the mesh: tets and hexes") {
   is_in_proportion("tets on an edge", times_of([] { return tets_on_an_edge(n).mesh<tetmesh>(); }), usual, 20);
   is_in_proportion("tets at a vert", times_of([] { return tets_at_a_vert(n).mesh<tetmesh>(); }), usual, 20);
   is_in_proportion("rings at a vert", times_of([] { return rings_at_a_vert(n).mesh<tetmesh>(); }), usual, 20);
-  // every tet has all others across the face: these lists are quadratic, and not asked for
+  // each tet has all others as neighbours at the face: these lists are quadratic, and are not queried
   is_in_proportion("tets on a face", times_of([] { return tets_on_a_face(n).mesh<tetmesh>(); }, false), usual, 20);
   is_in_proportion("equal tets", times_of([] { return equal_tets(n).mesh<tetmesh>(); }, false), usual, 20);
   is_in_proportion("hexes around an edge", times_of([] { return hexes_around_an_edge(n / 2).mesh<hexmesh>(); }), usual, 20);
@@ -81,7 +81,7 @@ TEST_CASE("time is proportional to the mesh: polyhedra") {
   is_in_proportion("prism", times_of([] { return polyhedra_of(prism_faces(n), 1); }), usual, 20);
   is_in_proportion("equal prisms", times_of([] { return polyhedra_of(prism_faces(n / 3), 3); }), usual, 20);
   is_in_proportion("bipyramid", times_of([] { return polyhedra_of(bipyramid_faces(n), 1); }), usual, 20);
-  // a face of many verts that many polys have: what its verts and polys are to one another is quadratic, and refused
+  // a large face of many polys: the adjacencies of its verts and polys would be quadratic, and throw
   is_in_proportion("polys of a face of 16 verts", times_of([] { return polyhedra_of(equal_polygons(16, 1, false), n); }, false), usual, 20);
   is_in_proportion("16 polys of a large face", times_of([] { return polyhedra_of(equal_polygons(n, 1, false), 16); }, false), usual, 20);
   times refused;

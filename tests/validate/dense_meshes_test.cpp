@@ -22,7 +22,7 @@ void keeps_its_laws(const M& m) {
   for (const broken_law& b : check_laws(m)) FAIL_CHECK(b.law << ": " << b.what);
 }
 
-/// As built, and after polys were removed and added.
+/// Checks the mesh as constructed, and after removing and adding polys.
 template<class M>
 void is_right(const std::string& name, M m) {
   CAPTURE(name);
@@ -75,7 +75,7 @@ TEST_CASE("dense meshes: volumes obey all laws, built and edited") {
 }
 
 TEST_CASE("dense meshes: equal faces are merged, however many have the same three smallest verts") {
-  // All quads over the verts 0, 1, 2 and another, in each of their three cycles, from any vert on and either way round.
+  // All quads of the verts 0, 1, 2 and another one, in each of the three cyclic orders, from each vert and in both orientations.
   face_soup soup;
   std::map<std::vector<unsigned>, unsigned> cycles;
   std::vector<std::vector<unsigned>> listed;
@@ -94,7 +94,7 @@ TEST_CASE("dense meshes: equal faces are merged, however many have the same thre
   const polyhedra_arrays united = std::move(soup).unite(std::vector<vec3>(40));
   CHECK(united.face_offsets.size() == 37 * 3 + 1);
   for (std::size_t f = 0; f < count; ++f) {
-    CHECK(united.poly_faces[f].raw() == f % (37 * 3));  // numbered as they are first met
+    CHECK(united.poly_faces[f].raw() == f % (37 * 3));  // faces are numbered in order of appearance
     const vert_id* const kept = united.face_verts.data() + united.face_offsets[united.poly_faces[f].raw()];
     std::vector<vert_id> given;
     for (const unsigned v : listed[f]) given.push_back(vert_id{v});

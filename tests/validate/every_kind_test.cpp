@@ -18,14 +18,14 @@ using namespace concino::testing;
 
 namespace {
 
-/// The same facts and counts, found slowly and another way.
+/// The same facts and counts, computed by brute force.
 struct slow_facts {
   std::size_t bad_edges = 0, bad_verts = 0, isolated = 0, components = 0, loops = 0, duplicates = 0;
   std::ptrdiff_t chi = 0;
   bool closed = true, orientable = false;
 };
 
-/// How many pieces the numbers fall into, when those that `joined` are one.
+/// The number of connected components of `all`, in which two numbers are connected if joined(a, b).
 template<class Joined>
 std::size_t pieces(const std::vector<unsigned>& all, const Joined& joined) {
   std::set<unsigned> left(all.begin(), all.end());
@@ -46,7 +46,7 @@ std::size_t pieces(const std::vector<unsigned>& all, const Joined& joined) {
 
 slow_facts look_slowly(const std::vector<std::vector<unsigned>>& ring, unsigned vert_count) {
   slow_facts f;
-  std::map<std::pair<unsigned, unsigned>, std::vector<std::pair<unsigned, bool>>> at;  // edge -> polys, and whether they run up
+  std::map<std::pair<unsigned, unsigned>, std::vector<std::pair<unsigned, bool>>> at;  // edge -> polys, and whether they have it in ascending direction
   std::map<unsigned, std::vector<unsigned>> polys_at;
   std::set<std::set<unsigned>> sets;
   for (unsigned p = 0; p < ring.size(); ++p) {
@@ -87,7 +87,7 @@ slow_facts look_slowly(const std::vector<std::vector<unsigned>>& ring, unsigned 
     return e != at.end() && e->second.size() == 1;
   });
   f.chi = static_cast<std::ptrdiff_t>(used.size() + ring.size()) - static_cast<std::ptrdiff_t>(at.size());
-  for (unsigned flips = 0; flips < (1u << ring.size()) && !f.orientable; ++flips) {  // every way to wind the polys
+  for (unsigned flips = 0; flips < (1u << ring.size()) && !f.orientable; ++flips) {  // every combination of orientations
     f.orientable = true;
     for (const auto& [e, users] : at)
       if (users.size() == 2)
@@ -110,7 +110,7 @@ TEST_CASE_TEMPLATE("validate: archetypes have the same report", M, CONCINO_ALL_K
   for (std::size_t k = 0; k < num_defect_kinds; ++k) CHECK(r.count(defect_kind(k)) == w.count(defect_kind(k)));
   REQUIRE(w.size() == r.size());
   for (std::size_t i = 0; i < r.size(); ++i) CHECK(r[i].what == w[i].what);
-  CHECK(bare.count() == 1);  // without points: the isolated vert
+  CHECK(bare.count() == 1);  // without points only the isolated vert is a defect
   CHECK(bare.facts.components == 2);
 }
 
@@ -121,7 +121,7 @@ TEST_CASE_TEMPLATE("validate: agrees with a brute-force check on random surfaces
     const unsigned vert_count = 5 + (round % 2 ? static_cast<unsigned>(random() % 5) : 0), poly_count = 1 + static_cast<unsigned>(random() % 8);
     auto s = random_soup<M>(random, vert_count, poly_count);
     if (round % 10 == 0) s.verts.push_back(s.verts.front());
-    if (round == 4 && arity_v<M> == 3) s.verts = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}};  // one-sided
+    if (round == 4 && arity_v<M> == 3) s.verts = {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}};  // a Moebius strip
     const slow_facts f = look_slowly(s.verts, vert_count);
     const auto r = validate(s.mesh());
     CHECK(r.count(defect_kind::non_manifold_edge) == f.bad_edges);

@@ -15,10 +15,10 @@ namespace cn = concino;
 
 namespace {
 
-/// What the opposite of a half-edge at the border is: a half-edge of its own, none (-1), or the half-edge itself.
+/// The opposite of a half-edge at the boundary: a border half-edge, none (-1), or the half-edge itself.
 enum class border { halfedges, none, itself };
 
-/// Half-edges made by a map from pairs of verts, as students do. What the map cannot hold is overwritten. Half-edges that do not exist throw.
+/// Half-edges constructed by a map from pairs of verts, as students write them. Entries with equal keys overwrite each other. Invalid half-edges throw.
 struct student {
   struct half { int next = -1, opposite = -1, target = -1, poly = -1, edge = -1; };
   std::vector<half> halves;
@@ -82,7 +82,7 @@ struct student_links {
   static std::size_t num_polys(const student& m) { return m.of_poly.size(); }
 };
 
-/// The same without border half-edges; with and without `previous`.
+/// The same mesh without border half-edges, with and without `previous`.
 struct open_student : student {
   open_student(int verts, const std::vector<std::vector<int>>& polys) : student(verts, polys, border::none) {}
 };
@@ -128,7 +128,7 @@ std::string cause(const M& m) {
   }
 }
 
-/// check_laws says the same, and says nothing of what follows from it.
+/// Checks that check_laws reports the same cause, and none of its consequences.
 template<class M>
 void refused(const M& m, const std::string& law, const std::string& what) {
   CHECK(cause(m) == "half-edges: " + what);

@@ -16,9 +16,9 @@ using namespace concino::testing;
 namespace {
 
 constexpr unsigned many = 30000;
-constexpr unsigned few = 1000;  // a polyhedron looks through its faces for one of them
+constexpr unsigned few = 1000;  // few, as a polyhedron searches its faces linearly
 
-/// n points on a circle, and one above and below its middle.
+/// n points on a circle, one above and one below its centre.
 std::vector<vec3> wheel(unsigned n) {
   std::vector<vec3> x;
   for (unsigned i = 0; i < n; ++i) {

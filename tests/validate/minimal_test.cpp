@@ -26,14 +26,14 @@ using cells = std::vector<std::vector<std::pair<int, bool>>>;
 
 const std::vector<vec3> some = {{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0}, {0.2, 0.3, 1}, {0.4, 0.2, -1}, {1, 1, 1}, {-1, 0.2, 0.5}, {-0.5, -1, 0.2}};
 
-/// The points with these numbers.
+/// The points with these indices.
 std::vector<vec3> points(std::initializer_list<std::size_t> which) {
   std::vector<vec3> r;
   for (const std::size_t i : which) r.push_back(some[i]);
   return r;
 }
 
-/// Tets of positive volume.
+/// A tetmesh whose tets have positive volume.
 tetmesh tets(const std::vector<vec3>& x, std::vector<std::array<std::size_t, 4>> list) {
   for (auto& t : list)
     if (dot(cross(x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]), x[t[3]] - x[t[0]]) < 0) std::swap(t[0], t[1]);
@@ -68,7 +68,7 @@ kinds_shown on_surfaces() {
   shows_only(inconsistent_winding, trimesh(points({0, 1, 2, 3}), polygons{{0, 1, 2}, {0, 1, 3}}));
   shows_only(not_orientable, trimesh(points({0, 1, 2, 3, 4}), polygons{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}));
   shows_only(zero_size, trimesh({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1, 2}}));
-  shows_only(zero_size, polygonmesh({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 3}}));  // an edge
+  shows_only(zero_size, polygonmesh({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 3}}));  // zero_size of an edge
   shows_only(self_touching, quadmesh({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}));
   shows_only(non_planar, quadmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}}, {{0, 1, 2, 3}}));
   return shown;
@@ -84,23 +84,23 @@ kinds_shown on_volumes() {
   shows_only(non_finite_point, tetmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -inf}}, {{0, 1, 2, 3}}));
   shows_only(corner_order, hexmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}, {{0, 1, 2, 3, 4, 5, 6, 7}}));
   shows_only(isolated_vert, tetmesh(points({0, 1, 2, 3, 4}), polygons{{0, 1, 2, 3}}));
-  // Two tets, and a triangle across both.
+  // Two tets, and a triangle that would divide their union.
   shows_only(unreferenced_face, polyhedralmesh(points({0, 1, 2, 3, 4}), polygons{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 1}, {0, 2, 4}, {1, 4, 2}, {0, 3, 4}},
                                                cells{{{0, true}, {1, true}, {2, true}, {3, true}}, {{0, false}, {4, true}, {5, true}, {6, true}}}));
-  // A thin spindle of three bent quads.
+  // A thin spindle of three non-planar quads.
   const double r = 0.04, h = r * std::sqrt(0.75);
   shows_only(degenerate_element, polyhedralmesh(std::vector<vec3>{{0, 0, 0}, {0, 0, 1}, {r, 0, 0.5}, {-r / 2, h, 0.5}, {-r / 2, -h, 0.5}},
                                                 polygons{{0, 2, 1, 3}, {0, 3, 1, 4}, {0, 4, 1, 2}}, cells{{{0, false}, {1, false}, {2, false}}}));
   shows_only(non_manifold_face, tets(points({0, 1, 2, 3, 4, 5}), {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 2, 5}}));
   shows_only(non_manifold_edge, tets(points({0, 1, 2, 3, 4, 7}), {{0, 1, 2, 3}, {0, 1, 4, 5}}));
   shows_only(non_manifold_vert, tets(points({0, 1, 2, 3, 4, 6, 7}), {{0, 1, 2, 3}, {0, 4, 5, 6}}));
-  shows_only(inconsistent_winding, tets(points({0, 1, 2, 3, 5}), {{0, 1, 2, 3}, {0, 1, 2, 4}}));  // both on one side of their face
+  shows_only(inconsistent_winding, tets(points({0, 1, 2, 3, 5}), {{0, 1, 2, 3}, {0, 1, 2, 4}}));  // both tets are on the same side of their face
   shows_only(inconsistent_winding, polyhedralmesh(four, tet_faces, cells{{{0, true}, {1, true}, {2, false}, {3, true}}}));
   shows_only(open_cell, polyhedralmesh(std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}}, polygons{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}},
                                        cells{{{0, true}, {1, true}, {2, true}, {3, true}}}));
   shows_only(inverted_cell, tetmesh(four, polygons{{0, 2, 1, 3}}));
   shows_only(zero_size, tetmesh({{0, 0, 0}, {1, 0, 0}, {0.2, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}}));
-  // Pyramids whose base is bent, and crossed.
+  // Pyramids with a non-planar and a self-intersecting base.
   const polygons pyramid = {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
   const cells one = {{{0, true}, {1, true}, {2, true}, {3, true}, {4, true}}};
   shows_only(non_planar, polyhedralmesh(std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.4}, {0, 1, 0}, {0.5, 0.5, 2}}, pyramid, one));

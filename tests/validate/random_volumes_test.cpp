@@ -29,7 +29,7 @@ auto list_of(const R& range) {
   return r;
 }
 
-/// The number of classes of `all` when pairs are joined, by walking from each.
+/// The number of connected components of the graph `joined` on `all`.
 template<class X>
 std::size_t classes(const std::vector<X>& all, const std::map<X, std::set<X>>& joined) {
   std::set<X> met;
@@ -49,7 +49,7 @@ std::size_t classes(const std::vector<X>& all, const std::map<X, std::set<X>>& j
   return n;
 }
 
-/// Whether face f runs edge e from its first end to its second.
+/// Whether face f contains edge e in the direction from its first to its second vert.
 template<class M>
 bool runs(const M& m, face_id f, edge_id e) {
   const auto ring = list_of(adj_f2v(m, f));
@@ -64,7 +64,7 @@ volume_facts look_at(const M& m) {
   volume_facts r;
   std::set<std::size_t> used_verts, used_edges;
   for (const poly_id p : polys(m)) {
-    std::map<edge_id, std::vector<bool>> sides;  // of p at its edges: whether they run forwards, seen from outside
+    std::map<edge_id, std::vector<bool>> sides;  // for each edge of p: whether faces have it in its direction, as seen from outside
     const auto faces_of_p = list_of(adj_p2f(m, p));
     for (const face_id f : faces_of_p) {
       for (const edge_id e : adj_f2e(m, f)) sides[e].push_back(runs(m, f, e) == face_is_outward(m, p, f));
@@ -80,7 +80,7 @@ volume_facts look_at(const M& m) {
     r.manifold = r.manifold && faces_of_p.size() >= 4;
   }
   std::map<poly_id, std::set<poly_id>> together;
-  std::map<poly_id, std::vector<std::pair<poly_id, bool>>> across;  // and whether one of both must turn
+  std::map<poly_id, std::vector<std::pair<poly_id, bool>>> across;  // the neighbours, and whether one of both must be inverted
   std::vector<face_id> skin;
   std::size_t used_faces = 0;
   for (const face_id f : faces(m)) {

@@ -23,7 +23,7 @@ using polygons = std::vector<std::vector<int>>;
 using tets = std::vector<std::array<int, 4>>;
 using cells = std::vector<std::vector<std::pair<int, bool>>>;
 
-/// m has n defects, all of the kind; the first is at the element.
+/// Checks that m has n defects, all of this kind, the first one at this element.
 template<class M, class X>
 void shows(const M& m, defect_kind kind, const X& element, std::size_t n = 1, const validate_options& options = {}) {
   const auto r = validate(m, options);
@@ -37,7 +37,7 @@ void shows(const M& m, defect_kind kind, const X& element, std::size_t n = 1, co
   CHECK(r[0].what.find_first_of("0123456789") != std::string::npos);
 }
 
-/// A fan of space points in no special position.
+/// Points in general position.
 const std::vector<vec3> some = {{0, 0, 0}, {1, 0, 0}, {0.3, 1, 0}, {0.2, 0.3, 1}, {0.4, 0.2, -1}, {1, 1, 1}, {-1, 0.2, 0.5}, {-0.5, -1, 0.2}};
 const polygons tet_faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
@@ -68,7 +68,7 @@ TEST_CASE("validate: works on users' meshes") {
   shows(user_mesh::surface_example(), defect_kind::isolated_vert, user_mesh::vertex{7});
   shows(user_mesh::volume_example(), defect_kind::isolated_vert, user_mesh::vertex{9});
   CHECK(validate(user_mesh::volume_example()).facts.genus == std::optional<std::size_t>(0));
-  // What the library's own meshes refuse.
+  // Meshes that native meshes reject.
   const user_mesh::surface twice({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 1}});
   CHECK(validate(twice).count(defect_kind::degenerate_element) == 1);
   const user_mesh::surface digon({{0, 0, 0}, {1, 0, 0}}, {{0, 1}});
@@ -118,7 +118,7 @@ TEST_CASE("validate: finds topological defects of surfaces") {
   CHECK(r.facts.manifold);
   CHECK(r.facts.boundary_loops == 1);
   CHECK_FALSE(r.facts.genus);
-  // both at once: what can be mended is told beside what cannot
+  // a component that can be oriented is reported beside one that cannot
   std::vector<vec3> both = six;
   for (const vec3& x : {vec3{7, 0, 0}, vec3{8, 0, 0}, vec3{7, 1, 0}, vec3{7, 0, 1}}) both.push_back(x);
   const auto mixed = validate(trimesh(both, tris{{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}, {5, 6, 7}, {5, 6, 8}}));
@@ -132,7 +132,7 @@ TEST_CASE("validate: finds geometric defects of surfaces") {
                                                {{1e6, 0.1, 0.7}, {1e6 + 1, 0.2, 0.8}, {1e6 + 3, 0.4, 1.0}}};
   for (const auto& x : flat) shows(trimesh(x, tris{{0, 1, 2}}), defect_kind::zero_size, poly_id{0});
   shows(polygonmesh({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {2, 2, 2}, {1.5, 1.5, 1.5}}, {{0, 1, 2, 3, 4}}), defect_kind::zero_size, poly_id{0});
-  // An edge without length, and the triangle at it.
+  // An edge without length, and its triangle.
   const trimesh needle({{0, 0, 0}, {0, 0, 0}, {1, 1, 0}}, {{0, 1, 2}});
   shows(needle, defect_kind::zero_size, std::get<edge_id>(validate(needle)[0].element), 2);
   shows(polygonmesh({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 3}}), defect_kind::zero_size, edge_id{0});
@@ -142,9 +142,9 @@ TEST_CASE("validate: finds geometric defects of surfaces") {
   CHECK(validate(polygonmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.1}, {0, 1, 0}}, {{0, 1, 2, 3}})).is_clean());
 
   const std::vector<std::vector<vec3>> crossing = {
-      {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},                                // a bow tie: its area cancels out
-      {{0, 0, 0}, {3, 2, 0}, {3, 0, 0}, {0, 1, 0}},                                // one with area
-      {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0, 0}, {0, 2, 0}},                     // a vert on a side
+      {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},                                // a bow tie with area 0
+      {{0, 0, 0}, {3, 2, 0}, {3, 0, 0}, {0, 1, 0}},                                // a bow tie with an area
+      {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0, 0}, {0, 2, 0}},                     // a vert on an edge
       {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {5, 1, 0}, {3, 1, 0}, {3, 3, 0}},          // a spike; two verts at one point
       {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 1, 0}, {0, 2, 0}, {-1, 1, 0}, {1, 1, 0}}};  // two verts at one point
   for (auto x : crossing)
@@ -152,10 +152,10 @@ TEST_CASE("validate: finds geometric defects of surfaces") {
       std::vector<int> ring;
       for (std::size_t i = 0; i < x.size(); ++i) ring.push_back(static_cast<int>(i));
       shows(polygonmesh(x, polygons{ring}), defect_kind::self_touching, poly_id{0});
-      for (vec3& p : x) p = {p.z + 5, p.x + 0.5 * p.y, p.y};  // and elsewhere
+      for (vec3& p : x) p = {p.z + 5, p.x + 0.5 * p.y, p.y};  // rotated and translated
     }
   CHECK(validate(polygonmesh(polygon_grid(3))).is_clean());
-  // Many corners: a comb whose last tooth is or is not too long.
+  // Many corners: a comb whose last tooth is too long, or not.
   for (const bool too_long : {false, true}) {
     std::vector<vec3> x = {{0, -1, 0}, {4000, -1, 0}};
     for (int i = 2000; i-- > 0;) {
@@ -171,7 +171,7 @@ TEST_CASE("validate: finds geometric defects of surfaces") {
 }
 
 TEST_CASE("validate: finds topological defects of volumes") {
-  const auto upright = [](tets list) {  // with positive volumes
+  const auto upright = [](tets list) {  // reverses tets of negative volume
     for (auto& t : list) {
       const auto x = [&](std::size_t i) { return some[static_cast<std::size_t>(t[i])]; };
       if (dot(cross(x(1) - x(0), x(2) - x(0)), x(3) - x(0)) < 0) std::swap(t[0], t[1]);
@@ -202,7 +202,7 @@ TEST_CASE("validate: finds topological defects of volumes") {
   shows(overlap, defect_kind::inconsistent_winding, find_face(overlap, {0, 1, 2}), 1, all_used);
   CHECK(validate(overlap).facts.orientable);
 
-  // A ring of three hexes whose ends are joined mirrored; points would make some of them flat or inverted, so there are none.
+  // A ring of three hexes, closed with a reflection. It has no points, as some hexes would be flat or inverted.
   std::vector<vec3> x(12);
   const hexmesh ring(x, std::vector<std::array<int, 8>>{{0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}, {8, 9, 10, 11, 1, 0, 3, 2}});
   const auto bare = only_mesh(ring);
@@ -213,7 +213,7 @@ TEST_CASE("validate: finds topological defects of volumes") {
   CHECK_FALSE(found.facts.orientable);
   CHECK(found.facts.manifold);
   CHECK(found.facts.euler_characteristic == 0);
-  // Joined straight they are a solid torus.
+  // Closed without a reflection, it is a solid torus.
   const hexmesh torus(x, std::vector<std::array<int, 8>>{{0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}, {8, 9, 10, 11, 0, 1, 2, 3}});
   const auto good = validate(only_mesh(torus));
   CHECK(good.is_clean());
@@ -253,7 +253,7 @@ TEST_CASE("validate: finds defects of polys and faces of volumes") {
   const polyhedralmesh lens(std::vector<vec3>(some.begin(), some.begin() + 3), polygons{{0, 1, 2}, {1, 0, 2}}, cells{{{0, true}, {1, true}}});
   shows(lens, defect_kind::degenerate_element, poly_id{0}, 1, {.kinds = defect_kinds().without({defect_kind::duplicated_element})});
 
-  // Two tets that share an edge, as one poly.
+  // Two tets that share an edge, as one polyhedron.
   const polyhedralmesh pinched(std::vector<vec3>{some[0], some[1], some[2], some[3], some[4], some[7]},
                                polygons{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 1}, {0, 1, 5}, {0, 5, 4}, {1, 4, 5}},
                                cells{{{0, true}, {1, true}, {2, true}, {3, true}, {4, true}, {5, true}, {6, true}, {7, true}}});

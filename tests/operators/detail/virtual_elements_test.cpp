@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("stiffness: the energy of linear functions is exact, and 0 on
     const Eigen::VectorXd energies = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues();
     CHECK(std::abs(energies[0]) < 1e-13);
     CHECK(energies[1] > 1e-3);
-    // what is normal to linear functions has energy of the same order as they
+    // functions orthogonal to the linear ones have energies of the same order
     CHECK(energies[energies.size() - 1] < 60 * energies[1]);
   }
 }
@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("stiffness of a polyhedron: what linear functions do not see 
     CHECK(u.dot(matrix_of(m, detail::virtual_stiffness<M>(m), p) * u) == doctest::Approx(factor * u.squaredNorm()).epsilon(1e-10));
     most = std::max(most, squares / least);
   }
-  CHECK(most > 1.05);  // some polys are ragged
+  CHECK(most > 1.05);  // some polys are irregular
 }
 
 TEST_CASE("stiffness: rounding errors are harmless in nearly flat boxes") {
@@ -147,7 +147,7 @@ TEST_CASE_TEMPLATE("mass: is positive definite, with first moments given by the 
 
 namespace {
 
-/// The least eigenvalue and the largest product with constants, both beside the largest eigenvalue.
+/// The smallest eigenvalue and the largest product with constants, relative to the largest eigenvalue.
 struct rounding {
   double least, of_constants;
 };

@@ -26,7 +26,7 @@ void check_same(const sparse& a, const sparse& b) {
   }
 }
 
-/// One triangle, the other, both.
+/// Checks the order with the lower triangle, the upper one, and both.
 void check_order(const sparse& a) {
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> expected;
   Eigen::AMDOrdering<int>()(a, expected);

@@ -12,7 +12,7 @@ namespace {
 struct whole { long x, y; };
 
 long turn(whole a, whole b, whole c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-bool within(whole a, whole b, whole c) {  // c on the segment ab
+bool within(whole a, whole b, whole c) {  // whether c is on the segment ab
   return turn(a, b, c) == 0 && std::min(a.x, b.x) <= c.x && c.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= c.y && c.y <= std::max(a.y, b.y);
 }
 bool meet(whole a, whole b, whole c, whole d) {
@@ -20,7 +20,7 @@ bool meet(whole a, whole b, whole c, whole d) {
   return within(a, b, c) || within(a, b, d) || within(c, d, a) || within(c, d, b) ||
          (sign(turn(a, b, c)) * sign(turn(a, b, d)) < 0 && sign(turn(c, d, a)) * sign(turn(c, d, b)) < 0);
 }
-/// Neighbours may meet in their common end only.
+/// Whether edges intersect; consecutive ones may share their common end only.
 bool touches(const std::vector<whole>& p) {
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -43,7 +43,7 @@ TEST_CASE("self_intersection_finder: agrees with a test of all pairs on random p
   concino::detail::self_intersection_finder touch, impatient(0);
   std::size_t simple = 0;
   for (int round = 0; round < 4000; ++round) {
-    // Around the centre by angle, which is simple, and then a few corners moved anywhere.
+    // Corners sorted by angle around the centre, which is simple; then a few of them are moved anywhere.
     const std::size_t n = 4 + random() % 30;
     const long size = round % 2 ? 200 : 12;
     std::vector<whole> p;
@@ -59,7 +59,7 @@ TEST_CASE("self_intersection_finder: agrees with a test of all pairs on random p
     }
     bool repeated = false;
     for (std::size_t i = 0; i < n; ++i) repeated = repeated || (p[i].x == p[(i + 1) % n].x && p[i].y == p[(i + 1) % n].y);
-    if (repeated) continue;  // sides without length are passed over
+    if (repeated) continue;  // edges without length are skipped
     std::vector<plane_point> q;
     for (const whole& x : p) q.push_back({static_cast<double>(x.x), static_cast<double>(x.y)});
     const auto found = touch(q);
@@ -100,7 +100,7 @@ TEST_CASE("self_intersection_finder: is fast for many corners") {
 }
 
 TEST_CASE("self_intersection_finder: is fast for long edges close to one another") {
-  // A comb whose teeth stand askew: every two of its long sides overlap in both coordinates.
+  // A comb with slanted teeth: the boxes of any two of its long edges overlap.
   const auto comb = [](int teeth, double bend) {
     std::vector<plane_point> corners;
     const auto add = [&](double along, double across) { corners.push_back({along - across, along + across}); };
