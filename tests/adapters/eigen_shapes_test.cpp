@@ -124,14 +124,14 @@ TEST_CASE("eigen: errors name the poly, the index and the bound") {
   offsets << 1, 3;
   CHECK(message(polygons) == "view_polygons: the offsets of polys begin with 1; they must begin with 0");
   offsets << 0, 4;
-  CHECK(message(polygons) == "view_polygons: the offsets of polys have 4 at place 1, but there are 3 indices");
+  CHECK(message(polygons) == "view_polygons: the offsets of polys have 4 at position 1, but there are 3 indices");
   offsets << 0, -1;
-  CHECK(message(polygons) == "view_polygons: the offsets of polys have -1 at place 1, but there are 3 indices");
+  CHECK(message(polygons) == "view_polygons: the offsets of polys have -1 at position 1, but there are 3 indices");
   offsets << 0, 2;
   CHECK(message(polygons) == "view_polygons: the offsets of polys end with 2, but there are 3 indices");
   offsets = Eigen::VectorXi(3);
   offsets << 0, 3, 2;
-  CHECK(message(polygons) == "view_polygons: the offsets of polys decrease at place 2, from 3 to 2");
+  CHECK(message(polygons) == "view_polygons: the offsets of polys decrease at position 2, from 3 to 2");
   offsets << 0, 1, 3;
   CHECK(message(polygons) == "poly 0 has 1 verts; it needs at least 3");
   offsets = Eigen::VectorXi(0);
@@ -154,7 +154,7 @@ TEST_CASE("eigen: errors name the poly, the index and the bound") {
   CHECK(message(with_signs) == "view_polyhedra: poly 0 names face 1, but there are 1 faces, numbered from 0");
   poly_faces << 0;
   outward = Eigen::VectorXi(2);
-  CHECK(message(polyhedra) == "view_polyhedra: 2 outward flags were given for 1 faces of polys");
+  CHECK(message(polyhedra) == "view_polyhedra: 2 outward flags were given for 1 faces of polys; each needs one");
   indices << 0, 1, 9;
   CHECK(message(with_signs) == "view_polyhedra: face 0 names point 9, but there are 4 points, numbered from 0");
   indices << 0, 1, 2;

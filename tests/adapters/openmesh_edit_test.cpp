@@ -85,9 +85,9 @@ TEST_CASE("polys that OpenMesh cannot hold throw, and the mesh is unchanged") {
   refused({v(0), extra, v(0)}, "has vert 0 twice; its verts must differ");
   refused({v(0), extra, gone}, "names vert 10, which is not in the mesh");
   refused({v(0), extra, VertexHandle()}, "names vert -1, which is not in the mesh");
-  refused({v(4), v(1), extra}, "names vert 4, which has polys all around it; OpenMesh can hold no other there");
+  refused({v(4), v(1), extra}, "names vert 4, which is not on the boundary; OpenMesh cannot add a poly there");
   refused({v(0), v(1), extra},
-          "goes from vert 0 to vert 1 as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions");
+          "goes from vert 0 to vert 1 as another poly does; in OpenMesh at most two polys share an edge, in opposite directions");
   CHECK(index_of(m, add_poly(m, {v(1), v(0), extra})) == 8);
   check_laws_hold<>(m);
 

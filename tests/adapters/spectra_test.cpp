@@ -139,7 +139,7 @@ TEST_CASE("eigenpairs: residuals are at most the tolerance times the eigenvalue 
 
 TEST_CASE("eigenpairs: throws if an argument is invalid") {
   const auto k = chain(50), m = identity(50);
-  CHECK_THROWS_WITH_AS(eigenpairs(k, m, 0), "eigenpairs: 0 eigenpairs are asked for; the problem has 50 rows with entries, so ask for 1 to 50", invalid_argument);
+  CHECK_THROWS_WITH_AS(eigenpairs(k, m, 0), "eigenpairs: 0 eigenpairs are requested; the problem has 50 rows with entries, so request 1 to 50", invalid_argument);
   CHECK_THROWS_AS(eigenpairs(k, m, 51), invalid_argument);
   CHECK_THROWS_AS(eigenpairs(Eigen::SparseMatrix<double>(3, 3), Eigen::SparseMatrix<double>(3, 3), 1), invalid_argument);
   CHECK_THROWS_WITH_AS(eigenpairs(k, identity(49), 3), "eigenpairs: the mass has 49 rows, the other matrix 50; they must be of the same size",

@@ -407,10 +407,10 @@ TEST_CASE("exact_geodesics: are right on long and thin triangles") {
 TEST_CASE("exact_geodesics: throw if an argument or the mesh is invalid") {
   const auto quads = grid<quadmesh>(2);
   CHECK_THROWS_WITH_AS(prepare_exact_geodesics(quads),
-                       "exact_geodesics: poly 0 has 4 verts; all polys must be triangles: triangulate it, or ask heat_geodesics", unsupported);
+                       "exact_geodesics: poly 0 has 4 verts; all polys must be triangles: triangulate it, or use heat_geodesics", unsupported);
   const auto m = grid<trimesh>(2);
   const auto exact = prepare_exact_geodesics(m);
-  CHECK_THROWS_WITH_AS(exact.distance_from(vert_id{9}), "exact_geodesics: a source is no vert of the mesh; take it from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(exact.distance_from(vert_id{9}), "exact_geodesics: a source is not a vert of the mesh; take it from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(exact.distance_from(std::vector<vert_id>()), "exact_geodesics: there is no source; give at least one vert", invalid_argument);
   CHECK_THROWS_WITH_AS(exact.distance_from({{vert_id{1}, std::nan("")}}), "exact_geodesics: the initial distance at vert 1 is not finite",
                        invalid_argument);

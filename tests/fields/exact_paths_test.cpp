@@ -206,8 +206,8 @@ TEST_CASE("exact_paths: a single path equals that of a full query, and scales wi
 TEST_CASE("exact_paths: throw errors, work with gaps in the indices, and copies are independent") {
   const auto m = grid<trimesh>(2);
   const auto exact = prepare_exact_geodesics(m);
-  CHECK_THROWS_WITH_AS(exact.path_between(vert_id{0}, vert_id{9}), "exact_geodesics: the target is no vert of the mesh; take it from verts(m)", invalid_mesh);
-  CHECK_THROWS_WITH_AS(exact.paths_from(vert_id{0}).path_to(vert_id{9}), "exact_paths: the target is no vert of the mesh; take it from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(exact.path_between(vert_id{0}, vert_id{9}), "exact_geodesics: the target is not a vert of the mesh; take it from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(exact.paths_from(vert_id{0}).path_to(vert_id{9}), "exact_paths: the target is not a vert of the mesh; take it from verts(m)", invalid_mesh);
   CHECK_THROWS_AS(exact.paths_from(std::vector<vert_id>()), invalid_argument);
   CHECK_THROWS_AS(exact.path_between(vert_id{9}, vert_id{0}), invalid_mesh);
 

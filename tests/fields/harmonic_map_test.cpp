@@ -285,7 +285,7 @@ TEST_CASE("harmonic_map: throws if an argument is invalid") {
   const auto m = grid<trimesh>(2);
   const vert_id a{0}, b{8};
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 0.0}, {vert_id{9}, 1.0}}),
-                       "harmonic_map: a value is given at something that is no vert of the mesh; take verts from verts(m)", invalid_mesh);
+                       "harmonic_map: a value is given at something that is not a vert of the mesh; take verts from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 0.0}, {b, 1.0}, {a, 0.5}}), "harmonic_map: two values are given at vert 0, 0 and 0.5; keep one", invalid_argument);
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{b, std::nan("")}}), "harmonic_map: the value given at vert 8 is not finite", invalid_argument);
   CHECK_THROWS_AS(harmonic_map(m, {{b, INFINITY}}), invalid_argument);

@@ -120,7 +120,7 @@ TEST_CASE("heat_geodesics: obey the options") {
 TEST_CASE("heat_geodesics: throw if an argument is invalid") {
   const auto m = grid<quadmesh>(2);
   const auto heat = prepare_heat_geodesics(m);
-  CHECK_THROWS_WITH_AS(heat.distance_from(vert_id{9}), "heat_geodesics: a source is no vert of the mesh; take it from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(heat.distance_from(vert_id{9}), "heat_geodesics: a source is not a vert of the mesh; take it from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(heat.distance_from(std::vector<vert_id>()), "heat_geodesics: there is no source; give at least one vert", invalid_argument);
   CHECK_THROWS_WITH_AS(heat.distance_from({{vert_id{1}, std::nan("")}}), "heat_geodesics: the initial distance at vert 1 is not finite",
                        invalid_argument);

@@ -178,7 +178,7 @@ TEST_CASE("prepared problems: throw if an argument is invalid") {
   CHECK_THROWS_AS(h.with_values({{a, 0.0}, {b, 1.0}, {b, 2.0}}), invalid_argument);
   CHECK(h.with_values({{a, 1.0}, {b, 1.0}, {b, 1.0}})[c] == doctest::Approx(1));  // it works after the errors
   CHECK_THROWS_WITH_AS(prepare_harmonic_map(m, {none}),
-                       "harmonic_map: a value is to be prescribed at something that is no vert of the mesh; take verts from verts(m)", invalid_mesh);
+                       "harmonic_map: a value is to be prescribed at something that is not a vert of the mesh; take verts from verts(m)", invalid_mesh);
   CHECK_THROWS_AS(prepare_harmonic_map(m, {a}, {.exponent = 0}), invalid_argument);
   CHECK_THROWS_AS(prepare_harmonic_map(m, {}), solver_error);
   CHECK_THROWS_AS(prepare_poisson(m, {}), solver_error);

@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("grade: errors leave the mesh unchanged; empty meshes stay em
   CHECK_THROWS_AS(grade(m, {std::numeric_limits<double>::infinity(), 1, 1}), invalid_argument);
   const vert_t<M> v{0};
   set_point(m, v, vec3{std::nan(""), 0, 0});
-  CHECK_THROWS_WITH_AS(grade(m, {2, 2, 2}), "grade: vert 0 is not at a finite point; nothing was moved", invalid_mesh);
+  CHECK_THROWS_WITH_AS(grade(m, {2, 2, 2}), "grade: the point of vert 0 is not finite; nothing was moved", invalid_mesh);
   set_point(m, v, vec3{-1e308, 0, 0});
   set_point(m, vert_t<M>{1}, vec3{1e308, 0, 0});
   CHECK_THROWS_WITH_AS(grade(m, {2, 2, 2}), "grade: the size of the mesh exceeds the largest double; nothing was moved", invalid_mesh);

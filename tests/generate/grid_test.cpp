@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE("make_grid: throws if an option is out of range", M, CONCINO_
   CHECK_THROWS_WITH_AS(make_grid<M>({.cells = {4, 0, 4}}), "make_grid: cells[1] is 0; it must be at least 1", invalid_argument);
   CHECK_THROWS_WITH_AS(make_grid<M>({.cells = {1u << 17, 1u << 17, 1}}), doctest::Contains("make_grid: cells asks for"), invalid_argument);
   CHECK_THROWS_AS(make_grid<M>({.cells = {~std::size_t{0}, ~std::size_t{0}, 1}}), invalid_argument);
-  CHECK_THROWS_WITH_AS(make_grid<M>({.min = {0, 2, 0}}), "make_grid: min.y is 2 and max.y is 1; both must be finite and max above min by a finite step",
+  CHECK_THROWS_WITH_AS(make_grid<M>({.min = {0, 2, 0}}), "make_grid: min.y is 2 and max.y is 1; both must be finite, min below max, and their difference finite",
                        invalid_argument);
   CHECK_THROWS_AS(make_grid<M>({.min = {std::nan(""), 0, 0}}), invalid_argument);
   CHECK_THROWS_AS(make_grid<M>({.min = {0, 0, std::nan("")}}), invalid_argument);

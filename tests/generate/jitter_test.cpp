@@ -96,7 +96,7 @@ TEST_CASE_TEMPLATE("jitter: errors leave the mesh unchanged; degenerate and empt
   CHECK_THROWS_AS(jitter(m, std::numeric_limits<double>::infinity()), invalid_argument);
   auto bad = m;
   set_point(bad, vert_t<M>{1}, vec3{0, std::nan(""), 0});
-  CHECK_THROWS_WITH_AS(jitter(bad, 0.1), "jitter: vert 1 is not at a finite point; nothing was moved", invalid_mesh);
+  CHECK_THROWS_WITH_AS(jitter(bad, 0.1), "jitter: the point of vert 1 is not finite; nothing was moved", invalid_mesh);
   for (const vert_t<M> v : verts(m)) set_point(m, v, vec3{1, 2, 3});
   jitter(m, 0.2, {.keep_boundary = false});
   for (const vert_t<M> v : verts(m)) CHECK(point(m, v) == vec3{1, 2, 3});

@@ -127,7 +127,7 @@ TEST_CASE("corner_angle: is right for regular polygons, spikes and edges without
 
 TEST_CASE("corner_angle: throws for a vert of another poly, and is NaN for points that are not finite") {
   const trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}}, {{0, 1, 2}, {0, 1, 4}});
-  CHECK_THROWS_WITH_AS(corner_angle(m, poly_id{0}, vert_id{3}), "corner_angle: vert 3 is no corner of poly 0; ask for one of its own verts",
+  CHECK_THROWS_WITH_AS(corner_angle(m, poly_id{0}, vert_id{3}), "corner_angle: vert 3 is not a vert of poly 0; take one of its own verts",
                        invalid_argument);
   const tetmesh t({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
   CHECK_THROWS_AS(corner_angle(t, face_id{0}, vert_id{3}), invalid_argument);

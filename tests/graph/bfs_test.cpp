@@ -62,7 +62,7 @@ TEST_CASE("bfs: may_enter excludes nodes, but not the source") {
 
 TEST_CASE("bfs: throws if the source is not in the mesh") {
   const ring r{3};
-  CHECK_THROWS_WITH_AS(bfs(r, vert_id{3}), "bfs: the source is no vert of the mesh; take one from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(bfs(r, vert_id{3}), "bfs: the source is not a vert of the mesh; take one from verts(m)", invalid_mesh);
   CHECK_THROWS_AS(bfs(r, {vert_id{0}, vert_id{}}), invalid_mesh);
 }
 

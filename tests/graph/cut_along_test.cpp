@@ -197,7 +197,7 @@ TEST_CASE_TEMPLATE("cut_along: runs on the archetype of a surface with points", 
 
 TEST_CASE("cut_along: throws if an edge is not in the mesh") {
   const quadmesh m = grid<quadmesh>(2);
-  CHECK_THROWS_WITH_AS(cut_along(m, {edge_id{12}}), "cut_along: one of the edges is no edge of the mesh; take them from edges(m)",
+  CHECK_THROWS_WITH_AS(cut_along(m, {edge_id{12}}), "cut_along: one of the edges is not an edge of the mesh; take them from edges(m)",
                        invalid_mesh);
   CHECK_THROWS_AS(cut_along(m, {edge_id{}}), invalid_mesh);
   const auto first = submesh(m, [](poly_id p) { return p == poly_id{0}; });

@@ -182,9 +182,9 @@ TEST_CASE("dijkstra: accepts zero and infinite lengths") {
 
 TEST_CASE("dijkstra: throws if an argument is invalid") {
   const auto m = grid<trimesh>(2);
-  CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{9}), "dijkstra: the source is no vert of the mesh; take one from verts(m)", invalid_mesh);
-  CHECK_THROWS_WITH_AS(dijkstra(m, poly_id{8}), "dijkstra: the source is no poly of the mesh; take one from polys(m)", invalid_mesh);
-  CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{0}, {.targets = {vert_id{9}}}), "dijkstra: the target is no vert of the mesh; take one from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{9}), "dijkstra: the source is not a vert of the mesh; take one from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(dijkstra(m, poly_id{8}), "dijkstra: the source is not a poly of the mesh; take one from polys(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{0}, {.targets = {vert_id{9}}}), "dijkstra: the target is not a vert of the mesh; take one from verts(m)", invalid_mesh);
   const auto negative = [](auto v, auto) { return v.raw() == 1 ? -0.5 : 1.0; };
   CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{1}, negative), doctest::Contains("dijkstra: the length from vert 1 to vert "), invalid_mesh);
   CHECK_THROWS_WITH_AS(dijkstra(m, poly_id{1}, negative), doctest::Contains("is -0.5; lengths must be 0 or more"), invalid_mesh);

@@ -62,7 +62,7 @@ TEST_CASE_TEMPLATE("grow_regions: runs on the archetypes of primal and dual grap
 
 TEST_CASE("grow_regions: throws if an argument is invalid") {
   const auto m = grid<trimesh>(2);
-  CHECK_THROWS_WITH_AS(grow_regions(m, {vert_id{0}, vert_id{9}}, freely), "grow_regions: the seed is no vert of the mesh; take one from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(grow_regions(m, {vert_id{0}, vert_id{9}}, freely), "grow_regions: the seed is not a vert of the mesh; take one from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(grow_regions(m, poly_id{0}, [](auto, auto) { return -2.0; }),
                        doctest::Contains("is -2; costs must be 0 or more; +inf keeps regions out"), invalid_mesh);
   CHECK_THROWS_WITH_AS(grow_regions(m, poly_id{0}, [](auto, auto) { return std::nan(""); }), doctest::Contains("grow_regions: the cost from poly 0 to poly "),

@@ -127,5 +127,5 @@ TEST_CASE("bfs, dijkstra: bounds out of range throw") {
   CHECK_THROWS_WITH_AS(bfs(m, vert_id{0}, {.max_hops = -1}), "bfs: max_hops is -1; it must be 0 or more", invalid_argument);
   CHECK_THROWS_WITH_AS(dijkstra(m, vert_id{0}, {.max_distance = -1}), "dijkstra: max_distance must be 0 or more", invalid_argument);
   CHECK_THROWS_AS(dijkstra(m, vert_id{0}, {.max_distance = std::numeric_limits<double>::quiet_NaN()}), invalid_argument);
-  CHECK_THROWS_WITH_AS(bfs(m, vert_id{0}, {.targets = {vert_id{9}}}), "bfs: the target is no vert of the mesh; take one from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(bfs(m, vert_id{0}, {.targets = {vert_id{9}}}), "bfs: the target is not a vert of the mesh; take one from verts(m)", invalid_mesh);
 }

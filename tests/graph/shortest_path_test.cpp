@@ -112,9 +112,9 @@ TEST_CASE_TEMPLATE("shortest_path: runs on the archetype of its concept", M, CON
 TEST_CASE("shortest_path: throws if an argument is invalid") {
   const auto m = grid<trimesh>(2);
   const vert_id a{0}, none{9};
-  CHECK_THROWS_WITH_AS(shortest_path(m, none, a), "shortest_path: the source is no vert of the mesh; take one from verts(m)", invalid_mesh);
-  CHECK_THROWS_WITH_AS(shortest_path(m, a, none), "shortest_path: the target is no vert of the mesh; take one from verts(m)", invalid_mesh);
-  CHECK_THROWS_WITH_AS(shortest_path(m, poly_id{0}, {poly_id{1}, poly_id{8}}), "shortest_path: the target is no poly of the mesh; take one from polys(m)",
+  CHECK_THROWS_WITH_AS(shortest_path(m, none, a), "shortest_path: the source is not a vert of the mesh; take one from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(shortest_path(m, a, none), "shortest_path: the target is not a vert of the mesh; take one from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(shortest_path(m, poly_id{0}, {poly_id{1}, poly_id{8}}), "shortest_path: the target is not a poly of the mesh; take one from polys(m)",
                        invalid_mesh);
   CHECK_THROWS_WITH_AS(shortest_path(m, a, vert_id{8}, [](auto, auto) { return -1.0; }), doctest::Contains("shortest_path: the length from vert 0 to vert "),
                        invalid_mesh);

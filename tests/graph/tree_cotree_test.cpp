@@ -138,7 +138,7 @@ TEST_CASE("tree_cotree: the error names where a surface is open or non-manifold"
   const trimesh touching(
       points, std::vector<std::vector<int>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {3, 4, 5}, {3, 5, 6}, {3, 6, 4}, {4, 6, 5}});
   CHECK_THROWS_WITH_AS(tree_cotree(touching),
-                       "tree_cotree: the polys at vert 3 are several fans; the surface must be manifold, with one fan at every vert",
+                       "tree_cotree: the polys at vert 3 form several fans; the surface must be manifold, with one fan at every vert",
                        invalid_mesh);
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("save: the error names the first poly that does not fit, and other for
   refuses(grid<trimesh>(1), "a.hedra", ": .hedra cannot hold surfaces; save it as .obj, or .mesh if it has triangles and quads only");
   refuses(polygonmesh(with_offsets(polygon_grid(1))), "a.mesh", ": .mesh cannot hold poly 0, a polygon of 8 verts; save it as .obj");
   refuses(grid<polyhedralmesh>(1), "a.mesh",
-          ": .mesh cannot hold poly 0, a polyhedron of 10 faces that is no tet, hex, prism or pyramid; save it as .hedra");
+          ": .mesh cannot hold poly 0, a polyhedron of 10 faces that is not a tet, hex, prism or pyramid; save it as .hedra");
   CHECK_THROWS_AS(save(grid<trimesh>(1), dir / "a.stl"), unsupported);
   CHECK_THROWS_AS(save_text(grid<trimesh>(1), file_format::by_extension), invalid_argument);
 }

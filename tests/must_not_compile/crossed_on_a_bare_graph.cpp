@@ -1,4 +1,4 @@
-// expect in 10 lines: crossed(: not of a bare graph| needs a mesh that says what lies between its nodes)
+// expect in 10 lines: crossed(: not of a bare graph| needs the edges or faces between neighbours)
 // Where a graph is all there is, nothing lies between its nodes that a search could tell, and the caller is told what is missing.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/graph/bfs.hpp>

@@ -285,10 +285,10 @@ TEST_CASE("laplacian, cotangent: runs on archetypes of meshes, and rejects graph
 TEST_CASE("laplacian, cotangent: errors name the poly") {
   const polygonmesh mixed({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}}, {{1, 4, 2}, {0, 1, 2, 3}});
   CHECK_THROWS_WITH_AS(laplacian(mixed, cotangent),
-                       "cotangent weights: poly 1 has 4 verts and is no triangle; use virtual_elements or uniform, or split the polys", unsupported);
+                       "cotangent weights: poly 1 has 4 verts and is not a triangle; use virtual_elements or uniform, or split the polys", unsupported);
   static_assert(!Discretisation<cotangent_t, hexmesh> && !Discretisation<cotangent_t, quadmesh>);
   CHECK_THROWS_WITH_AS(laplacian(polyhedralmesh(to_polyhedra(cell_arrays(grid_arrays<hexmesh>(1)))), cotangent),
-                       "cotangent weights: poly 0 has 8 verts and is no tet; use virtual_elements or uniform, or split the polys", unsupported);
+                       "cotangent weights: poly 0 has 8 verts and is not a tet; use virtual_elements or uniform, or split the polys", unsupported);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
   CHECK_THROWS_WITH_AS(laplacian(flat, cotangent), doctest::Contains("poly 1 is degenerate"), invalid_mesh);
   const tetmesh pressed({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});

@@ -219,10 +219,10 @@ TEST_CASE("solve_qp: the error names the invalid size, number or option") {
   refused(h, two, a, two, two, "tolerance", {.tolerance = 1.5});
   refused(h, two, a, two, two, "tolerance", {.tolerance = NAN});
   refused(h, two, a, two, two, "max_iterations", {.max_iterations = 0});
-  refused(h, two, a, two, two, "the x to start from", {.x = three});
-  refused(h, two, a, two, two, "the x to start from", {.x = two * inf});
-  refused(h, two, a, two, two, "the multipliers to start from", {.multipliers = three});
-  refused(h, two, a, two, two, "the multipliers to start from", {.multipliers = two * NAN});
+  refused(h, two, a, two, two, "the initial x", {.x = three});
+  refused(h, two, a, two, two, "the initial x", {.x = two * inf});
+  refused(h, two, a, two, two, "the initial multipliers", {.multipliers = three});
+  refused(h, two, a, two, two, "the initial multipliers", {.multipliers = two * NAN});
   for (const qp_options& options : {qp_options{.tolerance = 1e-12}, qp_options{.tolerance = 1}, qp_options{.max_iterations = 1}})
     CHECK_NOTHROW(solve_qp(make(h), two, make(a), -two, two, options));
 }

@@ -47,7 +47,7 @@ class embree_caster {
   static void fill(RTCDevice device, RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& data) {
     if (data.empty()) return;
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), data.size());
-    check(device, "making a buffer");
+    check(device, "creating a buffer");
     if (!buffer) throw std::bad_alloc();
     std::memcpy(buffer, data.data(), data.size() * sizeof(T));
   }
@@ -57,13 +57,13 @@ class embree_caster {
   /// Errors: unsupported if Embree cannot run here, std::bad_alloc.      Cost: O(n log n), with all cores.
   explicit embree_caster(const triangle_soup& soup) : device_(rtcNewDevice(nullptr)) {
     check(device_.get(), "starting");
-    if (!device_) throw unsupported("embree: Embree cannot be started: it gives no device");
+    if (!device_) throw unsupported("embree: Embree cannot be started: rtcNewDevice returns no device");
     scene_.reset(rtcNewScene(device_.get()));
-    check(device_.get(), "making a scene");
+    check(device_.get(), "creating a scene");
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);  // so that no ray passes between two adjacent triangles
     if (!soup.triangles.empty()) {
       const handle<RTCGeometry> geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-      check(device_.get(), "making a geometry");
+      check(device_.get(), "creating a geometry");
       fill(device_.get(), geometry.get(), RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, soup.points);
       fill(device_.get(), geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, soup.triangles);
       rtcCommitGeometry(geometry.get());

@@ -50,7 +50,7 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   static poly add_poly(M& m, std::span<const vert> corners) {
     detail::check_openmesh_poly(m, corners, arity);
     const poly p = m.OpenMesh::PolyConnectivity::add_face(corners.data(), corners.size());
-    assert(p.is_valid() && "what OpenMesh refuses has been refused before");
+    assert(p.is_valid() && "check_openmesh_poly has refused the polys that OpenMesh refuses");
     return p;
   }
   // OpenMesh deletes by status attributes. If the mesh has none, they are requested, as users of OpenMesh do themselves.

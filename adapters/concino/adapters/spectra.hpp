@@ -166,7 +166,7 @@ eigenpairs_result eigenpairs(const Eigen::SparseMatrix<double>& k, const Eigen::
   const detail::eigenproblem problem(k, m, options);
   const std::size_t rows = problem.row.size();
   if (count < 1 || count > rows)
-    core::throw_joined<invalid_argument>({"eigenpairs: ", count, " eigenpairs are asked for; the problem has ", rows, " rows with entries, so ask for 1 to ", rows});
+    core::throw_joined<invalid_argument>({"eigenpairs: ", count, " eigenpairs are requested; the problem has ", rows, " rows with entries, so request 1 to ", rows});
   const auto wanted = static_cast<Eigen::Index>(count);
   detail::eigenbasis found;
   if (rows <= 32 || rows < 2 * count + 1) {

@@ -37,7 +37,7 @@ struct num_polys_requirement {
   template<class M> static constexpr bool holds = has_num_polys<M>;
   template<class M> static consteval void explain() {
     static_assert(detail::explain_value<requires { &traits<M>::num_polys; }, num_polys_verb, M>());
-    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_polys: static std::size_t num_polys(const M&); how many polys the walk meets");
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_polys: static std::size_t num_polys(const M&); the number of polys in polys(m)");
   }
 };
 
@@ -64,7 +64,7 @@ struct adj_p2p_requirement {
   template<class M> static constexpr bool holds = has_adj_p2p<M>;
   template<class M> static consteval void explain() {
     static_assert(detail::explain_range<requires { &traits<M>::adj_p2p; }, poly_t<M>, adj_p2p_verb, M, poly_t<M>>());
-    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_p2p: static ElementRange<poly> adj_p2p(const M&, poly); the polys across an edge (surface) or a face (volume)");
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_p2p: static ElementRange<poly> adj_p2p(const M&, poly); the polys that share an edge (surface) or a face (volume) with the poly");
   }
 };
 

@@ -18,7 +18,7 @@ concept has_link_types =
 struct link_types_requirement {
   template<class K, class M> static constexpr bool holds = has_link_types<K>;
   template<class K, class M> static consteval void explain() {
-    static_assert(!names_link_types<K> || detail::missing<K, M>, "concino: the types are there, but one of them is not std::regular: it cannot be copied, made without arguments or compared by ==");
+    static_assert(!names_link_types<K> || detail::missing<K, M>, "concino: the types are there, but one of them is not std::regular: it cannot be copied, default-constructed or compared by ==");
     static_assert(detail::missing<K, M>, "concino: HalfedgeLinks needs using vert, edge, poly, halfedge = four std::regular types");
   }
 };
@@ -74,7 +74,7 @@ struct poly_of_requirement {
   template<class K, class M> static constexpr bool holds = has_poly_of<K, M>;
   template<class K, class M> static consteval void explain() {
     static_assert(detail::explain_result<requires { &K::poly_of; }, requires(const M& m, typename K::halfedge h) { K::poly_of(m, h); }, K, M>());
-    static_assert(detail::missing<K, M>, "concino: HalfedgeLinks needs static poly poly_of(const M&, halfedge); asked only where the half-edge is not at the border");
+    static_assert(detail::missing<K, M>, "concino: HalfedgeLinks needs static poly poly_of(const M&, halfedge); called only for half-edges that are not at the border");
   }
 };
 

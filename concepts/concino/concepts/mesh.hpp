@@ -71,7 +71,7 @@ concept has_point_of_the_mesh = requires(const std::remove_cvref_t<M>& m, vert_t
 struct point_of_the_mesh_requirement {
   template<class M> static constexpr bool holds = has_point_of_the_mesh<M>;
   template<class M> static consteval void explain() {
-    static_assert(detail::missing<M>, "concino: mesh_traits<M>::point has to take the mesh by reference, const M&: without the & it returns a reference into a copy that is gone");
+    static_assert(detail::missing<M>, "concino: mesh_traits<M>::point has to take the mesh by reference, const M&: without the & it returns a reference into a copy that no longer exists");
   }
 };
 

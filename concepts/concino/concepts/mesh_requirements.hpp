@@ -31,7 +31,7 @@ template<class M> concept has_distinct_descriptors =
 struct distinct_descriptors_requirement {
   template<class M> static constexpr bool holds = has_distinct_descriptors<M>;
   template<class M> static consteval void explain() {
-    static_assert(detail::missing<M>, "concino: vert, edge and poly of mesh_traits<M> have to be different types: an overload picks the graph of the verts or of the polys by them; wrap those that are the same");
+    static_assert(detail::missing<M>, "concino: vert, edge and poly of mesh_traits<M> have to be different types: overloads choose the graph of the verts or of the polys by them; wrap those that are the same");
   }
 };
 
@@ -58,7 +58,7 @@ struct num_edges_requirement {
   template<class M> static constexpr bool holds = has_num_edges<M>;
   template<class M> static consteval void explain() {
     static_assert(detail::explain_value<requires { &traits<M>::num_edges; }, num_edges_verb, M>());
-    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_edges: static std::size_t num_edges(const M&); how many edges the walk meets");
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_edges: static std::size_t num_edges(const M&); the number of edges in edges(m)");
   }
 };
 

@@ -36,7 +36,7 @@ struct num_verts_requirement {
   template<class M> static constexpr bool holds = has_num_verts<M>;
   template<class M> static consteval void explain() {
     static_assert(detail::explain_value<requires { &traits<M>::num_verts; }, num_verts_verb, M>());
-    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_verts: static std::size_t num_verts(const M&); how many verts the walk meets");
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_verts: static std::size_t num_verts(const M&); the number of verts in verts(m)");
   }
 };
 

@@ -31,7 +31,7 @@ template<class... R> struct list {};
 
 /// What explain_... calls if the whole list holds, but the concept is false.
 struct nothing_missing {
-  template<class... T> static consteval void explain() { static_assert(detail::missing<T...>, "concino: the list of requirements does not hold all that the concept needs"); }
+  template<class... T> static consteval void explain() { static_assert(detail::missing<T...>, "concino: the list of requirements lacks some that the concept needs"); }
 };
 
 /// Whether requirement or list R holds for the types T; `first_missing` is the requirement itself, or the first one of a list that does not hold.

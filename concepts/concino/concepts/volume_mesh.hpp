@@ -57,7 +57,7 @@ struct num_faces_requirement {
   template<class M> static constexpr bool holds = has_num_faces<M>;
   template<class M> static consteval void explain() {
     static_assert(detail::explain_value<requires { &traits<M>::num_faces; }, num_faces_verb, M>());
-    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_faces: static std::size_t num_faces(const M&); how many faces the walk meets");
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs num_faces: static std::size_t num_faces(const M&); the number of faces in faces(m)");
   }
 };
 
@@ -102,7 +102,7 @@ struct adj_f2p_requirement {
   template<class M> static constexpr bool holds = has_adj_f2p<M>;
   template<class M> static consteval void explain() {
     static_assert(detail::explain_range<requires { &traits<M>::adj_f2p; }, poly_t<M>, adj_f2p_verb, M, face_t<M>>());
-    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_f2p: static ElementRange<poly> adj_f2p(const M&, face); the polys on the sides of a face");
+    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs adj_f2p: static ElementRange<poly> adj_f2p(const M&, face); the polys of a face");
   }
 };
 

@@ -39,7 +39,7 @@ struct polys_alone {
     requires(DualGraph<M> && requirement::is_lvalue_or_view<const M&> && !requirement::has_vert<M>)
   polys_alone(const M&);
 };
-inline constexpr sentence name_dual("the graph has polys and no verts: say that polys are meant by dual(m), as in connected_components(dual(m))");
+inline constexpr sentence name_dual("the graph has polys but no verts: pass dual(m), as in connected_components(dual(m))");
 
 /// Converts from any mesh or graph.
 struct any_mesh {

@@ -59,7 +59,7 @@ exact_preparation prepare_exact(const M& m) {
     prepared.triangle_of[number] = static_cast<int>(r.vert.size() / 3);
     if (n != 3)
       core::throw_joined<unsupported>(
-          {"exact_geodesics: poly ", number, " has ", n, " verts; all polys must be triangles: triangulate it, or ask heat_geodesics"});
+          {"exact_geodesics: poly ", number, " has ", n, " verts; all polys must be triangles: triangulate it, or use heat_geodesics"});
     if (!finite || !r.add(corner, x))
       core::throw_joined<invalid_mesh>({"exact_geodesics: poly ", number, " has no area, or points that are not finite; remove it or move its verts"});
     std::array<int, 3> of_side{-1, -1, -1};
@@ -95,7 +95,7 @@ class prepared_exact_geodesics {
   };
 
   void add_start(std::vector<start>& starts, const vert_t<M>& v, double distance) const {
-    if (!contains(mesh_.get(), v)) throw invalid_mesh("exact_geodesics: a source is no vert of the mesh; take it from verts(m)");
+    if (!contains(mesh_.get(), v)) throw invalid_mesh("exact_geodesics: a source is not a vert of the mesh; take it from verts(m)");
     const int i = static_cast<int>(index_of(mesh_.get(), v));
     if (!std::isfinite(distance))
       core::throw_joined<invalid_argument>({"exact_geodesics: the initial distance at vert ", static_cast<std::size_t>(i), " is not finite"});
@@ -139,7 +139,7 @@ class prepared_exact_geodesics {
   /// Needs:  a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}. The mesh has not changed since it was prepared.
   /// Result: a map of double, in units of length; +inf at verts that no path over polys reaches.
   /// Cost:   see exact_geodesics.
-  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is no vert of the mesh.
+  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is not a vert of the mesh.
   template<class S>
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   vert_map<M, double> distance_from(const S& sources) const {
@@ -154,7 +154,7 @@ class prepared_exact_geodesics {
   void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 
   /// The distances of all verts from a point of poly p: the one nearest to x.
-  /// Result, cost: as above.      Errors: invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
+  /// Result, cost: as above.      Errors: invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
     mesh_point<M> place{p, x};
     return solve_from(p, x, place);
@@ -183,9 +183,9 @@ class prepared_exact_geodesics {
 
   /// The shortest path between two verts.
   /// Result: see geodesic_path.      Cost: as distance_from, but the search ends at the target.
-  /// Errors: invalid_mesh if source or target is no vert of the mesh.
+  /// Errors: invalid_mesh if source or target is not a vert of the mesh.
   geodesic_path<M> path_between(const vert_t<M>& source, const vert_t<M>& target) const {
-    if (!contains(mesh_.get(), target)) throw invalid_mesh("exact_geodesics: the target is no vert of the mesh; take it from verts(m)");
+    if (!contains(mesh_.get(), target)) throw invalid_mesh("exact_geodesics: the target is not a vert of the mesh; take it from verts(m)");
     detail::path_tree tree = empty_tree();
     auto distances = solve_from(source, &tree, static_cast<int>(index_of(mesh_.get(), target)));
     return with_paths(std::move(distances), std::move(tree)).path_to(target);
@@ -195,7 +195,7 @@ class prepared_exact_geodesics {
 template<class M>
 vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& place, detail::path_tree* paths) const {
   const M& m = mesh_.get();
-  if (!contains(m, p)) throw invalid_mesh("exact_geodesics: the poly of a source is no poly of the mesh; take it from polys(m)");
+  if (!contains(m, p)) throw invalid_mesh("exact_geodesics: the poly of a source is not a poly of the mesh; take it from polys(m)");
   if (!is_finite(x)) throw invalid_argument("exact_geodesics: the point of a source is not finite");
   std::array<vec3, 3> corner;
   std::size_t n = 0;

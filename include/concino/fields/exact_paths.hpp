@@ -75,10 +75,10 @@ class exact_paths {
   /// Result: see geodesic_path. Its length is the distance at v minus the initial distance of its source, to a relative error of 1e-12. If there are
   ///         several shortest paths, it is one of them, the same in every run.
   /// Cost:   O(number of points).
-  /// Errors: invalid_mesh if v is no vert of the mesh.
+  /// Errors: invalid_mesh if v is not a vert of the mesh.
   geodesic_path<M> path_to(const vert_t<M>& v) const {
     const M& m = distances_.mesh();
-    if (!contains(m, v)) throw invalid_mesh("exact_paths: the target is no vert of the mesh; take it from verts(m)");
+    if (!contains(m, v)) throw invalid_mesh("exact_paths: the target is not a vert of the mesh; take it from verts(m)");
     geodesic_path<M> path;
     if (distances_[v] == std::numeric_limits<double>::infinity()) return path;
     const detail::unfolded_triangles& t = contents_->prepared->triangles;

@@ -99,7 +99,7 @@ class prepared_harmonic_map {
   /// Result: that of harmonic_map with these values.
   /// Cost:   one back-substitution; three for a map to space.
   /// Errors: invalid_argument if a value is not finite, a vert gets two different values or none, or a vert with a value is not constrained;
-  ///         invalid_mesh if it is no vert of the mesh; solver_error.
+  ///         invalid_mesh if it is not a vert of the mesh; solver_error.
   template<class T = double, class D = std::initializer_list<std::pair<vert_t<M>, T>>>
     requires detail::field_value<T> && detail::gives_values<D, vert_t<M>>
   vert_map<M, T> with_values(const D& values) const {

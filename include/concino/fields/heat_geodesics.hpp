@@ -150,7 +150,7 @@ class prepared_heat_geodesics {
 
   void add_source(query& q, const vert_t<M>& v, double distance) const {
     if (!contains(mesh_.get(), v))
-      throw invalid_mesh("heat_geodesics: a source is no vert of the mesh; take it from verts(m)");
+      throw invalid_mesh("heat_geodesics: a source is not a vert of the mesh; take it from verts(m)");
     if (!std::isfinite(distance))
       core::throw_joined<invalid_argument>(
           {"heat_geodesics: the initial distance at vert ", index_of(mesh_.get(), v), " is not finite"});
@@ -179,7 +179,7 @@ class prepared_heat_geodesics {
   /// Needs:  sources as for heat_geodesics. The mesh has not changed since it was prepared.
   /// Result: that of heat_geodesics.
   /// Cost:   two back-substitutions, three where there is a boundary, and a search for shortest paths; more if heat underflows and is continued.
-  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is no vert of the mesh; solver_error.
+  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is not a vert of the mesh; solver_error.
   template<class S>
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   vert_map<M, double> distance_from(const S& sources) const {
@@ -198,10 +198,10 @@ class prepared_heat_geodesics {
   /// The distances of all verts from a point of poly p.
   /// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
   /// Result, cost: as above.
-  /// Errors: invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
+  /// Errors: invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
     const M& m = mesh_.get();
-    if (!contains(m, p)) throw invalid_mesh("heat_geodesics: the poly of a source is no poly of the mesh; take it from polys(m)");
+    if (!contains(m, p)) throw invalid_mesh("heat_geodesics: the poly of a source is not a poly of the mesh; take it from polys(m)");
     if (!is_finite(x)) throw invalid_argument("heat_geodesics: the point of a source is not finite");
     query q;
     q.sources.push_back({vec3{scale_down(x.x), scale_down(x.y), scale_down(x.z)}, 0});
@@ -371,7 +371,7 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
 /// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
 /// Result: as above.
 /// Cost:   as above.
-/// Errors: as above, and invalid_mesh if p is no poly of the mesh; invalid_argument if x is not finite.
+/// Errors: as above, and invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
 template<class M, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const heat_geodesics_options& options = {},

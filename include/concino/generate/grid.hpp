@@ -28,7 +28,7 @@ class spaced {
       : min_(min), max_(max), extent_(max - min), n_(static_cast<double>(n)), last_(n) {
     if (!std::isfinite(min) || !std::isfinite(max) || !(min < max) || !std::isfinite(extent_))
       core::throw_joined<invalid_argument>({what, ": min.", axis, " is ", core::number_text(min), " and max.", axis, " is ", core::number_text(max),
-                                      "; both must be finite and max above min by a finite step"});
+                                      "; both must be finite, min below max, and their difference finite"});
     const double far = std::max(std::abs(min), std::abs(max));
     const double spacing = std::max(far - std::nextafter(far, 0), std::numeric_limits<double>::min());
     if (!(extent_ / n_ > 8 * spacing))

@@ -76,7 +76,7 @@ double angle_in_loop(const M& m, const Loop& loop, const vert_t<M>& v, const cha
     ++n;
   }
   if (!found)
-    core::throw_joined<invalid_argument>({"corner_angle: vert ", index_of(m, v), " is no corner of ", what, " ", which, "; ask for one of its own verts"});
+    core::throw_joined<invalid_argument>({"corner_angle: vert ", index_of(m, v), " is not a vert of ", what, " ", which, "; take one of its own verts"});
   const vec3 normal = normal_for_angles(m, loop, n);
   double angle = 0;
   for_each_corner(m, loop, [&](std::size_t k, const vec3& before, const vec3& at, const vec3& after) {

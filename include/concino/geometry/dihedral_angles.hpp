@@ -116,7 +116,7 @@ double dihedral_angle(const M& m, const poly_t<M>& p, const edge_t<M>& e) {
   }
   if (n == 0)
     core::throw_joined<invalid_argument>(
-        {"dihedral_angle: edge ", index_of(m, e), " is no edge of poly ", index_of(m, p), "; ask for one of adj_p2e of the poly"});
+        {"dihedral_angle: edge ", index_of(m, e), " is not an edge of poly ", index_of(m, p), "; take one from adj_p2e(m, p)"});
   return n == 2 ? detail::interior_angle(two[0], two[1], edge.direction) : std::numbers::pi;
 }
 

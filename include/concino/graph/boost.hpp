@@ -79,8 +79,8 @@ auto directed(const G& g) {
   if constexpr (!std::is_arithmetic_v<detail::node_in<G>>) {
     for (const detail::node_in<G> v : base.nodes())
       if (v == detail::node_in<G>())
-        throw unsupported("directed: Boost's flows use the default descriptor as null vertex, but here it names an element; "
-                          "let the default descriptor of your mesh name no element");
+        throw unsupported("directed: Boost's flow algorithms use the default descriptor as null vertex, but in this mesh it names an element; "
+                          "change the descriptor type so that its default value names none");
   }
   return views::directed_view<G>(g);
 }

@@ -40,7 +40,7 @@ cut_along_result<M> cut_along(const M& m, const Cut& cut) {
   for (const edge_t<M> e : edges(m)) known[index_of(m, e)] = e;
   const auto take = [&](const edge_t<M>& e) {
     if (index_of(m, e) >= known.size() || !(known[index_of(m, e)] == e))
-      throw invalid_mesh("cut_along: one of the edges is no edge of the mesh; take them from edges(m)");
+      throw invalid_mesh("cut_along: one of the edges is not an edge of the mesh; take them from edges(m)");
     edge_is_cut[index_of(m, e)] = 1;
     for (const vert_t<M> v : adj_e2v(m, e)) splits[index_of(m, v)] = 1;
   };

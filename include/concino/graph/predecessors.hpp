@@ -58,8 +58,8 @@ class crossed_ref<Node, void> {
  public:
   constexpr crossed_ref() = default;
   constexpr crossed_ref(std::nullptr_t) {}
-  template<class P, class R = mistake::remedy<"crossed needs a mesh that says what lies between its nodes: adj_v2e and adj_e2v between verts; adj_p2e and adj_e2p between polys of a surface, adj_p2f and adj_f2p of a volume. This one is a graph and no more; ask for predecessors">>
-  crossed_ref(P*) = delete;  // crossed needs a mesh that says what lies between its nodes: adj_v2e and adj_e2v ...; ask for predecessors
+  template<class P, class R = mistake::remedy<"crossed needs the edges or faces between neighbours: adj_v2e and adj_e2v between verts; adj_p2e and adj_e2p between polys of a surface, adj_p2f and adj_f2p of a volume. This type is only a graph; use predecessors">>
+  crossed_ref(P*) = delete;  // crossed needs the edges or faces between neighbours: adj_v2e and adj_e2v ...; use predecessors
   constexpr explicit operator bool() const { return false; }
 };
 

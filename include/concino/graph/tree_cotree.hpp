@@ -43,7 +43,7 @@ void expect_closed_manifold(const M& m, const char* caller) {
       if (known == none) known = here;
       else if (known != here)
         refuse(core::joined({"the polys at vert ", index_of(m, v),
-                               " are several fans; the surface must be manifold, with one fan at every vert"}));
+                               " form several fans; the surface must be manifold, with one fan at every vert"}));
     }
   }
 }

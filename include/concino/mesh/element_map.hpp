@@ -68,7 +68,7 @@ class element_map {
 
   std::size_t slot(const X& x) const {
     const std::size_t i = index_of(mesh_.get(), x);
-    assert(i < values_.size() && "the element is not one of those the map was made for");
+    assert(i < values_.size() && "the element was added after the map was made, or belongs to another mesh");
     return i;
   }
 

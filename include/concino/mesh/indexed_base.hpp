@@ -45,13 +45,13 @@ template<class M, class R> concept takes_a_copy = requires { static_cast<R (*)(M
 template<class M, class R>
 consteval void check_tables() {
   if constexpr (!std::is_lvalue_reference_v<R>)
-    static_assert(missing<M>, "concino: mesh_traits<M>::tables must return a reference, static const auto& tables(const M&): without the & every question would be answered from a copy that is gone");
+    static_assert(missing<M>, "concino: mesh_traits<M>::tables must return a reference, static const auto& tables(const M&): without the & adjacencies would be read from a copy of the mesh that no longer exists");
   else if constexpr (takes_a_copy<M, R>)
-    static_assert(missing<M>, "concino: mesh_traits<M>::tables must take the mesh by reference, static const auto& tables(const M&): without the & it returns a reference into a copy that is gone");
+    static_assert(missing<M>, "concino: mesh_traits<M>::tables must take the mesh by reference, static const auto& tables(const M&): without the & it returns a reference into a copy that no longer exists");
   else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>> && dimension_v<M> == 2)  // the messages differ
-    static_assert(missing<M>, "concino: mesh_traits<M>::arity needs tables(m) to be surface_tables<arity>: leave arity out, or build these");
+    static_assert(missing<M>, "concino: mesh_traits<M>::arity needs tables(m) to be surface_tables<arity>: leave arity out, or use that type");
   else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>>)  // the messages differ
-    static_assert(missing<M>, "concino: mesh_traits<M>::arity = 4 needs tables(m) to be tet_tables, 8 hex_tables, whose lists keep the standard order of corners; polyhedra_tables do not: leave arity out, or build the others");
+    static_assert(missing<M>, "concino: mesh_traits<M>::arity = 4 needs tables(m) to be tet_tables, 8 hex_tables, whose lists keep the standard order of corners; polyhedra_tables do not: leave arity out, or use tet_tables or hex_tables");
 }
 // clang-format on
 

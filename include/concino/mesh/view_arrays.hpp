@@ -105,7 +105,7 @@ auto view_polyhedra(P&& points, FO&& face_offsets, FV&& face_verts, PO&& poly_of
 
 // What to write instead of calls that cannot compile.
 namespace mistake {
-inline constexpr sentence name_the_array("the view reads the array later, which must not be a temporary: give the array a name, auto points = ...;");
+inline constexpr sentence name_the_array("the view refers to the array, which must not be a temporary: give the array a name, auto points = ...;");
 }
 template<class R = mistake::remedy<mistake::name_the_array>, class... A>
   requires(... || requirement::is_temporary_array<A>)

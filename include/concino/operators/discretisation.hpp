@@ -47,9 +47,9 @@ struct weights_or_matrices_requirement {
   template<class D, class M> static constexpr bool holds = has_weights_or_matrices<std::remove_cvref_t<D>, std::remove_cvref_t<M>>;
   template<class D, class M> static consteval void explain() {
     static_assert(!requires(const D& d, const M& m) { d.neighbour_weights(m); } || detail::missing<D, M>, "concino: neighbour_weights(m) is there, but what it returns does not give a number for two verts");
-    static_assert(!requires(const D& d, const M& m) { d.edge_weights(m); } || AnyMesh<M> || detail::missing<D, M>, "concino: edge_weights(m) is there, but M has no edges: it is no AnyMesh");
+    static_assert(!requires(const D& d, const M& m) { d.edge_weights(m); } || AnyMesh<M> || detail::missing<D, M>, "concino: edge_weights(m) is there, but M has no edges: it is not an AnyMesh");
     static_assert(!requires(const D& d, const M& m) { d.edge_weights(m); } || !AnyMesh<M> || detail::missing<D, M>, "concino: edge_weights(m) is there, but what it returns does not give a number at each edge");
-    static_assert(!requires(const D& d, const M& m) { d.poly_matrices(m); } || AnyMesh<M> || detail::missing<D, M>, "concino: poly_matrices(m) is there, but M has no polys with verts: it is no AnyMesh");
+    static_assert(!requires(const D& d, const M& m) { d.poly_matrices(m); } || AnyMesh<M> || detail::missing<D, M>, "concino: poly_matrices(m) is there, but M has no polys with verts: it is not an AnyMesh");
     static_assert(!requires(const D& d, const M& m) { d.poly_matrices(m); } || !AnyMesh<M> || detail::missing<D, M>, "concino: poly_matrices(m) is there, but what it returns cannot be called with a poly and a local_matrix");
     static_assert(detail::missing<D, M>, "concino: Discretisation needs auto neighbour_weights(const M&) const, of meshes also edge_weights or poly_matrices: a callable w, w(a, b) is the weight of two verts joined by an edge");
   }
@@ -60,7 +60,7 @@ struct masses_or_points_requirement {
   template<class D, class M> static constexpr bool holds = has_masses_or_points<std::remove_cvref_t<D>, std::remove_cvref_t<M>>;
   template<class D, class M> static consteval void explain() {
     static_assert(!requires(const D& d, const M& m) { d.masses(m); } || detail::missing<D, M>, "concino: masses(m) is there, but what it returns does not give a number at each vert");
-    static_assert(detail::missing<D, M>, "concino: Discretisation needs auto masses(const M&) const; a map, mass[v] > 0 of each vert: M is no EmbeddedMesh that has masses of its own");
+    static_assert(detail::missing<D, M>, "concino: Discretisation needs auto masses(const M&) const; a map, mass[v] > 0 at each vert: only an EmbeddedMesh has masses without it");
   }
 };
 

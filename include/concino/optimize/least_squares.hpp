@@ -88,8 +88,8 @@ least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<doubl
         used_qr = true;
       }
       if (used_qr && !may_use_qr)
-        core::throw_joined<solver_error>({caller, ": the columns of the matrix are nearly dependent, so that normal equations lose too many digits, and ",
-                                    static_cast<std::size_t>(j.cols()), " unknowns are more than qr takes by itself; hand in qr, or give more conditions"});
+        core::throw_joined<solver_error>({caller, ": the columns of the matrix are nearly dependent, so the normal equations lose too many digits, and ",
+                                    static_cast<std::size_t>(j.cols()), " unknowns are too many for the automatic use of qr; pass qr as the solver, or add conditions"});
       if (used_qr) {
         qr orthogonal;
         orthogonal.factorize(j);

@@ -41,9 +41,9 @@ inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::Vec
                                               "; no finite number lies between them"});
   if (!(options.tolerance >= 1e-12 && options.tolerance <= 1)) refuse("tolerance must be from 1e-12 to 1");
   if (options.max_iterations < 1) refuse("max_iterations must be 1 or more");
-  if (options.x.size() && (options.x.size() != g.size() || !options.x.allFinite())) refuse("the x to start from must be finite and of the size of g");
+  if (options.x.size() && (options.x.size() != g.size() || !options.x.allFinite())) refuse("the initial x must be finite and of the size of g");
   if (options.multipliers.size() && (options.multipliers.size() != low.size() || !options.multipliers.allFinite()))
-    refuse("the multipliers to start from must be finite and as many as the rows of A");
+    refuse("the initial multipliers must be finite, one for each row of A");
   return detail::qp_solver(h, g, a, low, high, options).solve();
 }
 

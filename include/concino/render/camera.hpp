@@ -50,8 +50,8 @@ inline camera looking(const vec3& eye, const vec3& back, const vec3& up) {
   c.eye = eye;
   const double length = norm(back), up_length = norm(up);
   if (!(length > 0) || !std::isfinite(length) || !is_finite(eye))
-    throw invalid_argument("camera: the eye and its target must be finite and apart");
-  if (!(up_length > 0) || !std::isfinite(up_length)) throw invalid_argument("camera: up must be a finite direction");
+    throw invalid_argument("camera: the eye and its target must be finite and differ");
+  if (!(up_length > 0) || !std::isfinite(up_length)) throw invalid_argument("camera: up must be finite and not 0");
   c.back = back / length;
   vec3 right = cross(up / up_length, c.back);
   const double across = norm(right);

@@ -20,7 +20,7 @@ class image {
   /// Errors: invalid_argument if width or height is 0 or above 65,535.
   image(std::size_t width, std::size_t height, const rgb& color = {}) : width_(width), height_(height) {
     if (width == 0 || height == 0 || width > 65535 || height > 65535)
-      core::throw_joined<invalid_argument>({"image: ", width, " x ", height, " pixels; each side must be 1 to 65535"});
+      core::throw_joined<invalid_argument>({"image: ", width, " x ", height, " pixels; width and height must be 1 to 65535"});
     pixels_.assign(width * height, color);
   }
 

@@ -45,7 +45,7 @@ struct no_ray_tracer {
   };
   caster build(const triangle_soup&) const {
     throw unsupported(
-        "rendering needs a ray tracer: include <concino/adapters/embree.hpp> (Debian: libembree-dev) and hand in concino::embree{} as the "
+        "rendering needs a ray tracer: include <concino/adapters/embree.hpp> (Debian: libembree-dev) and pass concino::embree{} as the "
         "last argument");
   }
 };

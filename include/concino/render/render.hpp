@@ -48,8 +48,8 @@ inline void check_render_options(const render_options& o) {
   need(o.sky_rays >= 0 && o.sky_rays <= 1 << 20, "sky_rays must be 0 to 1048576");
   need(o.sky_distance > 0, "sky_distance must be positive");
   need(o.light_size >= 0 && o.light_size < 90, "light_size must be in [0, 90) degrees");
-  need(norm(o.up) > 0 && is_finite(o.up), "up must be a finite direction");
-  need(norm(o.light) > 0 && is_finite(o.light), "light must be a finite direction");
+  need(norm(o.up) > 0 && is_finite(o.up), "up must be finite and not 0");
+  need(norm(o.light) > 0 && is_finite(o.light), "light must be finite and not 0");
 }
 
 template<RayCaster C>

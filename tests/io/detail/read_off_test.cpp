@@ -292,7 +292,7 @@ TEST_CASE("read_off: counts may be as large as the rest of the file can hold, an
 TEST_CASE("read_off: messages name what was expected and what was found") {
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::off); };
   CHECK(says("OFF\n4 1 0\n" + points + "3 0 1 4\n") == "7: the index of a vert from 0 to 3 | '4'");
-  CHECK(says("OFF\n0 1 0\n3 0 1 2\n") == "3: no polys, as there are no verts | '0'");
+  CHECK(says("OFF\n0 1 0\n3 0 1 2\n") == "3: no polys, because there are no verts | '0'");
   CHECK(says("OFF BINARY 3\n") == "1: the end of the line after BINARY | '3'");
   CHECK(says("OFF BINAR") == "1: the number of verts | 'BINAR'");
 }

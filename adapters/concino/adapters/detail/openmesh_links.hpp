@@ -128,11 +128,11 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
   std::vector<HalfedgeHandle> halfedges;  // those that exist already
   for (std::size_t i = 0; i < n; ++i) {
     const VertexHandle a = corners[i], b = corners[(i + 1) % n];
-    if (!m.is_boundary(a)) refuse(core::joined({"names ", name(a), ", which has polys all around it; OpenMesh can hold no other there"}));
+    if (!m.is_boundary(a)) refuse(core::joined({"names ", name(a), ", which is not on the boundary; OpenMesh cannot add a poly there"}));
     halfedges.push_back(m.find_halfedge(a, b));
     if (halfedges.back().is_valid() && !m.is_boundary(halfedges.back()))
       refuse(core::joined({"goes from ", name(a), " to ", name(b),
-                     " as another poly does; in OpenMesh at most two polys share an edge, and they walk it in opposite directions"}));
+                     " as another poly does; in OpenMesh at most two polys share an edge, in opposite directions"}));
   }
   for (std::size_t i = 0; i < n; ++i) {
     const HalfedgeHandle in = halfedges[i], out = halfedges[(i + 1) % n];

@@ -11,7 +11,7 @@
 namespace concino::detail {
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_vert(const char* caller, const char* what) {
-  core::throw_joined<invalid_mesh>({caller, ": ", what, " something that is no vert of the mesh; take verts from verts(m)"});
+  core::throw_joined<invalid_mesh>({caller, ": ", what, " something that is not a vert of the mesh; take verts from verts(m)"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_finite(const char* caller, std::size_t vert) {
   core::throw_joined<invalid_argument>({caller, ": the value given at vert ", vert, " is not finite"});

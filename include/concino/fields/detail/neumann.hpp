@@ -55,8 +55,8 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
     const facet_t<M> x = facet;
     const T flux = as_field_value<T>(number);
     if (!contains(m, x))
-      core::throw_joined<invalid_mesh>({caller, is_surface ? ": a flux is given at something that is no edge of the mesh; take edges from edges(m)"
-                                                  : ": a flux is given at something that is no face of the mesh; take faces from faces(m)"});
+      core::throw_joined<invalid_mesh>({caller, is_surface ? ": a flux is given at something that is not an edge of the mesh; take edges from edges(m)"
+                                                  : ": a flux is given at something that is not a face of the mesh; take faces from faces(m)"});
     const std::size_t polys = num_elements(adj_facet2p(m, x));
     if (polys != 1)
       core::throw_joined<invalid_mesh>({caller, ": a flux is given at ", is_surface ? "edge " : "face ", index_of(m, x),

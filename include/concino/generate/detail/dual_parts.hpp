@@ -83,7 +83,7 @@ class dual_parts {
     core::reserve_large(points, num_polys(m_));
     for (const poly_t<M> p : polys(m_)) {
       const vec3 x = TriMesh<M> || TetMesh<M> ? vert_mean(m_, p) : centroid(m_, p);
-      if (!is_finite(x)) throw_no_dual("poly ", index_of(m_, p), " has a vert that is not at a finite point");
+      if (!is_finite(x)) throw_no_dual("poly ", index_of(m_, p), " has a vert whose point is not finite");
       const std::uint32_t n = poly_number_[index_of(m_, p)] = add_vert(x);
       for (const facet_t<M> f : adj_p2facet(m_, p)) {
         auto& [first, second] = polys_at_[index_of(m_, f)];

@@ -11,7 +11,7 @@ template<Embedded M>
 void check_points_finite(const char* what, const M& m) {
   for (const vert_t<M> v : verts(m))
     if (!is_finite(to_vec3(point(m, v))))
-      core::throw_joined<invalid_mesh>({what, ": vert ", index_of(m, v), " is not at a finite point; nothing was moved"});
+      core::throw_joined<invalid_mesh>({what, ": the point of vert ", index_of(m, v), " is not finite; nothing was moved"});
 }
 
 }  // namespace concino::detail

@@ -198,7 +198,7 @@ class half_spaces {
       weigh(q.other, -slope);
     }
     weigh(site_, own);
-    assert(sign != 0 && "the weight of the site that cuts matters always");
+    assert(sign != 0 && "the sum includes the weight of the cutting site, so it is not 0");
     return sign > 0;
   }
 };

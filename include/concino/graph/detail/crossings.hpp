@@ -38,8 +38,8 @@ template<class M, class S> using crossed_of = crossed_t<graph_of<M, S>>;
 struct nothing_to_cross {
   constexpr nothing_to_cross() = default;
   constexpr nothing_to_cross(std::nullptr_t) {}
-  template<class F, class R = mistake::remedy<"may_cross needs a mesh that says what lies between its nodes: adj_v2e and adj_e2v between verts; adj_p2e and adj_e2p between polys of a surface, adj_p2f and adj_f2p of a volume. This one is a graph and no more; bar its nodes by may_enter">>
-  nothing_to_cross(const F&) = delete;  // may_cross needs a mesh that says what lies between its nodes: adj_v2e and adj_e2v ...; bar nodes by may_enter
+  template<class F, class R = mistake::remedy<"may_cross needs the edges or faces between neighbours: adj_v2e and adj_e2v between verts; adj_p2e and adj_e2p between polys of a surface, adj_p2f and adj_f2p of a volume. This type is only a graph; use may_enter to exclude nodes">>
+  nothing_to_cross(const F&) = delete;  // may_cross needs the edges or faces between neighbours: adj_v2e and adj_e2v ...; use may_enter to exclude nodes
   constexpr explicit operator bool() const { return false; }
 };
 template<class C> struct crossing_test { using type = function_ref<bool(C)>; };

@@ -90,7 +90,7 @@ std::string name_of(const G& g, const typename G::node& x) {
 template<class G>
 void expect_node(const G& g, const typename G::node& x, const char* caller, const char* role) {
   if (contains(g.m, x)) return;
-  core::throw_joined<invalid_mesh>({caller, ": the ", role, " is no ", G::element_name, " of the mesh; take one from ", G::element_name, "s(m)"});
+  core::throw_joined<invalid_mesh>({caller, ": the ", role, " is not a ", G::element_name, " of the mesh; take one from ", G::element_name, "s(m)"});
 }
 
 /// The graph of algorithms without a source: that of the verts, or of the polys if the argument is dual(m).

@@ -194,7 +194,7 @@ class off_reader : off_cursor {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail_index() const {
-    if (out_.points.empty()) fail(at, "no polys, as there are no verts");
+    if (out_.points.empty()) fail(at, "no polys, because there are no verts");
     fail(at, {"the index of a vert from 0 to ", out_.points.size() - 1});
   }
 

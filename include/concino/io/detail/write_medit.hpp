@@ -40,7 +40,7 @@ inline void add_row(const write_context& c, flat_mesh& m, std::size_t p, medit_r
     }
     const cell_shape shape = known.recognise();
     if (shape == cell_shape::general)
-      c.throw_cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polyhedron of ", all.poly_faces[p].size(), " faces that is no tet, hex, prism or pyramid"}, ".hedra");
+      c.throw_cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polyhedron of ", all.poly_faces[p].size(), " faces that is not a tet, hex, prism or pyramid"}, ".hedra");
     for (unsigned i = 0; i < standard_cell_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
     s = 2 + static_cast<std::size_t>(shape);
   }

@@ -12,7 +12,7 @@ CONCINO_INLINE void check_verts(id_span<vert_id> verts, std::size_t vert_count, 
   if (verts.size() < 3) core::throw_joined<invalid_mesh>({name(), " has ", verts.size(), " verts; it needs at least 3"});
   for (const vert_id v : verts)
     if (v.raw() >= vert_count)
-      core::throw_joined<invalid_mesh>({name(), " names vert ", v.is_none() ? std::string("-1 or beyond 2^32") : core::joined({v.raw()}), ", but the mesh has ",
+      core::throw_joined<invalid_mesh>({name(), " names vert ", v.is_none() ? std::string("-1 or above 2^32") : core::joined({v.raw()}), ", but the mesh has ",
                                   vert_count, " verts, numbered from 0"});
   std::size_t twice = verts.size();
   if (verts.size() <= 16) {

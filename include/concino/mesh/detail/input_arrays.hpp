@@ -93,11 +93,11 @@ auto lists_of(O& input_offsets, I& indices, const char* caller, const char* what
   for (std::size_t i = 0; i < where.size(); ++i) {
     const auto x = first.numbers()[i];
     if (!is_below(x, flat.size() + 1))
-      fail(core::joined({"have ", index_piece(x), " at place ", i, ", but there are ", flat.size(), " indices"}));
+      fail(core::joined({"have ", index_piece(x), " at position ", i, ", but there are ", flat.size(), " indices"}));
     where[i] = static_cast<std::uint32_t>(x);
     if (i == 0 && x != 0) fail(core::joined({"begin with ", index_piece(x), "; they must begin with 0"}));
     if (i > 0 && where[i] < where[i - 1])
-      fail(core::joined({"decrease at place ", i, ", from ", where[i - 1], " to ", index_piece(x)}));
+      fail(core::joined({"decrease at position ", i, ", from ", where[i - 1], " to ", index_piece(x)}));
   }
   if (where.empty()) where.push_back(0);
   if (where.back() != flat.size())
@@ -204,7 +204,7 @@ auto view_of_polyhedra(P& input_points, FO& face_offsets, FV& face_verts, PO& po
   }
   if (flags.size() != poly_faces.size())
     core::throw_joined<invalid_mesh>({caller, ": ", flags.size(), " outward flags were given for ", poly_faces.size(),
-                                " faces of polys"});
+                                " faces of polys; each needs one"});
   polyhedra_tables built(points.size(), *faces.shared_offsets(), copied<vert_id>(faces), *poly_lists.shared_offsets(), std::move(poly_faces),
                          std::move(flags));
   using tables = basic_polyhedra_tables<std::remove_const_t<decltype(faces)>>;

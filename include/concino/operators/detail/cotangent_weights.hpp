@@ -44,7 +44,7 @@ class cotangent_weights {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_no_simplex(const poly_t<M>& p, std::size_t n) const {
-    core::throw_joined<unsupported>({caller_, ": poly ", index_of(m_, p), " has ", n, " verts and is no ",
+    core::throw_joined<unsupported>({caller_, ": poly ", index_of(m_, p), " has ", n, " verts and is not a ",
                                dimension == 2 ? "triangle" : "tet", "; use virtual_elements or uniform, or split the polys"});
   }
   [[noreturn, gnu::noinline, gnu::cold]] void throw_degenerate(const poly_t<M>& p) const {

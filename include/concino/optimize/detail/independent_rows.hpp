@@ -143,8 +143,8 @@ class row_elimination {
       space_.is_nearly_dependent |= largest.size < 1e-6 * scale;
       add_independent(i, largest.column, std::move(left));
     } else if (!(std::abs(left.value) <= 1e-9 * left.terms)) {
-      core::throw_joined<solver_error>({caller, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side follows from"
-                                  " theirs, but its right side is off by ", core::number_text(std::abs(left.value))});
+      core::throw_joined<solver_error>({caller, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side is a combination"
+                                  " of theirs, but its right side differs by ", core::number_text(std::abs(left.value))});
     }
     clear_row();
   }

@@ -92,7 +92,7 @@ class quasidefinite {
       for (Eigen::Index i = 0; i < size_; ++i) negative += pivots[i] < 0;
     }
     if (factors_.info() != Eigen::Success || negative != a.rows())
-      throw solver_error("quadratic program: the matrix of the objective is not positive semidefinite, so there is no minimum to look for");
+      throw solver_error("quadratic program: H is not positive semidefinite, so the objective is not convex");
   }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return size_ == 0 ? b : Eigen::VectorXd(factors_.solve(b)); }
