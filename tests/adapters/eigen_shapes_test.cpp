@@ -106,7 +106,7 @@ TEST_CASE("eigen: errors name the poly, the index and the bound") {
   huge[3] = std::numeric_limits<std::int64_t>::min();
   CHECK(message([&] { view_quad(points, huge); }) == "view_quad: poly 0 names point -9223372036854775808, but there are 4 points, numbered from 0");
   lists(1, 1) = 3;
-  CHECK(message([&] { view_tri(points, lists); }) == "poly 1 has vert 3 twice; its verts must differ");
+  CHECK(message([&] { view_tri(points, lists); }) == "surface_tables: poly 1 has vert 3 twice; its verts must differ");
   const F quads = F::Zero(2, 4);
   CHECK(message([&] { view_tri(points, quads); }) == "view_tri: the array of polys has 4 columns; it needs 3");
   const V flat = V::Zero(4, 2);
@@ -133,7 +133,7 @@ TEST_CASE("eigen: errors name the poly, the index and the bound") {
   offsets << 0, 3, 2;
   CHECK(message(polygons) == "view_polygons: the offsets of polys decrease at position 2, from 3 to 2");
   offsets << 0, 1, 3;
-  CHECK(message(polygons) == "poly 0 has 1 verts; it needs at least 3");
+  CHECK(message(polygons) == "surface_tables: poly 0 has 1 verts; it needs at least 3");
   offsets = Eigen::VectorXi(0);
   CHECK(message(polygons) == "view_polygons: the offsets of polys end with 0, but there are 3 indices");
 

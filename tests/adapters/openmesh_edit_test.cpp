@@ -75,7 +75,7 @@ TEST_CASE("polys that OpenMesh cannot hold throw, and the mesh is unchanged") {
     } catch (const invalid_mesh& e) {
       said = e.what();
     }
-    CHECK(said == "poly 8 " + std::string(why));
+    CHECK(said == "add_poly: poly 8 " + std::string(why));
     CHECK(m.n_edges() == edge_count);
     CHECK(m.n_faces() == poly_count);
     check_laws_hold<>(m);
@@ -105,7 +105,7 @@ TEST_CASE("closing a ring at a vert throws if other polys are in the gap") {
   add_poly(m, {v(0), v(4), v(5)});
   check_laws_hold<>(m);
   CHECK_THROWS_WITH_AS(add_poly(m, {v(0), v(3), v(1)}),
-                       "poly 3 closes a fan of polys around vert 0, which has polys of another fan too; in OpenMesh a closed fan is the only one at its vert",
+                       "add_poly: poly 3 closes a fan of polys around vert 0, which has polys of another fan too; in OpenMesh a closed fan is the only one at its vert",
                        invalid_mesh);
   check_laws_hold<>(m);
   CHECK(num_polys(m) == 3);

@@ -127,7 +127,7 @@ TEST_CASE("span: errors name the poly, the index and the bound") {
   corners[5] = -1;
   CHECK(message(view) == "view_tri: poly 1 names point -1, but there are 4 points, numbered from 0");
   corners[5] = 2;
-  CHECK(message(view) == "poly 1 has vert 2 twice; its verts must differ");
+  CHECK(message(view) == "surface_tables: poly 1 has vert 2 twice; its verts must differ");
   corners.pop_back();
   CHECK(message(view) == "view_tri: the array of polys has 5 numbers; it needs 3 for each");
   const doubles odd(11, 0.0);

@@ -104,12 +104,12 @@ TEST_CASE("corner orders: mirrored tets are the same meshes") {
 TEST_CASE("corner orders: errors are the same in every order") {
   const std::vector<double> points(24), seven_numbers(7);
   const std::vector<int> twice = {0, 1, 2, 3, 4, 5, 6, 6}, beyond = {0, 1, 2, 3, 4, 5, 6, 8}, seven = {0, 1, 2, 3, 4, 5, 6};
-  CHECK_THROWS_WITH_AS(view_hex(points, twice, hex_order::lexicographic), "poly 0 has vert 6 twice; its verts must differ", invalid_mesh);
+  CHECK_THROWS_WITH_AS(view_hex(points, twice, hex_order::lexicographic), "cell_tables: poly 0 has vert 6 twice; its verts must differ", invalid_mesh);
   CHECK_THROWS_WITH_AS(view_hex(points, beyond, hex_order::lexicographic),
                        "view_hex: poly 0 names point 8, but there are 8 points, numbered from 0", invalid_mesh);
   CHECK_THROWS_WITH_AS(view_hex(points, seven, hex_order::lexicographic), "view_hex: the array of polys has 7 numbers; it needs 8 for each", invalid_mesh);
   CHECK_THROWS_WITH_AS(view_hex(seven_numbers, seven, hex_order::lexicographic), "view_hex: the array of points has 7 numbers; it needs 3 for each", invalid_mesh);
-  CHECK_THROWS_WITH_AS(hex_tables(8, std::vector<vert_id>(9), hex_order::mirrored), "poly 1 has 1 verts; it needs 8", invalid_mesh);
+  CHECK_THROWS_WITH_AS(hex_tables(8, std::vector<vert_id>(9), hex_order::mirrored), "cell_tables: poly 1 has 1 verts; it needs 8", invalid_mesh);
 }
 
 TEST_CASE("corner orders: validate names the order that hexes seem to have") {

@@ -67,7 +67,9 @@ class indexed_cell_complex {
         const face_id f = opposite.is_none() ? face_id(n->face_darts.size()) : opposite;
         dart d = side;
         do {
-          if (lcc.is_free(d, 1)) core::throw_joined<invalid_mesh>({"CGAL::Linear_cell_complex: poly ", p.raw(), " has a facet that is not closed: one of its darts has no next dart (beta 1)"});
+          if (lcc.is_free(d, 1))
+            core::throw_joined<invalid_mesh>(
+                {"CGAL::Linear_cell_complex: poly ", p.raw(), " has a facet that is not closed: one of its darts has no next dart (beta 1)"});
           n->polys[d] = p;
           n->faces[d] = f;
           vert_id& v = n->verts[lcc.vertex_attribute(d)];

@@ -126,7 +126,7 @@ struct cgal_surface_links {
     return v;
   }
   static poly add_poly(mesh& m, std::span<const vert> corners) {
-    const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"poly ", m.num_faces(), " ", why}); };
+    const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"add_poly: poly ", m.num_faces(), " ", why}); };
     if (corners.size() < 3) refuse(core::joined({"has ", corners.size(), " verts; it needs at least 3"}));
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (!contains(m, corners[i])) refuse(core::joined({"names vert ", corners[i].idx(), ", which is not in the mesh"}));

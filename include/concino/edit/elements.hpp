@@ -91,7 +91,7 @@ poly_t<M> add_poly(M& m, std::initializer_list<std::pair<face_t<M>, bool>> face_
 /// Errors: invalid_mesh if p is not a poly of m.
 template<requirement::has_remove_poly M>
 void remove_poly(M& m, poly_t<M> p) {
-  if (!contains(m, p)) core::throw_joined<invalid_mesh>({"poly ", index_of(m, p), " cannot be removed: it is not a poly of the mesh"});
+  if (!contains(m, p)) core::throw_joined<invalid_mesh>({"remove_poly: poly ", index_of(m, p), " cannot be removed: it is not a poly of the mesh"});
   traits<M>::remove_poly(m, p);
 }
 
@@ -104,7 +104,7 @@ void remove_poly(M& m, poly_t<M> p) {
 template<requirement::has_remove_vert M>
   requires requirement::has_remove_poly<M>
 void remove_vert(M& m, vert_t<M> v) {
-  if (!contains(m, v)) core::throw_joined<invalid_mesh>({"vert ", index_of(m, v), " cannot be removed: it is not a vert of the mesh"});
+  if (!contains(m, v)) core::throw_joined<invalid_mesh>({"remove_vert: vert ", index_of(m, v), " cannot be removed: it is not a vert of the mesh"});
   std::vector<poly_t<M>> around;
   for (const auto& p : adj_v2p(m, v)) around.push_back(p);
   if constexpr (requires { traits<M>::reserve_removal(m, std::span<const poly_t<M>>(around)); }) traits<M>::reserve_removal(m, std::span<const poly_t<M>>(around));

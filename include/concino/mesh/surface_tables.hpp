@@ -43,14 +43,14 @@ class surface_tables {
   /// Errors: invalid_mesh that names the polygon with a bad vert, a repeated vert or fewer than 3.
   surface_tables(std::size_t vert_count, std::vector<vert_id> polys)
     requires(Arity > 0)
-      : p2v_(detail::checked_lists<Arity>(std::move(polys), "poly")) {
+      : p2v_(detail::checked_lists<Arity>(std::move(polys), "surface_tables: poly")) {
     check(vert_count);
     build(vert_count);
   }
   /// From polygons of any size: poly p's verts are verts[first[p]] .. verts[first[p+1]-1].
   surface_tables(std::size_t vert_count, std::vector<std::uint32_t> first, std::vector<vert_id> verts)
     requires(Arity == 0)
-      : p2v_(detail::checked_lists(std::move(first), std::move(verts), "poly")) {
+      : p2v_(detail::checked_lists(std::move(first), std::move(verts), "surface_tables: poly")) {
     check(vert_count);
     build(vert_count);
   }

@@ -113,7 +113,7 @@ inline constexpr std::size_t openmesh_coordinates<M> = OpenMesh::vector_traits<t
 /// too, but prints its messages to the standard error stream.
 inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<const OpenMesh::VertexHandle> corners, int arity) {
   using OpenMesh::HalfedgeHandle, OpenMesh::VertexHandle;
-  const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"poly ", m.n_faces(), " ", why}); };
+  const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"add_poly: poly ", m.n_faces(), " ", why}); };
   const auto name = [](VertexHandle v) { return core::joined({"vert ", v.idx()}); };
   const std::size_t n = corners.size();
   if (n < 3 || (arity != 0 && n != static_cast<std::size_t>(arity)))

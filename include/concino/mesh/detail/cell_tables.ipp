@@ -18,8 +18,8 @@ template<class Shape, class Lists>
 poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow) {
   const poly_id p{polys_.bound()};
   if (corners.size() != Shape::verts)
-    core::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Shape::verts});
-  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "poly", p.raw());
+    core::throw_joined<invalid_mesh>({"add_poly: poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Shape::verts});
+  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "add_poly: poly", p.raw());
   vert_id c[Shape::verts];
   std::copy_n(corners.begin(), Shape::verts, c);
   edges_of_new_poly at = find_edges(c);
@@ -318,7 +318,7 @@ void cell_tables<Shape, Lists>::builder::list_corners() {
   for (std::uint32_t p = 0; p < poly_count_; ++p) {
     if (!are_distinct_verts(t_.p2v_.begin(p), vert_count_)) {
       std::vector<std::uint32_t> met;
-      detail::check_verts(t_.p2v_[p], vert_count_, "poly", p, met);
+      detail::check_verts(t_.p2v_[p], vert_count_, "cell_tables: poly", p, met);
     }
     for (unsigned i = 0; i < Shape::verts; ++i) ++counts[t_.p2v_.begin(p)[i].raw() + 1];
   }

@@ -20,11 +20,11 @@ jagged_array<T, N> checked_lists(std::vector<T> values, const char* what) {
 template<class T>
 jagged_array<T, 0> checked_lists(offsets first, std::vector<T> values, const char* what) {
   if (first.empty()) first.push_back(0);
-  if (first.front() != 0) core::throw_joined<invalid_mesh>({"the offsets of ", what, "s begin with ", first.front(), "; they must begin with 0"});
+  if (first.front() != 0) core::throw_joined<invalid_mesh>({what, " offsets begin with ", first.front(), "; they must begin with 0"});
   for (std::size_t i = 1; i < first.size(); ++i)
     if (first[i] < first[i - 1]) core::throw_joined<invalid_mesh>({what, " ", i - 1, " ends before it begins; offsets must not decrease"});
   if (first.back() != values.size())
-    core::throw_joined<invalid_mesh>({"the offsets of ", what, "s end with ", first.back(), ", but the lists have ", values.size(), " entries"});
+    core::throw_joined<invalid_mesh>({what, " offsets end with ", first.back(), ", but the lists have ", values.size(), " entries"});
   shrink_if_wasteful(first);
   shrink_if_wasteful(values);
   return {std::make_shared<const offsets>(std::move(first)), std::move(values)};

@@ -18,12 +18,13 @@ CONCINO_INLINE surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
     for (std::size_t i = 0; i <= a.verts.size() / a.arity; ++i) a.offsets.push_back(static_cast<std::uint32_t>(i * a.arity));
     if (a.offsets.back() != a.verts.size()) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
   } else {
+    const char* const what = arity == 3 ? "trimesh: " : "quadmesh: ";
     const std::size_t n = a.num_polys();
     for (std::size_t p = 0; p < n; ++p) {
       const std::uint32_t has = a.arity ? a.arity : a.offsets[p + 1] - a.offsets[p];
-      if (has != arity) core::throw_joined<invalid_mesh>({"poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
+      if (has != arity) core::throw_joined<invalid_mesh>({what, "poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
     }
-    if (n * arity != a.verts.size()) core::throw_joined<invalid_mesh>({"the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
+    if (n * arity != a.verts.size()) core::throw_joined<invalid_mesh>({what, "the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
     a.offsets.clear();
   }
   a.arity = arity;

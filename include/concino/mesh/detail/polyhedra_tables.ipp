@@ -10,10 +10,11 @@ namespace concino {
 template<class Lists>
 basic_polyhedra_tables<Lists>::basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
                                                       std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward)
-    : f2v_(detail::checked_lists(std::move(face_offsets), std::move(face_verts), "face")) {
-  const jagged<face_id> poly_lists = detail::checked_lists(std::move(poly_offsets), std::move(poly_faces), "poly");
+    : f2v_(detail::checked_lists(std::move(face_offsets), std::move(face_verts), "polyhedra_tables: face")) {
+  const jagged<face_id> poly_lists = detail::checked_lists(std::move(poly_offsets), std::move(poly_faces), "polyhedra_tables: poly");
   if (outward.size() != poly_lists.num_values())
-    core::throw_joined<invalid_mesh>({outward.size(), " outward flags were given for ", poly_lists.num_values(), " faces of polys; each needs one"});
+    core::throw_joined<invalid_mesh>(
+        {"polyhedra_tables: ", outward.size(), " outward flags were given for ", poly_lists.num_values(), " faces of polys; each needs one"});
   detail::shrink_if_wasteful(outward);
   outward_ = {poly_lists.shared_offsets(), std::move(outward)};
   build(vert_count, poly_lists, check(vert_count, poly_lists));
@@ -31,7 +32,7 @@ vert_id basic_polyhedra_tables<Lists>::add_vert(function_ref<void(const detail::
 template<class Lists>
 face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow) {
   const face_id f{faces_.bound()};
-  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "face", f.raw());
+  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "add_face: face", f.raw());
   const std::size_t n = corners.size();
   const vert_id* const c = f2v_.stage_row(corners.data(), n);  // corners may have been in a row that moved
   const auto next = [&](std::size_t i) { return c[i + 1 == n ? 0 : i + 1]; };
@@ -68,12 +69,12 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
 template<class Lists>
 poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow) {
   const poly_id p{polys_.bound()};
-  const std::string name = core::joined({"poly ", p.raw()});
-  if (list.empty() || list.size() != outward.size()) core::throw_joined<invalid_mesh>({name, " needs at least one face and an outward flag for each"});
+  const auto name = [&] { return core::joined({"add_poly: poly ", p.raw()}); };
+  if (list.empty() || list.size() != outward.size()) core::throw_joined<invalid_mesh>({name(), " needs at least one face and an outward flag for each"});
   for (std::size_t k = 0; k < list.size(); ++k) {
-    if (!faces_.contains(list[k])) core::throw_joined<invalid_mesh>({name, " names face ", list[k].raw(), ", which is not a face of the mesh"});
+    if (!faces_.contains(list[k])) core::throw_joined<invalid_mesh>({name(), " names face ", list[k].raw(), ", which is not a face of the mesh"});
     if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), list[k]) != list.begin() + static_cast<std::ptrdiff_t>(k))
-      core::throw_joined<invalid_mesh>({name, " has face ", list[k].raw(), " twice; its faces must differ"});
+      core::throw_joined<invalid_mesh>({name(), " has face ", list[k].raw(), " twice; its faces must differ"});
   }
   const auto n = static_cast<std::uint32_t>(list.size());
   const face_id* const faces = facet_adjacency_.stage_poly(n, list.data());  // list may have been in a row that moved
@@ -151,15 +152,15 @@ template<class Lists>
 std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const jagged<face_id>& polys) const {
   detail::check_counts(vert_count, polys.size(), f2v_.num_values());
   std::vector<std::uint32_t> met;
-  for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "face", f, met);
+  for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
   met.assign(f2v_.size(), ~0u);
   std::size_t poly_corners = 0;
   for (std::size_t p = 0; p < polys.size(); ++p) {
-    if (polys.length(p) == 0) core::throw_joined<invalid_mesh>({"poly ", p, " has no faces; it needs at least 1"});
+    if (polys.length(p) == 0) core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has no faces; it needs at least 1"});
     for (const face_id f : polys[p]) {
       if (f.raw() >= f2v_.size())
-        core::throw_joined<invalid_mesh>({"poly ", p, " names face ", f.raw(), ", but the mesh has ", f2v_.size(), " faces, numbered from 0"});
-      if (met[f.raw()] == p) core::throw_joined<invalid_mesh>({"poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
+        core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " names face ", f.raw(), ", but the mesh has ", f2v_.size(), " faces, numbered from 0"});
+      if (met[f.raw()] == p) core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
       met[f.raw()] = static_cast<std::uint32_t>(p);
       poly_corners += f2v_.length(f.raw());
     }

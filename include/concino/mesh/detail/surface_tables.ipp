@@ -18,8 +18,8 @@ template<unsigned Arity, class Lists>
 poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow) {
   const poly_id p{polys_.bound()};
   if (Arity > 0 && corners.size() != Arity)
-    core::throw_joined<invalid_mesh>({"poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
-  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "poly", p.raw());
+    core::throw_joined<invalid_mesh>({"add_poly: poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
+  detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "add_poly: poly", p.raw());
   const auto n = static_cast<std::uint32_t>(corners.size());
   const vert_id* const c = p2v_.stage_row(corners.data(), n);  // corners may have been in a row that moved
   edge_id* const e = facet_adjacency_.stage_poly(n);
@@ -86,7 +86,7 @@ template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
   detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
   std::vector<std::uint32_t> met;
-  for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts(p2v_[p], vert_count, "poly", p, met);
+  for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts(p2v_[p], vert_count, "surface_tables: poly", p, met);
 }
 
 template<unsigned Arity, class Lists>
