@@ -27,7 +27,7 @@ template<class M> concept can_search = requires(const M& m, cn::vert_id v) { cn:
 template<class M>
 std::string reach(const M& m) {
   if constexpr (can_search<M>) return fmt::format("{} hops to the other side", cn::bfs(m, cn::vert_id{0})[cn::vert_id{m.n / 2}]);
-  else return "no way to search it";
+  else return "search does not compile";
 }
 
 int main() {

@@ -32,13 +32,13 @@ int main() {
   std::vector<std::array<unsigned, 4>> mirrored;
   for (std::size_t i = 0; i < list.size(); i += 4) mirrored.push_back({list[i], list[i + 1], list[i + 3], list[i + 2]});
   fmt::print("the same as others list them: {}\n", cn::validate(cn::view_tet(xyz, mirrored))[0].what);
-  fmt::print("told: volume {}\n", cn::total_measure(cn::view_tet(xyz, mirrored, cn::tet_order::mirrored)));
+  fmt::print("with its order: volume {}\n", cn::total_measure(cn::view_tet(xyz, mirrored, cn::tet_order::mirrored)));
 
   // A hex: first the bottom, then the top, both counter-clockwise seen from above. These corners run along x, y, z instead.
   const std::vector<long> hex = {0, 1, 2, 3, 4, 5, 6, 7};
   fmt::print("hex: {}\n", cn::validate(cn::view_hex(xyz, hex))[0].what);
   const auto box = cn::view_hex(xyz, hex, cn::hex_order::lexicographic);
-  fmt::print("told: volume {}, {} defects\n", cn::total_measure(box), cn::validate(box).count());
+  fmt::print("with its order: volume {}, {} defects\n", cn::total_measure(box), cn::validate(box).count());
 
   // All views read the same numbers: what is written through one of them, or into the array, is there for all.
   cn::set_point(surface, cn::vert_id{7}, std::array{1., 1., 3.});

@@ -166,8 +166,8 @@ TEST_CASE_TEMPLATE("harmonic_map: components are independent; isolated verts get
   CHECK(harmonic_map(m, {{a, 0}, {c, 7}, {lonely, 2}})[lonely] == 2);
   CHECK(harmonic_map(m, {{a, 0}, {c, 7}})[lonely] == 0);
 
-  const std::string expected = "harmonic_map: singular, because the component of vert " + std::to_string(half) + " (" + std::to_string(half) +
-                               " verts) has no value prescribed; give one at any of its verts";
+  const std::string expected = "harmonic_map: the system is singular, because the component of vert " + std::to_string(half) + " (" + std::to_string(half) +
+                               " verts) has no prescribed value; give one at any of its verts";
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 0}, {b, 1}}), expected.c_str(), solver_error);
   CHECK_THROWS_AS(harmonic_map(m, values{}), solver_error);
   CHECK_THROWS_AS(harmonic_map(m, {{lonely, 1}}), solver_error);

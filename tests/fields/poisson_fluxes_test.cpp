@@ -267,5 +267,5 @@ TEST_CASE_TEMPLATE("poisson: throws if a flux is invalid", M, CONCINO_KINDS) {
   CHECK_THROWS_AS(poisson(m, make_vert_map<vec3>(m), {.values = {{a, {0, 0, 0}}}, .fluxes = {{outer, {0, INFINITY, 0}}}}), invalid_argument);
   CHECK_THROWS_WITH_AS(poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{outer, 1.0}, {outer, 2.0}}}),
                        ("poisson: the flux given at " + named(outer) + " differs from another one given there; keep one").c_str(), invalid_argument);
-  CHECK_THROWS_WITH_AS(poisson(m, f, {.fluxes = {{outer, 1.0}}}), doctest::Contains("has no value prescribed"), solver_error);
+  CHECK_THROWS_WITH_AS(poisson(m, f, {.fluxes = {{outer, 1.0}}}), doctest::Contains("has no prescribed value"), solver_error);
 }

@@ -93,8 +93,8 @@ inline void check_problems(any_solver& solver) {
   for (unsigned i = 0; i < 3; ++i) load[vert_id{i}] = 0;
 
   // values only on the large component: the error names the small one; then the reverse; then no values at all
-  const auto small = doctest::Contains("component of vert 0 (3 verts) has no value prescribed");
-  const auto large = doctest::Contains("component of vert 4 (169 verts) has no value prescribed");
+  const auto small = doctest::Contains("component of vert 0 (3 verts) has no prescribed value");
+  const auto large = doctest::Contains("component of vert 4 (169 verts) has no prescribed value");
   CHECK_THROWS_WITH_AS(harmonic_map(m, given, {}, solver), small, solver_error);
   CHECK_THROWS_WITH_AS(poisson(m, load, {.values = curved}, solver), small, solver_error);
   CHECK_THROWS_WITH_AS(harmonic_map(m, values{{vert_id{1}, 1.0}}, {}, solver), large, solver_error);

@@ -28,7 +28,7 @@ TEST_CASE("conformance: users' meshes and archetypes pass") {
   const auto report = cn::conformance([&] { return cn::only_primal_graph(volume); });
   CHECK_MESSAGE(report.ok(), report.text());
   CHECK(report.models == std::vector<std::string>{"PrimalGraph"});
-  CHECK(report.states == std::vector<std::string>{"as made"});
+  CHECK(report.states == std::vector<std::string>{"as constructed"});
 }
 
 TEST_CASE_TEMPLATE("conformance: views of meshes pass", M, CONCINO_KINDS) {

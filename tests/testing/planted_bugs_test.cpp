@@ -288,7 +288,7 @@ void found(const Make& make, const char* law) {
 TEST_CASE("conformance: without a planted bug nothing is found") {
   CHECK(cn::conformance([] { return surface(bug::none); }).text() ==
         "models: PrimalGraph DualGraph SurfaceMesh AnyMesh Embedded MutablePoints\n"
-        "looked at: as made, after all points were moved, after every third poly was removed, after a poly was added\n"
+        "states: as constructed, after all points were moved, after every third poly was removed, after a poly was added\n"
         "all laws hold\n");
   const auto report = cn::conformance([] { return volume(bug::none); });
   CHECK_MESSAGE(report.ok(), report.text());

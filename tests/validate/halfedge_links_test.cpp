@@ -167,19 +167,19 @@ TEST_CASE("half-edge links: the cause is a vert with several fans") {
 }
 
 TEST_CASE("half-edge links: the cause is an edge with three polys") {
-  const std::string what = "the edge from vert 0 to vert 1 has 3 polys (p0, p1, p2): half-edges cannot hold that, use indexed_surface";
+  const std::string what = "the edge from vert 0 to vert 1 has 3 polys (p0, p1, p2): half-edges cannot represent that, use indexed_surface";
   refused(student(5, three_at_an_edge), "HE2", what);
   refused(student(5, three_at_an_edge, border::none), "HE2", what);
   refused(open_student(5, three_at_an_edge), "HE2", what);
   refused(open_student(3, lists(7, {0, 1, 2})), "HE2",
-          "the edge from vert 0 to vert 1 has 7 polys (p0, p1, p2, p3, ...): half-edges cannot hold that, use indexed_surface");
+          "the edge from vert 0 to vert 1 has 7 polys (p0, p1, p2, p3, ...): half-edges cannot represent that, use indexed_surface");
 }
 
 TEST_CASE("half-edge links: the cause is inconsistent orientation, or a poly adjacent to itself") {
-  const std::string what = "poly 0 and poly 1 both run from vert 0 to vert 1, their orientations disagree: turn one of them, or use indexed_surface";
+  const std::string what = "poly 0 and poly 1 both run from vert 0 to vert 1, so their orientations disagree: reverse one of them, or use indexed_surface";
   for (const border b : {border::halfedges, border::none, border::itself}) refused(student(4, disagreeing, b), "HE2", what);
   refused(open_student(4, disagreeing), "HE2", what);
-  refused(open_student(4, {{0, 1, 2, 0, 1, 3}}), "HE2", "poly 0 runs from vert 0 to vert 1 twice: half-edges cannot hold that, use indexed_surface");
+  refused(open_student(4, {{0, 1, 2, 0, 1, 3}}), "HE2", "poly 0 runs from vert 0 to vert 1 twice: half-edges cannot represent that, use indexed_surface");
   refused(open_student(4, {{0, 0, 1}}), "HE2", "poly 0 runs from vert 0 to itself");
 }
 
@@ -222,7 +222,7 @@ TEST_CASE("half-edge links: the cause is a wrong link") {
 }
 
 TEST_CASE("half-edge links: assert_halfedge_links throws for invalid elements too") {
-  CHECK(cause(miscounting(3, {{0, 1, 2}})) == "half-edges: walking the edges meets 3, but num_edges is 4");
+  CHECK(cause(miscounting(3, {{0, 1, 2}})) == "half-edges: the range of edges has 3, but num_edges is 4");
   student m(3, {{0, 1, 2}});
   m.of_vert.push_back(0);
   CHECK(cause(m) == "half-edges: vert 3: is_isolated is false, but no half-edge leaves it");

@@ -26,7 +26,7 @@ namespace concino {
 struct conformance_report {
   struct finding {
     std::string law;      // "PG3", "KIT2"
-    std::string state;    // of the mesh: "as made", "after every third poly was removed", or the name that the caller gave it
+    std::string state;    // of the mesh: "as constructed", "after every third poly was removed", or the name that the caller gave it
     std::string what;     // a sentence
     std::string witness;  // the elements: "v7 v9"
   };
@@ -39,7 +39,7 @@ struct conformance_report {
   std::string text() const {
     std::string s = "models:";
     for (const std::string& c : models) s += concino::core::joined({" ", c});
-    s += "\nlooked at:";
+    s += "\nstates:";
     for (std::size_t i = 0; i < states.size(); ++i) s += concino::core::joined({i ? ", " : " ", states[i]});
     s += "\n";
     if (ok()) s += "all laws hold\n";
@@ -122,11 +122,11 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
   for (const kit::named_concept& c : kit::forms<M>()) {
     if (c.in_any_form) report.models.push_back(c.name);
     if (c.in_any_form != c.in_all_forms)
-      report.findings.push_back({"KIT1", "as made", concino::core::joined({c.name, " holds for some of M, const M, M& and const M&, not for all"}), ""});
+      report.findings.push_back({"KIT1", "as constructed", concino::core::joined({c.name, " holds for some of M, const M, M& and const M&, not for all"}), ""});
   }
   {
     const M m = make();
-    kit::check_state(m, "as made", options.algorithms, report);
+    kit::check_state(m, "as constructed", options.algorithms, report);
   }
   if (!report.ok()) return report;
 

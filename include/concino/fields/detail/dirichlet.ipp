@@ -27,8 +27,8 @@ namespace concino::detail {
                                   ", which was named when the solver was prepared; give one at each of those verts"});
 }
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_unconstrained_component(const char* caller, std::size_t vert, std::size_t component) {
-  core::throw_joined<solver_error>({caller, ": singular, because the component of vert ", vert, " (", component,
-                              " verts) has no value prescribed; give one at any of its verts"});
+  core::throw_joined<solver_error>({caller, ": the system is singular, because the component of vert ", vert, " (", component,
+                              " verts) has no prescribed value; give one at any of its verts"});
 }
 
 CONCINO_INLINE void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole, const int* unknown, const std::vector<int>& index,

@@ -20,7 +20,7 @@ void check_point_edits(M& m, concino::detail::law_log& log) {
   for (const vert_t<M> v : verts(m)) {
     const std::size_t i = index_of(m, v);
     if (to_vec3(point(m, v)) != place(i))
-      log.add("KIT4", concino::core::joined({"set_point was told one place for each vert, and point(", name('v', i), ") is another"}), name('v', i));
+      log.add("KIT4", concino::core::joined({"point(", name('v', i), ") is not the point that set_point has set"}), name('v', i));
   }
 }
 
@@ -32,11 +32,11 @@ void remove_polys(M& m, concino::detail::law_log& log) {
   for (std::size_t i = 0; i < all.size(); ++i) (i % 3 == 0 ? gone : left).push_back(all[i]);
   for (const poly_t<M>& p : gone) traits<M>::remove_poly(m, p);
   if (num_polys(m) != left.size())
-    log.add("KIT6", concino::core::joined({"of ", all.size(), " polys ", gone.size(), " were removed, and num_polys says ", num_polys(m)}), "");
+    log.add("KIT6", concino::core::joined({gone.size(), " of ", all.size(), " polys were removed, but num_polys is ", num_polys(m)}), "");
   for (const poly_t<M>& p : left)
-    if (!contains(m, p)) log.add("KIT6", concino::core::joined({"removing others took ", name('p', index_of(m, p)), " away"}), name('p', index_of(m, p)));
+    if (!contains(m, p)) log.add("KIT6", concino::core::joined({name('p', index_of(m, p)), " no longer exists after other polys were removed"}), name('p', index_of(m, p)));
   for (const poly_t<M>& p : gone)
-    if (contains(m, p)) log.add("KIT6", "a poly that was removed is still there", name('p', index_of(m, p)));
+    if (contains(m, p)) log.add("KIT6", "a removed poly still exists", name('p', index_of(m, p)));
 }
 
 /// Adds a poly with new verts. KIT6: the poly exists and has these verts.
@@ -50,11 +50,11 @@ void add_one(M& m, concino::detail::law_log& log) {
     corners.push_back(traits<M>::add_vert(m, vec3{50 + x[0], x[1], x[2]}));
   }
   const poly_t<M> p = traits<M>::add_poly(m, std::span<const vert_t<M>>(corners));
-  if (!contains(m, p)) log.add("KIT6", "add_poly gave a poly that is none of the mesh", name('p', index_of(m, p)));
+  if (!contains(m, p)) log.add("KIT6", "add_poly returned a poly that is not in the mesh", name('p', index_of(m, p)));
   for (const vert_t<M>& v : corners) {
     bool found = false;
     for (const vert_t<M> w : adj_p2v(m, p)) found = found || w == v;
-    if (!found) log.add("KIT6", concino::core::joined({"the poly that add_poly made lacks ", name('v', index_of(m, v))}), name('p', index_of(m, p)));
+    if (!found) log.add("KIT6", concino::core::joined({"the poly that add_poly returned lacks ", name('v', index_of(m, v))}), name('p', index_of(m, p)));
   }
 }
 

@@ -19,7 +19,7 @@ void check_ranges(const M& m, concino::detail::law_log& log) {
   for_each_adjacency(m, [&](const char* verb, char letter, const auto& all, const auto& adjacent) {
     std::size_t asked = 0;
     const auto elements = indices(m, all(m));
-    if (indices(m, all(m)) != elements) log.add("KIT2", concino::core::joined({"two walks over the elements that ", verb, " is asked of differ"}), "");
+    if (indices(m, all(m)) != elements) log.add("KIT2", concino::core::joined({"the range of arguments of ", verb, " has other elements when iterated again"}), "");
     bool first = true;
     decltype(auto) walk = all(m);
     const auto end = walk.end();
@@ -33,17 +33,17 @@ void check_ranges(const M& m, concino::detail::law_log& log) {
         decltype(auto) other = adjacent(m, b);
         const auto there = indices(m, other);
         if (indices(m, ring) != once)
-          log.add("KIT2", concino::core::joined({what, " holds something else once ", verb, "(", name(letter, index_of(m, b)),
-                                          ") was asked; each range needs values of its own, or the mesh's"}),
+          log.add("KIT2", concino::core::joined({what, " changes when ", verb, "(", name(letter, index_of(m, b)),
+                                          ") is called; a range must own its values or refer to the mesh"}),
                   concino::core::joined({name(letter, index_of(m, a)), " ", name(letter, index_of(m, b))}));
         else if (indices(m, adjacent(m, a)) != once)
-          log.add("KIT2", concino::core::joined({what, " differs when asked again"}), name(letter, index_of(m, a)));
+          log.add("KIT2", concino::core::joined({what, " differs when called again"}), name(letter, index_of(m, a)));
         if (!once.empty()) {
           const auto stays = ring.begin();
           auto goes = ring.begin();
           ++goes;
           if (index_of(m, *stays) != once[0])
-            log.add("KIT2", concino::core::joined({"of two iterators of ", what, " one moves the other"}), name(letter, index_of(m, a)));
+            log.add("KIT2", concino::core::joined({"incrementing one iterator of ", what, " moves another"}), name(letter, index_of(m, a)));
         }
         ++before;
       }
@@ -75,7 +75,7 @@ void check_threads(const M& m, concino::detail::law_log& log) {
   read();
   other.join();
   if (out_of_memory) throw std::bad_alloc();
-  if (wrong > 0) log.add("KIT3", "two threads that read the const mesh at once get other answers than one; nothing may be written while it is read", "");
+  if (wrong > 0) log.add("KIT3", "two threads that read the const mesh at the same time get other results than one; reading must not write", "");
 }
 
 }  // namespace concino::testing::detail

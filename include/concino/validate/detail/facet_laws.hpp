@@ -33,7 +33,7 @@ class facet_laws {
       } catch (const std::bad_alloc&) {
         throw;
       } catch (const std::exception& e) {
-        log_.add(law, core::joined({verb, " throws at ", as.name(a), ": ", e.what()}), as.name(a));
+        log_.add(law, core::joined({verb, " throws for ", as.name(a), ": ", e.what()}), as.name(a));
       }
     }
   }
@@ -47,7 +47,7 @@ class facet_laws {
       for (const order_index x : p2x_[p])
         for (const order_index v : x2v_[x])
           if (of[v] != p)
-            log_.add("FC2", core::joined({"adj_facet2v(", xs_.name(x), ") holds ", vs_.name(v), ", which is no vert of ", ps_.name(p)}),
+            log_.add("FC2", core::joined({"adj_facet2v(", xs_.name(x), ") holds ", vs_.name(v), ", which is not a vert of ", ps_.name(p)}),
                      core::joined({xs_.name(x), " ", vs_.name(v), " ", ps_.name(p)}));
     }
   }
@@ -80,16 +80,16 @@ class facet_laws {
       for (const facet x : adj_p2facet(m_, ps_.items[p])) {
         const order_index at = walked++ < p2x_[p].size() ? xs_.find(m_, x) : no_order_index;
         if (at == no_order_index || at != p2x_[p][walked - 1]) {
-          log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") changes while other_polys is walked"}), ps_.name(p));
+          log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") changes while other_polys is called"}), ps_.name(p));
           return;
         }
         check_other_polys(p, at, poly_of);
       }
       if (walked != p2x_[p].size())
-        log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") ends early while other_polys is walked"}), ps_.name(p));
+        log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") ends early while other_polys is called"}), ps_.name(p));
       for (const order_index q : p2p_[p])
         if (poly_of[q] != p)
-          log_.add("FC3", core::joined({"adj_p2p(", ps_.name(p), ") holds ", ps_.name(q), ", which is across none of its facets"}),
+          log_.add("FC3", core::joined({"adj_p2p(", ps_.name(p), ") holds ", ps_.name(q), ", which shares no facet with it"}),
                    core::joined({ps_.name(p), " ", ps_.name(q)}));
     });
   }

@@ -167,7 +167,7 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
     const vec3 x = to_vec3(point(m, v));
     if (is_finite(x)) all.add(x);
     else if (defect<M>* d = log.add(defect_kind::non_finite_point, v))
-      d->what = core::joined({log.name(v), " is at (", core::number_text(x.x), ", ", core::number_text(x.y), ", ", core::number_text(x.z), "), which is no point"});
+      d->what = core::joined({log.name(v), " is at (", core::number_text(x.x), ", ", core::number_text(x.y), ", ", core::number_text(x.z), "), which is not finite"});
   }
   if (log.wants(defect_kind::zero_size)) {
     const double shortest = all.is_empty() ? 0 : log.options().length_tolerance * distance(0.25 * all.min, 0.25 * all.max);  // a quarter cannot overflow

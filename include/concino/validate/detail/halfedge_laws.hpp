@@ -31,7 +31,7 @@ class halfedge_laws {
   std::vector<step> steps_;
   std::vector<halfedge> halves_;  // 2 e and 2 e + 1: the half-edges of the edge at position e
 
-  static constexpr const char* remedy = ": half-edges cannot hold that, use indexed_surface";
+  static constexpr const char* remedy = ": half-edges cannot represent that, use indexed_surface";
   static std::string number(const char* kind, std::size_t i) { return core::joined({kind, " ", i}); }
   std::string vert_name(order_index v) const { return number("vert", vs_.index[v]); }
   std::string edge_name(order_index e) const { return number("edge", es_.index[e]); }
@@ -57,7 +57,7 @@ class halfedge_laws {
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& e) {
-      log_.add("HE1", core::joined({"the half-edges throw: ", e.what()}), "");
+      log_.add("HE1", core::joined({"a function of the half-edges throws: ", e.what()}), "");
       return false;
     }
   }
@@ -135,7 +135,7 @@ class halfedge_laws {
       } else if (n == 2 && s.poly == t.poly && s.from == t.from) {
         fault("HE2", {poly_name(s.poly), " runs ", describe_direction(s), " twice", remedy}, witness(s));
       } else if (n == 2 && s.from == t.from) {
-        fault("HE2", {poly_name(s.poly), " and ", poly_name(t.poly), " both run ", describe_direction(s), ", their orientations disagree: turn one of them, or use indexed_surface"},
+        fault("HE2", {poly_name(s.poly), " and ", poly_name(t.poly), " both run ", describe_direction(s), ", so their orientations disagree: reverse one of them, or use indexed_surface"},
               witness(s));
       }
     }

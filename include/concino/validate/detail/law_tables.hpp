@@ -69,7 +69,7 @@ class element_reader {
     } else if (i < t.slot.size() && t.slot[i] != no_order_index) {
       const bool again = t.items[t.slot[i]] == x;
       fault(again ? counting_ : indices_,
-            again ? core::joined({"walking the ", kind_, "s meets this one twice"})
+            again ? core::joined({"the range of ", kind_, "s contains this one twice"})
                   : core::joined({"index_of gives ", i, " for two different ", kind_, "s"}),
             i);
     } else {
@@ -78,7 +78,7 @@ class element_reader {
       t.index.push_back(i);
       t.slot[i] = t.size() - 1;  // last: a slot always names an existing item, even if copying x throws
       if constexpr (requires { traits<M>::contains(m_, x); })
-        if (!traits<M>::contains(m_, x)) fault(counting_, core::joined({"contains denies a ", kind_, " that the walk meets"}), i);
+        if (!traits<M>::contains(m_, x)) fault(counting_, core::joined({"contains returns false for a ", kind_, " of the range"}), i);
     }
   }
 
@@ -96,7 +96,7 @@ class element_reader {
     }
     const bool ended = !(it != range.end());
     if (walked_ != num_ && faults_ == 0)
-      log_.add(counting_, core::joined({"walking the ", kind_, "s meets ", walked_, ended ? "" : " or more", ", but num_", kind_, "s is ", num_}), "");
+      log_.add(counting_, core::joined({"the range of ", kind_, "s has ", walked_, ended ? "" : " or more", ", but num_", kind_, "s is ", num_}), "");
     if (!ended) table_.sound = false;
   }
 
@@ -108,7 +108,7 @@ class element_reader {
     bool same = true;
     for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
       same = i < table_.size() && table_.items[i] == static_cast<D>(*again);
-    if (!same || i != table_.size()) log_.add(counting_, core::joined({"walking the ", kind_, "s a second time meets others than the first time"}), "");
+    if (!same || i != table_.size()) log_.add(counting_, core::joined({"the range of ", kind_, "s has other elements when iterated again"}), "");
   }
 };
 
@@ -137,7 +137,7 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
-    log.add(counting, core::joined({"walking the ", kind, "s throws: ", e.what()}), "");
+    log.add(counting, core::joined({"iterating over the ", kind, "s throws: ", e.what()}), "");
     t.sound = false;
   }
   return t;
@@ -185,7 +185,7 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
         for (auto it = ring.begin(); same && it != ring.end(); ++it, ++i)
           same = i < r.items.size() && to.items[r.items[i]] == static_cast<B>(*it);
         if (!same || i != r.items.size())
-          log.add(law, core::joined({"walking ", call(), " a second time meets others than the first time"}), from.name(a));
+          log.add(law, core::joined({call(), " has other elements when iterated again"}), from.name(a));
       }
     } catch (const std::bad_alloc&) {
       throw;

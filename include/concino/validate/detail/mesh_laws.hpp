@@ -31,7 +31,7 @@ edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, la
     }
     far.close();
   }
-  check_same(vs, vs, primal.next, far, "SM2", "adj_v2v", "the far end of an edge of adj_v2e", log);
+  check_same(vs, vs, primal.next, far, "SM2", "adj_v2v", "the other end of an edge of adj_v2e", log);
   return t;
 }
 
@@ -78,13 +78,13 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
         }
       }
       if (!on_rim && vs.sound)
-        log.add(law, core::joined({a2e, args, " holds ", es.name(e), ", whose ends do not follow one another in ", a2v, args}),
+        log.add(law, core::joined({a2e, args, " holds ", es.name(e), ", whose ends are not consecutive in ", a2v, args}),
                 core::joined({polygons.name(a), " ", es.name(e)}));
     }
     for (order_index i = 0; i < n && es.sound; ++i)
       if (walked[ring[i]] != a) {
         const std::string here = vs.name(ring[i]), next = vs.name(ring[(i + 1) % n]);
-        log.add(law, core::joined({a2v, args, " goes from ", here, " to ", next, ", which are not the ends of one of ", a2e, args}),
+        log.add(law, core::joined({a2v, args, " goes from ", here, " to ", next, ", but no edge of ", a2e, args, " joins them"}),
                 core::joined({polygons.name(a), " ", here, " ", next}));
       }
   }
@@ -108,13 +108,13 @@ void check_neighbours(const element_table<P>& ps, const element_table<S>& facets
         expected[q] = p;
         good = listed[q] == p;
         if (!good)
-          log.add(law, core::joined({"adj_p2p(", ps.name(p), ") lacks ", ps.name(q), ", across ", facets.name(s)}),
+          log.add(law, core::joined({"adj_p2p(", ps.name(p), ") lacks ", ps.name(q), ", which shares ", facets.name(s), " with it"}),
                   core::joined({ps.name(p), " ", ps.name(q), " ", facets.name(s)}));
       }
     for (const order_index q : p2p[p]) {
       if (good && q != p && expected[q] != p) {
         good = false;
-        log.add(law, core::joined({"adj_p2p(", ps.name(p), ") holds ", ps.name(q), ", but they share not even ", side}),
+        log.add(law, core::joined({"adj_p2p(", ps.name(p), ") holds ", ps.name(q), ", but they do not share ", side}),
                 core::joined({ps.name(p), " ", ps.name(q)}));
       }
     }
@@ -144,7 +144,7 @@ void check_edges_in_order(const element_table<P>& ps, const element_table<V>& vs
       const std::string arg = core::joined({"(", ps.name(p), ")"});
       log.add(law,
               core::joined({edge_verb, arg, " has ", es.name(edges[k]), " where the edge from ", vs.name(a), " to ", vs.name(b), " of ", vert_verb, arg,
-                            " belongs; sort the list, or write static constexpr bool edges_in_order = false; in mesh_traits"}),
+                            " should be; sort the list, or write static constexpr bool edges_in_order = false; in mesh_traits"}),
               core::joined({ps.name(p), " ", es.name(edges[k])}));
     }
   }

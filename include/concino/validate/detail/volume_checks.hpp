@@ -94,7 +94,7 @@ class volume_checker {
     reported_edges_[index_of(m_, e)] = 1;
     if (defect<M>* d = log_.add(defect_kind::non_manifold_edge, e)) {
       d->what = core::joined({log_.edge_name(e), " lies in ", face_count, " faces of ", log_.name(p),
-                        "; in the surface of a poly it lies in 2"});
+                        "; each edge of a poly lies in 2 of its faces"});
       d->others.push_back(p);
     }
   }
@@ -137,7 +137,7 @@ class volume_checker {
     for (const edge_t<M> e : adj_f2e(m_, f)) reported_edges_[index_of(m_, e)] = 1;  // more than two boundary faces there are a consequence of this
     if (defect<M>* d = log_.add(defect_kind::non_manifold_face, f)) {
       const std::string list = log_.list(*d, adj_f2p(m_, f));
-      d->what = core::joined({log_.name(f), " has ", poly_count, " polys (", list, "); at most 2 fit"});
+      d->what = core::joined({log_.name(f), " has ", poly_count, " polys (", list, "); a face has at most 2"});
     }
   }
 

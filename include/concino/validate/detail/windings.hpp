@@ -52,7 +52,7 @@ bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std
       piece = reported;
       if (defect<M>* d = log.add(defect_kind::not_orientable, x))
         d->what = core::joined({"the polys connected to ", log.list(*d, polys_of(x)),
-                          " cannot be wound consistently: they form a one-sided piece; one place where windings clash is ", full_name(x)});
+                          " cannot be wound consistently: they form a one-sided component; their windings conflict, for example, at ", full_name(x)});
     } else if (defect<M>* d = log.add(defect_kind::inconsistent_winding, x)) {
       const std::string polys_text = log.list(*d, polys_of(x));
       d->what = core::joined({polys_text, clash_text, full_name(x)});
