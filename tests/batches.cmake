@@ -1,10 +1,10 @@
-# concino_batches: files of tests compiled a few at a time. Headers and what the tests of a folder instantiate take most of the time that a file of
-# tests costs, and a batch pays for them once.
+# concino_batches compiles several test files together. Most of the time that a test file takes is spent on headers and on templates that the tests of
+# a folder have in common, and a batch compiles these once.
 option(CONCINO_TEST_BATCHES "Compile the tests a batch of files at a time: quicker as a whole, slower after the change of one file" OFF)
 set(CONCINO_TEST_BATCH_SIZE 50000 CACHE STRING "Bytes of tests that one batch holds")
 
-# A source file that includes `files`, each in a namespace of its own, so that names of two files do not meet. All headers come first, outside of it.
-# A file that adds to a namespace of others, as a specialisation of mesh_traits does, cannot stand in a namespace and comes last.
+# Writes a source file that includes `files`, each in its own namespace, so that equal names do not collide. All headers come first, outside of these.
+# A file that adds to another namespace, e.g. a specialisation of mesh_traits, cannot be in a namespace and comes last.
 function(concino_write_batch source files)
   set(headers "")
   set(first "")
@@ -27,14 +27,14 @@ function(concino_write_batch source files)
   endforeach()
   list(REMOVE_DUPLICATES headers)
   list(JOIN headers "\n" headers)
-  # g++ takes a type of an included file for one of several files.
+  # g++ takes a type of an included file for a type that several files define.
   set(quiet "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC diagnostic ignored \"-Wsubobject-linkage\"\n#endif\n")
   file(CONFIGURE OUTPUT ${source} @ONLY CONTENT "@headers@\n\n@quiet@@first@@then@@last@")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
 endfunction()
 
-# concino_batches(<list> <name> <file>...): the source files to compile, which are <file>... themselves unless CONCINO_TEST_BATCHES says otherwise.
-# Files with macros of their own stay alone.
+# concino_batches(<list> <name> <file>...): sets the source files to compile. These are <file>... themselves without CONCINO_TEST_BATCHES.
+# Files that define macros are not in batches.
 function(concino_batches list name)
   set(sources "")
   set(batch "")

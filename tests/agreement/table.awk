@@ -1,8 +1,8 @@
-# Prints README.md with the table between <!-- agreement --> and <!-- end of agreement --> made anew from what the tests of agreement wrote down:
+# Prints README.md with a new table between <!-- agreement --> and <!-- end of agreement -->, generated from the records of the tests of agreement:
 #   awk -f table.awk rows.txt README.md record...
-# A cell says + where every model of the column ran the algorithms and agreed, else which did: surfaces, volumes, or the names of their polys.
-# The last column names the concept where archetypes and strangers' meshes ran. Columns of which no record tells, such as those of libraries that are
-# not installed, stay as README has them.
+# A cell is + if every model of the column ran the algorithms and agreed. Otherwise it lists the models that did: surfaces, volumes, or names of polys.
+# The last column names the concept if archetypes and users' meshes ran. Columns without a record, such as those of libraries that are not installed,
+# remain as they are in README.
 BEGIN {
   FS = "|"
   columns = split("trimesh|quadmesh|polygonmesh|tetmesh|hexmesh|polyhedralmesh|OpenMesh|CGAL::Surface_mesh|CGAL::Polyhedron_3|CGAL volumes|Eigen, span|Boost.Graph|views|your mesh", column, "|")

@@ -1,4 +1,4 @@
-# Compares README's table with what the tests of agreement wrote down; with -D write=ON it puts the table into README instead.
+# Compares README's table with the records of the tests of agreement. With -D write=ON it writes the table to README instead.
 file(GLOB records ${records}/*.txt)
 if(NOT records)
   message(FATAL_ERROR "no test of agreement has written anything down yet: run them first (ctest -R agreement/)")

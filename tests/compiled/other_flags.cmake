@@ -1,4 +1,4 @@
-# A file that is compiled with other flags than the library does not link, and the linker names the flag; one with the same flags does.
+# A file compiled with other flags than the library does not link, and the linker names the flag. A file with the same flags links.
 separate_arguments(flags UNIX_COMMAND "${flags}")
 set(common ${flags} -std=c++20 -DCONCINO_COMPILED ${includes} ${source} ${library})
 execute_process(COMMAND ${compiler} ${common} -o ${scratch}/same_flags RESULT_VARIABLE code ERROR_VARIABLE said)

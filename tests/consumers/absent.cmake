@@ -1,5 +1,5 @@
-# Configures concino where foreign libraries are absent: it goes on without them and says so, with the Debian package, and so do their tests;
-# asked to have them (CONCINO_WITH_...=ON) it stops with an error that names the package. Nothing is built here.
+# Configures concino without foreign libraries. It continues and names their Debian packages, and so do their tests. With CONCINO_WITH_...=ON it stops
+# with an error that names the package. Nothing is built here.
 set(absent "OpenMesh|openmesh|libopenmesh-dev" "CGAL|cgal|libcgal-dev" "embree|embree|libembree-dev" "Spectra|spectra|libspectra-dev")
 set(common -S ${source} -G ${generator} -DCMAKE_CXX_COMPILER=${compiler} -DCONCINO_BUILD_TOOLS=OFF)
 file(REMOVE_RECURSE ${scratch})

@@ -1,4 +1,4 @@
-# Builds and runs one consumer from nothing, and checks what it must and must not get from the library.
+# Builds and runs one consumer in a new folder, and checks what it must and must not get from the library.
 set(here ${CMAKE_CURRENT_LIST_DIR})
 file(REMOVE_RECURSE ${scratch})
 file(MAKE_DIRECTORY ${scratch})
@@ -40,7 +40,7 @@ if(way STREQUAL "find_package")
   endforeach()
   list(APPEND arguments -DCMAKE_PREFIX_PATH=${prefix})
 
-  # What a compiled library that was not installed lacks is said.
+  # If the compiled library is not installed, a message says so.
   if(link STREQUAL "compiled")
     file(REMOVE_RECURSE ${scratch}/header_only)
     file(COPY ${prefix}/ DESTINATION ${scratch}/header_only)
@@ -54,19 +54,19 @@ if(way STREQUAL "find_package")
     endif()
   endif()
 
-  # The vocabulary asks for no other library.
+  # The vocabulary needs no other library.
   run(${CMAKE_COMMAND} -S ${here}/concepts_only -B ${scratch}/concepts_only ${arguments}
     -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON)
   run(${CMAKE_COMMAND} --build ${scratch}/concepts_only)
 
-  # A component that nobody built is an error that names it.
+  # A component that was not built is an error that names it.
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${here}/missing_component -B ${scratch}/missing ${arguments}
     RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(code EQUAL 0 OR NOT said MATCHES "there is no component 'warp_drive'")
     message(FATAL_ERROR "a missing component is not refused by name:\n${said}")
   endif()
 
-  # A target whose component was not asked for is an error that says what to ask for.
+  # Using a target whose component was not requested is an error that names the component.
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${here}/forgotten_component -B ${scratch}/forgotten ${arguments}
     RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
   string(REGEX REPLACE "[ \n]+" " " words "${said}")
@@ -79,7 +79,7 @@ run(${CMAKE_COMMAND} --build ${scratch}/build)
 run(${scratch}/build/consumer)
 expect_output("${said}")
 
-# A guest brings no tests and no flags into the house.
+# As a subproject, concino adds no tests and no flags.
 if(NOT way STREQUAL "find_package")
   run(${CMAKE_COMMAND} --build ${scratch}/build --target help)
   if(said MATCHES "tests_|example_|concino_demo|all_headers")

@@ -1,4 +1,4 @@
-# Configures concino beside the reference BLAS, which makes CHOLMOD slow, and beside a fast one: only the first is a warning. Debian keeps each in a
+# Configures concino with the reference BLAS, which makes CHOLMOD slow, and with a fast one: only the first causes a warning. Debian installs each in a
 # folder of its name; here the libraries are empty files. Nothing is built.
 file(REMOVE_RECURSE ${scratch})
 foreach(row IN ITEMS "blas|TRUE" "openblas-serial|FALSE")

@@ -1,4 +1,4 @@
-# No `if constexpr` on the kind or the dimension of a mesh without its reason: scripts/check_branches.awk says what a reason is.
+# Every `if constexpr` on the kind or dimension of a mesh has a reason: scripts/check_branches.awk says what a reason is.
 cmake_minimum_required(VERSION 3.25)
 file(GLOB_RECURSE headers RELATIVE ${source} ${source}/concepts/*.hpp ${source}/include/*.hpp ${source}/include/*.ipp ${source}/adapters/*.hpp)
 find_program(awk NAMES awk REQUIRED)
@@ -7,7 +7,7 @@ if(found OR NOT code EQUAL 0)
   message(FATAL_ERROR "branches on the kind or the dimension of a mesh that do not say why:\n${found}")
 endif()
 
-# The check itself finds what it is for, and lets reasons pass.
+# The check itself finds branches without a reason, and accepts reasons.
 file(WRITE ${scratch}/with.hpp "// why\n  if constexpr (SurfaceMesh<M>) f();\n\n  if constexpr (dimension_v<M> == 3) {  // why\n")
 file(WRITE ${scratch}/without.hpp "  f();\n  if constexpr (SurfaceMesh<M>) f();\n")
 execute_process(COMMAND ${awk} -f ${source}/scripts/check_branches.awk ${scratch}/with.hpp RESULT_VARIABLE with)

@@ -1,4 +1,4 @@
-# A concept header costs its user at most 6,500 preprocessed lines.
+# A concept header has at most 6,500 preprocessed lines.
 set(limit 6500)
 set(wrong "")
 file(GLOB_RECURSE headers RELATIVE ${source} ${source}/concepts/concino/*.hpp)

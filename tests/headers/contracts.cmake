@@ -1,8 +1,8 @@
-# Every public function has a contract, every option a comment; and check_contracts.awk finds what is wrong in made-up headers, and nothing else.
+# Every public function has a contract, and every option a comment. check_contracts.awk finds all errors in example headers, and no others.
 find_program(awk NAMES mawk gawk awk REQUIRED)
 set(script ${source}/scripts/check_contracts.awk)
 
-# complaints(<variable> <header>...): what the script says, and that its exit code fits.
+# complaints(<variable> <header>...): sets the output of the script, and checks that its exit code fits.
 function(complaints variable)
   execute_process(COMMAND ${awk} -f ${script} ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE wrong)
   if(wrong OR (said AND NOT code EQUAL 1) OR (NOT said AND NOT code EQUAL 0))
@@ -40,7 +40,7 @@ expect(include/concino/mesh/detail/inside.hpp "// A header.\n${body}" "")
 expect(adapters/concino/adapters/good.hpp "// Adapts a library.\n// Needs: the library.\n#pragma once\n" "")
 expect(adapters/concino/adapters/bad.hpp "// Adapts a library.\n#pragma once\n" "bad.hpp:1: the comment at the top lacks Needs:\n$")
 
-# A real header that loses a line is found out.
+# A line removed from a real header is found.
 file(READ ${source}/include/concino/graph/dijkstra.hpp text)
 expect(real.hpp "${text}" "")
 string(REGEX REPLACE "\n/// Cost: [^\n]*" "" broken "${text}")

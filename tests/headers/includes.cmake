@@ -1,4 +1,4 @@
-# What each root may include, read from the sources: include paths alone cannot enforce it for libraries that stand in /usr/include.
+# What each root may include, read from the sources. Include paths alone cannot check this for libraries in /usr/include.
 set(wrong "")
 function(check root allowed)
   file(GLOB_RECURSE headers RELATIVE ${source} ${source}/${root}/*.hpp ${source}/${root}/*.ipp)
@@ -16,7 +16,7 @@ endfunction()
 
 check(concepts "^<(compare|concepts|cstddef|type_traits|concino/concepts/.*)$")
 check(include "^<([a-z_0-9]+|([a-z]+/)?[a-z]+\\.h|Eigen/.*|unsupported/Eigen/.*|boost/.*|fmt/.*|concino/.*)$")
-# Of what the core may use, its users should not pay for the heavy parts; fmt is for concino/format.hpp; arrows go one way.
+# The core does not include slow headers of the standard library; only concino/format.hpp includes fmt; dependencies have one direction.
 set(kept_out "iostream|istream|ostream|fstream|sstream|iomanip|regex|ranges|functional|filesystem|locale|fmt/.*|concino/adapters/.*")
 file(GLOB_RECURSE core RELATIVE ${source} ${source}/include/*.hpp ${source}/include/*.ipp)
 list(REMOVE_ITEM core include/concino/format.hpp)
@@ -26,7 +26,7 @@ foreach(header IN LISTS core)
     list(APPEND wrong "  ${header}: ${lines}")
   endif()
 endforeach()
-# Adapters are leaves: each knows the core and its own library, and beside that only its own details and its siblings of the same library.
+# Adapters are leaves: each includes the core and its own library, and of the adapters only its own details and others of the same library.
 set(own_of_openmesh "OpenMesh/")
 set(own_of_cgal "CGAL/|boost/")
 set(own_of_eigen "Eigen/")
@@ -54,7 +54,7 @@ foreach(header IN LISTS leaves)
     endif()
   endforeach()
 endforeach()
-# Words that house rules keep out of headers.
+# Words that are not allowed in headers.
 foreach(root IN ITEMS concepts include adapters)
   file(GLOB_RECURSE headers RELATIVE ${source} ${source}/${root}/*.hpp ${source}/${root}/*.ipp)
   foreach(header IN LISTS headers)

@@ -1,4 +1,4 @@
-# No function of more than 60 lines: scripts/check_lengths.awk says how they are counted.
+# No function has more than 60 lines: scripts/check_lengths.awk says how they are counted.
 cmake_minimum_required(VERSION 3.25)
 file(GLOB_RECURSE headers RELATIVE ${source} ${source}/concepts/*.hpp ${source}/include/*.hpp ${source}/include/*.ipp ${source}/adapters/*.hpp)
 find_program(awk NAMES awk REQUIRED)
@@ -7,7 +7,7 @@ if(found OR NOT code EQUAL 0)
   message(FATAL_ERROR "functions of more than 60 lines; cut them into steps with names:\n${found}")
 endif()
 
-# The check itself finds long functions, members and templates too, and lets short ones, classes, namespaces and tables pass.
+# The check itself finds long functions, members and templates, and accepts short ones, classes, namespaces and tables.
 string(REPEAT "  f(\"{\", '{');  // {\n" 58 lines)
 string(REPEAT "  1,\n" 80 values)
 file(WRITE ${scratch}/short.hpp

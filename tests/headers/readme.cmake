@@ -1,4 +1,4 @@
-# Every C++ program in README.md and CONTRIBUTING.md compiles as it stands there.
+# Every C++ program in README.md and CONTRIBUTING.md compiles as it is.
 foreach(page IN ITEMS README.md CONTRIBUTING.md)
   file(READ ${source}/${page} text)
   string(REPLACE ";" "<semicolon>" text "${text}")

@@ -1,5 +1,5 @@
 // expect: (after instantiation|is_adapted)
-// An adapter is a specialisation for many types. After one of them was asked about, g++ refuses it; with clang++ the answer stays "no".
+// An adapter specialises mesh_traits for many types. If one of them was used before, g++ rejects the adapter; with clang++ the concept stays false.
 #include <concino/concepts/mesh.hpp>
 
 struct foreign {};

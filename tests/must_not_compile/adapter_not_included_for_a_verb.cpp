@@ -1,5 +1,5 @@
 // expect in 10 lines: #include <concino/adapters/openmesh.hpp>
-// The verb is declared behind many includes, which g++ lists before it shows the line.
+// The verb is declared behind many includes, which g++ lists before it prints the line.
 #include <concino/fields.hpp>
 
 struct foreign {};

@@ -1,5 +1,5 @@
 // expect in 10 lines: #include <concino/adapters/openmesh.hpp>
-// Braces and options do not hide what is wrong.
+// The message is the same for calls with braces and options.
 #include <concino/fields.hpp>
 
 struct foreign {};

@@ -1,5 +1,5 @@
 // expect: has no member named .size.|no member named .size. in
-// An algorithm that asks a range for its size uses more than PrimalGraph promises.
+// An algorithm that calls size() of a range uses more than PrimalGraph requires.
 #include <concino/concepts/archetypes.hpp>
 
 struct ring { unsigned n; };

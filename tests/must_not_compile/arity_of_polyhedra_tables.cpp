@@ -1,5 +1,5 @@
 // expect: arity = 4 needs tables.m. to be tet_tables, 8 hex_tables
-// Polyhedra list their verts in any order, on which nothing may rely that asks for hexes.
+// Polyhedra list their verts in any order, so algorithms for hexes cannot use them.
 #include <concino/concepts/mesh.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 #include <concino/mesh/indexed_base.hpp>

@@ -1,5 +1,5 @@
 // expect in 10 lines: load<polygonmesh>.path.
-// Files are read as meshes of this library; any other is made of one.
+// Files are only read as meshes of this library, which can be converted to others.
 #include <concino/io.hpp>
 
 struct foreign {};

@@ -1,5 +1,5 @@
 // expect in 10 lines: explain_format<F>
-// A class that lacks something is no format: what it lacks is named by explain_format.
+// A class that lacks a member is not a format; explain_format names the member.
 #include <concino/io.hpp>
 #include <concino/mesh/trimesh.hpp>
 

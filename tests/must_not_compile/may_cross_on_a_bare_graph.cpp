@@ -1,5 +1,5 @@
 // expect in 10 lines: may_cross(, crossed: not of a bare graph| needs the edges or faces between neighbours)
-// Where a graph is all there is, nothing lies between its nodes that could be barred, and the caller is told what is missing.
+// A graph without elements between its nodes has nothing that may_cross could exclude. The message says what is missing.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/graph/bfs.hpp>
 #include <concino/mesh/trimesh.hpp>

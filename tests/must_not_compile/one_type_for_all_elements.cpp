@@ -1,5 +1,5 @@
 // expect in 10 lines: vert, edge and poly of mesh_traits<M> have to be different types
-// Told before anything that is missing, since it changes the signatures of the rest.
+// Reported before missing members, as it changes the signatures of these.
 #include <concino/concepts/mesh_requirements.hpp>
 
 struct numbered {};

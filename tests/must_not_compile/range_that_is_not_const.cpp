@@ -1,5 +1,5 @@
 // expect in 10 lines: begin[(][)] of what it returns is not const
-// The member is there: the chain says what is wrong with it.
+// The member exists, and the message says what is wrong with it.
 #include <concino/concepts/primal_graph.hpp>
 
 struct ring {};

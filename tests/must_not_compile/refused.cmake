@@ -1,5 +1,5 @@
-# Passes where the compiler refuses the case and its message matches the first line's expectation: anywhere (`// expect: <regex>`) or in its
-# first ten lines (`// expect in 10 lines: <regex>`).
+# Passes if the compiler rejects the program and its message matches the expectation in the first line of the file: anywhere (`// expect: <regex>`)
+# or in its first ten lines (`// expect in 10 lines: <regex>`).
 file(STRINGS ${case} first LIMIT_COUNT 1)
 if(NOT first MATCHES "^// expect( in 10 lines)?: (.+)$")
   message(FATAL_ERROR "${case}: the first line is not `// expect: <regex>` or `// expect in 10 lines: <regex>`")

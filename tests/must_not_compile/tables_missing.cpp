@@ -1,5 +1,5 @@
 // expect in 10 lines: mesh_traits<M> needs tables: static const auto& tables[(]const M&[)]
-// What the base needs is told, not the first of the verbs that it would give; asking is no error.
+// The message names the member that the base class needs, not the first verb that is missing because of it. Concepts are false without an error.
 #include <concino/mesh/indexed_base.hpp>
 
 struct mine {};

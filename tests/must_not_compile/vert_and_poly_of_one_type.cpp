@@ -1,5 +1,5 @@
 // expect in 10 lines: vert, edge and poly of mesh_traits<M> have to be different types
-// Told though edge is not there yet, since it changes the signatures of the rest.
+// Reported even though edge is missing too, as it changes the signatures of the rest.
 #include <concino/concepts/mesh.hpp>
 
 struct numbered {};

@@ -1,10 +1,10 @@
-# Test programs record the errors that they throw, if the environment says where; docs/messages.awk makes a page of them and compares it with others.
+# If the environment says so, test programs record the errors that they throw. docs/messages.awk makes a page of the records, and compares it with others.
 #   cmake -D source=<repository> -D program=<tests_core> -D scratch=<folder> -P recorded_messages.cmake
 find_program(awk NAMES mawk gawk awk REQUIRED)
 file(REMOVE_RECURSE ${scratch})
 file(MAKE_DIRECTORY ${scratch}/records)
 
-# run(<folder or nothing>): the tests of core/error_test.cpp, recorded in that folder.
+# run(<folder or nothing>): runs the tests of core/error_test.cpp, recording in that folder.
 function(run folder)
   set(ENV{CONCINO_TEST_MESSAGES} "${folder}")
   execute_process(COMMAND ${program} --source-file=*core/error_test.cpp RESULT_VARIABLE code OUTPUT_VARIABLE text WORKING_DIRECTORY ${scratch})
@@ -61,7 +61,7 @@ set(files "| `FILE: cannot be read: it is \\x60c\\|d\\x60\\` | io_error | `io/ob
 page(text "${records}")
 expect("the page" "${text}" "## Files${head}${files}\n## geometry${head}${camera}")
 
-# A page lacks new patterns only. Rows of test files that have run are replaced, others stay.
+# A page only lacks new patterns. Rows of test files that have run are replaced, others remain.
 file(WRITE ${scratch}/page.md "${text}")
 set(new "geometry/camera_test.cpp -> angles -> invalid_argument -> camera: the angle is 200 degrees\n")
 page(text "${records}${new}" -v page=${scratch}/page.md -v compare=1)

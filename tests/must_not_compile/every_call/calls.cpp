@@ -1,4 +1,4 @@
-// Each call below makes one mistake, and is refused by the deleted overload that says what to write; check.cmake looks at each line.
+// Each call below has one mistake and is rejected by a deleted overload that says what to write; check.cmake checks each line.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/convert.hpp>
 #include <concino/fields.hpp>
@@ -105,7 +105,7 @@ void no_adapter(const stranger& other) {
   cn::convert_with_correspondence<cn::polygonmesh>(other);  // refused
 }
 
-// The mesh has no name.
+// A temporary mesh.
 void temporary() {
   cn::bfs(made());  // refused
   cn::bfs_forest(made());  // refused
@@ -210,7 +210,7 @@ void no_points(const cn::trimesh& m) {
   cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
 }
 
-// There is a graph and no more, for which no discretisation is the default.
+// A graph, for which no discretisation is the default.
 void bare_graph(const cn::trimesh& m) {
   const auto g = cn::primal(m);
   const cn::vert_id a{0};
@@ -226,7 +226,7 @@ void bare_graph(const cn::trimesh& m) {
   cn::laplacian(g, cn::cotangent);  // refused
 }
 
-// There are polys alone, and nobody says that they are meant.
+// A graph of polys, without dual(m).
 void polys_alone(const cn::trimesh& m) {
   const auto g = cn::only_dual_graph(m);
   cn::bfs_forest(g);  // refused
@@ -234,7 +234,7 @@ void polys_alone(const cn::trimesh& m) {
   cn::spanning_tree(g);  // refused
 }
 
-// Elements are named by numbers.
+// Numbers instead of descriptors.
 void numbers(const cn::trimesh& m) {
   cn::bfs(m, 0);  // refused
   cn::dijkstra(m, 0);  // refused
@@ -262,7 +262,7 @@ void numbers(const cn::trimesh& m) {
   cn::prepare_exact_geodesics(m).distance_from({0, 1});  // refused
 }
 
-// No format.
+// A class that is not a format.
 void no_format(const cn::trimesh& m, const stranger& other) {
   cn::load<cn::trimesh>("a", other);  // refused
   cn::load_text<cn::trimesh>("a", other);  // refused

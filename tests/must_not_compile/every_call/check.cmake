@@ -1,5 +1,5 @@
-# Passes where every line of calls.cpp that ends in `// refused` is an error that a deleted function causes, and no other line is an error. The
-# compiler is told not to stop after some errors.
+# Passes if every line of calls.cpp that ends in `// refused` is an error caused by a deleted function, and no other line is an error. An option tells the
+# compiler not to stop after a number of errors.
 set(ENV{LC_ALL} C)
 set(all_errors -fmax-errors=0)
 if(compiler MATCHES "clang")

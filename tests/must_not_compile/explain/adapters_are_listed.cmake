@@ -1,4 +1,4 @@
-# Where nothing is known of a type, the message lists the headers that may have been forgotten: all adapters that bring meshes or graphs.
+# For an unknown type the message lists the headers that may not have been included: all adapters of meshes or graphs.
 file(READ ${source}/concepts/concino/concepts/mesh_traits.hpp text)
 string(REGEX MATCH "\"concino: no mesh_traits<M>: [^\n]*specialise concino::mesh_traits for M\"" message "${text}")
 file(GLOB headers ${source}/adapters/concino/adapters/*.hpp)

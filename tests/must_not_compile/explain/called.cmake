@@ -1,5 +1,5 @@
-# Passes where the compiler refuses the call and the first 30 lines of what it says name the concept and the requirement has_<lacking>; where the
-# adapter or the points are lacking, the first 10 lines name the header or the concept.
+# Passes if the compiler rejects the call, and the first 30 lines of its output name the concept and the requirement has_<lacking>. If the adapter or the
+# points are missing, the first 10 lines must name the header or the concept.
 set(ENV{LC_ALL} C)
 if(compiler MATCHES "clang")
   set(depth "")

@@ -1,5 +1,5 @@
-# Passes where the compiler's first error line is among its first ten lines and holds the text of the file `expected_file`, and where it names `named` and says no
-# more than `limit` lines (15); an empty text means that it compiles.
+# Passes if the first ten lines of output contain the compiler's first error, with the text of the file `expected_file`, and if the output contains `named` and
+# has at most `limit` lines (15). An empty text means that the program must compile.
 set(ENV{LC_ALL} C)
 execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${defines} ${case} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
 file(READ ${expected_file} expected)

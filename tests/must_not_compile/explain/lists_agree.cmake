@@ -1,5 +1,5 @@
-# The lists of what is required agree with one another: each list of requirements has tests and the named concepts of its concept; each member of mesh_traits that
-# is required has a verb, and is passed on by views and archetypes; each verb is required by some concept.
+# The lists of requirements are consistent: each list has tests, and the named concepts of its concept; each required member of mesh_traits has a verb,
+# and is passed on by views and archetypes; each verb is required by some concept.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/requirements.cmake)
 read_requirements(${source})

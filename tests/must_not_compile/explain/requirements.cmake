@@ -1,14 +1,14 @@
-# What headers with lists of requirements say about them, read from their text. read_requirements(<source folder>) sets
+# Reads the lists of requirements from the text of the headers. read_requirements(<source folder>) sets
 #   requirements      the names x of all structs x_requirement
-#   sentence_x        the last sentence of the struct, which says what to write; empty where it has none of its own
-#   holds_x           the named concept that the struct stands for, has_x
-#   is_diagnosed_x    whether the struct also says what is wrong with a member that is there
+#   sentence_x        the last sentence of the struct, which says what to write; empty if it has none
+#   holds_x           the named concept of the struct, has_x
+#   is_diagnosed_x    whether the struct also says what is wrong with an existing member
 #   lists             the names c of all lists c_requirements
 #   entries_c         the names x of the list and of the lists within it, each once, in order
-#   concept_c         the concept of that name, PrimalGraph of primal_graph; empty where there is none
+#   concept_c         the concept of that name, PrimalGraph of primal_graph; empty if there is none
 #   named_c           the named concepts of its conjunction and of those within it
 #   concepts          all concepts in these headers, and of these concepts_of_meshes, those of the vocabulary
-# Semicolons and brackets mean something in lists of CMake and are written in other ways meanwhile.
+# Semicolons and brackets have a meaning in lists of CMake, so they are escaped.
 
 function(plain_requirement_text variable text)
   string(REPLACE "<semicolon>" ";" text "${text}")
@@ -17,7 +17,7 @@ function(plain_requirement_text variable text)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-# expand(<variable> <prefix> <name>): the parts of a list or conjunction, with those that have parts themselves replaced by these.
+# expand(<variable> <prefix> <name>): the parts of a list or conjunction, recursively.
 function(expand variable prefix name)
   set(flat "")
   foreach(part IN LISTS ${prefix}_${name})
@@ -48,7 +48,7 @@ macro(read_requirements source)
     string(REPLACE "[" "<bracket>" text "${text}")
     string(REPLACE "]" "<tekcarb>" text "${text}")
     string(REGEX REPLACE "//[^\n]*" "" text "${text}")
-    # What belongs to a struct stands between its first line and its last, which begins with }.
+    # The struct extends from its first line to the line that begins with }.
     set(current "")
     string(REGEX MATCHALL "struct [a-z0-9_]+_requirement {|\n}<semicolon>|bool holds = [A-Za-z0-9_]+|detail::explain_|\"concino: ([^\n\"\\\\]|\\\\.)*\"" tokens "${text}")
     foreach(token IN LISTS tokens)
