@@ -1,4 +1,4 @@
-# Runs a lesson and compares its output, character by character, with the expected one.
+# Runs a lesson and compares its output with the expected one, character by character.
 file(REMOVE_RECURSE ${scratch})
 file(MAKE_DIRECTORY ${scratch})
 file(GLOB data ${lesson}/*)

@@ -1,4 +1,4 @@
-# An adapter is short: no part of adapters.hpp between two lines `//! [name]` has more than 40 lines.
+# Checks that adapters are short: each part of adapters.hpp between two lines `//! [name]` has at most 40 lines.
 file(READ ${lesson}/adapters.hpp rest)
 set(count 0)
 while(rest MATCHES "//! [[]([^\n]*)[]]\n")
@@ -15,7 +15,7 @@ while(rest MATCHES "//! [[]([^\n]*)[]]\n")
   string(REGEX REPLACE "[^\n]" "" newlines "${part}")
   string(LENGTH "${newlines}" lines)
   if(lines GREATER 40)
-    message(SEND_ERROR "${lesson}/adapters.hpp: the adapter [${name}] has ${lines} lines; at most 40 are promised")
+    message(SEND_ERROR "${lesson}/adapters.hpp: the adapter [${name}] has ${lines} lines; at most 40 are allowed")
   endif()
   math(EXPR count "${count} + 1")
 endwhile()

@@ -1,5 +1,5 @@
-// Your own mesh in one screen. This grid of n x n quads, rolled up into a torus, stores nothing but n; saying how its half-edges are linked makes
-// it a SurfaceMesh, and every algorithm of the library runs on it.
+// Adapt a mesh type of your own in one screen: a torus of n x n quads that stores nothing but n. Its adapter says how half-edges are linked. This makes it
+// a SurfaceMesh, and every algorithm of the library runs on it.
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/fields.hpp>
 #include <concino/graph.hpp>
@@ -40,7 +40,7 @@ struct torus_links {
   static std::size_t num_edges(torus m) { return 2 * m.n * m.n; }
   static std::size_t num_polys(torus m) { return m.n * m.n; }
 
-  static std::array<double, 3> point(torus m, vert v) {  // and where it lies in space
+  static std::array<double, 3> point(torus m, vert v) {  // the position of a vert
     const double turn = 2 * 3.14159265358979 / m.n, a = turn * (v.raw() % m.n), b = turn * (v.raw() / m.n);
     return {(3 + std::cos(b)) * std::cos(a), (3 + std::cos(b)) * std::sin(a), std::sin(b)};
   }
@@ -51,12 +51,12 @@ static_assert(cn::QuadMesh<torus> && cn::Embedded<torus>);
 
 int main() {
   const torus m{12};
-  const auto broken = cn::check_laws(m);  // what the compiler cannot check: is everything linked consistently?
+  const auto broken = cn::check_laws(m);  // what the compiler cannot check: are the half-edges linked consistently?
   for (const auto& b : broken) fmt::print("{}: {}\n", b.law, b.what);
   fmt::print("{} verts, {} edges, {} polys, {} broken laws\n", cn::num_verts(m), cn::num_edges(m), cn::num_polys(m), broken.size());
 
-  const cn::vert_id a{0}, b{6 * 12 + 6};  // outermost, and innermost on the other side
+  const cn::vert_id a{0}, b{6 * 12 + 6};  // a is outermost; b is innermost, on the opposite side
   fmt::print("hops from a to b: {}, from poly to poly: {}\n", cn::bfs(m, a)[b], cn::bfs(m, cn::poly_id{0})[cn::poly_id{78}]);
-  fmt::print("length of the shortest way: {:.4f}\n", cn::dijkstra(m, a)[b]);
-  fmt::print("harmonic function from 0 at a to 1 at b, outermost over there: {:.4f}\n", cn::harmonic_map(m, {{a, 0.0}, {b, 1.0}})[cn::vert_id{6}]);
+  fmt::print("length of the shortest path: {:.4f}\n", cn::dijkstra(m, a)[b]);
+  fmt::print("harmonic function, 0 at a and 1 at b: {:.4f} at the outermost vert opposite a\n", cn::harmonic_map(m, {{a, 0.0}, {b, 1.0}})[cn::vert_id{6}]);
 }

@@ -1,5 +1,5 @@
-// One line of Dijkstra for four graphs: from a vert it searches along edges, from a poly from poly to poly, on a surface and in a volume.
-// The type of the source determines the graph: primal or dual.
+// Find shortest paths on four graphs with the same line of code: from vert to vert or from poly to poly, on a surface or in a volume.
+// The type of the source selects the graph: a vert selects the primal graph, a poly the dual graph.
 #include <concino/graph.hpp>
 #include <concino/mesh.hpp>
 
@@ -13,7 +13,7 @@ namespace cn = concino;
 /// The largest distance from `source`.
 template<class M, class Source>
 double reach(const M& m, Source source) {
-  const auto distance = cn::dijkstra(m, source);  // the one line
+  const auto distance = cn::dijkstra(m, source);  // the same line for all four graphs
   double farthest = 0;
   for (double d : distance.values()) farthest = std::max(farthest, d);
   return farthest;
@@ -38,12 +38,12 @@ int main() {
   points.resize((n + 1) * (n + 1));  // the lowest layer
   const cn::quadmesh surface(points, quads);
 
-  fmt::print("from vert to vert, surface: {}\n", reach(surface, cn::vert_id{0}));
-  fmt::print("from vert to vert, volume:  {}\n", reach(volume, cn::vert_id{0}));
-  fmt::print("from poly to poly, surface: {}\n", reach(surface, cn::poly_id{0}));
-  fmt::print("from poly to poly, volume:  {}\n", reach(volume, cn::poly_id{0}));
+  fmt::print("farthest vert, surface: {}\n", reach(surface, cn::vert_id{0}));
+  fmt::print("farthest vert, volume:  {}\n", reach(volume, cn::vert_id{0}));
+  fmt::print("farthest poly, surface: {}\n", reach(surface, cn::poly_id{0}));
+  fmt::print("farthest poly, volume:  {}\n", reach(volume, cn::poly_id{0}));
 
-  // Lengths may be any function, and targets stop the search early.
+  // Any function can give the lengths, and `targets` stops the search early.
   const auto hops = cn::dijkstra(volume, cn::poly_id{0}, [](auto, auto) { return 1.0; }, {.targets = {cn::poly_id{5}}});
   fmt::print("poly 5 is {} faces away\n", hops[cn::poly_id{5}]);
 }

@@ -1,4 +1,4 @@
-// Which of the small files beside this one holds which kind.
+// file_of<M>: the file in this folder that holds a mesh of type M.
 #pragma once
 
 #include <concino/mesh.hpp>

@@ -1,5 +1,5 @@
-// The paper's program: a harmonic function on a mesh, 0 at one vert and 1 at another. This file is compiled for all six kinds of mesh; only
-// the type changes.
+// The program of the paper (see docs/glossary.md): a harmonic function on a mesh, 0 at one vert and 1 at another. The same file is compiled for all six
+// mesh types; only MESH_T changes.
 #include <concino/fields.hpp>
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>

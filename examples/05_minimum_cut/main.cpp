@@ -1,5 +1,5 @@
-// Where does a solid break? A bar of tets with a notch is pulled at both ends. Its tets are the nodes of a Boost graph, with an arc through each
-// face whose capacity is the face's area. The maximum flow from end to end equals the smallest area that separates them: the minimum cut.
+// Find where a solid breaks, as a minimum cut. A bar of tets with a notch is pulled at both ends. Its tets are the nodes of a Boost graph; each face between
+// two tets is an arc, with its area as capacity. The maximum flow from end to end is the smallest area that separates the ends: the minimum cut.
 #include <concino/geometry.hpp>
 #include <concino/graph/boost.hpp>
 #include <concino/mesh.hpp>
@@ -12,7 +12,7 @@
 
 namespace cn = concino;
 
-/// A bar of 8 x 3 x 3 cubes, each cut into six tets around a diagonal; the notch is missing.
+/// A bar of 8 x 3 x 3 cubes without those of the notch. Each cube is cut into six tets around a diagonal.
 cn::tetmesh notched_bar() {
   std::vector<cn::vec3> points;
   std::vector<std::vector<int>> tets;
@@ -35,7 +35,7 @@ cn::tetmesh notched_bar() {
 int main() {
   const cn::tetmesh bar = notched_bar();
   const auto at = [&](cn::poly_id p) { return cn::centroid(bar, p).x; };
-  // The area between two tets; unlimited within the ends, where the bar is fixed.
+  // The capacity between two tets: the area of their common face, or unlimited within the ends, where the bar is fixed.
   const auto strength = [&](cn::poly_id p, cn::poly_id q) {
     if ((at(p) < 1 && at(q) < 1) || (at(p) > 7 && at(q) > 7)) return 1e6;
     for (cn::face_id f : cn::adj_p2f(bar, p))

@@ -1,4 +1,4 @@
-// What is wrong with this mesh? validate returns sentences, and records that a program can use.
+// Find the defects of a mesh: validate describes each one in a sentence for the user and in a record for the program.
 #include <concino/mesh.hpp>
 #include <concino/validate.hpp>
 
@@ -18,23 +18,24 @@ void tell(const char* title, const M& m) {
 }
 
 int main() {
-  // A tent of four triangles on a square. One triangle is oriented inconsistently, a fifth is at an edge that already has two, and a vert is unused.
+  // A tent of four triangles over a square, with three mistakes: one triangle has the wrong orientation, a fifth triangle is at an edge that already
+  // has two, and a vert is unused.
   const cn::trimesh tent({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 1}, {1, 0, 2}, {9, 9, 9}},
                          {{0, 1, 4}, {1, 2, 4}, {3, 2, 4}, {3, 0, 4}, {0, 4, 5}});
   tell("tent", tent);
 
-  // A bow tie, and a square with a corner lifted.
+  // A quad that crosses itself like a bow tie, and a square with one corner lifted.
   tell("quads", cn::quadmesh({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {3, 0, 0}, {4, 0, 0}, {4, 1, 1}, {3, 1, 0}}, {{0, 1, 2, 3}, {4, 5, 6, 7}}));
 
-  // Vert 4 was pushed through the face of the other tet.
+  // Vert 4 lies on the wrong side of the face that the two tets share, so the second tet is inside out.
   cn::tetmesh tets({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1, 0.1, 0.1}}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
   tell("tets", tets);
 
-  // Records have the descriptors of elements; options choose what to check.
+  // A record has the descriptor of its element; options select what is checked. This repairs the inverted tet.
   for (auto& defect : cn::validate(tets, {.kinds = {cn::defect_kind::inverted_cell}})) {
     const auto p = std::get<cn::poly_id>(defect.element);
     for (auto v : cn::adj_p2v(tets, p))
       if (v == cn::vert_id{4}) cn::set_point(tets, v, cn::vec3{1, 1, 1});
   }
-  tell("tets, mended", tets);
+  tell("tets, repaired", tets);
 }

@@ -1,4 +1,4 @@
-// A torus is cut open. Two loops, around its tube and through its hole, generate all others; after cutting along both, the torus is one square
+// Cut a torus open into a disk. Two loops, around its tube and through its hole, generate all others. After cutting along both, the torus is one square
 // sheet, a disk. The same code cuts a surface with any number of holes into one disk.
 #include <concino/graph.hpp>
 #include <concino/mesh.hpp>
@@ -10,7 +10,7 @@
 
 namespace cn = concino;
 
-/// Verts - edges + polys: 2 on a sphere, 0 on a torus, 1 on a disk.
+/// The Euler characteristic, verts - edges + polys: 2 on a sphere, 0 on a torus, 1 on a disk.
 template<class M>
 int chi(const M& m) {
   return int(cn::num_verts(m)) - int(cn::num_edges(m)) + int(cn::num_polys(m));
@@ -31,7 +31,7 @@ int main() {
   fmt::print("torus: {} verts, chi {}, genus {}, {} borders\n", cn::num_verts(torus), chi(torus), (2 - chi(torus)) / 2,
              cn::boundary_loops(torus).count);
 
-  // A tree of verts, and a tree of polys that does not cross it: each edge in neither of them closes one loop.
+  // A spanning tree of verts, and a spanning tree of polys that does not cross it. Each edge in neither tree closes one loop.
   const auto trees = cn::tree_cotree(torus);
   fmt::print("{} edges: {} in the tree, {} crossed by the cotree, {} left\n", cn::num_edges(torus), trees.tree.size(), trees.cotree.size(),
              trees.rest.size());
@@ -52,5 +52,5 @@ int main() {
   // The corners of the square: where both cuts cross, one vert has four copies.
   int copies = 0;
   for (const auto v : cut.verts) copies += v == loops[0].verts[0];
-  fmt::print("where the loops cross, {} verts for one\n", copies);
+  fmt::print("where the loops cross, one vert became {}\n", copies);
 }

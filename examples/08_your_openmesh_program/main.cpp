@@ -1,6 +1,6 @@
-// Your OpenMesh program gains shortest paths and harmonic maps, in the two lines marked below. The mesh is of a class of your own that is derived
-// from OpenMesh's, and stays where it is; verts and faces are named by OpenMesh's own handles; OpenMesh's properties are read and written where
-// they are; and faces that were deleted are gone at once, without garbage_collection().
+// Add shortest paths and harmonic maps to an OpenMesh program, by the two lines marked below. The mesh class is derived from one of OpenMesh, and the mesh is
+// not copied. OpenMesh's handles name verts and faces, and its properties are read and written in place. Deleted faces do not count from the moment
+// they are deleted, without garbage_collection().
 #include <concino/adapters/openmesh.hpp>
 #include <concino/fields.hpp>
 #include <concino/graph.hpp>
@@ -25,7 +25,7 @@ struct Traits : OpenMesh::DefaultTraitsDouble {
   FaceAttributes(OpenMesh::Attributes::Status);
 };
 
-/// A pipe along the z-axis, of radius 1: `around` verts in a ring, and one ring more than it is long.
+/// A pipe of radius 1 along the z-axis: length + 1 rings of `around` verts.
 class Pipe : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
   int around_;
 
@@ -44,7 +44,7 @@ class Pipe : public OpenMesh::TriMesh_ArrayKernelT<Traits> {
 
 int main() {
   Pipe m(24, 20);
-  // A slit across the upper side, half way along: 16 of the 24 squares of a ring, two triangles each.
+  // Cut a slit into the upper side, half way along: delete 16 of the 24 squares of a ring, two triangles each.
   for (unsigned i = 0; i < 16; ++i)
     for (unsigned half : {0u, 1u}) m.delete_face(m.face_handle(2 * (10 * 24 + (i + 22) % 24) + half));
   std::vector<VertexHandle> mouth;
@@ -55,15 +55,15 @@ int main() {
     ends.push_back({m.at(i, 20), 0.0});
   }
 
-  const auto distance = cn::dijkstra(m, mouth);      // one line: how far is everything from the mouth of the pipe?
-  const auto heat = cn::harmonic_map(m, ends);       // and another: hot at one end, cold at the other
+  const auto distance = cn::dijkstra(m, mouth);      // one line: the distance of every vert from the mouth of the pipe
+  const auto heat = cn::harmonic_map(m, ends);       // and another: the temperature, hot at one end and cold at the other
 
   fmt::print("{} vertices, {} of {} faces are left\n", cn::num_verts(m), cn::num_polys(m), m.n_faces());
   const VertexHandle behind = m.at(6, 11), below = m.at(18, 11);
   fmt::print("behind the slit: {:.4f} away, {:.4f} degrees; below it: {:.4f} away, {:.4f} degrees\n", distance[behind], heat[behind], distance[below],
              heat[below]);
 
-  // Lengths may be a property of OpenMesh, filled elsewhere: here the lower half of the pipe is rough. Another takes down the way.
+  // A property of OpenMesh can give the lengths: here the lower half of the pipe is rough. Another property stores the predecessors on the paths.
   OpenMesh::EPropHandleT<double> resistance;
   m.add_property(resistance, "resistance");
   for (EdgeHandle e : m.edges()) m.property(resistance, e) = m.calc_edge_length(e) * (m.calc_edge_midpoint(e)[1] < 0 ? 3 : 1);
@@ -75,5 +75,5 @@ int main() {
   const auto path = cn::path_to(before, m.at(6, 20));
   double lowest = 1;
   for (VertexHandle v : path) lowest = std::min(lowest, m.point(v)[1]);
-  fmt::print("the easiest way through takes {:.4f} and {} steps, and goes down to y = {:.4f}\n", tiring[path.back()], path.size() - 1, lowest);
+  fmt::print("the easiest path through the pipe costs {:.4f}, has {} edges, and goes down to y = {:.4f}\n", tiring[path.back()], path.size() - 1, lowest);
 }

@@ -1,6 +1,5 @@
-// Your CGAL program gains shortest paths and harmonic maps, in the two lines marked below. The mesh is CGAL's and stays where it is; vertices and
-// faces are named by CGAL's own indices; results go into CGAL's property maps; and faces that were removed are gone at once, without
-// collect_garbage().
+// Add shortest paths and harmonic maps to a CGAL program, by the two lines marked below. The mesh is CGAL's and is not copied. CGAL's indices name vertices
+// and faces, and results go into CGAL's property maps. Removed faces do not count from the moment they are removed, without collect_garbage().
 #include <concino/adapters/cgal_surface_mesh.hpp>
 #include <concino/fields.hpp>
 #include <concino/graph.hpp>
@@ -37,14 +36,14 @@ int main() {
   };
   const Vertex home = at(0, 24), summit = at(12, 12), far = at(24, 0);
 
-  const auto distance = cn::dijkstra(m, home);                              // one line: how far is everything from home?
-  const auto warmth = cn::harmonic_map(m, {{home, 20.0}, {summit, -5.0}});  // and another: warm at home, cold on the summit
+  const auto distance = cn::dijkstra(m, home);                              // one line: the distance of every vertex from home
+  const auto warmth = cn::harmonic_map(m, {{home, 20.0}, {summit, -5.0}});  // and another: the temperature, warm at home and cold on the summit
 
   fmt::print("{} vertices, {} faces, {} removed\n", m.number_of_vertices(), m.number_of_faces(), m.number_of_removed_faces());
   fmt::print("from home to the summit: {:.4f}, to the far corner: {:.4f}\n", distance[summit], distance[far]);
-  fmt::print("warmth in the far corner: {:.4f}\n", warmth[far]);
+  fmt::print("temperature in the far corner: {:.4f}\n", warmth[far]);
 
-  // To climb is tiring. Lengths are whatever can be called, and a property map of CGAL takes down the way.
+  // Climbing costs more. Anything callable can give the lengths, and a property map of CGAL stores the predecessors on the paths.
   auto before = m.add_property_map<Vertex, Vertex>("v:before").first;
   const auto effort = [&](Vertex v, Vertex w) {
     const auto step = m.point(w) - m.point(v);
@@ -53,5 +52,5 @@ int main() {
   const auto tiring = cn::dijkstra(m, home, effort, {.predecessors = &before});
   double highest = 0;
   for (Vertex v = far; v != home; v = before[v]) highest = std::max(highest, m.point(v).z());
-  fmt::print("the easiest way to the far corner takes {:.4f} and climbs no higher than {:.4f}\n", tiring[far], highest);
+  fmt::print("the easiest path to the far corner costs {:.4f} and climbs no higher than {:.4f}\n", tiring[far], highest);
 }

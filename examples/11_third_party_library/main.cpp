@@ -1,5 +1,5 @@
-// Somebody else's mesh. `hedge` (the header beside this file) is a half-edge library that knows nothing of concino and may not be edited.
-// Saying once how its half-edges are linked opens every algorithm to its users, who go on passing hedge::Vertex.
+// Adapt the mesh of a library that you cannot change: `hedge`, the header beside this file, is a half-edge library that does not know concino.
+// One struct says how its half-edges are linked. Every algorithm then runs on its meshes, and its users still pass hedge::Vertex.
 #include "hedge/mesh.h"
 
 #include <concino/concepts/halfedge_kernel.hpp>
@@ -17,7 +17,7 @@
 
 namespace cn = concino;
 
-// The adapter: this screen, and no line elsewhere.
+// The whole adapter.
 struct hedge_links {
   using vert = hedge::Vertex;
   using edge = hedge::Edge;
@@ -39,7 +39,7 @@ struct hedge_links {
   static std::size_t num_verts(const mesh& m) { return m.vertex_count(); }
   static std::size_t num_edges(const mesh& m) { return m.edge_count(); }
   static std::size_t num_polys(const mesh& m) { return m.face_count(); }
-  static auto verts(const mesh& m) { return cn::id_range<vert>(m.vertex_count()); }  // descriptors are made of numbers without gaps
+  static auto verts(const mesh& m) { return cn::id_range<vert>(m.vertex_count()); }  // indices have no gaps, and a descriptor is made from its index
   static auto edges(const mesh& m) { return cn::id_range<edge>(m.edge_count()); }
   static auto polys(const mesh& m) { return cn::id_range<poly>(m.face_count()); }
   static std::size_t vert_index_bound(const mesh& m) { return m.vertex_count(); }
@@ -54,7 +54,7 @@ struct hedge_links {
 template<> struct concino::mesh_traits<hedge::Mesh> : concino::halfedge_kernel<hedge::Mesh, hedge_links> {};
 static_assert(cn::SurfaceMesh<hedge::Mesh> && cn::Embedded<hedge::Mesh>);
 
-/// Two turns of a spiral ramp around a pole, of `steps` quads a turn and 6 across.
+/// A spiral ramp of two turns around a pole: `steps` quads per turn, 6 quads wide.
 hedge::Mesh ramp(int steps) {
   std::vector<hedge::Position> positions;
   std::vector<std::vector<unsigned>> quads;
@@ -70,19 +70,19 @@ hedge::Mesh ramp(int steps) {
 
 int main() {
   const hedge::Mesh m = ramp(24);
-  const auto broken = cn::check_laws(m);  // have the links been told right? The first thing to ask of an adapter
+  const auto broken = cn::check_laws(m);  // are the links right? The first thing to test in an adapter
   for (const auto& b : broken) fmt::print("{}: {}\n", b.law, b.what);
   fmt::print("{} verts, {} edges, {} polys, {} broken laws\n", cn::num_verts(m), cn::num_edges(m), cn::num_polys(m), broken.size());
   const auto border = cn::boundary_loops(m);
   fmt::print("area {:.3f}, {} border of {} edges\n", cn::total_measure(m), border.count, border.loops[0].edges.size());
 
-  // Two lines that the users of hedge did not have before; what goes in and comes out are their own handles.
+  // Two lines that are new for the users of hedge. Arguments and results are their own handles.
   const hedge::Vertex foot{3}, top{unsigned(m.vertex_count()) - 4};
   const auto distance = cn::dijkstra(m, foot);
   const auto u = cn::harmonic_map(m, {{foot, 0.0}, {top, 1.0}});
 
   fmt::print("from the foot to the top: {:.3f}\n", distance[top]);
   const std::vector<hedge::Vertex> path = cn::shortest_path(m, foot, top);
-  fmt::print("the way has {} verts and keeps to the {} side\n", path.size(), path[path.size() / 2].idx % 7 == 0 ? "inner" : "outer");
-  fmt::print("half way up the function is {:.4f}\n", u[hedge::Vertex{24 * 7 + 3}]);
+  fmt::print("the path has {} verts and keeps to the {} side\n", path.size(), path[path.size() / 2].idx % 7 == 0 ? "inner" : "outer");
+  fmt::print("half way up, the harmonic function is {:.4f}\n", u[hedge::Vertex{24 * 7 + 3}]);
 }

@@ -1,6 +1,6 @@
-// What the compiler says when a requirement is missing. A concept is a question; asking is never an error, and the answer may be "no". To hear
-// why, call explain_<concept><M>(): it does not compile, and says in one sentence what to write. wrong.cpp beside this file does so for the
-// mesh of ring.hpp that is half done; message.txt is the sentence, whichever compiler reads it.
+// See what the compiler says when a requirement is missing. Testing a concept is never an error: the result is true or false. To learn why it is false, call
+// explain_<concept><M>(): it does not compile, and the error says in one sentence what to write. wrong.cpp beside this file does so for the mesh type
+// `half_done` of ring.hpp. message.txt holds the sentence; it is the same for all compilers.
 #include "ring.hpp"
 
 #include <concino/graph/bfs.hpp>
@@ -12,7 +12,7 @@
 
 namespace cn = concino;
 
-// Concepts are conjunctions of requirements, one line each, that can be asked about one by one.
+// A concept is a conjunction of requirements. Each of them can be tested alone.
 template<class M>
 void describe(const char* name) {
   namespace r = cn::requirement;
@@ -20,13 +20,13 @@ void describe(const char* name) {
              r::has_verts<M>, r::has_vert_index_of<M>, r::has_adj_v2v<M>, cn::PrimalGraph<M>, cn::SurfaceMesh<M>);
 }
 
-// An algorithm names its concept in its declaration and asserts nothing inside, so one may ask whether a call would compile ...
+// An algorithm states its concept in its declaration and asserts nothing inside, so a program can test whether a call compiles ...
 template<class M> concept can_search = requires(const M& m, cn::vert_id v) { cn::bfs(m, v); };
 
-// ... and choose by it. A failed call names the concept and the requirement too (with g++ best under -fconcepts-diagnostics-depth=2).
+// ... and branch on it. The error of a wrong call names the concept and the requirement too (with g++ best under -fconcepts-diagnostics-depth=2).
 template<class M>
 std::string reach(const M& m) {
-  if constexpr (can_search<M>) return fmt::format("{} hops to the other side", cn::bfs(m, cn::vert_id{0})[cn::vert_id{m.n / 2}]);
+  if constexpr (can_search<M>) return fmt::format("{} hops to the opposite vert", cn::bfs(m, cn::vert_id{0})[cn::vert_id{m.n / 2}]);
   else return "search does not compile";
 }
 

@@ -1,4 +1,4 @@
-// Two meshes for this lesson: a ring of n verts, adapted but for one line, and one that has that line too.
+// Two mesh types for this lesson: `half_done`, a ring of n verts whose mesh_traits lack one line, and `whole`, which has that line too.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>

@@ -1,4 +1,4 @@
-// Does not compile: what g++ and clang++ say begins with the sentence in message.txt.
+// Does not compile: the error of g++ and of clang++ begins with the sentence in message.txt.
 #include "ring.hpp"
 
 int main() { concino::explain_primal_graph<half_done>(); }

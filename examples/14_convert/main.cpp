@@ -1,5 +1,5 @@
-// Convert and keep attributes. A block of hexahedra becomes a polyhedral mesh; its boundary becomes a surface of its own, in this library and in a
-// mesh type of your own; temperatures and names are transferred, and the correspondence between elements is known.
+// Convert between mesh types and keep attributes. A block of hexes becomes a polyhedral mesh, and its boundary becomes a surface in a mesh type of your own.
+// Temperatures and names are transferred, and the correspondence between elements is known.
 #include <concino/convert.hpp>
 #include <concino/mesh.hpp>
 #include <concino/mesh/boundary.hpp>
@@ -10,7 +10,7 @@
 
 namespace cn = concino;
 
-/// A mesh type of a user: it can add a vert and a poly, and stores lists of verts. convert() needs no more.
+/// A user's mesh type. It stores lists of verts, and can add a vert and a poly. convert() needs no more.
 struct drawing {
   cn::polygonmesh inner;
 };
@@ -44,17 +44,17 @@ int main() {
 
   const auto general = cn::convert_with_correspondence<cn::polyhedralmesh>(hexes);
   const cn::poly_id last{11};
-  fmt::print("{} hexes are {} polyhedra with {} faces; the last is of {}\n", cn::num_polys(hexes), cn::num_polys(general.mesh), cn::num_faces(general.mesh),
+  fmt::print("{} hexes became {} polyhedra with {} faces; the last one is {}\n", cn::num_polys(hexes), cn::num_polys(general.mesh), cn::num_faces(general.mesh),
              cn::find_poly_property<std::string>(general.mesh, "material")[general.poly_of(last)]);
   fmt::print("and back: {} hexes\n", cn::num_polys(cn::convert<cn::hexmesh>(general.mesh)));
 
-  // A view is a mesh too. Its properties are those of the volume behind it; transfer() takes the values of any map along.
+  // A view is a mesh too, with the properties of the volume that it refers to. transfer() copies the values of any map to the new mesh.
   const auto skin = cn::convert_with_correspondence<drawing>(cn::boundary(hexes));
   auto warm = cn::make_vert_map<double>(skin.mesh);
   skin.transfer(heat, warm);
   double hottest = 0;
   for (const auto v : cn::verts(skin.mesh)) hottest = std::max(hottest, warm[v]);
-  fmt::print("the skin has {} quads and {} verts, the hottest at {} degrees\n", cn::num_polys(skin.mesh), cn::num_verts(skin.mesh), hottest);
+  fmt::print("the boundary has {} quads and {} verts, the hottest at {} degrees\n", cn::num_polys(skin.mesh), cn::num_verts(skin.mesh), hottest);
 
   try {
     cn::convert<cn::tetmesh>(hexes);

@@ -1,4 +1,5 @@
-// Three meshes of strangers, adapted: none of them knows concino, none is changed, each becomes a mesh in less than 30 lines.
+// Adapters for three mesh types that do not know concino: winged edges, half-faces and a corner table. No type is changed, and each adapter has less than
+// 30 lines.
 #pragma once
 
 #include "corner_table.hpp"
@@ -9,7 +10,7 @@
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/mesh.hpp>
 
-struct winged_links {  // a half-edge is an edge, walked with its left or its right side on the left
+struct winged_links {  // a half-edge is an edge with a direction: from start to end, or back
   using vert = concino::vert_id;
   using edge = concino::edge_id;
   using poly = concino::poly_id;
@@ -41,7 +42,7 @@ template<> struct concino::mesh_traits<wings::Mesh> : concino::halfedge_kernel<w
 #include <concino/mesh/indexed_base.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 
-struct indexed_volume_of {  // the mesh of somebody else, and beside it the adjacencies that it lacks
+struct indexed_volume_of {  // a pointer to the mesh, and the adjacencies that it does not store
   const hfm::PolyhedralMesh* mesh;
   concino::polyhedra_tables tables;
   explicit indexed_volume_of(const hfm::PolyhedralMesh& m) : mesh(&m) {

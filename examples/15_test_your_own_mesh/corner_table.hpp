@@ -1,4 +1,4 @@
-// A triangle mesh as others wrote it: a corner table (Rossignac 2001), two arrays and a handful of functions.
+// A triangle mesh of another program: a corner table (Rossignac 2001), which stores the vertex and the opposite corner of each corner.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 struct CornerTable {
   std::vector<float> G;  // coordinates of the vertices
-  std::vector<unsigned> V;  // of each corner: its vertex
-  std::vector<int> O;       // of each corner: the corner on the other side of the edge that it faces, or -1
+  std::vector<unsigned> V;  // the vertex of each corner
+  std::vector<int> O;       // the corner opposite to each corner, in the triangle behind the edge that it faces, or -1
 
   static unsigned next(unsigned c) { return c % 3 == 2 ? c - 2 : c + 1; }
   static unsigned previous(unsigned c) { return next(next(c)); }

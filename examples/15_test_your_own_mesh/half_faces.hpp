@@ -1,4 +1,4 @@
-// A volume mesh as others wrote it, in the manner of OpenVolumeMesh: every face has two half-faces, 2f and 2f + 1, of which a cell has one.
+// A volume mesh of another program, in the manner of OpenVolumeMesh: face f has the half-faces 2f and 2f + 1, and each cell at it has one of them.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ struct FaceHandle { int idx; };
 struct HalfFaceHandle {
   int idx;
   FaceHandle face() const { return {idx / 2}; }
-  bool isOpposite() const { return idx % 2 != 0; }  // runs against the face
+  bool isOpposite() const { return idx % 2 != 0; }  // its vertices run in the opposite order of the face's
 };
 struct CellHandle { int idx; };
 

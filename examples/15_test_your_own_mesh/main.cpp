@@ -1,5 +1,5 @@
-// Prove your own mesh. An adapter that compiles may still be wrong: conformance() checks every law, range, thread and algorithm that it can
-// reach, and says in words what it found.
+// Test the adapter of your own mesh. An adapter that compiles may still be wrong: conformance() checks every law, range, thread and algorithm that it can,
+// and reports in words what it found.
 #include "adapters.hpp"
 
 #include <concino/testing/conformance.hpp>
@@ -8,11 +8,11 @@
 
 namespace cn = concino;
 
-wings::Mesh tent() {  // a quad and four triangles, one of them missing, and a vertex that nothing uses
+wings::Mesh tent() {  // a pyramid with one of its four triangles missing, and a vertex that no face uses
   return {{0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 1, 1, 2, 5, 5, 5}, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}}};
 }
 
-/// A pyramid on top of a box. `lid`: the half-face that the box takes as its lid.
+/// A pyramid on top of a box. `lid`: the half-face that closes the box at the top.
 hfm::PolyhedralMesh two_cells(int lid = 2) {
   hfm::PolyhedralMesh m;
   for (const float z : {0.f, 1.f})
@@ -36,7 +36,7 @@ int main() {
   const CornerTable corners({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 2, 0, 2, 3});
   fmt::print("corner table\n{}\n", cn::conformance([&] { return indexed_corners(corners); }).text());
 
-  // What a mistake looks like: the box takes the lid that belongs to the pyramid.
+  // What a mistake looks like: the box has the half-face that belongs to the pyramid.
   const hfm::PolyhedralMesh turned = two_cells(3);
-  fmt::print("half-faces, one of them turned\n{}", cn::conformance([&] { return indexed_volume_of(turned); }).text());
+  fmt::print("half-faces, one of the wrong orientation\n{}", cn::conformance([&] { return indexed_volume_of(turned); }).text());
 }

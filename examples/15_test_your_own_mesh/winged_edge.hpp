@@ -1,4 +1,4 @@
-// A surface mesh as others wrote it long before concino: winged edges (Baumgart 1975), integers for everything.
+// A surface mesh of another program: winged edges (Baumgart 1975), with integers for all elements.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@ namespace wings {
 struct Edge {
   int start, end;
   int left = -1, right = -1;            // faces; -1: none
-  int left_next = -1, right_next = -1;  // the edge that follows on either side, walked with that side on the left
+  int left_next = -1, right_next = -1;  // the next edge around the left face and around the right face
 };
 
 class Mesh {

@@ -1,5 +1,5 @@
-// Gradient and divergence of a known function, on hexagons in the plane and on hexahedra with non-planar faces. The same code works for both, and
-// for any other mesh: the shape of polys does not matter.
+// Compute gradient and divergence of a known function, on polygons in the plane and on hexahedra with non-planar faces. The same code works for both, and
+// for any other mesh: polys may have any shape.
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
@@ -17,7 +17,7 @@ bool is_inside(double t) { return t > 0.2 && t < 0.8; }
 
 template<class M>
 void refine(const char* name) {
-  fmt::print("{}: error of the gradient at polys, at verts; divergence of the gradient inside\n", name);
+  fmt::print("{}: error of the gradient at polys, error at verts, mean divergence of the gradient inside\n", name);
   for (const std::size_t n : {6u, 12u, 24u}) {
     M m = cn::make_grid<M>({.cells = {n, n, n}});
     cn::jitter(m, 0.15);
@@ -25,8 +25,8 @@ void refine(const char* name) {
     auto u = cn::make_vert_map<double>(m);
     for (const auto v : cn::verts(m)) u[v] = u_at(cn::point(m, v));
     const auto g = cn::gradient(m, u);       // one vector per poly
-    const auto h = cn::vert_gradient(m, u);  // one per vert: the mean of the polys around
-    const auto d = cn::divergence(m, g);     // integrated about each vert
+    const auto h = cn::vert_gradient(m, u);  // one per vert: the mean over the polys at it
+    const auto d = cn::divergence(m, g);     // one number per vert: the integral around it
 
     double wrong_at_polys = 0, wrong_at_verts = 0, flow = 0, inside = 0;
     for (const auto p : cn::polys(m)) wrong_at_polys = std::max(wrong_at_polys, cn::distance(g[p], gradient_at(cn::centroid(m, p))));
@@ -46,8 +46,8 @@ int main() {
   refine<cn::polygonmesh>("hexagons");
   refine<cn::hexmesh>("hexahedra");
 
-  // The same as matrices. The divergence is minus the adjoint of the gradient, for functions and fields integrated over the mesh.
+  // The same operators as matrices. Under the inner products that integrate over the mesh, the divergence is minus the adjoint of the gradient.
   const auto m = cn::make_grid<cn::hexmesh>({.cells = {4, 4, 4}});
   const Eigen::SparseMatrix<double> G = cn::gradient_matrix(m), D = cn::divergence_matrix(m).transpose(), M = cn::poly_mass_matrix(m);
-  fmt::print("G is {} x {}; M G and the transposed D add up to 0: {}\n", G.rows(), G.cols(), (M * G + D).norm() < 1e-12 ? "yes" : "no");
+  fmt::print("G is {} x {}; M G + transpose(D) = 0: {}\n", G.rows(), G.cols(), (M * G + D).norm() < 1e-12 ? "yes" : "no");
 }

@@ -1,5 +1,5 @@
-// Find the cell that contains a point. A tree of boxes takes only a few comparisons, for cells of any shape and for every point: on a face that
-// two cells share, it always finds the same one of them. A tree over the boundary gives the distance to it, and tells what is inside.
+// Find the cell that contains a point, with a tree of boxes. It takes a few comparisons, for cells of any shape. For a point on the face between two cells it
+// always returns the same one of them. A tree over the boundary returns the distance to it, and whether a point is inside.
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/mesh.hpp>
@@ -38,18 +38,18 @@ int main() {
   }
   fmt::print("{} of {} corners of cells are in a cell\n", found, corners);
 
-  // The skin of the block is a mesh too, seen through a view; its polys are faces of the cells.
+  // The boundary of the block is a mesh too: a view whose polys are faces of the cells.
   const auto skin = cn::boundary(cells);
   const auto around = cn::bounding_tree(skin);
   for (const cn::vec3 x : {cn::vec3{1, 0.5, 0.75}, cn::vec3{3, 0.5, 0.5}, cn::vec3{2, 1, 1}}) {
     const auto hit = around.closest(x);
-    fmt::print("({}, {}, {}) is {} the block, {:.3f} from ({:.3f}, {:.3f}, {:.3f}) on its skin\n", x.x, x.y, x.z,
+    fmt::print("({}, {}, {}) is {} the block, {:.3f} from ({:.3f}, {:.3f}, {:.3f}) on its boundary\n", x.x, x.y, x.z,
                around.is_inside(x) ? "inside" : "outside", hit.distance, hit.point.x, hit.point.y, hit.point.z);
   }
 
   // The cells along a ray through the block, and the cells in a corner of it.
   const auto passed = tree.ray_all({-1, 0.5, 0.5}, {1, 0, 0});
-  fmt::print("a ray along the middle passes {} cells from {:.3f} on\n", passed.size(), passed.front().parameter);
+  fmt::print("a ray through the middle passes {} cells, from parameter {:.3f} on\n", passed.size(), passed.front().parameter);
   cn::box corner;
   corner.add({0, 0, 0});
   corner.add({0.2, 0.2, 0.2});

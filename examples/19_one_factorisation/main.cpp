@@ -1,5 +1,5 @@
-// One factorisation, a thousand queries: how far is it over a sphere, from here, from there, from a point inside a triangle. Preparing costs two
-// factorisations, a question two back-substitutions. The same lines go through a solid; over triangles there is the shortest path itself.
+// Factorise once, query many times: geodesic distances on a sphere, from verts and from a point inside a triangle. Preparation costs two factorisations, a
+// query two back-substitutions. The same lines work in a solid. On triangles, the exact shortest path can be computed too.
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
@@ -17,7 +17,7 @@ int main() {
   const auto m = cn::icosphere(3);  // of radius 1
   const auto heat = cn::prepare_heat_geodesics(m);
 
-  // Distances between all pairs of verts: the mean over a sphere is a quarter of its great circle.
+  // Distances between all pairs of verts: the mean on a sphere is a quarter of a great circle.
   double sum = 0, pairs = 0, wrong = 0;
   std::size_t queries = 0;
   for (const auto v : cn::verts(m)) {
@@ -32,18 +32,18 @@ int main() {
   fmt::print("{} queries, {} distances, mean {:.2f} (pi / 2), largest error below {:.1f} edges: {}\n", queries, pairs, sum / pairs, 0.3,
              wrong < 0.3 * 0.14 ? "yes" : "no");
 
-  // From several at once, from one that starts later, from a point that is no vert.
+  // Distances from several sources, from a source with an initial distance, and from a point inside a triangle.
   const cn::vert_id north{0}, other{7};
   const auto nearest = heat.distance_from({north, other});
   const auto later = heat.distance_from({{north, 0.0}, {other, 0.5}});
-  fmt::print("sources: {:.2f} {:.2f}, one later: {:.1f} {:.1f}\n", nearest[north], nearest[other], later[north], later[other]);
+  fmt::print("two sources: {:.2f} {:.2f}, one of them with initial distance 0.5: {:.1f} {:.1f}\n", nearest[north], nearest[other], later[north], later[other]);
   const cn::poly_id p{100};
   const auto inside = heat.distance_from(p, cn::centroid(m, p));
   double far = 0;
   for (const auto v : cn::verts(m)) far = std::max(far, inside[v]);
-  fmt::print("from the middle of a triangle, the other side is {:.1f} away\n", far);
+  fmt::print("from the centroid of a triangle, the farthest vert is {:.1f} away\n", far);
 
-  // Through a solid ball of hexahedra, asked once.
+  // Distances in a solid ball of hexahedra, for one query.
   const auto ball = cn::make_sphere<cn::hexmesh>({.cells = 6});
   cn::vert_id centre{0};
   for (const auto v : cn::verts(ball))
@@ -53,7 +53,7 @@ int main() {
   for (const auto v : cn::verts(ball)) radius = std::max(radius, d[v]);
   fmt::print("a ball of {} hexahedra has the radius {:.1f}\n", cn::num_polys(ball), radius);
 
-  // Over triangles the shortest path itself: straight through triangles, from edge to edge. Its length is exact.
+  // The exact shortest path on triangles: straight inside each triangle, from edge to edge. Its length is exact.
   const auto path = cn::prepare_exact_geodesics(m).path_between(north, other);
   const double straight = cn::norm(cn::point(m, other) - cn::point(m, north)), round = arc(cn::point(m, north), cn::point(m, other));
   fmt::print("a path of {} points, longer than the chord and shorter than the arc: {}\n", path.points.size(),

@@ -1,5 +1,5 @@
-// Weights by which handles move a shape: smooth, 1 at their own handle and 0 at the others. The biharmonic map is smooth but leaves [0, 1], so that
-// parts move against the handle; with bounds it becomes a quadratic program (Jacobson, Baran, Popovic, Sorkine 2011).
+// Compute weights for handles that deform a shape. The weights of a handle are smooth, 1 at that handle and 0 at the others. The biharmonic map is smooth but
+// leaves [0, 1], so that parts move against the handle. With bounds it becomes a quadratic program (Jacobson, Baran, Popovic, Sorkine 2011).
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/operators.hpp>
@@ -12,7 +12,7 @@ namespace cn = concino;
 int main() {
   const auto m = cn::make_grid<cn::polygonmesh>({.cells = {16, 12, 1}});
   const auto n = static_cast<Eigen::Index>(cn::num_verts(m));
-  cn::vert_id handle[3] = {cn::vert_id{0}, cn::vert_id{0}, cn::vert_id{0}};  // the verts nearest to these places
+  cn::vert_id handle[3] = {cn::vert_id{0}, cn::vert_id{0}, cn::vert_id{0}};  // the verts nearest to `place`
   const cn::vec3 place[3] = {{0.15, 0.2, 0}, {0.5, 0.85, 0}, {0.9, 0.3, 0}};
   for (int k = 0; k < 3; ++k)
     for (const cn::vert_id v : cn::verts(m))
@@ -23,7 +23,7 @@ int main() {
   for (const double w : smooth.values()) low = std::min(low, w), high = std::max(high, w);
   fmt::print("biharmonic:          weights of the first handle from {:.4f} to {:.4f}\n", low, high);
 
-  // The same energy, and for every vert and handle a weight between 0 and 1.
+  // The same energy, with all weights between 0 and 1.
   const Eigen::SparseMatrix<double> laplacian = cn::laplacian(m);
   Eigen::SparseMatrix<double> inverse_mass = cn::mass_matrix(m), identity(n, n);
   inverse_mass.coeffs() = inverse_mass.coeffs().inverse();

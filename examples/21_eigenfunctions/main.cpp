@@ -1,5 +1,5 @@
-// Hearing shapes: the tones of a surface or a solid are the square roots of the eigenvalues of its Laplacian, and say a lot about it. Not everything:
-// two drums of seven triangles each, mirrored at their sides by different recipes, sound alike (Gordon, Webb, Wolpert 1992).
+// Compute eigenvalues of the Laplacian of a surface and of a solid. Their square roots are the tones of the shape, and say much about it. But two drums of
+// different shape can have the same tones: here two of seven triangles each, mirrored at their sides by different recipes (Gordon, Webb, Wolpert 1992).
 #include <concino/adapters/spectra.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry/measure.hpp>
@@ -15,7 +15,7 @@
 namespace cn = concino;
 
 struct mirrored {
-  std::size_t from, to, corner;  // the triangle `to` is `from` mirrored at the side that lies opposite this corner
+  std::size_t from, to, corner;  // the triangle `to` is `from` mirrored at the side opposite to this corner
 };
 
 cn::trimesh drum(const std::array<mirrored, 6>& recipe) {
@@ -51,21 +51,21 @@ int main() {
   for (const double x : cn::eigenfunctions(ball, 9).values) fmt::print(" {:.1f}", std::abs(x));
   fmt::print("\n  known, l (l + 1):            0.0 2.0 2.0 2.0 6.0 6.0 6.0 6.0 6.0\n");
 
-  // A box of Voronoi cells, and its sides as they are heard.
+  // A box of Voronoi cells. Two of its side lengths follow from the eigenvalues.
   const cn::box domain{{0, 0, 0}, {3, 2, 1.2}};
   const auto solid = cn::voronoi_polyhedra(cn::random_points(250, domain), domain);
   const auto tones = cn::eigenfunctions(solid, 5, {.lumped = false});
   fmt::print("box of {} polyhedra:         ", cn::num_polys(solid));
   for (const double x : tones.values) fmt::print(" {:.1f}", std::abs(x));
   fmt::print("\n  known, pi^2 (i^2/9 + j^2/4): 0.0 1.1 2.5 3.6 4.4\n");
-  fmt::print("  sides heard: {:.1f} and {:.1f}\n", std::numbers::pi / std::sqrt(tones.values[1]), std::numbers::pi / std::sqrt(tones.values[2]));
+  fmt::print("  sides found: {:.1f} and {:.1f}\n", std::numbers::pi / std::sqrt(tones.values[1]), std::numbers::pi / std::sqrt(tones.values[2]));
 
   const auto one = drum({{{0, 1, 0}, {0, 2, 1}, {0, 4, 2}, {2, 5, 0}, {4, 3, 1}, {1, 6, 2}}});
   const auto two = drum({{{0, 4, 0}, {0, 1, 1}, {0, 2, 2}, {2, 3, 0}, {4, 6, 1}, {1, 5, 2}}});
   for (const auto* m : {&one, &two}) {
     fmt::print("drum of area {:.1f}:", cn::total_measure(*m));
     for (const double x : cn::eigenfunctions(*m, 6).values) fmt::print(" {:.4f}", std::abs(x));
-    double spread = 0;  // the mean squared distance of two points tells the drums apart
+    double spread = 0;  // the moment of inertia about the centroid tells the drums apart
     const auto mass = cn::vert_masses(*m);
     cn::vec3 middle;
     for (const auto v : cn::verts(*m)) middle += mass[v] / 3.5 * cn::point(*m, v);

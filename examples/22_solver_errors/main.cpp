@@ -1,4 +1,4 @@
-// Why did my solve fail? Every failing solve returns or throws its reason. Here each one fails on purpose.
+// Find out why a solve failed: every failing solve returns or throws its reason. The failures here are on purpose.
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
@@ -33,25 +33,25 @@ void attempt(const char* what, F f) {
 }
 
 int main() {
-  // Two triangles that do not touch, and a vert of no polygon.
+  // Two triangles that do not touch, and an isolated vert.
   const cn::trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {9, 9, 9}}, {{0, 1, 2}, {3, 4, 5}});
   const cn::vert_id a{0}, b{4}, alone{6};
-  attempt("a component without a condition", [&] { cn::harmonic_map(m, {{a, 1.0}}); });
+  attempt("a component without a prescribed value", [&] { cn::harmonic_map(m, {{a, 1.0}}); });
   attempt("a vert without edges needs none", [&] {
     const auto u = cn::harmonic_map(m, {{a, 1.0}, {b, 2.0}}, {.isolated_value = -1});
     fmt::print("u is {} there; ", u[alone]);
   });
 
-  // Matrices: in row 2 there is nothing; [1 2; 2 1] has a negative eigenvalue.
+  // Two matrices: row 2 of `gap` is empty; [1 2; 2 1] has a negative eigenvalue.
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(3);
   const sparse gap = matrix(3, 3, {{0, 0, 1.0}, {1, 1, 1.0}}), indefinite = matrix(2, 2, {{0, 0, 1.0}, {0, 1, 2.0}, {1, 0, 2.0}, {1, 1, 1.0}});
   attempt("singular", [&] { cn::ldlt().factorize(gap); });
-  attempt("singular, but the value of unknown 2 is given", [&] { cn::solve_with_values(gap, one, {{2, 7.0}}); });
+  attempt("singular, but the value of unknown 2 is prescribed", [&] { cn::solve_with_values(gap, one, {{2, 7.0}}); });
   attempt("indefinite, for llt", [&] { cn::llt().factorize(indefinite); });
   attempt("indefinite, for ldlt", [&] { cn::ldlt().factorize(indefinite); });
   attempt("not a number", [&] { cn::ldlt().factorize(gap * std::numeric_limits<double>::quiet_NaN()); });
 
-  // Too few iterations. The message has the residual; so has the solver.
+  // Too few iterations. The message states the residual, and the solver returns it.
   const auto sphere = cn::icosphere(3);
   cn::conjugate_gradients few({.max_iterations = 3});
   try {
@@ -68,16 +68,16 @@ int main() {
   const sparse k = matrix(2, 2, {{0, 0, 1.0}, {1, 1, 1.0}});
   const sparse c = matrix(3, 2, {{0, 0, 1.0}, {0, 1, 1.0}, {1, 0, 2.0}, {1, 1, 2.0}, {2, 0, 1.0}, {2, 1, 1.0}});
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2);
-  attempt("a redundant constraint, and one that contradicts", [&] {
-    fmt::print("redundant with the right sides 1, 2, 1: {}\n  ", cn::solve_with_constraints(k, zero, c, Eigen::Vector3d(1, 2, 1)).redundant);
+  attempt("redundant constraints, and a contradictory one", [&] {
+    fmt::print("redundant for the right-hand side 1, 2, 1: {}\n  ", cn::solve_with_constraints(k, zero, c, Eigen::Vector3d(1, 2, 1)).redundant);
     cn::solve_with_constraints(k, zero, c, Eigen::Vector3d(1, 2, 3));
   });
 
-  // A quadratic program answers with a status: x + y >= 3, but x, y <= 1.
+  // A quadratic program returns a status. Here x + y >= 3 contradicts x, y <= 1.
   const double inf = std::numeric_limits<double>::infinity();
   const sparse rows = matrix(3, 2, {{0, 0, 1.0}, {0, 1, 1.0}, {1, 0, 1.0}, {2, 1, 1.0}});
   const auto z = cn::solve_qp(k, zero, rows, Eigen::Vector3d(3, -inf, -inf), Eigen::Vector3d(inf, 1, 1));
-  fmt::print("no point fulfils all bounds: {}; rows that contradict each other:", z.status == cn::qp_status::infeasible);
+  fmt::print("infeasible: {}; rows that contradict each other:", z.status == cn::qp_status::infeasible);
   for (int i = 0; i < 3; ++i)
     if (std::abs(z.certificate[i]) > 0.1 * z.certificate.cwiseAbs().maxCoeff()) fmt::print(" {}", i);
   fmt::print("\n");

@@ -1,4 +1,4 @@
-// Three meshes adapted by the page docs/adapt-your-mesh.md: half-edges with deleted elements and holes, a corner table without border half-edges,
+// The adapters of the page docs/adapt-your-mesh.md for three meshes: half-edges with deleted elements and holes, a corner table without border half-edges,
 // and hexes in lexicographic order.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include <array>
 
-struct student_links {  // the half-edge is a number, and so are the others, with gaps where something was deleted
+struct student_links {  // every element is an index; deleted elements leave gaps
   using vert = concino::vert_id;
   using edge = concino::edge_id;
   using poly = concino::poly_id;
@@ -32,10 +32,10 @@ struct student_links {  // the half-edge is a number, and so are the others, wit
   static auto verts(const M& m) { return concino::ids_where<vert>(m.vertices.size(), [&m](auto i) { return !m.vertices[i].deleted; }); }
   static auto edges(const M& m) { return concino::ids_where<edge>(m.halfedges.size() / 2, [&m](auto i) { return !m.halfedges[2 * i].deleted; }); }
   static auto polys(const M& m) { return concino::ids_where<poly>(m.faces.size(), [&m](auto i) { return !m.faces[i].deleted; }); }
-  static std::size_t num_verts(const M& m) { return m.vertices.size() - m.deletedVertices; }  // what is there ...
+  static std::size_t num_verts(const M& m) { return m.vertices.size() - m.deletedVertices; }  // without the deleted ones
   static std::size_t num_edges(const M& m) { return m.halfedges.size() / 2 - m.deletedEdges; }
   static std::size_t num_polys(const M& m) { return m.faces.size() - m.deletedFaces; }
-  static std::size_t vert_index_bound(const M& m) { return m.vertices.size(); }               // ... and one more than the largest index
+  static std::size_t vert_index_bound(const M& m) { return m.vertices.size(); }               // one more than the largest index
   static std::size_t edge_index_bound(const M& m) { return m.halfedges.size() / 2; }
   static std::size_t poly_index_bound(const M& m) { return m.faces.size(); }
 
@@ -52,7 +52,7 @@ template<> struct concino::mesh_traits<student::Mesh> : concino::halfedge_kernel
 #include <algorithm>
 #include <vector>
 
-struct corners {  // the table, and beside it what it lacks: a corner of each vert, the number of edges
+struct corners {  // the table, and what it does not store: a corner of each vert, the number of edges
   const CornerTable* table;
   std::vector<unsigned> at_vert;
   std::size_t num_edges = 0;
@@ -60,9 +60,9 @@ struct corners {  // the table, and beside it what it lacks: a corner of each ve
     for (unsigned c = 0; c < t.V.size(); ++c) at_vert[t.V[c]] = c, num_edges += t.O[c] < 0 || unsigned(t.O[c]) > c;
   }
 };
-struct corner_links {  // half-edge c leaves corner c; the corner that faces it is the one before
+struct corner_links {  // half-edge c leaves corner c; the previous corner faces it
   using vert = concino::vert_id;
-  using edge = concino::edge_id;  // by the smaller of its half-edges
+  using edge = concino::edge_id;  // the index is the smaller one of its half-edges
   using poly = concino::poly_id;
   using halfedge = unsigned;
   static constexpr bool has_border_halfedges = false;
@@ -103,7 +103,7 @@ struct indexed_bricks {
       : mesh(&m), tables(m.x.size(), std::vector<concino::vert_id>(m.corners.begin(), m.corners.end()), concino::hex_order::lexicographic) {}
 };
 template<> struct concino::mesh_traits<indexed_bricks> : concino::indexed_volume<indexed_bricks> {
-  static constexpr int arity = 8;  // hex_tables fix it
+  static constexpr int arity = 8;  // fixed by hex_tables
   static const auto& tables(const indexed_bricks& m) { return m.tables; }
   static auto point(const indexed_bricks& m, vert_id v) { return std::array{m.mesh->x[v.raw()], m.mesh->y[v.raw()], m.mesh->z[v.raw()]}; }
 };

@@ -1,11 +1,11 @@
-// A block of bricks in arrays, as a solver might keep it: the eight corners of each run along x fastest, then y, then z.
+// A block of hexes in arrays, as a solver may store it: the eight corners of each hex run along x first, then along y, then along z.
 #pragma once
 
 #include <vector>
 
 struct Bricks {
   std::vector<double> x, y, z;
-  std::vector<int> corners;  // eight a brick
+  std::vector<int> corners;  // eight per brick
 
   Bricks(int nx, int ny, int nz) {
     for (int k = 0; k <= nz; ++k)

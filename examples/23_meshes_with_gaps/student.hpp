@@ -1,5 +1,5 @@
-// Half-edges as in many a course: vectors of structs, numbers for pointers, `none` for no pointer. Deleted elements stay where they are and are marked; a border has
-// half-edges of its own, without a face.
+// A half-edge mesh as taught in courses: vectors of structs, indices instead of pointers, `none` for no element. Deleted elements are marked and keep their
+// place. A border has half-edges of its own, without a face.
 #pragma once
 
 #include <map>
@@ -57,7 +57,7 @@ class Mesh {
     ++deletedFaces;
   }
 
-  void deleteVertex(unsigned v) {  // one at no edge
+  void deleteVertex(unsigned v) {  // for a vertex without edges
     vertices[v].deleted = true;
     ++deletedVertices;
   }

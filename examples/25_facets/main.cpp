@@ -1,5 +1,5 @@
-// Facets are what separates polys: the edges of a surface, the faces of a volume. Two algorithms that say so run on any mesh of either dimension,
-// on the library's own and on arrays that belong to somebody else, and on meshes that are no manifold. Neither names a dimension or a mesh.
+// Write an algorithm once for surfaces and volumes, with facets: the edges of a surface, the faces of a volume. The two algorithms below name no dimension and
+// no mesh type. They run on meshes of the library, on arrays of other programs, and on non-manifold meshes.
 #include <concino/adapters/span.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
@@ -11,7 +11,7 @@
 
 namespace cn = concino;
 
-/// The length of the border of a surface, the area of the skin of a volume.
+/// The length of the boundary of a surface, or the area of the boundary of a volume.
 template<cn::EmbeddedMesh M>
 double boundary_measure(const M& m) {
   double sum = 0;
@@ -20,7 +20,7 @@ double boundary_measure(const M& m) {
   return sum;
 }
 
-/// How much a field with a value per poly jumps between poly p and the polys across its facets.
+/// How much a field with a value per poly jumps between poly p and its neighbours: squared differences times the measures of the facets.
 template<cn::EmbeddedMesh M, class Field>
 double jump_energy(const M& m, const Field& u, cn::poly_t<M> p) {
   double sum = 0;
@@ -29,7 +29,7 @@ double jump_energy(const M& m, const Field& u, cn::poly_t<M> p) {
   return sum;
 }
 
-/// A field that is 0 on the left and 2 on the right of x = 1/2: where is it rough?
+/// Prints the measure of the boundary, and where a field jumps that is 0 on the left and 2 on the right of x = 1/2.
 template<cn::EmbeddedMesh M>
 void report(const char* name, const M& m) {
   auto u = cn::make_poly_map<double>(m);
@@ -47,14 +47,14 @@ void report(const char* name, const M& m) {
 }
 
 int main() {
-  // A square and a cube of side 1: boundaries of 4 and 6, and a jump of 2 across a line of length 1, or a square of area 1, seen from both sides.
-  // Only the polygons have no facets along it: their line bends.
+  // A square and a cube of side 1: the boundaries measure 4 and 6. The field jumps by 2 at a line of length 1 or at a square of area 1, and both polys at a
+  // facet count: the energy is 8. The polygons have no facets along the line x = 1/2, so their jump follows a longer line.
   report("quads", cn::make_grid<cn::quadmesh>({.cells = {4, 4, 1}}));
   report("polygons", cn::make_grid<cn::polygonmesh>({.cells = {4, 4, 1}}));
   report("tets", cn::make_grid<cn::tetmesh>({.cells = {4, 4, 4}}));
   report("hexes", cn::make_grid<cn::hexmesh>({.cells = {4, 4, 4}}));
 
-  // Arrays of some other program: three triangles that meet in one edge, and a cube of five tets.
+  // Arrays of another program: three triangles that meet in one edge, and a cube of five tets.
   const std::vector<double> book = {0, 0, 0, 0, 0, 1, 3, 0, 0, 0, 1, 0, -1, 0, 0};
   const std::vector<int> pages = {0, 2, 1, 0, 3, 1, 0, 4, 1};
   report("an open book", cn::view_tri(book, pages));

@@ -1,5 +1,5 @@
-// A discretisation of your own: how well heat spreads where is yours to say. A type with one member is all that the library asks for; laplacian,
-// harmonic_map, smooth, heat_flow and the rest take it where they take `uniform` or `cotangent`.
+// Write a discretisation of your own, for example to choose where heat spreads well. The library needs a type with one member function; laplacian,
+// harmonic_map, smooth, heat_flow and others take it in place of `uniform` or `cotangent`.
 #include <concino/concepts/views.hpp>
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
@@ -13,7 +13,7 @@
 
 namespace cn = concino;
 
-/// Weights of neighbours, of any graph: as many as there are lanes. A graph has no areas, so masses are given too.
+/// Weights of the edges of any graph: the number of lanes. A graph has no areas, so this type defines masses too.
 template<class Lanes>
 struct roads {
   const Lanes& lanes;
@@ -27,7 +27,7 @@ struct roads {
 };
 template<class Lanes> roads(const Lanes&) -> roads<Lanes>;
 
-/// A matrix for each poly, from that of the default: a block of wood, whose lowest third conducts better. Masses are those of the mesh.
+/// A matrix for each poly, the default one times a factor: a block of wood whose lowest third conducts better. Masses are those of the mesh.
 struct layered {
   double conductivity;
 
@@ -49,13 +49,13 @@ void conduct(const auto& block) {
   for (const double c : {1.0, 2.0, 4.0}) {
     const auto u = cn::harmonic_map(block, ends, layered{c});
     const Eigen::Map<const Eigen::VectorXd> x(u.values().data(), static_cast<Eigen::Index>(u.values().size()));
-    fmt::print("lowest third {} times: heat flow {:.4f}, expected {:.4f}\n", c, -x.dot(cn::laplacian(block, layered{c}) * x), (2 + c) / 3);
+    fmt::print("conductivity {} in the lowest third: heat flow {:.4f}, expected {:.4f}\n", c, -x.dot(cn::laplacian(block, layered{c}) * x), (2 + c) / 3);
   }
 }
 
 int main() {
   const auto town = cn::make_grid<cn::quadmesh>({.cells = {4, 4}});
-  const auto streets = cn::primal(town);  // verts and edges, and no more
+  const auto streets = cn::primal(town);  // verts and edges only
   auto lanes = cn::make_vert_map<int>(town, 1);
   for (const cn::vert_id v : cn::verts(town))
     if (cn::point(town, v)[1] == 0) lanes[v] = 8;  // a motorway in the south

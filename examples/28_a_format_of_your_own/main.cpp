@@ -1,5 +1,5 @@
-// A file format of your own: one struct that says what it is called and what it can hold, and turns text into flat arrays and back. Nothing is registered
-// and no file of the library is touched; a call that is given the struct knows the format, and what is compiled is what it names.
+// Add a file format of your own: one struct states its name and what it can hold, and converts between text and flat arrays. Nothing is registered, and no
+// file of the library changes. A call that gets the struct knows the format, and only formats that a call names are compiled.
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace cn = concino;
 
-/// Triangles: how many verts and triangles there are, the points, then three verts each, from 1. What follows a # is a comment.
+/// Triangles: the numbers of verts and triangles, the points, then three verts per triangle, numbered from 1. A # starts a comment.
 struct triangle_list {
   static constexpr std::string_view name = "triangles", extensions[] = {".tri"};
   static constexpr bool holds_surfaces = true, holds_volumes = false;
@@ -30,7 +30,7 @@ struct triangle_list {
 };
 
 int main() {
-  // Beside all that the library knows: the extension chooses. A file appears when it is complete, as all files that the library writes.
+  // Your format and those of the library: the extension selects one. As with all formats, the file appears only when it is complete.
   constexpr auto formats = cn::standard_formats + triangle_list{};
   const cn::polygonmesh roof({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 1}}, {{0, 1, 2}, {0, 2, 3}});
   cn::save(roof, "roof.tri", formats);
@@ -39,11 +39,11 @@ int main() {
   const auto any = cn::load_any("roof.obj", formats);
   fmt::print("roof.obj: {} polys\n", std::visit([](const auto& m) { return cn::num_polys(m); }, any));
 
-  // That format alone, whatever the name of the file says; and the library's own one by one.
+  // Your format alone, which needs no file name; and one of the library's.
   fmt::print("text: {}", cn::save_text(cn::load_text<cn::trimesh>("3 1  0 0 0  1 0 0  0 0.5 0  1 2 3", triangle_list{}), triangle_list{}));
   fmt::print("load_obj: {} verts\n", cn::num_verts(cn::load_obj<cn::trimesh>("roof.obj")));
 
-  // Errors name the line, and what the format cannot hold is refused: no file is made or changed.
+  // Errors name the line. A mesh that the format cannot hold is refused: no file is created or changed.
   try {
     cn::load_text<cn::trimesh>("3 1\n0 0 0\n1 0 0\n0 1 0\n1 2 4\n", triangle_list{});
   } catch (const cn::parse_error& e) {

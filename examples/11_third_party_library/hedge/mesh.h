@@ -1,4 +1,4 @@
-// "hedge", a small half-edge library such as one finds in many programs. Nothing in it knows of concino.
+// "hedge", a small half-edge library as many programs have one. It does not know concino.
 #ifndef HEDGE_MESH_H
 #define HEDGE_MESH_H
 
@@ -35,7 +35,7 @@ class Mesh {
       }
       start_.push_back(ring[0]);
     }
-    // The boundary goes on where turning around the end of a boundary half-edge comes to a gap.
+    // The next half-edge after a boundary half-edge h: turn around the end of h until a half-edge leaves it that has no face.
     for (unsigned h = 0; h < next_.size(); ++h) {
       if (face_[h] != INVALID) continue;
       unsigned g = h ^ 1u;
