@@ -1,6 +1,7 @@
-// The compile time of ten lines that read a mesh and compute a harmonic map: CPU seconds and peak memory of the compiler. The floor is a program that
-// only factorises with Eigen. Variants, for each compiler, with and without optimisation: header-only, with concino::compiled, with the precompiled
-// header of concino_precompile, with a solver and with a mesh of the caller's own. Also the time to build concino::compiled on one core.
+// Measures the compile time of ten lines that read a mesh and compute a harmonic map: CPU seconds and peak memory of the compiler. The floor is a program
+// that only factorises a matrix with Eigen. Variants: header-only, with concino::compiled, with the precompiled header of concino_precompile, with a solver
+// of the user's own, and with a mesh of the user's own; for each compiler, with and without optimisation. Measures also the time to build
+// concino::compiled on one core.
 #include "support/compiler.hpp"
 #include "support/program.hpp"
 
@@ -14,14 +15,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// One work: the program and how it is compiled.
+/// One measurement: the program and how it is compiled.
 struct variant {
   std::string name, source;
   std::vector<std::string> flags;
 };
 
 /// The rows of a variant are compile.<name><suffix> in seconds and compiler.<name><suffix> in megabytes. In each round every variant is compiled right
-/// after the floor, in an order that changes, and of each the least of all rounds counts: what else the machine does can only add to it.
+/// after the floor, in an order that changes. The minimum of all rounds counts, because other load on the machine can only add time.
 void compare(const bench::program& p, int rounds, const bench::compiler& by, const std::vector<std::string>& flags, const std::string& suffix,
              std::vector<variant> variants) {
   std::erase_if(variants, [&](const variant& v) { return !p.wants("compile." + v.name + suffix); });
@@ -58,7 +59,7 @@ void compare(const bench::program& p, int rounds, const bench::compiler& by, con
   }
 }
 
-/// The ten lines in all ways, by one compiler with one optimisation.
+/// All variants of the ten lines, by one compiler with one optimisation level.
 void compare_ways(const bench::program& p, int rounds, const bench::compiler& by, const std::string& optimisation) {
   const std::string suffix = std::string(".").append(by.name).append(".").append(optimisation, 1);
   const std::vector<std::string> compiled = {"-DCONCINO_COMPILED"};
@@ -79,7 +80,7 @@ void compare_ways(const bench::program& p, int rounds, const bench::compiler& by
   compare(p, rounds, by, {optimisation}, suffix, variants);
 }
 
-/// All files of concino::compiled, one after another, as CMake builds it where no build type is said.
+/// All files of concino::compiled, one after another, with the flags that CMake uses when no build type is set.
 void build_library(const bench::program& p, const bench::compiler& by) {
   const std::string name = "library." + by.name;
   if (!p.wants("compile." + name)) return;
@@ -106,7 +107,7 @@ int main(int argc, char** argv) {
       for (const std::string& optimisation : optimisations) compare_ways(p, rounds, by, optimisation);
       build_library(p, by);
     }
-    // What users include without thinking, and what writes the result too, by the compiler of this build.
+    // A longer program that also writes the result, and the same program with the headers of whole modules, by the compiler of this build.
     const std::vector<variant> longer = {{"single", "program", {}}, {"umbrellas", "program_by_umbrellas", {}}};
     for (const std::string& optimisation : optimisations) compare(p, rounds, compilers[0], {optimisation}, std::string(".").append(optimisation, 1), longer);
   });

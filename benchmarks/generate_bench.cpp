@@ -1,4 +1,4 @@
-// The dual of a large triangle mesh beside a floor that walks around its verts by hand, and that of a tet mesh beside the building of its result.
+// Measures the dual of a large triangle mesh against a floor that walks around its verts, and the dual of a tet mesh against building the result alone.
 #include "support/kinds.hpp"
 
 #include <concino/generate/dual_mesh.hpp>
@@ -11,7 +11,7 @@ using bench::u32;
 namespace floors = bench::floors;
 namespace cn = concino;
 
-/// The dual of a closed, manifold, consistently wound triangle mesh, and all adjacencies of it.
+/// The dual of a closed, manifold, consistently oriented triangle mesh, with all its adjacencies.
 floors::surface<0> dual_of(const floors::surface<3>& m) {
   const u32 nv = m.num_verts(), np = m.num_polys();
   floors::surface<0> d;

@@ -1,4 +1,4 @@
-// Breadth-first search, connected components and Dijkstra, primal and dual, on a surface and a volume, beside the floor and Boost.Graph.
+// Measures breadth-first search, connected components and Dijkstra against the floor and Boost.Graph, on the primal and dual graphs of a surface and a volume.
 #include "floor/graph.hpp"
 #include "peers/boost_csr.hpp"
 #include "support/program.hpp"
@@ -70,7 +70,7 @@ void searches(const bench::program& p, const std::string& what, const floors::ro
   }
 }
 
-/// The points where they are: nothing to make.
+/// The positions of the nodes are the points themselves: nothing is computed.
 struct borrowed {
   const double* at;
   const double* data() const { return at; }

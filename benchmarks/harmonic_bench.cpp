@@ -1,4 +1,4 @@
-// A harmonic map by the library's own solver, beside Eigen's factorisation alone.
+// Measures a harmonic map with the library's own solver against Eigen's factorisation alone.
 #include <concino/solve/ldlt.hpp>
 
 #include "support/harmonic.hpp"

@@ -1,5 +1,5 @@
-// Heat geodesics by the library's own solver. Preparing them is compared with the necessary factorisations: two, or three with a boundary. One query
-// is compared with as many back-substitutions, with bounds by shortest paths (query) and without (unclamped).
+// Measures heat geodesics with the library's own solver. Their preparation is compared with the necessary factorisations: two, or three with a boundary.
+// A query is compared with as many back-substitutions. `query` includes bounds by shortest paths, `unclamped` does not.
 #include "support/kinds.hpp"
 
 #include <concino/fields.hpp>
@@ -18,7 +18,7 @@ namespace {
 using sparse = Eigen::SparseMatrix<double>;
 using factors = Eigen::SimplicialLDLT<sparse>;
 
-/// Keeps the matrices that are factorised.
+/// A solver that stores the matrices that it is asked to factorise.
 struct matrix_keeper {
   std::vector<sparse>* kept;
   concino::ldlt inner;
@@ -42,11 +42,11 @@ void measure(const bench::program& p, const std::string& name, const M& m) {
     throw std::runtime_error(prepare + ": " + std::to_string(matrices.size()) + " factorisations, not " + std::to_string(count));
   const concino::vert_id source{0};
   const auto d = heat.distance_from(source);
-  for (const auto e : concino::edges(m)) {  // lengths: no edge is passed in less than nothing or in more than about its length
+  for (const auto e : concino::edges(m)) {  // the distances at the ends of an edge differ by at most 3 of its lengths
     const auto ends = concino::adj_e2v(m, e);
     auto it = ends.begin();
     const concino::vert_id a = *it, b = *++it;
-    if (!(std::abs(d[a] - d[b]) <= 3 * concino::edge_length(m, e))) throw std::runtime_error(query + ": distances are no lengths");
+    if (!(std::abs(d[a] - d[b]) <= 3 * concino::edge_length(m, e))) throw std::runtime_error(query + ": distances jump along an edge");
   }
   const int rounds = std::min(p.rounds, 3);
   if (p.wants(prepare))

@@ -1,7 +1,7 @@
-// Files constructed to take long: the seconds per megabyte to load, to validate and to check the laws. No input may take more
-// than 5 s per megabyte and 1 s, even with the address sanitizer (build with -DCMAKE_CXX_FLAGS=-fsanitize=address); one that does is stopped
-// and fails the program. Laws are not checked where the neighbours of all elements together are many more than the bytes of the file: they
-// take as long as walking these. The files of the folder $CONCINO_CORPUS are measured too, as they are and damaged.
+// Measures files that are constructed to take long: the seconds per megabyte to load, to validate and to check the laws. No input may take more than 5 s per
+// megabyte plus 1 s, even with the address sanitizer (build with -DCMAKE_CXX_FLAGS=-fsanitize=address). An input that takes longer is stopped and fails the
+// program. Checking the laws takes as long as visiting all neighbours of all elements, so it is skipped where these are many more than the bytes of the file.
+// The files of the folder $CONCINO_CORPUS are measured too, unchanged and damaged.
 #include "support/program.hpp"
 
 #include <concino/concepts/facets.hpp>
@@ -28,13 +28,13 @@ struct input {
   std::string name;
   format_id format;
   std::string text;
-  std::size_t bytes = 0;  // of all files, if there are more than the text
+  std::size_t bytes = 0;  // of all files, if there are others beside the text
 };
 
 std::string operator""_s(const char* s, std::size_t n) { return {s, n}; }
 std::string str(std::size_t i) { return std::to_string(i); }
 
-/// n points in no special position.
+/// n points in general position.
 std::string points(std::size_t n, const char* head, const char* tail) {
   std::mt19937 random(7);
   std::string s;
@@ -161,7 +161,7 @@ struct seconds {
   double load = 0, laws = 0;
 };
 
-/// How many neighbours of polys and corners of polys there are, at most: of a facet with k polys k^2, and its verts k times.
+/// An upper bound of the number of neighbours and corners of all polys: a facet with k polys counts k^2, and its verts k times.
 template<class M>
 double num_neighbours(const M& m) {
   double sum = 0;
@@ -187,13 +187,13 @@ seconds measure(const input& in, const std::string& path) {
           s.laws = bench::process_seconds() - before;
         },
         any);
-  } catch (const concino::error&) {  // damaged files are refused
+  } catch (const concino::error&) {  // damaged files may be refused
     if (s.load == 0) s.load = bench::process_seconds() - start;
   }
   return s;
 }
 
-/// In a process of its own, which ends once it takes more than `limit` for both.
+/// Runs in a process of its own, which is stopped when it takes more than `limit` for both.
 bool measure_apart(const input& in, const std::string& path, double limit, seconds& result) {
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe");
@@ -220,7 +220,7 @@ bool measure_apart(const input& in, const std::string& path, double limit, secon
   return answered && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// Digits, pieces and the end of a text, changed at random.
+/// Changes digits, pieces and the end of a text at random.
 std::string damaged(std::string text, std::mt19937& random) {
   if (text.empty()) return text;
   const auto place = [&] { return static_cast<std::size_t>(random()) % text.size(); };
@@ -284,8 +284,8 @@ int main(int argc, char** argv) {
           in.text = damaged(whole, random);
         }
       }
-      std::fprintf(stderr, "%zu files of the corpus, %zu of other formats left out\n", files, refused);
+      std::fprintf(stderr, "%zu files of the corpus measured, %zu of other formats skipped\n", files, refused);
     }
-    if (exceeded) throw std::runtime_error(str(exceeded) + " inputs take more than 5 s per megabyte and 1 s");
+    if (exceeded) throw std::runtime_error(str(exceeded) + " inputs take more than 5 s per megabyte plus 1 s");
   });
 }

@@ -1,4 +1,4 @@
-// Reading a file and building all adjacencies, and the building alone, beside the floor.
+// Measures reading a file with all adjacencies, and building the adjacencies alone, against the floor.
 #include "support/kinds.hpp"
 
 #include <concino/io.hpp>

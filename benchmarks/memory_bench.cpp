@@ -1,5 +1,5 @@
-// Bytes per poly of a mesh after every adjacency was used, and the peak while reading as a multiple of it. The same pass checks that the library
-// and the floor have the same mesh.
+// Measures the bytes per poly of a mesh after every adjacency was used, and the peak while reading as a multiple of them. The same pass checks that the
+// library and the floor have the same mesh.
 #include "support/check.hpp"
 #include "support/heap.hpp"
 #include "support/kinds.hpp"
@@ -8,7 +8,7 @@
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
-    mallopt(M_MMAP_THRESHOLD, 1 << 25);  // the most that glibc takes: blocks of whole pages would be counted rounded up
+    mallopt(M_MMAP_THRESHOLD, 1 << 25);  // the maximum of glibc: blocks of whole pages would be counted rounded up
     bench::for_each_file(p, {"memory", "peak"}, [&](const std::string& name, const std::string& path, const auto& arrays, auto kind) {
       using mesh = typename decltype(kind)::mesh;
       const double polys = static_cast<double>(arrays.num_polys());
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
       const auto ours = static_cast<double>(held), flat = static_cast<double>(floor.bytes());
       p.print({{"memory." + name, "floor", "B/poly", flat / polys, ours / flat},
                {"memory." + name, "concino", "B/poly", ours / polys, 1},
-               {"peak." + name, "concino", "x held", static_cast<double>(peak) / ours, 1}});
+               {"peak." + name, "concino", "x mesh", static_cast<double>(peak) / ours, 1}});
     });
   });
 }

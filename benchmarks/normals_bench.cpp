@@ -1,4 +1,4 @@
-// Normals of surfaces, polys and verts together, and of the faces of volumes, beside loops over flat arrays.
+// Measures normals against loops over flat arrays: those of polys and verts together on surfaces, those of faces on volumes.
 #include "floor/normals.hpp"
 #include "support/kinds.hpp"
 

@@ -1,5 +1,4 @@
-// The matrices of a triangle and a tet mesh beside their floors and Eigen's way by triplets, and a harmonic map beside the factorisation
-// that it cannot do without.
+// Measures the matrices of a triangle and a tet mesh against their floors and against Eigen's triplets.
 #include "floor/operators.hpp"
 #include "support/element_triplets.hpp"
 #include "support/kinds.hpp"
@@ -23,7 +22,7 @@ void expect_equal(const std::string& work, const floors::matrix& f, const sparse
   if (!same) throw std::runtime_error(work + ": the floor's matrix and the library's differ");
 }
 
-/// The same weights handed to Eigen as a list of triplets, as most programs do it.
+/// The same matrix built by Eigen from a list of triplets, as most programs do.
 template<class F>
 sparse by_triplets(const F& f) {
   const auto w = floors::cotangents(f);
@@ -102,7 +101,7 @@ void matrices(const bench::program& p, const std::string& name, const F& f, cons
   }
 }
 
-/// Polys of any shape: beside a list of triplets, for which nobody keeps a floor.
+/// The Laplacian of polys of any shape against Eigen's list of triplets. There is no floor for these.
 template<class M>
 void standard(const bench::program& p, const std::string& work, const M& m) {
   const auto list = [&] { return bench::standard_laplacian_by_triplets(m); };

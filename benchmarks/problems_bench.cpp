@@ -1,5 +1,5 @@
-// Poisson's equation, smoothing and heat flow by the library's own solver, beside the factorisation that each cannot do without, and one step of
-// heat beside its two back-substitutions.
+// Measures Poisson's equation, smoothing and heat flow with the library's own solver against the one factorisation that each needs, and one step of heat
+// flow against its two back-substitutions.
 #include "support/kinds.hpp"
 
 #include <concino/fields.hpp>
@@ -18,7 +18,7 @@ namespace {
 using sparse = Eigen::SparseMatrix<double>;
 using factors = Eigen::SimplicialLDLT<sparse>;
 
-/// Keeps the matrix that is factorised.
+/// A solver that stores the matrix that it is asked to factorise.
 struct matrix_keeper {
   sparse matrix;
   concino::ldlt inner;
@@ -26,7 +26,7 @@ struct matrix_keeper {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return inner.solve(b); }
 };
 
-/// What `solve(solver)` does, beside the factorisation of the matrix that it hands to its solver.
+/// Measures `solve(solver)` against the factorisation of the matrix that it passes to its solver.
 template<class F>
 void compare_with_factorisation(const bench::program& p, const std::string& work, const F& solve) {
   if (!p.wants(work)) return;
@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     const concino::trimesh m(p.data.bunny());
     const concino::vert_id a{0};
     auto f = concino::make_vert_map<double>(m);
-    double size = 0;  // of one poly, about: the square of a length
+    double size = 0;  // the largest area of a poly
     for (const auto v : concino::verts(m)) f[v] = std::sin(static_cast<double>(v.raw()));
     for (const auto t : concino::polys(m)) size = std::max(size, concino::area(m, t));
 

@@ -1,6 +1,6 @@
-// How time and memory grow with the mesh: building, loading, searching, normals and operators at sizes from 10^4 to 10^6.5 polys. Where the
-// cost of an element does not depend on how many there are, the slope in a log-log plot is 1; report.awk fits it. The floor's curve beside
-// it says how much of a slope is the machine's, whose caches hold a small mesh and not a large one.
+// Measures how time and memory grow with the mesh: building, loading, searching, normals and operators at sizes from 10^4 to 10^6.5 polys. Where the cost per
+// element does not depend on their number, the slope in a log-log plot is 1; report.awk fits it. The curve of the floor shows how much of a slope is due to
+// the machine, whose caches hold a small mesh but not a large one.
 #include "floor/graph.hpp"
 #include "floor/normals.hpp"
 #include "floor/operators.hpp"
@@ -20,7 +20,7 @@ namespace {
 using bench::u32;
 namespace floors = bench::floors;
 
-/// The neighbours of polys as rows: of equal length in meshes of one shape, else by offsets.
+/// The neighbours of polys as rows: of equal length if all polys have the same shape, else with offsets.
 template<u32 K>
 auto dual_rows(const floors::surface<K>& f) { return floors::rows<K>{f.p_off.data(), f.p2p.data(), f.num_polys()}; }
 template<class S>
@@ -33,7 +33,7 @@ auto centroids(const floors::surface<K>& f) { return floors::centroids<K>(f.poin
 template<class S>
 auto centroids(const floors::cells<S>& f) { return floors::centroids<S::verts>(f.points.data(), f.p2v.data(), f.num_polys()); }
 
-/// One kind at all sizes. make(n) gives arrays of about n polys.
+/// Measures one kind of mesh at all sizes. make(n) returns arrays of about n polys.
 template<class Kind, class Make>
 void grow(const bench::program& p, const std::string& name, Kind kind, bool with_searches, const Make& make) {
   using mesh = typename Kind::mesh;

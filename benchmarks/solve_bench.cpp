@@ -1,6 +1,6 @@
-// How solving scales with the mesh: minus the Laplacian, with one vert constrained, is factorised and solved for one right-hand side: from 10^4 to
-// 10^6.5 triangles and to 10^5.5 tets, and by iteration to 10^6.5 of both. The floors are Eigen's factorisation, and as many products with the
-// matrix as the iteration took. Memory is the peak while solving, without that of the matrix.
+// Measures how solving scales with the mesh: minus the Laplacian, with one vert constrained, is factorised and solved for one right-hand side. By
+// factorisation the meshes have from 10^4 to 10^6.5 triangles and to 10^5.5 tets, by iteration to 10^6.5 of both. The floor of a factorisation is that of
+// Eigen, the floor of an iteration as many products with the matrix as it took. Memory is the peak while solving, without the matrix.
 #include "support/heap.hpp"
 #include "support/kinds.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 
 using sparse = Eigen::SparseMatrix<double>;
 
-/// The lower triangle.
+/// The lower triangle of the matrix.
 template<class M>
 sparse system_of(const M& m) {
   sparse a = -concino::laplacian(m);
@@ -25,7 +25,7 @@ sparse system_of(const M& m) {
   return a.triangularView<Eigen::Lower>();
 }
 
-/// make(n) gives a mesh of about n polys.
+/// make(n) returns a mesh of about n polys.
 template<class Make>
 void grow(const bench::program& p, const std::string& kind, const char* by, double last, const char* model, const char* memory_model,
           std::int64_t max_factor_entries, const Make& make) {
@@ -46,7 +46,7 @@ void grow(const bench::program& p, const std::string& kind, const char* by, doub
       solver.factorize(a);
       x = solver.solve(b);
       iterations = solver.iterations();
-      if (solver.is_iterative() != (max_factor_entries == 0)) throw std::runtime_error(work + ": another solver is measured than is meant");
+      if (solver.is_iterative() != (max_factor_entries == 0)) throw std::runtime_error(work + ": the solver that was meant did not run");
       return 0;
     };
     solve();

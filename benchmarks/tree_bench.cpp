@@ -1,4 +1,4 @@
-// Trees over the polys of a surface and of volumes: building one, and 100,000 queries of each kind. The peer is in peers/cgal_tree_bench.cpp.
+// Measures trees over the polys of surfaces and volumes: building a tree, and 100,000 queries of each kind. peers/cgal_tree_bench.cpp measures the peer.
 #include "support/kinds.hpp"
 #include "support/queries.hpp"
 

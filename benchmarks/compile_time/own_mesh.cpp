@@ -1,5 +1,4 @@
-// The ten lines with a mesh of the caller's own: half-edges in arrays, read by code of the caller's in another file, adapted by saying how they are
-// linked.
+// Computes a harmonic map on a mesh of the user's own: half-edges in arrays, which a function in another file reads. The adapter says how they are linked.
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/fields/harmonic_map.hpp>
 
@@ -13,8 +12,8 @@ namespace cn = concino;
 struct own_mesh {
   static constexpr unsigned none = ~0u;
   std::vector<std::array<double, 3>> points;
-  std::vector<unsigned> next, opposite, target, poly_of, edge_of;  // of half-edges; poly_of is none at a boundary
-  std::vector<unsigned> of_vert, of_edge, of_poly;                 // a half-edge of each; of_vert is none where there is none
+  std::vector<unsigned> next, opposite, target, poly_of, edge_of;  // one per half-edge; poly_of is none at a boundary
+  std::vector<unsigned> of_vert, of_edge, of_poly;                 // a half-edge of each element; of_vert is none at an isolated vert
 };
 own_mesh read_own_mesh(const char* path);
 

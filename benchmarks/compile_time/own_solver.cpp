@@ -1,4 +1,4 @@
-// The ten lines with a solver of the caller's own, which factorises by Eigen.
+// Reads a mesh and computes a harmonic map with a solver of the user's own, which factorises with Eigen.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/io/load.hpp>
 #include <concino/mesh/polygonmesh.hpp>

@@ -1,4 +1,4 @@
-// Reads a polygon mesh, maps it harmonically, writes it: what the compile time of the library is measured on.
+// Reads a polygon mesh, computes a harmonic map and writes the result: the longer program whose compile time is measured.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>

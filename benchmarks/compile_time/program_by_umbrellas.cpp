@@ -1,4 +1,4 @@
-// The same by what a user would include without thinking.
+// Does the same as program.cpp, with the headers of whole modules.
 #include <concino/fields.hpp>
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>

@@ -1,4 +1,4 @@
-// Ten lines: reads a triangle mesh and maps it harmonically.
+// Reads a triangle mesh and computes a harmonic map, in ten lines.
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/io/load.hpp>
 #include <concino/mesh/trimesh.hpp>

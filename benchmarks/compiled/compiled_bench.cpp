@@ -1,6 +1,6 @@
-// concino::compiled beside header-only use: loading, a harmonic map and heat geodesics on the bunny, by the default solver. Both ways are modules
-// of their own, built from one file with equal flags, those of the compiled library: without -march=native, with which the library would have to be
-// built too. In one program the linker would take one definition for both.
+// Measures concino::compiled against header-only use: loading, a harmonic map and heat geodesics on the bunny, with the default solver. Each variant is a
+// module of its own, because in one program the linker would use one definition for both. Both are built from one file with the flags of the compiled library.
+// These do not include -march=native, with which the library would have to be built too.
 #include "works.hpp"
 
 #include "../support/program.hpp"
@@ -15,7 +15,7 @@
 namespace {
 
 std::unique_ptr<bench::works> open(const char* module, const std::string& path) {
-  void* const library = ::dlopen(module, RTLD_NOW | RTLD_LOCAL);  // for as long as the program runs
+  void* const library = ::dlopen(module, RTLD_NOW | RTLD_LOCAL);  // stays loaded as long as the program runs
   if (!library) throw std::runtime_error(::dlerror());
   const auto make = reinterpret_cast<bench::make_works*>(::dlsym(library, bench::make_works_name));
   if (!make) throw std::runtime_error(::dlerror());

@@ -1,4 +1,4 @@
-// Loading, a harmonic map and heat geodesics by the default solver, as a module that compiled_bench loads.
+// Loading, a harmonic map and heat geodesics with the default solver, as a module that compiled_bench loads.
 #include "works.hpp"
 
 #include "../support/timing.hpp"
@@ -28,7 +28,7 @@ class mesh_works final : public bench::works {
   cn::prepared_heat_geodesics<cn::trimesh, cn::auto_solver> heat_;
   std::map<std::string, work> works_;
 
-  /// f: does the work; values_of: numbers of what f returns.
+  /// f does the work. values_of(result) returns numbers of the result of f.
   template<class F, class G>
   void add(const std::string& name, F f, G values_of) {
     works_[name] = {[f] { return bench::seconds_of(f); }, [f, values_of] { return values_of(f()); }};

@@ -1,4 +1,4 @@
-// Memory for the floors: grows without copying where the system can move pages, and is not filled with zeros first.
+// An array for the floors: it grows without a copy where the system can move pages, and new memory is not filled with zeros.
 #pragma once
 
 #include <cstddef>
@@ -59,7 +59,7 @@ class buffer {
   std::size_t bytes() const { return size_ * sizeof(T); }
 };
 
-/// Turns counts per row, stored at offsets[row + 1], into offsets.
+/// Turns the counts of the rows, stored at offsets[row + 1], into the offsets of the rows.
 inline void prefix_sum(buffer<u32>& offsets) {
   for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
 }

@@ -1,6 +1,6 @@
-// What building a tet or hex mesh costs at least: the stored adjacencies of a volume of one shape in flat arrays, with nothing of the
-// library. Faces have one or two polys. What is not stored follows from what is: f2v and f2p from the half-face, e2p by walking
-// around the edge, v2f and v2e from the polys of v.
+// The floor of building a tet or hex mesh: code by hand that stores the adjacencies of a volume of one shape in flat arrays, without the library. A face has
+// one or two polys. Adjacencies that are not stored follow from those that are: f2v and f2p from the half-face, e2p by walking around the edge, v2f and v2e
+// from the polys of v.
 #pragma once
 
 #include "buffer.hpp"
@@ -49,9 +49,9 @@ struct corner_table {
 template<class S>
 struct cells {
   buffer<double> points;                  // x y z
-  buffer<u32> p2v, p2e, p2f, p2p;         // rows of S; p2p: none at the boundary
-  buffer<u32> e2v, e2p;                   // two verts, one poly
-  buffer<u32> f2h;                        // one half-face: S::faces * poly + local face
+  buffer<u32> p2v, p2e, p2f, p2p;         // rows of the lengths in S; p2p is `none` at the boundary
+  buffer<u32> e2v, e2p;                   // two verts and one poly per edge
+  buffer<u32> f2h;                        // one half-face per face: S::faces * poly + local face
   buffer<u32> v_off, v2v, v2e;            // v2v and v2e share v_off
   buffer<u32> vp_off, v2p;
 
@@ -65,8 +65,8 @@ struct cells {
   }
 };
 
-/// Derives everything from points and p2v in one walk over the verts. An edge is numbered at its lowest vert by a mark per vert, a
-/// face at its lowest vert in a small square table: its two edges there name it.
+/// Computes all adjacencies from points and p2v, in one pass over the verts. An edge gets its number at its lowest vert, by a mark per vert. A face gets
+/// its number at its lowest vert, in a small square table: the two edges of the face at that vert identify it.
 template<class S>
 void build(cells<S>& m) {
   static constexpr corner_table<S> at_corner{};

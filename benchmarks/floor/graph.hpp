@@ -1,5 +1,5 @@
-// The floors of the graph searches: breadth first with an array as the queue, Dijkstra with the standard binary heap, both on rows of
-// neighbours in flat arrays, from the start to the filled array of results.
+// The floors of the graph searches: breadth-first search with an array as the queue, and Dijkstra with the binary heap of the standard library. Both read rows
+// of neighbours in flat arrays. The time includes the array of results.
 #pragma once
 
 #include "buffer.hpp"
@@ -11,7 +11,7 @@
 
 namespace bench::floors {
 
-/// Neighbours of i: adj[off[i]] .. adj[off[i + 1]], none an allowed filler. Stride > 0: rows of that length, without offsets.
+/// The neighbours of i are adj[off[i]] .. adj[off[i + 1]]; entries `none` are skipped. With Stride > 0, all rows have that length, and there are no offsets.
 template<u32 Stride>
 struct rows {
   static constexpr u32 stride = Stride;
@@ -45,7 +45,7 @@ buffer<std::int32_t> bfs(const rows<Stride>& g, u32 source) {
   return hops;
 }
 
-/// `points`: where the nodes lie, x y z; the length of an arc is the distance of its ends.
+/// `points` has the positions of the nodes, x y z. The length of an arc is the distance of its ends.
 template<u32 Stride, bool Filled>
 buffer<double> dijkstra(const rows<Stride>& g, const double* points, u32 source) {
   using entry = std::pair<double, u32>;
@@ -75,7 +75,7 @@ buffer<double> dijkstra(const rows<Stride>& g, const double* points, u32 source)
   return d;
 }
 
-/// The number of each node's component, in the order of their first nodes: a breadth-first search from every node not met yet.
+/// The component of each node, by a breadth-first search from every node not visited yet. Components are numbered in the order of their first nodes.
 template<u32 Stride, bool Filled>
 buffer<std::int32_t> components(const rows<Stride>& g) {
   buffer<std::int32_t> label(g.size, 0xff);
@@ -103,7 +103,7 @@ buffer<std::int32_t> components(const rows<Stride>& g) {
   return label;
 }
 
-/// Means of the verts of each poly, for searches on the dual graph.
+/// The mean of the verts of each poly, for searches on the dual graph.
 template<u32 K>
 buffer<double> centroids(const double* points, const u32* p2v, u32 num_polys) {
   buffer<double> c(3 * std::size_t{num_polys});

@@ -1,4 +1,4 @@
-// The floors of normals: unit normals of polys, verts and faces from flat arrays, every vector area taken once.
+// The floors of normals: unit normals of polys, verts and faces from flat arrays. Each vector area is computed once.
 #pragma once
 
 #include "operators.hpp"
@@ -11,7 +11,7 @@ inline vector3 unit(vector3 a) {
   return {f * a.x, f * a.y, f * a.z};
 }
 
-/// Twice the vector area of the polygon through n verts.
+/// Twice the vector area of a polygon of n verts.
 template<class Vert>
 vector3 doubled_area(const buffer<double>& points, u32 n, Vert vert) {
   const vector3 o = at(points, vert(0));
@@ -28,7 +28,7 @@ struct surface_normals {
   buffer<vector3> polys, verts;
 };
 
-/// Of all polys, and of all verts the direction of the summed vector areas around.
+/// The normals of all polys, and of all verts: the direction of the sum of the vector areas around a vert.
 template<u32 K>
 surface_normals normals(const surface<K>& m) {
   const u32 np = m.num_polys(), nv = m.num_verts();
@@ -44,7 +44,7 @@ surface_normals normals(const surface<K>& m) {
   return n;
 }
 
-/// Of all faces, as the poly lists them that met each first.
+/// The normals of all faces. A face is oriented as in the poly that has it first.
 template<class S>
 buffer<vector3> normals(const cells<S>& m) {
   const u32 nf = m.num_faces();

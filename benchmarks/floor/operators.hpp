@@ -1,5 +1,5 @@
-// The floors of the operators: one weight per edge, summed in a walk over the polys, then the columns of the matrix filled straight from
-// the rows of neighbours. Written for triangles and tets in flat arrays, and for nothing else.
+// The floors of the operators, for triangles and tets in flat arrays only: one weight per edge, summed in a pass over the polys. The columns of the matrix are
+// then filled directly from the rows of neighbours.
 #pragma once
 
 #include "cells.hpp"
@@ -20,7 +20,7 @@ inline vector3 at(const buffer<double>& points, u32 v) {
   return {p[0], p[1], p[2]};
 }
 
-/// Half the cotangents of the angles opposite each edge, summed.
+/// For each edge of a triangle mesh, half the sum of the cotangents of the angles opposite to it.
 inline buffer<double> cotangents(const surface<3>& m) {
   buffer<double> w(m.num_edges(), 0);
   for (u32 c = 0; c != m.p2v.size(); c += 3) {
@@ -34,8 +34,8 @@ inline buffer<double> cotangents(const surface<3>& m) {
   return w;
 }
 
-/// A sixth of the length of the opposite edge times the cotangent of the dihedral angle there, summed: minus the scalar product of the
-/// areas of the two faces that lack one end each, over nine times the volume.
+/// For each edge of a tet mesh, a sum over its tets: a sixth of the length of the opposite edge times the cotangent of the dihedral angle there. This is
+/// minus the scalar product of the vector areas of the two faces that lack one end each, divided by nine times the volume.
 inline buffer<double> cotangents(const cells<tet_shape>& m) {
   buffer<double> w(m.num_edges(), 0);
   const u32 np = m.num_polys();
@@ -54,14 +54,14 @@ inline buffer<double> cotangents(const cells<tet_shape>& m) {
   return w;
 }
 
-/// Compressed columns; in each the rows ascend.
+/// A sparse matrix in compressed columns, each with ascending rows.
 struct matrix {
   buffer<int> begin, rows;
   buffer<double> values;
 };
 
-/// weight(k) belongs to entry k of v2v. Each column is sorted as it is written: short ones by counting for each row how many are less,
-/// which has no branches to miss, longer ones by insertion.
+/// weight(k) belongs to entry k of v2v. Each column is sorted as it is written. Short columns are sorted by counting for each row how many rows are less,
+/// which has no branches to mispredict, longer columns by insertion.
 template<class Mesh, class Weight>
 matrix fill(const Mesh& m, Weight weight) {
   const u32 nv = m.num_verts(), entries = static_cast<u32>(m.v2v.size()) + nv;
@@ -118,7 +118,7 @@ matrix cotangent_laplacian(const Mesh& m) {
   return fill(m, [&](u32 k) { return w[m.v2e[k]]; });
 }
 
-/// The gradients of the hat functions of one triangle or tet: what it adds to rows 3p, 3p + 1, 3p + 2 of the columns of its verts.
+/// The gradients of the hat functions on one triangle or tet p: the entries of rows 3p, 3p + 1, 3p + 2 in the columns of its verts.
 inline void hat_gradients(const surface<3>& m, u32 p, vector3* g) {
   const vector3 a = at(m.points, m.p2v[3 * p]), b = at(m.points, m.p2v[3 * p + 1]), c = at(m.points, m.p2v[3 * p + 2]);
   const vector3 n = cross(b - a, c - a);
@@ -139,8 +139,8 @@ inline void hat_gradients(const cells<tet_shape>& m, u32 p, vector3* g) {
   g[0] = {-g[1].x - g[2].x - g[3].x, -g[1].y - g[2].y - g[3].y, -g[1].z - g[2].z - g[3].z};
 }
 
-/// Three rows per poly, a column per vert. Where each column begins is known from the polys around each vert; polys are met in ascending order, so
-/// each column is filled from its top.
+/// Three rows per poly, a column per vert. The numbers of polys around the verts determine where each column begins. Polys are visited in ascending order,
+/// so each column is filled from its top.
 template<u32 K, class Mesh>
 matrix gradient(const Mesh& m) {
   const u32 nv = m.num_verts(), np = m.num_polys(), entries = 3 * static_cast<u32>(m.p2v.size());
@@ -180,7 +180,7 @@ inline double size_of(const cells<tet_shape>& m, u32 p) {
   return std::abs(dot(cross(at(m.points, v[1]) - a, at(m.points, v[2]) - a), at(m.points, v[3]) - a)) / 6;
 }
 
-/// Minus the transposed gradient times area or volume: three columns per poly, each with its verts, put in order by counting how many are less.
+/// Minus the transposed gradient times area or volume: three columns per poly, with a row for each of its verts, sorted by counting how many rows are less.
 template<u32 K, class Mesh>
 matrix divergence(const Mesh& m) {
   const u32 np = m.num_polys();
@@ -207,7 +207,7 @@ matrix divergence(const Mesh& m) {
 inline matrix divergence(const surface<3>& m) { return divergence<3>(m); }
 inline matrix divergence(const cells<tet_shape>& m) { return divergence<4>(m); }
 
-/// Equal parts of each poly's area or volume to its verts.
+/// The lumped masses: each poly's area or volume in equal parts to its verts.
 inline buffer<double> masses(const surface<3>& m) {
   buffer<double> mass(m.num_verts(), 0);
   for (u32 c = 0; c != m.p2v.size(); c += 3) {
@@ -242,7 +242,7 @@ inline vector3 unit_normal(vector3 a, vector3 b, vector3 c) {
   return {f * n.x, f * n.y, f * n.z};
 }
 
-/// The unit normals of all triangles: what the mass matrix is measured by.
+/// The unit normals of all triangles: the mass matrix is compared with the time for these.
 inline buffer<vector3> face_normals(const surface<3>& m) {
   const u32 np = m.num_polys();
   buffer<vector3> n(np);

@@ -1,4 +1,4 @@
-// What building a mesh of general polyhedra costs at least, in flat arrays, with nothing of the library. Faces have one or two polys.
+// The floor of building a mesh of general polyhedra: code by hand that stores all adjacencies in flat arrays, without the library. A face has one or two polys.
 #pragma once
 
 #include "buffer.hpp"
@@ -10,9 +10,9 @@ namespace bench::floors {
 struct polyhedra {
   buffer<double> points;                       // x y z
   buffer<u32> f_off, f2v;
-  buffer<u32> p_off, p2f, p2p;                 // p2f and p2p share p_off; the top bit of p2f: the face is stored outward
+  buffer<u32> p_off, p2f, p2p;                 // p2f and p2p share p_off; the top bit of p2f says that the face points outward
   buffer<u32> pv_off, p2v, pe_off, p2e;
-  buffer<u32> e2v, e2p, f2h;                   // two verts, one poly; one entry of p2f
+  buffer<u32> e2v, e2p, f2h;                   // two verts and one poly per edge; one entry of p2f per face
   buffer<u32> v_off, v2v, v2e;                 // v2v and v2e share v_off
   buffer<u32> vp_off, v2p;
 
@@ -28,11 +28,11 @@ struct polyhedra {
   }
 };
 
-/// Derives everything from points, faces and polys.
+/// Computes all adjacencies from points, faces and polys.
 inline void build(polyhedra& m) {
   const u32 nv = m.num_verts(), nf = m.num_faces(), np = m.num_polys();
 
-  // The corners of the faces by vert, only while building.
+  // The corners of the faces, grouped by vert; used only while building.
   buffer<u32> vf_off(nv + 1, 0), v2f(m.f2v.size());
   for (u32 v : m.f2v) ++vf_off[v + 1];
   prefix_sum(vf_off);
@@ -79,7 +79,7 @@ inline void build(polyhedra& m) {
     m.v_off[v + 1] = static_cast<u32>(m.v2v.size());
   }
 
-  // Polys: neighbours through the first half-face of each face; verts and edges of the faces, each once, by marks.
+  // Polys: the neighbours by the first half-face of each face; the verts and edges of the faces, each once, by marks.
   m.f2h = buffer<u32>(nf, 0xff);
   m.e2p = buffer<u32>(ne, 0xff);
   m.p2p.resize(m.p2f.size());

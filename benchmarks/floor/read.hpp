@@ -1,4 +1,4 @@
-// The floors of reading OBJ, .mesh and .hedra: parse into the flat arrays, then derive all adjacencies.
+// The floors of reading OBJ, .mesh and .hedra files: parse into flat arrays, then compute all adjacencies.
 #pragma once
 
 #include "cells.hpp"

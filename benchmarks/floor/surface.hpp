@@ -1,5 +1,5 @@
-// What reading a surface costs at least: all adjacencies of a surface in flat arrays, written for exactly this shape, with nothing
-// of the library. An edge may have one or two polys, no more: this is a floor, not a mesh.
+// The floor of reading a surface: code by hand that stores all adjacencies in flat arrays, for one shape of polys, without the library. An edge has one or two
+// polys, so this does not replace a mesh.
 #pragma once
 
 #include "buffer.hpp"
@@ -8,13 +8,13 @@
 
 namespace bench::floors {
 
-/// K verts per poly; 0: any number, by offsets. Slot s of poly p is the edge from its corner s to the next.
+/// A surface with K verts per poly; K = 0: any number, with offsets. Entry s of poly p in p2e is the edge from its corner s to the next.
 template<u32 K>
 struct surface {
   buffer<double> points;                 // x y z
-  buffer<u32> p_off;                     // K == 0 only
-  buffer<u32> p2v, p2e, p2p;             // in rows of p_off or K; p2p: none at the boundary
-  buffer<u32> e2v, e2p;                  // two each; e2p: none at the boundary
+  buffer<u32> p_off;                     // only for K = 0
+  buffer<u32> p2v, p2e, p2p;             // rows of length K or by p_off; p2p is `none` at the boundary
+  buffer<u32> e2v, e2p;                  // two per edge; e2p is `none` at the boundary
   buffer<u32> v_off, v2v, v2e;           // v2v and v2e share v_off
   buffer<u32> vp_off, v2p;
 
@@ -29,8 +29,8 @@ struct surface {
   }
 };
 
-/// Derives everything from points, p_off and p2v. One walk over the verts: an edge is numbered at its lower end, where a mark per
-/// vert tells whether it was met before; at its higher end it is known already.
+/// Computes all adjacencies from points, p_off and p2v, in one pass over the verts. An edge gets its number at its lower end, where a mark per vert says
+/// whether it was visited before. At its higher end it has a number already.
 template<u32 K>
 void build(surface<K>& m) {
   const u32 nv = m.num_verts(), np = m.num_polys();

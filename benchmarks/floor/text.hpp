@@ -1,6 +1,5 @@
-// What reading numbers from a file costs at least: the file mapped into memory, digit loops for indices and short decimals,
-// std::from_chars for the rest. Only what the benchmark's own files contain is understood; anything else is an error, so that a wrong
-// file is noticed.
+// The floor of reading numbers from a file: the file is mapped into memory, loops read the digits of indices and short decimals, and std::from_chars the other
+// numbers. Only the contents of the benchmark's own files are understood. Anything else is an error, so that a wrong file is noticed.
 #pragma once
 
 #include "buffer.hpp"
@@ -56,7 +55,7 @@ struct cursor {
     at = p;
     return true;
   }
-  /// A decimal of up to 15 digits is one exact integer divided by one exact power of ten (Clinger 1990); the rest is from_chars'.
+  /// A decimal of up to 15 digits is one exact integer divided by one exact power of ten (Clinger 1990). std::from_chars reads all others.
   double real() {
     blanks();
     const char* p = at;

@@ -1,5 +1,4 @@
-// Plain arrays and Eigen's matrices as meshes, beside loops over the same arrays and over adjacencies in flat arrays, which whoever writes such
-// loops needs too.
+// Measures plain arrays and Eigen's matrices as meshes, against loops over the same arrays and over adjacencies in flat arrays, which such loops need too.
 #include "by_hand.hpp"
 
 #include <concino/adapters/eigen.hpp>
@@ -9,7 +8,7 @@ namespace {
 
 using bench::u32;
 
-/// point(v) and corner(p, k) read the user's arrays; adjacencies are those of the floor.
+/// point(v) and corner(p, k) read the user's arrays. The adjacencies come from the floor.
 template<class At, class Corner>
 struct arrays {
   using vert = concino::vert_id;

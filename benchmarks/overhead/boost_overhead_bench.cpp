@@ -1,5 +1,5 @@
-// Boost's compressed sparse row graph through its adapter, beside loops over its arcs and Boost.Graph's own functions. The graph is that of the
-// verts of a triangle mesh; lengths are computed on the way.
+// Measures Boost's compressed sparse row graph through its adapter, against loops over its arcs and against the functions of Boost.Graph. The graph is that
+// of the verts of a triangle mesh; edge lengths are computed during the search.
 #include "by_hand.hpp"
 #include "../peers/boost_csr.hpp"
 

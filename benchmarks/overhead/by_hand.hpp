@@ -1,5 +1,5 @@
-// What an adapter costs: the same work through it, by a loop written against the foreign library's own API, and by that library's own
-// function where it has one. The loops follow the same algorithms, with the same heap, sets and solver, so that only the adapter differs.
+// Measures what an adapter costs: the same work through the adapter, by a loop that uses the foreign library's own API, and by that library's own function
+// where it has one. The loops use the same algorithms, heap, sets and solver as the library, so that only the adapter differs.
 #pragma once
 
 #include "../support/program.hpp"
@@ -16,12 +16,12 @@ namespace bench::by_hand {
 
 using concino::vec3;
 
-// L, a struct of the program that measures a library, says in that library's words:
+// L is a struct of the program that measures a library. Its members, written with that library's API:
 //   vert, poly                       handles; vert_at(i), poly_at(i), index(handle)
 //   num_verts(), num_polys(), num_edges()
 //   around(v, f)                     f(w) for each neighbour; around(p, f) for polys
-//   corners(p, f)                    f(v) along p
-//   sides(p, f)                      f(index of edge) along p, first the one from corner 0 to corner 1
+//   corners(p, f)                    f(v) for each corner of p, in order
+//   sides(p, f)                      f(index of edge) for each edge of p, in order, first the edge from corner 0 to corner 1
 //   edges_at(v, f)                   f(index of edge, far end)
 //   at(v)                            vec3
 
@@ -95,7 +95,7 @@ std::vector<vec3> centres(const L& l) {
   return c;
 }
 
-/// Half the cotangents of the angles opposite each edge, summed: triangles only.
+/// For each edge, half the sum of the cotangents of the angles opposite to it; for triangles only.
 template<class L>
 std::vector<double> cotangents(const L& l) {
   std::vector<double> weight(l.num_edges());
@@ -160,7 +160,7 @@ Eigen::SparseMatrix<double> laplacian(const L& l) {
   return assemble<false>(l, cotangents(l), column, static_cast<int>(column.size()), -1, nullptr, nullptr);
 }
 
-/// 0 at vert 0 and 1 at the last one.
+/// The harmonic map that is 0 at vert 0 and 1 at the last vert.
 template<class L>
 std::vector<double> harmonic_map(const L& l) {
   const std::vector<int> hops = bfs(l, l.vert_at(0), l.num_verts());
@@ -188,8 +188,8 @@ void expect_equal(const std::string& work, const A& a, const B& b) {
   }
 }
 
-/// Measures work under "overhead.<library>.<name>": by hand, through the adapter and, if it is not empty, by the library's own function.
-/// values(result) is what the first two are compared by.
+/// Measures one work: by hand, through the adapter, and by the library's own function unless that is empty. The row is "overhead." followed by `name`.
+/// values(result) returns the numbers of the adapter's result, which must be those of the loop.
 template<class Hand, class Ours, class Values, class Own = std::nullptr_t>
 void compare(const program& p, const std::string& name, Hand hand, Ours ours, Values values, Own own = nullptr) {
   const std::string work = "overhead." + name;
@@ -201,7 +201,7 @@ void compare(const program& p, const std::string& name, Hand hand, Ours ours, Va
   p.print(bench::compare(work, p.rounds, them));
 }
 
-/// All work on the mesh m, which is what l says in the library's own words.
+/// Measures all work on the mesh m. l is the same mesh by the library's own API.
 template<class L, class M>
 void compare_all(const program& p, const std::string& library, const L& l, const M& m) {
   using vert = typename L::vert;
@@ -235,7 +235,7 @@ void compare_all(const program& p, const std::string& library, const L& l, const
   }
 }
 
-/// On a smaller mesh, since solving takes long.
+/// Measures a harmonic map. Use a smaller mesh, since solving takes long.
 template<class L, class M>
 void compare_harmonic(const program& p, const std::string& library, const L& l, const M& m) {
   const std::vector<std::pair<typename L::vert, double>> given = {{l.vert_at(0), 0.0}, {l.vert_at(l.num_verts() - 1), 1.0}};

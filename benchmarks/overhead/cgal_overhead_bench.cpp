@@ -1,5 +1,5 @@
-// CGAL's Surface_mesh through its adapter, beside loops over CGAL's half-edges and what CGAL's users call: Boost.Graph on CGAL's graph traits, and
-// connected_components of its polygon mesh processing. Those are peers of the library's own mesh too.
+// Measures CGAL's Surface_mesh through its adapter, against loops over CGAL's half-edges. Measures also the library's own mesh against what users of CGAL
+// call: Boost.Graph on CGAL's graph traits, and connected_components of CGAL's polygon mesh processing.
 #include "by_hand.hpp"
 
 #include <concino/adapters/cgal_surface_mesh.hpp>
@@ -81,7 +81,7 @@ mesh from(const bench::surface_arrays& a) {
   return m;
 }
 
-/// Fewest steps, distances and components by Boost.Graph; `index` maps its vertices to numbers, at(v) says where one lies.
+/// Hop counts, distances and components by Boost.Graph. `index` maps its vertices to numbers, at(v) returns the position of a vertex.
 template<class Graph, class Index>
 std::vector<int> boost_bfs(const Graph& g, typename boost::graph_traits<Graph>::vertex_descriptor source, Index index) {
   std::vector<int> hops(num_vertices(g), -1);
@@ -117,7 +117,7 @@ std::vector<int> cgal_components(const mesh& m) {
   return label;
 }
 
-/// The library's own mesh and the peer, but only the row of the peer: the others have theirs from graph_bench.
+/// Measures the library's own mesh and the peer, but prints only the row of the peer: graph_bench prints the others.
 template<class Ours, class Peer, class Values>
 void against_own_mesh(const bench::program& p, const std::string& work, const std::string& peer, Ours ours, Peer by_peer, Values values) {
   if (!p.wants(work)) return;

@@ -1,4 +1,4 @@
-// OpenMesh's triangle mesh through its adapter, beside loops over OpenMesh's half-edges.
+// Measures OpenMesh's triangle mesh through its adapter, against loops over OpenMesh's half-edges.
 #include "by_hand.hpp"
 
 #include <concino/adapters/openmesh.hpp>

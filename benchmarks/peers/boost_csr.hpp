@@ -1,5 +1,5 @@
-// The searches by Boost.Graph on its compressed sparse row graph, set up as its users do it for speed: colours and distances in arrays
-// made once, lengths either stored with the edges beforehand or computed on the way.
+// Searches with Boost.Graph on its compressed sparse row graph, set up for speed as its users do: colours and distances are in arrays that are allocated
+// once, and edge lengths are either stored beforehand or computed during the search.
 #pragma once
 
 #include "../floor/graph.hpp"

@@ -1,4 +1,4 @@
-// CGAL's Surface_mesh reading the surfaces.
+// Measures reading surfaces into CGAL's Surface_mesh.
 #include "../support/peer.hpp"
 
 #include <CGAL/Simple_cartesian.h>

@@ -1,4 +1,4 @@
-// CGAL's shortest paths over a surface beside exact geodesics: from one vert to all others.
+// Measures exact geodesics against CGAL's shortest paths on a surface, from one vert to all others.
 #include "../support/kinds.hpp"
 
 #include <concino/fields/exact_geodesics.hpp>

@@ -1,4 +1,4 @@
-// CGAL's AABB_tree beside the tree over a surface: the same build, nearest points and rays.
+// Measures the tree over a surface against CGAL's AABB_tree: building, closest points and rays.
 #include "../support/kinds.hpp"
 #include "../support/queries.hpp"
 

@@ -1,5 +1,5 @@
-// CHOLMOD's supernodal factorisation beside Eigen's, on a surface and in a volume; and a harmonic map by it, beside that factorisation alone. How
-// fast it is depends on the BLAS it runs on.
+// Measures CHOLMOD's supernodal factorisation against Eigen's, on a surface and in a volume, and a harmonic map with CHOLMOD against its factorisation
+// alone. The speed depends on the BLAS that CHOLMOD uses.
 #include "../support/harmonic.hpp"
 
 #include <concino/adapters/cholmod.hpp>
@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
       compare_factorisations(p, "factorise.hex27k", system_of(concino::hexmesh(bench::hex_grid(p.data.tiny ? 4 : 30))));
     bench::compare_harmonic<concino::cholmod>(p, ".cholmod", [](const Eigen::SparseMatrix<double>& a) {
       auto factors = std::make_unique<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>>();
-      factors->cholmod().nmethods = 1;  // as the adapter does where that is fastest
+      factors->cholmod().nmethods = 1;  // as in the adapter, where this is fastest
       factors->cholmod().method[0].ordering = CHOLMOD_AMD;
       factors->compute(a);
       return factors;

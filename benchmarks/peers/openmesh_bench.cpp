@@ -1,4 +1,4 @@
-// OpenMesh's polygon mesh, with double coordinates, reading the surfaces.
+// Measures reading surfaces into OpenMesh's polygon mesh with double coordinates.
 #include "../support/peer.hpp"
 
 #include <OpenMesh/Core/IO/MeshIO.hh>

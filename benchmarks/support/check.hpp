@@ -1,5 +1,5 @@
-// Whether the floor and the library hold the same mesh: sums of hashes over each adjacency, which depend neither on how edges and
-// faces are numbered nor on the order of neighbours.
+// Checks that the floor and the library hold the same mesh, by a sum of hashes over each adjacency. The sums depend neither on the numbers of edges and faces
+// nor on the order of neighbours.
 #pragma once
 
 #include "../floor/cells.hpp"
@@ -74,7 +74,7 @@ digest digest_of(const M& m) {
 
 namespace detail {
 
-/// Rows first(i) .. last(i) of `to`, without the fillers.
+/// The sum over rows first(i) .. last(i) of `to`; entries `none` are skipped.
 template<class First, class Last, class KeyFrom, class KeyTo>
 std::uint64_t sum(u32 n, First first, Last last, const floors::buffer<u32>& to, KeyFrom from, KeyTo key) {
   std::uint64_t s = 0;
@@ -150,7 +150,7 @@ inline digest digest_of(const floors::polyhedra& m) {
   return d;
 }
 
-/// Throws if the two disagree on anything that both say.
+/// Throws if the two differ in a sum that both have.
 inline void expect_same(const std::string& work, const digest& floor, const digest& ours) {
   std::string differ;
   for (const auto& [name, value] : floor)

@@ -1,4 +1,4 @@
-// Runs a compiler as a process of its own and says what that took: CPU seconds and peak memory.
+// Runs a compiler as a process of its own and returns its CPU seconds and peak memory.
 #pragma once
 
 #include <cerrno>
@@ -22,10 +22,10 @@ struct compilation {
 
 struct precompiled_header {
   compilation cost;
-  std::vector<std::string> flags;  // of compilations that use it
+  std::vector<std::string> flags;  // for compilations that use it
 };
 
-/// The lines of a file, but for empty ones.
+/// The lines of a file without the empty ones.
 inline std::vector<std::string> lines_of(const std::string& path) {
   std::ifstream in(path);
   if (!in) throw std::runtime_error(path + " cannot be read");
@@ -38,8 +38,8 @@ inline std::vector<std::string> lines_of(const std::string& path) {
 struct compiler {
   std::string name, path;
 
-  /// Compiles one file into an object. The driver runs the compiler proper and the assembler as children and waits for them, so what wait4 tells of
-  /// the driver counts them too: the seconds of all, and the memory of the largest.
+  /// Compiles one file into an object. The driver runs the compiler proper and the assembler as children and waits for them, so the figures of wait4 for
+  /// the driver include them: the seconds of all, and the memory of the largest.
   compilation compile(const std::string& source, const std::vector<std::string>& flags, const std::string& object) const {
     std::vector<std::string> words = {path, "-std=c++20", "-I" CONCINO_INCLUDE, "-I" CONCINO_CONCEPTS, "-isystem", CONCINO_EIGEN};
     words.insert(words.end(), flags.begin(), flags.end());
@@ -48,7 +48,7 @@ struct compiler {
     for (std::string& word : words) command.push_back(word.data());
     command.push_back(nullptr);
     const ::pid_t child = ::fork();
-    if (child < 0) throw std::runtime_error("no process for the compiler");
+    if (child < 0) throw std::runtime_error("cannot start a process for the compiler");
     if (child == 0) {
       ::execv(command[0], command.data());
       ::_exit(127);
@@ -56,13 +56,13 @@ struct compiler {
     int status = 0;
     ::rusage used = {};
     while (::wait4(child, &status, 0, &used) != child)
-      if (errno != EINTR) throw std::runtime_error("the compiler is lost");
-    if (status != 0) throw std::runtime_error(source + " does not compile by " + name);
+      if (errno != EINTR) throw std::runtime_error("waiting for the compiler failed");
+    if (status != 0) throw std::runtime_error(source + " does not compile with " + name);
     const auto seconds = [](const ::timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
     return {seconds(used.ru_utime), seconds(used.ru_stime), static_cast<double>(used.ru_maxrss) / 1024};
   }
 
-  /// Precompiles headers, separated by |, <a>|<b>, as CMake does: one header of all at `path_of_header`, which each file then includes first.
+  /// Precompiles the headers <a>|<b>|... as CMake does: one header at `path_of_header` includes all of them, and each file then includes it first.
   precompiled_header precompile(const std::string& headers, std::vector<std::string> flags, const std::string& path_of_header) const {
     std::ofstream out(path_of_header);
     std::istringstream in(headers);
@@ -78,7 +78,7 @@ struct compiler {
   }
 };
 
-/// From name=path|name=path, the first of which built this program.
+/// The compilers in the string name=path|name=path. The first one built this program.
 inline std::vector<compiler> compilers_of(const std::string& list) {
   std::vector<compiler> all;
   std::istringstream in(list);

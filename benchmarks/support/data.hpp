@@ -1,11 +1,11 @@
-// The meshes that are measured, made from nothing, as the flat arrays of <concino/mesh/arrays.hpp>.
+// Generates the meshes that are measured, as the flat arrays of <concino/mesh/arrays.hpp>.
 //
-// Surfaces are what one gets from a scan that was reconstructed by marching cubes and then refined: a closed bumpy torus with
-// random diagonals (4 to 8 triangles at a vert), verts and triangles numbered in the order in which a sweep through thin slabs meets
-// them, the first corner of each triangle at random; then split 1-to-4 twice, new verts numbered after the old. So neighbours are mostly
-// near one another in memory, but not as near as in a grid, as in the files of the Stanford bunny. A triangle mesh from a file can take
-// the torus' place.
-// Volumes are grids, in the order of the grid, as hex meshers and voxel tools write them, with verts moved a little.
+// Surfaces resemble a scan that was reconstructed by marching cubes and then refined: a closed bumpy torus with random diagonals (4 to 8 triangles at a
+// vert). Verts and triangles are numbered in the order of a sweep through thin slabs, and the first corner of each triangle is random. The mesh is then
+// split 1-to-4 twice, and new verts are numbered after the old. So neighbours are mostly close to each other in memory, but not as close as in a grid; the
+// files of the Stanford bunny are similar. A triangle mesh from a file can replace the torus.
+//
+// Volumes are grids, numbered in the order of the grid as hex meshers and voxel tools write them, with verts moved a little.
 #pragma once
 
 #include "../floor/cells.hpp"
@@ -32,7 +32,7 @@ using concino::vec3;
 using concino::vert_id;
 using floors::u32;
 
-// The floors' own containers from the library's arrays and back.
+// Conversions between the library's arrays and the containers of the floors.
 
 inline floors::buffer<double> flat(const std::vector<vec3>& points) {
   floors::buffer<double> x(3 * points.size());
@@ -117,7 +117,7 @@ inline surface_arrays torus(u32 rows, u32 columns) {
       else triangles.insert(triangles.end(), {{a, d, b}, {b, d, c}});
     }
 
-  // The sweep: slabs a little thicker than a triangle, across a direction that no coordinate axis is.
+  // The sweep: slabs a little thicker than a triangle, orthogonal to a direction that is no coordinate axis.
   const double slab = 3 / std::sqrt(static_cast<double>(n));
   auto key = [&](const vec3& p) {
     const vec3 q(0.8 * p.x + 0.6 * p.z, p.y, 0.8 * p.z - 0.6 * p.x);
@@ -143,7 +143,7 @@ inline surface_arrays torus(u32 rows, u32 columns) {
   return m;
 }
 
-/// 1-to-4: each triangle by the midpoints of its edges.
+/// Splits each triangle into four at the midpoints of its edges.
 inline surface_arrays split_triangles(const surface_arrays& a) {
   const auto m = built<3>(a);
   const u32 nv = m.num_verts();
@@ -159,7 +159,7 @@ inline surface_arrays split_triangles(const surface_arrays& a) {
   return r;
 }
 
-/// Each poly of K verts becomes K quads around its centroid.
+/// Splits each poly of K verts into K quads around its centroid.
 template<u32 K>
 surface_arrays split_into_quads(const surface_arrays& a) {
   const auto m = built<K>(a);
@@ -201,7 +201,7 @@ inline surface_arrays dual_polygons(const surface_arrays& a) {
 
 // Volumes.
 
-/// (n + 1)^3 points, those inside moved by up to `jitter` of a cell.
+/// (n + 1)^3 points of a grid; those inside are moved by up to `jitter` times the size of a cell.
 inline std::vector<vec3> grid_points(u32 n, double jitter) {
   std::mt19937 random(11);
   auto shift = [&](u32 i) { return i == 0 || i == n ? 0.0 : jitter * (static_cast<double>(random()) / 2147483648.0 - 1); };
@@ -226,7 +226,7 @@ inline cell_arrays hex_grid(u32 n) {
   return m;
 }
 
-/// Six tets around the diagonal of each cube (Kuhn 1960), so that neighbouring cubes agree.
+/// A grid of cubes, each split into six tets around its diagonal (Kuhn 1960), so that the faces of neighbouring cubes match.
 inline cell_arrays tet_grid(u32 n) {
   cell_arrays m;
   m.points = grid_points(n, 0.1);
@@ -262,9 +262,8 @@ inline polyhedra_arrays hexes_as_polyhedra(u32 n) {
   return r;
 }
 
-/// The dual of the tet grid: a vert per tet and per boundary triangle, a polyhedron per vert. The faces of a polyhedron are the rings
-/// of tets around the edges of its vert, closed at the boundary by the two boundary triangles there, and at a boundary vert the ring of
-/// the boundary triangles around it.
+/// The dual of the tet grid: a vert per tet and per boundary triangle, a polyhedron per vert. Each face of a polyhedron is the ring of tets around an edge of
+/// its vert; at a boundary edge the two boundary triangles close the ring. A boundary vert has one face more: the ring of the boundary triangles around it.
 inline polyhedra_arrays dual_polyhedra(u32 n) {
   using shape = floors::tet_shape;
   const auto a = tet_grid(n);
@@ -297,14 +296,14 @@ inline polyhedra_arrays dual_polyhedra(u32 n) {
     u32 i = corner_of(start, v), j = corner_of(start, w), ends[2] = {floors::none, floors::none};
     for (u32 k = 0, n_ends = 0; k < 4; ++k)
       if (k != i && k != j) ends[n_ends++] = k;
-    // Walks from `start` across the face that lacks local corner `skip`; stops at the boundary or back at the start.
+    // Walks from `start` through the face that lacks local corner `skip`, until the boundary or back to the start.
     auto walk = [&](u32 skip, std::vector<u32>& ring) {
       for (u32 p = start;;) {
         const u32 half = 4 * p + 3 - skip;   // in this shape the face that lacks corner s is the (3-s)th
         const u32 q = m.p2p[half];
         if (q == floors::none) { ring.push_back(outside[half]); return false; }
         if (q == start) return true;
-        // The corner of q to leave behind next is the one shared with p that is not on the edge.
+        // The next face is the one that lacks the corner shared with p that is not on the edge.
         u32 next = 0;
         for (u32 k = 0; k < 4; ++k) {
           const u32 x = m.p2v[4 * q + k];
@@ -331,8 +330,8 @@ inline polyhedra_arrays dual_polyhedra(u32 n) {
     for (u32 x : back) r.face_verts.emplace_back(x);
     r.face_offsets.push_back(static_cast<u32>(r.face_verts.size()));
   }
-  // The boundary triangles around each boundary vert, each followed by the one across its edge from the vert to its next corner.
-  std::vector<std::array<u32, 3>> around;   // vert, next corner, half-face, then by vert
+  // The boundary triangles around each boundary vert. After each follows its neighbour at the edge from the vert to its next corner.
+  std::vector<std::array<u32, 3>> around;   // vert, next corner, half-face; sorted by vert
   std::vector<std::array<u32, 3>> at;
   for (u32 h = 0; h < outside.size(); ++h)
     if (outside[h] != floors::none)
@@ -370,11 +369,11 @@ inline polyhedra_arrays dual_polyhedra(u32 n) {
   return r;
 }
 
-// The data sets by the names of the table. `tiny`: some hundred elements of the same make, to try the programs out.
+// The data sets, with their names in the table. `tiny`: generated in the same way with some hundred elements, to test the programs.
 
 struct data_sets {
   bool tiny = false;
-  surface_arrays base;   // takes the torus' place in all surfaces if it has polys
+  surface_arrays base;   // replaces the torus in all surfaces if it has polys
 
   surface_arrays once(u32 rows, u32 columns) const { return base.num_polys() ? base : tiny ? torus(4, 5) : torus(rows, columns); }
   surface_arrays bunny() const { return once(94, 152); }                                                // 28,576 triangles

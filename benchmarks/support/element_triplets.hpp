@@ -1,4 +1,4 @@
-// The standard Laplacian as most programs would put it together: the matrices of the polys as one list of triplets for Eigen.
+// The standard Laplacian as most programs assemble it: Eigen sums the matrices of the polys from one list of triplets.
 #pragma once
 
 #include <concino/operators/laplacian.hpp>

@@ -1,4 +1,4 @@
-// A harmonic map with two values given, by any solver, beside that solver's factorisation alone: what it cannot do without.
+// Measures a harmonic map with two prescribed values, with any solver, against the factorisation that the solver needs for it.
 #pragma once
 
 #include "kinds.hpp"
@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// Keeps the matrix that a problem asks its solver to factorise.
+/// A solver that stores the matrix that it is asked to factorise.
 struct matrix_keeper {
   Eigen::SparseMatrix<double> matrix;
   concino::ldlt inner;
@@ -16,7 +16,7 @@ struct matrix_keeper {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return inner.solve(b); }
 };
 
-/// Solver: a SparseSolver. factorise(matrix) does nothing but that.
+/// Solver is a SparseSolver. factorise(matrix) only factorises.
 template<class Solver, class F>
 void compare_harmonic(const program& p, const std::string& suffix, F factorise) {
   const auto compare_by = [&](const auto& which, const char* name) {
@@ -28,7 +28,7 @@ void compare_harmonic(const program& p, const std::string& suffix, F factorise) 
     const auto u = concino::harmonic_map(m, given, which, {}, keeper);
     const auto v = concino::harmonic_map(m, given, which, {}, Solver{});
     for (std::size_t i = 0; i < u.values().size(); ++i)
-      if (!(std::abs(u.values()[i] - v.values()[i]) <= 1e-8)) throw std::runtime_error(work + ": two solvers find different maps");
+      if (!(std::abs(u.values()[i] - v.values()[i]) <= 1e-8)) throw std::runtime_error(work + ": two solvers return different maps");
     p.print(compare(work, std::min(p.rounds, 3),
                     {{"factorisation", [&] { return seconds_of([&] { return factorise(keeper.matrix); }); }},
                      {"concino", [&] { return seconds_of([&] { return concino::harmonic_map(m, given, which, {}, Solver{}); }); }}}));

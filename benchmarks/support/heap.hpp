@@ -1,5 +1,5 @@
-// Counts the bytes that this program holds on the heap, whoever asks for them and how: include in exactly one source file of a program.
-// Stands before malloc of the GNU C library, so that operator new, realloc and linked libraries are all seen.
+// Counts the bytes that this program holds on the heap. It replaces malloc of the GNU C library, so that operator new, realloc and linked libraries count too.
+// Include it in exactly one source file of a program.
 #pragma once
 
 #include <cerrno>
@@ -17,7 +17,7 @@ void __libc_free(void*);
 
 namespace bench::heap {
 
-inline std::size_t live = 0, peak = 0, taken = 0;  // bytes now, most ever, how often memory was asked for
+inline std::size_t live = 0, peak = 0, taken = 0;  // bytes now, maximum of bytes, number of allocations
 
 inline void* count(void* p) {
   ++taken;
@@ -33,7 +33,7 @@ inline std::size_t size_of(void* p) { return p ? malloc_usable_size(p) : 0; }
 extern "C" {
 void* malloc(std::size_t n) noexcept { return bench::heap::count(__libc_malloc(n)); }
 void* calloc(std::size_t n, std::size_t size) noexcept { return bench::heap::count(__libc_calloc(n, size)); }
-/// A block that the system maps grows by moving its pages; any other that moves is there twice for a moment.
+/// A block that the system maps grows by moving its pages. Any other block that moves is counted twice for a moment.
 void* realloc(void* old, std::size_t n) noexcept {
   const std::size_t before = bench::heap::size_of(old);
   const bool mapped = old && (static_cast<const std::size_t*>(old)[-1] & 2);

@@ -1,4 +1,4 @@
-// The data sets that are read from files, each with its mesh type, its floor and how the two are made from arrays.
+// The data sets that are read from files, each with its mesh type, its floor and the construction of both from arrays.
 #pragma once
 
 #include "program.hpp"
@@ -7,8 +7,7 @@
 
 namespace bench {
 
-// A kind says: mesh (the library's type), write(arrays, path), read(path) (the floor) and flat(arrays) + build(flat) (the floor
-// without the file).
+// A kind has the members mesh (the library's type), write(arrays, path), read(path) (the floor), flat(arrays) and build(flat) (the floor without the file).
 
 template<u32 K, class M>
 struct surface_kind {
@@ -36,7 +35,7 @@ struct polyhedral_kind {
   static auto flat(const polyhedra_arrays& a) { return flat_polyhedra(a); }
 };
 
-/// Calls visit(name, path, arrays, kind) for every set that `p` wants for one of `works` ("load", ...), its file written at path.
+/// Writes every data set that `p` wants for one of `works` ("load", ...) to a file, and calls visit(name, path, arrays, kind) for it.
 template<class F>
 void for_each_file(const program& p, std::initializer_list<const char*> works, F&& visit) {
   const auto with = [&](auto kind, const std::string& name, auto make) {

@@ -1,4 +1,4 @@
-// A peer that reads surfaces from OBJ: time beside the library in the same rounds, and bytes per poly.
+// Measures a peer that reads surfaces from OBJ: its time against the library in the same rounds, and its bytes per poly.
 #pragma once
 
 #include "heap.hpp"
@@ -10,8 +10,8 @@
 
 namespace bench {
 
-/// `read(path)` gives the peer's mesh, `count(mesh)` its polys. Only the peer's rows are printed: the floor and the library have theirs
-/// from load_bench and memory_bench.
+/// `read(path)` returns the peer's mesh, `count(mesh)` the number of its polys. Only the rows of the peer are printed: load_bench and memory_bench print those
+/// of the floor and the library.
 template<class Read, class Count>
 void compare_reading(const program& p, const std::string& peer, Read read, Count count) {
   for_each_file(p, {"load", "memory"}, [&](const std::string& name, const std::string& path, const auto& arrays, auto kind) {

@@ -1,5 +1,4 @@
-// What all programs of this folder share: the command line, where rows go, a folder for the files that are read, and the walk over the
-// data sets with the mesh type and floor of each.
+// The parts that all programs of this folder share: the command line, the output of rows, and a folder for the files that are read.
 #pragma once
 
 #include "../floor/read.hpp"
@@ -21,9 +20,9 @@ namespace bench {
 struct program {
   data_sets data;
   int rounds = 9;
-  std::string only;                // part of the work's name; all work if empty
+  std::string only;                // part of the work's name; empty: all work
   std::FILE* out = stdout;
-  std::filesystem::path folder;    // for the files, removed at the end
+  std::filesystem::path folder;    // for the input files; removed at the end
 
   program(int argc, char** argv) {
     bool warm = false;
@@ -45,8 +44,8 @@ struct program {
     folder = std::filesystem::temp_directory_path() / ("concino-benchmark-" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     pin_to_one_core();
-    // Large arrays come from the system in every run and go back to it, as in a program that does the work once. Left alone, malloc
-    // learns to keep them, and then who runs after whom decides who pays for fresh pages (--warm: all the same, as in a long session).
+    // Large arrays come from the system in every run and are returned to it, as in a program that does the work once. By default malloc starts to keep
+    // them, and the order of the contenders then decides which one pays for new pages. --warm leaves this default on, as in a long session.
     if (!warm) mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   }
   program(const program&) = delete;
@@ -70,10 +69,12 @@ struct program {
   [[noreturn]] static void usage(const char* name) {
     std::fprintf(stderr,
                  "usage: %s [--tiny] [--warm] [--rounds N] [--only TEXT] [--out ROWS.tsv] [--base TRIANGLES.obj]\n"
-                 "  --tiny    some hundred elements, to see that everything runs\n"
-                 "  --warm    let malloc keep what it got, instead of fresh pages for every run\n"
-                 "  --only    only work whose name contains TEXT, such as load.tri1m or dijkstra\n"
-                 "  --base    a closed triangle mesh to refine into the surfaces, instead of the generated torus\n",
+                 "  --tiny    use meshes of some hundred elements, to test that everything runs\n"
+                 "  --warm    let malloc keep freed memory, instead of new pages for every run\n"
+                 "  --rounds  measure N times and print medians\n"
+                 "  --only    measure only work whose name contains TEXT, such as load.tri1m or dijkstra\n"
+                 "  --out     write the rows to a file, as text with tabs\n"
+                 "  --base    generate the surfaces from this closed triangle mesh (an OBJ file) instead of the torus\n",
                  name);
     std::exit(2);
   }

@@ -9,7 +9,7 @@
 
 namespace bench {
 
-/// n points of the box of m, widened by `margin` of its size on every side.
+/// n random points in the bounding box of m, enlarged by `margin` times its size on every side.
 template<class M>
 std::vector<concino::vec3> places_near(const M& m, std::size_t n, double margin) {
   const concino::box b = concino::bounding_box(m);
@@ -27,7 +27,7 @@ inline double sum_of_distances(const auto& tree, const std::vector<concino::vec3
   return sum;
 }
 
-/// How many polys the rays from each place to the next one meet first.
+/// The number of rays, from each place to the next one, that hit a poly.
 inline std::size_t rays_that_hit(const auto& tree, const std::vector<concino::vec3>& places) {
   std::size_t hits = 0;
   for (std::size_t i = 1; i < places.size(); ++i) hits += static_cast<bool>(tree.ray(places[i - 1], places[i] - places[i - 1]));

@@ -1,9 +1,9 @@
-// Measures contenders for the same work against one another.
+// Measures contenders for the same work against each other.
 //
-// Not Google Benchmark: what counts here is a ratio that a busy or drifting machine does not bend, so each round runs every contender
-// once, in an order that changes from round to round, and the ratio is taken within each round before the median is. Google Benchmark
-// can interleave repetitions but reports each benchmark alone; it also measures by wall clock loops that would hold or free the
-// results inside the measurement, and memory is a column of the same table here.
+// The result is a ratio that load or clock changes of the machine do not distort. Each round runs every contender once, in an order that changes from round
+// to round. The ratio is computed in each round, and its median is reported. Google Benchmark is not used: it can interleave repetitions, but reports each
+// benchmark alone. It measures the wall-clock time of loops that would store or free the results inside the measurement. And here memory is a column of the
+// same table.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace bench {
 
-/// Keeps the thread on one core, so that no contender pays for moving. The last core allowed: the first one serves interrupts.
+/// Keeps the thread on one core, so that no contender pays for a move: the last core allowed, because the first one serves interrupts.
 inline void pin_to_one_core() {
   cpu_set_t allowed;
   if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
@@ -54,19 +54,19 @@ inline double median(std::vector<double> x) {
   return (*middle + *std::max_element(x.begin(), middle)) / 2;
 }
 
-/// One line of the result: what was measured of whom, and `concino`'s value as a multiple of it, each a median.
+/// One row of the result: the value of one contender, and the value of `concino` divided by it. Both are medians.
 struct row {
   std::string work, contender, unit;
   double value, ours_over_it;
 };
 
-/// Rows go to one file as tab-separated text; report.awk joins those of all programs with the budgets.
+/// Prints a row as tab-separated text. report.awk joins the rows of all programs with the budgets.
 inline void print(std::FILE* out, const row& r) {
   std::fprintf(out, "%s\t%s\t%s\t%.6g\t%.4g\n", r.work.c_str(), r.contender.c_str(), r.unit.c_str(), r.value, r.ours_over_it);
   std::fflush(out);
 }
 
-/// One point of a curve: what `elements` of them cost the library and the floor. model: how that should grow, "n" or "n log n".
+/// Prints one point of a curve: the cost of `elements` elements for the library and for the floor. model says how the cost should grow: "n" or "n log n".
 inline void print_point(std::FILE* out, const std::string& work, const char* model, double elements, double ours, double floor) {
   std::fprintf(out, "point\t%s\t%s\t%.0f\t%.6g\t%.6g\n", work.c_str(), model, elements, ours, floor);
   std::fflush(out);
@@ -74,12 +74,12 @@ inline void print_point(std::FILE* out, const std::string& work, const char* mod
 
 struct contender {
   std::string name;
-  std::function<double()> run;   // one run, its CPU seconds
-  int every = 1;                 // slow peers run only in every so-manieth round
+  std::function<double()> run;   // does one run and returns its CPU seconds
+  int every = 1;                 // slow peers run only in every `every`-th round
 };
 
-/// `rounds` rounds of all contenders, after one that warms up and does not count (except where only one round is asked for). Work
-/// that is quicker than a few milliseconds gets more rounds by itself.
+/// Runs `rounds` rounds of all contenders. A first round to warm up does not count; it is left out if `rounds` is 1. Work that takes less than a few
+/// milliseconds gets more rounds.
 inline std::vector<row> compare(const std::string& work, int rounds, const std::vector<contender>& them) {
   std::vector<std::vector<double>> seconds(them.size()), ratios(them.size());
   std::vector<std::size_t> order(them.size());

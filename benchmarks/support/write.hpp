@@ -1,4 +1,4 @@
-// Writes the data sets as files: six decimals, as most programs do, and nothing but what the mesh needs.
+// Writes the data sets as files: numbers have six decimals, as in most programs, and nothing is written that the mesh does not need.
 #pragma once
 
 #include <concino/mesh/arrays.hpp>
