@@ -1,7 +1,7 @@
-# Joins the rows of the benchmark programs with the budgets: prints the table, then the one of the curves, and writes everything as JSON.
+# Joins the rows of the benchmark programs with the budgets. Prints the table of works and the table of curves, and writes both as JSON.
 # usage: awk -v json=FILE -v about="COMPILER AND DATE" -f report.awk budgets.tsv rows.tsv...
 
-BEGIN { FS = "\t"; steeper = 0.15 }   # how much above the expected slope is clearly above it
+BEGIN { FS = "\t"; steeper = 0.15 }   # a slope is too steep if it exceeds the expected slope by more than this
 /^#/ { next }
 FILENAME == ARGV[1] { against[$1] = $2; limit[$1] = $3; next }
 $1 == "point" {
@@ -19,7 +19,7 @@ $1 == "point" {
 
 function show(x) { return x == "" ? "-" : sprintf(x >= 100 ? "%.0f" : x >= 0.1 ? "%.3f" : "%.5f", x) }
 
-# The library's value as a multiple of what the budget compares it with, or "" where that was not measured.
+# The library's value divided by the value that the budget names, or "" if that was not measured.
 function measured(work,   a, part) {
   if (!((work, "concino") in value)) return ""
   a = against[work]
@@ -28,10 +28,10 @@ function measured(work,   a, part) {
   return (work, a) in value ? ours_over[work, a] : ""
 }
 
-# The logarithm of the model "n", "n log n" or "n^k" where that of n is x.
+# The logarithm of the model "n", "n log n" or "n^k", where x is the logarithm of n.
 function growth(model, x) { return model == "n" ? x : model ~ /^n\^/ ? substr(model, 3) * x : x + log(x) }
 
-# The slope of the line that fits best through the points of a curve in a log-log plot; which: whose values.
+# The slope of the line that fits the points of a curve best in a log-log plot. `which` selects the values: "ours", "floor" or "expected".
 function slope(name, which,   k, n, x, y, sx, sy, sxx, sxy) {
   n = points[name]
   for (k = 1; k <= n; ++k) {
@@ -44,7 +44,7 @@ function slope(name, which,   k, n, x, y, sx, sy, sxx, sxy) {
 
 function print_works(   i, k, n, work, name, line, best, is, met, budget, comma, missed, judged) {
   format = "%-44s %6s %10s %10s %7s  %-20s %10s %7s  %-26s %7s  %s\n"
-  printf format, "work", "unit", "floor", "concino", "ratio", "best peer", "", "ratio", "budget", "is", "met"
+  printf format, "work", "unit", "floor", "concino", "ratio", "best peer", "", "ratio", "budget", "value", "met"
   for (i = 1; i <= works; ++i) {
     work = order[i]; n = split(names[work], name, SUBSEP); best = ""
     line = ""
@@ -67,12 +67,12 @@ function print_works(   i, k, n, work, name, line, best, is, met, budget, comma,
         met == "yes" ? "true" : "false" > json
     printf "}" > json
   }
-  printf "%d budgets judged, %d missed\n", judged, missed
+  printf "%d budgets checked, %d missed\n", judged, missed
 }
 
-# Nanoseconds or bytes per element at each size, and how the whole grows.
+# Nanoseconds or bytes per element at each size, and the slope of the whole.
 function print_curves(   i, k, n, name, per, line, line_floor, ours, expected, floor, flagged, comma) {
-  printf "\n%-33s %-42s %5s  %8s  %5s\n", "growth, per poly (ns or B)", "10^4  ...  10^6.5", "slope", "expected", "floor"
+  printf "\n%-33s %-42s %5s  %8s  %5s\n", "growth: ns or bytes per poly", "10^4  ...  10^6.5", "slope", "expected", "floor"
   for (i = 1; i <= curves; ++i) {
     name = curve[i]; n = points[name]; line = line_floor = per = ""
     for (k = 1; k <= n; ++k) {
@@ -82,13 +82,13 @@ function print_curves(   i, k, n, name, per, line, line_floor, ours, expected, f
     ours = slope(name, "ours"); floor = slope(name, "floor"); expected = slope(name, "expected")
     steep = ours > expected + steeper && ours > floor + steeper / 3
     flagged += steep
-    remark = steep ? "STEEP" : (ours > expected + steeper) ? "steep, as the floor is: caches" : ""
+    remark = steep ? "STEEP" : (ours > expected + steeper) ? "steep like the floor (caches)" : ""
     printf "%-33s %-42s %5.2f  %8.2f  %5.2f  %s\n", name, per, ours, expected, floor, remark
     printf "%s    {\"work\": \"%s\", \"model\": \"%s\", \"slope\": %.3f, \"expected\": %.3f, \"slope_of_floor\": %.3f, \"steep\": %s, \"points\": [%s]}", comma,
       name, model[name], ours, expected, floor, steep ? "true" : "false", line > json
     comma = ",\n"
   }
-  printf "%d curves, %d clearly steeper than expected\n", curves, flagged
+  printf "%d curves, %d steeper than expected\n", curves, flagged
 }
 
 END {

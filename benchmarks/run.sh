@@ -1,8 +1,8 @@
 #!/bin/sh
-# Builds the benchmarks for this processor and runs them all: one table on the terminal, the same as JSON.
+# Builds the benchmarks for this processor, runs them all, prints one table and writes the same as JSON.
 # usage: benchmarks/run.sh [--json FILE] [--build FOLDER] [options of the programs: --rounds 5, --only load.tri1m, --base bunny.obj, --tiny]
 set -eu
-export CONCINO_NUM_THREADS=${CONCINO_NUM_THREADS:-1}  # the peers and loops by hand run on one
+export CONCINO_NUM_THREADS=${CONCINO_NUM_THREADS:-1}  # one thread, as the peers and the loops by hand
 source=$(cd "$(dirname "$0")/.." && pwd)
 build=$source/build/benchmarks
 json=
