@@ -1,5 +1,5 @@
-# Who links to a target concino::<adapter> that is not there is told what to write, at configure time. `concino_available`, a global property, lists
-# the names that are there; concino_why_not_<name>, if set, says why another one is not.
+# Stops the configuration of targets that link to a missing target concino::<adapter>, and says what to write. `concino_available`, a global property, lists
+# the targets that exist; concino_why_not_<name>, if set, is the reason why another one does not.
 include_guard(GLOBAL)
 
 function(concino_check_links directory)
@@ -17,7 +17,7 @@ function(concino_check_links directory)
       get_property(why GLOBAL PROPERTY concino_why_not_${name})
       if("${why}" STREQUAL "")
         list(JOIN available ", " there)
-        set(why "there is no such target; there are: ${there}")
+        set(why "there is no such target; the targets are: ${there}")
       endif()
       message(FATAL_ERROR "${target} links to concino::${name}: ${why}")
     endforeach()
@@ -28,7 +28,7 @@ function(concino_check_links directory)
   endforeach()
 endfunction()
 
-# Once for the project, when all its targets are known.
+# Runs once for the project, when all its targets are known.
 get_property(concino_is_checked GLOBAL PROPERTY concino_links_are_checked)
 if(NOT concino_is_checked)
   set_property(GLOBAL PROPERTY concino_links_are_checked TRUE)
