@@ -27,7 +27,7 @@ namespace {
 
 using seconds = std::chrono::duration<double>;
 
-/// Seconds since it was made or last asked.
+/// The seconds since construction or the last lap.
 class stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 
@@ -38,20 +38,20 @@ class stopwatch {
   }
 };
 
-/// A line on the terminal that says how far the work is; silent where stderr is a file or a pipe.
+/// Shows progress in one line of the terminal; prints nothing if stderr is a file or a pipe.
 class progress_line {
-  bool shown_ = isatty(STDERR_FILENO) == 1;
+  bool is_terminal_ = isatty(STDERR_FILENO) == 1;
   std::string text_;
 
  public:
   bool operator()(double fraction, const char* label) {
-    if (!shown_) return true;
+    if (!is_terminal_) return true;
     std::string text = fmt::format("{} {:3.0f} %", label, 100 * fraction);
     if (text != text_) fmt::print(stderr, "\r\033[K{}", text_ = std::move(text));
     return true;
   }
   ~progress_line() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (is_terminal_) fmt::print(stderr, "\r\033[K");
   }
 };
 
@@ -110,7 +110,7 @@ std::vector<far_ends<M>> ends_of_components(const M& m) {
   return components;
 }
 
-/// Virtual elements: the field does not follow the lines of the mesh. Meshes with degenerate polys have none.
+/// Uses virtual elements, whose field does not follow the edges of the mesh. Falls back to uniform weights if a poly is degenerate.
 template<class M, class D>
 auto solve(const M& m, const D& values, const cn::progress& progress, std::string& weights) {
   try {
@@ -123,7 +123,7 @@ auto solve(const M& m, const D& values, const cn::progress& progress, std::strin
   return cn::harmonic_map(m, values, cn::uniform, {.progress = progress});
 }
 
-/// One number a line, in the order of the verts of the file.
+/// Writes one number per line, in the order of the verts.
 template<class M, class U>
 void write_field(const M& m, const U& u, const std::string& path) {
   cn::atomic_file file(path);
@@ -216,11 +216,11 @@ int main(int argc, char** argv) {
     double read = 0;
     const auto mesh = [&] {
       progress_line line;
-      const auto told = [&](double fraction, const char* label) {
-        read += watch.lap();  // the last time it is told is when all of the file is read
+      const auto on_progress = [&](double fraction, const char* label) {
+        read += watch.lap();  // the last call comes when the whole file is read
         return line(fraction, label);
       };
-      return cn::load_any(path, {.progress = told});
+      return cn::load_any(path, {.progress = on_progress});
     }();
     const double loaded = total.lap();
     std::visit([&](const auto& m) { run(m, read, loaded - read, picture, field); }, mesh);
