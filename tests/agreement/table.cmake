@@ -1,7 +1,7 @@
 # Compares README's table with the records of the tests of agreement. With -D write=ON it writes the table to README instead.
 file(GLOB records ${records}/*.txt)
 if(NOT records)
-  message(FATAL_ERROR "no test of agreement has written anything down yet: run them first (ctest -R agreement/)")
+  message(FATAL_ERROR "there are no records: run the tests of agreement first (ctest -R agreement/)")
 endif()
 execute_process(COMMAND awk -f ${CMAKE_CURRENT_LIST_DIR}/table.awk ${CMAKE_CURRENT_LIST_DIR}/rows.txt ${source}/README.md ${records}
   RESULT_VARIABLE code OUTPUT_VARIABLE made ERROR_VARIABLE said)
@@ -15,5 +15,5 @@ endif()
 file(READ ${source}/README.md there)
 if(NOT made STREQUAL there)
   string(REGEX MATCH "<!-- agreement -->.*<!-- end of agreement -->" table "${made}")
-  message(FATAL_ERROR "README.md says something else than what runs and agrees. Build the target readme_table to mend it. It should be:\n${table}")
+  message(FATAL_ERROR "The table in README.md differs from the records. Build the target readme_table to update it. It should be:\n${table}")
 endif()

@@ -6,7 +6,7 @@ function(configure with code said)
     -D CONCINO_WITH_${upper}=${with} -D CMAKE_DISABLE_FIND_PACKAGE_${package}=TRUE -D CONCINO_BUILD_TESTS=OFF -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF
     RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
   set(${code} ${result} PARENT_SCOPE)
-  string(REGEX REPLACE "[ \n]+" " " text "${text}")  # CMake breaks lines where it likes
+  string(REGEX REPLACE "[ \n]+" " " text "${text}")  # CMake wraps lines anywhere
   set(${said} "${text}" PARENT_SCOPE)
 endfunction()
 

@@ -4,7 +4,7 @@ file(GLOB_RECURSE headers RELATIVE ${source} ${source}/concepts/*.hpp ${source}/
 find_program(awk NAMES awk REQUIRED)
 execute_process(COMMAND ${awk} -f ${source}/scripts/check_lengths.awk ${headers} WORKING_DIRECTORY ${source} OUTPUT_VARIABLE found RESULT_VARIABLE code)
 if(found OR NOT code EQUAL 0)
-  message(FATAL_ERROR "functions of more than 60 lines; cut them into steps with names:\n${found}")
+  message(FATAL_ERROR "functions of more than 60 lines; divide them into smaller functions:\n${found}")
 endif()
 
 # The check itself finds long functions, members and templates, and accepts short ones, classes, namespaces and tables.
@@ -17,5 +17,5 @@ file(WRITE ${scratch}/long.hpp
 execute_process(COMMAND ${awk} -f ${source}/scripts/check_lengths.awk ${scratch}/short.hpp OUTPUT_VARIABLE found_short RESULT_VARIABLE short)
 execute_process(COMMAND ${awk} -f ${source}/scripts/check_lengths.awk ${scratch}/long.hpp OUTPUT_VARIABLE found RESULT_VARIABLE long)
 if(NOT short EQUAL 0 OR NOT long EQUAL 1 OR NOT found MATCHES "long.hpp:2: 61 lines: int f.*long.hpp:66: 62 lines: void g")
-  message(FATAL_ERROR "scripts/check_lengths.awk does not tell long functions from short ones: ${short} ${found_short} ${long} ${found}")
+  message(FATAL_ERROR "scripts/check_lengths.awk does not distinguish long functions from short ones: ${short} ${found_short} ${long} ${found}")
 endif()

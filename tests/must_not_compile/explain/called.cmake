@@ -10,7 +10,7 @@ execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${depth} ${includes
 if(code EQUAL 0)
   message(FATAL_ERROR "${case} compiles with ${defines}, but must not")
 endif()
-string(REGEX REPLACE "[][;]" "." plain "${said}")  # which mean something in lists
+string(REGEX REPLACE "[][;]" "." plain "${said}")  # these have a meaning in lists
 string(REGEX MATCHALL "[^\n]*\n" lines "${plain}")
 set(limit 30)
 set(words "[^a-zA-Z_]${concept}[^a-zA-Z_]" "[^a-z_]has_${lacking}[^a-z_]")

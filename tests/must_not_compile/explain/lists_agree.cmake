@@ -15,14 +15,14 @@ foreach(list IN LISTS lists)
     list(APPEND wrong "  ${list}_requirements: no explain_cases(${list} ...) in tests/must_not_compile/explain/CMakeLists.txt")
   endif()
   if(NOT named_${list})
-    continue()  # no conjunction
+    continue()  # not a conjunction
   endif()
   set(held "")
   foreach(entry IN LISTS entries_${list})
     list(APPEND held ${holds_${entry}})
   endforeach()
   if(concept_${list} IN_LIST held)
-    continue()  # asks the concept itself, whichever way it is fulfilled
+    continue()  # requires the concept itself, however it is fulfilled
   endif()
   foreach(name IN LISTS held)
     if(name IN_LIST concepts)
@@ -31,7 +31,7 @@ foreach(list IN LISTS lists)
       list(APPEND held ${inner})
     endif()
   endforeach()
-  list(REMOVE_ITEM held true)  # base_requirement, which the others follow from
+  list(REMOVE_ITEM held true)  # base_requirement, from which the others follow
   foreach(name IN LISTS held)
     if(NOT name IN_LIST named_${list})
       list(APPEND wrong "  ${concept_${list}} does not ask for ${name}, which is in ${list}_requirements")
@@ -98,5 +98,5 @@ endforeach()
 
 if(wrong)
   list(JOIN wrong "\n" wrong)
-  message(FATAL_ERROR "lists that do not agree:\n${wrong}")
+  message(FATAL_ERROR "inconsistent lists:\n${wrong}")
 endif()
