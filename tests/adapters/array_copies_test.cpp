@@ -34,7 +34,7 @@ template<class Mesh, class View>
 void check_no_copy(const Mesh& mesh, const View& view, std::size_t left_with_user) {
   const std::size_t whole = bytes_of(mesh), part = bytes_of(view);
   if (whole == 0) {
-    MESSAGE("not measured: this allocator does not say what it holds");
+    MESSAGE("not measured: this allocator does not report its memory");
     return;
   }
   INFO(part << " + " << left_with_user << " beside " << whole);

@@ -95,7 +95,7 @@ TEST_CASE("iterating allocates nothing, and algorithms allocate as much as on a 
   CHECK(on_polyhedron.back() == allocations{});
 }
 
-TEST_CASE("the same holds for a mesh with garbage; indexed(m) allocates only its tables") {
+TEST_CASE("iterating over a mesh with garbage allocates nothing, and indexed(m) only its tables") {
   surface_mesh m = testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(20));
   with_id p;
   CGAL::copy_face_graph(m, p);

@@ -125,7 +125,7 @@ TEST_CASE("laws hold after elements were erased") {
   }
 }
 
-TEST_CASE("ids that are unset or left over are errors") {
+TEST_CASE("ids that are not set, or not unique after an edit, are errors") {
   with_id p;
   const surface_arrays grid = testing::triangle_grid(2);
   builder<with_id> b(grid);

@@ -90,7 +90,7 @@ TEST_CASE("laws hold if everything is deleted, and after garbage collection") {
   check_state(m);
 }
 
-TEST_CASE("edges without status are deleted with their last face") {
+TEST_CASE("edges without status attributes are deleted with their last face") {
   poly_double m;
   fill(m, two_grids<poly_double>(2));
   m.request_face_status();
@@ -101,7 +101,7 @@ TEST_CASE("edges without status are deleted with their last face") {
   CHECK(num_edges(m) < m.n_edges());
 }
 
-TEST_CASE("hidden elements are elements of the mesh") {
+TEST_CASE("elements with the status hidden are elements of the mesh") {
   poly_status m;
   fill(m, two_grids<poly_status>(2));
   m.status(m.vertex_handle(0)).set_hidden(true);

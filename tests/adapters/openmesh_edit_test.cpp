@@ -96,7 +96,7 @@ TEST_CASE("polys that OpenMesh cannot hold throw, and the mesh is unchanged") {
   CHECK_THROWS_AS(add_poly(p, {p.vertex_handle(0), p.vertex_handle(1)}), invalid_mesh);
 }
 
-TEST_CASE("closing a ring at a vert throws if other polys are in the gap") {
+TEST_CASE("closing the fan at a vert throws if the vert has another fan") {
   poly_double m;
   for (int i = 0; i < 7; ++i) add_vert(m, {i, 0, 0});
   const auto v = [&](unsigned i) { return m.vertex_handle(i); };

@@ -19,7 +19,7 @@ TEST_CASE("an id has a number and says whether it is valid") {
   CHECK(cn::vert_id{std::size_t{3}} == cn::vert_id{3});
 }
 
-TEST_CASE("an id prints its letter and number") {
+TEST_CASE("an id is printed as its letter and number") {
   std::ostringstream s;
   s << cn::vert_id{7} << cn::edge_id{0} << cn::face_id{1} << cn::poly_id{2};
   CHECK(s.str() == "v7e0f1p2");

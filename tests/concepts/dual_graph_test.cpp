@@ -25,7 +25,7 @@ struct concino::mesh_traits<chain> {
 };
 static_assert(models_in_all_forms<chain>(cn::testing::dual_graph));
 
-TEST_CASE("a struct of pairs is a graph of polys") {
+TEST_CASE("a user's struct for pairs of polys models DualGraph") {
   cn::explain_dual_graph<const chain&>();
   const chain c{4};
   std::size_t n = 0;

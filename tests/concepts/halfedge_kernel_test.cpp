@@ -256,7 +256,7 @@ using points = std::vector<std::array<double, 3>>;
 
 }  // namespace
 
-TEST_CASE("halfedge_kernel: open, closed and disconnected meshes, isolated verts") {
+TEST_CASE("halfedge_kernel: rings are right on open, closed and disconnected meshes and at isolated verts") {
   same_rings(user_mesh::surface_example());
   same_rings({points(4), {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}});
   same_rings({points(9), {{0, 1, 2}, {3, 4, 5, 6}}});
@@ -296,7 +296,7 @@ TEST_CASE("halfedge_kernel: a poly with both half-edges of an edge is not its ow
   CHECK(times == 2);
 }
 
-TEST_CASE("halfedge_kernel: searches over polys test each edge of each poly once") {
+TEST_CASE("halfedge_kernel: a search over polys calls opposite once per edge of each poly") {
   // A polygon of 12 edges with a triangle at each.
   std::vector<std::vector<int>> polygons(1);
   for (int i = 0; i < 12; ++i) {

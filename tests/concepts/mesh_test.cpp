@@ -16,7 +16,7 @@ struct concino::mesh_traits<movable> : mesh_traits<user_mesh::surface> {
 };
 static_assert(cn::MutablePoints<movable> && cn::MutablePoints<const movable&> && !cn::MutablePoints<user_mesh::surface>);
 
-TEST_CASE("explain_... compiles for models") {
+TEST_CASE("explain_... compiles for models of each concept") {
   cn::explain_embedded<user_mesh::volume>();
   cn::explain_any_mesh<const user_mesh::volume&>();
   cn::explain_any_mesh<user_mesh::surface>();

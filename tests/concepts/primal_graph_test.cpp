@@ -43,7 +43,7 @@ struct concino::mesh_traits<wrong_count> : mesh_traits<ring_graph> {
 };
 static_assert(models_in_all_forms<wrong_range>(cn::testing::nothing) && models_in_all_forms<wrong_count>(cn::testing::nothing));
 
-TEST_CASE("a struct for a ring of verts is a graph") {
+TEST_CASE("a user's struct for a ring of verts models PrimalGraph") {
   cn::explain_primal_graph<ring_graph>();
   const ring_graph g{5};
   std::size_t n = 0;

@@ -24,7 +24,7 @@ struct greedy : user_mesh::surface {};
 template<>
 struct concino::mesh_traits<greedy> : mesh_traits<user_mesh::surface> {};
 
-TEST_CASE("numbers are std::size_t, whatever the traits return") {
+TEST_CASE("counts and indices are std::size_t, whatever type the traits return") {
   const auto s = user_mesh::surface_example();
   static_assert(std::same_as<decltype(cn::num_verts(s)), std::size_t> &&
                 std::same_as<decltype(cn::index_of(s, user_mesh::vertex{2})), std::size_t>);

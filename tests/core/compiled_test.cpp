@@ -17,4 +17,4 @@ CONCINO_INLINE std::string mode() {
 }  // namespace
 
 // tests/compiled/ checks that both forms link with each other, give the same results and reject other flags.
-TEST_CASE("compiled: CONCINO_INLINE fits header-only use and the compiled library") { CHECK_FALSE(mode().empty()); }
+TEST_CASE("compiled: CONCINO_INLINE functions compile header-only and in the compiled library") { CHECK_FALSE(mode().empty()); }

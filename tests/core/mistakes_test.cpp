@@ -97,7 +97,7 @@ struct concino::mesh_traits<cycle> {
   static two adj_v2v(const cycle& c, int v) { return {{(v + 1) % c.n, (v + c.n - 1) % c.n}}; }
 };
 
-TEST_CASE("mistakes: a viable function is preferred to the deleted ones") {
+TEST_CASE("mistakes: a viable function is preferred to the deleted overloads") {
   CHECK(measure(derived{}, cn::vec3{}) == 7);
   const cycle c{6};
   CHECK(cn::bfs(c, 0)[3] == 3);
@@ -105,7 +105,7 @@ TEST_CASE("mistakes: a viable function is preferred to the deleted ones") {
   CHECK(cn::dijkstra(c, 0, [](int, int) { return 2.0; })[2] == 4);
 }
 
-TEST_CASE("mistakes: a remedy contains its sentence") {
+TEST_CASE("mistakes: a sentence keeps its text") {
   constexpr cn::mistake::sentence s("give it a name");
   CHECK(std::string(s.text) == "give it a name");
 }

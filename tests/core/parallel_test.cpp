@@ -65,7 +65,7 @@ TEST_CASE("parallel: cores on which the process may not run do not count") {
 }
 #endif
 
-TEST_CASE("parallel: chunks that are worth a thread start at once") {
+TEST_CASE("parallel: for_each_chunk runs as many chunks at a time as there are threads") {
   for (const int n : numbers_of_threads) {
     const with_num_threads now(n);
     std::atomic<int> waiting{0};

@@ -26,7 +26,7 @@ constexpr bool is_compiled = false;
 
 }  // namespace
 
-TEST_CASE("precompiled: native meshes are precompiled in the compiled library") {
+TEST_CASE("precompiled: is_precompiled is true for native meshes with the compiled library") {
   CHECK(concino::core::is_precompiled<concino::trimesh> == is_compiled);
   CHECK(concino::core::is_precompiled<concino::tetmesh> == is_compiled);
   CHECK(concino::core::is_precompiled<const concino::tetmesh&> == is_compiled);

@@ -225,7 +225,7 @@ TEST_CASE("a mesh can be built by editing alone") {
   keeps_all_laws(m);
 }
 
-TEST_CASE("a face alone has as many edges as verts") {
+TEST_CASE("an added face without polys has as many edges as verts") {
   cn::polyhedralmesh m;
   std::size_t edges = 0;
   for (unsigned n = 3; n < 12; ++n) {

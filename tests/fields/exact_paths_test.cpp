@@ -92,7 +92,7 @@ surface_arrays spikes(unsigned n) {
 
 }  // namespace
 
-TEST_CASE("exact_paths: are right on flat grids, on bumps and between spikes") {
+TEST_CASE("exact_paths: are paths of the right length on flat grids, on bumps and between spikes") {
   for (const surface_arrays& a : {triangle_grid(8), bumps(8, 1), bumps(8, 2), spikes(7)}) {
     const trimesh m(a);
     const auto exact = prepare_exact_geodesics(m);

@@ -11,13 +11,13 @@
 
 using namespace solver_paths;
 
-TEST_CASE("solver paths: ldlt") { check_all(any_solver::make<ldlt>(), indefinite::solved); }
-TEST_CASE("solver paths: llt") { check_all(any_solver::make<llt>(), indefinite::refused); }
-TEST_CASE("solver paths: lu") { check_all(any_solver::make<lu>(), indefinite::solved); }
-TEST_CASE("solver paths: qr") { check_all(any_solver::make<qr>(), indefinite::solved); }
-TEST_CASE("solver paths: conjugate_gradients") { check_all(any_solver::make<conjugate_gradients>(), indefinite::either); }
-TEST_CASE("solver paths: bicgstab") { check_all(any_solver::make<bicgstab>(), indefinite::either); }
-TEST_CASE("solver paths: auto_solver by factorisation") { check_all(any_solver::make<auto_solver>(), indefinite::solved); }
-TEST_CASE("solver paths: auto_solver by iteration") {  // a triangle is still factorised
+TEST_CASE("ldlt: passes the checks of special problems") { check_all(any_solver::make<ldlt>(), indefinite::solved); }
+TEST_CASE("llt: passes the checks of special problems") { check_all(any_solver::make<llt>(), indefinite::refused); }
+TEST_CASE("lu: passes the checks of special problems") { check_all(any_solver::make<lu>(), indefinite::solved); }
+TEST_CASE("qr: passes the checks of special problems") { check_all(any_solver::make<qr>(), indefinite::solved); }
+TEST_CASE("conjugate_gradients: passes the checks of special problems") { check_all(any_solver::make<conjugate_gradients>(), indefinite::either); }
+TEST_CASE("bicgstab: passes the checks of special problems") { check_all(any_solver::make<bicgstab>(), indefinite::either); }
+TEST_CASE("auto_solver: by factorisation passes the checks of special problems") { check_all(any_solver::make<auto_solver>(), indefinite::solved); }
+TEST_CASE("auto_solver: by iteration passes the checks of special problems") {  // a triangle is still factorised
   check_all(any_solver::make<auto_solver>(auto_solver_options{.max_factor_entries = 10}), indefinite::either);
 }

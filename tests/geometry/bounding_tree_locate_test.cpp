@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE("planar surfaces: every point is in one polygon, also with an
   }
 }
 
-TEST_CASE_TEMPLATE("surfaces: locate finds the polygon under a point, or the nearest floor", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("surfaces: locate finds the polygon above or below a point, the nearest of several", M, CONCINO_SURFACE_KINDS) {
   auto arrays = grid_arrays<M>(4);
   const M flat(arrays);
   for (vec3& x : arrays.points) x.z = 0.5 * x.x * x.y;

@@ -69,7 +69,7 @@ TEST_CASE("self_intersections: finds triangles that intersect without a common v
   }
 }
 
-TEST_CASE("self_intersections: handles triangles with common verts or coincident points") {
+TEST_CASE("self_intersections: finds overlaps of triangles with common verts or coincident points") {
   for (const bool welded : {true, false}) {
     const auto count = [&](const triangle& t) {
       std::vector<vec3> x(base.begin(), base.end());

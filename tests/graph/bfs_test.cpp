@@ -115,7 +115,7 @@ TEST_CASE("bfs: the dual graph of n^3 hexes has 3 n^2 (n - 1) edges, and 3 (n - 
   CHECK(farthest == 3 * (int(n) - 1));
 }
 
-TEST_CASE_TEMPLATE("bfs: obeys bounds and targets, and sets predecessors, on verts and polys", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs: stops at bounds and targets, and stores predecessors, on verts and polys", M, CONCINO_KINDS) {
   const M m = grid<M>(3);
   const auto check = [&](const auto s, const auto nodes, auto before) {
     using node = std::remove_const_t<decltype(s)>;
@@ -155,7 +155,7 @@ TEST_CASE_TEMPLATE("bfs: obeys bounds and targets, and sets predecessors, on ver
   check(poly_id{0}, polys(m), make_poly_map<poly_id>(m));
 }
 
-TEST_CASE_TEMPLATE("bfs: crossed elements join predecessors, and visit is called in the order of the search", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bfs: each crossed element is between a node and its predecessor; visit is called in search order", M, CONCINO_KINDS) {
   const M m = two_grids<M>(3);
   const auto check = [&](const auto s, const auto nodes, auto before, auto across, const auto& is_between) {
     using node = std::remove_const_t<decltype(s)>;

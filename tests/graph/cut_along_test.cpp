@@ -50,7 +50,7 @@ edge_t<M> edge_between(const M& m, unsigned a, unsigned b) {
 
 }  // namespace
 
-TEST_CASE("cut_along: cuts a grid from side to side, partially, and inside") {
+TEST_CASE("cut_along: a cut may divide a grid, begin at its boundary, or be interior") {
   const quadmesh m = grid<quadmesh>(4);  // vert (i, j) is number 5 j + i
   const auto cut = [&](unsigned edges_of_way) {
     std::vector<edge_id> way;
@@ -119,7 +119,7 @@ TEST_CASE_TEMPLATE("cut_along: transfers properties by the correspondence", M, C
   }
 }
 
-TEST_CASE_TEMPLATE("cut_along: polys stay adjacent exactly across edges that are not cut, on 1,000 random meshes", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("cut_along: polys stay neighbours exactly at edges that are not cut, on 1,000 random meshes", M, CONCINO_SURFACE_KINDS) {
   std::mt19937 random(11);
   for (int round = 0; round < 1000; ++round) {
     const M m = round % 100 == 0 ? from_quads<M>(holed_board(1)) : random_mesh<M>(random);

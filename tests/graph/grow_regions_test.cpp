@@ -19,7 +19,7 @@ constexpr auto freely = [](const auto&, const auto&) { return true; };
 
 }  // namespace
 
-TEST_CASE("grow_regions: grow evenly, ties go to the earlier seed, barriers are obeyed") {
+TEST_CASE("grow_regions: regions grow evenly, ties go to the earlier seed, barriers are obeyed") {
   const auto m = grid<quadmesh>(4);  // polys 0 .. 3 in the first row
   const poly_id p{0}, q{3};
   const auto rg = grow_regions(m, {q, p}, freely);

@@ -62,7 +62,7 @@ TEST_CASE("property maps: lvalue maps and arrays are maps") {
   CHECK(array[1] == 5);
 }
 
-TEST_CASE("property maps: read-only and write-only maps of Boost are maps") {
+TEST_CASE("property maps: read-only maps of Boost are readable, write-only ones writable") {
   const auto square = as_map(boost::make_function_property_map<int>([](int i) { return i * i; }));
   static_assert(ReadableMap<decltype(square), int> && !WritableMap<decltype(square), int, int>);
   CHECK(square[7] == 49);

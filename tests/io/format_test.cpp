@@ -73,7 +73,7 @@ static_assert(known.ids().size() == 5 && known.ids()[4].name() == "soup");
 
 }  // namespace
 
-TEST_CASE("format: a format argument is used whatever the extension") {
+TEST_CASE("format: a format argument takes precedence over the extension") {
   const temporary_folder dir;
   for (const std::string name : {"a.soup", "b.obj", "c"}) {
     write_file(dir / name, one);

@@ -59,7 +59,7 @@ TEST_CASE("text_cursor: handles comments, byte order marks and numbers followed 
   CHECK_THROWS_WITH_AS(infinite.next_real("x"), "t:1: expected x, a finite number, found 'inf'", parse_error);
 }
 
-TEST_CASE("token_cursor: counts may be wrong, and indices are checked") {
+TEST_CASE("token_cursor: counts are limited by the length of the text, and indices by their bound") {
   token_cursor in("1000000000000 -1 3 0", "t", nullptr, 0);
   const auto n = in.next_count("how many", 2);
   CHECK(n == 1000000000000);
@@ -134,7 +134,7 @@ TEST_CASE("text_cursor: a number ends at a blank or a comment, by default #") {
   }
 }
 
-TEST_CASE("token_cursor: reservable counts the elements that fit, the last one without a line end") {
+TEST_CASE("token_cursor: reservable limits a count by what fits into the text; the last element needs no line end") {
   CHECK(token_cursor("12345", "t", nullptr, 0).reservable(100, 2) == 3);
   CHECK(token_cursor("123456", "t", nullptr, 0).reservable(100, 2) == 3);
   CHECK(token_cursor("123456", "t", nullptr, 0).reservable(2, 2) == 2);

@@ -48,7 +48,7 @@ static_assert(!takes_temporary<user_mesh::volume> && takes_temporary<const user_
 
 }  // namespace
 
-TEST_CASE("boundary: is right for a cube under a pyramid") {
+TEST_CASE("boundary: is right for a cube and a pyramid that share a face") {
   const auto b = cn::boundary(w);
   keeps_all_laws(b);
   CHECK(cn::num_polys(b) == 9);

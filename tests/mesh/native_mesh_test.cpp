@@ -121,7 +121,7 @@ TEST_CASE("the polys around an edge: rings and open fans are right") {
   }
 }
 
-TEST_CASE("the polys around an edge: very many polys that share nothing else are right") {
+TEST_CASE("the polys around an edge: are right for very many polys that share only this edge") {
   constexpr unsigned n = 4000;
   std::vector<std::array<unsigned, 4>> tets;
   for (unsigned i = 0; i < n; ++i) tets.push_back({0, 1, 2 + 2 * i, 3 + 2 * i});
@@ -129,7 +129,7 @@ TEST_CASE("the polys around an edge: very many polys that share nothing else are
   CHECK(raw_set(cn::adj_e2p(m, *cn::adj_v2e(m, cn::vert_id{0}).begin())).size() == n);
 }
 
-TEST_CASE("the polys around an edge: equal polys are right") {
+TEST_CASE("the polys around an edge: are right if polys are equal") {
   const cn::tetmesh m(std::vector<cn::vec3>(8), std::vector<std::array<unsigned, 4>>{{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 5, 6}, {0, 1, 6, 7}, {0, 1, 7, 4}});
   for (const auto e : cn::edges(m))
     if (raw_set(cn::adj_e2v(m, e)) == std::set<unsigned>{0, 1}) CHECK(raw_set(cn::adj_e2p(m, e)).size() == 6);

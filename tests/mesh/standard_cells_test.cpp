@@ -46,7 +46,7 @@ TEST_CASE("standard cells: tables are closed, oriented outward, and agree with t
     for (unsigned i = 0; i < 4; ++i) CHECK(standard_cell_of(cell_shape::hex).face_vert[f][i] == hex_shape::face_vert[f][i]);
 }
 
-TEST_CASE("standard cells: a mirrored cell is corrected once, a flat one is not changed") {
+TEST_CASE("standard cells: the verts of an inverted cell are reordered, those of a flat one are not") {
   for (const cell_shape s : shapes) {
     const standard_cell& t = standard_cell_of(s);
     auto points = unit_cell(s);

@@ -100,12 +100,12 @@ double difference(const A& a, const B& b) {
 
 }  // namespace
 
-TEST_CASE("explain_... compiles for discretisations") {
+TEST_CASE("explain_discretisation compiles for discretisations") {
   explain_discretisation<uniform_t, graph>();
   explain_discretisation<const of_quads_alone&, quadmesh>();
 }
 
-TEST_CASE_TEMPLATE("discretisations: those for comparison equal minus the sum of local stiffness matrices", M, polygonmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("discretisations: de_goes and virtual_refinement equal minus the sum of local stiffness matrices", M, polygonmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const Eigen::MatrixXd refined = laplacian(m, virtual_refinement);
   CHECK((refined + stiffness<detail::virtual_refinement_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
@@ -115,7 +115,7 @@ TEST_CASE_TEMPLATE("discretisations: those for comparison equal minus the sum of
   }
 }
 
-TEST_CASE_TEMPLATE("discretisations: a user's, by weights of neighbours or edges, equals the library's", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("discretisations: a user's discretisation by weights of neighbours or edges equals the library's", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.03));
   CHECK(difference(laplacian(m, counted_neighbours{}), laplacian(m, uniform)) == 0);
   CHECK(difference(laplacian(m, counted_edges{}), laplacian(m, uniform)) == 0);
@@ -136,7 +136,7 @@ TEST_CASE_TEMPLATE("discretisations: a user's, by weights of neighbours or edges
   check(counted_edges{});
 }
 
-TEST_CASE("discretisations: a user's may have a matrix for each poly") {
+TEST_CASE("discretisations: a user's discretisation may have a matrix for each poly") {
   const trimesh m(jittered(triangle_grid(3), 0.04));
   const Eigen::MatrixXd l = laplacian(m, counted_polys{});
   for (const auto e : edges(m)) {
@@ -150,7 +150,7 @@ TEST_CASE("discretisations: a user's may have a matrix for each poly") {
   CHECK(u[vert_id{5}] == 1);
 }
 
-TEST_CASE("discretisations: a user's with masses of the mesh is the same up to rounding") {
+TEST_CASE("discretisations: a user's discretisation with the masses of the mesh is the same up to rounding") {
   auto arrays = jittered(grid_arrays<quadmesh>(3), 0.04);
   for (vec3& x : arrays.points) x *= 40;
   const quadmesh m(arrays);

@@ -52,7 +52,7 @@ Eigen::Index kernel_size(const Eigen::SparseMatrix<double>& l) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("laplacian, uniform: has minus the degree and ones; its kernel has the number of components", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, uniform: has entries 1 and minus the degree; the dimension of its kernel is the number of components", M, CONCINO_ALL_KINDS) {
   const M m = two_grids<M>(2);
   const auto l = laplacian(m, uniform);
   check_is_laplacian(m, l, 1e-13);

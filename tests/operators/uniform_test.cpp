@@ -10,7 +10,7 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("uniform: weights of edges and masses of verts are 1", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("uniform: every edge has weight 1, and every vert mass 1", M, CONCINO_KINDS) {
   const auto mesh = grid<M>(1);
   const auto g = only_primal_graph(mesh);
   static_assert(Discretisation<uniform_t, decltype(g)>);

@@ -34,7 +34,7 @@ TEST_CASE("dual(m) gives the same results as the mesh") {
   CHECK_FALSE(cn::contains(g, user_mesh::cell{4}));
 }
 
-TEST_CASE("laws hold for views, views of views and views of the weakest model") {
+TEST_CASE("dual(m) obeys all laws, also for views and the weakest model") {
   CHECK(cn::check_laws(cn::dual(s)).empty());
   CHECK(cn::check_laws(cn::dual(cn::dual(w))).empty());
   CHECK(cn::check_laws(cn::dual(cn::only_dual_graph(w))).empty());

@@ -40,7 +40,7 @@ TEST_CASE("primal(m) gives the same results as the mesh") {
   CHECK_FALSE(cn::contains(g, user_mesh::vertex{8}));
 }
 
-TEST_CASE("laws hold for views, views of views and views of the weakest model") {
+TEST_CASE("primal(m) obeys all laws, also for views and the weakest model") {
   CHECK(cn::check_laws(cn::primal(s)).empty());
   CHECK(cn::check_laws(cn::primal(cn::primal(w))).empty());
   CHECK(cn::check_laws(cn::primal(cn::only_primal_graph(w))).empty());

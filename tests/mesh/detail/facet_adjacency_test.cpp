@@ -67,7 +67,7 @@ list numbers(unsigned first, unsigned n) {
 
 }  // namespace
 
-TEST_CASE("facet_adjacency: polys may share one facet or several, of few or many") {
+TEST_CASE("facet_adjacency: finds neighbours that share one facet or several, also of large polys") {
   for (const unsigned n : {3u, 6u, 24u, 25u, 40u, 80u}) {
     const list ring = numbers(0, n), apart = numbers(n, n);
     list one = apart, two = apart, first_two = apart, last_two = apart;
@@ -107,7 +107,7 @@ TEST_CASE("facet_adjacency: boundary facets may lie between facets to the same p
   are_right({every_other, ring});
 }
 
-TEST_CASE("facet_adjacency: polys at non-manifold facets may share other facets too") {
+TEST_CASE("facet_adjacency: neighbours at random non-manifold facets are right") {
   std::mt19937 random(11);
   for (int round = 0; round < 60; ++round) {
     // few facets for many polys: nearly every facet is non-manifold, and their polys overlap
@@ -123,7 +123,7 @@ TEST_CASE("facet_adjacency: polys at non-manifold facets may share other facets 
   }
 }
 
-TEST_CASE("facet_adjacency: equal polys are right, with and without other neighbours") {
+TEST_CASE("facet_adjacency: equal polys are neighbours, with and without others at their facets") {
   for (const unsigned n : {3u, 9u, 30u, 90u})
     for (const unsigned copies : {2u, 3u, 20u}) {
       std::vector<list> lists(copies, numbers(0, n));

@@ -10,7 +10,7 @@ using namespace concino;
 using concino::detail::row_lookup;
 using concino::detail::jagged_array;
 
-TEST_CASE("row_lookup: finds every value in its row, and no other") {
+TEST_CASE("row_lookup: finds the position of every value in its row, also after changes") {
   std::mt19937 random(5);
   jagged_array<vert_id, 0> all;
   std::vector<std::vector<vert_id>> lists;

@@ -74,7 +74,7 @@ TEST_CASE("stiffness: in a cube products of two coordinates have the energy of t
   CHECK(u.dot(k * u) == doctest::Approx(8.0 / 3).epsilon(1e-13));
 }
 
-TEST_CASE_TEMPLATE("stiffness of a polyhedron: what linear functions do not see counts by the least gradients that are exact", M, hexmesh, polyhedralmesh) {
+TEST_CASE_TEMPLATE("stiffness of a polyhedron: functions orthogonal to linear ones are weighted by the smallest exact gradients", M, hexmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.1));
   corner_gradients<M> poly;
   double most = 0;
@@ -104,7 +104,7 @@ TEST_CASE_TEMPLATE("stiffness of a polyhedron: what linear functions do not see 
   CHECK(most > 1.05);  // some polys are irregular
 }
 
-TEST_CASE("stiffness: rounding errors are harmless in nearly flat boxes") {
+TEST_CASE("stiffness: energies are positive and accurate in nearly flat boxes") {
   Eigen::VectorXd alternating(8);
   alternating << 1, -1, 1, -1, -1, 1, -1, 1;
   for (const double height : {3e-8, 1e-8, 5e-9})

@@ -30,7 +30,7 @@ TEST_CASE("energy_gains: estimates the rest of a geometric series from two windo
   }
 }
 
-TEST_CASE("energy_gains: handles gains that do not decrease, and gains that vanish at once") {
+TEST_CASE("energy_gains: is right for gains that do not decrease, and for gains that vanish at once") {
   for (const double q : {1.0, 1.5}) {
     energy_gains gains;
     for (int k = 0; k < 20; ++k) gains.add(std::pow(q, k));
