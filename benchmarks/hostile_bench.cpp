@@ -28,7 +28,7 @@ struct input {
   std::string name;
   format_id format;
   std::string text;
-  std::size_t bytes = 0;  // of all files, if there are others beside the text
+  std::size_t bytes = 0;  // of the text and of the other files of this input
 };
 
 std::string operator""_s(const char* s, std::size_t n) { return {s, n}; }

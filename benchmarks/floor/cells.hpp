@@ -21,8 +21,8 @@ struct hex_shape {
   static constexpr u32 face[6][4] = {{0, 3, 2, 1}, {1, 2, 6, 5}, {4, 5, 6, 7}, {3, 0, 4, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}};
 };
 
-/// For each corner of the shape: the edges there (edge, other corner) and the faces there (face, the corners before, after and, in
-/// quads, opposite). In both shapes three of each meet at a corner.
+/// The three edges and the three faces at each corner of the shape. An edge has its number and its other corner. A face has its number, the corners before
+/// and after, and in quads the opposite corner.
 template<class S>
 struct corner_table {
   struct edge_at { u32 edge, other; };

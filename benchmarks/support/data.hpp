@@ -284,7 +284,7 @@ inline polyhedra_arrays dual_polyhedra(u32 n) {
       r.points.push_back(c / 3);
     }
 
-  std::vector<std::vector<std::pair<u32, bool>>> cells(nv);   // while generating only
+  std::vector<std::vector<std::pair<u32, bool>>> cells(nv);   // used only while generating
   r.face_offsets.push_back(0);
   auto corner_of = [&](u32 p, u32 v) {
     u32 i = 0;
