@@ -29,7 +29,7 @@ template<class L> concept may_be_temporary = requires { indexed(L()); };
 
 }  // namespace
 
-TEST_CASE("a row of boxes and a tet conform") {
+TEST_CASE("linear cell complexes: a row of boxes and a tet conform") {
   const complex c = row(3);
   check_conformance([&] { return indexed(c); });
   const auto m = indexed(c);
@@ -45,7 +45,7 @@ TEST_CASE("a row of boxes and a tet conform") {
   CHECK(num_polys(skin) == 14 + 4);
 }
 
-TEST_CASE("darts and descriptors convert to each other") {
+TEST_CASE("linear cell complexes: darts and descriptors convert to each other") {
   const complex c = row(2);
   const auto m = indexed(c);
   for (const auto v : verts(m)) CHECK(m.vert(m.handle(v)) == v);
@@ -63,7 +63,7 @@ TEST_CASE("darts and descriptors convert to each other") {
   CHECK(darts == 2 * 24 + 12);
 }
 
-TEST_CASE("points refer to those of the complex, so changes are seen") {
+TEST_CASE("linear cell complexes: points refer to those of the complex, so changes are seen") {
   complex c = row(1);
   const auto m = indexed(c);
   const vert_id v = m.vert(c.darts().begin());
@@ -71,7 +71,7 @@ TEST_CASE("points refer to those of the complex, so changes are seen") {
   CHECK(to_vec3(point(m, v)) == vec3{-1, -2, -3});
 }
 
-TEST_CASE("an empty complex is an empty mesh, and an open facet is an error") {
+TEST_CASE("linear cell complexes: an empty complex is an empty mesh, and an open facet is an error") {
   const complex none;
   const auto m = indexed(none);
   CHECK(num_polys(m) == 0);

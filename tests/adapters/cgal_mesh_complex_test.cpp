@@ -23,7 +23,7 @@ using view = decltype(indexed(std::declval<const complex&>()));
 
 static_assert(testing::models_in_all_forms<view>(testing::volume | testing::embedded | testing::fixed_arity));
 
-TEST_CASE("the mesh has exactly the cells in the complex") {
+TEST_CASE("CGAL mesh complexes: the mesh has exactly the cells in the complex") {
   complex c;
   for (int k = 0; k <= 3; ++k)
     for (int j = 0; j <= 3; ++j)

@@ -73,11 +73,11 @@ std::vector<allocations> allocated_on(const M& m) {
 
 }  // namespace
 
-TEST_CASE("the counter counts allocations") {
+TEST_CASE("CGAL: the counter of this test counts allocations") {
   CHECK(allocated_by([] { std::vector<int> a(100); CHECK(a.size() == 100); }).bytes >= 400);
 }
 
-TEST_CASE("iterating allocates nothing, and algorithms allocate as much as on a native mesh") {
+TEST_CASE("CGAL: iterating allocates nothing, and algorithms allocate as much as on a native mesh") {
   const surface_arrays arrays = testing::jittered(testing::triangle_grid(40), 0.005);
   const trimesh native(arrays);
   const surface_mesh m = testing::cgal_surface<kernel::Point_3>(arrays);
@@ -95,7 +95,7 @@ TEST_CASE("iterating allocates nothing, and algorithms allocate as much as on a 
   CHECK(on_polyhedron.back() == allocations{});
 }
 
-TEST_CASE("iterating over a mesh with garbage allocates nothing, and indexed(m) only its tables") {
+TEST_CASE("CGAL: iterating over a mesh with garbage allocates nothing, and indexed(m) only its tables") {
   surface_mesh m = testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(20));
   with_id p;
   CGAL::copy_face_graph(m, p);

@@ -36,7 +36,7 @@ static_assert(testing::models_in_all_forms<mesh<int>>(testing::surface) && testi
 static_assert(std::same_as<decltype(point(mesh<exact::Point_3>(), CGAL::SM_Vertex_index())), vec3>);
 static_assert(std::same_as<decltype(point(mesh<std::array<float, 3>>(), CGAL::SM_Vertex_index())), const std::array<float, 3>&>);
 
-TEST_CASE_TEMPLATE("distances equal those of the native mesh", P, inexact::Point_3, exact::Point_3, floats::Point_3, inexact::Weighted_point_3, vec3,
+TEST_CASE_TEMPLATE("Surface_mesh: distances equal those on a trimesh", P, inexact::Point_3, exact::Point_3, floats::Point_3, inexact::Weighted_point_3, vec3,
                    std::array<double, 3>) {
   surface_arrays arrays = testing::jittered(testing::triangle_grid(4), 0.05);
   for (vec3& x : arrays.points) x = {double(float(x.x)), double(float(x.y)), double(float(x.z))};
@@ -50,13 +50,13 @@ TEST_CASE_TEMPLATE("distances equal those of the native mesh", P, inexact::Point
   }
 }
 
-TEST_CASE("points of the plane lie at z = 0") {
+TEST_CASE("Surface_mesh: points of the plane lie at z = 0") {
   const auto m = testing::cgal_surface<inexact::Point_2>(testing::triangle_grid(2));
   for (const auto v : m.vertices()) CHECK(to_vec3(point(m, v)) == testing::triangle_grid(2).points[v]);
   CHECK(dijkstra(m, CGAL::SM_Vertex_index(0))[CGAL::SM_Vertex_index(2)] == 1);
 }
 
-TEST_CASE("numbers that are not doubles are rounded") {
+TEST_CASE("Surface_mesh: numbers that are not doubles are rounded") {
   mesh<exact::Point_3> m;
   const exact::FT third = exact::FT(1) / 3;
   const auto v = m.add_vertex(exact::Point_3(third, third * third, 7));
@@ -67,7 +67,7 @@ TEST_CASE("numbers that are not doubles are rounded") {
   CHECK(m.point(v).x() == third);
 }
 
-TEST_CASE_TEMPLATE("set_point moves a point", P, inexact::Point_3, exact::Point_3, floats::Point_3, vec3, std::array<float, 3>) {
+TEST_CASE_TEMPLATE("Surface_mesh: set_point moves a point", P, inexact::Point_3, exact::Point_3, floats::Point_3, vec3, std::array<float, 3>) {
   auto m = testing::cgal_surface<P>(testing::triangle_grid(1));
   const CGAL::SM_Vertex_index v(2);
   set_point(m, v, vec3{1.5, -2, 3});

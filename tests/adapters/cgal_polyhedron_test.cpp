@@ -89,7 +89,7 @@ std::vector<surface_arrays> inputs() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("laws hold for every polyhedron with ids", P, with_id, in_vectors) {
+TEST_CASE_TEMPLATE("CGAL polyhedra: laws hold for every polyhedron with ids", P, with_id, in_vectors) {
   for (const surface_arrays& s : inputs()) {
     P p;
     build(p, s);
@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE("laws hold for every polyhedron with ids", P, with_id, in_vec
   }
 }
 
-TEST_CASE("laws hold without ids") {
+TEST_CASE("CGAL polyhedra: laws hold without ids") {
   for (const surface_arrays& s : inputs()) {
     plain p;
     build(p, s);
@@ -108,7 +108,7 @@ TEST_CASE("laws hold without ids") {
   }
 }
 
-TEST_CASE("laws hold after elements were erased") {
+TEST_CASE("CGAL polyhedra: laws hold after elements were erased") {
   std::mt19937 random(3);
   with_id p;
   build(p, testing::triangle_grid(6));
@@ -125,7 +125,7 @@ TEST_CASE("laws hold after elements were erased") {
   }
 }
 
-TEST_CASE("ids that are not set, or not unique after an edit, are errors") {
+TEST_CASE("CGAL polyhedra: ids that are not set, or not unique after an edit, are errors") {
   with_id p;
   const surface_arrays grid = testing::triangle_grid(2);
   builder<with_id> b(grid);
@@ -157,7 +157,7 @@ TEST_CASE("ids that are not set, or not unique after an edit, are errors") {
   CHECK_THROWS_AS(edge_index_bound(p), invalid_mesh);
 }
 
-TEST_CASE("contains is true exactly for elements of the polyhedron") {
+TEST_CASE("CGAL polyhedra: contains is true exactly for elements of the polyhedron") {
   with_id p;
   build(p, testing::triangle_grid(2));
   const auto i = indexed(p);
@@ -176,7 +176,7 @@ TEST_CASE("contains is true exactly for elements of the polyhedron") {
   CHECK_THROWS_AS(dijkstra(i, q.vertices_begin()), invalid_mesh);
 }
 
-TEST_CASE_TEMPLATE("algorithms take and return handles, and results equal those of the native mesh", P, plain, with_id) {
+TEST_CASE_TEMPLATE("CGAL polyhedra: algorithms take and return handles, and results equal those of the native mesh", P, plain, with_id) {
   const auto arrays = testing::jittered(testing::triangle_grid(5), 0.03);
   P p;
   build(p, arrays);
@@ -204,7 +204,7 @@ TEST_CASE_TEMPLATE("algorithms take and return handles, and results equal those 
   CHECK(bfs(indexed(p), p.vertices_begin())[std::prev(p.vertices_end())] == bfs(native, vert_id{0})[vert_id{35}]);
 }
 
-TEST_CASE("set_point moves a point") {
+TEST_CASE("CGAL polyhedra: set_point moves a point") {
   with_id p;
   build(p, testing::triangle_grid(1));
   const auto i = indexed(p);
@@ -217,7 +217,7 @@ TEST_CASE("set_point moves a point") {
   CHECK(to_vec3(point(q, q.vertices_begin())) == vec3{1, 2, 3});
 }
 
-TEST_CASE("derived classes work, and iterating needs no index") {
+TEST_CASE("CGAL polyhedra: derived classes work, and iterating needs no index") {
   derived p;
   build(static_cast<with_id&>(p), testing::rolled_grid(3, 3));
   check_sound(p);

@@ -32,7 +32,7 @@ static_assert(ReadableMap<surface_mesh::Property_map<vertex, double>, vertex> &&
 static_assert(WritableMap<const surface_mesh::Property_map<face, int>, face, int> && WritableMap<surface_mesh::Property_map<face, bool>, face, bool>);
 static_assert(!ReadableMap<surface_mesh::Property_map<face, int>, vertex*>);
 
-TEST_CASE("property maps of Surface_mesh are predecessors, points and lengths") {
+TEST_CASE("CGAL: property maps of Surface_mesh store predecessors, points and lengths") {
   auto m = testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(3));
   const vertex a(0), b(15);
   auto from = m.add_property_map<vertex, vertex>("v:from").first;
@@ -54,7 +54,7 @@ TEST_CASE("property maps of Surface_mesh are predecessors, points and lengths") 
   CHECK(bfs(m, face(0), {.may_enter = [&](face f) { return !closed[f]; }})[face(1)] == -1);
 }
 
-TEST_CASE("property maps of a polyhedron, by handle") {
+TEST_CASE("CGAL: property maps of a polyhedron are maps by handle") {
   const auto sm = testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(3));
   polyhedron p;
   CGAL::copy_face_graph(sm, p);

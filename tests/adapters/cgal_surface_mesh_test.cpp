@@ -91,7 +91,7 @@ surface_arrays fans() {
 
 }  // namespace
 
-TEST_CASE("laws hold for empty, open, closed and disconnected meshes, isolated verts, several fans") {
+TEST_CASE("Surface_mesh: laws hold for empty, open, closed and disconnected meshes, isolated verts, several fans") {
   check_sound(surface_mesh());
   check_sound(testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(4)));
   check_sound(testing::cgal_surface<kernel::Point_3>(testing::polygon_grid(3)));
@@ -101,7 +101,7 @@ TEST_CASE("laws hold for empty, open, closed and disconnected meshes, isolated v
   check_sound(testing::cgal_surface<kernel::Point_3>(fans()));
 }
 
-TEST_CASE("removed elements are not part of the mesh, before and after garbage collection and reuse") {
+TEST_CASE("Surface_mesh: removed elements are not part of the mesh, before and after garbage collection and reuse") {
   std::mt19937 random(7);
   for (int round = 0; round < 20; ++round) {
     surface_mesh m = testing::cgal_surface<kernel::Point_3>(
@@ -131,7 +131,7 @@ TEST_CASE("removed elements are not part of the mesh, before and after garbage c
   }
 }
 
-TEST_CASE("laws hold if everything is removed, for joined meshes and for copies") {
+TEST_CASE("Surface_mesh: laws hold if everything is removed, for joined meshes and for copies") {
   surface_mesh m = testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(2));
   for (int i = 0; i < 8; ++i) CGAL::Euler::remove_face(m.halfedge(*polys(m).begin()), m);
   CHECK(m.has_garbage());
@@ -145,7 +145,7 @@ TEST_CASE("laws hold if everything is removed, for joined meshes and for copies"
   CHECK(num_polys(copy) == 4);
 }
 
-TEST_CASE("contains is true exactly for elements of the mesh") {
+TEST_CASE("Surface_mesh: contains is true exactly for elements of the mesh") {
   surface_mesh m = testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(2));
   CHECK(contains(m, vertex(8)));
   CHECK(!contains(m, vertex(9)));
@@ -164,7 +164,7 @@ TEST_CASE("contains is true exactly for elements of the mesh") {
   CHECK_THROWS_AS(bfs(m, vertex(77)), invalid_mesh);
 }
 
-TEST_CASE("algorithms take and return handles") {
+TEST_CASE("Surface_mesh: algorithms take and return handles") {
   const surface_mesh m = testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(4));
   const trimesh native(testing::triangle_grid(4));
   const vertex a(0), b(24);
@@ -186,7 +186,7 @@ TEST_CASE("algorithms take and return handles") {
   CHECK(barred[face(0)] == 0);
 }
 
-TEST_CASE("the ring of a poly has CGAL's order, that of an edge is source and target") {
+TEST_CASE("Surface_mesh: the ring of a poly has CGAL's order, that of an edge is source and target") {
   const surface_mesh m = testing::cgal_surface<kernel::Point_3>(testing::polygon_grid(2));
   for (const face f : m.faces()) {
     std::vector<vertex> ring, cgal;
@@ -201,7 +201,7 @@ TEST_CASE("the ring of a poly has CGAL's order, that of an edge is source and ta
   }
 }
 
-TEST_CASE("derived classes work, and may declare that all polys are triangles") {
+TEST_CASE("Surface_mesh: derived classes work, and may declare that all polys are triangles") {
   derived m;
   static_cast<surface_mesh&>(m) = testing::cgal_surface<kernel::Point_3>(testing::triangle_grid(3));
   CHECK(check_laws(m).empty());
@@ -212,7 +212,7 @@ TEST_CASE("derived classes work, and may declare that all polys are triangles") 
   CHECK(check_laws(t).empty());
 }
 
-TEST_CASE("two edges with the same ends are found by check_laws") {
+TEST_CASE("Surface_mesh: two edges with the same ends are found by check_laws") {
   surface_mesh m;
   const vertex a = m.add_vertex(), b = m.add_vertex();
   const auto h = m.add_edge(a, b), k = m.add_edge(a, b);

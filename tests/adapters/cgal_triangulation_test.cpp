@@ -75,7 +75,7 @@ static_assert(testing::models_in_all_forms<view>(testing::volume | testing::embe
 static_assert(TetMesh<decltype(indexed(std::declval<const half_complex&>()))>);
 static_assert(!may_be_temporary<delaunay> && !may_be_temporary<half_complex> && is_view_v<view>);
 
-TEST_CASE("laws hold before and after the triangulation changes, with a new view") {
+TEST_CASE("CGAL triangulations: laws hold before and after the triangulation changes, with a new view") {
   delaunay t;
   check_sound(indexed(t));
   CHECK(num_verts(indexed(t)) == 0);
@@ -98,7 +98,7 @@ TEST_CASE("laws hold before and after the triangulation changes, with a new view
   }
 }
 
-TEST_CASE("CGAL's handles and descriptors convert to each other") {
+TEST_CASE("CGAL triangulations: handles and descriptors convert to each other") {
   const delaunay t = random_points(40);
   const auto m = indexed(t);
   for (auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v) {
@@ -134,7 +134,7 @@ TEST_CASE("CGAL's handles and descriptors convert to each other") {
   for (const face_id f : faces(m)) CHECK(m.face(m.handle(f)) == f);
 }
 
-TEST_CASE("results equal those of a tetmesh; tets are positive, the boundary is the convex hull") {
+TEST_CASE("CGAL triangulations: results equal those of a tetmesh; tets are positive, the boundary is the convex hull") {
   const delaunay t = random_points(150);
   const auto m = indexed(t);
   const tetmesh n = native(m);
@@ -159,7 +159,7 @@ TEST_CASE("results equal those of a tetmesh; tets are positive, the boundary is 
   CHECK(bfs(indexed(t), a)[b] == bfs(n, a)[b]);  // maps store a copy of a temporary view
 }
 
-TEST_CASE("a complex has exactly its cells and their verts") {
+TEST_CASE("CGAL triangulations: a complex has exactly its cells and their verts") {
   half_complex c{random_points(100), {}};
   for (const delaunay::Cell_handle cell : c.t.finite_cell_handles())
     if (CGAL::centroid(c.t.tetrahedron(cell)).x() < 0.5) c.cells.push_back(cell);

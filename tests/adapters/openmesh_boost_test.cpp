@@ -13,7 +13,7 @@ using namespace concino;
 using namespace concino::testing::om;
 using testing::allocated_by;
 
-TEST_CASE("properties store labels and distances") {
+TEST_CASE("OpenMesh and Boost: properties store labels and distances") {
   only_one m;
   fill(m, two_grids<only_one>(3));
   m.delete_face(m.face_handle(0), true);
@@ -28,7 +28,7 @@ TEST_CASE("properties store labels and distances") {
   CHECK(m.property(far, m.vertex_handle(2)) == doctest::Approx(1.0 / 3));
 }
 
-TEST_CASE("visiting elements allocates nothing") {
+TEST_CASE("OpenMesh and Boost: visiting elements allocates nothing") {
   const surface_arrays s = testing::triangle_grid(12);
   const trimesh native(s);
   only_one m;

@@ -61,7 +61,7 @@ void edit(M& m, std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("laws hold after any edits", M, tri_status, poly_status) {
+TEST_CASE_TEMPLATE("OpenMesh: laws hold after any edits", M, tri_status, poly_status) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
@@ -74,7 +74,7 @@ TEST_CASE_TEMPLATE("laws hold after any edits", M, tri_status, poly_status) {
   }
 }
 
-TEST_CASE("laws hold if everything is deleted, and after garbage collection") {
+TEST_CASE("OpenMesh: laws hold if everything is deleted, and after garbage collection") {
   poly_double m;  // its status attributes are not requested yet
   fill(m, two_grids<poly_double>(2));
   m.request_vertex_status();
@@ -90,7 +90,7 @@ TEST_CASE("laws hold if everything is deleted, and after garbage collection") {
   check_state(m);
 }
 
-TEST_CASE("edges without status attributes are deleted with their last face") {
+TEST_CASE("OpenMesh: edges without status attributes are deleted with their last face") {
   poly_double m;
   fill(m, two_grids<poly_double>(2));
   m.request_face_status();
@@ -101,7 +101,7 @@ TEST_CASE("edges without status attributes are deleted with their last face") {
   CHECK(num_edges(m) < m.n_edges());
 }
 
-TEST_CASE("elements with the status hidden are elements of the mesh") {
+TEST_CASE("OpenMesh: elements with the status hidden are elements of the mesh") {
   poly_status m;
   fill(m, two_grids<poly_status>(2));
   m.status(m.vertex_handle(0)).set_hidden(true);
@@ -110,7 +110,7 @@ TEST_CASE("elements with the status hidden are elements of the mesh") {
   check_state(m);
 }
 
-TEST_CASE("a vert may have several fans, from the start or after deletion") {
+TEST_CASE("OpenMesh: a vert may have several fans, from the start or after deletion") {
   poly_status m;
   fill(m, {std::vector<vec3>(7), {}, {}, 3});
   for (const unsigned i : {1u, 3u, 5u}) m.add_face(m.vertex_handle(0), m.vertex_handle(i), m.vertex_handle(i + 1));

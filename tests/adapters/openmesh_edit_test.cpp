@@ -14,7 +14,7 @@ static_assert(requirement::has_add_vert<only_one> && requirement::has_remove_ver
 static_assert(requirement::has_add_poly<only_one> && requirement::has_remove_poly<only_one>);
 static_assert(!requirement::has_add_vert<tri_planar> && requirement::has_add_poly<tri_planar>);
 
-TEST_CASE_TEMPLATE("set_point converts to the point type of the mesh", M, only_one, tri_own, poly_eigen) {
+TEST_CASE_TEMPLATE("OpenMesh: set_point converts to the point type of the mesh", M, only_one, tri_own, poly_eigen) {
   M m;
   const VertexHandle v = add_vert(m, {1, 2, 0.1});
   set_point(m, v, std::array{3, 4, 5});
@@ -23,7 +23,7 @@ TEST_CASE_TEMPLATE("set_point converts to the point type of the mesh", M, only_o
   CHECK(m.point(v)[0] == static_cast<typename M::Scalar>(0.1));
 }
 
-TEST_CASE_TEMPLATE("a mesh can be built and removed, with or without status attributes", M, only_one, poly_double) {
+TEST_CASE_TEMPLATE("OpenMesh: a mesh can be built and removed, with or without status attributes", M, only_one, poly_double) {
   const surface_arrays s = testing::with_offsets(testing::triangle_grid(3));
   M m;
   for (const vec3& x : s.points) add_vert(m, x);
@@ -61,7 +61,7 @@ TEST_CASE_TEMPLATE("a mesh can be built and removed, with or without status attr
   CHECK(vert_index_bound(m) == num_verts(m));
 }
 
-TEST_CASE("polys that OpenMesh cannot hold throw, and the mesh is unchanged") {
+TEST_CASE("OpenMesh: polys that OpenMesh cannot hold throw, and the mesh is unchanged") {
   only_one m;
   fill(m, testing::triangle_grid(2));
   const auto v = [&](unsigned i) { return m.vertex_handle(i); };
@@ -96,7 +96,7 @@ TEST_CASE("polys that OpenMesh cannot hold throw, and the mesh is unchanged") {
   CHECK_THROWS_AS(add_poly(p, {p.vertex_handle(0), p.vertex_handle(1)}), invalid_mesh);
 }
 
-TEST_CASE("closing the fan at a vert throws if the vert has another fan") {
+TEST_CASE("OpenMesh: closing the fan at a vert throws if the vert has another fan") {
   poly_double m;
   for (int i = 0; i < 7; ++i) add_vert(m, {i, 0, 0});
   const auto v = [&](unsigned i) { return m.vertex_handle(i); };
@@ -115,7 +115,7 @@ TEST_CASE("closing the fan at a vert throws if the vert has another fan") {
   check_rings(m);
 }
 
-TEST_CASE("polys are added in any order, or throw without a change, and can be removed") {
+TEST_CASE("OpenMesh: polys are added in any order, or throw without a change, and can be removed") {
   std::mt19937 random(3);
   int taken = 0, refused = 0, removed = 0;
   for (int round = 0; round < 60; ++round) {
@@ -146,7 +146,7 @@ TEST_CASE("polys are added in any order, or throw without a change, and can be r
   CHECK(removed > 50);
 }
 
-TEST_CASE("properties follow their elements") {
+TEST_CASE("OpenMesh: properties follow their elements") {
   only_one m;
   fill(m, testing::triangle_grid(1));
   OpenMesh::VPropHandleT<double> h;

@@ -34,7 +34,7 @@ static_assert(std::is_trivially_copyable_v<verts_of_doubles> && sizeof(verts_of_
 
 }  // namespace
 
-TEST_CASE("a map from as_map refers to the property") {
+TEST_CASE("OpenMesh: a map from as_map refers to the property") {
   only_one m;
   fill(m, two_grids<only_one>(2));
   OpenMesh::VPropHandleT<double> vh;
@@ -67,7 +67,7 @@ TEST_CASE("a map from as_map refers to the property") {
   CHECK_THROWS_AS(as_map(m, OpenMesh::VPropHandleT<double>()), invalid_argument);
 }
 
-TEST_CASE("standard attributes of the mesh are maps") {
+TEST_CASE("OpenMesh: standard attributes of the mesh are maps") {
   tri_float m;
   fill(m, two_grids<tri_float>(2));
   m.request_vertex_colors();
@@ -77,7 +77,7 @@ TEST_CASE("standard attributes of the mesh are maps") {
   CHECK(as_map(m, m.points_property_handle())[m.vertex_handle(1)] == m.point(m.vertex_handle(1)));
 }
 
-TEST_CASE("properties are lengths, barriers and predecessors of shortest paths") {
+TEST_CASE("OpenMesh: properties can be lengths, barriers and predecessors of shortest paths") {
   only_one m;
   fill(m, testing::triangle_grid(4));
   OpenMesh::EPropHandleT<double> length_handle;
@@ -102,7 +102,7 @@ TEST_CASE("properties are lengths, barriers and predecessors of shortest paths")
   CHECK(path.back() == t);
 }
 
-TEST_CASE("properties are values and results of harmonic maps") {
+TEST_CASE("OpenMesh: properties can be values and results of harmonic maps") {
   only_one m;
   fill(m, testing::triangle_grid(4));
   OpenMesh::VProp<double> given(m), u(m);
@@ -117,7 +117,7 @@ TEST_CASE("properties are values and results of harmonic maps") {
   for (const auto v : verts(m)) CHECK(u[v] == doctest::Approx(m.point(v)[0]));
 }
 
-TEST_CASE("properties can be the points of a mesh") {
+TEST_CASE("OpenMesh: properties can be the points of a mesh") {
   only_one m;
   fill(m, testing::triangle_grid(4));
   OpenMesh::VPropHandleT<OpenMesh::Vec3f> h;

@@ -70,7 +70,7 @@ std::vector<allocations> allocated_on(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("iterating allocates nothing, and algorithms allocate as much as on a native mesh", M, only_one, tri_double) {
+TEST_CASE_TEMPLATE("OpenMesh: iterating allocates nothing, and algorithms allocate as much as on a native mesh", M, only_one, tri_double) {
   const surface_arrays arrays = testing::jittered(testing::triangle_grid(30), 0.005);
   trimesh native(arrays);
   M m;
@@ -97,7 +97,7 @@ TEST_CASE_TEMPLATE("iterating allocates nothing, and algorithms allocate as much
   compare();
 }
 
-TEST_CASE("algorithms run on a const mesh that can be neither copied nor moved") {
+TEST_CASE("OpenMesh: algorithms run on a const mesh that can be neither copied nor moved") {
   only_one filled;
   fill(filled, two_grids<only_one>(3));
   const only_one& m = filled;

@@ -27,7 +27,7 @@ mesh fan() {
 
 }  // namespace
 
-TEST_CASE("status attributes are requested again after std::bad_alloc") {
+TEST_CASE("OpenMesh: status attributes are requested again after std::bad_alloc") {
   std::size_t refused = 0;
   const auto result = cn::testing::for_each_failing_allocation([&](const auto& attempt) {
     mesh m = fan();
@@ -45,7 +45,7 @@ TEST_CASE("status attributes are requested again after std::bad_alloc") {
   CHECK(result.failed > 0);
 }
 
-TEST_CASE("removing a vert allocates before it changes the mesh") {
+TEST_CASE("OpenMesh: removing a vert allocates before it changes the mesh") {
   const auto result = cn::testing::for_each_failing_allocation([&](const auto& attempt) {
     mesh m = fan();
     const std::vector<poly> all(m.faces_begin(), m.faces_end());

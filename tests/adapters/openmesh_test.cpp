@@ -50,7 +50,7 @@ static_assert(walks_are_forward_ranges<only_one>());
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("laws hold for meshes of any traits, and rings and points are right", M, tri_float, tri_own, tri_planar, only_one, poly_double, poly_eigen,
+TEST_CASE_TEMPLATE("OpenMesh: with any traits laws hold, and rings and points are right", M, tri_float, tri_own, tri_planar, only_one, poly_double, poly_eigen,
                    poly_homogeneous) {
   M m;
   CHECK(num_verts(m) == 0);
@@ -66,7 +66,7 @@ TEST_CASE_TEMPLATE("laws hold for meshes of any traits, and rings and points are
   for (const auto v : verts(m)) CHECK(norm(to_vec3(point(m, v)) - s.points[index_of(m, v)]) < 1e-6);
 }
 
-TEST_CASE_TEMPLATE("laws of points hold, and only a point that is NaN breaks one", M, only_one, poly_double) {
+TEST_CASE_TEMPLATE("OpenMesh: laws of points hold, and only a point that is NaN breaks one", M, only_one, poly_double) {
   M m;
   check_laws_hold<M>(m);
   fill(m, two_grids<M>(2));
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("laws of points hold, and only a point that is NaN breaks one
   CHECK(check_laws(m).size() == 1);
 }
 
-TEST_CASE("laws hold for connectivity without points") {
+TEST_CASE("OpenMesh: laws hold for connectivity without points") {
   only_one m;
   fill(m, two_grids<only_one>(2));
   const OpenMesh::PolyConnectivity& c = *OpenMesh::make_smart(m.vertex_handle(0), m).mesh();
@@ -83,7 +83,7 @@ TEST_CASE("laws hold for connectivity without points") {
   CHECK(num_edges(c) == m.n_edges());
 }
 
-TEST_CASE("algorithms take handles and smart handles, and return handles") {
+TEST_CASE("OpenMesh: algorithms take handles and smart handles, and return handles") {
   only_one m;
   fill(m, two_grids<only_one>(2));
   const OpenMesh::VertexHandle s = m.vertex_handle(0);
@@ -108,7 +108,7 @@ TEST_CASE("algorithms take handles and smart handles, and return handles") {
   }
 }
 
-TEST_CASE("polys are in the order in which they were added") {
+TEST_CASE("OpenMesh: polys are in the order in which they were added") {
   poly_double m;
   fill(m, two_grids<poly_double>(2));
   for (const auto p : polys(m)) {
@@ -120,7 +120,7 @@ TEST_CASE("polys are in the order in which they were added") {
   CHECK(adj_p2v(m, m.face_handle(0)).begin().operator*() == m.vertex_handle(0));
 }
 
-TEST_CASE("points may have two coordinates, or more than three") {
+TEST_CASE("OpenMesh: points may have two coordinates, or more than three") {
   tri_planar flat;
   flat.add_vertex({1, 2});
   CHECK(to_vec3(point(flat, flat.vertex_handle(0))) == vec3{1, 2, 0});

@@ -58,7 +58,7 @@ TEST_CASE("a PNG file has the bytes of the picture") {
   CHECK(std::distance(std::filesystem::directory_iterator(scratch.path), {}) == 1);  // no temporary file is left
 }
 
-TEST_CASE("a failing write is an error, and leaves no file behind") {
+TEST_CASE("a failing write of a picture is an error, and leaves no file behind") {
   const scratch_folder scratch;
   CHECK_THROWS_AS(write_png(image(2, 2), (scratch.path / "no" / "such" / "folder.png").string()), io_error);
   CHECK_THROWS_AS(write_png(image(), (scratch.path / "empty.png").string()), invalid_argument);
@@ -79,7 +79,7 @@ TEST_CASE("pictures use atomic_file: links, long names and invalid paths are han
   CHECK(std::distance(fs::directory_iterator(scratch.path), {}) == 3);
 }
 
-TEST_CASE("reading gives the same sRGB bytes") {
+TEST_CASE("reading a PNG file gives the same sRGB bytes") {
   for (int i = 0; i < 256; ++i) {
     const float x = static_cast<float>(i) / 255;
     CHECK(srgb_bytes(srgb(x, x, x))[1] == i);

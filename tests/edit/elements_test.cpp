@@ -101,7 +101,7 @@ void add_random_poly(M& m, std::mt19937& random) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("laws hold after random adding and removing", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("editing: laws hold after random adding and removing", M, CONCINO_ALL_KINDS) {
   std::mt19937 random(4);
   const unsigned rounds = concino::testing::long_run() ? 200 : 8;
   for (unsigned round = 0; round < rounds; ++round) {
@@ -138,7 +138,7 @@ TEST_CASE_TEMPLATE("laws hold after random adding and removing", M, CONCINO_ALL_
   }
 }
 
-TEST_CASE("laws hold after random edits of long polygons that share several edges") {
+TEST_CASE("editing: laws hold after random edits of long polygons that share several edges") {
   std::mt19937 random(6);
   const unsigned rounds = concino::testing::long_run() ? 100 : 4;
   for (unsigned round = 0; round < rounds; ++round) {
@@ -163,7 +163,7 @@ TEST_CASE("laws hold after random edits of long polygons that share several edge
   }
 }
 
-TEST_CASE_TEMPLATE("removing all polys and adding them again gives the same mesh", M, cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
+TEST_CASE_TEMPLATE("editing: removing and adding all polys gives the same mesh", M, cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
   const M whole = cn::testing::grid<M>(3);
   M m = whole;
   for (const auto p : cn::polys(whole)) cn::remove_poly(m, p);
@@ -216,7 +216,7 @@ TEST_CASE("add_face and add_poly accept ranges that belong to the mesh") {
   CHECK(raw(cn::polys(m)) == polys_before);
 }
 
-TEST_CASE("a mesh can be built by editing alone") {
+TEST_CASE("editing: a mesh can be built by add_vert and add_poly alone") {
   cn::polygonmesh m;
   std::vector<cn::vert_id> v;
   for (int i = 0; i < 4; ++i) v.push_back(cn::add_vert(m, {i % 2, i / 2, 0}));
@@ -225,7 +225,7 @@ TEST_CASE("a mesh can be built by editing alone") {
   keeps_all_laws(m);
 }
 
-TEST_CASE("an added face without polys has as many edges as verts") {
+TEST_CASE("editing: an added face without polys has as many edges as verts") {
   cn::polyhedralmesh m;
   std::size_t edges = 0;
   for (unsigned n = 3; n < 12; ++n) {
@@ -238,7 +238,7 @@ TEST_CASE("an added face without polys has as many edges as verts") {
   keeps_all_laws(m);
 }
 
-TEST_CASE_TEMPLATE("an edit that throws changes nothing", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("editing: an edit that throws changes nothing", M, CONCINO_ALL_KINDS) {
   M m = cn::testing::grid<M>(2);
   const std::size_t edges = cn::num_edges(m), polys = cn::num_polys(m);
   if constexpr (std::same_as<M, cn::polyhedralmesh>) {
@@ -265,7 +265,7 @@ TEST_CASE_TEMPLATE("an edit that throws changes nothing", M, CONCINO_ALL_KINDS) 
   CHECK_THROWS_AS(cn::remove_vert(m, cn::vert_id{}), cn::invalid_mesh);
 }
 
-TEST_CASE("an added cell shares an existing face, whatever its orientation and first vert") {
+TEST_CASE("editing: an added cell shares an existing face, whatever its orientation and first vert") {
   const std::vector<cn::vec3> points(12);
   const auto add = [](auto& m, const list& raw_corners) {
     std::vector<cn::vert_id> corners;

@@ -207,7 +207,7 @@ TEST_CASE("nested closed surfaces: all is inside by winding numbers, the inner o
   CHECK(!tree.is_inside({0.5, 0.5, 3}));
 }
 
-TEST_CASE("open surfaces have no inside") {
+TEST_CASE("open surfaces: is_inside throws") {
   const trimesh m = grid<trimesh>(2);
   const auto tree = bounding_tree(m);
   CHECK_THROWS_AS(tree.is_inside({0.5, 0.5, 1}), invalid_mesh);
@@ -227,7 +227,7 @@ TEST_CASE_TEMPLATE("the inside of the boundary of a volume is the volume", M, CO
   }
 }
 
-TEST_CASE("inverted polys contain their points too") {
+TEST_CASE("inverted polys: locate finds them too") {
   const tetmesh t({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1, 3}});
   CHECK(bounding_tree(t).locate({0.1, 0.1, 0.1}) == poly_id{0});
   const hexmesh h({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{4, 5, 6, 7, 0, 1, 2, 3}});

@@ -26,7 +26,7 @@ M crooked(unsigned n, double amount = 0.3) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("the nearest point equals that of a brute-force search", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: the nearest point equals that of a brute-force search", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(1, -0.7, 1.7);
@@ -49,7 +49,7 @@ TEST_CASE_TEMPLATE("the nearest point equals that of a brute-force search", M, C
   }
 }
 
-TEST_CASE_TEMPLATE("the hits of a ray equal those of a brute-force search", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: the hits of a ray equal those of a brute-force search", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(2, -0.5, 1.5);
@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("the hits of a ray equal those of a brute-force search", M, C
   CHECK(met >= 10);
 }
 
-TEST_CASE_TEMPLATE("the polys that meet a box equal those of a brute-force search", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: the polys that meet a box equal those of a brute-force search", M, CONCINO_KINDS) {
   const M m = crooked<M>(3);
   const auto tree = bounding_tree(m);
   point_stream at(3, -0.2, 1.2);
@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE("the polys that meet a box equal those of a brute-force searc
   CHECK(tree.in_box(all).empty());
 }
 
-TEST_CASE_TEMPLATE("boxes are closed: a box meets exactly the polys with a common point", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: a box meets exactly the polys with which it has a common point", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto tree = bounding_tree(m);
   for (const auto v : verts(m)) {
@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("boxes are closed: a box meets exactly the polys with a commo
   CHECK(!tree.in_box(beside).empty());
 }
 
-TEST_CASE_TEMPLATE("results on the archetype are the same", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: results on the archetype are the same", M, CONCINO_KINDS) {
   const M m = crooked<M>(2);
   const auto g = only_embedded_mesh(m);
   const auto tree = bounding_tree(m);
@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("results on the archetype are the same", M, CONCINO_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("results scale exactly with powers of two, up to sizes whose squares overflow", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: results scale exactly with powers of two, up to sizes whose squares overflow", M, CONCINO_KINDS) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.1);
   const M m(arrays);
   const auto tree = bounding_tree(m);
@@ -179,7 +179,7 @@ TEST_CASE_TEMPLATE("results scale exactly with powers of two, up to sizes whose 
   }
 }
 
-TEST_CASE_TEMPLATE("queries from very far away are right", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: queries from very far away are right", M, CONCINO_KINDS) {
   const M m = grid<M>(2);
   const auto tree = bounding_tree(m);
   for (const double far : {1e20, 1e100, 1e300}) {
@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE("queries from very far away are right", M, CONCINO_KINDS) {
   }
 }
 
-TEST_CASE_TEMPLATE("a tree works without polys, and with polys without area or volume", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: a tree works without polys, and with polys without area or volume", M, CONCINO_KINDS) {
   const M none;
   const auto empty = bounding_tree(none);
   box b;
@@ -222,7 +222,7 @@ TEST_CASE_TEMPLATE("a tree works without polys, and with polys without area or v
   }
 }
 
-TEST_CASE_TEMPLATE("queries and polys with points that are not finite throw; isolated verts do not matter", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("bounding_tree: queries and polys with points that are not finite throw; isolated verts do not matter", M, CONCINO_KINDS) {
   const M m = grid<M>(1);
   const auto tree = bounding_tree(m);
   for (const double bad : {no_number, infinity}) {
@@ -246,7 +246,7 @@ TEST_CASE_TEMPLATE("queries and polys with points that are not finite throw; iso
   CHECK(!tree.in_box({{no_number, 0, 0}, {1, 1, 1}}).size());
 }
 
-TEST_CASE("rays through verts and edges of a closed surface hit it, at 0 from its own points") {
+TEST_CASE("bounding_tree: rays through verts and edges of a closed surface hit it, at 0 if they start on it") {
   auto arrays = grid_arrays<tetmesh>(4);
   const tetmesh m(arrays);
   const auto tree = bounding_tree(m);
@@ -261,7 +261,7 @@ TEST_CASE("rays through verts and edges of a closed surface hit it, at 0 from it
     }
 }
 
-TEST_CASE("rays at verts and edges of a surface never miss it") {
+TEST_CASE("bounding_tree: rays at verts and edges of a surface never miss it") {
   const auto arrays = jittered(triangle_grid(8), 0.05);
   const trimesh m(arrays);
   const auto tree = bounding_tree(m);
@@ -280,7 +280,7 @@ TEST_CASE("rays at verts and edges of a surface never miss it") {
   }
 }
 
-TEST_CASE("a tree works with coincident polys and with polys of very different sizes") {
+TEST_CASE("bounding_tree: a tree works with coincident polys and with polys of very different sizes") {
   std::vector<vec3> x;
   std::vector<std::array<unsigned, 3>> t;
   for (unsigned i = 0; i < 3000; ++i) {
@@ -297,7 +297,7 @@ TEST_CASE("a tree works with coincident polys and with polys of very different s
   CHECK(tree.locate({0x1.8p-300, 0x1p-305, 0}).has_value());
 }
 
-TEST_CASE("a tree stores a copy of a view or the address of a mesh, and rejects temporaries") {
+TEST_CASE("bounding_tree: a tree stores a copy of a view or the address of a mesh, and rejects temporaries") {
   static_assert(can_be_searched<trimesh&> && can_be_searched<const trimesh&> && !can_be_searched<trimesh> && !can_be_searched<int&>);
   const trimesh m = grid<trimesh>(1);
   CHECK(&bounding_tree(m).mesh() == &m);

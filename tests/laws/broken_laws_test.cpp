@@ -77,7 +77,7 @@ void only(const std::vector<cn::broken_law>& found, std::string_view law) {
 
 }  // namespace
 
-TEST_CASE("correct meshes and their archetypes break no law") {
+TEST_CASE("check_laws: correct meshes and their archetypes break no law") {
   const surface s(user_mesh::surface_example());
   const volume w(user_mesh::volume_example());
   CHECK(cn::check_laws(s).empty());
@@ -93,7 +93,7 @@ TEST_CASE("correct meshes and their archetypes break no law") {
   CHECK(cn::check_laws(cn::archetypes::owner<decltype(cn::only_embedded_mesh(w))>(w)).empty());
 }
 
-TEST_CASE_TEMPLATE("each broken law of graphs is found", M, surface, volume) {
+TEST_CASE_TEMPLATE("check_laws: each broken law of graphs is found", M, surface, volume) {
   law_by_number<M>("PG1", "v99", "index_of v", 3, 99);
   law_by_number<M>("PG1", "v2", "index_of v", 3, 2);
   law_by_number<M>("PG1", "v7", "vert_index_bound", -1, 7);
@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE("each broken law of graphs is found", M, surface, volume) {
   law_by_ring<M>("DG3", "p1 p0", "adj_p2p", 0, {});
 }
 
-TEST_CASE_TEMPLATE("each broken law of edges and points is found", M, surface, volume) {
+TEST_CASE_TEMPLATE("check_laws: each broken law of edges and points is found", M, surface, volume) {
   law_by_number<M>("SM1", "e99", "index_of e", 3, 99);
   law_by_number<M>("SM1", "e2", "index_of e", 3, 2);
   law_by_number<M>("SM1", "", "num_edges", -1, 3);
@@ -128,7 +128,7 @@ TEST_CASE_TEMPLATE("each broken law of edges and points is found", M, surface, v
   only(cn::check_laws(m), "EM1");
 }
 
-TEST_CASE("each broken law of surfaces is found") {
+TEST_CASE("check_laws: each broken law of surfaces is found") {
   law_by_ring<surface>("SM3", "p0", "adj_p2v", 0, {0, 1});
   law_by_ring<surface>("SM3", "p3 v4 v6", "adj_p2v", 3, {0, 4, 6, 5});
   law_by_ring<surface>("SM3", "p0 e5", "adj_p2e", 0, {0, 1, 5});
@@ -141,7 +141,7 @@ TEST_CASE("each broken law of surfaces is found") {
   only(with_ring<surface>("adj_p2v", 3, {0, 4, 6, 5}), "SM3");
 }
 
-TEST_CASE("each broken law of volumes is found") {
+TEST_CASE("check_laws: each broken law of volumes is found") {
   law_by_number<volume>("VM1", "f99", "index_of f", 3, 99);
   law_by_number<volume>("VM1", "f2", "index_of f", 3, 2);
   law_by_number<volume>("VM1", "", "num_faces", -1, 11);
@@ -233,7 +233,7 @@ struct concino::mesh_traits<one_buffer<user_mesh::volume>> : mesh_traits<user_me
   static auto adj_f2p(const B& m, face f) { return m.kept(mesh_traits<user_mesh::volume>::adj_f2p(m, f)); }
 };
 
-TEST_CASE("the laws of facets: results that change while the mesh is read are found") {
+TEST_CASE("check_laws: facets: results that change while the mesh is read are found") {
   law_by_ring_at_call<surface>("FC1", "", "edges", -1, 2, {0, 1, 2, 3});
   law_by_ring_at_call<volume>("FC1", "", "faces", -1, 2, {0, 1, 2, 3});
   law_by_ring_at_call<surface>("FC1", "e2", "edges", -1, 2, {0, 1, 2, 2, 3, 4, 5, 6, 7, 8, 9});
@@ -261,7 +261,7 @@ TEST_CASE("the laws of facets: results that change while the mesh is read are fo
   law_by_ring_at_call<volume>("FC4", "e0", "adj_e2f", 0, 2, {});
 }
 
-TEST_CASE("the laws of facets: a wrong boundary and a missing one are found") {
+TEST_CASE("check_laws: facets: a wrong boundary and a missing one are found") {
   const auto none = with_ring_at_call<surface>("adj_e2p", 2, 5, {1}), unseen = with_ring_at_call<surface>("adj_v2e", 1, 2, {});
   REQUIRE(none.size() == 1);
   CHECK(none[0].what == "is_boundary(e2) is true, but it has no facet of one poly");
@@ -269,7 +269,7 @@ TEST_CASE("the laws of facets: a wrong boundary and a missing one are found") {
   CHECK(unseen[0].what == "is_boundary(v1) is false, but it has a facet of one poly");
 }
 
-TEST_CASE("the laws of facets: a wrong poly before a right one at a facet is found") {
+TEST_CASE("check_laws: facets: a wrong poly before a right one at a facet is found") {
   surface m(user_mesh::surface({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}));
   CHECK(cn::check_laws(m).empty());
   int calls = 0;
@@ -279,7 +279,7 @@ TEST_CASE("the laws of facets: a wrong poly before a right one at a facet is fou
   CHECK(names(found, "FC3", "p0 e0"));
 }
 
-TEST_CASE("the laws of facets: wrong verts of an edge are found") {
+TEST_CASE("check_laws: facets: wrong verts of an edge are found") {
   surface m = example(static_cast<surface*>(nullptr));
   int walks = 0;  // iterations over all edges: first as edges, then as facets
   m.ring = [&](std::string_view asked, int x, std::vector<int>& ring) {
@@ -292,7 +292,7 @@ TEST_CASE("the laws of facets: wrong verts of an edge are found") {
   only(found, "FC2");
 }
 
-TEST_CASE_TEMPLATE("the laws of facets: a model that throws at a repeated query is reported", M, surface, volume) {
+TEST_CASE_TEMPLATE("check_laws: facets: a model that throws at a repeated query is reported", M, surface, volume) {
   for (const int call : {3, 5}) {
     M m = example(static_cast<M*>(nullptr));
     int calls = 0;
@@ -305,7 +305,7 @@ TEST_CASE_TEMPLATE("the laws of facets: a model that throws at a repeated query 
   }
 }
 
-TEST_CASE("the laws of facets: one buffer for polys at facets and facets of polys breaks no other law") {
+TEST_CASE("check_laws: facets: one buffer for polys at facets and facets of polys breaks no other law") {
   const one_buffer<user_mesh::surface> s(user_mesh::surface_example());
   const one_buffer<user_mesh::volume> w(user_mesh::volume_example());
   static_assert(cn::SurfaceMesh<one_buffer<user_mesh::surface>> && cn::VolumeMesh<one_buffer<user_mesh::volume>>);
@@ -326,7 +326,7 @@ struct concino::mesh_traits<shaped<Arity>> : mesh_traits<user_mesh::volume> {
   }
 };
 
-TEST_CASE("a wrong order of the verts of tets and hexes is found") {
+TEST_CASE("check_laws: a wrong order of the verts of tets and hexes is found") {
   const user_mesh::volume one_tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {2, 3, 0}, {1, 2, 3}},
                              {{{0, true}, {1, true}, {2, false}, {3, true}}});
   user_mesh::volume tet(one_tet);
@@ -355,7 +355,7 @@ struct concino::mesh_traits<so_called_triangles> : mesh_traits<user_mesh::surfac
   static constexpr int arity = 3;
 };
 
-TEST_CASE("a wrong arity of a surface is found") {
+TEST_CASE("check_laws: a wrong arity of a surface is found") {
   const auto found = cn::check_laws(so_called_triangles{user_mesh::surface_example()});
   CHECK(found.size() == 1);
   CHECK(names(found, "SM6", "p3"));
@@ -381,7 +381,7 @@ struct concino::mesh_traits<backwards<M, SaysSo>> : mesh_traits<M> {
   static std::vector<edge_id> adj_f2e(const M& m, face_id f) { return reversed(mesh_traits<M>::adj_f2e(m, f)); }
 };
 
-TEST_CASE("a wrong order of edges is found, unless the type declares another order") {
+TEST_CASE("check_laws: a wrong order of edges is found, unless the type declares another order") {
   const backwards<cn::trimesh> triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const auto of_triangle = cn::check_laws(triangle);
   CHECK(of_triangle.size() == 2);  // the edge in the middle is at its place
@@ -409,7 +409,7 @@ TEST_CASE("a wrong order of edges is found, unless the type declares another ord
   CHECK(cn::check_laws(cn::boundary(sorted_prism)).empty());
 }
 
-TEST_CASE_TEMPLATE("meshes that throw or return nonsense are reported, at most four times per law", M, surface, volume) {
+TEST_CASE_TEMPLATE("check_laws: meshes that throw or return nonsense are reported, at most four times per law", M, surface, volume) {
   M m = example(static_cast<M*>(nullptr));
   for (const char* verb : {"verts", "edges", "faces", "polys", "adj_v2v", "adj_v2e", "adj_v2f", "adj_v2p", "adj_e2v", "adj_e2f", "adj_e2p",
                            "adj_f2v", "adj_f2e", "adj_f2p", "adj_p2v", "adj_p2e", "adj_p2f", "adj_p2p"}) {
@@ -440,7 +440,7 @@ TEST_CASE_TEMPLATE("meshes that throw or return nonsense are reported, at most f
   }
 }
 
-TEST_CASE_TEMPLATE("any wrong, missing or additional element in a ring is found", M, surface, volume) {
+TEST_CASE_TEMPLATE("check_laws: any wrong, missing or additional element in a ring is found", M, surface, volume) {
   M m = example(static_cast<M*>(nullptr));
   // Record all rings that check_laws queries.
   std::vector<std::pair<std::string, int>> asked;
@@ -468,7 +468,7 @@ TEST_CASE_TEMPLATE("any wrong, missing or additional element in a ring is found"
   }
 }
 
-TEST_CASE("every face with the wrong orientation is found") {
+TEST_CASE("check_laws: every face with the wrong orientation is found") {
   volume m(user_mesh::volume_example());
   for (auto p : cn::polys(m))
     for (auto f : cn::adj_p2f(m, p)) {
@@ -512,7 +512,7 @@ struct concino::mesh_traits<endless> {
 };
 static_assert(cn::PrimalGraph<endless>);
 
-TEST_CASE("ranges that never end are read up to a limit and reported") {
+TEST_CASE("check_laws: ranges that never end are read up to a limit and reported") {
   const auto found = cn::check_laws(endless{});
   CHECK(names(found, "PG2", "v0"));
   CHECK(found.size() > 1);

@@ -45,7 +45,7 @@ static_assert(!accepts<user_mesh::surface&, no_map> && !accepts<user_mesh::surfa
 
 }  // namespace
 
-TEST_CASE("points come from the map, everything else from the mesh") {
+TEST_CASE("with_points: points come from the map, everything else from the mesh") {
   const auto v = cn::with_points(s, raised{7});
   CHECK(cn::point(v, user_mesh::vertex{3})[0] == 3);
   CHECK(cn::point(v, user_mesh::vertex{3})[2] == 7);
@@ -55,7 +55,7 @@ TEST_CASE("points come from the map, everything else from the mesh") {
   CHECK(cn::check_laws(cn::with_points(w, raised{7})).empty());
 }
 
-TEST_CASE("a map passed as an lvalue is not copied, and its changes are seen") {
+TEST_CASE("with_points: a map passed as an lvalue is not copied, and its changes are seen") {
   table t(10);
   const auto v = cn::with_points(w, t);
   t.at[4] = {1, 2, 3};
@@ -64,7 +64,7 @@ TEST_CASE("a map passed as an lvalue is not copied, and its changes are seen") {
   CHECK(cn::point(copy, user_mesh::vertex{4})[2] == 3);
 }
 
-TEST_CASE("graphs without points get points, and views of views work") {
+TEST_CASE("with_points: graphs without points get points, and views of views work") {
   const auto bare = cn::only_mesh(w);
   const auto v = cn::with_points(bare, through<decltype(cn::only_mesh(w))>{bare});
   static_assert(models_in_all_forms<decltype(cn::with_points(bare, through<decltype(cn::only_mesh(w))>{bare}))>(cn::testing::volume |
