@@ -62,36 +62,36 @@ class text_cursor {
 
  public:
   /// The line of a position, from 1; LF, CRLF and CR each end a line. The end of the text counts as the end of its last line that is not blank.
-  [[gnu::noinline, gnu::cold]] std::size_t line_of(const char* place) const {
-    if (place == end_) while (place != begin_ && detail::is_space(place[-1])) --place;
-    if (place < counted_) {
+  [[gnu::noinline, gnu::cold]] std::size_t line_of(const char* position) const {
+    if (position == end_) while (position != begin_ && detail::is_space(position[-1])) --position;
+    if (position < counted_) {
       counted_ = begin_;
       lines_ = 1;
     }
-    for (; counted_ != place; ++counted_)
+    for (; counted_ != position; ++counted_)
       lines_ += *counted_ == '\n' ? (counted_ == begin_ || counted_[-1] != '\r') : *counted_ == '\r';
     return lines_;
   }
 
   /// Errors: parse_error with the line of a position; without `found` it quotes the word there.
-  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message expected, core::message found) const {
-    throw parse_error(std::string(name_), line_of(place), core::joined(expected), core::joined(found));
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message expected, core::message found) const {
+    throw parse_error(std::string(name_), line_of(position), core::joined(expected), core::joined(found));
   }
-  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, const char* expected) const { fail(place, {expected}, {found_at(place)}); }
-  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message expected) const { fail(place, expected, {found_at(place)}); }
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, const char* expected) const { fail(position, {expected}, {found_at(position)}); }
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message expected) const { fail(position, expected, {found_at(position)}); }
   /// Errors: unsupported, for more elements than there are ids.
   [[noreturn, gnu::noinline, gnu::cold]] void fail_to_count(const char* what) const {
     core::throw_joined<unsupported>({name_, ": more than 4294967294 ", what});
   }
 
   /// The text at a position, for errors: its first word, at most 40 characters, or that the line or the file ends there.
-  [[gnu::noinline, gnu::cold]] std::string found_at(const char* place) const {
+  [[gnu::noinline, gnu::cold]] std::string found_at(const char* position) const {
     if (begin_ == end_) return "an empty file";
-    if (place == end_) return "the end of the file";
-    if (detail::is_line_end(*place)) return "the end of the line";
+    if (position == end_) return "the end of the file";
+    if (detail::is_line_end(*position)) return "the end of the line";
     std::string found = "'";
-    for (const char* p = place; p != end_ && !detail::is_space(*p); ++p) {
-      if (p - place == 40) {
+    for (const char* p = position; p != end_ && !detail::is_space(*p); ++p) {
+      if (p - position == 40) {
         found += "...";
         break;
       }

@@ -116,8 +116,8 @@ CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE void atomic_file::finish() {
   if (std::exchange(finished_, true)) return;
   if (options_.sync && ::fsync(file_) != 0) fail();
-  const int twin = ::dup(file_);  // some file systems report errors when a file is closed, and file_ has to stay open
-  if (twin < 0 || ::close(twin) != 0) fail();
+  const int duplicate = ::dup(file_);  // some file systems report errors when a file is closed, and file_ has to stay open
+  if (duplicate < 0 || ::close(duplicate) != 0) fail();
 }
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE void atomic_file::commit() {

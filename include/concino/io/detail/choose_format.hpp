@@ -47,9 +47,9 @@ struct all_format_rows {
 template<class... F>
 constexpr format_rows format_rows_of(format_list<F...>) { return {all_format_rows<F...>::rows.data(), sizeof...(F)}; }
 
-/// The set of formats with the extension of a path, or with the name `asked`: bit i stands for format i.
+/// The set of formats with the extension of a path, or with the name `requested`: bit i stands for format i.
 /// Errors: as check_path; unsupported if there is none, naming those that are known.
-std::uint64_t formats_for(std::string_view path, format_id asked, format_rows known);
+std::uint64_t formats_for(std::string_view path, format_id requested, format_rows known);
 
 /// The format to use among the candidates: the last one whose signature the text has, else the last one that has no signature, else the last
 /// one. Without a text: the last one.
@@ -57,17 +57,17 @@ std::size_t choose_format(std::uint64_t candidates, format_rows known, const std
 
 /// The set of formats that a path may have, among those that a call knows.
 template<Formats F>
-std::uint64_t candidates_for(std::string_view path, F formats, format_id asked) {
+std::uint64_t candidates_for(std::string_view path, F formats, format_id requested) {
   if constexpr (Format<F>) {
-    if (asked == format_id()) asked = formats;
+    if (requested == format_id()) requested = formats;
   }
-  return formats_for(path, asked, format_rows_of(list_of(formats)));
+  return formats_for(path, requested, format_rows_of(list_of(formats)));
 }
 
 /// The format in which a file is written.
 template<Formats F>
-std::size_t chosen_for(std::string_view path, F formats, format_id asked) {
-  return choose_format(candidates_for(path, formats, asked), format_rows_of(list_of(formats)), nullptr);
+std::size_t chosen_for(std::string_view path, F formats, format_id requested) {
+  return choose_format(candidates_for(path, formats, requested), format_rows_of(list_of(formats)), nullptr);
 }
 
 /// Calls f(format) for the chosen format.

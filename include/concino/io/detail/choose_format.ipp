@@ -20,15 +20,15 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
   return true;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::uint64_t formats_for(std::string_view path, format_id asked, format_rows known) {
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::uint64_t formats_for(std::string_view path, format_id requested, format_rows known) {
   check_path(path);
   std::uint64_t found = 0;
   std::string all;
-  const bool by_extension = asked == format_id();
+  const bool by_extension = requested == format_id();
   for (std::size_t i = 0; i < known.size; ++i) {
     const format_row& row = known.rows[i];
     if (!by_extension) {
-      if (row.name == asked.name()) found |= std::uint64_t{1} << i;
+      if (row.name == requested.name()) found |= std::uint64_t{1} << i;
       all = core::joined({all, all.empty() ? "" : ", ", row.name});
     } else {
       for (std::size_t k = 0; k < row.num_extensions; ++k) {
@@ -39,7 +39,7 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
   }
   if (found != 0) return found;
   if (by_extension) core::throw_joined<unsupported>({path, ": the extension is not that of a known format; known extensions: ", all});
-  core::throw_joined<unsupported>({path, ": the format ", asked.name(), " is not among those of this call: ", all});
+  core::throw_joined<unsupported>({path, ": the format ", requested.name(), " is not among those of this call: ", all});
 }
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text) {

@@ -33,15 +33,15 @@ struct off_header {
   }
 };
 
-/// Adds the poly at `place`, whose corners begin at `first`. Errors: parse_error if it has a vert twice or the wanted mesh cannot hold it.
-inline void check_poly(const text_cursor& in, const char* place, std::size_t first, std::vector<std::uint64_t>& scratch,
+/// Adds the poly at `position`, whose corners begin at `first`. Errors: parse_error if it has a vert twice or the wanted mesh cannot hold it.
+inline void check_poly(const text_cursor& in, const char* position, std::size_t first, std::vector<std::uint64_t>& scratch,
                        const wanted_mesh& wanted, surface_arrays& out, std::uint32_t& arity) {
   const std::size_t size = out.verts.size() - first;
   const vert_id* const corners = out.verts.data() + first;
   if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
-    in.fail(place, {"different verts at the corners of a poly"}, {"vert ", corners[i].raw(), " twice"});
+    in.fail(position, {"different verts at the corners of a poly"}, {"vert ", corners[i].raw(), " twice"});
   if (wanted.surface && wanted.arity && size != wanted.arity)
-    in.fail(place, {name_of_poly(false, wanted.arity), " (polygonmesh and load_any take any polygon)"},
+    in.fail(position, {name_of_poly(false, wanted.arity), " (polygonmesh and load_any take any polygon)"},
             {"a polygon of ", size, " corners"});
   if (out.verts.size() > max_ids) in.fail_to_count("corners");
   end_poly(out, arity, first);
@@ -98,10 +98,10 @@ class off_binary_reader {
  private:
   std::uint64_t num_odd_ = 0;
 
-  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* place, core::message_piece expected) const {
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message_piece expected) const {
     in_.fail(
         line_, {expected},
-        {place == in_.end() ? "the end of the file at byte " : "another value at byte ", static_cast<std::uint64_t>(place - in_.begin())});
+        {position == in_.end() ? "the end of the file at byte " : "another value at byte ", static_cast<std::uint64_t>(position - in_.begin())});
   }
 
   std::uint32_t word(const char* expected) {

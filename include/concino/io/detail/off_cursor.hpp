@@ -48,9 +48,9 @@ class off_cursor : protected text_cursor {
       header_.binary = true;
     } else if (header_.any_dimension) {
       skip_space('#');
-      const char* const place = at;
+      const char* const position = at;
       const std::int64_t n = integer("the dimension of the space, at least 1");
-      if (n < 1 || static_cast<std::uint64_t>(n) > left()) fail(place, "the dimension of the space, at least 1");
+      if (n < 1 || static_cast<std::uint64_t>(n) > left()) fail(position, "the dimension of the space, at least 1");
       header_.dimension = static_cast<std::uint64_t>(n);
     }
   }
@@ -93,18 +93,18 @@ class off_cursor : protected text_cursor {
   /// The number of lines from here on that are neither blank nor only a comment.
   [[gnu::noinline]] std::uint64_t lines_left() const {
     std::uint64_t n = 0;
-    bool says = false, comment = false;
+    bool has_content = false, comment = false;
     for (const char* p = at; p != end(); ++p) {
       if (is_line_end(*p)) {
-        n += says;
-        says = comment = false;
+        n += has_content;
+        has_content = comment = false;
       } else if (*p == '#') {
         comment = true;
       } else if (!comment && !is_blank(*p)) {
-        says = true;
+        has_content = true;
       }
     }
-    return n + says;
+    return n + has_content;
   }
 
   /// Finds out whether each vert has a line of its own, with additional numbers perhaps, or line ends have no meaning. The first line and the

@@ -78,10 +78,10 @@ class off_reader : off_cursor {
     vec3 p{x[0], x[1], x[2]};
     if (header_.homogeneous) {
       gap();
-      const char* const place = at;
+      const char* const position = at;
       const double w = real("the weight w of a vert");
       p = {p.x / w, p.y / w, p.z / w};
-      if (!is_finite(p)) fail(place, "a weight w by which x y z can be divided");
+      if (!is_finite(p)) fail(position, "a weight w by which x y z can be divided");
     }
     return p;
   }
@@ -122,20 +122,20 @@ class off_reader : off_cursor {
     ++c.size;
     for (const char* p = from; p != at; ++p) c.whole = c.whole && (is_digit(*p) || *p == '-' || *p == '+');
   }
-  void check_bytes(const char* place, const color_parts& c) const {
+  void check_bytes(const char* position, const color_parts& c) const {
     if (c.whole && (c.largest() > 255 || std::min({c.x[0], c.x[1], c.x[2], c.x[3]}) < 0))
-      fail(place, "a colour of integers from 0 to 255, or of reals from 0 to 1");
+      fail(position, "a colour of integers from 0 to 255, or of reals from 0 to 1");
   }
 
   void vert_color() {
     gap();
-    const char* const place = at;
+    const char* const position = at;
     color_parts c;
     while (c.size < color_size_) {
       gap();
       add_part(c);
     }
-    check_bytes(place, c);
+    check_bytes(position, c);
     if (c.whole) {
       largest_part_ = std::max(largest_part_, static_cast<std::uint64_t>(c.largest()));
       if (largest_part_ < 2) whole_colors_.push_back(static_cast<std::uint32_t>(extra_.vert_colors.size()));
@@ -206,17 +206,17 @@ class off_reader : off_cursor {
   }
 
   [[gnu::noinline]] void poly_attributes(std::uint64_t f) {
-    const char* const place = at;
+    const char* const position = at;
     color_parts c;
     for (; !line_is_over(); blanks()) add_part(c);
     if (c.size == 1 && c.whole) {
       if (c.x[0] < std::numeric_limits<int>::min() || c.x[0] > std::numeric_limits<int>::max())
-        fail(place, "the index of a colour, an integer of 32 bits");
+        fail(position, "the index of a colour, an integer of 32 bits");
       extra_.poly_labels.resize(f);
       const int label = static_cast<int>(c.x[0]);
       extra_.poly_labels.push_back(label);
     } else if (c.size == 3 || c.size == 4) {
-      check_bytes(place, c);
+      check_bytes(position, c);
       extra_.poly_colors.resize(f);
       extra_.poly_colors.push_back(c.color());
     } else {

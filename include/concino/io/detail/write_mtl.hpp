@@ -94,8 +94,8 @@ class mtl_names {
     }
     for (name_info& a : info_) {
       if (a.in_table == none) continue;
-      const rgba said = color_of(needed_[a.in_table].lines, a.is_defined);
-      if (a.is_defined) a.color = said;
+      const rgba defined_color = color_of(needed_[a.in_table].lines, a.is_defined);
+      if (a.is_defined) a.color = defined_color;
     }
     table_materials_ = needed_;
   }
@@ -216,8 +216,8 @@ class mtl_names {
   /// Replaces the lines for the colour and the opacity, if they differ.
   [[gnu::noinline, gnu::cold]] void set_color(std::vector<std::string>& lines, const rgba& color) {
     bool is_taken = false;
-    const rgba said = color_of(lines, is_taken);
-    const bool opacity = !(color.a == said.a), parts = !is_taken || !(said == rgba{color.r, color.g, color.b, said.a});
+    const rgba defined_color = color_of(lines, is_taken);
+    const bool opacity = !(color.a == defined_color.a), parts = !is_taken || !(defined_color == rgba{color.r, color.g, color.b, defined_color.a});
     bool kd = !parts, d = !opacity;  // whether the lines exist
     std::vector<std::string> other;
     for (std::string& line : lines) {
