@@ -49,11 +49,11 @@ class points_in_rows {
   void set(std::size_t i, const P& p) const
     requires(!is_flat) && requires(const Rows& r) { r.row(i)[0] = 0; }
   {
-    auto&& mine = rows_.row(i);
-    using number = std::remove_cvref_t<decltype(mine[0])>;
-    mine[0] = static_cast<number>(p[0]);
-    mine[1] = static_cast<number>(p[1]);
-    mine[2] = static_cast<number>(p[2]);
+    auto&& row = rows_.row(i);
+    using number = std::remove_cvref_t<decltype(row[0])>;
+    row[0] = static_cast<number>(p[0]);
+    row[1] = static_cast<number>(p[1]);
+    row[2] = static_cast<number>(p[2]);
   }
 };
 

@@ -28,12 +28,12 @@ enum class tet_order : std::uint8_t { standard, vtk = standard, abaqus = standar
 
 namespace detail {
 
-inline constexpr std::uint8_t hex_places[4][8] = {{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 3, 2, 4, 5, 7, 6}, {0, 3, 2, 1, 4, 7, 6, 5}, {0, 2, 3, 1, 4, 6, 7, 5}};
-inline constexpr std::uint8_t tet_places[2][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}};
+inline constexpr std::uint8_t hex_permutations[4][8] = {{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 3, 2, 4, 5, 7, 6}, {0, 3, 2, 1, 4, 7, 6, 5}, {0, 2, 3, 1, 4, 6, 7, 5}};
+inline constexpr std::uint8_t tet_permutations[2][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}};
 
 /// A table: entry k is the position, in a list of the other order, of the k-th corner of the standard order.
-constexpr const std::uint8_t* places_in(hex_order order) { return hex_places[static_cast<unsigned>(order)]; }
-constexpr const std::uint8_t* places_in(tet_order order) { return tet_places[static_cast<unsigned>(order)]; }
+constexpr const std::uint8_t* permutation_of(hex_order order) { return hex_permutations[static_cast<unsigned>(order)]; }
+constexpr const std::uint8_t* permutation_of(tet_order order) { return tet_permutations[static_cast<unsigned>(order)]; }
 
 constexpr unsigned corners_in(hex_order) { return 8; }
 constexpr unsigned corners_in(tet_order) { return 4; }
@@ -43,11 +43,11 @@ template<class Order>
 std::vector<vert_id> to_standard_order(std::vector<vert_id> lists, Order order) {
   constexpr unsigned n = corners_in(Order{});
   if (order == Order::standard) return lists;
-  const std::uint8_t* const places = places_in(order);
+  const std::uint8_t* const permutation = permutation_of(order);
   vert_id was[n];
   for (std::size_t first = 0; first + n <= lists.size(); first += n) {
     std::copy_n(lists.data() + first, n, was);
-    for (unsigned k = 0; k < n; ++k) lists[first + k] = was[places[k]];
+    for (unsigned k = 0; k < n; ++k) lists[first + k] = was[permutation[k]];
   }
   return lists;
 }
@@ -56,26 +56,26 @@ std::vector<vert_id> to_standard_order(std::vector<vert_id> lists, Order order) 
 template<class Numbers>
 class reordered {
   Numbers numbers_;
-  const std::uint8_t* places_ = nullptr;
+  const std::uint8_t* permutation_ = nullptr;
 
  public:
   using number = typename Numbers::number;
   reordered() = default;
-  reordered(Numbers numbers, const std::uint8_t* places) : numbers_(numbers), places_(places) {}
-  decltype(auto) operator[](std::size_t k) const { return numbers_[places_[k]]; }
+  reordered(Numbers numbers, const std::uint8_t* permutation) : numbers_(numbers), permutation_(permutation) {}
+  decltype(auto) operator[](std::size_t k) const { return numbers_[permutation_[k]]; }
 };
 
 /// The rows of an array, each read in the standard order.
 template<class Rows>
 class reordered_rows {
   Rows rows_;
-  const std::uint8_t* places_;
+  const std::uint8_t* permutation_;
 
  public:
   static constexpr auto columns = Rows::columns;
-  reordered_rows(Rows r, const std::uint8_t* places) : rows_(r), places_(places) {}
+  reordered_rows(Rows r, const std::uint8_t* permutation) : rows_(r), permutation_(permutation) {}
   std::size_t size() const { return rows_.size(); }
-  auto row(std::size_t i) const { return reordered(rows_.row(i), places_); }
+  auto row(std::size_t i) const { return reordered(rows_.row(i), permutation_); }
 };
 
 }  // namespace detail

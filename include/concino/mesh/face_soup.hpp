@@ -139,9 +139,9 @@ struct basic_face_soup {
           twin[i->face] = i->face;
           for (auto j = sorted && i != run ? original : run; j != i; ++j) {
             if (twin[j->face] != j->face || size(j->face) != size(i->face)) continue;
-            if (const int way = compare_cycles(first(j->face), first(i->face), size(i->face))) {
+            if (const int order = compare_cycles(first(j->face), first(i->face), size(i->face))) {
               twin[i->face] = j->face;
-              outward[i->face] = way > 0;
+              outward[i->face] = order > 0;
               break;
             }
           }

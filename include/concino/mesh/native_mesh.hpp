@@ -132,10 +132,10 @@ struct native_traits : Base<M> {
   static std::size_t corner_index_bound(const M& m) { return m.tables().corner_bound(); }
 
   static vert_id add_vert(M& m, const vec3& x) {
-    const vec3 place = x;  // a copy: x may be a point of m, which moves
+    const vec3 copy = x;  // a copy: x may be a point of m, which moves
     reserve_more(m.points(), 1);
     const vert_id v = m.tables().add_vert(growing(m));
-    m.points().push_back(place);
+    m.points().push_back(copy);
     return v;
   }
   static void remove_vert(M& m, vert_id v) { m.tables().remove_vert(v); }

@@ -32,7 +32,7 @@ class basic_polyhedra_tables {
   jagged<face_id> e2f_;
   jagged<poly_id> v2p_;
   detail::facet_adjacency<face_id, 0> facet_adjacency_;
-  detail::row_lookup face_places_;  // of verts in faces with many verts
+  detail::row_lookup face_vert_lookup_;  // of verts in faces with many verts
   jagged<std::uint8_t> outward_;  // parallel to the faces of each poly
   detail::jagged_array<vert_id, 2> e2v_;
 
@@ -54,7 +54,7 @@ class basic_polyhedra_tables {
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
         f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
         p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)), v2p_(std::move(built.v2p_)), facet_adjacency_(std::move(built.facet_adjacency_)),
-        face_places_(std::move(built.face_places_)), outward_(std::move(built.outward_)), e2v_(std::move(built.e2v_)) {}
+        face_vert_lookup_(std::move(built.face_vert_lookup_)), outward_(std::move(built.outward_)), e2v_(std::move(built.e2v_)) {}
 
   const detail::alive_elements<vert_id>& verts() const { return verts_; }
   const detail::alive_elements<edge_id>& edges() const { return edges_; }
@@ -122,7 +122,7 @@ class basic_polyhedra_tables {
     const auto corners = adj_f2v(f);
     const std::size_t n = corners.size();
     std::size_t i = 0;
-    if (n > detail::row_lookup::longest_scan) [[unlikely]] i = face_places_.find(f.raw(), corners, v);
+    if (n > detail::row_lookup::longest_scan) [[unlikely]] i = face_vert_lookup_.find(f.raw(), corners, v);
     else
       while (i < n && corners[i] != v) ++i;
     return i == n ? vert_id{} : corners[i + 1 == n ? 0 : i + 1];

@@ -109,10 +109,10 @@ class surface_tables {
   detail::offsets list_at_verts(core::flat_array<std::uint32_t>& scratch);
 
   /// Vert k of `poly`, which has `size` verts.
-  struct place {
+  struct poly_corner {
     std::uint32_t poly, k, size;
   };
-  place place_of(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const;
+  poly_corner find_corner(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const;
 };
 
 // The members that are compiled into the library for the arities of its meshes.

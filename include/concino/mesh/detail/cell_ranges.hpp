@@ -36,31 +36,31 @@ class polys_around_edge {
     const Tables* tables_ = nullptr;
     const poly_id* poly_list_ = nullptr;
     edge_id edge_;
-    poly_id at_;             // none: past the end
-    std::uint32_t way_ = 0;  // list: how many are left; fan: the local face through which the walk leaves
+    poly_id at_;                      // none: past the end
+    std::uint32_t left_or_face_ = 0;  // list: how many are left; fan: the local face through which the walk leaves
     bool turned_ = false;
 
     void step() {
-      const poly_id next = tables_->neighbour_at_face(at_, way_);
+      const poly_id next = tables_->neighbour_at_face(at_, left_or_face_);
       if (next.is_none()) {
         if (turned_) { at_ = {}; return; }
         turned_ = true;
         const poly_id start = tables_->first_poly(edge_);
-        way_ = tables_->faces_at(start, edge_)[1];
-        at_ = tables_->neighbour_at_face(start, way_);
-        if (!at_.is_none()) enter_from(start, way_);
+        left_or_face_ = tables_->faces_at(start, edge_)[1];
+        at_ = tables_->neighbour_at_face(start, left_or_face_);
+        if (!at_.is_none()) enter_from(start, left_or_face_);
       } else if (!turned_ && next == tables_->first_poly(edge_)) {
         at_ = {};
       } else {
         const poly_id from = at_;
         at_ = next;
-        enter_from(from, way_);
+        enter_from(from, left_or_face_);
       }
     }
     void enter_from(poly_id from, std::uint32_t by) {
       const face_id f = tables_->adj_p2f(from)[by];
       const auto two = tables_->faces_at(at_, edge_);
-      way_ = tables_->adj_p2f(at_)[two[0]] == f ? two[1] : two[0];
+      left_or_face_ = tables_->adj_p2f(at_)[two[0]] == f ? two[1] : two[0];
     }
 
    public:
@@ -73,16 +73,16 @@ class polys_around_edge {
       if (t->is_non_manifold(e)) {
         const auto poly_list = t->poly_list(e);
         poly_list_ = poly_list.begin();
-        way_ = static_cast<std::uint32_t>(poly_list.size());
-        at_ = way_ ? *poly_list_ : poly_id{};
+        left_or_face_ = static_cast<std::uint32_t>(poly_list.size());
+        at_ = left_or_face_ ? *poly_list_ : poly_id{};
       } else {
         at_ = t->first_poly(e);
-        way_ = t->faces_at(at_, e)[0];
+        left_or_face_ = t->faces_at(at_, e)[0];
       }
     }
     poly_id operator*() const { return at_; }
     iterator& operator++() {
-      if (poly_list_) at_ = --way_ ? *++poly_list_ : poly_id{};
+      if (poly_list_) at_ = --left_or_face_ ? *++poly_list_ : poly_id{};
       else step();
       return *this;
     }

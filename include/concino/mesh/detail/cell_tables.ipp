@@ -55,12 +55,12 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
   p2e_.add_row(e, e + Shape::edges);
   facet_adjacency_.commit_poly(Shape::faces);
   for (unsigned k = 0; k < Shape::faces; ++k) {
-    face_id side = f[k];
-    if (side.is_none()) {
-      side = faces_.add();
+    face_id face = f[k];
+    if (face.is_none()) {
+      face = faces_.add();
       facet_adjacency_.add_facet();
     }
-    facet_adjacency_.link(p.raw(), k, side);
+    facet_adjacency_.link(p.raw(), k, face);
   }
   facet_adjacency_.update_marks(p.raw(), std::move(scratch));
   for (const vert_id v : c) v2p_.push(v.raw(), p);
@@ -209,7 +209,7 @@ class cell_tables<Shape, Lists>::builder {
       x ^= x >> 32;
       return static_cast<std::size_t>(x);
     }
-    std::size_t place(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
+    std::size_t find_slot(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
       std::size_t i = hash(edge, wanted) & (slots_.size() - 1);
       while (slots_[i].face != ~0u && !(slots_[i].edge == edge && std::equal(wanted.other, std::end(wanted.other), all[slots_[i].face].other)))
         i = (i + 1) & (slots_.size() - 1);
@@ -222,16 +222,16 @@ class cell_tables<Shape, Lists>::builder {
       used_ = 0;
     }
     std::uint32_t find(std::uint32_t edge, const met_face& wanted, const std::vector<met_face>& all) const {
-      return slots_.empty() ? ~0u : slots_[place(edge, wanted, all)].face;
+      return slots_.empty() ? ~0u : slots_[find_slot(edge, wanted, all)].face;
     }
     /// Adds the last face of `all`, which find() does not find.
     void add(std::uint32_t edge, const std::vector<met_face>& all) {
       if (2 * ++used_ > slots_.size()) {
         const std::vector<slot> old = std::exchange(slots_, std::vector<slot>(std::max<std::size_t>(64, 2 * slots_.size())));
         for (const slot& s : old)
-          if (s.face != ~0u) slots_[place(s.edge, all[s.face], all)] = s;
+          if (s.face != ~0u) slots_[find_slot(s.edge, all[s.face], all)] = s;
       }
-      slots_[place(edge, all.back(), all)] = {edge, static_cast<std::uint32_t>(all.size() - 1)};
+      slots_[find_slot(edge, all.back(), all)] = {edge, static_cast<std::uint32_t>(all.size() - 1)};
     }
   };
 

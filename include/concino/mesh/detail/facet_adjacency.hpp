@@ -19,7 +19,7 @@ class facet_adjacency {
   jagged_array<encoded_neighbour, N> neighbours_;       // parallel to facets_
   core::flat_array<std::uint32_t> owner_;  // per facet: if N > 0, its first incidence, N * poly + k; if N = 0, the poly of that; ~0 if none
   non_manifold_facets poly_lists_;
-  row_lookup places_;  // of facets in polys with many facets
+  row_lookup facet_lookup_;  // of facets in polys with many facets
 
  public:
   struct incidence {
@@ -55,7 +55,7 @@ class facet_adjacency {
   /// The k with facet k of p equal to f; the number of facets of p if there is none.
   std::uint32_t position_of(poly_id p, Facet f) const {
     const std::uint32_t n = facets_.length(p.raw());
-    if (n > row_lookup::longest_scan) [[unlikely]] return places_.find(p.raw(), facets_[p.raw()], f);
+    if (n > row_lookup::longest_scan) [[unlikely]] return facet_lookup_.find(p.raw(), facets_[p.raw()], f);
     const Facet* const at = facets_.begin(p.raw());
     std::uint32_t k = 0;
     while (k < n && at[k] != f) ++k;
@@ -109,7 +109,7 @@ class facet_adjacency {
   void finish() {
     owner_.shrink_to_fit();
     if constexpr (N == 0) {
-      places_ = row_lookup(facets_);
+      facet_lookup_ = row_lookup(facets_);
       set_poly_lists();
       poly_lists_.index_poly_lists(neighbours_, 8);
     }
@@ -327,7 +327,7 @@ class facet_adjacency {
     const Facet* const at = facets_.begin(p);
     for (std::uint32_t k = 0; k < row_lookup::longest_scan; ++k)
       if (at[k] == f) [[likely]] return k;
-    return places_.find(p, facets_[p], f);
+    return facet_lookup_.find(p, facets_[p], f);
   }
 
   void set_owner(Facet f, std::uint32_t p, std::uint32_t k) { owner_[f.raw()] = N > 0 ? N * p + k : p; }

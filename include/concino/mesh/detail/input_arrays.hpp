@@ -78,9 +78,9 @@ auto lists_of(A& a, const char* caller) {
   return lists_in_rows<std::remove_const_t<decltype(rows)>, N>(rows);
 }
 template<unsigned N, class A>
-auto lists_of(A& a, const char* caller, const std::uint8_t* places) {
+auto lists_of(A& a, const char* caller, const std::uint8_t* permutation) {
   using reordered = reordered_rows<decltype(detail::checked_rows_of<N>(a, caller))>;
-  return lists_in_rows<reordered, N>(reordered(detail::checked_rows_of<N>(a, caller), places));
+  return lists_in_rows<reordered, N>(reordered(detail::checked_rows_of<N>(a, caller), permutation));
 }
 
 template<class O, class I>
@@ -154,7 +154,7 @@ template<template<class> class Tables, class P, class F, class Order>
 auto view_of_cells(P& input_points, F& poly_verts, Order order, const char* caller) {
   constexpr unsigned n = corners_in(Order{});
   const auto points = detail::wrap_points(input_points, caller);
-  return view_of_rows<3, n, Tables>(points, detail::lists_of<n>(poly_verts, caller, places_in(order)), caller);
+  return view_of_rows<3, n, Tables>(points, detail::lists_of<n>(poly_verts, caller, permutation_of(order)), caller);
 }
 
 template<class P, class O, class I>

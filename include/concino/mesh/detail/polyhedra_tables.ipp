@@ -171,7 +171,7 @@ std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const j
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners) {
-  face_places_ = detail::row_lookup(f2v_);
+  face_vert_lookup_ = detail::row_lookup(f2v_);
   core::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
   core::flat_array<std::uint32_t> scratch = build_edges(vert_count, f2e);
   const std::size_t edge_count = e2v_.size();

@@ -42,12 +42,12 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   p2v_.commit_row(n);
   facet_adjacency_.commit_poly(n);
   for (std::uint32_t k = 0; k < n; ++k) {
-    edge_id side = e[k];
-    if (side.is_none()) {
-      side = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[k], c[k + 1 == n ? 0 : k + 1]);
+    edge_id edge = e[k];
+    if (edge.is_none()) {
+      edge = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[k], c[k + 1 == n ? 0 : k + 1]);
       facet_adjacency_.add_facet();
     }
-    facet_adjacency_.link(p.raw(), k, side);
+    facet_adjacency_.link(p.raw(), k, edge);
     v2p_.push(c[k].raw(), p);
   }
   facet_adjacency_.update_marks(p.raw(), std::move(scratch));
@@ -120,7 +120,7 @@ detail::offsets surface_tables<Arity, Lists>::list_at_verts(core::flat_array<std
 }
 
 template<unsigned Arity, class Lists>
-[[gnu::always_inline]] inline auto surface_tables<Arity, Lists>::place_of(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const -> place {
+[[gnu::always_inline]] inline auto surface_tables<Arity, Lists>::find_corner(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const -> poly_corner {
   if constexpr (Arity > 0) {
     return {listed.raw() / Arity, listed.raw() % Arity, Arity};
   } else if (poly_of.empty()) {
@@ -173,7 +173,7 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
     const std::uint32_t first_edge = edge_count;
     met_first.clear();
     for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
-      const auto [p, k, n] = place_of(*c, a, poly_of);
+      const auto [p, k, n] = find_corner(*c, a, poly_of);
       const vert_id* const pv = p2v_.begin(p);
       const std::uint32_t next = k + 1 == n ? 0 : k + 1, previous = k == 0 ? n - 1 : k - 1;
       visit(a, pv[next], first_edge, p, k);

@@ -12,9 +12,9 @@ namespace concino::detail {
 class hex_order_checks {
   local_points local_;
 
-  bool turns_right(const std::uint8_t* places) const {
+  bool turns_right(const std::uint8_t* permutation) const {
     constexpr std::uint8_t next[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
-    const auto at = [&](unsigned k) -> const vec3& { return local_.points[places[k]]; };
+    const auto at = [&](unsigned k) -> const vec3& { return local_.points[permutation[k]]; };
     for (unsigned k = 0; k < 8; ++k)
       if (!(dot(at(next[k][0]) - at(k), cross(at(next[k][1]) - at(k), at(next[k][2]) - at(k))) > local_.zero_volume(8))) return false;
     return true;
@@ -26,9 +26,9 @@ class hex_order_checks {
   hex_order operator()(const M& m, const poly_t<M>& p) {
     local_.points.clear();
     for (const vert_t<M> v : adj_p2v(m, p)) local_.points.push_back(to_vec3(point(m, v)));
-    if (local_.points.size() == 8 && local_.fit() && !turns_right(places_in(hex_order::standard)))
+    if (local_.points.size() == 8 && local_.fit() && !turns_right(permutation_of(hex_order::standard)))
       for (const hex_order order : {hex_order::lexicographic, hex_order::mirrored, hex_order::mirrored_lexicographic})
-        if (turns_right(places_in(order))) return order;
+        if (turns_right(permutation_of(order))) return order;
     return hex_order::standard;
   }
 };
