@@ -23,13 +23,13 @@ M make_box(const grid_options& options = {}) {
     detail::check_element_counts<M>("make_box", "cells", quads + 2, quads);
     const detail::spaced x("make_box", "x", options.min.x, options.max.x, nx), y("make_box", "y", options.min.y, options.max.y, ny),
         z("make_box", "z", options.min.z, options.max.z, nz);
-    const detail::box_surface skin(options.cells);
+    const detail::box_surface quad_surface(options.cells);
     surface_arrays a{{}, {}, {}, 4};
-    a.points.reserve(skin.num_verts());
-    a.verts.reserve(4 * skin.num_quads());
-    skin.for_each_vert([&](const detail::lattice_place& at) { a.points.push_back({x[at[0]], y[at[1]], z[at[2]]}); });
-    skin.for_each_quad([&](const std::array<detail::lattice_place, 4>& quad) {
-      for (const detail::lattice_place& at : quad) a.verts.push_back(vert_id{skin.number(at)});
+    a.points.reserve(quad_surface.num_verts());
+    a.verts.reserve(4 * quad_surface.num_quads());
+    quad_surface.for_each_vert([&](const detail::lattice_point& at) { a.points.push_back({x[at[0]], y[at[1]], z[at[2]]}); });
+    quad_surface.for_each_quad([&](const std::array<detail::lattice_point, 4>& quad) {
+      for (const detail::lattice_point& at : quad) a.verts.push_back(vert_id{quad_surface.number(at)});
     });
     return detail::construct_from_quads<M>(std::move(a));
   }

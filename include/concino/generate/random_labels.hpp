@@ -22,7 +22,7 @@ template<AnyMesh M>
 class link_condition {
   const M& m_;
   const int* label_;  // by index of the poly
-  stamped_array<std::uint32_t> side_of_;
+  stamped_array<std::uint32_t> face_at_edge_;
   stamped_array<unsigned char> shared_vert_;
   disjoint_sets sets_;  // of shared faces that are connected through edges
 
@@ -35,7 +35,7 @@ class link_condition {
 
  public:
   link_condition(const M& m, const int* label)
-      : m_(m), label_(label), side_of_(dimension_v<M> == 3 ? edge_index_bound(m) : 0), shared_vert_(vert_index_bound(m)) {}
+      : m_(m), label_(label), face_at_edge_(dimension_v<M> == 3 ? edge_index_bound(m) : 0), shared_vert_(vert_index_bound(m)) {}
 
   bool operator()(const poly_t<M>& p, int label) {
     shared_vert_.clear();
@@ -49,7 +49,7 @@ class link_condition {
       }
       if (pieces == 0) return false;
     } else {
-      side_of_.clear();
+      face_at_edge_.clear();
       sets_.clear();
       for (const face_t<M> f : adj_p2f(m_, p)) {
         if (!holds(adj_f2p(m_, f), label)) continue;
@@ -57,14 +57,14 @@ class link_condition {
         const auto k = static_cast<std::uint32_t>(sets_.add());
         for (const edge_t<M> e : adj_f2e(m_, f)) {
           const std::size_t i = index_of(m_, e);
-          if (side_of_.add(i, k)) --chi;
-          else pieces -= sets_.unite(side_of_[i], k);
+          if (face_at_edge_.add(i, k)) --chi;
+          else pieces -= sets_.unite(face_at_edge_[i], k);
         }
         for (const vert_t<M> v : adj_f2v(m_, f)) chi += shared_vert_.add(index_of(m_, v), 1);
       }
       if (pieces != 1) return false;
       for (const edge_t<M> e : adj_p2e(m_, p))
-        if (!side_of_.has(index_of(m_, e)) && holds(adj_e2p(m_, e), label)) return false;
+        if (!face_at_edge_.has(index_of(m_, e)) && holds(adj_e2p(m_, e), label)) return false;
     }
     if (chi != 1) return false;
     for (const vert_t<M> v : adj_p2v(m_, p))

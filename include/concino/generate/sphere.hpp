@@ -15,34 +15,34 @@ struct sphere_options {
 
 namespace detail {
 
-inline vec3 in_even_cube(const lattice_place& at, std::size_t n) { return {even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)}; }
+inline vec3 in_even_cube(const lattice_point& at, std::size_t n) { return {even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)}; }
 
 /// The surface of a cube, projected from its centre to the unit sphere.
 inline surface_arrays cube_sphere(std::size_t n) {
-  const box_surface skin({n, n, n});
+  const box_surface quad_surface({n, n, n});
   surface_arrays a{{}, {}, {}, 4};
-  a.points.reserve(skin.num_verts());
-  a.verts.reserve(4 * skin.num_quads());
-  skin.for_each_vert([&](const lattice_place& at) { a.points.push_back(on_round_boundary(in_even_cube(at, n))); });
-  skin.for_each_quad([&](const std::array<lattice_place, 4>& quad) {
-    for (const lattice_place& at : quad) a.verts.push_back(vert_id{skin.number(at)});
+  a.points.reserve(quad_surface.num_verts());
+  a.verts.reserve(4 * quad_surface.num_quads());
+  quad_surface.for_each_vert([&](const lattice_point& at) { a.points.push_back(on_round_boundary(in_even_cube(at, n))); });
+  quad_surface.for_each_quad([&](const std::array<lattice_point, 4>& quad) {
+    for (const lattice_point& at : quad) a.verts.push_back(vert_id{quad_surface.number(at)});
   });
   return a;
 }
 
 /// A core of n^3 hexes, surrounded by layers of hexes.
 inline cell_arrays hex_ball(std::size_t n) {
-  const box_surface skin({n, n, n});
+  const box_surface quad_surface({n, n, n});
   const std::size_t layers = layers_around(n), row = n + 1, core = row * row * row;
   cell_arrays a{{}, {}, 8};
-  a.points.reserve(core + layers * skin.num_verts());
-  a.verts.reserve(8 * (n * n * n + layers * skin.num_quads()));
-  const auto core_number = [&](const lattice_place& at) { return (at[2] * row + at[1]) * row + at[0]; };
+  a.points.reserve(core + layers * quad_surface.num_verts());
+  a.verts.reserve(8 * (n * n * n + layers * quad_surface.num_quads()));
+  const auto core_number = [&](const lattice_point& at) { return (at[2] * row + at[1]) * row + at[0]; };
   for (std::size_t k = 0; k < row; ++k)
     for (std::size_t j = 0; j < row; ++j)
       for (std::size_t i = 0; i < row; ++i) a.points.push_back(in_round_core(in_even_cube({i, j, k}, n)));
   for (std::size_t l = 1; l <= layers; ++l)
-    skin.for_each_vert([&](const lattice_place& at) {
+    quad_surface.for_each_vert([&](const lattice_point& at) {
       const vec3 u = in_even_cube(at, n), inner = in_round_core(u), outer = on_round_boundary(u);
       a.points.push_back(l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
     });
@@ -50,13 +50,13 @@ inline cell_arrays hex_ball(std::size_t n) {
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
         for (const std::size_t up : {k, k + 1})
-          for (const lattice_place& at : {lattice_place{i, j, up}, {i + 1, j, up}, {i + 1, j + 1, up}, {i, j + 1, up}})
+          for (const lattice_point& at : {lattice_point{i, j, up}, {i + 1, j, up}, {i + 1, j + 1, up}, {i, j + 1, up}})
             a.verts.push_back(vert_id{core_number(at)});
   for (std::size_t l = 0; l < layers; ++l)
-    skin.for_each_quad([&](const std::array<lattice_place, 4>& quad) {
+    quad_surface.for_each_quad([&](const std::array<lattice_point, 4>& quad) {
       for (const std::size_t level : {l, l + 1})
-        for (const lattice_place& at : quad)
-          a.verts.push_back(vert_id{level == 0 ? core_number(at) : core + (level - 1) * skin.num_verts() + skin.number(at)});
+        for (const lattice_point& at : quad)
+          a.verts.push_back(vert_id{level == 0 ? core_number(at) : core + (level - 1) * quad_surface.num_verts() + quad_surface.number(at)});
     });
   return a;
 }
@@ -84,12 +84,12 @@ M make_sphere(const sphere_options& options = {}) {
   detail::check_at_least("make_sphere", "cells", options.cells, 1);
   detail::check_positive("make_sphere", "radius", options.radius);
   detail::check_finite("make_sphere", "centre", options.centre);
-  const double n = static_cast<double>(options.cells), skin = 6 * n * n;
+  const double n = static_cast<double>(options.cells), boundary_quads = 6 * n * n;
   if constexpr (dimension_v<M> == 3) {  // a volume is a ball, a surface its boundary
-    detail::check_element_counts<M>("make_sphere", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (skin + 2), n * n * n + (n + 1) / 2 * skin);
+    detail::check_element_counts<M>("make_sphere", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (boundary_quads + 2), n * n * n + (n + 1) / 2 * boundary_quads);
     return detail::construct_from_hexes<M>(detail::placed(detail::hex_ball(options.cells), options.radius, options.centre));
   } else {
-    detail::check_element_counts<M>("make_sphere", "cells", 2 * skin, skin);
+    detail::check_element_counts<M>("make_sphere", "cells", 2 * boundary_quads, boundary_quads);
     surface_arrays quads = detail::cube_sphere(options.cells);
     if constexpr (arity_v<M> == 0) {  // general polygons are the dual of triangles
       const surface_arrays triangles = detail::cut_quads(std::move(quads));

@@ -21,8 +21,8 @@ namespace detail {
 inline surface_arrays quad_disk(std::size_t n) {
   const std::size_t layers = layers_around(n), row = n + 1, core = row * row, perimeter = 4 * n;
   surface_arrays a{{}, {}, {}, 4};
-  const auto square = [&](const lattice_place& at) { return vec3(even_angle(at[0], n), even_angle(at[1], n), 0); };
-  std::vector<lattice_place> around(perimeter);
+  const auto square = [&](const lattice_point& at) { return vec3(even_angle(at[0], n), even_angle(at[1], n), 0); };
+  std::vector<lattice_point> around(perimeter);
   for (std::size_t j = 0; j < row; ++j)
     for (std::size_t i = 0; i < row; ++i) {
       a.points.push_back(in_round_core(square({i, j, 0})));
@@ -111,11 +111,11 @@ M make_torus(const torus_options& options = {}) {
     detail::check_element_counts<M>("make_torus", "cells", 2 * n * k, n * k);
     surface_arrays quads = detail::quad_torus(options);
     if constexpr (arity_v<M> == 0) {  // general polygons are the dual of triangles
-      const auto place = [&](std::size_t t) {  // the middle of the triangle, by angles: first the lower right triangle of the quad, then the upper left one
+      const auto point_of = [&](std::size_t t) {  // the middle of the triangle, by angles: first the lower right triangle of the quad, then the upper left one
         const double right = t % 2 ? 1 / 3.0 : 2 / 3.0, up = 1 - right;
         return detail::on_torus(options, static_cast<double>(t / 2 % options.cells[0]) + right, static_cast<double>(t / 2 / options.cells[0]) + up);
       };
-      return detail::construct_from_arrays<M>(detail::dual_of_triangles(detail::cut_quads(std::move(quads)), place));
+      return detail::construct_from_arrays<M>(detail::dual_of_triangles(detail::cut_quads(std::move(quads)), point_of));
     } else {
       return detail::construct_from_quads<M>(std::move(quads));
     }

@@ -46,7 +46,7 @@ class half_spaces {
       n[k] = -1;
       add(n, 2 * sites[site][k], no_site);
       n[k] = 1;
-      add(n, 2 * (sites.side(k) - sites[site][k]), no_site);
+      add(n, 2 * (sites.length(k) - sites[site][k]), no_site);
     }
   }
   void add_bisector(const site_lattice<D>& sites, std::uint32_t other) {
@@ -81,7 +81,7 @@ class half_spaces {
   }
 
   /// The position of a corner relative to the site, accurate to a few lattice steps.
-  std::array<double, D> place(corner v) const {
+  std::array<double, D> position(corner v) const {
     if (unit * (v.y_size + size_of(v) / v.w * v.w_size) > 8 * v.w) solve_well(v);
     for (double& x : v.y) x /= 2 * v.w;
     return v.y;

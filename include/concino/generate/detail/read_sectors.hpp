@@ -22,11 +22,11 @@ void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans) {
   for (const poly_t<M> p : polys(m)) {
     std::uint32_t before = sector::none;
     sector* first = nullptr;
-    for (const auto& side : oriented_edges(m, p)) {
-      sector& w = fans.at(index_of(m, side.from), number_of(p));
+    for (const auto& edge : oriented_edges(m, p)) {
+      sector& w = fans.at(index_of(m, edge.from), number_of(p));
       if (first == nullptr) first = &w;
       w.out = before;
-      before = w.in = static_cast<std::uint32_t>(index_of(m, side.edge));
+      before = w.in = static_cast<std::uint32_t>(index_of(m, edge.edge));
     }
     if (first != nullptr) first->out = before;
   }
@@ -45,9 +45,9 @@ void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans, cons
       const bool outward = face_is_outward(m, p, f);
       for (const indexed_oriented_edge& s : oriented.of(facet)) {
         sector& w = fans.at(s.edge, n);
-        std::uint32_t& side = (s.forward != 0) == outward ? w.out : w.in;  // the face whose outward orientation follows the edge is `out`
-        if (side != sector::none) throw_no_dual("poly ", index_of(m, p), " has more than two faces at edge ", std::size_t{s.edge});
-        side = facet;
+        std::uint32_t& slot = (s.forward != 0) == outward ? w.out : w.in;  // the face whose outward orientation follows the edge is `out`
+        if (slot != sector::none) throw_no_dual("poly ", index_of(m, p), " has more than two faces at edge ", std::size_t{s.edge});
+        slot = facet;
       }
     }
     for (const edge_t<M> e : adj_p2e(m, p))

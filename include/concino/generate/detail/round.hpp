@@ -29,9 +29,9 @@ inline vec3 on_round_boundary(const vec3& u) { return u / norm(u); }
 /// The number of layers around a core with n cells along each edge, such that layers are about as thick as its cells.
 constexpr std::size_t layers_around(std::size_t n) { return (n + 1) / 2; }
 
-/// The dual of a closed, consistently oriented surface of triangles: a vert place(t) for triangle number t, a polygon for each vert.
-template<class Place>
-surface_arrays dual_of_triangles(const surface_arrays& triangles, const Place& place) {
+/// The dual of a closed, consistently oriented surface of triangles: a vert at point_of(t) for triangle number t, a polygon for each vert.
+template<class PointOf>
+surface_arrays dual_of_triangles(const surface_arrays& triangles, const PointOf& point_of) {
   struct corner { std::uint32_t from, to, triangle; };
   const auto raw = [&](std::size_t i) { return triangles.verts[i].raw(); };
   surface_arrays a;
@@ -45,7 +45,7 @@ surface_arrays dual_of_triangles(const surface_arrays& triangles, const Place& p
   for (std::size_t i = 0; i < triangles.verts.size(); i += 3) {
     for (std::size_t k = 0; k < 3; ++k)
       corners[fill[raw(i + k)]++] = {raw(i + (k + 1) % 3), raw(i + (k + 2) % 3), static_cast<std::uint32_t>(i / 3)};
-    a.points.push_back(place(i / 3));
+    a.points.push_back(point_of(i / 3));
   }
   for (std::size_t v = 0; v < triangles.points.size(); ++v) {
     const auto first = corners.begin() + static_cast<std::ptrdiff_t>(a.offsets[v]), last = corners.begin() + static_cast<std::ptrdiff_t>(a.offsets[v + 1]);

@@ -10,9 +10,9 @@ namespace concino::detail {
 /// counter-clockwise as seen from outside.
 template<int D>
 struct cell_loops {
-  using place = std::array<double, D>;
+  using position = std::array<double, D>;
 
-  std::vector<place> places;                // by vert, in lattice steps
+  std::vector<position> positions;          // by vert, in lattice steps
   std::vector<std::uint8_t> walls;          // by vert: a bit for each wall of the box on which it lies
   std::vector<std::uint32_t> loop_offsets;  // by cell: its first loop
   std::vector<std::uint32_t> neighbours;    // by loop: the cell or wall behind it
@@ -29,12 +29,12 @@ struct cell_loops {
 template<int D>
 disjoint_sets close_verts(const cell_loops<D>& c) {
   constexpr double close = 512;  // lattice steps: below 2^-39 of the longest side of the box
-  disjoint_sets same(c.places.size());
+  disjoint_sets same(c.positions.size());
   for (std::size_t l = 0; l + 1 < c.vert_offsets.size(); ++l)
     for (std::uint32_t first = c.vert_offsets[l], last = c.vert_offsets[l + 1], i = first; i < last; ++i) {
       const std::uint32_t a = c.loop_verts[i], b = c.loop_verts[i + 1 < last ? i + 1 : first];
       double squared = 0;
-      for (std::size_t k = 0; k < D; ++k) squared += (c.places[a][k] - c.places[b][k]) * (c.places[a][k] - c.places[b][k]);
+      for (std::size_t k = 0; k < D; ++k) squared += (c.positions[a][k] - c.positions[b][k]) * (c.positions[a][k] - c.positions[b][k]);
       if (squared <= close * close) same.unite(a, b);
     }
   return same;
@@ -42,28 +42,28 @@ disjoint_sets close_verts(const cell_loops<D>& c) {
 
 /// The positions of merged verts, by the root of their set: the position of the vert on the most walls, moved onto the walls of the others.
 template<int D>
-std::vector<typename cell_loops<D>::place> common_places(const cell_loops<D>& c, disjoint_sets& same, const site_lattice<D>& sites) {
+std::vector<typename cell_loops<D>::position> merged_positions(const cell_loops<D>& c, disjoint_sets& same, const site_lattice<D>& sites) {
   const auto count = [](std::uint8_t bits) {
     int n = 0;
     for (; bits; bits = static_cast<std::uint8_t>(bits & (bits - 1))) ++n;
     return n;
   };
-  std::vector<std::uint32_t> best(c.places.size());
+  std::vector<std::uint32_t> best(c.positions.size());
   std::vector<std::uint8_t> walls = c.walls;
   for (std::uint32_t v = 0; v < best.size(); ++v) {
     const std::size_t r = same.root(v);  // <= v
     if (r == v || count(c.walls[v]) > count(c.walls[best[r]])) best[r] = v;
     walls[r] |= c.walls[v];
   }
-  std::vector<typename cell_loops<D>::place> places(best.size());
+  std::vector<typename cell_loops<D>::position> positions(best.size());
   for (std::size_t r = 0; r < best.size(); ++r) {
-    places[r] = c.places[best[r]];
+    positions[r] = c.positions[best[r]];
     for (std::size_t k = 0; k < D; ++k) {
-      if (walls[r] >> 2 * k & 1) places[r][k] = 0;
-      if (walls[r] >> (2 * k + 1) & 1) places[r][k] = static_cast<double>(sites.side(k));
+      if (walls[r] >> 2 * k & 1) positions[r][k] = 0;
+      if (walls[r] >> (2 * k + 1) & 1) positions[r][k] = static_cast<double>(sites.length(k));
     }
   }
-  return places;
+  return positions;
 }
 
 /// Merges verts connected by negligibly short edges. Removes edges and loops without size, consistently in all cells that have them. Numbers the
@@ -72,11 +72,11 @@ std::vector<typename cell_loops<D>::place> common_places(const cell_loops<D>& c,
 template<int D>
 void merge_short_edges(cell_loops<D>& c, const site_lattice<D>& sites) {
   disjoint_sets same = close_verts(c);
-  const auto places = common_places(c, same, sites);
-  c.places.clear();
+  const auto positions = merged_positions(c, same, sites);
+  c.positions.clear();
   c.walls.clear();
   constexpr std::uint32_t unnamed = ~0u;
-  std::vector<std::uint32_t> name(places.size(), unnamed);
+  std::vector<std::uint32_t> name(positions.size(), unnamed);
   std::size_t loops = 0, out = 0;  // numbers of loops and corners that are kept; the arrays are compacted in place
   for (std::uint32_t cell = 0, loop = 0, from = 0; cell + 1 < c.loop_offsets.size(); ++cell) {
     const std::size_t first_loop = loops;
@@ -105,8 +105,8 @@ void merge_short_edges(cell_loops<D>& c, const site_lattice<D>& sites) {
   c.loop_verts.resize(out);
   for (std::uint32_t& v : c.loop_verts) {
     if (name[v] == unnamed) {
-      name[v] = static_cast<std::uint32_t>(c.places.size());
-      c.places.push_back(places[v]);
+      name[v] = static_cast<std::uint32_t>(c.positions.size());
+      c.positions.push_back(positions[v]);
     }
     v = name[v];
   }

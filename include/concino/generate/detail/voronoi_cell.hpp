@@ -63,7 +63,7 @@ class voronoi_cell {
   /// The site on the other side of a plane; none for walls, which are the first 2 D planes.
   std::uint32_t beyond(std::uint32_t plane) const { return planes_.beyond(plane); }
   /// The position of a vert relative to the site.
-  std::array<double, D> place(const vert& v) const { return planes_.place(v); }
+  std::array<double, D> position(const vert& v) const { return planes_.position(v); }
 
  private:
   half_spaces<D> planes_;

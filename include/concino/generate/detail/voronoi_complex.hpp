@@ -13,7 +13,7 @@ namespace concino::detail {
 template<int D>
 class voronoi_complex : private cell_loops<D> {
  public:
-  using typename cell_loops<D>::place;
+  using typename cell_loops<D>::position;
   using key = std::array<std::uint32_t, D + 1>;  // the sites and walls that define a vert, ascending; wall k of the box is number of sites + k
 
   explicit voronoi_complex(const site_lattice<D>& sites) : sites_(sites) {
@@ -32,10 +32,10 @@ class voronoi_complex : private cell_loops<D> {
     merge_short_edges<D>(*this, sites);
   }
 
-  std::size_t num_verts() const { return places.size(); }
+  std::size_t num_verts() const { return positions.size(); }
   vec3 point(std::uint32_t v) const {
     vec3 x = sites_.domain().min;
-    for (std::size_t k = 0; k < D; ++k) x[k] = sites_.from_lattice(places[v][k], k);
+    for (std::size_t k = 0; k < D; ++k) x[k] = sites_.from_lattice(positions[v][k], k);
     return x;
   }
   /// The loops of a cell are numbered from first_loop(cell) to first_loop(cell + 1) - 1.
@@ -50,7 +50,7 @@ class voronoi_complex : private cell_loops<D> {
   /// The verts and loops of a chunk of cells, cell after cell.
   struct part {
     std::vector<key> keys;
-    std::vector<place> places;                  // of verts for which the cell's site is the lowest in their key
+    std::vector<position> positions;            // of verts for which the cell's site is the lowest in their key
     std::vector<std::uint32_t> num_verts;        // by cell
     std::vector<std::uint32_t> num_loops;        // by cell
     std::vector<std::uint32_t> beyond;           // by loop: the site or wall behind it
@@ -62,7 +62,7 @@ class voronoi_complex : private cell_loops<D> {
     std::vector<std::array<std::uint32_t, 3>> corners;  // plane, next plane around the vert, vert
   };
 
-  using cell_loops<D>::places;
+  using cell_loops<D>::positions;
   using cell_loops<D>::walls;
   using cell_loops<D>::loop_offsets;
   using cell_loops<D>::neighbours;
@@ -82,11 +82,11 @@ class voronoi_complex : private cell_loops<D> {
       key k{i};
       for (std::size_t d = 0; d < D; ++d) k[d + 1] = generator(v.planes[d]);
       std::sort(k.begin(), k.end());
-      place x{};
-      if (k[0] == i) x = cell.place(v);
+      position x{};
+      if (k[0] == i) x = cell.position(v);
       for (std::size_t d = 0; d < D; ++d) x[d] += static_cast<double>(sites_[i][d]);
       out.keys.push_back(k);
-      out.places.push_back(x);
+      out.positions.push_back(x);
     }
     const std::size_t nv = cell.verts().size();
     out.num_verts.push_back(static_cast<std::uint32_t>(nv));
@@ -134,8 +134,8 @@ class voronoi_complex : private cell_loops<D> {
         for (std::uint32_t k = 0; k < p.num_verts[i]; ++k, ++v) {
           const key& x = p.keys[v];
           if (x[0] == cell) {
-            name.push_back(static_cast<std::uint32_t>(places.size()));
-            places.push_back(p.places[v]);
+            name.push_back(static_cast<std::uint32_t>(positions.size()));
+            positions.push_back(p.positions[v]);
             std::uint8_t on = 0;
             for (const std::uint32_t g : x)
               if (g >= sites_.size()) on = static_cast<std::uint8_t>(on | 1u << (g - sites_.size()));
