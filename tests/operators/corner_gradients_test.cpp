@@ -27,9 +27,9 @@ TEST_CASE_TEMPLATE("corner_gradients: have the verts in order, their mean and me
     std::size_t i = 0;
     for (const auto v : adj_p2v(m, p)) {
       REQUIRE(local.verts[i] == v);
-      CHECK(distance(local.mean + local.place[i], to_vec3(point(m, v))) < 1e-15);
+      CHECK(distance(local.mean + local.points[i], to_vec3(point(m, v))) < 1e-15);
       zero += local.gradient[i];
-      mean += local.place[i];
+      mean += local.points[i];
       sum += dot(a, to_vec3(point(m, v))) * local.gradient[i++];
     }
     CHECK(local.gradient.size() == i);

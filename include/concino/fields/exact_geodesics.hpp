@@ -120,12 +120,12 @@ class prepared_exact_geodesics {
     for (const start& s : starts) windows.add_vert(s.vert, std::ldexp(s.distance - least, -triangles().exponent));
     return solve(windows, least, target);
   }
-  /// place: set to the source, which is the point of p nearest to x.
-  vert_map<M, double> solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& place, detail::path_tree* paths = nullptr) const;
+  /// source_point: set to the source, which is the point of p nearest to x.
+  vert_map<M, double> solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& source_point, detail::path_tree* paths = nullptr) const;
 
   detail::path_tree empty_tree() const { return detail::path_tree(triangles().around.size()); }
-  exact_paths<M> with_paths(vert_map<M, double> distances, detail::path_tree tree, std::optional<mesh_point<M>> place = {}) const {
-    return {std::move(distances), prepared_, std::move(tree), std::move(place)};
+  exact_paths<M> with_paths(vert_map<M, double> distances, detail::path_tree tree, std::optional<mesh_point<M>> source_point = {}) const {
+    return {std::move(distances), prepared_, std::move(tree), std::move(source_point)};
   }
 
  public:
@@ -156,8 +156,8 @@ class prepared_exact_geodesics {
   /// The distances of all verts from a point of poly p: the one nearest to x.
   /// Result, cost: as above.      Errors: invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
-    mesh_point<M> place{p, x};
-    return solve_from(p, x, place);
+    mesh_point<M> source_point{p, x};
+    return solve_from(p, x, source_point);
   }
 
   /// The shortest paths to all verts. It takes the same sources as distance_from.
@@ -176,9 +176,9 @@ class prepared_exact_geodesics {
   }
   exact_paths<M> paths_from(const poly_t<M>& p, const vec3& x) const {
     detail::path_tree tree = empty_tree();
-    mesh_point<M> place{p, x};
-    auto distances = solve_from(p, x, place, &tree);
-    return with_paths(std::move(distances), std::move(tree), std::move(place));
+    mesh_point<M> source_point{p, x};
+    auto distances = solve_from(p, x, source_point, &tree);
+    return with_paths(std::move(distances), std::move(tree), std::move(source_point));
   }
 
   /// The shortest path between two verts.
@@ -193,7 +193,7 @@ class prepared_exact_geodesics {
 };
 
 template<class M>
-vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& place, detail::path_tree* paths) const {
+vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& source_point, detail::path_tree* paths) const {
   const M& m = mesh_.get();
   if (!contains(m, p)) throw invalid_mesh("exact_geodesics: the poly of a source is not a poly of the mesh; take it from polys(m)");
   if (!is_finite(x)) throw invalid_argument("exact_geodesics: the point of a source is not finite");
@@ -202,10 +202,10 @@ vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, 
   const double unit = std::ldexp(1.0, -triangles().exponent);
   for (const vert_t<M> v : adj_p2v(m, p)) corner[n++] = unit * to_vec3(point(m, v));
   const vec3 nearest = closest_point(unit * x, corner[0], corner[1], corner[2]), side = corner[1] - corner[0], to = nearest - corner[0];
-  place.position = std::ldexp(1.0, triangles().exponent) * nearest;
+  source_point.position = std::ldexp(1.0, triangles().exponent) * nearest;
   detail::exact_windows windows(triangles(), paths);
   const double length = norm(side);
-  windows.add_place(3 * prepared_->triangle_of[index_of(m, p)], dot(to, side) / length, norm(cross(side, to)) / length);
+  windows.add_point(3 * prepared_->triangle_of[index_of(m, p)], dot(to, side) / length, norm(cross(side, to)) / length);
   return solve(windows, 0);
 }
 

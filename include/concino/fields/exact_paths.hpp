@@ -46,7 +46,7 @@ class exact_paths {
   struct contents {
     std::shared_ptr<const detail::exact_preparation> prepared;
     detail::path_tree tree;
-    std::optional<mesh_point<M>> place;  // the source, if it is inside a triangle
+    std::optional<mesh_point<M>> source_point;  // the source, if it is inside a triangle
     std::vector<vert_t<M>> vert;         // by index
     std::vector<edge_t<M>> edge;
   };
@@ -56,10 +56,10 @@ class exact_paths {
  public:
   /// Called by prepared_exact_geodesics::paths_from.
   exact_paths(vert_map<M, double> distances, std::shared_ptr<const detail::exact_preparation> prepared, detail::path_tree tree,
-              std::optional<mesh_point<M>> place)
+              std::optional<mesh_point<M>> source_point)
       : distances_(std::move(distances)) {
     const M& m = distances_.mesh();
-    contents c{std::move(prepared), std::move(tree), std::move(place), {}, {}};
+    contents c{std::move(prepared), std::move(tree), std::move(source_point), {}, {}};
     c.vert.resize(vert_index_bound(m));
     for (const vert_t<M> v : verts(m)) c.vert[index_of(m, v)] = v;
     c.edge.resize(edge_index_bound(m));
@@ -96,7 +96,7 @@ class exact_paths {
       const vert_t<M> v = contents_->vert[static_cast<std::size_t>(s.vert)];
       return {v, to_vec3(point(m, v))};
     }
-    if (s.side < 0) return *contents_->place;
+    if (s.side < 0) return *contents_->source_point;
     const edge_t<M> e = contents_->edge[static_cast<std::size_t>(t.edge[static_cast<std::size_t>(s.side)])];
     std::array<vec3, 2> end;
     bool is_along = true;

@@ -156,7 +156,7 @@ class prepared_heat_geodesics {
           {"heat_geodesics: the initial distance at vert ", index_of(mesh_.get(), v), " is not finite"});
     const int i = number(v);
     q.starts.push_back({i, static_cast<int>(q.sources.size()), 0, scale_down(distance)});
-    q.sources.push_back({prepared_->graph.place(static_cast<std::size_t>(i)), scale_down(distance)});
+    q.sources.push_back({prepared_->graph.position(static_cast<std::size_t>(i)), scale_down(distance)});
   }
 
   static double path_length_at_source(const detail::distance_graph::start& s) { return s.before + s.distance; }
@@ -207,7 +207,7 @@ class prepared_heat_geodesics {
     q.sources.push_back({vec3{scale_down(x.x), scale_down(x.y), scale_down(x.z)}, 0});
     for (const vert_t<M> v : adj_p2v(m, p)) {
       const int i = number(v);
-      q.starts.push_back({i, 0, distance(q.sources[0].place, prepared_->graph.place(static_cast<std::size_t>(i))), 0});
+      q.starts.push_back({i, 0, distance(q.sources[0].position, prepared_->graph.position(static_cast<std::size_t>(i))), 0});
     }
     return answer(q);
   }
@@ -237,7 +237,7 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   const auto size = distance_at.values().size();
   std::vector<double> least(size, infinity);  // of the initial distances in each component
   for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
-  const Eigen::VectorXd rise = prepared_->system.integrate_gradient(log_heat(q, least));
+  const Eigen::VectorXd potential = prepared_->system.integrate_gradient(log_heat(q, least));
 
   // The integral of the gradient is known up to a constant in each component, and it is too round at a source. The constant is fitted to bounds of the
   // distances near the sources; tighter bounds have more weight.
@@ -252,23 +252,23 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   std::vector<double> shortest(size), sum(size), weight(size);
   for (std::size_t i = 0; i < size; ++i) {
     if (!(longest[i] < infinity)) continue;
-    shortest[i] = straight(prepared_->graph.place(i));
+    shortest[i] = straight(prepared_->graph.position(i));
     const std::size_t c = component(i);
     const double off = shortest[i] - least[c], doubt = longest[i] - shortest[i];
     if (!(off > 0 && off <= near * decay && doubt <= max_doubt * off)) continue;
     const double trust = off / (doubt + 0.01 * off), w = prepared_->mass[i] * trust * trust;
-    sum[c] += w * (shortest[i] + doubt / 2 - rise[static_cast<Eigen::Index>(i)]);
+    sum[c] += w * (shortest[i] + doubt / 2 - potential[static_cast<Eigen::Index>(i)]);
     weight[c] += w;
   }
   for (const auto& s : q.starts)
     if (const std::size_t c = component(index(s)); !(weight[c] > 0)) {
-      sum[c] += path_length_at_source(s) - rise[s.vert];
+      sum[c] += path_length_at_source(s) - potential[s.vert];
       weight[c] -= 1;
     }
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t c = component(i);
     if (least[c] == infinity || (prepared_->clamp && !(longest[i] < infinity))) continue;
-    double d = rise[static_cast<Eigen::Index>(i)] + sum[c] / std::abs(weight[c]);
+    double d = potential[static_cast<Eigen::Index>(i)] + sum[c] / std::abs(weight[c]);
     if (prepared_->clamp) d = std::max(std::min(d, longest[i]), shortest[i]);
     distance_at.values()[i] = std::ldexp(std::max(least[c], d), prepared_->exponent);
   }

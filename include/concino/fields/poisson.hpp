@@ -53,8 +53,8 @@ class poisson_problem {
 
   void enlarge(auto& rhs) const {
     if (exponent_ == 0) return;
-    for (auto& side : rhs)
-      for (Eigen::Index i = 0; i < side.size(); ++i) side[i] = std::ldexp(side[i], exponent_);
+    for (auto& column : rhs)
+      for (Eigen::Index i = 0; i < column.size(); ++i) column[i] = std::ldexp(column[i], exponent_);
   }
 
   /// The right-hand side M f + S at this size. In units, u is f times length^2, and a flux times length.

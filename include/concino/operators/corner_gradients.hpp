@@ -35,8 +35,8 @@ vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
   area *= 0.5 * sign;
   const vec3 middle = area / (3 * static_cast<double>(n));
   for (std::size_t i = 0; i < n; ++i) {
-    const vec3 across = around[i + 1 < n ? i + 1 : 0] - around[i > 0 ? i - 1 : n - 1];
-    share(i, (sign / 6) * cross(around[i], across) + middle);
+    const vec3 diagonal = around[i + 1 < n ? i + 1 : 0] - around[i > 0 ? i - 1 : n - 1];
+    share(i, (sign / 6) * cross(around[i], diagonal) + middle);
   }
   return area;
 }
@@ -45,7 +45,7 @@ vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
 
 /// The gradients on a poly as arrays, independent of the mesh type.
 struct corner_gradient_arrays {
-  std::vector<vec3> place;     // of each vert, relative to the mean of the verts
+  std::vector<vec3> points;    // of each vert, relative to the mean of the verts
   std::vector<vec3> gradient;  // of each vert; not finite where the poly has no measure
   vec3 mean;                   // of the verts
   vec3 normal;                 // of a polygon: its vector area
@@ -55,7 +55,7 @@ struct corner_gradient_arrays {
   bool has_gradients() const;
 
  protected:
-  /// Makes the points in `place` relative to their mean.
+  /// Makes the points relative to their mean.
   void centre();
   void visit_polygon();
 };
@@ -72,10 +72,10 @@ struct corner_gradients : corner_gradient_arrays {
 
   void visit(const M& m, const poly_t<M>& p) {
     verts.clear();
-    place.clear();
+    points.clear();
     for (const vert_t<M> v : adj_p2v(m, p)) {
       verts.push_back(v);
-      place.push_back(to_vec3(point(m, v)));
+      points.push_back(to_vec3(point(m, v)));
     }
     centre();
     if constexpr (SurfaceMesh<M>) {  // integrates along edges of a polygon, or over the triangles of faces
@@ -122,8 +122,8 @@ struct corner_gradients : corner_gradient_arrays {
     for (const vert_t<M> v : adj_f2v(m, f)) {
       const std::size_t i = corner_of(m, v);
       corner_.push_back(i);
-      around_.push_back(place[i]);
-      sum += place[i];
+      around_.push_back(points[i]);
+      sum += points[i];
     }
     const std::size_t n = corner_.size();
     if (n == 0) return;

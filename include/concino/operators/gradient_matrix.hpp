@@ -26,16 +26,16 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   constexpr const char* caller = "gradient_matrix";
   auto g = detail::empty_columns(caller, 3 * poly_index_bound(m), vert_index_bound(m));
   int* const begin = g.outerIndexPtr();
-  std::vector<int> place;  // of each corner: the number of earlier polys at its vert
-  if constexpr (arity_v<M> > 0) core::reserve_large(place, static_cast<std::size_t>(arity_v<M>) * num_polys(m));  // the number of corners is known
+  std::vector<int> earlier_polys;  // of each corner: the number of earlier polys at its vert
+  if constexpr (arity_v<M> > 0) core::reserve_large(earlier_polys, static_cast<std::size_t>(arity_v<M>) * num_polys(m));  // the number of corners is known
   bool ascend = true;
   std::size_t next = 0;
   const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
-    const std::size_t index = index_of(m, p), before = place.size();
+    const std::size_t index = index_of(m, p), before = earlier_polys.size();
     ascend = ascend && index >= next;
     next = index + 1;
-    for (const vert_t<M> v : adj_p2v(m, p)) place.push_back(begin[index_of(m, v) + 1]++);
-    return place.size() - before;
+    for (const vert_t<M> v : adj_p2v(m, p)) earlier_polys.push_back(begin[index_of(m, v) + 1]++);
+    return earlier_polys.size() - before;
   });
   detail::make_room(caller, g, 3);
   int* const rows = g.innerIndexPtr();
@@ -46,7 +46,7 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
     const int row = 3 * static_cast<int>(index_of(m, p));
     const std::size_t n = local.verts.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const int at = begin[index_of(m, local.verts[i])] + 3 * place[corner + i];
+      const int at = begin[index_of(m, local.verts[i])] + 3 * earlier_polys[corner + i];
       const vec3 gradient = local.gradient[i];
       rows[at] = row;
       rows[at + 1] = row + 1;

@@ -33,10 +33,10 @@ struct simplex_gradients {
     if constexpr (corners == 3) {
       const vec3 normal = cross(a, b);
       const double doubled = norm(normal), factor = 1 / doubled;
-      const vec3 across = factor * (factor * normal);  // in this order: the square of an area may overflow or underflow
-      gradient[0] = cross(x[1] - x[2], across);
-      gradient[1] = cross(b, across);
-      gradient[2] = cross(across, a);
+      const vec3 scaled_normal = factor * (factor * normal);  // in this order: the square of an area may overflow or underflow
+      gradient[0] = cross(x[1] - x[2], scaled_normal);
+      gradient[1] = cross(b, scaled_normal);
+      gradient[2] = cross(scaled_normal, a);
       measure = 0.5 * doubled;
     } else {
       const vec3 c = x[3] - x[0], facet = cross(b, c);

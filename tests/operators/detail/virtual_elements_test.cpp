@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("stiffness of a polyhedron: functions orthogonal to linear on
     double squares = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const auto c = static_cast<Eigen::Index>(i);
-      const vec3 &g = poly.gradient[i], &y = poly.place[i];
+      const vec3 &g = poly.gradient[i], &y = poly.points[i];
       seen.col(c) << 1, g.x, g.y, g.z;
       const Eigen::Vector3d place(y.x, y.y, y.z);
       spread += place * place.transpose();

@@ -45,7 +45,7 @@ class distance_graph::search {
 
   /// The distance of the last corner of a tet from the source, if the straight line passes between the other corners, whose distances are da, db and
   /// dc; otherwise +inf. Also +inf if it certainly exceeds `most`.
-  static double unfolded_distance(const side& s, double da, double db, double dc, double most) {
+  static double unfolded_distance(const local_tet& s, double da, double db, double dc, double most) {
     if (!(s.length > 0)) return infinity;
     const double x = (s.length + (da - db) * (da + db) / s.length) / 2;
     const double y = (s.cx * s.cx + s.cy * s.cy - 2 * s.cx * x + (da - dc) * (da + dc)) / (2 * s.cy);
@@ -164,7 +164,7 @@ class distance_graph::search {
     }
   }
 
-  void cross(const node& from, const int* corners, const side& s, std::size_t last) {
+  void cross(const node& from, const int* corners, const local_tet& s, std::size_t last) {
     const node &a = at(corners[others[last][0]]), &b = at(corners[others[last][1]]), &c = at(corners[others[last][2]]);
     node& to = at(corners[last]);
     if (a.source != from.source || b.source != from.source || c.source != from.source || to.state >= max_changes) return;
@@ -196,13 +196,13 @@ class distance_graph::search {
       std::uint8_t& known = known_[i / 4];
       known = static_cast<std::uint8_t>(known | 1u << (i - first));
       for (std::size_t last = 0; last < 4; ++last)
-        if (first + last != i && (known | 1u << last) == 15) cross(from, &graph_.tet_[first], graph_.side_[first + last], last);
+        if (first + last != i && (known | 1u << last) == 15) cross(from, &graph_.tet_[first], graph_.local_tets_[first + last], last);
     }
   }
 
  public:
   search(const distance_graph& graph, double longest)
-      : graph_(graph), longest_(longest), node_(graph.place_.size()), waiting_(node_.size(), infinity), queue_(waiting_),
+      : graph_(graph), longest_(longest), node_(graph.positions_.size()), waiting_(node_.size(), infinity), queue_(waiting_),
         known_(graph.tet_.size() / 4) {
     for (std::size_t i = 0; i < graph.curvature_.size(); ++i) node_[i].curvature = graph.curvature_[i];
   }

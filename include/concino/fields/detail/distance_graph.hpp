@@ -28,14 +28,14 @@ class distance_graph {
     double cosine, sine;  // of the angle between the edges to the ends
   };
   /// A tet relative to three corners a, b and c: a is the origin, b is (length, 0), c is (cx, cy); (x, y) is the foot of the last corner in their plane.
-  struct side {
+  struct local_tet {
     double length;
     double cx, cy;
     double x, y, height;
   };
 
   std::size_t corners_;  // number of corners of a simplex
-  std::vector<vec3> place_;
+  std::vector<vec3> positions_;
   std::vector<std::size_t> neighbour_begin_;  // by vert
   std::vector<neighbour> neighbour_;
   std::vector<std::size_t> simplex_begin_;  // by vert
@@ -43,7 +43,7 @@ class distance_graph {
   std::vector<double> curvature_;           // Gaussian curvature at each vert of a surface; 0 on the boundary
   std::vector<int> tet_at_;                 // positions in tet_, grouped by vert
   std::vector<int> tet_;                    // four corners of each tet
-  std::vector<side> side_;                  // of each tet; the first omits the first corner
+  std::vector<local_tet> local_tets_;       // of each tet; the first omits the first corner
 
   /// Where the list of each vert begins, if each vert occurs in `verts` once per entry of its list.
   static std::vector<std::size_t> count(std::size_t size, const std::vector<int>& verts) {
@@ -54,7 +54,7 @@ class distance_graph {
   }
 
   corner seen_from(int vert, int end, int other) const {
-    const auto at = [&](int v) { return place_[static_cast<std::size_t>(v)]; };
+    const auto at = [&](int v) { return positions_[static_cast<std::size_t>(v)]; };
     const vec3 a = at(end) - at(vert), b = at(other) - at(vert), normal = cross(a, b);
     const double x = std::sqrt(dot(a, a)), y = std::sqrt(dot(b, b));
     const bool is_point = !(x > 0 && y > 0);
@@ -74,9 +74,9 @@ class distance_graph {
 
   void find_curvature() {
     constexpr double turn = 6.28318530717958647692;
-    curvature_.assign(place_.size(), 0.0);
-    std::vector<std::uint32_t> times(place_.size());  // how often a vert was met around the current one
-    for (std::size_t v = 0; v < place_.size(); ++v) {
+    curvature_.assign(positions_.size(), 0.0);
+    std::vector<std::uint32_t> times(positions_.size());  // how often a vert was met around the current one
+    for (std::size_t v = 0; v < positions_.size(); ++v) {
       double angle = 0, area = 0;
       bool is_inside = true;
       const auto for_each_end = [&](const auto& f) {
@@ -95,7 +95,7 @@ class distance_graph {
     }
   }
 
-  side seen_from(const vec3& a, const vec3& b, const vec3& c, const vec3& last) const {
+  local_tet seen_from(const vec3& a, const vec3& b, const vec3& c, const vec3& last) const {
     const vec3 ab = b - a, ac = c - a, to = last - a, normal = cross(ab, ac);
     const double length = std::sqrt(dot(ab, ab)), area = std::sqrt(dot(normal, normal));
     if (!(area > 0)) return {};
@@ -105,13 +105,13 @@ class distance_graph {
 
   void add_tets() {
     tet_at_.resize(tet_.size());
-    side_.resize(tet_.size());
+    local_tets_.resize(tet_.size());
     std::vector<std::size_t> next = simplex_begin_;
     for (std::size_t i = 0; i < tet_.size(); ++i) {
       tet_at_[next[static_cast<std::size_t>(tet_[i])]++] = static_cast<int>(i);
       const std::size_t first = i / 4 * 4, last = i - first;
-      const auto at = [&](std::size_t k) { return place_[static_cast<std::size_t>(tet_[first + k])]; };
-      side_[i] = seen_from(at(others[last][0]), at(others[last][1]), at(others[last][2]), at(last));
+      const auto at = [&](std::size_t k) { return positions_[static_cast<std::size_t>(tet_[first + k])]; };
+      local_tets_[i] = seen_from(at(others[last][0]), at(others[last][1]), at(others[last][2]), at(last));
     }
   }
 
@@ -119,13 +119,13 @@ class distance_graph {
 
  public:
   /// edges: two verts each, including diagonals within polys. simplices: the corners of triangles (corners 3) or tets (4).
-  distance_graph(std::vector<vec3> place, const std::vector<int>& edges, std::vector<int> simplices, std::size_t corners)
-      : corners_(corners), place_(std::move(place)), neighbour_begin_(count(place_.size(), edges)), neighbour_(edges.size()),
-        simplex_begin_(count(place_.size(), simplices)) {
+  distance_graph(std::vector<vec3> positions, const std::vector<int>& edges, std::vector<int> simplices, std::size_t corners)
+      : corners_(corners), positions_(std::move(positions)), neighbour_begin_(count(positions_.size(), edges)), neighbour_(edges.size()),
+        simplex_begin_(count(positions_.size(), simplices)) {
     std::vector<std::size_t> next = neighbour_begin_;
     for (std::size_t i = 0; i < edges.size(); i += 2) {
       const int v = edges[i], w = edges[i + 1];
-      const double length = distance(place_[static_cast<std::size_t>(v)], place_[static_cast<std::size_t>(w)]);
+      const double length = distance(positions_[static_cast<std::size_t>(v)], positions_[static_cast<std::size_t>(w)]);
       neighbour_[next[static_cast<std::size_t>(v)]++] = {length, w};
       neighbour_[next[static_cast<std::size_t>(w)]++] = {length, v};
     }
@@ -137,7 +137,7 @@ class distance_graph {
     }
   }
 
-  const vec3& place(std::size_t v) const { return place_[v]; }
+  const vec3& position(std::size_t v) const { return positions_[v]; }
 
   /// A vert at which the search starts. Verts with the same source share its number.
   struct start {

@@ -15,7 +15,7 @@ namespace concino::detail {
 
 /// A source of distances: its position and its initial distance.
 struct distance_source {
-  vec3 place;
+  vec3 position;
   double distance;
 };
 
@@ -27,18 +27,18 @@ class euclidean_distance {
 
   double build(std::size_t first, std::size_t end) {
     if (first == end) return std::numeric_limits<double>::infinity();
-    vec3 low = sources_[first].place, high = low;
+    vec3 low = sources_[first].position, high = low;
     for (std::size_t i = first; i < end; ++i)
       for (const std::size_t k : {0u, 1u, 2u}) {
-        low[k] = std::min(low[k], sources_[i].place[k]);
-        high[k] = std::max(high[k], sources_[i].place[k]);
+        low[k] = std::min(low[k], sources_[i].position[k]);
+        high[k] = std::max(high[k], sources_[i].position[k]);
       }
     std::size_t axis = 0;
     for (const std::size_t k : {1u, 2u})
       if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
     const std::size_t middle = first + (end - first) / 2;
     const auto at = [&](std::size_t i) { return sources_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(first), at(middle), at(end), [&](const auto& a, const auto& b) { return a.place[axis] < b.place[axis]; });
+    std::nth_element(at(first), at(middle), at(end), [&](const auto& a, const auto& b) { return a.position[axis] < b.position[axis]; });
     axis_[middle] = static_cast<std::uint8_t>(axis);
     return min_distance_[middle] = std::min({sources_[middle].distance, build(first, middle), build(middle + 1, end)});
   }
@@ -48,8 +48,8 @@ class euclidean_distance {
     const std::size_t middle = first + (end - first) / 2;
     if (!(min_distance_[middle] < best)) return;
     const distance_source& s = sources_[middle];
-    best = std::min(best, s.distance + distance(x, s.place));
-    const double beyond = x[axis_[middle]] - s.place[axis_[middle]];
+    best = std::min(best, s.distance + distance(x, s.position));
+    const double beyond = x[axis_[middle]] - s.position[axis_[middle]];
     if (beyond < 0) search(first, middle, x, best);
     else search(middle + 1, end, x, best);
     if (!(min_distance_[middle] + std::abs(beyond) < best)) return;

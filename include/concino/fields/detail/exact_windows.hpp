@@ -47,7 +47,7 @@ class exact_windows {
 
   double& at(int v) { return distance_[static_cast<std::size_t>(v)]; }
   double length(int s) const { return t_.length[static_cast<std::size_t>(s)]; }
-  unfolded_triangles::place apex(int s) const { return t_.apex[static_cast<std::size_t>(s)]; }
+  unfolded_triangles::plane_point apex(int s) const { return t_.apex[static_cast<std::size_t>(s)]; }
   double angle(int c) const { return t_.angle[static_cast<std::size_t>(c)]; }
 
   static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -82,19 +82,19 @@ class exact_windows {
       window next = t_.start(other) == t_.start(s) ? w : reversed(w, size);
       next.side = other;
       const double nearest = std::clamp(next.x, next.begin, next.end);
-      int place = static_cast<int>(windows_.size());
+      int index = static_cast<int>(windows_.size());
       if (unused_.empty()) {
         windows_.push_back(next);
       } else {
-        place = unused_.back();
+        index = unused_.back();
         unused_.pop_back();
-        windows_[static_cast<std::size_t>(place)] = next;
+        windows_[static_cast<std::size_t>(index)] = next;
       }
       if (paths_) {
         node_.resize(windows_.size());
-        node_[static_cast<std::size_t>(place)] = paths_->add({next.x, next.y, other, from_});
+        node_[static_cast<std::size_t>(index)] = paths_->add({next.x, next.y, other, from_});
       }
-      push(next.before + norm(next.x - nearest, next.y), place);
+      push(next.before + norm(next.x - nearest, next.y), index);
     }
   }
 
@@ -115,7 +115,7 @@ class exact_windows {
     const int s = w.side, to_right = unfolded_triangles::next(s), to_left = unfolded_triangles::previous(s);
     if (w.source >= 0 && w.before > at(w.source)) return;
     const double size = length(s);
-    const unfolded_triangles::place top = apex(s);
+    const unfolded_triangles::plane_point top = apex(s);
     const double middle = w.x + (top.x - w.x) * (w.y / (w.y + top.y));  // where the line from the source to the apex crosses the side
     const bool meets_left = w.begin < middle, meets_right = w.end > middle;
     bool left = meets_left, right = meets_right;
@@ -161,8 +161,8 @@ class exact_windows {
     const int s = unfolded_triangles::next(c), last = unfolded_triangles::previous(c);
     const double x = apex(s).x, y = apex(s).y;
     const auto meeting = [&](double from_side) {
-      const double along = y * std::cos(from_side) + x * std::sin(from_side), across = y * std::sin(from_side) - x * std::cos(from_side);
-      return along > 0 ? std::clamp(x + y * (across / along), 0.0, length(s)) : length(s);
+      const double along = y * std::cos(from_side) + x * std::sin(from_side), perpendicular = y * std::sin(from_side) - x * std::cos(from_side);
+      return along > 0 ? std::clamp(x + y * (perpendicular / along), 0.0, length(s)) : length(s);
     };
     const bool first_side = low <= 0, second_side = high >= angle(c);
     const double before = at(v);
@@ -200,20 +200,20 @@ class exact_windows {
   /// The sides of a triangle, and a point in it relative to each side: along the side and perpendicular to it.
   struct in_triangle {
     std::array<int, 3> side;
-    std::array<unfolded_triangles::place, 3> from;
+    std::array<unfolded_triangles::plane_point, 3> from;
   };
-  in_triangle seen_from_edges(int s, unfolded_triangles::place p) const {
+  in_triangle seen_from_edges(int s, unfolded_triangles::plane_point p) const {
     const int right = unfolded_triangles::next(s), left = unfolded_triangles::previous(s);
     const double back = length(s) - p.x, lx = apex(s).x / length(left), ly = apex(s).y / length(left);
     const double rx = (length(s) - apex(s).x) / length(right), ry = apex(s).y / length(right);
     return {{s, right, left}, {{p, {rx * back + ry * p.y, ry * back - rx * p.y}, {length(left) - (lx * p.x + ly * p.y), ly * p.x - lx * p.y}}}};
   }
-  bool is_off(int s, unfolded_triangles::place p) const { return p.y > smallest_part * length(s); }
+  bool is_off(int s, unfolded_triangles::plane_point p) const { return p.y > smallest_part * length(s); }
 
   /// Starts straight paths from that point through the triangle.
   void start_in(const in_triangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const unfolded_triangles::place p = t.from[k];
+      const unfolded_triangles::plane_point p = t.from[k];
       const int s = t.side[k];
       relax_vert(t_.start(s), norm(p.x, p.y), s, std::clamp(std::atan2(p.y, p.x), 0.0, angle(s)));
       if (is_off(s, p)) propagate(s, {0, length(s), p.x, p.y, 0, s, -1});
@@ -235,11 +235,11 @@ class exact_windows {
   }
 
   /// Adds the only source, in the triangle of side s: x along the side, y perpendicular to it.
-  void add_place(int s, double x, double y) {
+  void add_point(int s, double x, double y) {
     std::vector<in_triangle> all{seen_from_edges(s, {x, y})};
     for (std::size_t k = 0; k < 3; ++k) {
       const int side = all[0].side[k];
-      const unfolded_triangles::place p = all[0].from[k];
+      const unfolded_triangles::plane_point p = all[0].from[k];
       if (norm(p.x, p.y) <= smallest_part * length(side)) return add_vert(t_.start(side), norm(p.x, p.y));
       if (is_off(side, p)) continue;
       if (paths_) paths_->start_on(side, std::clamp(p.x / length(side), 0.0, 1.0));
@@ -247,7 +247,7 @@ class exact_windows {
         all.push_back(seen_from_edges(other, {t_.start(other) == t_.start(side) ? p.x : length(side) - p.x, 0}));
     }
     for (const in_triangle& t : all) excluded_.push_back(t.side[0] / 3);
-    from_ = path_tree::at_place;
+    from_ = path_tree::at_point;
     for (const in_triangle& t : all) start_in(t);
   }
 

@@ -191,16 +191,16 @@ inline void add_diagonals(const std::vector<int>& simplices, std::size_t corners
 
 template<AnyMesh M>
 distance_graph distance_graph_of(const M& m) {
-  std::vector<vec3> place(vert_index_bound(m));
+  std::vector<vec3> points(vert_index_bound(m));
   std::vector<int> edge, simplices;
-  for (const vert_t<M> v : verts(m)) place[index_of(m, v)] = to_vec3(point(m, v));
+  for (const vert_t<M> v : verts(m)) points[index_of(m, v)] = to_vec3(point(m, v));
   for (const edge_t<M> e : edges(m))
     for (const vert_t<M> v : adj_e2v(m, e)) edge.push_back(static_cast<int>(index_of(m, v)));
   simplex_collector<M> collector;
   for (const poly_t<M> p : polys(m)) collector.add(m, p, simplices);
   constexpr std::size_t corners = static_cast<std::size_t>(dimension_v<M>) + 1;
   if constexpr (!(TriMesh<M> || TetMesh<M>)) add_diagonals(simplices, corners, edge);  // simplices have no diagonals
-  return {std::move(place), edge, std::move(simplices), corners};
+  return {std::move(points), edge, std::move(simplices), corners};
 }
 
 /// Sets log_u where it is -inf and the vert can be reached along edges from others: to the value at the end of a shortest path minus its length

@@ -13,11 +13,11 @@ namespace concino::detail {
 
 /// A tree of windows. It keeps only the ancestors of arrivals and of windows that are still to be crossed.
 ///
-/// The predecessor of a path is one number: a node of the tree, at_vert(v), at_place (the source inside a triangle), or none (a source vert).
+/// The predecessor of a path is one number: a node of the tree, at_vert(v), at_point (the source inside a triangle), or none (a source vert).
 class path_tree {
  public:
-  static constexpr int at_place = std::numeric_limits<int>::min();
-  static constexpr int none = at_place + 1;
+  static constexpr int at_point = std::numeric_limits<int>::min();
+  static constexpr int none = at_point + 1;
   static constexpr int at_vert(int v) { return -1 - v; }
 
   /// A window on a side. The (virtual) source lies at x along the side and y perpendicular to it, away from the triangle of the side.
@@ -38,7 +38,7 @@ class path_tree {
   };
   std::vector<counted> nodes_;
   std::vector<int> unused_, arrival_;
-  stop place_{-1, -1, 0};
+  stop source_point_{-1, -1, 0};
 
   counted& at(int i) { return nodes_[static_cast<std::size_t>(i)]; }
   void use(int i) {
@@ -68,7 +68,7 @@ class path_tree {
     }
   }
   /// The source lies on a side, at this fraction of its length.
-  void start_on(int side, double along) { place_ = {-1, side, along}; }
+  void start_on(int side, double along) { source_point_ = {-1, side, along}; }
   /// Records `from` as the predecessor of the shortest known path to vert v.
   void arrive(int v, int from) {
     use(from);
@@ -80,8 +80,8 @@ class path_tree {
     std::vector<stop> r{{v, -1, 0}};
     int from = arrival_[static_cast<std::size_t>(v)];
     while (from != none) {
-      if (from == at_place) {
-        r.push_back(place_);
+      if (from == at_point) {
+        r.push_back(source_point_);
         break;
       }
       if (from < 0) {
@@ -104,7 +104,7 @@ class path_tree {
   int straight_from(const unfolded_triangles& t, int i, std::vector<stop>& r) const {
     constexpr double at_end = 1e-14;  // as a fraction of a side: points nearer to an end are at the vert
     const node* w = &nodes_[static_cast<std::size_t>(i)].window;
-    unfolded_triangles::place p = t.apex[static_cast<std::size_t>(w->side)];
+    unfolded_triangles::plane_point p = t.apex[static_cast<std::size_t>(w->side)];
     while (true) {
       const double size = t.length[static_cast<std::size_t>(w->side)];
       const double part = std::clamp((w->x + (p.x - w->x) * (w->y / (w->y + p.y))) / size, 0.0, 1.0);
@@ -118,9 +118,9 @@ class path_tree {
       const bool is_right = edge(right) == edge(w->side);
       const int side = is_right ? right : unfolded_triangles::previous(before->side);
       const double along = t.start(side) == t.start(w->side) ? part : 1 - part;  // fraction along the same edge, from the start of this side
-      const unfolded_triangles::place top = t.apex[static_cast<std::size_t>(before->side)];
+      const unfolded_triangles::plane_point top = t.apex[static_cast<std::size_t>(before->side)];
       const double base = t.length[static_cast<std::size_t>(before->side)];
-      p = is_right ? unfolded_triangles::place{base + along * (top.x - base), along * top.y} : unfolded_triangles::place{(1 - along) * top.x, (1 - along) * top.y};
+      p = is_right ? unfolded_triangles::plane_point{base + along * (top.x - base), along * top.y} : unfolded_triangles::plane_point{(1 - along) * top.x, (1 - along) * top.y};
       w = before;
     }
   }

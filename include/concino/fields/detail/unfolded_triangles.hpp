@@ -16,7 +16,7 @@ namespace concino::detail {
 
 /// Side s = 3 t + k of triangle t runs from corner k to the next corner; corner k is numbered s as well. Lengths are in units of 2^exponent.
 struct unfolded_triangles {
-  struct place {
+  struct plane_point {
     double x, y;
   };
   /// fan: one closed ring of triangles; open_fan: from boundary to boundary; other: any other arrangement, paths may pass in any direction.
@@ -28,7 +28,7 @@ struct unfolded_triangles {
   std::vector<int> edge;       // by side
   std::vector<int> twin;       // the next side of the same edge, in a cycle; a boundary side is its own twin
   std::vector<double> length;  // by side
-  std::vector<place> apex;     // by side: the third corner, along the side from its start and perpendicular to it
+  std::vector<plane_point> apex;     // by side: the third corner, along the side from its start and perpendicular to it
   std::vector<double> angle;   // by corner
   std::vector<double> turn;    // by corner: the angle from the start of the fan about its vert
   std::vector<unsigned char> is_backward;   // by corner: the fan goes from the side that ends there to the side that starts there
@@ -60,7 +60,7 @@ struct unfolded_triangles {
     for (std::size_t k = 0; k < 3; ++k) {
       const vec3 side = x[(k + 1) % 3] - x[k], other = x[(k + 2) % 3] - x[k];
       const double size = norm(side), twice_area = norm(cross(side, other)), along = dot(side, other);
-      const place p{along / size, twice_area / size};
+      const plane_point p{along / size, twice_area / size};
       if (!(size > 0 && p.y > 0 && std::isfinite(p.x) && std::isfinite(p.y))) return false;
       vert.push_back(verts[k]);
       length.push_back(size);
@@ -78,13 +78,13 @@ struct unfolded_triangles {
     twin.resize(vert.size());
     for (int s = 0; s < n; ++s) {
       int& of_edge = last[static_cast<std::size_t>(edge[static_cast<std::size_t>(s)])];
-      int& mine = twin[static_cast<std::size_t>(s)];
+      int& own_twin = twin[static_cast<std::size_t>(s)];
       if (of_edge < 0) {
-        mine = s;
+        own_twin = s;
       } else {
         int& other = twin[static_cast<std::size_t>(of_edge)];
         is_manifold = is_manifold && other == of_edge;
-        mine = other;
+        own_twin = other;
         other = s;
       }
       of_edge = s;
@@ -126,9 +126,9 @@ struct unfolded_triangles {
       turn[i] = sum;
       is_backward[i] = backward;
       sum += angle[i];
-      const int across = backward ? c : previous(c), other = twin[static_cast<std::size_t>(across)];
-      if (twin[static_cast<std::size_t>(other)] != across) return;  // three triangles at one edge
-      const bool ends_here = other == across;
+      const int crossed = backward ? c : previous(c), other = twin[static_cast<std::size_t>(crossed)];
+      if (twin[static_cast<std::size_t>(other)] != crossed) return;  // three triangles at one edge
+      const bool ends_here = other == crossed;
       if (!ends_here) {
         const bool starts = start(other) == static_cast<int>(v);
         c = starts ? other : next(other);

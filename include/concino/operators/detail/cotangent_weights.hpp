@@ -55,17 +55,17 @@ class cotangent_weights {
 
   void add(const poly_t<M>& p) {
     std::array<vert_t<M>, corners> corner;
-    std::array<vec3, corners> place;
+    std::array<vec3, corners> points;
     std::size_t n = 0;
     for (const vert_t<M> v : adj_p2v(m_, p)) {
       if (n < corners) {
         corner[n] = v;
-        place[n] = to_vec3(point(m_, v));
+        points[n] = to_vec3(point(m_, v));
       }
       ++n;
     }
     if (n != corners) throw_no_simplex(p, n);
-    const simplex_weights<dimension> weight(place);
+    const simplex_weights<dimension> weight(points);
     double sum = 0;
     const auto& edge_list = adj_p2e(m_, p);
     auto it = edge_list.begin();

@@ -42,7 +42,7 @@ class de_goes_element {
       vec3 square[3];  // rows of E^T E
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t next = i + 1 < n ? i + 1 : 0;
-        vec3 edge = corners_.place[next] - corners_.place[i];
+        vec3 edge = corners_.points[next] - corners_.points[i];
         edge -= dot(edge, normal) * normal;
         bend_[i] -= edge;
         bend_[next] += edge;

@@ -52,7 +52,7 @@ struct thin_poly_coordinates {
   bool is_regular = false;  // the extent along every axis is positive
 
   /// normal: the unit normal of a polygon; 0 for a polyhedron.
-  [[gnu::cold]] void find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension);
+  [[gnu::cold]] void find(const std::vector<vec3>& points, const vec3& normal, std::size_t dimension);
 
   /// R^-1 a: the gradient in these coordinates of the function with values Q a.
   vec3 solve(vec3 a, std::size_t dimension) const;
@@ -141,7 +141,7 @@ class virtual_mass : virtual_element<M> {
     else add_polyhedron(p);
     const double factor = this->is_simplex() ? 0 : size / (9 * n);
     if (factor > 0)
-      for (const vec3& y : poly.place) moments_.add(factor, y);
+      for (const vec3& y : poly.points) moments_.add(factor, y);
     this->name_verts(out);
     fill_projected(poly, moments_, factor, size / (n * n), image_, out.entries);
     for (std::size_t i = 0; i < poly.verts.size(); ++i) {  // the mean of the verts is not the centre of mass
@@ -157,8 +157,8 @@ class virtual_mass : virtual_element<M> {
 
   void add_polygon(const corner_gradients<M>& poly) {
     const vec3 direction = poly.normal / norm(poly.normal);
-    for (std::size_t i = 0, n = poly.place.size(); i < n; ++i) {
-      const vec3 &a = poly.place[i], &b = poly.place[i + 1 < n ? i + 1 : 0];
+    for (std::size_t i = 0, n = poly.points.size(); i < n; ++i) {
+      const vec3 &a = poly.points[i], &b = poly.points[i + 1 < n ? i + 1 : 0];
       const double part = 0.5 * dot(cross(a, b), direction);
       first_ += (part / 3) * (a + b);
       for (const vec3& y : {a, b, a + b}) moments_.add(part / 12, y);

@@ -9,10 +9,10 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE void thin_poly_coordinates::find(const std::vector<vec3>& place, const vec3& normal, std::size_t dimension) {
+CONCINO_INLINE void thin_poly_coordinates::find(const std::vector<vec3>& points, const vec3& normal, std::size_t dimension) {
   const auto longest = [&](auto&& part) {
     vec3 best;
-    for (const vec3& y : place)
+    for (const vec3& y : points)
       if (const vec3 x = part(y); dot(x, x) > dot(best, best)) best = x;
     return best / norm(best);
   };
@@ -24,11 +24,11 @@ CONCINO_INLINE void thin_poly_coordinates::find(const std::vector<vec3>& place, 
     axis[1] = longest([&](const vec3& y) { return without(without(y, axis[0]), axis[0]); });
     axis[2] = cross(axis[0], axis[1]);
   }
-  q.assign(place.size(), vec3{});
+  q.assign(points.size(), vec3{});
   is_regular = true;
-  const double n = static_cast<double>(place.size());
+  const double n = static_cast<double>(points.size());
   for (std::size_t k = 0; k < dimension; ++k) {
-    for (std::size_t i = 0; i < q.size(); ++i) q[i][k] = dot(axis[k], place[i]);
+    for (std::size_t i = 0; i < q.size(); ++i) q[i][k] = dot(axis[k], points[i]);
     for (auto& row : r) row[k] = 0;
     for (int round = 0; round < 2; ++round) {  // Gram-Schmidt orthogonalisation, twice for accuracy
       double mean = 0;
@@ -61,7 +61,7 @@ CONCINO_INLINE vec3 thin_poly_coordinates::solve(vec3 a, std::size_t dimension) 
 /// The term with `factor` is the sum of the squares of u - P u.
 CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
                                    std::vector<double>& entries) {
-  const std::size_t n = poly.place.size();
+  const std::size_t n = poly.points.size();
   entries.resize(n * (n + 1) / 2);
   image.resize(n);
   for (std::size_t i = 0; i < n; ++i) image[i] = form * poly.gradient[i];
@@ -69,7 +69,7 @@ CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const sym
   double* row = entries.data();
   for (std::size_t i = 0; i < n; row += ++i) {
     for (std::size_t j = 0; j <= i; ++j)
-      row[j] = dot(image[i], poly.gradient[j]) - factor * (dot(poly.place[i], poly.gradient[j]) + dot(poly.place[j], poly.gradient[i])) + constant;
+      row[j] = dot(image[i], poly.gradient[j]) - factor * (dot(poly.points[i], poly.gradient[j]) + dot(poly.points[j], poly.gradient[i])) + constant;
     row[i] += factor;
   }
 }
@@ -80,8 +80,8 @@ CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const sym
 template<std::size_t Dimension>
 bool stiffness_of_poly<Dimension>::fill_thin(const corner_gradient_arrays& poly, double size, std::vector<double>& entries) {
   constexpr std::size_t d = Dimension;
-  const std::size_t n = poly.place.size();
-  thin_.find(poly.place, d == 2 ? poly.normal / norm(poly.normal) : vec3{}, d);
+  const std::size_t n = poly.points.size();
+  thin_.find(poly.points, d == 2 ? poly.normal / norm(poly.normal) : vec3{}, d);
   if (!thin_.is_regular) return false;
   gradient_.resize(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -124,12 +124,12 @@ void stiffness_of_poly<Dimension>::fill(const corner_gradient_arrays& poly, std:
   const double size = std::abs(poly.measure);
   double factor = 0;
   symmetric3 form{size, 0, 0, size, 0, size};
-  if (poly.place.size() != Dimension + 1) {  // not a simplex
-    const auto n = static_cast<double>(poly.place.size());
+  if (poly.points.size() != Dimension + 1) {  // not a simplex
+    const auto n = static_cast<double>(poly.points.size());
     double squares = 0;
     for (const vec3& g : poly.gradient) squares += dot(g, g);
     symmetric3 spread;
-    for (const vec3& y : poly.place) spread.add(1, y);
+    for (const vec3& y : poly.points) spread.add(1, y);
     if (squares * spread.trace() > thin && fill_thin(poly, size, entries)) [[unlikely]] return;
     if constexpr (Dimension == 3) {  // in polygons the spread along the normal is 0
       const double least = spread.trace_of_inverse();

@@ -63,7 +63,7 @@ class virtual_refinement_element {
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
 
   const M& m_;
-  std::vector<vec3> place_;                            // of verts, then of virtual verts, relative to the first
+  std::vector<vec3> points_;                            // of verts, then of virtual verts, relative to the first
   std::vector<std::size_t> around_, support_, first_;  // first_[k]: where in support_ the verts begin whose mean is virtual vert k
   std::vector<double> weight_;                         // and their weights
   std::vector<std::array<std::size_t, 3>> triangles_;  // on the boundary of a polyhedron, oriented outward
@@ -80,22 +80,22 @@ class virtual_refinement_element {
   template<class MakeEnergy>
   std::size_t add_virtual(const MakeEnergy& make_energy) {
     vec3 mean;
-    for (const std::size_t i : around_) mean += place_[i];
+    for (const std::size_t i : around_) mean += points_[i];
     mean /= static_cast<double>(around_.size());
     sum_of_squares spread = {};
-    for (const std::size_t i : around_) spread.add(place_[i] - mean, {});
+    for (const std::size_t i : around_) spread.add(points_[i] - mean, {});
     spread.right = make_energy(mean).minimum();
     const vec3 slope = spread.minimum();  // the weights with smallest squares for these sums are linear in position
     vec3 x;
     for (const std::size_t i : around_) {
-      const double w = 1 / static_cast<double>(around_.size()) + dot(slope, place_[i] - mean);
+      const double w = 1 / static_cast<double>(around_.size()) + dot(slope, points_[i] - mean);
       support_.push_back(i);
       weight_.push_back(w);
-      x += w * place_[i];
+      x += w * points_[i];
     }
     first_.push_back(support_.size());
-    place_.push_back(x);
-    return place_.size() - 1;
+    points_.push_back(x);
+    return points_.size() - 1;
   }
 
   /// The virtual vert of the polygon with the corners `around_`.
@@ -103,7 +103,7 @@ class virtual_refinement_element {
     return add_virtual([&](const vec3& mean) {
       sum_of_squares areas;
       for (std::size_t i = 0; i < around_.size(); ++i) {
-        const vec3 a = place_[around_[i]] - mean, d = place_[around_[i + 1 < around_.size() ? i + 1 : 0]] - mean - a;
+        const vec3 a = points_[around_[i]] - mean, d = points_[around_[i + 1 < around_.size() ? i + 1 : 0]] - mean - a;
         // |d x (x - a)|^2 is the sum of the squares of its three coordinates
         areas.add({0, -d.z, d.y}, a);
         areas.add({d.z, 0, -d.x}, a);
@@ -115,18 +115,18 @@ class virtual_refinement_element {
 
   void read_corners(const poly_t<M>& p, std::vector<vert_t<M>>& verts) {
     verts.clear();
-    place_.clear();
+    points_.clear();
     support_.clear();
     first_.assign(1, 0);
     weight_.clear();
     simplices_.clear();
     for (const vert_t<M> v : adj_p2v(m_, p)) {
       verts.push_back(v);
-      place_.push_back(to_vec3(point(m_, v)));
+      points_.push_back(to_vec3(point(m_, v)));
     }
-    if (place_.empty()) return;
-    const vec3 origin = place_[0];
-    for (vec3& x : place_) x -= origin;
+    if (points_.empty()) return;
+    const vec3 origin = points_[0];
+    for (vec3& x : points_) x -= origin;
   }
 
   void split(const poly_t<M>& p, const std::vector<vert_t<M>>& verts) {
@@ -171,7 +171,7 @@ class virtual_refinement_element {
       const std::size_t within = add_virtual([&](const vec3& mean) {
         sum_of_squares volumes;
         for (const auto& [a, b, c] : triangles_)
-          volumes.add(cross(place_[b] - place_[a], place_[c] - place_[a]), place_[a] - mean);
+          volumes.add(cross(points_[b] - points_[a], points_[c] - points_[a]), points_[a] - mean);
         return volumes;
       });
       for (const auto& [a, b, c] : triangles_) simplices_.push_back({within, a, b, c});
@@ -184,14 +184,14 @@ class virtual_refinement_element {
     double whole = 0;
     if constexpr (SurfaceMesh<M>) {  // triangles share a normal, tets have a sign
       vec3 sum;
-      const auto normal = [&](const auto& s) { return cross(place_[s[1]] - place_[s[0]], place_[s[2]] - place_[s[0]]); };
+      const auto normal = [&](const auto& s) { return cross(points_[s[1]] - points_[s[0]], points_[s[2]] - points_[s[0]]); };
       for (const auto& s : simplices_) sum += normal(s);
       whole = norm(sum);
       const vec3 direction = sum / whole;
       for (const auto& s : simplices_) measure_.push_back(dot(normal(s), direction));
     } else {
       for (const auto& [o, a, b, c] : simplices_) {
-        measure_.push_back(dot(cross(place_[a] - place_[o], place_[b] - place_[o]), place_[c] - place_[o]));
+        measure_.push_back(dot(cross(points_[a] - points_[o], points_[b] - points_[o]), points_[c] - points_[o]));
         whole += measure_.back();
       }
       if (whole < 0)  // inverted, like all its parts
@@ -208,21 +208,21 @@ class virtual_refinement_element {
 
   void operator()(const poly_t<M>& p, local_matrix<vert_t<M>>& out) {
     read_corners(p, out.verts);
-    const std::size_t n = place_.size();
+    const std::size_t n = points_.size();
     if (n < corners) throw_no_measure("Laplacian by virtual refinement", m_, p);
     split(p, out.verts);
     check(p);
-    out.entries.assign(place_.size() * (place_.size() + 1) / 2, 0.0);  // of the virtual verts too, until they are eliminated
+    out.entries.assign(points_.size() * (points_.size() + 1) / 2, 0.0);  // of the virtual verts too, until they are eliminated
     for (const auto& s : simplices_) {
       std::array<vec3, corners> x;
-      for (std::size_t i = 0; i < corners; ++i) x[i] = place_[s[i]];
+      for (std::size_t i = 0; i < corners; ++i) x[i] = points_[s[i]];
       const simplex_weights<dimension> weight(x);
       for (std::size_t i = 0; i < corners; ++i)
         for (std::size_t j = 0; j < corners; ++j)
           if (s[j] <= s[i]) out.at(s[i], s[j]) -= weight(i, j);
     }
     // Expresses virtual verts by those before them, the last one first.
-    for (std::size_t k = place_.size(); k-- > n;) {
+    for (std::size_t k = points_.size(); k-- > n;) {
       const std::size_t begin = first_[k - n], end = first_[k - n + 1];
       for (std::size_t a = begin; a < end; ++a) {
         const std::size_t i = support_[a];
