@@ -42,8 +42,8 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
 
   /// The row of the matrix where elimination found a pivot that is not positive, or -1.
   Eigen::Index failed_row() const {
-    const std::size_t place = m_cholmodFactor->minor;
-    return place < m_cholmodFactor->n ? static_cast<const int*>(m_cholmodFactor->Perm)[place] : -1;
+    const std::size_t pivot = m_cholmodFactor->minor;
+    return pivot < m_cholmodFactor->n ? static_cast<const int*>(m_cholmodFactor->Perm)[pivot] : -1;
   }
 
   /// Calls f(row of the matrix, its pivot) for all rows.

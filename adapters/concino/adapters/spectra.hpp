@@ -51,10 +51,10 @@ struct eigenproblem {
   }
 
   static void check(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m, const eigenpairs_options& options) {
-    const std::string tolerance = core::number_text(options.tolerance), given_shift = core::number_text(options.shift);
+    const std::string tolerance = core::number_text(options.tolerance), input_shift = core::number_text(options.shift);
     expect(options.tolerance > 0 && options.tolerance < 1, {"eigenpairs: tolerance is ", tolerance, "; it must be above 0 and below 1"});
     expect(options.max_restarts > 0, {"eigenpairs: max_restarts must be 1 or more"});
-    expect(options.shift >= 0 && std::isfinite(options.shift), {"eigenpairs: shift is ", given_shift, "; it must be finite and 0 or more"});
+    expect(options.shift >= 0 && std::isfinite(options.shift), {"eigenpairs: shift is ", input_shift, "; it must be finite and 0 or more"});
     expect(k.rows() == m.rows() && k.cols() == m.cols(), {"eigenpairs: the mass has ", static_cast<std::size_t>(m.rows()), " rows, the other matrix ",
                                                           static_cast<std::size_t>(k.rows()), "; they must be of the same size"});
     core::check_square("eigenpairs", k);
@@ -66,30 +66,30 @@ struct eigenproblem {
     const auto &whole_k = core::compressed(k, k_storage), &whole_m = core::compressed(m, m_storage);
     core::check_entries("eigenpairs", whole_k);
     core::check_entries("eigenpairs, mass", whole_m);
-    const std::vector<int> place = number_rows(whole_k, whole_m);
+    const std::vector<int> new_row = number_rows(whole_k, whole_m);
     choose_scales(core::diagonal(whole_k), core::diagonal(whole_m), options.shift);
-    stiffness = part(whole_k, place, stiffness_exponent);
-    mass = part(whole_m, place, mass_exponent);
+    stiffness = part(whole_k, new_row, stiffness_exponent);
+    mass = part(whole_m, new_row, mass_exponent);
   }
 
   /// Lists the rows that have entries.   Result: the position of each row in that list, or -1.
   std::vector<int> number_rows(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m) {
-    std::vector<int> place(static_cast<std::size_t>(k.cols()), -1);
+    std::vector<int> new_row(static_cast<std::size_t>(k.cols()), -1);
     for (const auto* a : {&k, &m})
       for (int c = 0; c < a->cols(); ++c)
         for (int e = a->outerIndexPtr()[c]; e < a->outerIndexPtr()[c + 1]; ++e)
-          if (a->valuePtr()[e] != 0) place[static_cast<std::size_t>(c)] = place[static_cast<std::size_t>(a->innerIndexPtr()[e])] = 0;
+          if (a->valuePtr()[e] != 0) new_row[static_cast<std::size_t>(c)] = new_row[static_cast<std::size_t>(a->innerIndexPtr()[e])] = 0;
     for (int c = 0; c < k.cols(); ++c)
-      if (place[static_cast<std::size_t>(c)] == 0) {
-        place[static_cast<std::size_t>(c)] = static_cast<int>(row.size());
+      if (new_row[static_cast<std::size_t>(c)] == 0) {
+        new_row[static_cast<std::size_t>(c)] = static_cast<int>(row.size());
         row.push_back(c);
       }
-    return place;
+    return new_row;
   }
 
   /// Chooses the powers of 2 by which both matrices are divided, and the shift, from the means of their diagonals.
   /// Errors: solver_error if a row has no mass.
-  void choose_scales(const std::vector<double>& k_diagonal, const std::vector<double>& m_diagonal, double given_shift) {
+  void choose_scales(const std::vector<double>& k_diagonal, const std::vector<double>& m_diagonal, double input_shift) {
     double k_mean = 0, m_mean = 0;
     const double n = static_cast<double>(row.size());
     for (const int c : row) {
@@ -101,11 +101,11 @@ struct eigenproblem {
     }
     if (m_mean > 0) mass_exponent = std::ilogb(m_mean);
     if (k_mean > 0) stiffness_exponent = std::ilogb(k_mean);
-    if (given_shift > 0) shift = std::ldexp(given_shift, mass_exponent - stiffness_exponent);
+    if (input_shift > 0) shift = std::ldexp(input_shift, mass_exponent - stiffness_exponent);
     else if (k_mean > 0) shift = std::ldexp(k_mean, -stiffness_exponent) / std::ldexp(m_mean, -mass_exponent) / n;
   }
 
-  Eigen::SparseMatrix<double> part(const Eigen::SparseMatrix<double>& a, const std::vector<int>& place, int exponent) const {
+  Eigen::SparseMatrix<double> part(const Eigen::SparseMatrix<double>& a, const std::vector<int>& new_row, int exponent) const {
     const auto n = static_cast<Eigen::Index>(row.size());
     Eigen::SparseMatrix<double> r(n, n);
     r.reserve(a.nonZeros());
@@ -113,7 +113,7 @@ struct eigenproblem {
       r.startVec(c);
       const int column = row[static_cast<std::size_t>(c)];
       for (int e = a.outerIndexPtr()[column]; e < a.outerIndexPtr()[column + 1]; ++e) {
-        const int to = place[static_cast<std::size_t>(a.innerIndexPtr()[e])];
+        const int to = new_row[static_cast<std::size_t>(a.innerIndexPtr()[e])];
         if (to >= c) r.insertBack(to, c) = std::ldexp(a.valuePtr()[e], -exponent);
       }
     }

@@ -27,11 +27,11 @@ class indexed_heap {
 
   std::vector<entry> heap_;
   double* const keys_;
-  const std::unique_ptr<std::uint32_t[]> places_;  // of waiting nodes
+  const std::unique_ptr<std::uint32_t[]> positions_;  // of waiting nodes
 
   void put(std::size_t i, const entry& e) {
     heap_[i] = e;
-    places_[e.slot] = static_cast<std::uint32_t>(i);
+    positions_[e.slot] = static_cast<std::uint32_t>(i);
   }
   void sift_up(std::size_t i, const entry& e) {
     while (i > 0) {
@@ -44,8 +44,8 @@ class indexed_heap {
   }
 
  public:
-  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), places_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {
-    prefer_large_pages(places_.get(), keys.size() * sizeof(std::uint32_t));
+  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), positions_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {
+    prefer_large_pages(positions_.get(), keys.size() * sizeof(std::uint32_t));
   }
 
   bool empty() const { return heap_.empty(); }
@@ -60,7 +60,7 @@ class indexed_heap {
     const entry e{key, node, static_cast<std::uint32_t>(slot)};
     std::size_t i = heap_.size();
     if (keys_[slot] == std::numeric_limits<double>::infinity()) heap_.push_back(e);
-    else i = places_[slot];
+    else i = positions_[slot];
     keys_[slot] = key;
     sift_up(i, e);
   }

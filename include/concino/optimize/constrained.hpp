@@ -47,11 +47,11 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   const detail::row_space space = detail::independent_rows(caller, c, d);
   const std::vector<int>& kept = space.independent;
   const auto n = static_cast<int>(k.cols()), m = static_cast<int>(kept.size());
-  std::vector<int> place(static_cast<std::size_t>(c.rows()), -1);
+  std::vector<int> new_row(static_cast<std::size_t>(c.rows()), -1);
   Eigen::VectorXd right(n + m);
   right.head(n) = b;
   for (int i = 0; i < m; ++i) {
-    place[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])] = n + i;
+    new_row[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])] = n + i;
     right[n + i] = space.is_nearly_dependent ? space.reduced[static_cast<std::size_t>(i)].value : d[kept[static_cast<std::size_t>(i)]];
   }
   std::vector<Eigen::Triplet<double>> entries;
@@ -63,7 +63,7 @@ constrained_result solve_with_constraints(const Eigen::SparseMatrix<double>& K, 
   for (int column = 0; column < n; ++column) {
     for (Eigen::SparseMatrix<double>::InnerIterator it(k, column); it; ++it) entries.emplace_back(static_cast<int>(it.row()), column, it.value());
     for (Eigen::SparseMatrix<double>::InnerIterator it(c, column); it; ++it)
-      if (const int row = place[static_cast<std::size_t>(it.row())]; row >= 0 && !space.is_nearly_dependent) couple(row, column, it.value());
+      if (const int row = new_row[static_cast<std::size_t>(it.row())]; row >= 0 && !space.is_nearly_dependent) couple(row, column, it.value());
   }
   if (space.is_nearly_dependent)  // the original rows would lose more digits
     for (int i = 0; i < m; ++i)

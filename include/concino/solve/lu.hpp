@@ -74,12 +74,12 @@ class lu {
   void check_factors() const {
     const char* const depends = "is a combination of others to working precision";
     if (factors_.info() != Eigen::Success) {
-      const std::string said = factors_.lastErrorMessage();  // ends with the position of the column, from 1
-      const auto digits = said.find_last_not_of("0123456789") + 1;
-      if (digits == said.size()) core::throw_joined<solver_error>({"lu: the matrix cannot be factorised: ", said});
-      const long place = std::atol(said.c_str() + digits) - 1;
-      const auto& places = factors_.colsPermutation().indices();
-      throw_singular(std::find(places.data(), places.data() + places.size(), place) - places.data(), depends);
+      const std::string message = factors_.lastErrorMessage();  // ends with the position of the column, from 1
+      const auto digits = message.find_last_not_of("0123456789") + 1;
+      if (digits == message.size()) core::throw_joined<solver_error>({"lu: the matrix cannot be factorised: ", message});
+      const long pivot = std::atol(message.c_str() + digits) - 1;
+      const auto& column_order = factors_.colsPermutation().indices();
+      throw_singular(std::find(column_order.data(), column_order.data() + column_order.size(), pivot) - column_order.data(), depends);
     }
     // Pivots that should be 0 appear as rounding errors. Two steps of inverse iteration grow by 1 over the smallest singular value.
     Eigen::VectorXd x(factors_.cols());

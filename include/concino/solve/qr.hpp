@@ -74,19 +74,19 @@ class qr {
   }
 
   Eigen::SparseMatrix<double> without_empty_rows(const Eigen::SparseMatrix<double>& a) {
-    std::vector<int> place(static_cast<std::size_t>(a.rows()), -1);
-    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) place[static_cast<std::size_t>(a.innerIndexPtr()[k])] = 0;
+    std::vector<int> new_row(static_cast<std::size_t>(a.rows()), -1);
+    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) new_row[static_cast<std::size_t>(a.innerIndexPtr()[k])] = 0;
     kept_.clear();
-    for (std::size_t i = 0; i < place.size(); ++i)
-      if (place[i] == 0) {
-        place[i] = static_cast<int>(kept_.size());
+    for (std::size_t i = 0; i < new_row.size(); ++i)
+      if (new_row[i] == 0) {
+        new_row[i] = static_cast<int>(kept_.size());
         kept_.push_back(static_cast<int>(i));
       }
     Eigen::SparseMatrix<double> r(static_cast<Eigen::Index>(kept_.size()), a.cols());
     r.resizeNonZeros(a.nonZeros());
     for (Eigen::Index c = 0; c <= a.cols(); ++c) r.outerIndexPtr()[c] = a.outerIndexPtr()[c];
     for (Eigen::Index k = 0; k < a.nonZeros(); ++k) {
-      r.innerIndexPtr()[k] = place[static_cast<std::size_t>(a.innerIndexPtr()[k])];
+      r.innerIndexPtr()[k] = new_row[static_cast<std::size_t>(a.innerIndexPtr()[k])];
       r.valuePtr()[k] = a.valuePtr()[k];
     }
     return r;

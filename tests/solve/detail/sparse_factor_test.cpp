@@ -35,7 +35,7 @@ void check_order(const sparse& a) {
   REQUIRE(static_cast<Eigen::Index>(order.row.size()) == a.cols());
   for (std::size_t i = 0; i < order.row.size(); ++i) {
     CHECK(order.row[i] == expected.indices()[static_cast<Eigen::Index>(i)]);
-    CHECK(order.place[static_cast<std::size_t>(order.row[i])] == static_cast<int>(i));
+    CHECK(order.position[static_cast<std::size_t>(order.row[i])] == static_cast<int>(i));
   }
 }
 

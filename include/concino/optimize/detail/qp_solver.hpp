@@ -27,12 +27,12 @@ class qp_solver {
   /// Solves the program with the active rows fixed at their bounds: a linear system, regularised and corrected until it is solved.
   bool solve_with_active(const std::vector<Eigen::Index>& active, const Eigen::VectorXd& bound, qp_result& r) const {
     const Eigen::Index n = g_.size(), k = static_cast<Eigen::Index>(active.size());
-    std::vector<int> place(static_cast<std::size_t>(a_.rows()), -1);
-    for (Eigen::Index i = 0; i < k; ++i) place[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])] = static_cast<int>(i);
+    std::vector<int> active_index(static_cast<std::size_t>(a_.rows()), -1);
+    for (Eigen::Index i = 0; i < k; ++i) active_index[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])] = static_cast<int>(i);
     std::vector<Eigen::Triplet<double>> t;
     for (int c = 0; c < a_.outerSize(); ++c)
       for (sparse_matrix::InnerIterator it(a_, c); it; ++it)
-        if (const int i = place[static_cast<std::size_t>(it.row())]; i >= 0) t.emplace_back(i, c, it.value());
+        if (const int i = active_index[static_cast<std::size_t>(it.row())]; i >= 0) t.emplace_back(i, c, it.value());
     sparse_matrix a(k, n);
     a.setFromTriplets(t.begin(), t.end());
     double size = 0;

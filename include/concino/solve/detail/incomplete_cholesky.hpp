@@ -82,12 +82,12 @@ class incomplete_cholesky {
     l_.assign(a.valuePtr(), a.valuePtr() + a.nonZeros());
     double* const l = l_.data();
     for (int c = 0; c < n; ++c) l[starts[c]] *= 1 + raise;
-    int lifted = 0;  // number of increased pivots
+    int num_increased = 0;  // number of increased pivots
     for (int c = 0; c < n; ++c) {
       const int first = starts[c], end = starts[c + 1];
       const double input_pivot = a.valuePtr()[first];
       if (!(l[first] > (keep > 0 ? 0.2 : 1e-3) * input_pivot)) {
-        if (keep == 0 || !(l[first] > -input_pivot) || ++lifted > n / 10) return false;
+        if (keep == 0 || !(l[first] > -input_pivot) || ++num_increased > n / 10) return false;
         l[first] = 0.2 * input_pivot;
       }
       l[first] = 1 / std::sqrt(l[first]);

@@ -14,15 +14,15 @@ namespace concino::detail {
 /// Computes an approximate minimum degree order (Amestoy, Davis, Duff 1996) and keeps it for further matrices of the same pattern. Uses loops, because
 /// Eigen's expressions take long to compile.
 struct elimination_order {
-  std::vector<int> place;  // of each row
-  std::vector<int> row;    // at each place: the inverse
+  std::vector<int> position;  // of each row
+  std::vector<int> row;       // at each position: the inverse
 
-  /// Stores an order. row_at: the row at each place.
+  /// Stores an order. row_at: the row at each position.
   void keep(std::vector<int> row_at) {
-    std::vector<int> new_place(row_at.size());
-    for (std::size_t i = 0; i < row_at.size(); ++i) new_place[static_cast<std::size_t>(row_at[i])] = static_cast<int>(i);
+    std::vector<int> new_position(row_at.size());
+    for (std::size_t i = 0; i < row_at.size(); ++i) new_position[static_cast<std::size_t>(row_at[i])] = static_cast<int>(i);
     row.swap(row_at);
-    place.swap(new_place);
+    position.swap(new_position);
   }
 
   /// Computes the order. It depends only on the pattern of a, which is compressed, in either triangle.
@@ -37,7 +37,7 @@ struct elimination_order {
 
   /// The upper triangle of the reordered matrix, from the lower one of a, which is compressed.
   Eigen::SparseMatrix<double> operator()(const Eigen::SparseMatrix<double>& a) const {
-    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = place.data();
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = position.data();
     const auto n = static_cast<int>(a.cols());
     Eigen::SparseMatrix<double> upper(n, n);
     int* const next = upper.outerIndexPtr();  // entry c + 1, for column c: first the count, then the next position, finally the end
