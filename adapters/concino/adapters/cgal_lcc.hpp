@@ -60,12 +60,12 @@ class indexed_cell_complex {
       n->poly_darts.push_back(first);
       waiting.assign(1, first);
       while (!waiting.empty()) {
-        const dart side = waiting.back();
+        const dart first_dart = waiting.back();
         waiting.pop_back();
-        if (!n->polys[side].is_none()) continue;
-        const face_id opposite = lcc.is_free(side, 3) ? face_id() : n->faces[lcc.beta(side, 3)];
+        if (!n->polys[first_dart].is_none()) continue;
+        const face_id opposite = lcc.is_free(first_dart, 3) ? face_id() : n->faces[lcc.beta(first_dart, 3)];
         const face_id f = opposite.is_none() ? face_id(n->face_darts.size()) : opposite;
-        dart d = side;
+        dart d = first_dart;
         do {
           if (lcc.is_free(d, 1))
             core::throw_joined<invalid_mesh>(
@@ -80,9 +80,9 @@ class indexed_cell_complex {
           if (opposite.is_none()) a.face_verts.push_back(v);
           if (!lcc.is_free(d, 2)) waiting.push_back(lcc.beta(d, 2));
           d = lcc.beta(d, 1);
-        } while (d != side);
+        } while (d != first_dart);
         if (opposite.is_none()) {
-          n->face_darts.push_back(side);
+          n->face_darts.push_back(first_dart);
           a.face_offsets.push_back(static_cast<std::uint32_t>(a.face_verts.size()));
         }
         a.poly_faces.push_back(f);

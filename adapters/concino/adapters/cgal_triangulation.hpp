@@ -113,8 +113,8 @@ class indexed_triangulation {
     };
     const face_id here = of_cell(f.first, f.second);
     if (!here.is_none()) return here;
-    const auto across = t_->mirror_facet(f);
-    return of_cell(across.first, across.second);
+    const auto mirror = t_->mirror_facet(f);
+    return of_cell(mirror.first, mirror.second);
   }
 
   /// Converts a descriptor to an element of the triangulation; for edges and facets it is one of several equivalent ones.

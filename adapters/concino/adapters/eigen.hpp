@@ -46,7 +46,7 @@ class eigen_layout {
   static constexpr std::ptrdiff_t inner = eigen_step(X::InnerStrideAtCompileTime), outer = eigen_step(X::OuterStrideAtCompileTime);
   static constexpr std::ptrdiff_t inner_row_stride = X::IsRowMajor ? outer : inner, inner_column_stride = X::IsRowMajor ? inner : outer;
   using matrix = std::conditional_t<std::is_const_v<T>, const X, X>;
-  struct place {
+  struct storage {
     T* start;
     Eigen::Index num_rows, num_columns;
     step_of<inner_row_stride> row_step;
@@ -58,7 +58,7 @@ class eigen_layout {
     std::ptrdiff_t colStride() const { return column_step; }
   };
   static constexpr bool by_address = std::is_base_of_v<Eigen::PlainObjectBase<X>, X>;
-  std::conditional_t<by_address, matrix*, place> kept_;
+  std::conditional_t<by_address, matrix*, storage> kept_;
 
   decltype(auto) at() const {
     if constexpr (by_address) return (*kept_);
@@ -102,14 +102,14 @@ struct array_source<A> {
   static constexpr bool is_view = is_eigen_pointer<X>;
 
   template<unsigned, class T>
-  static auto rows(T& a) { return place<false>(a); }
+  static auto rows(T& a) { return layout<false>(a); }
   template<class T>
     requires(X::IsVectorAtCompileTime == 1)
-  static auto flat(T& a) { return place<true>(a); }
+  static auto flat(T& a) { return layout<true>(a); }
 
  private:
   template<bool Flat, class T>
-  static auto place(T& a) {
+  static auto layout(T& a) {
     constexpr bool is_const = std::is_const_v<T> || !(X::Flags & Eigen::LvalueBit);
     using number = typename X::Scalar;
     return eigen_layout<X, std::conditional_t<is_const, const number, number>, Flat>(a);

@@ -39,18 +39,18 @@ inline std::size_t widest_axis(const triangle_points& t) {
 /// Whether, projected along axis k, the line of a side of s at corner i separates s and t. Corner j of t is the same point as corner i.
 inline bool are_separated_at_corner(const triangle_points& s, std::size_t i, const triangle_points& t, std::size_t j, std::size_t k) {
   const vec3 corner = project_along(s[i], k), d = project_along(t[(j + 1) % 3], k), e = project_along(t[(j + 2) % 3], k);
-  for (const std::size_t side : {1u, 2u}) {
-    const vec3 along = project_along(s[(i + side) % 3], k);
-    const int here = orient2d(corner, along, project_along(s[(i + 3 - side) % 3], k));
+  for (const std::size_t offset : {1u, 2u}) {
+    const vec3 along = project_along(s[(i + offset) % 3], k);
+    const int here = orient2d(corner, along, project_along(s[(i + 3 - offset) % 3], k));
     if (here != 0 && orient2d(corner, along, d) == -here && orient2d(corner, along, e) == -here) return true;
   }
   return false;
 }
 
 /// Whether two triangles with area have a common point that is not on a common vert or edge. Corners at the same point are common,
-/// whatever their indices. s_rim, t_rim: whether the side from a corner to the next is an edge of the poly that contains the triangle.
-template<class Rim, class OtherRim>
-bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_rim, OtherRim&& t_rim) {
+/// whatever their indices. s_is_edge, t_is_edge: whether the side from a corner to the next is an edge of the poly that contains the triangle.
+template<class IsEdge, class OtherIsEdge>
+bool meet_elsewhere(const triangle_points& s, const triangle_points& t, IsEdge&& s_is_edge, OtherIsEdge&& t_is_edge) {
   std::size_t shared = 0, own = 0, other = 0;  // own, other: position of the last common corner; with two of them, the sums give the position of the third
   std::size_t sum = 0, other_sum = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -68,14 +68,14 @@ bool meet_elsewhere(const triangle_points& s, const triangle_points& t, Rim&& s_
   const std::size_t axis = widest_axis(s);
   if (shared == 1) {  // a further common point implies that the side opposite to the corner of one triangle meets the other triangle
     if (are_separated_at_corner(s, own, t, other, axis) || are_separated_at_corner(t, other, s, own, axis)) return false;
-    const auto across = [](const triangle_points& x, std::size_t corner, const triangle_points& y) {
+    const auto opposite_side_meets = [](const triangle_points& x, std::size_t corner, const triangle_points& y) {
       const vec3 &p = x[(corner + 1) % 3], &q = x[(corner + 2) % 3];
       return segment_meets_triangle(p, orient3d(y[0], y[1], y[2], p), q, orient3d(y[0], y[1], y[2], q), y);
     };
-    return across(s, own, t) || across(t, other, s);
+    return opposite_side_meets(s, own, t) || opposite_side_meets(t, other, s);
   }
   const std::size_t third = 3 - sum, other_third = 3 - other_sum, from = (third + 1) % 3;
-  if (!s_rim(from) || !t_rim((other_third + 1) % 3)) return true;  // the common side is a diagonal of one poly, so the other meets its interior
+  if (!s_is_edge(from) || !t_is_edge((other_third + 1) % 3)) return true;  // the common side is a diagonal of one poly, so the other meets its interior
   for (const std::size_t k : {axis, (axis + 1) % 3, (axis + 2) % 3}) {  // are both on the same side of the common edge, and coplanar?
     const vec3 p = project_along(s[from], k), q = project_along(s[(from + 1) % 3], k);
     const int here = orient2d(p, q, project_along(s[third], k));

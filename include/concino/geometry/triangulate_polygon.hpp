@@ -46,7 +46,7 @@ class polygon_triangulator {
   std::vector<polygon_triangle> triangles_;
   std::vector<point2> q_;
   std::vector<index> next_, prev_, now_, later_, grid_offsets_, grid_;
-  std::vector<std::uint8_t> reflex_, gone_, wait_;
+  std::vector<std::uint8_t> reflex_, removed_, wait_;
   index cells_ = 0;  // per axis; 0: no grid
   point2 low_ = {0, 0}, cell_ = {0, 0};
   index left_ = 0;
@@ -158,7 +158,7 @@ class polygon_triangulator {
     triangles_.push_back({a, b, c});
     next_[a] = c;
     prev_[c] = a;
-    gone_[b] = 1;
+    removed_[b] = 1;
     reflex_[b] = 0;
     --left_;
     for (const index v : {a, c}) {
@@ -179,14 +179,14 @@ class polygon_triangulator {
     }
     reflex_.resize(n);
     for (index i = 0; i < n; ++i) reflex_[i] = !(turn(prev_[i], i, next_[i]) > 0);
-    gone_.assign(n, 0);
+    removed_.assign(n, 0);
     wait_.assign(n, 0);
     make_grid();
     ear kind = ear::clear;
     int retreats = 0;
     index alive = 0;
     const auto restart = [&] {
-      while (gone_[alive]) ++alive;
+      while (removed_[alive]) ++alive;
       now_.clear();
       index v = alive;
       do now_.push_back(v);
@@ -197,7 +197,7 @@ class polygon_triangulator {
       later_.clear();
       for (const index v : now_) {
         if (left_ == 3) break;
-        if (gone_[v] || wait_[v] || !is_ear(v, kind)) continue;
+        if (removed_[v] || wait_[v] || !is_ear(v, kind)) continue;
         clip(v);
         if (kind == ear::clear) continue;
         if (++retreats <= 16) kind = ear::clear;  // one bad corner should not spoil the rest; the number of retries is bounded for speed
@@ -208,7 +208,7 @@ class polygon_triangulator {
       kind = static_cast<ear>(static_cast<int>(kind) + 1);
       restart();
     }
-    while (gone_[alive]) ++alive;
+    while (removed_[alive]) ++alive;
     triangles_.push_back({prev_[alive], alive, next_[alive]});
   }
 };

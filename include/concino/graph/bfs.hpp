@@ -80,7 +80,7 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
   int limit = options.max_hops;  // maximum number of hops; -1 when visit has ended the search
   bool is_over = false;
 
-  const auto reach = [&](const node& x, const node& before, int h, [[maybe_unused]] const auto& put_crossed) {
+  const auto mark_reached = [&](const node& x, const node& before, int h, [[maybe_unused]] const auto& put_crossed) {
     const auto slot = g.index(x);
     if (value[slot] >= 0 || (Reports && h > limit)) return;
     value[slot] = h;
@@ -105,7 +105,7 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
       for (; !is_over && root != nodes.end(); ++root) {
         const node x = *root;
         if (value[g.index(x)] >= 0 || (options.may_enter && !options.may_enter(x))) continue;
-        reach(x, x, 0, [] {});
+        mark_reached(x, x, 0, [] {});
         return true;
       }
     }
@@ -114,7 +114,7 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
 
   if (options.predecessors)
     for (const node x : g.nodes()) options.predecessors.put(x, x);
-  if constexpr (!std::same_as<S, all_nodes>) for_each_source(g, sources, "bfs", [&](const node& s) { reach(s, s, 0, [] {}); });
+  if constexpr (!std::same_as<S, all_nodes>) for_each_source(g, sources, "bfs", [&](const node& s) { mark_reached(s, s, 0, [] {}); });
   while (!queue.empty() || reach_next_root()) {
     const node v = queue.pop();
     const int h = value[g.index(v)];
@@ -122,8 +122,8 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
     if constexpr (is_contiguous<decltype(g.neighbours(v))>) {
       if (const node* const later = queue.peek(4)) prefetch(row_address(g.neighbours(*later)));
     }
-    if constexpr (Reports) for_each_recorded_neighbour(g, v, options, [&](const node& w, const auto& put_crossed) { reach(w, v, h + 1, put_crossed); });
-    else for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const node& w) { reach(w, v, h + 1, [] {}); });
+    if constexpr (Reports) for_each_recorded_neighbour(g, v, options, [&](const node& w, const auto& put_crossed) { mark_reached(w, v, h + 1, put_crossed); });
+    else for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const node& w) { mark_reached(w, v, h + 1, [] {}); });
   }
   return hops;
 }

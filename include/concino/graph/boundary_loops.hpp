@@ -121,29 +121,29 @@ boundary_loops_result<M> boundary_loops(const M& m) {
 
   // Walk until a vert is met for the second time, then move the part in between to the result, as a cycle.
   constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> place(vert_index_bound(m), nowhere);
+  std::vector<std::uint32_t> position(vert_index_bound(m), nowhere);
   edge_walk<M> walk;
   const auto go_from = [&](vert_t<M> v) {
     edge_t<M> e{};
     walk.verts.assign(1, v);
     walk.edges.clear();
-    place[index_of(m, v)] = 0;
+    position[index_of(m, v)] = 0;
     while (border.step(v, e)) {
       walk.edges.push_back(e);
-      const std::size_t back = place[index_of(m, v)];
+      const std::size_t back = position[index_of(m, v)];
       if (back == nowhere) {
-        place[index_of(m, v)] = static_cast<std::uint32_t>(walk.verts.size());
+        position[index_of(m, v)] = static_cast<std::uint32_t>(walk.verts.size());
         walk.verts.push_back(v);
         continue;
       }
       const auto first_vert = walk.verts.begin() + static_cast<std::ptrdiff_t>(back);
       const auto first_edge = walk.edges.begin() + static_cast<std::ptrdiff_t>(back);
       result.loops.push_back({{first_vert, walk.verts.end()}, {first_edge, walk.edges.end()}});
-      for (auto it = first_vert + 1; it != walk.verts.end(); ++it) place[index_of(m, *it)] = nowhere;
+      for (auto it = first_vert + 1; it != walk.verts.end(); ++it) position[index_of(m, *it)] = nowhere;
       walk.verts.erase(first_vert + 1, walk.verts.end());
       walk.edges.erase(first_edge, walk.edges.end());
     }
-    for (const vert_t<M>& w : walk.verts) place[index_of(m, w)] = nowhere;
+    for (const vert_t<M>& w : walk.verts) position[index_of(m, w)] = nowhere;
     if (!walk.edges.empty()) result.loops.push_back(walk);
   };
   // A walk from a vert with an odd number of edges left ends at another such vert. After these, all walks return to their start.

@@ -40,11 +40,11 @@ template<class G>
 [[gnu::noinline]] void unite_neighbours(G g, disjoint_sets& sets) {
   for (const auto v : g.nodes()) {
     const std::size_t i = g.index(v);
-    std::size_t mine = sets.root(i);
+    std::size_t root = sets.root(i);
     for_each_with_repeats(g.neighbours(v), [&](const typename G::node& w) {
       const std::size_t j = g.index(w);
       if (j >= i) return;
-      if (const std::size_t theirs = sets.root(j); theirs != mine) mine = sets.unite_roots(mine, theirs);
+      if (const std::size_t other_root = sets.root(j); other_root != root) root = sets.unite_roots(root, other_root);
     });
   }
 }

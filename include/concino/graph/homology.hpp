@@ -34,10 +34,10 @@ std::vector<edge_walk<M>> homology_generators(const M& m, const homology_options
   for (const edge_t<M>& e : t.rest) {
     auto [a, b] = t.ends(m, e);
     edge_walk<M> there, back;  // from either end up the tree, to the root or to the first common vert
-    const auto climb = [&](vert_t<M>& v, edge_walk<M>& way) {
+    const auto climb = [&](vert_t<M>& v, edge_walk<M>& path) {
       const std::size_t i = index_of(m, v);
-      way.verts.push_back(v);
-      way.edges.push_back(t.up_edge[i]);
+      path.verts.push_back(v);
+      path.edges.push_back(t.up_edge[i]);
       v = vert_t<M>(t.up_vert[i]);
     };
     const auto height = [&](const vert_t<M>& v) { return t.hops[index_of(m, v)]; };

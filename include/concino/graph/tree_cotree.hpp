@@ -130,10 +130,10 @@ struct tree_cotree_tables : tree_cotree_result<M> {
 
     disjoint_sets sets(poly_index_bound(m));
     for (const edge_t<M>& e : sorted) {
-      std::size_t side[2] = {0, 0}, n = 0;
+      std::size_t ends[2] = {0, 0}, n = 0;
       for (const poly_t<M> p : adj_e2p(m, e))
-        if (n < 2) side[n++] = index_of(m, p);
-      (sets.unite(side[0], side[1]) ? this->cotree : this->rest).push_back(e);
+        if (n < 2) ends[n++] = index_of(m, p);
+      (sets.unite(ends[0], ends[1]) ? this->cotree : this->rest).push_back(e);
     }
     std::reverse(this->rest.begin(), this->rest.end());
   }

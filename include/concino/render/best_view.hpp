@@ -21,8 +21,8 @@ camera best_view(std::span<const drawable> drawables, double aspect, const view_
   constexpr double pi = 3.14159265358979323846;
   constexpr std::size_t looks = 1024;  // the number of triangles of each drawable that are tested
   constexpr double enough = 0.08;      // fraction of a drawable's area; to show more of it improves the score little
-  const vec3 up = options.up / norm(options.up), side = first.right, front = cross(side, up);
-  const double rise = std::atan2(dot(first.back, up), dot(first.back, front));
+  const vec3 up = options.up / norm(options.up), right = first.right, front = cross(right, up);
+  const double elevation = std::atan2(dot(first.back, up), dot(first.back, front));
 
   // The visible projected area of a drawable, and its area. The ratio is a quarter for a ball, and small for a sheet seen from its edge.
   struct part {
@@ -48,15 +48,15 @@ camera best_view(std::span<const drawable> drawables, double aspect, const view_
 
   camera best = first;
   double best_score = -std::numeric_limits<double>::infinity();
-  for (const double lift : {0.0, 18.0, -12.0})
+  for (const double tilt : {0.0, 18.0, -12.0})
     for (int turn = 0; turn < 12; ++turn) {
       const double angle = (turn % 2 ? turn + 1 : -turn) / 2 * pi / 6;  // 0, 30, -30, 60 ... degrees
-      const double height = std::min(1.4, std::max(0.05, rise + lift * pi / 180));
+      const double height = std::min(1.4, std::max(0.05, elevation + tilt * pi / 180));
       view_options view = options;
-      view.towards = (front * std::cos(angle) + side * std::sin(angle)) * std::cos(height) + up * std::sin(height);
-      const camera c = turn == 0 && lift == 0 ? first : frame(drawables, aspect, view);
+      view.towards = (front * std::cos(angle) + right * std::sin(angle)) * std::cos(height) + up * std::sin(height);
+      const camera c = turn == 0 && tilt == 0 ? first : frame(drawables, aspect, view);
       const camera unit = scene.to_unit(c);
-      double score = -0.30 * std::abs(angle) / pi - 0.12 * (lift != 0);
+      double score = -0.30 * std::abs(angle) / pi - 0.12 * (tilt != 0);
       part whole{0, 0};
       for (std::size_t i = 0; i < drawables.size(); ++i) {
         const part p = visible(unit, i);

@@ -29,9 +29,9 @@ struct camera {
   bool parallel = false;
 
   view_ray ray_through(const image_point& f) const {
-    const vec3 across = right * (f.x * half_height) + up * (f.y * half_height);
-    if (parallel) return {eye + across, -back};
-    const vec3 d = across - back;
+    const vec3 offset = right * (f.x * half_height) + up * (f.y * half_height);
+    if (parallel) return {eye + offset, -back};
+    const vec3 d = offset - back;
     return {eye, d / norm(d)};
   }
 
@@ -54,9 +54,9 @@ inline camera looking(const vec3& eye, const vec3& back, const vec3& up) {
   if (!(up_length > 0) || !std::isfinite(up_length)) throw invalid_argument("camera: up must be finite and not 0");
   c.back = back / length;
   vec3 right = cross(up / up_length, c.back);
-  const double across = norm(right);
-  if (!(across > 1e-9)) throw invalid_argument("camera: up must not run along the line of sight");
-  c.right = right / across;
+  const double right_length = norm(right);
+  if (!(right_length > 1e-9)) throw invalid_argument("camera: up must not run along the line of sight");
+  c.right = right / right_length;
   c.up = cross(c.back, c.right);
   return c;
 }
@@ -126,12 +126,12 @@ class framing {
   camera best() const {
     camera c = camera_;
     if (!(near_ > -std::numeric_limits<double>::infinity())) return c;
-    const double reach = std::max(x_.distance(), y_.distance());
+    const double radius = std::max(x_.distance(), y_.distance());
     const double spread = std::max(x_.high - x_.low, y_.high - y_.low);
     const double unit = spread > 0 ? spread : std::max(1.0, std::abs(near_)) * 1e-3;  // for a single point any distance is right
-    double distance = reach;
+    double distance = radius;
     if (c.parallel) {
-      c.half_height = reach > 0 ? reach : unit;
+      c.half_height = radius > 0 ? radius : unit;
       distance = near_ + unit;
     }
     if (!(distance > near_)) distance = near_ + unit;

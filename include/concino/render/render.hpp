@@ -67,7 +67,7 @@ class painter {
   static constexpr std::size_t light_rays_ = 1;  // for each sample
 
   /// The light from the sky and the ground; 1 for light that comes only from straight above.
-  double sky_light(const vec3& place, const vec3& normal, const vec3& flat, std::size_t sample, const cosine_directions::turn& turn) const {
+  double sky_light(const vec3& position, const vec3& normal, const vec3& flat, std::size_t sample, const cosine_directions::turn& turn) const {
     const std::size_t all = static_cast<std::size_t>(options_.samples) * static_cast<std::size_t>(options_.samples);
     if (sky_.size() == 0) return brightness(normal);
     const std::size_t first = sky_.size() * sample / all;  // each sample casts its share of the rays, at least one
@@ -78,34 +78,34 @@ class painter {
       vec3 d = sky_(k, turn, f);
       const double above = dot(d, flat);
       if (above < 0) d -= flat * (2 * above);  // the hemisphere of the smooth normal extends below the triangle
-      if (misses_all(place, d) || !caster_.occluded(place, d, 0, options_.sky_distance)) sum += brightness(d);
+      if (misses_all(position, d) || !caster_.occluded(position, d, 0, options_.sky_distance)) sum += brightness(d);
     }
     return sum / static_cast<double>(last - first);
   }
 
   /// Whether a ray misses the bounding ball of the scene: a fast test, true for most rays from the ground.
-  bool misses_all(const vec3& place, const vec3& d) const {
-    const double away = dot(place, place), along = -dot(place, d);
+  bool misses_all(const vec3& position, const vec3& d) const {
+    const double away = dot(position, position), along = -dot(position, d);
     return away > ball_ && (along <= 0 || away - along * along > ball_);
   }
 
   double brightness(const vec3& d) const { return 0.80 + 0.20 * dot(d, up_); }
 
   /// The light from the area light; 1 if it is perpendicular and unshaded. Every sample tests another part of the light.
-  double key_light(const vec3& place, const vec3& normal, const vec3& flat, std::size_t sample, const unit_point& shift) const {
+  double key_light(const vec3& position, const vec3& normal, const vec3& flat, std::size_t sample, const unit_point& shift) const {
     if (dot(normal, light_) <= -light_sine_) return 0;
     double sum = 0;
     for (std::size_t k = 0; k < light_rays_; ++k) {
       const vec3 d = cone_direction(light_frame_, light_cosine_, spread_point(sample * light_rays_ + k, shift));
       const double cosine = dot(normal, d);
-      if (cosine > 0 && dot(flat, d) > 0 && (misses_all(place, d) || !caster_.occluded(place, d, 0, far_))) sum += cosine;
+      if (cosine > 0 && dot(flat, d) > 0 && (misses_all(position, d) || !caster_.occluded(position, d, 0, far_))) sum += cosine;
     }
     return sum / static_cast<double>(light_rays_);
   }
 
   rgb paint_surface(const surface_point& s, const view_ray& ray, std::size_t sample, const cosine_directions::turn& turn,
                     const unit_point& shift) const {
-    const vec3 start = s.lifted + s.flat * gap_;
+    const vec3 start = s.smooth_position + s.flat * gap_;
     const double sky = sky_light(start, s.normal, s.flat, sample, turn);
     const double key = key_light(start, s.normal, s.flat, sample, shift);
     const double front = std::max(0.0, -dot(s.normal, ray.direction));
@@ -120,9 +120,9 @@ class painter {
     return c;
   }
 
-  rgb paint_ground(const vec3& place, std::size_t sample, const cosine_directions::turn& turn, const unit_point& shift) const {
-    const double away = norm(place);
-    const vec3 start = place + up_ * gap_;
+  rgb paint_ground(const vec3& position, std::size_t sample, const cosine_directions::turn& turn, const unit_point& shift) const {
+    const double away = norm(position);
+    const vec3 start = position + up_ * gap_;
     double sky = 1, key = 1;
     if (away < 1 + options_.sky_distance) sky = sky_light(start, up_, up_, sample, turn) / mean_sky_;
     if (const double straight = dot(up_, light_); straight > 0) key = std::min(1.0, key_light(start, up_, up_, sample, shift) / straight);
@@ -158,8 +158,8 @@ class painter {
       const view_ray ray = camera_.ray_through(film);
       const std::size_t at = static_cast<std::size_t>(s);
       const ray_hit hit = misses_all(ray.origin, ray.direction) ? ray_hit{} : caster_.intersect(ray.origin, ray.direction, 0, far_);
-      const double down = -dot(ray.direction, up_), above = dot(ray.origin, up_) - ground_;
-      const double ground_at = options_.ground && down > 1e-6 && above > 0 ? above / down : far_;
+      const double num_rows = -dot(ray.direction, up_), above = dot(ray.origin, up_) - ground_;
+      const double ground_at = options_.ground && num_rows > 1e-6 && above > 0 ? above / num_rows : far_;
       if (hit && hit.t < ground_at) sum += paint_surface(read(hit, ray, film), ray, at, turn, shift);
       else if (ground_at < 1e3) sum += paint_ground(ray.origin + ray.direction * ground_at, at, turn, shift);
       else sum += options_.background;
@@ -185,17 +185,17 @@ image render(std::span<const drawable> drawables, const camera& from, const rend
   const auto caster = tracer.build(scene.soup);
   const detail::painter paint(scene, caster, from, options);
 
-  constexpr std::size_t side = 16;  // in pixels, of the tiles that threads render in parallel
-  const std::size_t across = (options.width + side - 1) / side, down = (options.height + side - 1) / side;
+  constexpr std::size_t tile_size = 16;  // in pixels, of the tiles that threads render in parallel
+  const std::size_t num_columns = (options.width + tile_size - 1) / tile_size, num_rows = (options.height + tile_size - 1) / tile_size;
   const auto tile = [&](std::size_t i) {
     auto read = paint.reader();
-    const std::size_t x0 = i % across * side, y0 = i / across * side;
-    for (std::size_t y = y0; y < std::min(y0 + side, options.height); ++y)
-      for (std::size_t x = x0; x < std::min(x0 + side, options.width); ++x) picture(x, y) = paint.pixel(x, y, read);
+    const std::size_t x0 = i % num_columns * tile_size, y0 = i / num_columns * tile_size;
+    for (std::size_t y = y0; y < std::min(y0 + tile_size, options.height); ++y)
+      for (std::size_t x = x0; x < std::min(x0 + tile_size, options.width); ++x) picture(x, y) = paint.pixel(x, y, read);
   };
   const char* label = "rendering";
   detail::report_progress(options.progress, 0, label);
-  parallel_for(across * down, tile, 1, [&](double fraction) {
+  parallel_for(num_columns * num_rows, tile, 1, [&](double fraction) {
     detail::report_progress(options.progress, fraction, label);
     return false;
   });

@@ -13,7 +13,7 @@ namespace concino {
 
 /// A non-decreasing, piecewise linear function from values to [0, 1]. Values beyond its ends map to 0 and 1.
 class value_scale {
-  std::vector<double> values_ = {0, 1}, places_ = {0, 1};  // of the knots; values do not decrease, places go from 0 to 1
+  std::vector<double> values_ = {0, 1}, positions_ = {0, 1};  // of the knots; values do not decrease, places go from 0 to 1
 
   std::size_t step_of(double value) const {
     const auto i = static_cast<std::size_t>(std::upper_bound(values_.begin(), values_.end(), value) - values_.begin());
@@ -50,8 +50,8 @@ class value_scale {
     if (share == 0 || !(range > 0)) return s;
     constexpr std::size_t steps = 16;  // few knots, so that the slope varies little from band to band
     s.values_.clear();
-    s.places_.clear();
-    const auto place = [&](double x, double rank) {
+    s.positions_.clear();
+    const auto position_of = [&](double x, double rank) {
       return share * rank + (1 - share) * std::min(1.0, (x / 2 - sorted.front() / 2) / range);
     };
     for (std::size_t k = 0; k <= steps;) {
@@ -61,7 +61,7 @@ class value_scale {
       const std::size_t last = k - 1;  // equal values are one knot, at the middle of their ranks, or at an end of the scale
       const double rank = first == 0 ? 0 : last == steps ? 1 : static_cast<double>(first + last) / (2.0 * steps);
       s.values_.push_back(x);
-      s.places_.push_back(place(x, rank));
+      s.positions_.push_back(position_of(x, rank));
     }
     return s;
   }
@@ -73,14 +73,14 @@ class value_scale {
     const std::size_t i = step_of(value);
     const double a = values_[i], b = values_[i + 1];
     const double part = b > a ? std::min(1.0, std::max(0.0, (value / 2 - a / 2) / (b / 2 - a / 2))) : 0.5;
-    return places_[i] + part * (places_[i + 1] - places_[i]);
+    return positions_[i] + part * (positions_[i + 1] - positions_[i]);
   }
 
   /// The derivative of the scale at a value; 0 outside its range, and if all values are equal.
   double slope(double value) const {
     const std::size_t i = step_of(value);
     const double a = values_[i], b = values_[i + 1];
-    return b > a && value >= a && value <= b ? (places_[i + 1] - places_[i]) / (b - a) : 0;
+    return b > a && value >= a && value <= b ? (positions_[i + 1] - positions_[i]) / (b - a) : 0;
   }
 };
 

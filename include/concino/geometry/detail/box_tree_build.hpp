@@ -77,22 +77,22 @@ class box_tree_builder {
       ++counts[b];
     }
     float cost_of_right[bins];
-    extent side;
+    extent united;
     std::uint32_t count = 0;
     for (std::size_t b = bins; b-- > 1;) {
-      side.add(boxes[b].min, boxes[b].max);
+      united.add(boxes[b].min, boxes[b].max);
       count += counts[b];
-      cost_of_right[b] = count > 0 ? side.half_area() * static_cast<float>(count) : 0;
+      cost_of_right[b] = count > 0 ? united.half_area() * static_cast<float>(count) : 0;
     }
-    side = {};
+    united = {};
     count = 0;
     std::size_t best = 0;
     float least = extent::inf;
     for (std::size_t b = 1; b < bins; ++b) {
-      side.add(boxes[b - 1].min, boxes[b - 1].max);
+      united.add(boxes[b - 1].min, boxes[b - 1].max);
       count += counts[b - 1];
       if (count == 0 || count == r.last - r.first) continue;
-      const float cost = side.half_area() * static_cast<float>(count) + cost_of_right[b];
+      const float cost = united.half_area() * static_cast<float>(count) + cost_of_right[b];
       if (cost < least) {
         least = cost;
         best = b;

@@ -49,9 +49,9 @@ class edge_numbers {
     for (const typename G::node v : g.nodes()) {
       std::size_t arc = first_[g.index(v)];
       for (const typename G::node w : g.neighbours(v)) {
-        std::size_t& place = free[g.index(w)];
-        if (place == first_[g.index(w) + 1]) throw_one_way(G::element_name, g.index(v), g.index(w));
-        by_target[place++] = {g.index(v), arc++};
+        std::size_t& slot = free[g.index(w)];
+        if (slot == first_[g.index(w) + 1]) throw_one_way(G::element_name, g.index(v), g.index(w));
+        by_target[slot++] = {g.index(v), arc++};
       }
     }
     for (const typename G::node v : g.nodes()) {

@@ -25,7 +25,7 @@ inline double segment_distance(const image_point& p, const image_point& a, const
 
 /// A point where a ray hits the surface, with the data for shading.
 struct surface_point {
-  vec3 place, lifted;  // on the triangle; on the smooth surface that the triangle approximates
+  vec3 position, smooth_position;  // on the triangle; on the smooth surface that the triangle approximates
   vec3 flat, normal;   // of the triangle and of the smooth surface, towards the viewer
   rgb color;
   double shine = 0;
@@ -52,7 +52,7 @@ class surface_reader {
     const vec3 a = corner(which, t[0]), b = corner(which, t[1]), c = corner(which, t[2]);
     const double bary[3] = {1 - hit.u - hit.v, hit.u, hit.v};
     surface_point s;
-    s.place = a * bary[0] + b * bary[1] + c * bary[2];
+    s.position = a * bary[0] + b * bary[1] + c * bary[2];
     s.flat = cross(b - a, c - a);
     const double area = norm(s.flat);
     s.flat = area > 0 ? s.flat / area : -ray.direction;
@@ -67,7 +67,7 @@ class surface_reader {
       for (std::uint32_t i = 0; i < n; ++i) corners_.push_back(corner(which, first + i));
       for (std::uint32_t i = 2; i < n; ++i) along += cross(corners_[i - 1] - corners_[0], corners_[i] - corners_[0]);
       const double length = norm(along);
-      polygon_weights(corners_, length > 0 ? along / length : s.flat, s.place, weights_);
+      polygon_weights(corners_, length > 0 ? along / length : s.flat, s.position, weights_);
     }
     const auto mean = [&](auto&& of_corner, auto sum) {
       if (whole)
@@ -79,23 +79,23 @@ class surface_reader {
     const auto corner_normal = [&](std::uint32_t i) { return to_vec3(d.normals[i]); };
     const vec3 smooth = mean(corner_normal, vec3{});
     const double length = norm(smooth);
-    const double side = dot(smooth, s.flat) < 0 ? -1 : 1;
-    s.normal = length > 1e-6 ? smooth * (side / length) : s.flat;
+    const double sign = dot(smooth, s.flat) < 0 ? -1 : 1;
+    s.normal = length > 1e-6 ? smooth * (sign / length) : s.flat;
 
     // Rays from a coarse triangle towards grazing light would hit its neighbours, although the approximated surface is round there. So they start
     // on the tangent planes of the corners. Source: Hanika 2021, "Hacking the Shadow Terminator".
-    s.lifted = s.place;
+    s.smooth_position = s.position;
     const vec3 ends[3] = {a, b, c};
     for (std::size_t k = 0; k < 3; ++k) {
-      const vec3 m = corner_normal(t[k]) * side;
-      s.lifted += m * (bary[k] * std::max(0.0, dot(ends[k] - s.place, m)));
+      const vec3 m = corner_normal(t[k]) * sign;
+      s.smooth_position += m * (bary[k] * std::max(0.0, dot(ends[k] - s.position, m)));
     }
 
     s.color = d.look.color;
     if (!d.values.empty()) {
       const auto value = [&](std::uint32_t i) { return d.values[d.corners[i]]; };
       const double ends_value[3] = {value(t[0]), value(t[1]), value(t[2])};
-      s.color = value_color(d.look, mean(value, 0.0), value_step(a, b, c, ends_value, s.place, film));
+      s.color = value_color(d.look, mean(value, 0.0), value_step(a, b, c, ends_value, s.position, film));
     }
     if (d.look.edge_width > 0)
       s.color = mix(s.color, d.look.edge_color, static_cast<float>(d.look.edge_opacity * edge_coverage(which, d, t, first, n, film)));
@@ -111,14 +111,14 @@ class surface_reader {
     const rgb color = look.map(x);
     const double slope = look.scale.slope(value);
     if (look.bands <= 0 || !(slope > 0)) return color;
-    const double rise = step * slope * look.bands;  // from one sample to the next, in distances between bands
-    const double limit = look.band_limit / pixel_ * 2 * fineness_ * rise;
+    const double band_step = step * slope * look.bands;  // from one sample to the next, in distances between bands
+    const double limit = look.band_limit / pixel_ * 2 * fineness_ * band_step;
     const double width = std::min({1.0, std::max(0.0, look.band_width), limit});
-    return mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.bands, 1.5 * rise, width)));
+    return mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.bands, 1.5 * band_step, width)));
   }
 
   // The change of the value from one sample to the next: intersects the neighbouring rays with the plane of the triangle.
-  double value_step(const vec3& a, const vec3& b, const vec3& c, const double (&u)[3], const vec3& place, const image_point& film) const {
+  double value_step(const vec3& a, const vec3& b, const vec3& c, const double (&u)[3], const vec3& position, const image_point& film) const {
     const vec3 e = b - a, f = c - a, n = cross(e, f);
     const double nn = dot(n, n);
     if (!(nn > 0)) return 0;
@@ -127,7 +127,7 @@ class surface_reader {
       const view_ray beside = camera_.ray_through({film.x + dx, film.y + dy});
       const double toward = dot(beside.direction, n);
       if (toward == 0) return std::numeric_limits<double>::infinity();
-      return std::abs(dot(gradient, beside.origin + beside.direction * (dot(place - beside.origin, n) / toward) - place));
+      return std::abs(dot(gradient, beside.origin + beside.direction * (dot(position - beside.origin, n) / toward) - position));
     };
     return std::max(step(pixel_ / fineness_, 0), step(0, pixel_ / fineness_));
   }
@@ -135,14 +135,14 @@ class surface_reader {
   double edge_coverage(std::size_t which, const drawable& d, const std::array<std::uint32_t, 3>& t, std::uint32_t first, std::uint32_t n,
                        const image_point& film) const {
     double nearest = std::numeric_limits<double>::infinity();
-    const auto side = [&](std::uint32_t i, std::uint32_t j) {
+    const auto add_edge = [&](std::uint32_t i, std::uint32_t j) {
       nearest = std::min(nearest, segment_distance(film, camera_.project(corner(which, i)), camera_.project(corner(which, j))));
     };
     if (n <= many) {
-      for (std::uint32_t i = 0; i < n; ++i) side(first + i, first + (i + 1) % n);
+      for (std::uint32_t i = 0; i < n; ++i) add_edge(first + i, first + (i + 1) % n);
     } else {
       for (std::size_t k = 0; k < 3; ++k)
-        if (t[(k + 1) % 3] - first == (t[k] - first + 1) % n) side(t[k], t[(k + 1) % 3]);
+        if (t[(k + 1) % 3] - first == (t[k] - first + 1) % n) add_edge(t[k], t[(k + 1) % 3]);
     }
     return std::min(1.0, std::max(0.0, (d.look.edge_width / 2 - nearest / pixel_) * fineness_ + 0.5));
   }

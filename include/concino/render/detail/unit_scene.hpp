@@ -70,10 +70,10 @@ class unit_scene {
 
   /// The square of the largest distance from the origin.
   double squared_radius() const {
-    double reach = 0;
+    double radius = 0;
     for (std::size_t i = 0; i < soup.points.size(); ++i)
-      reach = std::max(reach, dot(point(static_cast<std::uint32_t>(i)), point(static_cast<std::uint32_t>(i))));
-    return reach;
+      radius = std::max(radius, dot(point(static_cast<std::uint32_t>(i)), point(static_cast<std::uint32_t>(i))));
+    return radius;
   }
 
   /// The smallest coordinate of the scene along a direction.

@@ -15,11 +15,11 @@ namespace concino::testing::detail {
 template<MutablePoints M>
 void check_point_edits(M& m, concino::detail::law_log& log) {
   // numbers that floats represent exactly
-  const auto place = [](std::size_t i) { return vec3{static_cast<double>(i * 7 % 97) / 4, static_cast<double>(i * 3 % 89) / 4, static_cast<double>(i % 83) / 4}; };
-  for (const vert_t<M> v : verts(m)) traits<M>::set_point(m, v, place(index_of(m, v)));
+  const auto new_point = [](std::size_t i) { return vec3{static_cast<double>(i * 7 % 97) / 4, static_cast<double>(i * 3 % 89) / 4, static_cast<double>(i % 83) / 4}; };
+  for (const vert_t<M> v : verts(m)) traits<M>::set_point(m, v, new_point(index_of(m, v)));
   for (const vert_t<M> v : verts(m)) {
     const std::size_t i = index_of(m, v);
-    if (to_vec3(point(m, v)) != place(i))
+    if (to_vec3(point(m, v)) != new_point(i))
       log.add("KIT4", concino::core::joined({"point(", name('v', i), ") is not the point that set_point has set"}), name('v', i));
   }
 }
@@ -27,15 +27,15 @@ void check_point_edits(M& m, concino::detail::law_log& log) {
 /// Removes every third poly. KIT6: the removed polys are gone, the others still exist.
 template<class M>
 void remove_polys(M& m, concino::detail::law_log& log) {
-  std::vector<poly_t<M>> all, gone, left;
+  std::vector<poly_t<M>> all, removed, remaining;
   for (const poly_t<M> p : polys(m)) all.push_back(p);
-  for (std::size_t i = 0; i < all.size(); ++i) (i % 3 == 0 ? gone : left).push_back(all[i]);
-  for (const poly_t<M>& p : gone) traits<M>::remove_poly(m, p);
-  if (num_polys(m) != left.size())
-    log.add("KIT6", concino::core::joined({gone.size(), " of ", all.size(), " polys were removed, but num_polys is ", num_polys(m)}), "");
-  for (const poly_t<M>& p : left)
+  for (std::size_t i = 0; i < all.size(); ++i) (i % 3 == 0 ? removed : remaining).push_back(all[i]);
+  for (const poly_t<M>& p : removed) traits<M>::remove_poly(m, p);
+  if (num_polys(m) != remaining.size())
+    log.add("KIT6", concino::core::joined({removed.size(), " of ", all.size(), " polys were removed, but num_polys is ", num_polys(m)}), "");
+  for (const poly_t<M>& p : remaining)
     if (!contains(m, p)) log.add("KIT6", concino::core::joined({name('p', index_of(m, p)), " no longer exists after other polys were removed"}), name('p', index_of(m, p)));
-  for (const poly_t<M>& p : gone)
+  for (const poly_t<M>& p : removed)
     if (contains(m, p)) log.add("KIT6", "a removed poly still exists", name('p', index_of(m, p)));
 }
 

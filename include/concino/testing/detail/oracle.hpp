@@ -31,9 +31,9 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
             concino::core::joined({what, " differs from the same mesh converted to ", dimension_v<M> == 2 ? "polygonmesh" : "polyhedralmesh"}),
             witness);
   };
-  const auto same = [&](const char* what, const auto& elements, char letter, const auto& ours, const auto& theirs, const auto& of) {
+  const auto same = [&](const char* what, const auto& elements, char letter, const auto& values, const auto& native_values, const auto& of) {
     for (const auto x : elements)
-      if (!near(static_cast<double>(ours[x]), static_cast<double>(theirs[of(x)]))) return differ(what, name(letter, index_of(m, x)));
+      if (!near(static_cast<double>(values[x]), static_cast<double>(native_values[of(x)]))) return differ(what, name(letter, index_of(m, x)));
   };
   const auto vert_of = [&](const vert_t<M>& v) { return c.vert_of(v); };
   const auto poly_of = [&](const poly_t<M>& p) { return c.poly_of(p); };

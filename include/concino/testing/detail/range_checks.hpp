@@ -17,14 +17,14 @@ template<class M>
 void check_ranges(const M& m, concino::detail::law_log& log) {
   constexpr std::size_t enough = 500;  // elements of each kind
   for_each_adjacency(m, [&](const char* verb, char letter, const auto& all, const auto& adjacent) {
-    std::size_t asked = 0;
+    std::size_t count = 0;
     const auto elements = indices(m, all(m));
     if (indices(m, all(m)) != elements) log.add("KIT2", concino::core::joined({"the range of arguments of ", verb, " has other elements when iterated again"}), "");
     bool first = true;
     decltype(auto) walk = all(m);
     const auto end = walk.end();
     auto before = walk.begin();
-    for (auto it = walk.begin(); it != end && asked < enough; ++it, ++asked) {
+    for (auto it = walk.begin(); it != end && count < enough; ++it, ++count) {
       if (!first) {
         const auto a = *before, b = *it;
         const std::string what = concino::core::joined({verb, "(", name(letter, index_of(m, a)), ")"});

@@ -107,13 +107,13 @@ class halfedge_laws {
   /// Sorts steps_ so that steps between the same two verts are adjacent: by the larger vert, then stably by the smaller.
   void sort_steps() {
     std::vector<step> sorted(steps_.size());
-    std::vector<std::size_t> place(vs_.size() + std::size_t{1});
+    std::vector<std::size_t> next(vs_.size() + std::size_t{1});
     for (const bool by_smaller : {false, true}) {
       const auto key = [&](const step& s) { return by_smaller ? std::min(s.from, s.to) : std::max(s.from, s.to); };
-      std::fill(place.begin(), place.end(), 0);
-      for (const step& s : steps_) ++place[key(s) + std::size_t{1}];
-      for (order_index v = 0; v < vs_.size(); ++v) place[v + std::size_t{1}] += place[v];
-      for (const step& s : steps_) sorted[place[key(s)]++] = s;
+      std::fill(next.begin(), next.end(), 0);
+      for (const step& s : steps_) ++next[key(s) + std::size_t{1}];
+      for (order_index v = 0; v < vs_.size(); ++v) next[v + std::size_t{1}] += next[v];
+      for (const step& s : steps_) sorted[next[key(s)]++] = s;
       steps_.swap(sorted);
     }
   }

@@ -62,7 +62,7 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
       const order_index e = edges_of.items[k];
       const auto ends = e2v[e];
       if (ends.size() != 2) continue;  // reported at the edge
-      bool on_rim = false;
+      bool in_cycle = false;
       if (owner[ends[0]] == a && owner[ends[1]] == a) {
         const order_index i = at[ends[0]], j = at[ends[1]];
         const bool along = (i + 1) % n == j, against = (j + 1) % n == i;
@@ -70,14 +70,14 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
         if (along && walked[ends[0]] != a) {
           walked[ends[0]] = a;
           senses[k] = sense::along;
-          on_rim = true;
+          in_cycle = true;
         } else if (against && walked[ends[1]] != a) {
           walked[ends[1]] = a;
           senses[k] = sense::against;
-          on_rim = true;
+          in_cycle = true;
         }
       }
-      if (!on_rim && vs.sound)
+      if (!in_cycle && vs.sound)
         log.add(law, core::joined({a2e, args, " holds ", es.name(e), ", whose ends are not consecutive in ", a2v, args}),
                 core::joined({polygons.name(a), " ", es.name(e)}));
     }
@@ -91,13 +91,13 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
   return senses;
 }
 
-/// Checks that adj_p2p(p) are the polys that share a side (an edge or a face) with p. Stops at the first difference of each p. So a side that
+/// Checks that adj_p2p(p) are the polys that share a facet with p. Stops at the first difference of each p. So a facet that
 /// claims every poly costs no more than the size of the adjacencies read.
 template<class P, class S>
 void check_neighbours(const element_table<P>& ps, const element_table<S>& facets, const adjacency_lists& p2p, const adjacency_lists& p2s,
                       const adjacency_lists& s2p, const char* law, law_log& log) {
   std::vector<order_index> listed(ps.items.size(), no_order_index), expected(ps.items.size(), no_order_index);
-  const std::string side = facets.kind() == "edge" ? "an edge" : "a face";
+  const std::string a_facet = facets.kind() == "edge" ? "an edge" : "a face";
   for (order_index p = 0; p < ps.size() && !log.full(law); ++p) {
     for (const order_index q : p2p[p]) listed[q] = p;
     bool good = true;
@@ -114,7 +114,7 @@ void check_neighbours(const element_table<P>& ps, const element_table<S>& facets
     for (const order_index q : p2p[p]) {
       if (good && q != p && expected[q] != p) {
         good = false;
-        log.add(law, core::joined({"adj_p2p(", ps.name(p), ") holds ", ps.name(q), ", but they do not share ", side}),
+        log.add(law, core::joined({"adj_p2p(", ps.name(p), ") holds ", ps.name(q), ", but they do not share ", a_facet}),
                 core::joined({ps.name(p), " ", ps.name(q)}));
       }
     }

@@ -11,7 +11,7 @@ namespace concino::detail {
 /// The concepts do not require that adj_p2e has the order of adj_p2v, so the ends of edges are looked up by the position of verts in the polygon.
 template<class M>
 class oriented_edge_walker {
-  std::vector<std::uint64_t> place_;  // by vert index: 1 + the number of verts visited before, over all polygons
+  std::vector<std::uint64_t> position_;  // by vert index: 1 + the number of verts visited before, over all polygons
   std::uint64_t next_ = 1;
 
  public:
@@ -21,7 +21,7 @@ class oriented_edge_walker {
     bool is_degenerate() const { return verts < 3 || repeats; }
   };
 
-  explicit oriented_edge_walker(const M& m) : place_(vert_index_bound(m)) {}
+  explicit oriented_edge_walker(const M& m) : position_(vert_index_bound(m)) {}
 
   /// Calls on_vert(v, index) for each vert and on_edge(e, place_a, place_b, forward) for each edge. The places are the positions of its two ends in the
   /// polygon, counted from 0; forward says whether the polygon goes from the first end to the second.
@@ -31,8 +31,8 @@ class oriented_edge_walker {
     const std::uint64_t first = next_;
     for (const vert_t<M> v : vert_list) {
       const std::size_t i = index_of(m, v);
-      r.repeats = r.repeats || place_[i] >= first;
-      place_[i] = next_++;
+      r.repeats = r.repeats || position_[i] >= first;
+      position_[i] = next_++;
       ++r.verts;
       on_vert(v, i);
     }
@@ -40,7 +40,7 @@ class oriented_edge_walker {
       std::uint64_t at[2] = {0, 0};
       int k = 0;
       for (const vert_t<M> v : adj_e2v(m, e))
-        if (k < 2) at[k++] = place_[index_of(m, v)];
+        if (k < 2) at[k++] = position_[index_of(m, v)];
       if (at[0] < first || at[1] < first) continue;  // no edge of this polygon: a law is broken, see check_laws
       const bool forward = at[1] == at[0] + 1 || (at[1] == first && at[0] + 1 == next_);
       on_edge(e, static_cast<std::uint32_t>(at[0] - first), static_cast<std::uint32_t>(at[1] - first), forward);

@@ -75,10 +75,10 @@ class self_intersection_finder {
         low[k] = std::min(low[k], s.low(k));
         high[k] = std::max(high[k], s.high(k));
       }
-    const std::size_t along = total[0] * (high[1] - low[1]) <= total[1] * (high[0] - low[0]) ? 0 : 1, across = 1 - along;
+    const std::size_t sweep_axis = total[0] * (high[1] - low[1]) <= total[1] * (high[0] - low[0]) ? 0 : 1, other_axis = 1 - sweep_axis;
     const std::uint32_t count = static_cast<std::uint32_t>(edges_.size());
-    std::sort(edges_.begin(), edges_.end(), [along](const polygon_edge& s, const polygon_edge& t) {
-      return s.low(along) != t.low(along) ? s.low(along) < t.low(along) : s.rank < t.rank;
+    std::sort(edges_.begin(), edges_.end(), [sweep_axis](const polygon_edge& s, const polygon_edge& t) {
+      return s.low(sweep_axis) != t.low(sweep_axis) ? s.low(sweep_axis) < t.low(sweep_axis) : s.rank < t.rank;
     });
     active_.clear();
     std::size_t steps = 0;
@@ -88,8 +88,8 @@ class self_intersection_finder {
       std::size_t kept = 0;
       for (std::size_t k = 0; k < active_.size(); ++k) {
         const polygon_edge& s = edges_[active_[k]];
-        if (s.high(along) < t.low(along)) continue;
-        if (s.high(across) >= t.low(across) && t.high(across) >= s.low(across) && meet(s, t)) return pair_of(s, t);
+        if (s.high(sweep_axis) < t.low(sweep_axis)) continue;
+        if (s.high(other_axis) >= t.low(other_axis) && t.high(other_axis) >= s.low(other_axis) && meet(s, t)) return pair_of(s, t);
         active_[kept++] = active_[k];
       }
       active_.resize(kept);
@@ -123,7 +123,7 @@ class self_intersection_finder {
 
     using order = std::set<std::uint32_t, is_below>;
     order crossed(is_below{&edges_});
-    std::vector<order::iterator> place(count, crossed.end());
+    std::vector<order::iterator> position(count, crossed.end());
     found touch;
     const auto compare = [&](order::iterator lower, order::iterator upper) {
       if (!touch && meet(edges_[*lower], edges_[*upper])) touch = pair_of(edges_[*lower], edges_[*upper]);
@@ -132,14 +132,14 @@ class self_intersection_finder {
       const std::uint32_t two[] = {i == 0 ? count - 1 : i - 1, i};
       for (const std::uint32_t s : two) {
         if (edges_[s].last() != edges_[i].a) continue;
-        const auto after = crossed.erase(place[s]);
+        const auto after = crossed.erase(position[s]);
         if (after != crossed.begin() && after != crossed.end()) compare(std::prev(after), after);
       }
       for (const std::uint32_t s : two) {
         if (edges_[s].first() != edges_[i].a) continue;
         const auto [at, fresh] = crossed.insert(s);
         if (!fresh) return pair_of(edges_[s], edges_[*at]);  // collinear with another edge
-        place[s] = at;
+        position[s] = at;
         if (at != crossed.begin()) compare(std::prev(at), at);
         if (std::next(at) != crossed.end()) compare(at, std::next(at));
       }

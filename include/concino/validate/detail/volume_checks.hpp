@@ -172,10 +172,10 @@ class volume_checker {
   /// Checks the boundary. The genus of a volume is that of its boundary.
   void check_boundary() {
     const auto surface = boundary(m_);
-    const mesh_facts skin = check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&reported_edges_}, log_);
-    facts_.manifold = facts_.manifold && skin.manifold;
-    facts_.boundary_loops = skin.boundary_loops;
-    if (facts_.manifold && facts_.orientable) facts_.genus = skin.genus;
+    const mesh_facts surface_facts = check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&reported_edges_}, log_);
+    facts_.manifold = facts_.manifold && surface_facts.manifold;
+    facts_.boundary_loops = surface_facts.boundary_loops;
+    if (facts_.manifold && facts_.orientable) facts_.genus = surface_facts.genus;
   }
 
  public:
