@@ -1,4 +1,4 @@
-// iterable: containers, as far as a range-based for loop needs them.
+// iterable: the concept of types that a range-based for loop accepts.
 #pragma once
 
 namespace concino::core {

@@ -1,4 +1,4 @@
-// Construction of messages, not inline: file readers have many, and string concatenation at each would triple their compile time.
+// Joins texts and numbers into a message, by functions that are not inline: string concatenation at each message would triple the compile time of readers.
 #pragma once
 
 #include <concino/core/compiled.hpp>

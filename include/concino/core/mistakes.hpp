@@ -1,4 +1,4 @@
-// More parameter types of deleted functions that say what to write instead of a call that cannot compile. mesh_traits.hpp explains them.
+// Parameter types of deleted functions. Compilers print their template argument: a sentence that says what to write instead. See mesh_traits.hpp.
 //
 //   template<class... T> void f(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
 //

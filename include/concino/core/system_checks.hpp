@@ -1,4 +1,4 @@
-// Checks of matrices, right-hand sides and solutions that all solvers share, and whether a matrix has the pattern of the one before.
+// Checks of matrices, right-hand sides and solutions, shared by all solvers. One compares the sparsity pattern of a matrix with the previous one.
 #pragma once
 
 #include <concino/core/compiled.hpp>

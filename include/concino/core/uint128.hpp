@@ -1,4 +1,4 @@
-// An unsigned integer of 128 bits: what g++ and clang++ have built in.
+// An unsigned integer of 128 bits: the built-in type of g++ and clang++.
 #pragma once
 
 namespace concino::core {

@@ -1,5 +1,5 @@
-// The concept of a file format: a type that names the format, says what it can hold, reads it and writes it. <concino/io/off.hpp> and its
-// siblings define such types. You define a format of your own in the same way:
+// The concept of a file format: a type that names the format, says what it can hold, reads it and writes it. The formats of
+// the library, such as that of <concino/io/off.hpp>, are such types. You define a format of your own in the same way:
 //
 //   struct triangle_soup {
 //     static constexpr std::string_view name = "soup";               // in messages; different for each format

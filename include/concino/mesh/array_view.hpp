@@ -1,4 +1,4 @@
-// array_view: the type of the meshes that view_tri and its siblings return. Coordinates and the verts of polys are read from the user's arrays;
+// array_view: the type of the meshes that view_tri, view_quad and so on return. Coordinates and the verts of polys are read from the user's arrays;
 // all other adjacencies are stored in tables.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Values at the elements of a mesh, stored outside the mesh: make_vert_map<double>(m, 0.0) and its siblings for edges, faces and polys.
+// Values at the elements of a mesh, stored outside the mesh: make_vert_map<double>(m, 0.0), and the same for edges, faces and polys.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>

@@ -1,4 +1,4 @@
-// Sorts the edges of a polygon, or of a tet, into the order of the laws, for models that declare edges_in_order = false.
+// Sorts the edges of a polygon, or of a tet, into the order that the laws require, for models that declare edges_in_order = false.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>

@@ -1,5 +1,5 @@
-// The linear algebra of heat geodesics, on matrices and flat arrays only: the logarithm of heat that flows for a short time, which has a value at any
-// distance; the directions in which it flows; and the function whose gradient has these directions.
+// The linear algebra of heat geodesics, on matrices and flat arrays only. It has three steps: heat flows for a short time, and its logarithm has a value
+// at any distance; the gradient of the logarithm is normalised; the function with this gradient solves Poisson's equation.
 #pragma once
 
 #include <concino/core/residual.hpp>

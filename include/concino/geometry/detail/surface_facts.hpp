@@ -1,4 +1,4 @@
-// Facts about a whole surface that its tree needs.
+// Whether a surface is closed, and the axis along which its projected area is largest, for queries of its bounding tree.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>

@@ -1,4 +1,4 @@
-// Classes of corners around the verts of a surface. Each class becomes one vert if the surface is cut along edges.
+// Equivalence classes of the corners at each vert of a surface: corners connected through edges that are not cut. Cutting makes one vert of each class.
 #pragma once
 
 #include <concino/concepts/oriented_edges.hpp>

@@ -1,4 +1,4 @@
-// What lies between two nodes of a graph: the edge between two verts, the edge (surface) or face (volume) between two polys.
+// The element that a step of a search crosses: the edge between two verts, or the edge (surface) or face (volume) between two polys.
 // It is known if the mesh has these adjacencies; for primal(m) and dual(m), the mesh m is used.
 #pragma once
 

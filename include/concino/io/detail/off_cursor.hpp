@@ -1,4 +1,4 @@
-// Reads the beginning of an OFF file: its first word, its counts, and whether its lines have a meaning.
+// Reads the beginning of an OFF file: its first word, its counts, and whether its line breaks matter.
 #pragma once
 
 #include <concino/io/detail/off_binary.hpp>

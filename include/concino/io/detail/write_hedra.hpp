@@ -1,4 +1,4 @@
-// The writer of .hedra: volumes.
+// The writer of .hedra, Cinolib's format for volumes of any polyhedra.
 #pragma once
 
 #include <concino/io/detail/hedra_format.hpp>

@@ -1,4 +1,4 @@
-// Ranges without some of their elements, and bit masks of elements: the parts of submesh and boundary.
+// Filtered ranges and bit masks of elements, from which the views submesh and boundary are built.
 #pragma once
 
 #include <concino/concepts/views/forward.hpp>

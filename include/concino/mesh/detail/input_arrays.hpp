@@ -1,4 +1,4 @@
-// Construction of view_tri and its siblings from arrays: how an adapter describes an array type, checks of shapes and indices, tables.
+// Construction of mesh views (view_tri and so on) from arrays: the description of an array type by its adapter, checks of shapes and indices, tables.
 #pragma once
 
 #include <concino/core/error.hpp>

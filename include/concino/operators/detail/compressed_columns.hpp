@@ -1,5 +1,5 @@
 // Sparse matrices filled directly in compressed columns: entries are counted, the counts are summed to offsets, then each entry is written to its
-// place.
+// position.
 #pragma once
 
 #include <concino/core/error.hpp>
