@@ -121,7 +121,7 @@ struct no_mesh_traits {
     requires(std::is_class_v<M> && !requirement::is_adapted<M>)
   no_mesh_traits(const M&);
 };
-inline constexpr sentence include_adapter("include the adapter of the mesh's library, #include <concino/adapters/openmesh.hpp> or a sibling, or specialise concino::mesh_traits");
+inline constexpr sentence include_adapter("include the adapter of the mesh's library, such as #include <concino/adapters/openmesh.hpp>, or specialise concino::mesh_traits");
 
 /// Converts from a temporary mesh, which would no longer exist when the result is used.
 template<sentence Remedy>
