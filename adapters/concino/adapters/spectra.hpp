@@ -239,7 +239,7 @@ eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t 
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void eigenfunctions(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void eigenfunctions(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void eigenfunctions(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void eigenfunctions(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: a point at each vert, or with_points(m, map)
 

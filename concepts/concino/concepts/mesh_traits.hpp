@@ -42,7 +42,7 @@ namespace requirement {
 
 // A comment on the same line, since compilers print that line in their message.
 template<class M>
-concept is_adapted = !std::is_base_of_v<no_traits, traits<M>>;  // else include <concino/adapters/openmesh.hpp> or a sibling, or specialise mesh_traits
+concept is_adapted = !std::is_base_of_v<no_traits, traits<M>>;  // else include <concino/adapters/openmesh.hpp> or another adapter, or specialise mesh_traits
 // The most common reason is a missing adapter.
 struct adapted_requirement {
   template<class M> static constexpr bool holds = is_adapted<M>;
@@ -141,7 +141,7 @@ namespace detail {
 
 /// The common base class of the verbs.
 struct verb {
-  void operator()(mistake::no_mesh_traits<mistake::include_adapter>, ...) const = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+  void operator()(mistake::no_mesh_traits<mistake::include_adapter>, ...) const = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 };
 
 }  // namespace detail

@@ -1,6 +1,6 @@
 // Parameter types of deleted functions. Compilers print their template argument: a sentence that says what to write instead. See mesh_traits.hpp.
 //
-//   template<class... T> void f(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+//   template<class... T> void f(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 //
 // The pack accepts explicit template arguments, as in f<vec3>(m), and `...` accepts any other arguments, braces too.
 #pragma once

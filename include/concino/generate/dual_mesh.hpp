@@ -83,7 +83,7 @@ polyhedralmesh dual_mesh(const M& m, const dual_mesh_options& options = {}) {
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void dual_mesh(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void dual_mesh(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void dual_mesh(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -143,6 +143,6 @@ M make_grid(const grid_options& options = {}) {
 // What to write instead of calls that cannot compile.
 template<class M, class R = mistake::remedy<mistake::include_adapter>>
   requires(!requirement::is_adapted<M>)
-M make_grid(...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+M make_grid(...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 
 }  // namespace concino

@@ -39,6 +39,6 @@ template<VolumeMesh M, class Visit>
 void for_each_outer_polygon(const M& m, const vert_t<M>& v, const Visit& visit) { detail::visit_outer_faces(m, adj_v2f(m, v), visit); }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void for_each_outer_polygon(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void for_each_outer_polygon(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 
 }  // namespace concino

@@ -58,6 +58,6 @@ std::vector<edge_walk<M>> homology_generators(const M& m, const homology_options
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void homology_generators(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void homology_generators(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 
 }  // namespace concino

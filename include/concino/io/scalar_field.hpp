@@ -63,8 +63,8 @@ vert_map<M, double> load_field(M&& m, const std::string& path) {
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void save_field(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
-template<class... T> void load_field(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void save_field(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void load_field(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void load_field(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
   requires(PrimalGraph<M> && !requirement::gives_numbers<U, vert_t<M>>)

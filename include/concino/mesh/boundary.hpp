@@ -167,6 +167,6 @@ template<VolumeMesh M, class R = mistake::remedy<mistake::name_the_mesh>>
 void boundary(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 // What to write instead of calls that cannot compile.
-template<class... T> void boundary(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void boundary(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 
 }  // namespace concino

@@ -122,6 +122,6 @@ template<AnyMesh M, class Keep, class R = mistake::remedy<mistake::name_the_mesh
 void submesh(const M&& m, const Keep& keep) = delete;  // give the mesh a name: auto m = ...;
 
 // What to write instead of calls that cannot compile.
-template<class... T> void submesh(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void submesh(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 
 }  // namespace concino

@@ -80,7 +80,7 @@ poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& op
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void ambient_occlusion(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void ambient_occlusion(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void ambient_occlusion(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void ambient_occlusion(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 

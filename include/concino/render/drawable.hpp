@@ -127,7 +127,7 @@ drawable make_drawable(const M& m, const U& u, const drawable_options& options =
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void make_drawable(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or a sibling
+template<class... T> void make_drawable(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void make_drawable(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
   requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
