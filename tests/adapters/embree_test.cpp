@@ -26,7 +26,7 @@ triangle_soup random_soup(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("Embree has the same hits as brute force") {
+TEST_CASE("embree: hits equal those of brute force") {
   const triangle_soup soup = random_soup(60);
   const auto fast = embree{}.build(soup);
   const auto slow = brute_force{}.build(soup);
@@ -51,7 +51,7 @@ TEST_CASE("Embree has the same hits as brute force") {
   CHECK(differ <= 4);
 }
 
-TEST_CASE("an empty scene has no hits, and casters can be moved") {
+TEST_CASE("embree: an empty scene has no hits, and ray casters can be moved") {
   const auto empty = embree{}.build({});
   CHECK(!empty.intersect({0, 0, 5}, {0, 0, -1}, 0, 1e30));
   CHECK(!empty.occluded({0, 0, 5}, {0, 0, -1}, 0, 1e30));
@@ -64,11 +64,11 @@ TEST_CASE("an empty scene has no hits, and casters can be moved") {
   CHECK(hit.v == doctest::Approx(0.5));
 }
 
-TEST_CASE("casters can be created and destroyed repeatedly") {
+TEST_CASE("embree: ray casters can be created and destroyed repeatedly") {
   for (int i = 0; i < 20; ++i) CHECK(embree{}.build(random_soup(2)).occluded({0, 0, 9}, {0, 0, 1}, 0, 1) == false);
 }
 
-TEST_CASE_TEMPLATE("pictures by Embree look like those by brute force", M, CONCINO_KINDS) {
+TEST_CASE_TEMPLATE("embree: pictures look like those by brute force", M, CONCINO_KINDS) {
   const drawable d = make_drawable(testing::grid<M>(2));
   const render_options o{.width = 40, .height = 30, .samples = 2, .sky_rays = 8};
   const camera c = frame({&d, 1}, 4.0 / 3);

@@ -29,7 +29,7 @@ static_assert(cn::TetMesh<const tets&> && !cn::HexMesh<tets> && !cn::QuadMesh<te
 // The dimension decides: a surface may have faces too.
 static_assert(models_in_all_forms<flat>(cn::testing::surface | cn::testing::embedded));
 
-TEST_CASE("the faces of a volume are oriented outward") {
+TEST_CASE("face_is_outward: is right for the faces of a user's volume") {
   cn::explain_volume_mesh<user_mesh::volume>();
   const user_mesh::volume w = user_mesh::volume_example();
   int outward = 0;

@@ -242,14 +242,14 @@ TEST_CASE("harmonic_map: works at edges with three polys and verts with two fans
   check(cotangent);
 }
 
-TEST_CASE_TEMPLATE("harmonic_map, standard: equals a dense solution, for all exponents", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map, virtual elements: equals a dense solution, for all exponents", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const vert_id a{0}, b{static_cast<unsigned>(num_verts(m) - 1)}, c{3};
   for (const int n : {1, 2, 3})
     CHECK(distance_to_dense(m, {{a, -2}, {b, 5}, {c, 7.25}}, virtual_elements, n) < (n == 1 ? 1e-12 : n == 2 ? 1e-9 : 1e-6));
 }
 
-TEST_CASE_TEMPLATE("harmonic_map, standard: reproduces linear functions, whatever the polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("harmonic_map, virtual elements: reproduces linear functions, whatever the polys", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.03, VolumeMesh<M>));
   values given;
   const auto f = [](const vec3& x) { return 1 + x.x + 2 * x.y - x.z; };

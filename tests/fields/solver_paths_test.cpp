@@ -1,4 +1,4 @@
-// Every solver passes the checks of special problems.
+// Every solver handles small, singular and indefinite systems, and isolated verts.
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/bicgstab.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
@@ -11,13 +11,13 @@
 
 using namespace solver_paths;
 
-TEST_CASE("ldlt: passes the checks of special problems") { check_all(any_solver::make<ldlt>(), indefinite::solved); }
-TEST_CASE("llt: passes the checks of special problems") { check_all(any_solver::make<llt>(), indefinite::refused); }
-TEST_CASE("lu: passes the checks of special problems") { check_all(any_solver::make<lu>(), indefinite::solved); }
-TEST_CASE("qr: passes the checks of special problems") { check_all(any_solver::make<qr>(), indefinite::solved); }
-TEST_CASE("conjugate_gradients: passes the checks of special problems") { check_all(any_solver::make<conjugate_gradients>(), indefinite::either); }
-TEST_CASE("bicgstab: passes the checks of special problems") { check_all(any_solver::make<bicgstab>(), indefinite::either); }
-TEST_CASE("auto_solver: by factorisation passes the checks of special problems") { check_all(any_solver::make<auto_solver>(), indefinite::solved); }
-TEST_CASE("auto_solver: by iteration passes the checks of special problems") {  // a triangle is still factorised
+TEST_CASE("ldlt: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<ldlt>(), indefinite::solved); }
+TEST_CASE("llt: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<llt>(), indefinite::refused); }
+TEST_CASE("lu: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<lu>(), indefinite::solved); }
+TEST_CASE("qr: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<qr>(), indefinite::solved); }
+TEST_CASE("conjugate_gradients: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<conjugate_gradients>(), indefinite::either); }
+TEST_CASE("bicgstab: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<bicgstab>(), indefinite::either); }
+TEST_CASE("auto_solver: by factorisation handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<auto_solver>(), indefinite::solved); }
+TEST_CASE("auto_solver: by iteration handles small, singular and indefinite systems, and isolated verts") {  // a triangle is still factorised
   check_all(any_solver::make<auto_solver>(auto_solver_options{.max_factor_entries = 10}), indefinite::either);
 }

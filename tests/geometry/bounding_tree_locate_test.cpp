@@ -37,7 +37,7 @@ vec3 turned(const vec3& x) { return {0.36 * x.x + 0.48 * x.y - 0.8 * x.z, -0.8 *
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("volumes: every point of a jittered grid is in one poly, which contains it", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("locate: every point of a jittered grid is in the only poly with winding number 1", M, CONCINO_VOLUME_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.06));
   const auto tree = bounding_tree(m);
   std::vector<std::vector<corners3>> skins;
@@ -58,7 +58,7 @@ TEST_CASE_TEMPLATE("volumes: every point of a jittered grid is in one poly, whic
   }
 }
 
-TEST_CASE_TEMPLATE("volumes: a point on a vert, edge or face is in one of its polys", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("locate: a point on a vert, edge or face of a volume is in one of its polys", M, CONCINO_VOLUME_KINDS) {
   for (const double jitter : {0.0, 0.06}) {
     const M m(jittered(grid_arrays<M>(4), jitter));
     const auto tree = bounding_tree(m);
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("volumes: a point on a vert, edge or face is in one of its po
   }
 }
 
-TEST_CASE_TEMPLATE("volumes: points on a regular grid are in every poly exactly once", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("locate: finds a poly for exactly the points inside a regular grid and on its boundary", M, CONCINO_VOLUME_KINDS) {
   const M m = grid<M>(2);
   const auto tree = bounding_tree(m);
   for (int i = -1; i <= 9; ++i)
@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("volumes: points on a regular grid are in every poly exactly 
       }
 }
 
-TEST_CASE_TEMPLATE("planar surfaces: every point is in one polygon, also with an axis in the plane", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("locate: every point of a planar surface is in one polygon, also with an axis in the plane", M, CONCINO_SURFACE_KINDS) {
   auto arrays = jittered(grid_arrays<M>(4), 0.04, false);
   for (const bool turn : {false, true}) {
     if (turn)
@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE("planar surfaces: every point is in one polygon, also with an
   }
 }
 
-TEST_CASE_TEMPLATE("surfaces: locate finds the polygon above or below a point, the nearest of several", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("locate: finds the nearest polygon above or below a point", M, CONCINO_SURFACE_KINDS) {
   auto arrays = grid_arrays<M>(4);
   const M flat(arrays);
   for (vec3& x : arrays.points) x.z = 0.5 * x.x * x.y;
@@ -150,7 +150,7 @@ TEST_CASE_TEMPLATE("surfaces: locate finds the polygon above or below a point, t
   CHECK(stairs.locate({0.25, 0.25, 1.6}) == poly_id{1});
 }
 
-TEST_CASE("surfaces: locate works along each axis") {
+TEST_CASE("locate: works along each axis") {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     auto arrays = polygon_grid(2);
     for (vec3& x : arrays.points) {
@@ -169,7 +169,7 @@ TEST_CASE("surfaces: locate works along each axis") {
   }
 }
 
-TEST_CASE_TEMPLATE("closed surfaces: voxels are inside, also if rays pass along faces, edges and verts", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("is_inside: is right for voxels, also if rays pass along faces, edges and verts", M, CONCINO_SURFACE_KINDS) {
   std::set<voxel> voxels;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
@@ -193,7 +193,7 @@ TEST_CASE_TEMPLATE("closed surfaces: voxels are inside, also if rays pass along 
       }
 }
 
-TEST_CASE("nested closed surfaces: all is inside by winding numbers, the inner one is outside by parity") {
+TEST_CASE("is_inside: a point inside nested surfaces is inside by winding number, outside by parity") {
   surface_arrays nested = voxel_skin({{0, 0, 0}});
   const surface_arrays inner = nested;
   for (vec3& x : nested.points) x = 4 * x - vec3{1.5, 1.5, 1.5};
@@ -207,14 +207,14 @@ TEST_CASE("nested closed surfaces: all is inside by winding numbers, the inner o
   CHECK(!tree.is_inside({0.5, 0.5, 3}));
 }
 
-TEST_CASE("open surfaces: is_inside throws") {
+TEST_CASE("is_inside: throws if the surface is open") {
   const trimesh m = grid<trimesh>(2);
   const auto tree = bounding_tree(m);
   CHECK_THROWS_AS(tree.is_inside({0.5, 0.5, 1}), invalid_mesh);
   CHECK(tree.locate({0.5, 0.5, 1}));
 }
 
-TEST_CASE_TEMPLATE("the inside of the boundary of a volume is the volume", M, CONCINO_VOLUME_KINDS) {
+TEST_CASE_TEMPLATE("is_inside: the inside of the boundary of a volume is the volume", M, CONCINO_VOLUME_KINDS) {
   const M m = grid<M>(3);
   const auto skin = boundary(m);
   const auto tree = bounding_tree(m);
@@ -227,7 +227,7 @@ TEST_CASE_TEMPLATE("the inside of the boundary of a volume is the volume", M, CO
   }
 }
 
-TEST_CASE("inverted polys: locate finds them too") {
+TEST_CASE("locate: finds inverted polys too") {
   const tetmesh t({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1, 3}});
   CHECK(bounding_tree(t).locate({0.1, 0.1, 0.1}) == poly_id{0});
   const hexmesh h({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{4, 5, 6, 7, 0, 1, 2, 3}});

@@ -49,7 +49,7 @@ TEST_CASE("property maps: readable and writable maps of Boost are maps") {
   CHECK(!m[2]);
 }
 
-TEST_CASE("property maps: lvalue maps and arrays are maps") {
+TEST_CASE("property maps: lvalue maps and arrays can be read and written") {
   std::map<std::string, double> values;
   const auto m = as_map(boost::make_assoc_property_map(values));
   m["a"] = 2;

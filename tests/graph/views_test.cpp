@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE("searches work on the primal and the dual view", M, cn::polyg
   }
 }
 
-TEST_CASE("lengths are those of the points of a view") {
+TEST_CASE("with_points: lengths are distances between the points of the map") {
   const auto m = cn::testing::grid<cn::trimesh>(2);
   struct stretched {
     const cn::trimesh* m;
@@ -43,7 +43,7 @@ TEST_CASE("lengths are those of the points of a view") {
   for (auto v : cn::verts(m)) CHECK(far[v] == doctest::Approx(3 * d[v]));
 }
 
-TEST_CASE("paths stay inside a submesh and on a surface") {
+TEST_CASE("bfs: reaches exactly the elements of a boundary view and of a submesh") {
   const auto m = cn::testing::grid<cn::hexmesh>(3);
   const auto skin = cn::boundary(m);
   const auto on_skin = cn::bfs(skin, cn::vert_id{0});

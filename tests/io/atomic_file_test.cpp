@@ -154,7 +154,7 @@ TEST_CASE("atomic_file: names may be as long as the system allows") {
                        io_error);
 }
 
-TEST_CASE("atomic_file: a path with a character of value 0 is an io_error") {
+TEST_CASE("atomic_file: a path with a null character is an io_error") {
   const temporary_folder dir;
   const auto with_zero = [&](const std::string& rest) { return dir / (std::string("a\0", 2) + rest); };
   const std::string message = (dir / "a\\0.obj") + ": a path cannot contain a null character";

@@ -117,7 +117,7 @@ TEST_CASE("format: the extension or the options choose from a list") {
   CHECK_THROWS_AS(save(triangle, dir / "a.obj", format_list<>{}), unsupported);
 }
 
-TEST_CASE("format: throws if it cannot hold the mesh or has no binary form") {
+TEST_CASE("format: throws if it cannot hold the mesh or be written in binary") {
   const temporary_folder dir;
   CHECK_THROWS_WITH_AS(save_text(tet, soup_format{}), "text: .soup cannot hold volumes; save it as .mesh or .hedra", unsupported);
   CHECK_THROWS_WITH_AS(save_text(triangle, soup_format{}, {.binary = true}), "text: .soup cannot be written in binary; use binary = false", unsupported);

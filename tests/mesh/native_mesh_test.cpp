@@ -93,7 +93,7 @@ TEST_CASE_TEMPLATE("native meshes: keep the order of verts in polys", M, cn::tri
   }
 }
 
-TEST_CASE("the polys around an edge: rings and open fans are right") {
+TEST_CASE("adj_e2p: closed and open fans of tets are right") {
   // Each entry is a ring (closed) or fan (open) of that many tets around the edge 0-1.
   struct fan { unsigned tets; bool closed; };
   const std::vector<std::vector<fan>> cases = {{{3, true}},           {{5, true}},           {{6, true}},           {{7, true}},
@@ -121,7 +121,7 @@ TEST_CASE("the polys around an edge: rings and open fans are right") {
   }
 }
 
-TEST_CASE("the polys around an edge: are right for very many polys that share only this edge") {
+TEST_CASE("adj_e2p: is right for very many polys that share only this edge") {
   constexpr unsigned n = 4000;
   std::vector<std::array<unsigned, 4>> tets;
   for (unsigned i = 0; i < n; ++i) tets.push_back({0, 1, 2 + 2 * i, 3 + 2 * i});
@@ -129,7 +129,7 @@ TEST_CASE("the polys around an edge: are right for very many polys that share on
   CHECK(raw_set(cn::adj_e2p(m, *cn::adj_v2e(m, cn::vert_id{0}).begin())).size() == n);
 }
 
-TEST_CASE("the polys around an edge: are right if polys are equal") {
+TEST_CASE("adj_e2p: is right if polys are equal") {
   const cn::tetmesh m(std::vector<cn::vec3>(8), std::vector<std::array<unsigned, 4>>{{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 4, 5}, {0, 1, 5, 6}, {0, 1, 6, 7}, {0, 1, 7, 4}});
   for (const auto e : cn::edges(m))
     if (raw_set(cn::adj_e2v(m, e)) == std::set<unsigned>{0, 1}) CHECK(raw_set(cn::adj_e2p(m, e)).size() == 6);

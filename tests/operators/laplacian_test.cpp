@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("laplacian, uniform: runs on the archetype of a primal graph"
   CHECK(Eigen::MatrixXd(laplacian(only_primal_graph(m), uniform)) == Eigen::MatrixXd(l));
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: is the default; its kernel is the constants of each component", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, virtual elements: is the default; its kernel is the constants of each component", M, CONCINO_ALL_KINDS) {
   const M m(jittered(two_grids_arrays<M>(2), 0.04, VolumeMesh<M>));
   const auto l = laplacian(m);
   check_is_laplacian(m, l, 1e-13);
@@ -83,7 +83,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: is the default; its kernel is the const
   CHECK((l - laplacian(m, virtual_elements)).norm() == 0);
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: linear functions are harmonic at interior verts, for any polys", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, virtual elements: linear functions are harmonic at interior verts, for any polys", M, CONCINO_ALL_KINDS) {
   const M m(jittered(grid_arrays<M>(3), 0.03, VolumeMesh<M>));
   const auto l = laplacian(m);
   Eigen::VectorXd f(l.rows());
@@ -100,7 +100,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: linear functions are harmonic at interi
   CHECK(interior > 0);
 }
 
-TEST_CASE("laplacian, standard: is right for more polys than one chunk") {
+TEST_CASE("laplacian, virtual elements: is right for more polys than one chunk") {
   const quadmesh m(jittered(quad_grid(33), 0.005, false));
   REQUIRE(num_polys(m) > 1024);
   const auto l = laplacian(m);
@@ -113,7 +113,7 @@ TEST_CASE("laplacian, standard: is right for more polys than one chunk") {
   CHECK(f.dot(lf) == doctest::Approx(-13 * total_measure(m)).epsilon(1e-11));
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: equals the cotangent Laplacian if all polys are triangles or tets", M, trimesh, tetmesh) {
+TEST_CASE_TEMPLATE("laplacian, virtual elements: equals the cotangent Laplacian if all polys are triangles or tets", M, trimesh, tetmesh) {
   const auto arrays = jittered(grid_arrays<M>(2), 0.05);
   const M m(arrays);
   const Eigen::MatrixXd expected = laplacian(m, cotangent);
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: equals the cotangent Laplacian if all p
     CHECK((Eigen::MatrixXd(laplacian(polyhedralmesh(to_polyhedra(cell_arrays(arrays))))) - expected).cwiseAbs().maxCoeff() < 1e-13);
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: scales exactly as lengths to the dimension minus two", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, virtual elements: scales exactly as lengths to the dimension minus two", M, CONCINO_ALL_KINDS) {
   auto arrays = jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>);
   const auto original = arrays.points;
   const auto l = Eigen::MatrixXd(laplacian(M(arrays)));
@@ -139,7 +139,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: scales exactly as lengths to the dimens
   }
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: is the same on the archetype, and works with gaps in the indices", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, virtual elements: is the same on the archetype, and works with gaps in the indices", M, CONCINO_ALL_KINDS) {
   M m(jittered(grid_arrays<M>(3), 0.02, VolumeMesh<M>));
   const auto same_on_archetype = [&] {
     const auto l = laplacian(m);
@@ -160,7 +160,7 @@ TEST_CASE_TEMPLATE("laplacian, standard: is the same on the archetype, and works
   CHECK(laplacian(m).col(static_cast<Eigen::Index>(gone.raw())).nonZeros() == 0);
 }
 
-TEST_CASE_TEMPLATE("laplacian, standard: the error names polys without a measure and points that are NaN", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("laplacian, virtual elements: the error names polys without a measure and points that are NaN", M, CONCINO_ALL_KINDS) {
   auto arrays = grid_arrays<M>(1);
   auto flat = arrays;
   for (vec3& x : flat.points) x.y = x.z = 0;

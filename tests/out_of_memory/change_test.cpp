@@ -62,7 +62,7 @@ void leaks_nothing(const F& made) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("moving meshes, tables and maps allocates nothing", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("meshes, tables and maps: moving allocates nothing", M, CONCINO_ALL_KINDS) {
   using tables = std::remove_cvref_t<decltype(std::declval<M&>().tables())>;
   static_assert(std::is_nothrow_move_constructible_v<M> && std::is_nothrow_move_assignable_v<M> && std::is_nothrow_swappable_v<M>);
   static_assert(std::is_nothrow_move_constructible_v<tables> && std::is_nothrow_move_assignable_v<tables>);

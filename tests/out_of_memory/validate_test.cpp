@@ -47,18 +47,18 @@ struct concino::mesh_traits<forgetful> : concino::indexed_surface<forgetful> {
   }
 };
 
-TEST_CASE_TEMPLATE("check_laws passes on its own std::bad_alloc", M, cn::trimesh, cn::polygonmesh, cn::tetmesh, cn::polyhedralmesh) {
+TEST_CASE_TEMPLATE("check_laws: its own std::bad_alloc reaches the caller", M, cn::trimesh, cn::polygonmesh, cn::tetmesh, cn::polyhedralmesh) {
   const M m = cn::testing::grid<M>(1);
   gives_the_same_or_throws([&] { return texts(cn::check_laws(m)); });
 }
 
-TEST_CASE("check_laws of a broken mesh passes on its own std::bad_alloc") {
+TEST_CASE("check_laws: its own std::bad_alloc reaches the caller, also for a broken mesh") {
   const forgetful m{cn::testing::grid<cn::trimesh>(2)};
   CHECK(cn::check_laws(m).size() > 4);
   gives_the_same_or_throws([&] { return texts(cn::check_laws(m)); });
 }
 
-TEST_CASE_TEMPLATE("validate passes on its own std::bad_alloc", M, cn::polygonmesh, cn::tetmesh) {
+TEST_CASE_TEMPLATE("validate: its own std::bad_alloc reaches the caller", M, cn::polygonmesh, cn::tetmesh) {
   M m = cn::testing::grid<M>(1);
   cn::traits<M>::set_point(m, cn::vert_id{0}, cn::point(m, cn::vert_id{1}));
   gives_the_same_or_throws([&] {
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("validate passes on its own std::bad_alloc", M, cn::polygonme
   });
 }
 
-TEST_CASE("conformance passes on its own std::bad_alloc") {
+TEST_CASE("conformance: its own std::bad_alloc reaches the caller") {
   using M = cn::trimesh;
   const auto f = [] { return cn::conformance([] { return cn::testing::grid<M>(1); }, {.algorithms = false}).text(); };
   const std::string expected = f();

@@ -1,4 +1,4 @@
-// Checks that any solver must pass on special problems: a small and a large component, all verts prescribed or none, a vert without edges, and
+// Checks that any solver must pass: fields with a small and a large component, all verts prescribed or none, a vert without edges, and
 // matrices that are singular, indefinite or contain NaN.
 #pragma once
 

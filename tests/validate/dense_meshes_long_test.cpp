@@ -59,7 +59,7 @@ constexpr unsigned n = 150000;
 
 }  // namespace
 
-TEST_CASE("time is proportional to the mesh: tets and hexes") {
+TEST_CASE("dense meshes: tets and hexes take time proportional to the mesh") {
   const times usual = times_of([] { return apart(n, 4).mesh<tetmesh>(); });
   is_in_proportion("tets around an edge", times_of([] { return tets_around_an_edge(n).mesh<tetmesh>(); }), usual, 20);
   is_in_proportion("tets on an edge", times_of([] { return tets_on_an_edge(n).mesh<tetmesh>(); }), usual, 20);
@@ -71,7 +71,7 @@ TEST_CASE("time is proportional to the mesh: tets and hexes") {
   is_in_proportion("hexes around an edge", times_of([] { return hexes_around_an_edge(n / 2).mesh<hexmesh>(); }), usual, 20);
 }
 
-TEST_CASE("time is proportional to the mesh: polyhedra") {
+TEST_CASE("dense meshes: polyhedra take time proportional to the mesh") {
   const times usual = times_of([] { return as_polyhedra(apart(n, 4)); });
   is_in_proportion("tets around an edge", times_of([] { return as_polyhedra(tets_around_an_edge(n)); }), usual, 20);
   is_in_proportion("tets on an edge", times_of([] { return as_polyhedra(tets_on_an_edge(n)); }), usual, 20);
@@ -89,7 +89,7 @@ TEST_CASE("time is proportional to the mesh: polyhedra") {
   is_in_proportion("polys of a large face", refused, usual, 20);
 }
 
-TEST_CASE("time is proportional to the mesh: surfaces") {
+TEST_CASE("dense meshes: surfaces take time proportional to the mesh") {
   const times usual = times_of([] { return apart(n, 3).mesh<polygonmesh>(); });
   is_in_proportion("a polygon", times_of([] { return equal_polygons(3 * n, 1, false).mesh<polygonmesh>(); }), usual, 20);
   is_in_proportion("equal polygons", times_of([] { return equal_polygons(n, 3, false).mesh<polygonmesh>(); }), usual, 20);
@@ -100,7 +100,7 @@ TEST_CASE("time is proportional to the mesh: surfaces") {
   is_in_proportion("comb", times_of([] { return comb(n).mesh<polygonmesh>(); }), usual, 60);
 }
 
-TEST_CASE("time of check_laws is proportional to the lists that it reads, even if these are quadratic") {
+TEST_CASE("dense meshes: the time of check_laws is proportional to the lists that it reads, even if these are quadratic") {
   constexpr unsigned k = 1600;  // k^2 neighbours
   const times usual = times_of([] { return apart(k * k / 16, 3).mesh<trimesh>(); });
   is_in_proportion("equal triangles", times_of([] { return equal_triangles(k).mesh<trimesh>(); }), usual, 20);

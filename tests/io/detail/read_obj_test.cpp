@@ -250,7 +250,7 @@ TEST_CASE("read_obj: numbers do not depend on the locale") {
   if (set) std::setlocale(LC_ALL, "C");
 }
 
-TEST_CASE("read_obj: names longer than 1,000 bytes are cut; labels distinguish them by their full length") {
+TEST_CASE("read_obj: names longer than 1,000 bytes are truncated; labels distinguish them by their full length") {
   const std::string a(1000, 'a');
   load_report r;
   const auto m = load_text<polygonmesh>("v 0 0 0\nv 1 0 0\nv 0 1 0\ng " + a + "\nf 1 2 3\ng " + a + "b\nf 1 2 3\ng " + a + "c\nf 1 2 3\n",
