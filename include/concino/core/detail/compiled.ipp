@@ -1,4 +1,4 @@
-// The symbol for the flags of the library; see compiled.hpp.
+// The linker symbol whose name encodes the compile flags of the library; see compiled.hpp.
 #pragma once
 
 #include <concino/core/compiled.hpp>
