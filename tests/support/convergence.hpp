@@ -6,7 +6,6 @@
 #include <concino/operators.hpp>
 #include <concino/operators/de_goes.hpp>
 #include <concino/operators/virtual_refinement.hpp>
-#include <concino/solve/conjugate_gradients.hpp>
 
 #include <support/convergence_families.hpp>
 #include <support/convergence_table.hpp>
@@ -39,43 +38,9 @@ inline void multiply(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd
   }
 }
 
-/// Conjugate gradients with diagonal preconditioner, for systems that take too long to factorise. Only the lower triangle is read.
-class conjugate_gradients {
-  double tolerance_;  // of the residual, relative to the right-hand side
-  Eigen::SparseMatrix<double> a_;
-  Eigen::VectorXd inverse_diagonal_;
-
- public:
-  explicit conjugate_gradients(double tolerance) : tolerance_(tolerance) {}
-
-  void factorize(const Eigen::SparseMatrix<double>& a) {
-    a_ = a;
-    inverse_diagonal_.resize(a.cols());
-    for (Eigen::Index i = 0; i < a.cols(); ++i) inverse_diagonal_[i] = 1 / a.coeff(i, i);
-  }
-
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size()), r = b, z = inverse_diagonal_.cwiseProduct(r), p = z, q(b.size());
-    double rz = r.dot(z);
-    const double enough = tolerance_ * b.norm();
-    for (int k = 0; r.norm() > enough; ++k) {
-      if (k == 20000) throw solver_error("conjugate gradients: 20000 steps are not enough");
-      multiply(a_, p, q);
-      const double step = rz / p.dot(q);
-      x += step * p;
-      r -= step * q;
-      z = inverse_diagonal_.cwiseProduct(r);
-      const double next = r.dot(z);
-      p = z + (next / rz) * p;
-      rz = next;
-    }
-    return x;
-  }
-};
-
 /// A smooth function without symmetries and, since it is an eigenfunction, its Laplacian: -lap u = load u.
 template<int D>
-struct smooth {
+struct smooth_problem {
   static constexpr double load = D == 2 ? 3 : 4;
   static double value(const vec3& x) { return std::exp(x.x) * std::cos(2 * x.y) * (D == 2 ? 1 : std::sin(x.z + 1)); }
   static vec3 gradient(const vec3& x) {
@@ -95,7 +60,7 @@ vert_map<M, double> at_verts(const M& m, const F& f) {
 /// The L2 norm of the error of the gradient per poly of a smooth function, integrated by the mean over the verts.
 template<class M>
 double gradient_error(const M& m) {
-  using problem = smooth<dimension_v<M>>;
+  using problem = smooth_problem<dimension_v<M>>;
   const auto g = gradient(m, at_verts(m, problem::value));
   double sum = 0;
   for (const auto p : polys(m)) {
@@ -113,7 +78,7 @@ double gradient_error(const M& m) {
 /// The L2 norm, by the lumped mass, of the error of a Poisson problem with known solution, which is prescribed on the boundary.
 template<class M, class Which, class Solver>
 double poisson_error(const M& m, const Which& which, Solver&& solver) {
-  using problem = smooth<dimension_v<M>>;
+  using problem = smooth_problem<dimension_v<M>>;
   const auto exact = at_verts(m, problem::value);
   const auto f = at_verts(m, [](const vec3& x) { return problem::load * problem::value(x); });
   const auto on_boundary = boundary_verts(m);

@@ -19,7 +19,7 @@ void check_convergence_of() {
   for (const family f : families<M>()) {
     const auto rows = measure_convergence<M>(f, 2, [](double tolerance) {
       if constexpr (dimension_v<M> == 2) return static_cast<void>(tolerance), ldlt();
-      else return conjugate_gradients(tolerance);
+      else return conjugate_gradients({.tolerance = tolerance});
     });
     for (const convergence_row& row : rows) {
       CAPTURE(row.what);
