@@ -182,7 +182,7 @@ TEST_CASE("heat_flow: throws on invalid arguments, and reports progress") {
   CHECK_THROWS_AS(heat_flow(m, u, INFINITY), invalid_argument);
   CHECK_THROWS_AS(heat_flow(m, u, NAN), invalid_argument);
   CHECK_THROWS_WITH_AS(heat_flow(m, u, 1, {.steps = 0}), "heat_flow: steps is 0; it must be 1 or more", invalid_argument);
-  CHECK_THROWS_WITH_AS(heat_flow(m, u, 1, {.fixed = {vert_id{9}}}), doctest::Contains("no vert of the mesh"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(heat_flow(m, u, 1, {.fixed = {vert_id{9}}}), doctest::Contains("not a vert of the mesh"), invalid_mesh);
   const polygonmesh quads({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
   CHECK_THROWS_AS(heat_flow(quads, make_vert_map<double>(quads), 1, cotangent), unsupported);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});

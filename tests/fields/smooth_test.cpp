@@ -203,7 +203,7 @@ TEST_CASE("smooth: throws on invalid arguments, and reports progress") {
   CHECK_THROWS_AS(smooth(m, f, INFINITY), invalid_argument);
   CHECK_THROWS_AS(smooth(m, f, NAN), invalid_argument);
   CHECK_THROWS_WITH_AS(smooth(m, f, 1, {.exponent = 0}), "smooth: exponent is 0; it must be 1 or more", invalid_argument);
-  CHECK_THROWS_WITH_AS(smooth(m, f, 1, {.fixed = {vert_id{9}}}), doctest::Contains("no vert of the mesh"), invalid_mesh);
+  CHECK_THROWS_WITH_AS(smooth(m, f, 1, {.fixed = {vert_id{9}}}), doctest::Contains("not a vert of the mesh"), invalid_mesh);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}});
   CHECK_THROWS_AS(smooth(flat, make_vert_map<double>(flat), 1), invalid_mesh);
   f[vert_id{4}] = INFINITY;

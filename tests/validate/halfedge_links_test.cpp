@@ -216,7 +216,7 @@ TEST_CASE("half-edge links: the cause is a wrong link") {
         [](student& m) { m.of_edge[1] = m.of_edge[0]; });
   wrong("HE4", "vert 4: is_isolated is true, but half-edges leave it", [](student& m) { m.of_vert[4] = -1; });
   wrong("HE4", "vert 4: stepping from halfedge_of to next(opposite(h)) leads to a half-edge that leaves another vert", [](student& m) { m.of_vert[4] = 0; });
-  wrong("HE1", "the half-edges throw: vector::_M_range_check: __n (which is 18446744073709551615) >= this->size() (which is " +
+  wrong("HE1", "a function of the half-edges throws: vector::_M_range_check: __n (which is 18446744073709551615) >= this->size() (which is " +
                    std::to_string(student(7, strip).halves.size()) + ")",
         [](student& m) { m.halves[1].next = -1; });
 }

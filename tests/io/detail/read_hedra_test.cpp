@@ -122,7 +122,7 @@ TEST_CASE("read_hedra: throws if a large face belongs to too many polyhedra") {
     return s;
   };
   CHECK(hedra(crowded(1104, 980)).num_polys() == 980);
-  CHECK_THROWS_WITH_AS(hedra(crowded(1104, 981)), doctest::Contains("t.hedra: faces of many verts belong to so many polys"), unsupported);
+  CHECK_THROWS_WITH_AS(hedra(crowded(1104, 981)), doctest::Contains("t.hedra: large faces belong to so many polys"), unsupported);
   CHECK_THROWS_AS(hedra<cell_arrays>(crowded(1104, 981)), unsupported);
 }
 
