@@ -1,7 +1,8 @@
 # concino_batches compiles several test files together. Most of the time that a test file takes is spent on headers and on templates that the tests of
 # a folder have in common, and a batch compiles these once.
 option(CONCINO_TEST_BATCHES "Compile the tests a batch of files at a time: quicker as a whole, slower after the change of one file" OFF)
-set(CONCINO_TEST_BATCH_SIZE 50000 CACHE STRING "Bytes of tests that one batch holds")
+# The larger a batch, the less is compiled twice; the largest takes 4 GB of memory.
+set(CONCINO_TEST_BATCH_SIZE 250000 CACHE STRING "Bytes of tests that one batch holds")
 
 # Writes a source file that includes `files`, each in its own namespace, so that equal names do not collide. All headers come first, outside of these.
 # A file that adds to another namespace, e.g. a specialisation of mesh_traits, cannot be in a namespace and comes last.
