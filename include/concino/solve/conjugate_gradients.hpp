@@ -2,13 +2,11 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/core/system_checks.hpp>
 #include <concino/solve/conjugate_gradients_options.hpp>
 #include <concino/solve/detail/incomplete_cholesky.hpp>
+#include <concino/solve/detail/iterative_system.hpp>
 
 #include <Eigen/SparseCore>
-
-#include <cstdint>
 
 namespace concino {
 
@@ -32,15 +30,10 @@ namespace concino {
 /// Source: Hestenes, Stiefel 1952 (iteration, error estimate); Golub, Meurant 1997 (estimate with a delay); Meijerink, van der Vorst 1977.
 class conjugate_gradients {
   conjugate_gradients_options options_;
-  detail::elimination_order order_;
-  core::sparsity_pattern pattern_;
+  detail::iterative_system system_;
   Eigen::SparseMatrix<double> a_;  // lower triangle, reordered and scaled
-  double scale_ = 1;
   detail::incomplete_cholesky preconditioner_;
-  mutable std::int64_t iterations_ = 0;
-  mutable double residual_ = 0, error_ = 0;
-  mutable bool has_converged_ = true;
-  Eigen::Index size_ = -1;
+  mutable detail::iteration_report report_;
 
  public:
   conjugate_gradients() = default;
@@ -49,35 +42,16 @@ class conjugate_gradients {
   void factorize(const Eigen::SparseMatrix<double>& matrix);
 
   /// Whether this matrix has the pattern of the previous one, so that its order can be reused.
-  bool has_pattern_of(const Eigen::SparseMatrix<double>& a) const { return a.isCompressed() && pattern_.is_of(a); }
+  bool has_pattern_of(const Eigen::SparseMatrix<double>& a) const { return system_.has_pattern_of(a); }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
 
   const conjugate_gradients_options& options() const { return options_; }
   static constexpr bool is_iterative() { return true; }
-  int iterations() const { return static_cast<int>(iterations_); }
-  double error() const { return error_; }
-  double residual() const { return residual_; }
-  bool has_converged() const { return has_converged_; }
-
- private:
-  [[noreturn, gnu::cold]] void throw_missed() const;
-
-  static double dot(const Eigen::VectorXd& x, const Eigen::VectorXd& y);
-
-  struct products {
-    double energy, diagonal;  // x.Ax, and the contribution of the diagonal to it
-  };
-
-  /// y = A x.
-  products multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
-
-  /// The largest |r|_i / (|b|_i + a_ii max|x|), or its value with the unknowns scaled to a diagonal of 1, if that is larger for a row.
-  double largest_residual(const Eigen::VectorXd& r, const Eigen::VectorXd& b, const Eigen::VectorXd& x) const;
-
-  /// Iterates until the estimates of error and residual are small. Then computes the residual from x itself. If it differs, or the
-  /// preconditioned residual shows a larger error, restarts the iteration from x, as long as that helps.
-  void iterate(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+  int iterations() const { return static_cast<int>(report_.iterations); }
+  double error() const { return report_.error; }
+  double residual() const { return report_.residual; }
+  bool has_converged() const { return report_.has_converged; }
 };
 
 }  // namespace concino

@@ -1,0 +1,149 @@
+// The iteration of conjugate gradients with any preconditioner, and its stopping rule.
+#pragma once
+
+#include <concino/core/function_ref.hpp>
+#include <concino/solve/detail/energy_gains.hpp>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace concino::detail {
+
+/// What an iterative solver knows about its last solve; see conjugate_gradients.
+struct iteration_report {
+  std::int64_t iterations = 0;
+  double residual = 0, error = 0;
+  bool has_converged = true;
+};
+
+/// Solves A x = b by conjugate gradients. A is passed as its lower triangle; each column begins with its diagonal entry, which is positive.
+/// Source: Hestenes, Stiefel 1952.
+class preconditioned_iteration : public iteration_report {
+  const Eigen::SparseMatrix<double>& a_;
+  double tolerance_;
+  std::int64_t max_iterations_, patience_;
+
+  struct products {
+    double energy, diagonal;  // x.Ax, and the contribution of the diagonal to it
+  };
+
+ public:
+  /// patience: the number of iterations without progress after which the iteration stops.
+  preconditioned_iteration(const Eigen::SparseMatrix<double>& a, double tolerance, std::int64_t max_iterations, std::int64_t patience)
+      : a_(a), tolerance_(tolerance), max_iterations_(max_iterations > 0 ? max_iterations : 2 * static_cast<std::int64_t>(a.cols())), patience_(patience) {}
+
+  /// precondition(r, z) sets z to an approximate solution of A z = r.
+  /// Iterates until the estimates of error and residual are small. Then computes the residual from x itself. If it differs, or the
+  /// preconditioned residual shows a larger error, restarts the iteration from x, as long as that helps.
+  void run(const Eigen::VectorXd& b, Eigen::VectorXd& x, function_ref<void(const Eigen::VectorXd&, Eigen::VectorXd&)> precondition) {
+    const double unknown = std::numeric_limits<double>::infinity(), wanted = tolerance_ * tolerance_;
+    const Eigen::Index n = a_.cols();
+    Eigen::VectorXd r = b, z(n), p(n);
+    Eigen::VectorXd& q = z;  // A p; needed while z is not
+    for (Eigen::Index i = 0; i < n; ++i) x[i] = 0;
+    energy_gains gained;
+    precondition(r, z);
+    double along = dot(r, z);  // |r|^2 in the norm of the preconditioner
+    double left = unknown;     // the square of the error
+    residual = 1;
+    for (;;) {
+      gained.start();
+      const double first = along, residual_before = residual, left_before = left;
+      double smallest = along;
+      std::int64_t of_smallest = iterations;
+      left = unknown;
+      bool is_stuck = !(along > 0 && std::isfinite(along));
+      for (double turn = 0; !is_stuck && iterations < max_iterations_;) {
+        for (Eigen::Index i = 0; i < n; ++i) p[i] = turn == 0 ? z[i] : z[i] + turn * p[i];
+        const products product = multiply(p, q);
+        if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;  // the matrix is not definite
+        const double step = along / product.energy;
+        for (Eigen::Index i = 0; i < n; ++i) {
+          x[i] += step * p[i];
+          r[i] -= step * q[i];
+        }
+        ++iterations;
+        gained.add(step * along);
+        left = gained.left();
+        if (gained.is_exhausted() || (left <= wanted * gained.all() && largest_residual(r, b, x) <= tolerance_)) break;
+        precondition(r, z);
+        const double before = along;
+        along = dot(r, z);
+        turn = along / before;
+        if (along < smallest / 2) {
+          smallest = along;
+          of_smallest = iterations;
+        }
+        is_stuck = !(along > 0 && std::isfinite(along)) || iterations - of_smallest > patience_;
+      }
+      const double expected = along;
+      multiply(x, q);
+      for (Eigen::Index i = 0; i < n; ++i) r[i] = b[i] - q[i];
+      precondition(r, z);
+      along = dot(r, z);
+      if (left == unknown) left = gained.has_any() ? gained.recent() : left_before;
+      left = along == 0 ? 0 : left * std::max(1.0, along / expected);
+      residual = largest_residual(r, b, x);
+      error = gained.all() > 0 ? std::sqrt(left / gained.all()) : 1;
+      has_converged = error <= tolerance_ && residual <= tolerance_;
+      if (has_converged || iterations >= max_iterations_ || !(along < first / 4 || residual < residual_before / 2)) break;
+    }
+    has_converged |= residual <= 1e-14 && error <= 1e-6;
+  }
+
+ private:
+  static double dot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+    double sum[4] = {};  // several, so that additions are independent
+    const Eigen::Index n = x.size() / 4 * 4;
+    for (Eigen::Index i = 0; i < n; i += 4)
+      for (Eigen::Index k = 0; k < 4; ++k) sum[k] += x[i + k] * y[i + k];
+    for (Eigen::Index i = n; i < x.size(); ++i) sum[0] += x[i] * y[i];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  }
+
+  /// y = A x.
+  products multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+    const auto n = static_cast<int>(a_.cols());
+    const int *const starts = a_.outerIndexPtr(), *const rows = a_.innerIndexPtr();
+    const double* const a = a_.valuePtr();
+    products r{0, 0};
+    for (int c = 0; c < n; ++c) y[c] = 0;
+    for (int c = 0; c < n; ++c) {
+      const double xc = x[c], on = a[starts[c]] * xc;
+      double sum = 0;
+      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) {
+        y[rows[k]] += a[k] * xc;
+        sum += a[k] * x[rows[k]];
+      }
+      y[c] += on + sum;
+      r.diagonal += on * xc;
+      r.energy += (on + 2 * sum) * xc;
+    }
+    return r;
+  }
+
+  /// The largest |r|_i / (|b|_i + a_ii max|x|), or its value with the unknowns scaled to a diagonal of 1, if that is larger for a row.
+  double largest_residual(const Eigen::VectorXd& r, const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
+    const int* const starts = a_.outerIndexPtr();
+    const double* const a = a_.valuePtr();
+    double largest = 0, largest_scaled = 0, worst = 0;
+    for (Eigen::Index i = 0; i < a_.cols(); ++i) {
+      const double xi = x[i] * x[i];
+      largest = std::max(largest, xi);
+      largest_scaled = std::max(largest_scaled, a[starts[i]] * xi);
+    }
+    largest = std::sqrt(largest);
+    for (Eigen::Index i = 0; i < a_.cols(); ++i) {
+      const double d = a[starts[i]], allowed = std::abs(b[i]) + std::min(d * largest, std::sqrt(d * largest_scaled));
+      const double e = r[i] == 0 ? 0 : std::abs(r[i]) / allowed;
+      if (e > worst || std::isnan(e)) worst = e;
+    }
+    return worst;
+  }
+};
+
+}  // namespace concino::detail
