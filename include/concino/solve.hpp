@@ -8,5 +8,6 @@
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/llt.hpp>
 #include <concino/solve/lu.hpp>
+#include <concino/solve/multigrid.hpp>
 #include <concino/solve/qr.hpp>
 #include <concino/solve/solve_columns.hpp>

@@ -33,6 +33,7 @@ TEST_CASE("prepared problems: every solver gives the same fields") {
   check(ldlt{});
   check(lu{});
   check(conjugate_gradients{});
+  check(multigrid{});
   check(auto_solver{});
   const auto_solver small({.max_factor_entries = 10});
   check(small);

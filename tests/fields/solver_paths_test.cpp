@@ -5,6 +5,7 @@
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/llt.hpp>
 #include <concino/solve/lu.hpp>
+#include <concino/solve/multigrid.hpp>
 #include <concino/solve/qr.hpp>
 
 #include <support/solver_paths.hpp>
@@ -17,6 +18,7 @@ TEST_CASE("lu: handles small, singular and indefinite systems, and isolated vert
 TEST_CASE("qr: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<qr>(), indefinite::solved); }
 TEST_CASE("conjugate_gradients: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<conjugate_gradients>(), indefinite::either); }
 TEST_CASE("bicgstab: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<bicgstab>(), indefinite::either); }
+TEST_CASE("multigrid: handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<multigrid>(), indefinite::either); }
 TEST_CASE("auto_solver: by factorisation handles small, singular and indefinite systems, and isolated verts") { check_all(any_solver::make<auto_solver>(), indefinite::solved); }
 TEST_CASE("auto_solver: by iteration handles small, singular and indefinite systems, and isolated verts") {  // a triangle is still factorised
   check_all(any_solver::make<auto_solver>(auto_solver_options{.max_factor_entries = 10}), indefinite::either);

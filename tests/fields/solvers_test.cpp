@@ -33,6 +33,7 @@ TEST_CASE("harmonic_map: every solver gives the same result, also when reused") 
   check(qr{});
   check(conjugate_gradients{});
   check(bicgstab{});
+  check(multigrid{});
   check(auto_solver{});
   check(auto_solver{{.max_factor_entries = 0}});
 }

@@ -1,0 +1,324 @@
+// The hierarchy of matrices of multigrid, and its cycle.
+#pragma once
+
+#include <concino/solve/detail/aggregates.hpp>
+#include <concino/solve/detail/incomplete_cholesky.hpp>
+#include <concino/solve/detail/ordered.hpp>
+#include <concino/solve/detail/sparse_factor.hpp>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// Computes P^T A P for the lower triangle of A; the result is a lower triangle too, with sorted columns. With U the upper triangle of A and half of its
+/// diagonal, P^T A P = T + T^T for T = P^T U P.
+class coarse_matrix {
+  std::size_t n_;  // coarse unknowns
+  std::vector<std::size_t> end_;  // row c of T: entries [end_[c], end_[c + 1])
+  std::vector<int> column_;
+  std::vector<double> value_, bound_;  // bound_: a sum of non-negative terms of the diagonal, which it may not cancel
+
+  /// Adds an entry to those from position `first`, or to the one of them with the same index, whose position is at[index].
+  static void add(int index, double x, std::size_t first, std::vector<int>& at, std::vector<int>& indices, std::vector<double>& values) {
+    int& position = at[static_cast<std::size_t>(index)];
+    if (position < static_cast<int>(first)) {
+      position = static_cast<int>(indices.size());
+      indices.push_back(index);
+      values.push_back(x);
+    } else {
+      values[static_cast<std::size_t>(position)] += x;
+    }
+  }
+
+  void multiply(const Eigen::SparseMatrix<double>& a, const prolongation& p) {
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), n = static_cast<int>(a.cols());
+    const double* const x = a.valuePtr();
+    std::vector<int> begin(n_ + 2), from(p.column.size()), at(n_, -1);  // the entries of each column of p: their rows
+    std::vector<float> weight(p.column.size());
+    for (const int c : p.column) ++begin[static_cast<std::size_t>(c) + 2];
+    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    for (int i = 0; i < n; ++i)
+      for (auto k = static_cast<std::size_t>(p.begin[static_cast<std::size_t>(i)]),
+                end = static_cast<std::size_t>(p.begin[static_cast<std::size_t>(i) + 1]); k < end; ++k) {
+        const auto to = static_cast<std::size_t>(begin[static_cast<std::size_t>(p.column[k]) + 1]++);
+        from[to] = i;
+        weight[to] = p.weight[k];
+      }
+    for (std::size_t c = 0; c < n_; ++c) {
+      const std::size_t first = column_.size();
+      for (auto m = static_cast<std::size_t>(begin[c]); m < static_cast<std::size_t>(begin[c + 1]); ++m) {
+        const int i = from[m];
+        const double w = static_cast<double>(weight[m]);
+        bound_[c] += w * w * x[starts[i]];
+        for (int k = starts[i]; k < starts[i + 1]; ++k) {
+          const double entry = k == starts[i] ? w * x[k] / 2 : w * x[k];
+          const auto j = static_cast<std::size_t>(rows[k]);
+          for (auto l = static_cast<std::size_t>(p.begin[j]); l < static_cast<std::size_t>(p.begin[j + 1]); ++l)
+            add(p.column[l], entry * static_cast<double>(p.weight[l]), first, at, column_, value_);
+        }
+      }
+      end_[c + 1] = column_.size();
+    }
+  }
+
+ public:
+  coarse_matrix(const Eigen::SparseMatrix<double>& a, const prolongation& p)
+      : n_(static_cast<std::size_t>(p.columns)), end_(n_ + 1), bound_(n_) {
+    multiply(a, p);
+  }
+
+  /// P^T A P. A diagonal entry that is only rounding errors belongs to the kernel of A, and is replaced by a positive number.
+  Eigen::SparseMatrix<double> lower() const {
+    std::vector<int> next(n_ + 2), row(column_.size()), rows, at(n_, -1);  // column j of the upper triangle: entries (i, j) and (j, i) of T for i <= j
+    std::vector<double> sorted(column_.size()), values;
+    const auto for_each_entry = [&](auto visit) {
+      for (std::size_t c = 0; c < n_; ++c)
+        for (std::size_t k = end_[c]; k < end_[c + 1]; ++k) {
+          const auto other = static_cast<std::size_t>(column_[k]);
+          visit(std::min(c, other), std::max(c, other), c == other ? 2 * value_[k] : value_[k]);
+        }
+    };
+    for_each_entry([&](std::size_t, std::size_t j, double) { ++next[j + 2]; });
+    for (std::size_t i = 2; i < next.size(); ++i) next[i] += next[i - 1];
+    for_each_entry([&](std::size_t i, std::size_t j, double x) {
+      const auto to = static_cast<std::size_t>(next[j + 1]++);
+      row[to] = static_cast<int>(i);
+      sorted[to] = x;
+    });
+    Eigen::SparseMatrix<double> upper(static_cast<Eigen::Index>(n_), static_cast<Eigen::Index>(n_));
+    rows.reserve(row.size() / 2 + n_);
+    values.reserve(row.size() / 2 + n_);
+    for (std::size_t c = 0; c < n_; ++c) {
+      const std::size_t first = rows.size();
+      for (auto k = static_cast<std::size_t>(next[c]); k < static_cast<std::size_t>(next[c + 1]); ++k) add(row[k], sorted[k], first, at, rows, values);
+      upper.outerIndexPtr()[c + 1] = static_cast<int>(rows.size());
+    }
+    upper.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+    std::copy(rows.begin(), rows.end(), upper.innerIndexPtr());
+    std::copy(values.begin(), values.end(), upper.valuePtr());
+    Eigen::SparseMatrix<double> r = sorted_transpose(upper);
+    for (std::size_t c = 0; c < n_; ++c) {
+      double& d = r.valuePtr()[r.outerIndexPtr()[c]];
+      if (!(d > 1e-13 * bound_[c])) d = bound_[c];
+    }
+    return r;
+  }
+};
+
+/// A direct solve with a small matrix. Where a pivot is not positive, the diagonal entry is raised. So an unknown of each kernel vector of a singular matrix is
+/// near 0 in the solution.
+class bottom_solver {
+  elimination_order order_;
+  sparse_factor factors_;
+
+ public:
+  /// a: a lower triangle with a positive diagonal. Returns false if no factorisation was found, since entries are too large.
+  bool factorize(const Eigen::SparseMatrix<double>& a) {
+    const auto n = static_cast<std::size_t>(a.cols());
+    order_.find(a);
+    Eigen::SparseMatrix<double> upper = order_(a);
+    factors_.analyse(upper, a.cols() * a.cols());
+    std::vector<double*> diagonal(n);
+    for (int c = 0; c < static_cast<int>(n); ++c)
+      for (int k = upper.outerIndexPtr()[c]; k < upper.outerIndexPtr()[c + 1]; ++k)
+        if (upper.innerIndexPtr()[k] == c) diagonal[static_cast<std::size_t>(c)] = upper.valuePtr() + k;
+    for (std::size_t attempt = 0; attempt < 100 + 8 * n; ++attempt) {
+      factors_.factorize(upper);
+      std::size_t c = 0;
+      while (c < n && factors_.pivots()[c] > 1e-13 * *diagonal[c] && std::isfinite(factors_.pivots()[c])) ++c;
+      if (c == n) return true;
+      *diagonal[c] *= attempt < n ? 2 : 64;
+    }
+    return false;
+  }
+
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+    const Eigen::SparseMatrix<double>& l = factors_.lower();
+    const auto n = static_cast<int>(l.cols());
+    const int *const starts = l.outerIndexPtr(), *const rows = l.innerIndexPtr(), *const row = order_.row.data();
+    const double* const entry = l.valuePtr();
+    for (int c = 0; c < n; ++c) y[c] = b[row[c]];
+    for (int c = 0; c < n; ++c)
+      for (int k = starts[c]; k < starts[c + 1]; ++k) y[rows[k]] -= entry[k] * y[c];
+    for (int c = n - 1; c >= 0; --c) {
+      double sum = y[c] / factors_.pivots()[static_cast<std::size_t>(c)];
+      for (int k = starts[c]; k < starts[c + 1]; ++k) sum -= entry[k] * y[rows[k]];
+      x[row[c]] = y[c] = sum;
+    }
+  }
+};
+
+/// The matrices of multigrid, from the finest to one with few unknowns, and the interpolations between them.
+class multigrid_levels {
+  struct level {
+    Eigen::SparseMatrix<double> a;  // lower triangle
+    prolongation to_this;           // from the next level
+    bool visits_next_twice = false;
+  };
+  std::vector<level> levels_;
+  bottom_solver bottom_;
+  bool has_bottom_ = false;
+
+ public:
+  static constexpr Eigen::Index max_bottom = 256;
+
+  /// Vectors of each level.
+  struct workspace {
+    std::vector<Eigen::VectorXd> b, x, r, e;
+  };
+
+  const Eigen::SparseMatrix<double>& finest() const { return levels_.front().a; }
+  std::size_t size() const { return levels_.size(); }
+
+  /// a: a lower triangle with a positive diagonal and sorted columns; moved from.
+  void build(Eigen::SparseMatrix<double>& a) {
+    levels_.clear();
+    levels_.emplace_back().a.swap(a);
+    while (levels_.back().a.cols() > max_bottom && add_level()) {}
+    has_bottom_ = levels_.back().a.cols() <= max_bottom && bottom_.factorize(levels_.back().a);
+    choose_visits();
+  }
+
+  workspace make_workspace() const {
+    workspace w;
+    for (auto* const v : {&w.b, &w.x, &w.r, &w.e}) v->resize(levels_.size());
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      const Eigen::Index n = levels_[i].a.cols();
+      if (i > 0)
+        for (auto* const v : {&w.b, &w.x, &w.r, &w.e}) (*v)[i].resize(n);
+    }
+    if (levels_.size() == 1 && has_bottom_) w.e[0].resize(levels_[0].a.cols());
+    return w;
+  }
+
+  /// x = M b for a symmetric positive definite M that approximates the inverse of the matrix of this level.
+  void cycle(std::size_t at, const Eigen::VectorXd& b, Eigen::VectorXd& x, workspace& w) const {
+    const level& l = levels_[at];
+    const bool is_last = at + 1 == levels_.size();
+    if (is_last && has_bottom_) {
+      bottom_.solve(b, x, w.e[at]);
+      return;
+    }
+    smooth_first(l.a, b, x);
+    if (!is_last) {
+      Eigen::VectorXd &coarse_b = w.b[at + 1], &coarse_x = w.x[at + 1];
+      restrict_residual(l, x, coarse_b);
+      cycle(at + 1, coarse_b, coarse_x, w);
+      if (l.visits_next_twice) {
+        Eigen::VectorXd &r = w.r[at + 1], &e = w.e[at + 1];
+        subtract_product(levels_[at + 1].a, coarse_x, coarse_b, r);
+        cycle(at + 1, r, e, w);
+        for (Eigen::Index i = 0; i < e.size(); ++i) coarse_x[i] += e[i];
+      }
+      add_interpolated(l, coarse_x, x);
+    }
+    smooth_last(l.a, b, x);
+  }
+
+ private:
+  /// Returns false if there is nothing to aggregate. The interpolation is smoothed unless it or the coarse matrix would be large.
+  bool add_level() {
+    const aggregates groups(levels_.back().a);
+    if (groups.size() == 0) return false;
+    const Eigen::Index entries = levels_.back().a.nonZeros();
+    prolongation p = groups.smoothed(static_cast<std::size_t>(entries));
+    Eigen::SparseMatrix<double> coarse;
+    if (p.columns > 0) coarse_matrix(levels_.back().a, p).lower().swap(coarse);
+    if (p.columns == 0 || coarse.nonZeros() > entries / 4 * 3) {
+      p = groups.piecewise_constant();
+      coarse_matrix(levels_.back().a, p).lower().swap(coarse);
+    }
+    levels_.back().to_this = std::move(p);
+    levels_.emplace_back().a.swap(coarse);
+    return true;
+  }
+
+  /// A W-cycle needs hardly more iterations on large meshes than on small ones. Cycles are V-shaped where a W would cost too much.
+  void choose_visits() {
+    double cost = 0;  // of a cycle that begins on the next level, in entries of matrices
+    for (std::size_t i = levels_.size(); i-- > 0;) {
+      const auto entries = static_cast<double>(levels_[i].a.nonZeros());
+      levels_[i].visits_next_twice = i + 2 < levels_.size() && cost <= entries;
+      cost = entries + (levels_[i].visits_next_twice ? 2 : 1) * cost;
+    }
+  }
+
+  /// Gauss-Seidel from 0, first to last row.
+  static void smooth_first(const Eigen::SparseMatrix<double>& m, const Eigen::VectorXd& b, Eigen::VectorXd& x_of) {
+    const auto n = static_cast<int>(m.cols());
+    const int *const starts = m.outerIndexPtr(), *const rows = m.innerIndexPtr();
+    const double* const a = m.valuePtr();
+    double* const x = x_of.data();
+    for (int c = 0; c < n; ++c) x[c] = b[c];
+    for (int c = 0; c < n; ++c) {
+      const double xc = x[c] /= a[starts[c]];
+      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) x[rows[k]] -= a[k] * xc;
+    }
+  }
+
+  /// Gauss-Seidel from x, last to first row.
+  static void smooth_last(const Eigen::SparseMatrix<double>& m, const Eigen::VectorXd& b, Eigen::VectorXd& x_of) {
+    const auto n = static_cast<int>(m.cols());
+    const int *const starts = m.outerIndexPtr(), *const rows = m.innerIndexPtr();
+    const double* const a = m.valuePtr();
+    double* const x = x_of.data();
+    for (int c = n - 1; c >= 0; --c) {  // x = b - L x; entries below c are done
+      const double xc = x[c];
+      x[c] = b[c];
+      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) x[rows[k]] -= a[k] * xc;
+    }
+    for (int c = n - 1; c >= 0; --c) {
+      double xc = x[c];
+      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) xc -= a[k] * x[rows[k]];
+      x[c] = xc / a[starts[c]];
+    }
+  }
+
+  /// The residual after smooth_first is -L^T x.
+  static void restrict_residual(const level& l, const Eigen::VectorXd& x, Eigen::VectorXd& coarse) {
+    const auto n = static_cast<int>(l.a.cols());
+    const int *const starts = l.a.outerIndexPtr(), *const rows = l.a.innerIndexPtr(), *const begin = l.to_this.begin.data();
+    const double* const a = l.a.valuePtr();
+    for (Eigen::Index i = 0; i < coarse.size(); ++i) coarse[i] = 0;
+    for (int c = 0; c < n; ++c) {
+      double r = 0;
+      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) r -= a[k] * x[rows[k]];
+      for (int k = begin[c]; k < begin[c + 1]; ++k)
+        coarse[l.to_this.column[static_cast<std::size_t>(k)]] += static_cast<double>(l.to_this.weight[static_cast<std::size_t>(k)]) * r;
+    }
+  }
+
+  static void add_interpolated(const level& l, const Eigen::VectorXd& coarse, Eigen::VectorXd& x) {
+    const int* const begin = l.to_this.begin.data();
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      double sum = 0;
+      for (int k = begin[i]; k < begin[i + 1]; ++k)
+        sum += static_cast<double>(l.to_this.weight[static_cast<std::size_t>(k)]) * coarse[l.to_this.column[static_cast<std::size_t>(k)]];
+      x[i] += sum;
+    }
+  }
+
+  /// r = b - A x.
+  static void subtract_product(const Eigen::SparseMatrix<double>& m, const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r) {
+    const auto n = static_cast<int>(m.cols());
+    const int *const starts = m.outerIndexPtr(), *const rows = m.innerIndexPtr();
+    const double* const a = m.valuePtr();
+    for (int c = 0; c < n; ++c) r[c] = b[c];
+    for (int c = 0; c < n; ++c) {
+      double sum = a[starts[c]] * x[c];
+      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) {
+        r[rows[k]] -= a[k] * x[c];
+        sum += a[k] * x[rows[k]];
+      }
+      r[c] -= sum;
+    }
+  }
+};
+
+}  // namespace concino::detail
