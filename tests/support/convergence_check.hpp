@@ -1,7 +1,6 @@
 // Compares docs/convergence.tsv with the current errors of the operators, for the coarsest sizes.
 #pragma once
 
-#include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>
 
 #include <support/convergence.hpp>
@@ -17,10 +16,7 @@ void check_convergence_of() {
   std::size_t stored = 0, computed = 0;
   for (const convergence_row& row : table) stored += row.kind == kind_name<M> && row.what != "geodesics";
   for (const family f : families<M>()) {
-    const auto rows = measure_convergence<M>(f, 2, [](double tolerance) {
-      if constexpr (dimension_v<M> == 2) return static_cast<void>(tolerance), ldlt();
-      else return conjugate_gradients({.tolerance = tolerance});
-    });
+    const auto rows = measure_convergence<M>(f, 2, [](double) { return ldlt(); });
     for (const convergence_row& row : rows) {
       CAPTURE(row.what);
       CAPTURE(row.discretisation);

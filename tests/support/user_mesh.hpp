@@ -42,9 +42,9 @@ inline void add_polygon_edges(segments& es, const polygon& p) {
   }
 }
 inline bool has_segment(const polygon& p, const std::pair<int, int>& e) {
-  segments es;
-  add_polygon_edges(es, p);
-  return holds(es, e);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (std::minmax(p[i], p[(i + 1) % p.size()]) == std::pair<const int&, const int&>(e)) return true;
+  return false;
 }
 
 struct surface {
@@ -238,7 +238,8 @@ struct mesh_traits<user_mesh::volume> {
   }
   static auto adj_e2p(const M& m, edge e) {
     std::vector<poly> r;
-    for (poly p : polys(m)) if (user_mesh::holds(adj_p2e(m, p), e)) r.push_back(p);
+    for (poly p : polys(m))
+      for (face f : adj_p2f(m, p)) if (user_mesh::has_segment(at(m, f), at(m, e))) user_mesh::add_once(r, p);
     return r;
   }
   static auto adj_p2p(const M& m, poly p) {
