@@ -37,8 +37,8 @@ CONCINO_INLINE void check_new_verts(id_span<vert_id> list, const alive_elements<
 }
 
 CONCINO_INLINE void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
-  if (poly_count >= encoded_neighbour::mask) core::throw_joined<unsupported>({"the mesh has ", poly_count, " polys; at most 2^30 fit"});
-  if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has more than 2^32 verts or corners");
+  if (poly_count >= encoded_neighbour::mask) core::throw_joined<unsupported>({"the mesh has ", poly_count, " polys; at most 2^30 - 2 fit"});
+  if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has 2^32 - 1 verts or corners, or more");
 }
 
 }  // namespace concino::detail
