@@ -14,7 +14,8 @@
 
 namespace concino::detail {
 
-/// One search for shortest paths, as in Dijkstra's algorithm.
+/// One search for shortest paths, as in Dijkstra's algorithm. It is not `dijkstra` because a step may cross a triangle or a tet from several verts at once,
+/// and its graph is flat arrays of corners.
 class distance_graph::search {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint8_t max_changes = 64;

@@ -91,6 +91,7 @@ class winding_check {
 };
 
 /// Orients the faces of one poly at a time consistently, by a search from face to face through the edges that two of them share.
+/// It is not `bfs`, because there is no mesh yet, only the arrays of a file.
 /// The faces of a poly are numbered by their positions in its list.
 template<class Arrays>
 class face_orienter {
