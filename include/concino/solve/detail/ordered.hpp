@@ -27,8 +27,7 @@ struct elimination_order {
 
   /// Computes the order. It depends only on the pattern of a, which is compressed, in either triangle.
   void find(const Eigen::SparseMatrix<double>& a) {
-    Eigen::SparseMatrix<double> pattern;
-    make_symmetric_pattern(a, pattern);
+    Eigen::SparseMatrix<double> pattern = symmetric_pattern(a);
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
     Eigen::internal::minimum_degree_ordering(pattern, order);
     const int* const row_at = order.indices().data();
@@ -57,9 +56,8 @@ struct elimination_order {
     return upper;
   }
 
- private:
   /// A pattern with an entry, of any value, wherever a or its transpose has one.
-  static void make_symmetric_pattern(const Eigen::SparseMatrix<double>& a, Eigen::SparseMatrix<double>& pattern) {
+  static Eigen::SparseMatrix<double> symmetric_pattern(const Eigen::SparseMatrix<double>& a) {
     const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), n = static_cast<int>(a.cols());
     std::vector<int> row_begin(static_cast<std::size_t>(n) + 1), column(static_cast<std::size_t>(a.nonZeros()));  // the transpose
     for (Eigen::Index k = 0; k < a.nonZeros(); ++k) ++row_begin[static_cast<std::size_t>(rows[k]) + 1];
@@ -67,7 +65,7 @@ struct elimination_order {
     std::vector<int> next(row_begin.begin(), row_begin.end() - 1);
     for (int c = 0; c < n; ++c)
       for (int k = starts[c]; k < starts[c + 1]; ++k) column[static_cast<std::size_t>(next[static_cast<std::size_t>(rows[k])]++)] = c;
-    pattern.resize(n, n);
+    Eigen::SparseMatrix<double> pattern(n, n);
     pattern.resizeNonZeros(2 * a.nonZeros());
     int *const begin = pattern.outerIndexPtr(), *const to = pattern.innerIndexPtr(), at = 0;
     for (int c = 0; c < n; ++c) {  // both are sorted, so they can be merged
@@ -82,6 +80,7 @@ struct elimination_order {
       begin[c + 1] = at;
     }
     pattern.resizeNonZeros(at);
+    return pattern;
   }
 };
 

@@ -27,6 +27,16 @@ class sparse_factor {
   /// The diagonal D, up to the first 0.
   const std::vector<double>& pivots() const { return pivots_; }
 
+  /// The number of multiplications of factorize, up to the order of n, for the analysed pattern.
+  std::int64_t num_multiplications() const {
+    std::int64_t sum = 0;
+    for (Eigen::Index c = 0; c < l_.cols(); ++c) {
+      const std::int64_t entries = l_.outerIndexPtr()[c + 1] - l_.outerIndexPtr()[c];
+      sum += entries * entries;
+    }
+    return sum;
+  }
+
   /// Finds the pattern of L. Returns false, and finds nothing, if it has more than `most` entries below the diagonal.
   /// Cost:   as many steps as entries counted, a small part of a factorisation.
   bool analyse(const Eigen::SparseMatrix<double>& upper, std::int64_t most) {
