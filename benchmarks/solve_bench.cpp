@@ -1,12 +1,14 @@
 // Measures how solving scales with the mesh: minus the Laplacian, with one vert constrained, is factorised and solved for one right-hand side. By
-// factorisation the meshes have from 10^4 to 10^6.5 triangles and to 10^5.5 tets, by iteration to 10^6.5 of both. The floor of a factorisation is that of
-// Eigen, the floor of an iteration as many products with the matrix as it took. Memory is the peak while solving, without the matrix.
+// factorisation the meshes have from 10^4 to 10^6.5 triangles and to 10^5.5 tets, by iteration to 10^6.5 of both; by multigrid also to 10^6 hexes. The floor of
+// a factorisation is that of Eigen, the floor of an iteration as many products with the matrix as it took. Memory is the peak while solving, without the
+// matrix; its floor is the matrix.
 #include "support/heap.hpp"
 #include "support/kinds.hpp"
 
 #include <concino/operators/laplacian.hpp>
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/ldlt.hpp>
+#include <concino/solve/multigrid.hpp>
 
 #include <Eigen/SparseCholesky>
 
@@ -25,10 +27,10 @@ sparse system_of(const M& m) {
   return a.triangularView<Eigen::Lower>();
 }
 
-/// make(n) returns a mesh of about n polys.
-template<class Make>
+/// make(n) returns a mesh of about n polys. Solver has iterations(), which are 0 for a factorisation.
+template<class Solver = concino::auto_solver, class Make, class Options>
 void grow(const bench::program& p, const std::string& kind, const char* by, double last, const char* model, const char* memory_model,
-          std::int64_t max_factor_entries, const Make& make) {
+          const Options& options, const Make& make) {
   const std::string work = "scaling.solve." + std::string(by) + "." + kind, memory = "scaling.memory.solve." + std::string(by) + "." + kind;
   if (!p.wants(work) && !p.wants(memory)) return;
   for (double exponent = 4; exponent <= last; exponent += 0.5) {
@@ -42,11 +44,11 @@ void grow(const bench::program& p, const std::string& kind, const char* by, doub
     const std::size_t before = bench::heap::live;
     bench::heap::peak = before;
     const auto solve = [&] {
-      concino::auto_solver solver({.max_factor_entries = max_factor_entries});
+      Solver solver(options);
       solver.factorize(a);
       x = solver.solve(b);
       iterations = solver.iterations();
-      if (solver.is_iterative() != (max_factor_entries == 0)) throw std::runtime_error(work + ": the solver that was meant did not run");
+      if (solver.is_iterative() == (by == std::string("direct"))) throw std::runtime_error(work + ": the solver that was meant did not run");
       return 0;
     };
     solve();
@@ -74,15 +76,20 @@ concino::trimesh torus_of(double triangles) {
 concino::tetmesh block_of(double tets) {
   return concino::tetmesh(bench::tet_grid(static_cast<bench::u32>(std::lround(std::cbrt(tets / 6)))));
 }
+concino::hexmesh hexes_of(double hexes) { return concino::hexmesh(bench::hex_grid(static_cast<bench::u32>(std::lround(std::cbrt(hexes))))); }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
-    const std::int64_t any = concino::ldlt::any_number - 1;
-    grow(p, "trimesh", "iterative", 6.5, "n^1.5", "n", 0, torus_of);
-    grow(p, "tetmesh", "iterative", 6.5, "n^1.33", "n", 0, block_of);
-    grow(p, "trimesh", "direct", 6.5, "n^1.5", "n log n", any, torus_of);
-    grow(p, "tetmesh", "direct", 5.5, "n^2", "n^1.33", any, block_of);
+    const concino::auto_solver_options iterate{.max_factor_entries = 0}, factorise{.max_factor_entries = concino::ldlt::any_number - 1};
+    const concino::multigrid_options multigrid{.tolerance = 1e-10};
+    grow(p, "trimesh", "iterative", 6.5, "n^1.5", "n", iterate, torus_of);
+    grow(p, "tetmesh", "iterative", 6.5, "n^1.33", "n", iterate, block_of);
+    grow<concino::multigrid>(p, "trimesh", "multigrid", 6.5, "n", "n", multigrid, torus_of);
+    grow<concino::multigrid>(p, "tetmesh", "multigrid", 6.5, "n", "n", multigrid, block_of);
+    grow<concino::multigrid>(p, "hexmesh", "multigrid", 6, "n", "n", multigrid, hexes_of);
+    grow(p, "trimesh", "direct", 6.5, "n^1.5", "n log n", factorise, torus_of);
+    grow(p, "tetmesh", "direct", 5.5, "n^2", "n^1.33", factorise, block_of);
   });
 }

@@ -1,9 +1,10 @@
-// Measures CHOLMOD's supernodal factorisation against Eigen's, on a surface and in a volume, and a harmonic map with CHOLMOD against its factorisation
-// alone. The speed depends on the BLAS that CHOLMOD uses.
+// Measures CHOLMOD's supernodal factorisation against Eigen's, on a surface and in a volume, a harmonic map with CHOLMOD against its factorisation
+// alone, and multigrid to 1e-10 against CHOLMOD's factorisation with one solve. The speed depends on the BLAS that CHOLMOD uses.
 #include "../support/harmonic.hpp"
 
 #include <concino/adapters/cholmod.hpp>
 #include <concino/operators/laplacian.hpp>
+#include <concino/solve/multigrid.hpp>
 
 #include <Eigen/SparseCholesky>
 
@@ -28,6 +29,23 @@ void compare_factorisations(const bench::program& p, const std::string& work, co
                          {{"eigen", [&] { return bench::seconds_of(by_eigen); }}, {"concino", [&] { return bench::seconds_of(by_cholmod); }}}));
 }
 
+/// Solves for one right-hand side, by both.
+template<class M>
+void compare_with_multigrid(const bench::program& p, const std::string& work, const M& m) {
+  Eigen::SparseMatrix<double> a = -concino::laplacian(m);
+  a.coeffRef(0, 0) *= 2;
+  const Eigen::SparseMatrix<double> lower = a.triangularView<Eigen::Lower>();
+  Eigen::VectorXd b(a.cols());
+  for (Eigen::Index i = 0; i < b.size(); ++i) b[i] = static_cast<double>(i * 7919 % 101) - 50;
+  const auto solve = [&](auto&& solver) {
+    solver.factorize(lower);
+    return solver.solve(b);
+  };
+  p.print(bench::compare(work, std::min(p.rounds, 3),
+                         {{"cholmod", [&] { return bench::seconds_of([&] { return solve(concino::cholmod()); }); }},
+                          {"concino", [&] { return bench::seconds_of([&] { return solve(concino::multigrid({.tolerance = 1e-10})); }); }}}));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -35,6 +53,9 @@ int main(int argc, char** argv) {
     if (p.wants("factorise.bunny16")) compare_factorisations(p, "factorise.bunny16", system_of(concino::trimesh(p.data.bunny16())));
     if (p.wants("factorise.hex27k"))
       compare_factorisations(p, "factorise.hex27k", system_of(concino::hexmesh(bench::hex_grid(p.data.tiny ? 4 : 30))));
+    if (p.wants("solve.bunny16")) compare_with_multigrid(p, "solve.bunny16", concino::trimesh(p.data.bunny16()));
+    if (p.wants("solve.tri1m")) compare_with_multigrid(p, "solve.tri1m", concino::trimesh(p.data.tri1m()));
+    if (p.wants("solve.tet105k")) compare_with_multigrid(p, "solve.tet105k", concino::tetmesh(bench::tet_grid(p.data.tiny ? 3 : 26)));
     bench::compare_harmonic<concino::cholmod>(p, ".cholmod", [](const Eigen::SparseMatrix<double>& a) {
       auto factors = std::make_unique<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>>();
       factors->cholmod().nmethods = 1;  // as in the adapter, where this is fastest
