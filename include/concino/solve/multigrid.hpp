@@ -17,8 +17,14 @@ namespace concino {
 /// matrix with the pattern of the previous one reuses its order. The result does not depend on the number of threads.
 /// A solution is accepted as by conjugate_gradients: if error() and residual(), defined there, are at most the tolerance. iterations(), error(),
 /// residual() and has_converged() describe the last solve. So one object must not solve in several threads at once.
-/// With several right-hand sides on meshes of up to some 100,000 unknowns, ldlt is faster. On large meshes, and in volumes, multigrid is. Its interpolation
-/// reproduces constants only. So it needs more iterations where linear functions have far less energy than the rest, as on flat polygons.
+/// Iterations to a tolerance of 1e-10 for Poisson's equation with 10^4 and 10^6 unknowns, and values given on the boundary:
+/// - uniform meshes: triangles 13 and 14, quads 14 and 14, Voronoi polygons 15 and 17, tets 13 and 13, hexes 13 and 14, Voronoi polyhedra 12 and 13;
+/// - graded by x^3: triangles, quads, tets and hexes 13 to 15 and 14 to 17, Voronoi polyhedra 15 and 18, Voronoi polygons 22 and 42;
+/// - cells stretched 1 : 100: triangles, quads, tets and hexes 13 to 15 and 13 to 15, Voronoi polygons 36 and 102.
+/// The worst case are flat cells other than triangles and tets, if no values are given along their large faces. Hexes graded by x^3, with values on two
+/// sides only, take 72 iterations at 10^4 and 173 at 10^5 unknowns. The stabilisation of virtual elements then dominates, and its kernel is larger than the
+/// constants that the interpolation reproduces. Trilinear elements on the same grids take 18.
+/// Memory held after factorize: 1.6 to 2.9 times that of the lower triangle; at most 5.2 times while it runs, 0.6 GiB for 10^6 hexes.
 /// Errors: as conjugate_gradients; messages begin with multigrid.
 /// Source: Vanek, Mandel, Brezina 1996, "Algebraic multigrid by smoothed aggregation for second and fourth order elliptic problems".
 class multigrid {

@@ -224,10 +224,11 @@ class multigrid_levels {
  private:
   /// Returns false if there is nothing to aggregate. The interpolation is smoothed unless it or the coarse matrix would be large.
   bool add_level() {
-    const aggregates groups(levels_.back().a);
+    aggregates groups(levels_.back().a);
     if (groups.size() == 0) return false;
     const Eigen::Index entries = levels_.back().a.nonZeros();
     prolongation p = groups.smoothed(static_cast<std::size_t>(entries));
+    groups.forget_strong_entries();
     Eigen::SparseMatrix<double> coarse;
     if (p.columns > 0) coarse_matrix(levels_.back().a, p).lower().swap(coarse);
     if (p.columns == 0 || coarse.nonZeros() > entries / 4 * 3) {
