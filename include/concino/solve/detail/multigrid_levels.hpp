@@ -50,19 +50,24 @@ class coarse_matrix {
         from[to] = i;
         weight[to] = p.weight[k];
       }
+    std::vector<int> fine_at(static_cast<std::size_t>(n), -1), fine;  // row c of P^T U
+    std::vector<double> fine_value;
     for (std::size_t c = 0; c < n_; ++c) {
-      const std::size_t first = column_.size();
       for (auto m = static_cast<std::size_t>(begin[c]); m < static_cast<std::size_t>(begin[c + 1]); ++m) {
         const int i = from[m];
         const double w = static_cast<double>(weight[m]);
         bound_[c] += w * w * x[starts[i]];
-        for (int k = starts[i]; k < starts[i + 1]; ++k) {
-          const double entry = k == starts[i] ? w * x[k] / 2 : w * x[k];
-          const auto j = static_cast<std::size_t>(rows[k]);
-          for (auto l = static_cast<std::size_t>(p.begin[j]); l < static_cast<std::size_t>(p.begin[j + 1]); ++l)
-            add(p.column[l], entry * static_cast<double>(p.weight[l]), first, at, column_, value_);
-        }
+        for (int k = starts[i]; k < starts[i + 1]; ++k) add(rows[k], k == starts[i] ? w * x[k] / 2 : w * x[k], 0, fine_at, fine, fine_value);
       }
+      const std::size_t first = column_.size();
+      for (std::size_t k = 0; k < fine.size(); ++k) {
+        const auto j = static_cast<std::size_t>(fine[k]);
+        fine_at[j] = -1;
+        for (auto l = static_cast<std::size_t>(p.begin[j]); l < static_cast<std::size_t>(p.begin[j + 1]); ++l)
+          add(p.column[l], fine_value[k] * static_cast<double>(p.weight[l]), first, at, column_, value_);
+      }
+      fine.clear();
+      fine_value.clear();
       end_[c + 1] = column_.size();
     }
   }
