@@ -65,28 +65,32 @@ struct row_graph {
 /// Splits connected parts of a graph by small separators.
 class bisection {
  public:
-  enum set : int { first_half, second_half, separator };
+  enum set : char { first_half, second_half, separator, none };
 
  private:
   const row_graph& graph_;
-  const row_array<int>& part_;
-  int current_part_ = 0;
-  int sizes_[3] = {};  // of the sets
-  row_array<int> set_, separator_, other_;  // other_: the rows of the half that the separator moves to, next to it
+  int sizes_[3] = {};    // of the sets
+  row_array<char> set_;  // `none` for rows of other parts
+  row_array<int> separator_, other_;  // other_: the rows of the half that the separator moves to, next to it
   row_array<int> mate_, layer_, next_, queue_, path_;  // of the matching; mate_ and layer_ are -1 between the steps
 
  public:
-  bisection(const row_graph& g, const row_array<int>& part) : graph_(g), part_(part) {
-    for (row_array<int>* const a : {&set_, &mate_, &layer_, &next_}) a->assign(g.num_rows(), -1);
+  explicit bisection(const row_graph& g) : graph_(g) {
+    set_.assign(g.num_rows(), none);
+    for (row_array<int>* const a : {&mate_, &layer_, &next_}) a->assign(g.num_rows(), -1);
   }
 
   int size_of(set s) const { return sizes_[s]; }
   set set_of(int row) const { return static_cast<set>(set_[row]); }
 
+  /// Makes all rows members of no part again.
+  void forget(const row_array<int>& rows) {
+    for (const int v : rows) set_[v] = none;
+  }
+
   /// Splits the rows of a part, in the order in which they are passed.
-  void split(const row_array<int>& rows, int part) {
+  void split(const row_array<int>& rows) {
     const int middle = rows.size() / 2;
-    current_part_ = part;
     for (int i = 0; i < rows.size(); ++i) set_[rows[i]] = i < middle ? first_half : second_half;
     separator_.values.clear();
     for (int i = 0; i < middle; ++i) {
@@ -108,7 +112,7 @@ class bisection {
 
  private:
   static set opposite(set half) { return half == first_half ? second_half : first_half; }
-  bool is_in(int row, set s) const { return part_[row] == current_part_ && set_[row] == s; }
+  bool is_in(int row, set s) const { return set_[row] == s; }
 
   /// f(w) for each row w of a set that is adjacent to row v.
   template<class F>
@@ -261,18 +265,16 @@ class dissection {
 
   row_graph graph_;
   row_array<int> order_;     // the rows of each part are neighbours in it
-  row_array<int> part_;      // the part of each row; -1 for separators
-  row_array<int> distance_, other_distance_, visited_, sorted_, counts_;
+  row_array<int> distance_, other_distance_;  // of each row; -1 for those of the current part that are not yet visited, and never for others
+  row_array<int> visited_, sorted_, counts_;
   std::vector<range> parts_;  // those that are not yet split
   bisection bisection_;
-  int num_parts_ = 1;
 
  public:
-  explicit dissection(const Eigen::SparseMatrix<double>& pattern) : graph_(pattern), bisection_(graph_, part_) {
+  explicit dissection(const Eigen::SparseMatrix<double>& pattern) : graph_(pattern), bisection_(graph_) {
     const int n = graph_.num_rows();
-    part_.assign(n, 0);
-    distance_.assign(n, -1);
-    other_distance_.assign(n, -1);
+    distance_.assign(n, 0);
+    other_distance_.assign(n, 0);
     for (int v = 0; v < n; ++v) order_.values.push_back(v);
   }
 
@@ -285,7 +287,7 @@ class dissection {
       parts_.pop_back();
       if (r.size() <= small || !split(r)) unsplit.push_back(r);
     }
-    if (num_parts_ == 1 && graph_.dense.size() == 0) return {};
+    if (unsplit.size() == 1 && graph_.dense.size() == 0) return {};
     order_by_degree(unsplit);
     std::vector<int> rows;
     for (const int v : order_) rows.push_back(graph_.input_row[v]);
@@ -294,8 +296,6 @@ class dissection {
   }
 
  private:
-  int part_of(range r) const { return part_[order_[r.begin]]; }
-
   void forget(range r, row_array<int>& distance) {
     visited_.values.clear();
     for (int i = r.begin; i < r.end; ++i) distance[order_[i]] = -1;
@@ -304,14 +304,13 @@ class dissection {
   /// Appends the rows of a part that can be reached from a row to visited_, breadth first.
   void visit(int from, row_array<int>& distance) {
     int i = visited_.size();
-    const int part = part_[from];
     visited_.values.push_back(from);
     distance[from] = 0;
     for (; i < visited_.size(); ++i) {
       const int v = visited_[i];
       for (int k = graph_.starts[v]; k < graph_.starts[v + 1]; ++k) {
         const int w = graph_.adjacent[k];
-        if (part_[w] != part || distance[w] >= 0) continue;
+        if (distance[w] >= 0) continue;
         distance[w] = distance[v] + 1;
         visited_.values.push_back(w);
       }
@@ -333,18 +332,17 @@ class dissection {
     forget(r, other_distance_);
     visit(to, other_distance_);
     sort_visited(distance_[to]);
-    bisection_.split(sorted_, part_of(r));
+    bisection_.split(sorted_);
     const int num_first = bisection_.size_of(bisection::first_half), num_second = bisection_.size_of(bisection::second_half);
     constexpr int max_separator = 4;  // one in so many rows
-    if (num_first == 0 || num_second == 0 || bisection_.size_of(bisection::separator) > r.size() / max_separator) return false;
-    int next[3] = {r.begin, r.begin + num_first, r.begin + num_first + num_second};
-    for (const int v : sorted_) {
-      const bisection::set s = bisection_.set_of(v);
-      order_[next[s]++] = v;
-      part_[v] = s == bisection::separator ? -1 : num_parts_ + s;
+    const bool is_split = num_first > 0 && num_second > 0 && bisection_.size_of(bisection::separator) <= r.size() / max_separator;
+    if (is_split) {
+      int next[3] = {r.begin, r.begin + num_first, r.begin + num_first + num_second};
+      for (const int v : sorted_) order_[next[bisection_.set_of(v)]++] = v;
+      add_halves({r.begin, r.begin + num_first + num_second}, r.begin + num_first);
     }
-    add_halves({r.begin, r.begin + num_first + num_second}, r.begin + num_first);
-    return true;
+    bisection_.forget(sorted_);
+    return is_split;
   }
 
   /// Sorts the visited rows by the difference of both distances, which is at most that of the two rows from which they are measured.
@@ -374,17 +372,13 @@ class dissection {
         middle = c.size();
       }
     for (std::size_t k = 0; middle < (r.size() + 3) / 4; ++k) middle = components[k].end;
-    for (int i = 0; i < r.size(); ++i) {
-      order_[r.begin + i] = visited_[i];
-      part_[visited_[i]] = num_parts_ + (i >= middle);
-    }
+    for (int i = 0; i < r.size(); ++i) order_[r.begin + i] = visited_[i];
     add_halves(r, r.begin + middle);
   }
 
   void add_halves(range r, int middle) {
     parts_.push_back({r.begin, middle});
     parts_.push_back({middle, r.end});
-    num_parts_ += 2;
   }
 
   /// Orders the rows within each part by minimum degree. Edges to separators are ignored, so one call serves all parts.
