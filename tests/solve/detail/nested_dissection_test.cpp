@@ -61,7 +61,11 @@ sparse graph(int n, const std::vector<std::array<int, 2>>& edges) {
   return from(n, n, entries);
 }
 
-std::vector<int> dissected(const sparse& a) { return detail::nested_dissection_order(detail::elimination_order::symmetric_pattern(a)); }
+std::vector<int> dissected(const sparse& a) {
+  detail::elimination_order by_degree;
+  by_degree.find(a);
+  return detail::nested_dissection_order(detail::elimination_order::symmetric_pattern(a), by_degree.row);
+}
 
 bool is_permutation(std::vector<int> order, Eigen::Index n) {
   std::sort(order.begin(), order.end());

@@ -54,7 +54,7 @@ CONCINO_INLINE bool ldlt::choose_order(const Eigen::SparseMatrix<double>& a, std
   if (static_cast<double>(multiplications) < threshold) return fits;
   factors_ = {};  // its memory is not needed meanwhile
   detail::elimination_order dissected;
-  dissected.keep(detail::nested_dissection_order(detail::elimination_order::symmetric_pattern(a)));
+  dissected.keep(detail::nested_dissection_order(detail::elimination_order::symmetric_pattern(a), order_.row));
   if (!dissected.row.empty()) {
     Eigen::SparseMatrix<double> reordered = dissected(a);
     if (factors_.analyse(reordered, most) && factors_.num_multiplications() < multiplications) {

@@ -3,8 +3,6 @@
 
 #include <concino/solve/detail/nested_dissection.hpp>
 
-#include <Eigen/OrderingMethods>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -278,7 +276,7 @@ class dissection {
     for (int v = 0; v < n; ++v) order_.values.push_back(v);
   }
 
-  std::vector<int> find_order() {
+  std::vector<int> find_order(const std::vector<int>& by_degree) {
     constexpr int small = 200;
     std::vector<range> unsplit;
     parts_.push_back({0, graph_.num_rows()});
@@ -288,11 +286,9 @@ class dissection {
       if (r.size() <= small || !split(r)) unsplit.push_back(r);
     }
     if (unsplit.size() == 1 && graph_.dense.size() == 0) return {};
-    order_by_degree(unsplit);
-    std::vector<int> rows;
-    for (const int v : order_) rows.push_back(graph_.input_row[v]);
-    rows.insert(rows.end(), graph_.dense.begin(), graph_.dense.end());
-    return rows;
+    sort_parts(unsplit, by_degree);
+    order_.values.insert(order_.end(), graph_.dense.begin(), graph_.dense.end());
+    return std::move(order_.values);
   }
 
  private:
@@ -381,37 +377,22 @@ class dissection {
     parts_.push_back({middle, r.end});
   }
 
-  /// Orders the rows within each part by minimum degree. Edges to separators are ignored, so one call serves all parts.
-  void order_by_degree(const std::vector<range>& parts) {
-    row_array<int> number, row, part, next;
-    number.assign(graph_.num_rows(), -1);
+  /// Sorts the rows within each part as in another order of the matrix.
+  void sort_parts(const std::vector<range>& parts, const std::vector<int>& other_order) {
+    row_array<int> part, next;
+    part.assign(graph_.num_rows() + graph_.dense.size(), -1);  // of the rows of the matrix
     for (const range r : parts) {
-      for (int i = r.begin; i < r.end; ++i) {
-        number[order_[i]] = row.size();
-        row.values.push_back(order_[i]);
-        part.values.push_back(next.size());
-      }
+      for (int i = r.begin; i < r.end; ++i) part[graph_.input_row[order_[i]]] = next.size();
       next.values.push_back(r.begin);
     }
-    Eigen::SparseMatrix<double> pattern(row.size(), row.size());
-    pattern.resizeNonZeros(row.size() + graph_.adjacent.size());
-    int *const begin = pattern.outerIndexPtr(), *const to = pattern.innerIndexPtr(), at = 0;
-    for (int i = 0; i < row.size(); ++i) {
-      to[at++] = i;
-      for (int k = graph_.starts[row[i]]; k < graph_.starts[row[i] + 1]; ++k)
-        if (const int w = number[graph_.adjacent[k]]; w >= 0) to[at++] = w;
-      begin[i + 1] = at;
-    }
-    pattern.resizeNonZeros(at);
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> by_degree;
-    if (row.size() > 0) Eigen::internal::minimum_degree_ordering(pattern, by_degree);
-    for (int k = 0; k < row.size(); ++k) {
-      const int i = by_degree.indices().data()[k];
-      order_[next[part[i]]++] = row[i];
-    }
+    for (int& v : order_.values) v = graph_.input_row[v];
+    for (const int v : other_order)
+      if (part[v] >= 0) order_[next[part[v]]++] = v;
   }
 };
 
-CONCINO_INLINE std::vector<int> nested_dissection_order(const Eigen::SparseMatrix<double>& pattern) { return dissection(pattern).find_order(); }
+CONCINO_INLINE std::vector<int> nested_dissection_order(const Eigen::SparseMatrix<double>& pattern, const std::vector<int>& by_degree) {
+  return dissection(pattern).find_order(by_degree);
+}
 
 }  // namespace concino::detail
