@@ -49,7 +49,7 @@ CONCINO_INLINE bool ldlt::choose_order(const Eigen::SparseMatrix<double>& a, std
   const bool fits = factors_.analyse(upper, most);
   if (!fits && most != any_number) return false;
   // Dissection takes about as long as 50 multiplications per entry and level of cuts, and saves a third or more of them all on large meshes.
-  const double num_levels = std::log2(1 + static_cast<double>(a.cols()) / 200), threshold = 400 * static_cast<double>(upper.nonZeros()) * num_levels;
+  const double num_levels = std::log2(1 + static_cast<double>(a.cols()) / 200), threshold = 250 * static_cast<double>(upper.nonZeros()) * num_levels;
   const std::int64_t multiplications = fits ? factors_.num_multiplications() : any_number;
   if (static_cast<double>(multiplications) < threshold) return fits;
   factors_ = {};  // its memory is not needed meanwhile
