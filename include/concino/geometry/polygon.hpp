@@ -77,8 +77,8 @@ polygon_shape shape_of(const M& m, const Loop& loop) {
 
 /// The vector area only.
 /// Needs:  Embedded M.      Result: the area of shape_of, with the same bits.      Cost: O(verts), half of that of shape_of.      Errors: none.
-template<Embedded M, class Loop>
-vec3 area_vector_of(const M& m, const Loop& loop) {
+template<Embedded M, class Loop>  // g++ would not inline it into face_normals, which takes a fifth more time
+[[gnu::always_inline]] inline vec3 area_vector_of(const M& m, const Loop& loop) {
   return detail::area_vector_through<vert_t<M>>(loop, detail::points_by_vert(m));
 }
 
