@@ -24,7 +24,7 @@ class flat_array {
   std::size_t size_ = 0, capacity_ = 0;
   std::vector<T> adopted_;  // not empty: data_ is its memory
 
-  void reallocate(std::size_t n) {
+  [[gnu::noinline]] void reallocate(std::size_t n) {
     if (n > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_alloc();
     const bool was_adopted = !adopted_.empty();
     void* const p = std::realloc(was_adopted ? nullptr : static_cast<void*>(data_), n * sizeof(T));
@@ -79,8 +79,8 @@ class flat_array {
     reserve(n);
     size_ = n;
   }
-  void push_back(const T& value) {
-    if (size_ == capacity_) {
+  [[gnu::always_inline]] inline void push_back(const T& value) {  // g++ would not inline it where it is called often
+    if (size_ == capacity_) [[unlikely]] {
       const T kept = value;
       reallocate(std::max<std::size_t>(16, size_ + size_ / 2));
       data_[size_++] = kept;

@@ -332,7 +332,7 @@ class facet_adjacency {
 
   void set_owner(Facet f, std::uint32_t p, std::uint32_t k) { owner_[f.raw()] = N > 0 ? N * p + k : p; }
 
-  void join(incidence s, std::uint32_t p, std::uint32_t k) {
+  [[gnu::always_inline]] inline void join(incidence s, std::uint32_t p, std::uint32_t k) {
     encoded_neighbour& first = neighbours_.begin(s.poly)[s.k];
     if (first.is_none()) {
       first.raw = p;

@@ -153,7 +153,7 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   detail::offsets degrees(vert_count + 1, 0);
   std::uint32_t edge_count = 0;
   std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;  // per edge of a, if polygons may be long
-  const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) {
+  const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) __attribute__((always_inline)) {  // g++ would not
     if (b.raw() < a) return;
     std::uint32_t e = edge_to[b.raw()];
     if (e == ~0u || e < first_edge) {
