@@ -118,8 +118,8 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
   while (size_ < from.size()) {
     const std::size_t here = size_;
     for (const origin x : from[here]) {
-      const parts& p = all[x.index];
-      if (!can_be_parted && p.owner != here) continue;
+      parts& p = all[x.index];
+      if (!can_be_parted && std::exchange(p.owner, p.owner == here ? from.size() : p.owner) != here) continue;  // an owner may have it as origin twice
       const double part = !can_be_parted || p.count == 1 ? 1 : p.total > 0 ? x.weight / p.total : 1 / static_cast<double>(p.count);
       if (size_ > here) type_->add(at(here), o.at(x.index), part);
       else if (part == 1) copy_value(o, x.index);
