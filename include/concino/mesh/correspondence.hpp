@@ -36,13 +36,14 @@ struct joint_origins {
   }
 };
 
+/// The fraction of an element that has origin i. Weights that are all 0 count equally.
 inline double part_of(const element_origins::range& origins, std::uint32_t i) {
-  double total = 0, part = 0;
+  double total = 0, part = 0, times = 0;
   for (const origin x : origins) {
     total += x.weight;
-    if (x.index == i) part += x.weight;
+    if (x.index == i) part += x.weight, ++times;
   }
-  return total > 0 ? part / total : 0;
+  return total > 0 ? part / total : times / static_cast<double>(origins.size());
 }
 
 template<class M>
