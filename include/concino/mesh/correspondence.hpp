@@ -63,7 +63,7 @@ std::uint32_t find_edge(const M& m, const std::vector<vert_t<M>>& by_index, std:
   return element_origins::none;
 }
 
-/// A face of m that has all of these verts; if possible, one that has no others.
+/// A face of m that has all of these verts, at least three; if possible, one that has no others.
 template<class M>
 std::uint32_t face_around(const M& m, const std::vector<vert_t<M>>& by_index, const std::vector<std::uint32_t>& wanted) {
   std::uint32_t found = element_origins::none;
@@ -112,7 +112,7 @@ element_origins match_faces(const From& before, const To& m, const element_origi
       is_known = is_known && !origins.empty();
       joint.add(origins);
     }
-    if (is_known && !joint.verts.empty()) found[index_of(m, f)] = face_around(before, by_index, joint.verts);
+    if (is_known && joint.verts.size() > 2) found[index_of(m, f)] = face_around(before, by_index, joint.verts);
   }
   return element_origins(std::move(found));
 }
@@ -157,7 +157,8 @@ void check_origins(const correspondence& c, const property_set& properties, cons
 /// Finds the origins of edges and faces from those of their verts, if c does not have them. The origin of an edge is the edge between the origins of
 /// its ends; the origin of a face is the face around the origins of its verts. Half of an edge has half of it as weight; parts of a face have equal weights.
 /// Needs:  AnyMesh both, of the same dimension; c.verts for each vert of m.
-/// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces in the interior of old polys have no origin.
+/// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces in the interior of old polys have no origin. Nor have
+///         edges whose verts do not have exactly two origins, and faces whose verts have fewer than three.
 /// Cost:   O(elements), times the edges or faces at a vert.
 /// Errors: invalid_argument if c.verts is for another number of verts, or has an origin that is out of range in the mesh before.
 template<AnyMesh From, AnyMesh To>
