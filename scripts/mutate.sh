@@ -27,11 +27,11 @@ io/detail/read_mtl            io/detail/read_mtl io/detail/material_library_file
 io/detail/write_mtl           io/detail/write_mtl io/detail/material_library_file
 io/detail/material_library_file        io/detail/material_library_file io/killed_save io/detail/write_mtl
 core/hash_bytes      core/hash_bytes
-mesh/correspondence   mesh/correspondence mesh/corner_property
-mesh/detail/correspondence   mesh/correspondence
+mesh/correspondence   mesh/correspondence_edges mesh/correspondence_corners mesh/correspondence
+mesh/detail/correspondence   mesh/correspondence_edges mesh/correspondence_corners mesh/correspondence
 mesh/corner_property  mesh/corner_property
-mesh/property_set     mesh/property mesh/native_mesh mesh/corner_property
-mesh/detail/property_set     mesh/property mesh/native_mesh mesh/corner_property
+mesh/property_set     mesh/detail/property_set mesh/property mesh/correspondence
+mesh/detail/property_set     mesh/detail/property_set mesh/property mesh/correspondence
 io/detail/choose_format   io/format io/load
 io/detail/name_runs       io/detail/read_obj io/detail/read_mtl io/load
 io/detail/load_with       io/format io/load io/load_any
