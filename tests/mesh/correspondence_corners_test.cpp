@@ -176,3 +176,18 @@ TEST_CASE_TEMPLATE("origins of corners: given ones are used as they are, and che
   CHECK(find_edge_property<int>(to, "e"));
   CHECK(find_corner_property<double>(to, "u").of(poly_id{0})[0] == static_cast<double>(n - 1));
 }
+
+TEST_CASE_TEMPLATE("correspondence: corners of removed polys are no origins", M, CONCINO_KINDS) {
+  const M whole = testing::grid<M>(2);
+  M m = whole, to = whole;
+  const auto u = corner_property<double>(m, "u");
+  for (const poly_id p : polys(m))
+    for (double& x : u.of(p)) x = 1;
+  remove_poly(m, poly_id{0});
+  correspondence c;
+  for (const vert_id v : verts(to)) c.verts.add(v.raw());
+  for (const poly_id p : polys(to)) c.polys.add(p.raw());
+  transfer_properties(m, to, c);
+  for (const poly_id p : polys(to))
+    for (const double x : find_corner_property<double>(to, "u").of(p)) CHECK(x == (p == poly_id{0} ? 0 : 1));
+}

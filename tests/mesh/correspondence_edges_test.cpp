@@ -253,3 +253,18 @@ TEST_CASE("correspondence: values are transferred only if each origin has one") 
     CHECK_THROWS_AS(transfer_values(element_origins(beyond), std::span(values), property_rule::copy), invalid_argument);
   }
 }
+
+TEST_CASE_TEMPLATE("correspondence: elements at removed verts are no origins", M, CONCINO_KINDS) {
+  const M whole = testing::grid<M>(2);
+  M m = whole;
+  remove_vert(m, vert_id{0});
+  correspondence c;
+  for (const vert_id v : verts(whole)) c.verts.add(v.raw());
+  match_edges_and_faces(m, whole, c);
+  for (const edge_id e : edges(whole)) {
+    const auto ends = end_verts(whole, e);
+    if (ends.first == vert_id{0} || ends.second == vert_id{0}) CHECK(c.edges[e.raw()].empty());
+  }
+  if constexpr (VolumeMesh<M>)
+    for (const face_id f : adj_v2f(whole, vert_id{0})) CHECK(c.faces[f.raw()].empty());
+}

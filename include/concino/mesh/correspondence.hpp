@@ -46,17 +46,26 @@ inline double part_of(const element_origins::range& origins, std::uint32_t i) {
   return total > 0 ? part / total : times / static_cast<double>(origins.size());
 }
 
-template<class M>
-std::vector<vert_t<M>> verts_by_index(const M& m) {
-  std::vector<vert_t<M>> all(vert_index_bound(m));
-  for (const vert_t<M> v : verts(m)) all[index_of(m, v)] = v;
-  return all;
-}
+/// The elements of a mesh by index. Indices of removed elements have none.
+template<class X>
+struct elements_by_index {
+  std::vector<X> elements;
+  std::vector<unsigned char> exists;
+
+  template<class M, class Range>
+  elements_by_index(const M& m, const Range& all, std::size_t bound) : elements(bound), exists(bound) {
+    for (const X x : all) {
+      elements[index_of(m, x)] = x;
+      exists[index_of(m, x)] = 1;
+    }
+  }
+};
 
 /// The edge of m between the verts with indices a and b; `none` if there is none.
 template<class M>
-std::uint32_t find_edge(const M& m, const std::vector<vert_t<M>>& by_index, std::uint32_t a, std::uint32_t b) {
-  for (const edge_t<M> e : adj_v2e(m, by_index[a])) {
+std::uint32_t find_edge(const M& m, const elements_by_index<vert_t<M>>& by_index, std::uint32_t a, std::uint32_t b) {
+  if (!by_index.exists[a]) return element_origins::none;
+  for (const edge_t<M> e : adj_v2e(m, by_index.elements[a])) {
     const auto ends = end_verts(m, e);
     if (index_of(m, ends.first) == b || index_of(m, ends.second) == b) return static_cast<std::uint32_t>(index_of(m, e));
   }
@@ -65,9 +74,10 @@ std::uint32_t find_edge(const M& m, const std::vector<vert_t<M>>& by_index, std:
 
 /// A face of m that has all of these verts, at least three; if possible, one that has no others.
 template<class M>
-std::uint32_t face_around(const M& m, const std::vector<vert_t<M>>& by_index, const std::vector<std::uint32_t>& wanted) {
+std::uint32_t face_around(const M& m, const elements_by_index<vert_t<M>>& by_index, const std::vector<std::uint32_t>& wanted) {
   std::uint32_t found = element_origins::none;
-  for (const face_t<M> f : adj_v2f(m, by_index[wanted[0]])) {
+  if (!by_index.exists[wanted[0]]) return found;
+  for (const face_t<M> f : adj_v2f(m, by_index.elements[wanted[0]])) {
     std::size_t size = 0, met = 0;
     for (const vert_t<M> v : adj_f2v(m, f)) {
       ++size;
@@ -81,7 +91,7 @@ std::uint32_t face_around(const M& m, const std::vector<vert_t<M>>& by_index, co
 }
 
 template<class From, class To>
-element_origins match_edges(const From& before, const To& m, const element_origins& of_verts, const std::vector<vert_t<From>>& by_index) {
+element_origins match_edges(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index) {
   std::vector<origin> found(edge_index_bound(m), origin{element_origins::none, 0});
   for (const edge_t<To> e : edges(m)) {
     const auto ends = end_verts(m, e);
@@ -102,7 +112,7 @@ element_origins match_edges(const From& before, const To& m, const element_origi
 }
 
 template<class From, class To>
-element_origins match_faces(const From& before, const To& m, const element_origins& of_verts, const std::vector<vert_t<From>>& by_index) {
+element_origins match_faces(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index) {
   std::vector<std::uint32_t> found(face_index_bound(m), element_origins::none);
   for (const face_t<To> f : faces(m)) {
     joint_origins joint;
@@ -120,8 +130,7 @@ element_origins match_faces(const From& before, const To& m, const element_origi
 /// Finds the origins of a corner. They are corners of the origins of its poly, at the origins of its vert.
 template<NumbersCorners From, NumbersCorners To>
 element_origins match_corners(const From& before, const To& m, const element_origins& of_verts, const element_origins& of_polys) {
-  std::vector<poly_t<From>> by_index(poly_index_bound(before));
-  for (const poly_t<From> p : polys(before)) by_index[index_of(before, p)] = p;
+  const elements_by_index<poly_t<From>> by_index(before, polys(before), poly_index_bound(before));
   std::vector<std::size_t> first, last;  // of the origins of each corner, by corner number, in `found`
   first.resize(traits<To>::corner_index_bound(m)), last.resize(first.size());
   std::vector<origin> found;
@@ -130,8 +139,9 @@ element_origins match_corners(const From& before, const To& m, const element_ori
     for (const vert_t<To> v : adj_p2v(m, p)) {
       first[corner] = found.size();
       for (const origin of_poly : of_polys[index_of(m, p)]) {
-        std::size_t number = traits<From>::first_corner(before, by_index[of_poly.index]);
-        for (const vert_t<From> w : adj_p2v(before, by_index[of_poly.index])) {
+        if (!by_index.exists[of_poly.index]) continue;
+        std::size_t number = traits<From>::first_corner(before, by_index.elements[of_poly.index]);
+        for (const vert_t<From> w : adj_p2v(before, by_index.elements[of_poly.index])) {
           for (const origin of_vert : of_verts[index_of(m, v)])
             if (of_vert.index == index_of(before, w)) found.push_back({static_cast<std::uint32_t>(number), of_poly.weight * of_vert.weight});
           ++number;
@@ -158,14 +168,14 @@ void check_origins(const correspondence& c, const property_set& properties, cons
 /// its ends; the origin of a face is the face around the origins of its verts. Half of an edge has half of it as weight; parts of a face have equal weights.
 /// Needs:  AnyMesh both, of the same dimension; c.verts for each vert of m.
 /// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces in the interior of old polys have no origin. Nor have
-///         edges whose verts do not have exactly two origins, and faces whose verts have fewer than three.
+///         edges whose verts do not have exactly two origins, and faces whose verts have fewer than three. Removed verts are no origins.
 /// Cost:   O(elements), times the edges or faces at a vert.
 /// Errors: invalid_argument if c.verts is for another number of verts, or has an origin that is out of range in the mesh before.
 template<AnyMesh From, AnyMesh To>
   requires(dimension_v<From> == dimension_v<To>)
 void match_edges_and_faces(const From& before, const To& m, correspondence& c) {
   detail::check_origins(element_kind::vert, c.verts, vert_index_bound(before), vert_index_bound(m));
-  const std::vector<vert_t<From>> by_index = detail::verts_by_index(before);
+  const detail::elements_by_index<vert_t<From>> by_index(before, verts(before), vert_index_bound(before));
   if (c.edges.size() == 0) c.edges = detail::match_edges(before, m, c.verts, by_index);
   if constexpr (dimension_v<To> == 3)  // surfaces have no faces
     if (c.faces.size() == 0) c.faces = detail::match_faces(before, m, c.verts, by_index);
