@@ -17,7 +17,6 @@ struct prolongation {
   int columns = 0;
 };
 
-
 /// Rows i and j are strongly connected if a_ij is negative and -a_ij is at least 0.6 min(m_i, m_j), where m_i is the largest -a_ij of row i. An aggregate
 /// is a row and those strongly connected to it. Rows that are dominated by their diagonal entry belong to none, since Gauss-Seidel solves them. The filtered
 /// matrix has the strong entries only; all others are added to its diagonal.
@@ -71,11 +70,11 @@ class aggregates {
     p.columns = num_;
     p.begin.reserve(n_ + 1);
     p.begin.push_back(0);
-    std::vector<int> place(static_cast<std::size_t>(num_), -1), columns;
+    std::vector<int> position(static_cast<std::size_t>(num_), -1), columns;
     std::vector<double> weights;
     std::size_t entries = 0;
     for (std::size_t i = 0; i < n_; ++i) {
-      smooth_row(i, place, columns, weights);
+      smooth_row(i, position, columns, weights);
       entries += columns.size();
       if (entries > max_entries) return {};
       p.begin.push_back(static_cast<int>(entries));
@@ -83,7 +82,7 @@ class aggregates {
     p.column.reserve(entries);
     p.weight.reserve(entries);
     for (std::size_t i = 0; i < n_; ++i) {
-      smooth_row(i, place, columns, weights);
+      smooth_row(i, position, columns, weights);
       p.column.insert(p.column.end(), columns.begin(), columns.end());
       append_rounded(weights, p.weight);
     }
@@ -91,13 +90,13 @@ class aggregates {
   }
 
  private:
-  /// The aggregates and weights from which row i is interpolated. place: -1 for each aggregate, before and after.
-  void smooth_row(std::size_t i, std::vector<int>& place, std::vector<int>& columns, std::vector<double>& weights) const {
+  /// The aggregates and weights from which row i is interpolated. position: -1 for each aggregate, before and after.
+  void smooth_row(std::size_t i, std::vector<int>& position, std::vector<int>& columns, std::vector<double>& weights) const {
     columns.clear();
     weights.clear();
     const auto add = [&](int to, double w) {
       if (to < 0) return;
-      int& at = place[static_cast<std::size_t>(to)];
+      int& at = position[static_cast<std::size_t>(to)];
       if (at < 0) {
         at = static_cast<int>(columns.size());
         columns.push_back(to);
@@ -110,7 +109,7 @@ class aggregates {
     if (count <= max_per_row)
       for (auto k = static_cast<std::size_t>(begin_[i]); k < static_cast<std::size_t>(begin_[i + 1]); ++k)
         add(of_[static_cast<std::size_t>(neighbour_[k])], damping * strength_[k] / diagonal_[i]);
-    for (const int to : columns) place[static_cast<std::size_t>(to)] = -1;
+    for (const int to : columns) position[static_cast<std::size_t>(to)] = -1;
   }
 
   /// Rounds weights to multiples of 2^-22, so that those with the sum 1 still have exactly that sum: constants are interpolated without rounding errors.
