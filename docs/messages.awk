@@ -46,7 +46,7 @@ function with_short_numbers(message,    text, number) {
 function pattern(type, message) {
   if (type == "parse_error") sub(/, found ('.*|the end of the (line|file).*|another value.*|an empty file.*)$/, ", found ...", message)
   gsub(/'[^']*'/, "'...'", message)
-  gsub(/[A-Za-z0-9_.-]*\.(obj|off|mesh|hedra|mtl|txt|soup|tris|xyz|stl|ply)/, "file", message)
+  gsub(/[A-Za-z0-9_.-]*\.(obj|off|mesh|meshb|hedra|hybrid|tet|iv|mtl|txt|soup|tris|xyz|stl|ply)/, "file", message)
   gsub(/[-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?|[-+]?(inf|nan)/, "0", message)
   gsub(/0(, 0)+/, "0", message)
   return type " " message

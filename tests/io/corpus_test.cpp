@@ -2,6 +2,7 @@
 #include <concino/io.hpp>
 
 #include <support/corpus.hpp>
+#include <support/formats.hpp>
 #include <support/temporary.hpp>
 
 #include <doctest/doctest.h>
@@ -75,7 +76,7 @@ std::vector<std::string> split(const std::string& line, char at) {
 }
 
 bool is_known(const std::string& file) {
-  return file.ends_with(".obj") || file.ends_with(".off") || file.ends_with(".mesh") || file.ends_with(".hedra");
+  return (" " + extensions_of(standard_formats) + ",").find(' ' + std::filesystem::path(file).extension().string() + ',') != std::string::npos;
 }
 
 }  // namespace
@@ -170,7 +171,7 @@ TEST_CASE("corpus: every mesh is the same after saving and loading") {
   std::size_t files = 0;
   for (const char* name :
        {"tri/spot_textured.obj", "quad/bamboo_pen_genus8.obj", "polygon/dodecahedron.obj", "polygon/lion_vase_poly.off", "tri/cactus.off",
-        "hex/hollow_sphere.mesh", "tet/quarter_crown.mesh", "polyhedral/voronoi_cube_250.hedra", "polyhedral/agglomerated_crown.hedra"}) {
+        "hex/hollow_sphere.mesh", "tet/quarter_crown.mesh", "polyhedral/voronoi_cube_250.hedra", "polyhedral/voronoi_cube_250.hybrid", "polyhedral/agglomerated_crown.hedra"}) {
     const auto file = corpus(name);
     if (file.empty()) continue;
     ++files;

@@ -3,6 +3,7 @@
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 
+#include <support/formats.hpp>
 #include <support/temporary.hpp>
 
 #include <doctest/doctest.h>
@@ -65,11 +66,11 @@ const trimesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
 const tetmesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
 
 struct nameless {};
-static_assert(Format<obj_format> && Format<off_format> && Format<medit_format> && Format<hedra_format> && Format<soup_format> && Format<both_format>);
+static_assert(Format<obj_format> && Format<off_format> && Format<medit_format> && Format<hedra_format> && Format<hybrid_format> && Format<soup_format> && Format<both_format>);
 static_assert(!Format<nameless> && !Format<int> && !Format<load_options> && !Format<format_id>);
 static_assert(Formats<soup_format> && Formats<std::remove_const_t<decltype(known)>> && !Formats<nameless> && !Formats<load_options>);
 static_assert(format_id(soup_format{}) != file_format::obj && format_id(file_format::obj) == format_id(obj_format{}) && format_id() == file_format::by_extension);
-static_assert(known.ids().size() == 5 && known.ids()[4].name() == "soup");
+static_assert(known.ids().size() == standard_formats.ids().size() + 1 && known.ids().back().name() == "soup");
 
 }  // namespace
 
@@ -91,6 +92,8 @@ TEST_CASE("format: a format argument takes precedence over the extension") {
   CHECK(num_polys(load_obj<trimesh>(dir / "c")) == 1);
   save_medit(tet, dir / "c");
   CHECK(num_polys(load_medit<tetmesh>(dir / "c")) == 1);
+  save_hybrid(tet, dir / "c");
+  CHECK(num_polys(load_hybrid<tetmesh>(dir / "c")) == 1);
   save_hedra(tet, dir / "c");
   CHECK(num_polys(load_hedra<tetmesh>(dir / "c")) == 1);
 }
@@ -110,9 +113,9 @@ TEST_CASE("format: the extension or the options choose from a list") {
   CHECK_THROWS_AS(load_text<trimesh>(one, known), invalid_argument);
   CHECK_THROWS_AS(save_text(triangle, known), invalid_argument);
   CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", known),
-                       ((dir / "text") + ": the extension is not that of a known format; known extensions: .obj, .off, .mesh, .hedra, .soup, .tris").c_str(), unsupported);
+                       ((dir / "text") + ": the extension is not that of a known format; known extensions: " + extensions_of(known)).c_str(), unsupported);
   CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", {.format = soup_format{}}),
-                       ((dir / "text") + ": the format soup is not among those of this call: obj, off, medit, hedra").c_str(), unsupported);
+                       ((dir / "text") + ": the format soup is not among those of this call: " + names_of(standard_formats)).c_str(), unsupported);
   CHECK_THROWS_AS(load<trimesh>(dir / "a.obj", format_list{soup_format{}}), unsupported);
   CHECK_THROWS_AS(save(triangle, dir / "a.obj", format_list<>{}), unsupported);
 }

@@ -2,6 +2,7 @@
 
 #include <support/kinds.hpp>
 #include <support/reading.hpp>
+#include <support/formats.hpp>
 #include <support/temporary.hpp>
 
 #include <doctest/doctest.h>
@@ -40,7 +41,7 @@ TEST_CASE("load: the extension decides, in upper or lower case") {
   }
   write_file(dir / "d.txt", square + "f 1 2 3 4\n");
   CHECK_THROWS_WITH_AS(load<polygonmesh>(dir / "d.txt"),
-                       ((dir / "d.txt") + ": the extension is not that of a known format; known extensions: .obj, .off, .mesh, .hedra").c_str(),
+                       ((dir / "d.txt") + ": the extension is not that of a known format; known extensions: " + extensions_of(standard_formats)).c_str(),
                        unsupported);
   CHECK(num_polys(load<polygonmesh>(dir / "d.txt", {.format = file_format::obj})) == 1);
   CHECK_THROWS_AS(load<trimesh>(".obj"), unsupported);

@@ -67,6 +67,10 @@ TEST_CASE("token_cursor: counts are limited by the length of the text, and indic
   CHECK_THROWS_AS(in.next_count("how many", 2), parse_error);
   CHECK(in.next_index(3, "an index") == 2);
   CHECK_THROWS_WITH_AS(in.next_index(3, "an index"), "t:1: expected an index from 1 to 3, found '0'", parse_error);
+  CHECK(token_cursor("0", "t", nullptr, 0).next_index(1, "an index", 0) == 0);
+  CHECK_THROWS_WITH_AS(token_cursor("1", "t", nullptr, 0).next_index(1, "an index", 0), "t:1: expected an index from 0 to 0, found '1'", parse_error);
+  CHECK_THROWS_WITH_AS(token_cursor("-1", "t", nullptr, 0).next_index(9, "an index", 0), "t:1: expected an index from 0 to 8, found '-1'", parse_error);
+  CHECK_THROWS_WITH_AS(token_cursor("0", "t", nullptr, 0).next_index(0, "an index", 0), "t:1: expected an index, but there is nothing to refer to, found '0'", parse_error);
 }
 
 TEST_CASE("text_cursor: progress increases to the end of the text, and can cancel") {

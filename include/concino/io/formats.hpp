@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/hedra_format.hpp>
+#include <concino/io/detail/hybrid_format.hpp>
 #include <concino/io/detail/medit_format.hpp>
 #include <concino/io/detail/obj_format.hpp>
 #include <concino/io/detail/off_format.hpp>
@@ -9,6 +10,6 @@
 namespace concino {
 
 /// The formats that load, load_any and save know by default. Add your own: standard_formats + my_format{}.
-inline constexpr format_list<obj_format, off_format, medit_format, hedra_format> standard_formats{};
+inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format> standard_formats{};
 
 }  // namespace concino

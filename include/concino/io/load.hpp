@@ -8,6 +8,7 @@
 
 #ifndef CONCINO_COMPILED
 #include <concino/io/detail/read_hedra.hpp>
+#include <concino/io/detail/read_hybrid.hpp>
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/read_off.hpp>
@@ -15,7 +16,7 @@
 
 namespace concino {
 
-/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh or .hedra, in upper or lower case.
+/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .hedra or .hybrid, in upper or lower case.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh any surface; the other
 ///         kinds accept only what they can hold. Values in the file become properties of the mesh; it has no others.

@@ -182,14 +182,20 @@ struct token_cursor : text_cursor {
   }
   /// How many of n elements the rest of the file can hold; the last one needs no line end.
   std::size_t reservable(std::uint64_t n, std::uint64_t bytes) const { return static_cast<std::size_t>(std::min(n, (left() + 1) / bytes)); }
-  /// Reads an index from 1 to `bound`, and returns it minus one.
-  std::uint32_t next_index(std::uint64_t bound, const char* what) {
+  /// Reads the index of one of `bound` elements, the first of which has index `first`, 0 or 1. Returns it as counted from 0.
+  std::uint32_t next_index(std::uint64_t bound, const char* what, std::uint32_t first = 1) {
     skip();
     std::int64_t i = 0;
     const char* p = parse_integer(at, end(), i);
-    if (!p || !ends_token(p, comment) || i < 1 || static_cast<std::uint64_t>(i) > bound) fail(at, {what, " from 1 to ", bound});
+    if (!p || !ends_token(p, comment) || static_cast<std::uint64_t>(i - first) >= bound) fail_index(bound, what, first);
     at = p;
-    return static_cast<std::uint32_t>(i - 1);
+    return static_cast<std::uint32_t>(i - first);
+  }
+
+ private:
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_index(std::uint64_t bound, const char* what, std::uint32_t first) const {
+    if (first == 0 && bound == 0) fail(at, {what, ", but there is nothing to refer to"});
+    fail(at, {what, " from ", first, " to ", bound - 1 + first});
   }
 };
 

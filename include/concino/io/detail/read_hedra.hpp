@@ -1,146 +1,50 @@
 // The reader of .hedra, Cinolib's format for volumes of any polyhedra.
 #pragma once
 
-#include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/hedra_format.hpp>
-#include <concino/io/detail/orient.hpp>
-#include <concino/io/text_cursor.hpp>
-#include <concino/io/detail/text_sample.hpp>
-#include <concino/mesh/limits.hpp>
+#include <concino/io/detail/polyhedra_reader.hpp>
 
 namespace concino::detail {
 
 /// Reads a .hedra file. Contents is volume_contents; a template only so that programs that read no volumes need not compile it.
 template<class Contents>
-class hedra_reader : token_cursor {
-  const wanted_mesh& wanted_;
-  load_report& report_;
-  polyhedra_arrays out_;
-  const char* first_cell_ = nullptr;
+class hedra_reader : polyhedra_reader<Contents, 1> {
+  using base = polyhedra_reader<Contents, 1>;
+  using base::at, base::skip, base::at_end, base::end, base::fail, base::next_count, base::next_integer, base::out_;
 
  public:
-  hedra_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {}
+  explicit hedra_reader(const read_context& c) : base(c) {}
 
   void read(Contents& out) {
     skip();
     if (at_end()) fail(end(), "the numbers of verts, faces and polyhedra");
     const std::uint64_t nv = next_count("the number of verts", 6), nf = next_count("the number of faces", 8),
                         np = next_count("the number of polyhedra", 4);
-    verts(nv);
-    faces(nf);
-    skip();
-    first_cell_ = at;
+    this->verts(nv);
+    this->faces(nf);
     polys(np);
     skip();
     if (!at_end()) fail(at, "the end of the file after the last polyhedron");
-    report_.reoriented_polys = orient_polyhedra(out_);
-    if (report_.reoriented_polys)
-      report_.notes.push_back(core::joined({report_.reoriented_polys, " of ", np,
-                                      " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
-    out.filled = wanted_.polyhedra ? arrays_kind::polyhedra : arrays_kind::cells;
-    if (wanted_.polyhedra) out.polyhedra = std::move(out_);
-    else out.cells = cells();
+    this->orient_polys();
+    this->finish(out);
   }
 
  private:
-  /// The expected number of entries of n lists, estimated from the first few; no more than the text can hold.
-  std::size_t expected(std::size_t entries, std::uint64_t lists, std::uint64_t n) const {
-    const double all = static_cast<double>(entries) / static_cast<double>(lists) * static_cast<double>(n);
-    return entries + std::min(with_margin(all), static_cast<std::size_t>(end() - at) / 2 + 1);
-  }
-
-  void verts(std::uint64_t n) {
-    core::reserve_large(out_.points, reservable(n, 6));
-    for (std::uint64_t i = 0; i < n; ++i) {
-      vec3 p;
-      p.x = next_real("the x of a vert");
-      p.y = next_real("the y of a vert");
-      p.z = next_real("the z of a vert");
-      out_.points.push_back(p);
-      report_progress();
-    }
-  }
-
-  void faces(std::uint64_t n) {
-    std::vector<std::uint64_t> scratch;
-    core::reserve_large(out_.face_offsets, reservable(n, 8) + 1);
-    out_.face_offsets.push_back(0);
-    for (std::uint64_t f = 0; f < n; ++f) {
-      skip();
-      const char* const from = at;
-      const std::uint64_t size = next_count("the number of verts of a face", 2);
-      if (size < 3) fail(from, {"a face of at least three verts"}, {"one of ", size});
-      for (std::uint64_t i = 0; i < size; ++i) out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index")});
-      const vert_id* const corners = out_.face_verts.data() + (out_.face_verts.size() - size);
-      if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
-        fail(from, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
-      if (out_.face_verts.size() > max_ids) fail_to_count("corners");
-      if (f == 4095) core::reserve_large(out_.face_verts, expected(out_.face_verts.size(), f + 1, n));
-      out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
-      report_progress();
-    }
-  }
-
   void polys(std::uint64_t n) {
-    std::vector<std::uint32_t> last_poly(out_.num_faces(), ~0u);  // the last poly that had each face
-    std::uint64_t poly_corners = 0;
-    core::reserve_large(out_.poly_offsets, reservable(n, 4) + 1);
-    out_.poly_offsets.push_back(0);
+    this->begin_polys(n, 1);
     for (std::uint64_t p = 0; p < n; ++p) {
-      skip();
-      const char* const from = at;
-      const std::uint64_t size = next_count("the number of faces of a polyhedron", 2);
-      if (size == 0) fail(from, {"a polyhedron of at least one face"}, {"one without faces"});
-      for (std::uint64_t i = 0; i < size; ++i) {
+      for (std::uint64_t size = this->poly_size(); size > 0; --size) {
         skip();
         const char* const here = at;
         const std::int64_t f = next_integer("a face index");
         const auto k = static_cast<std::uint64_t>(f < 0 ? -f : f);
         if (k < 1 || k > out_.num_faces()) fail(here, {"a face index from 1 to ", out_.num_faces(), ", or its negative"});
-        if (last_poly[k - 1] == p) fail(here, {"different faces in a polyhedron"}, {"face ", k, " twice"});
-        last_poly[k - 1] = static_cast<std::uint32_t>(p);
-        poly_corners += out_.face_offsets[k] - out_.face_offsets[k - 1];
-        out_.poly_faces.push_back(face_id{k - 1});
+        this->add_face(here, k - 1);
         out_.outward.push_back(f > 0);
       }
-      if (out_.poly_faces.size() > max_ids) fail_to_count("faces of polyhedra");
-      if (p == 4095) {
-        core::reserve_large(out_.poly_faces, expected(out_.poly_faces.size(), p + 1, n));
-        core::reserve_large(out_.outward, out_.poly_faces.capacity());
-      }
-      out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
-      report_progress();
+      this->end_poly(n);
     }
-    check_poly_corners(poly_corners, out_.face_verts.size(), out_.poly_faces.size(), core::joined({name(), ": "}));
-  }
-
-  /// The polyhedra as cells in the standard order, for meshes of only tets or only hexes.
-  cell_arrays cells() {
-    cell_recogniser known;
-    cell_arrays cells;
-    cells.arity = wanted_.arity;
-    for (std::size_t p = 0; p < out_.num_polys(); ++p) {
-      const cell_shape s = recognise(out_, p, known);
-      const std::uint32_t n = s == cell_shape::tet ? 4 : s == cell_shape::hex ? 8 : 0;
-      if (cells.arity == 0) cells.arity = n;
-      if (n == 0 || n != cells.arity) {
-        at = first_cell_;
-        for (std::size_t q = 0; q <= p; ++q) {
-          skip();
-          first_cell_ = at;
-          for (std::int64_t i = next_integer("a number"); i > 0; --i) next_integer("a number");
-        }
-        fail(first_cell_,
-             {name_of_poly(true, cells.arity ? cells.arity : 4), " (polyhedralmesh and load_any take any polyhedron)"},
-             {"a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
-              " faces"});
-      }
-      for (std::uint32_t k = 0; k < n; ++k) cells.verts.push_back(known.cell[k]);
-    }
-    if (cells.arity == 0) cells.arity = 4;
-    report_.skipped.push_back("the numbering of the faces");
-    cells.points = std::move(out_.points);
-    return cells;
+    this->end_polys();
   }
 };
 

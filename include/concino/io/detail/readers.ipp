@@ -3,6 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/io/detail/read_hedra.hpp>
+#include <concino/io/detail/read_hybrid.hpp>
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/read_off.hpp>
@@ -11,6 +12,7 @@
 namespace concino {
 
 template void hedra_format::read<volume_contents>(const read_context&, volume_contents&);
+template void hybrid_format::read<volume_contents>(const read_context&, volume_contents&);
 template void medit_format::read<file_contents>(const read_context&, file_contents&);
 template void medit_format::read<volume_contents>(const read_context&, volume_contents&);
 

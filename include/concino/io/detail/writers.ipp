@@ -3,6 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/io/detail/write_hedra.hpp>
+#include <concino/io/detail/write_hybrid.hpp>
 #include <concino/io/detail/write_medit.hpp>
 #include <concino/io/detail/write_obj.hpp>
 #include <concino/io/detail/write_off.hpp>
@@ -12,7 +13,8 @@ namespace concino {
 
 // The writers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
-[[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write, &medit_format::write, &obj_format::write, &off_format::write};
+[[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write, &hybrid_format::write, &medit_format::write,
+                                                                           &obj_format::write, &off_format::write};
 }  // namespace
 
 }  // namespace concino
