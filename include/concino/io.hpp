@@ -1,4 +1,4 @@
-// Reads and writes mesh files (OBJ, OFF, MEDIT .mesh, .hedra, .hybrid), and functions on verts as text.
+// Reads and writes mesh files (OBJ, OFF, MEDIT .mesh, .hedra, .hybrid), slices (CLI), and functions on verts as text.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>
@@ -16,5 +16,6 @@
 #include <concino/io/off.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/scalar_field.hpp>
+#include <concino/io/slices.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>

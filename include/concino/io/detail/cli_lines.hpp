@@ -1,0 +1,49 @@
+// What text and binary files of the Common Layer Interface have in common: how contours are closed, and numbers in units of the file.
+#pragma once
+
+#include <concino/io/slice_layer.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace concino::detail {
+
+/// Frees the memory that the last layer does not use, and adds a layer.
+inline void begin_layer(slices& s, double z) {
+  if (!s.layers.empty())
+    for (slice_lines* lines : {&s.layers.back().outer, &s.layers.back().inner, &s.layers.back().open, &s.layers.back().hatches}) {
+      lines->points.shrink_to_fit();
+      lines->ends.shrink_to_fit();
+      lines->ids.shrink_to_fit();
+    }
+  s.layers.emplace_back().z = z;
+}
+
+/// Ends the line of all points after those of the last line; drops the last point of a closed contour that repeats the first one.
+/// Result: false if it is a closed contour that does not repeat its first point.
+inline bool end_line(slice_lines& lines, std::int32_t id, bool closed) {
+  const std::size_t first = lines.ends.empty() ? 0 : lines.ends.back();
+  const std::size_t n = lines.points.size() - first;
+  const bool repeats = n >= 2 && lines.points.back() == lines.points[first];
+  if (closed && repeats) lines.points.pop_back();
+  lines.ends.push_back(lines.points.size());
+  lines.ids.push_back(id);
+  return !closed || repeats || n == 0;
+}
+
+/// The number of units that gives x mm when it is read; NaN if no double does.
+inline double in_units(double x, double units) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double q = x / units;
+  if (!std::isfinite(q)) return std::numeric_limits<double>::quiet_NaN();
+  if (q * units == x) return q;
+  for (const double d : {-infinity, infinity}) {
+    const double next = std::nextafter(q, d);
+    if (next * units == x) return next;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace concino::detail
