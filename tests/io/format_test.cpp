@@ -60,6 +60,52 @@ struct both_format {
   }
 };
 
+/// A format with properties of every kind. Its text is not read.
+struct column_format {
+  static constexpr std::string_view name = "columns";
+  static constexpr std::string_view extensions[] = {".columns"};
+  static constexpr bool holds_surfaces = true, holds_volumes = true;
+  static void read(const read_context& in, volume_contents& out) {
+    const std::vector<vec3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+    const auto ids = [](std::initializer_list<unsigned> all) {
+      std::vector<vert_id> r;
+      for (const unsigned i : all) r.push_back(vert_id{i});
+      return r;
+    };
+    if (in.text.ends_with('2')) {
+      out.surface = {points, {0, 3, 7}, ids({0, 1, 2, 1, 4, 3, 2}), 0};
+      double* const u = out.add_property<double>(element_kind::corner, "u", 7);
+      for (int i = 0; i < 7; ++i) u[i] = i;
+      return;
+    }
+    out.filled = arrays_kind::cells;
+    out.cells = {points, ids({0, 1, 2, 3, 1, 2, 3, 4}), 4};
+    double* const height = out.add_property<double>(element_kind::vert, "height", 5);
+    for (int i = 0; i < 5; ++i) height[i] = i + 0.5;
+    out.add_property<int>(element_kind::vert, "height", 5);
+    std::array<float, 2>* const pair = out.add_property<std::array<float, 2>>(element_kind::poly, "pair", 2);
+    pair[1] = {5, 6};
+    *out.add_property<int>(element_kind::mesh, "step", 1) = 7;
+    out.faces.verts = ids({2, 1, 0, 3, 1, 2, 0, 1, 4});
+    out.faces.offsets = {0, 3, 6, 9};
+    int* const label = out.add_property<int>(element_kind::face, "label", 3);
+    label[0] = 11, label[1] = 12, label[2] = 13;
+    out.edges.verts = ids({4, 1});
+    out.edges.end_element();
+    *out.add_property<int>(element_kind::edge, "sharp", 1) = 1;
+  }
+  static void write(write_context& out, flat_mesh& m) {
+    for (const flat_property& p : m.property_list()) {
+      out.declare_stored(p.kind, p.name, *p.type);
+      const std::size_t n = p.kind == element_kind::mesh ? 1 : p.kind == element_kind::vert ? m.points.size() - 1 : p.kind == element_kind::face ? m.polyhedra().face_verts.size() : m.num_polys;
+      out.out << to_string(p.kind) << ' ' << p.name << ' ' << n;
+      if (const auto d = p.as<double>()) out.out << " d" << d[n - 1];
+      if (const auto i = p.as<int>(); i && p.kind == element_kind::mesh) out.out << " i" << i[0];
+      out.out << '\n';
+    }
+  }
+};
+
 constexpr auto known = standard_formats + soup_format{};
 const std::string one = "0 0 0  1 0 0  0 1 0 # one\n";
 const trimesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
@@ -113,7 +159,7 @@ TEST_CASE("format: the extension or the options choose from a list") {
   CHECK_THROWS_AS(load_text<trimesh>(one, known), invalid_argument);
   CHECK_THROWS_AS(save_text(triangle, known), invalid_argument);
   CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", known),
-                       ((dir / "text") + ": the extension is not that of a known format; known extensions: " + extensions_of(known)).c_str(), unsupported);
+                       ((dir / "text") + ": neither the extension nor the first words are those of a known format; known extensions: " + extensions_of(known) + "; known first words: " + signatures_of(known)).c_str(), unsupported);
   CHECK_THROWS_WITH_AS(load<trimesh>(dir / "text", {.format = soup_format{}}),
                        ((dir / "text") + ": the format soup is not among those of this call: " + names_of(standard_formats)).c_str(), unsupported);
   CHECK_THROWS_AS(load<trimesh>(dir / "a.obj", format_list{soup_format{}}), unsupported);
@@ -173,4 +219,83 @@ TEST_CASE("format: among formats with the same extension the signature decides, 
   CHECK(medit_format::has_signature("# a comment\n MeshVersionFormatted 2"));
   CHECK(!medit_format::has_signature("MeshVersionUnformatted 2"));
   CHECK(!medit_format::has_signature(""));
+}
+
+TEST_CASE("format: a signature decides against the extension, and the report says so") {
+  const temporary_folder dir;
+  const std::string off = "# a comment\nCOFF\n3 1 0\n0 0 0 1 1 1 1\n1 0 0 1 1 1 1\n0 1 0 1 1 1 1\n3 0 1 2\n";
+  for (const std::string name : {"a.obj", "a.mesh", "a.soup", "a.unknown", "a"}) {
+    write_file(dir / name, off);
+    load_report r;
+    CHECK(num_polys(load<trimesh>(dir / name, known, {.report = &r})) == 1);
+    REQUIRE(!r.notes.empty());
+    CHECK(r.notes.back() == "the extension is not .off, but the text begins like a file of that format, off, and was read as one");
+  }
+  load_report r;
+  write_file(dir / "a.off", off);
+  load<trimesh>(dir / "a.off", {.report = &r});
+  for (const std::string& note : r.notes) CHECK(note.find("extension") == std::string::npos);
+  write_file(dir / "b.off", off.substr(17));  // without its first word it is still an .off file
+  CHECK(num_polys(load<trimesh>(dir / "b.off")) == 1);
+  // a format that the caller names is not changed
+  CHECK_THROWS_AS(load_medit<trimesh>(dir / "a.mesh"), parse_error);
+  CHECK_THROWS_AS(load<trimesh>(dir / "a.mesh", {.format = file_format::medit}), parse_error);
+  for (const std::string word : {"OFF", "STCN4nOFF 3", "NOFF\n"}) CHECK(off_format::has_signature(word));
+  for (const std::string word : {"", "OFFS", "off", "NCOFF", "3 1 0", "#OFF"}) CHECK(!off_format::has_signature(word));
+}
+
+TEST_CASE("format: strict writers throw if anything would be lost, before they touch the file") {
+  const temporary_folder dir;
+  trimesh m = triangle;
+  save(m, dir / "a.obj", {.strict = true});
+  const std::string before = read_file(dir / "a.obj");
+  vert_property<int>(m, "n");
+  CHECK_THROWS_WITH_AS(save(m, dir / "a.obj", {.strict = true}),
+                       ((dir / "a.obj") + ": the file would lose something, and options.strict is set: vert property \"n\": .obj cannot store it").c_str(), unsupported);
+  CHECK(read_file(dir / "a.obj") == before);
+  CHECK_THROWS_AS(save(m, dir / "b.obj", {.strict = true}), unsupported);
+  CHECK(dir.num_files() == 1);
+  CHECK_THROWS_AS(save_text(m, soup_format{}, {.strict = true}), unsupported);
+  CHECK(save_text(triangle, soup_format{}, {.strict = true}) == "0 0 0\n1 0 0\n0 1 0\n");
+  save_report r;
+  save(m, dir / "a.obj", {.report = &r});
+  CHECK(r.lost.size() == 1);
+}
+
+TEST_CASE("format: readers and writers of properties of any name and type") {
+  load_report r;
+  const tetmesh m = load_text<tetmesh>("columns", column_format{}, {.report = &r});
+  CHECK(find_vert_property<double>(m, "height")[vert_id{3}] == 3.5);
+  CHECK(find_poly_property<std::array<float, 2>>(m, "pair")[poly_id{1}] == std::array<float, 2>{5, 6});
+  CHECK(*find_mesh_property<int>(m, "step") == 7);
+  const auto label = find_face_property<int>(m, "label");
+  std::vector<int> labels;
+  for (const auto f : faces(m))
+    if (label[f] != 0) labels.push_back(label[f]);
+  std::sort(labels.begin(), labels.end());
+  CHECK(labels == std::vector<int>{11, 12});
+  for (const auto f : faces(m)) {
+    std::size_t num_incident = 0;
+    for (const auto p : adj_f2p(m, f)) num_incident += p == p;
+    if (label[f] == 12) CHECK(num_incident == 2);  // the face 1 2 3, listed as 3 1 2
+  }
+  const auto sharp = find_edge_property<int>(m, "sharp");
+  std::size_t num_sharp = 0;
+  for (const auto e : edges(m)) num_sharp += sharp[e] == 1;
+  CHECK(num_sharp == 1);
+  CHECK(r.skipped == std::vector<std::string>{"a second property \"height\" of kind vert", "values of 1 elements of kind face that the mesh does not have"});
+  CHECK(save_text(m, column_format{}) == "vert height 4 d3.5\npoly pair 2\nface label 7\nmesh step 1 i7\n");
+  const auto bare = load_text<cell_arrays>("columns", column_format{}, {.report = &r});
+  CHECK(bare.num_polys() == 2);
+  CHECK(r.skipped.size() == 6);
+  CHECK(r.skipped[0] == "vert property \"height\"");
+}
+
+TEST_CASE("format: values of corners follow the verts of the polys") {
+  const polygonmesh m = load_text<polygonmesh>("columns 2", column_format{});
+  const auto u = find_corner_property<double>(m, "u");
+  std::vector<double> values;
+  for (const auto p : polys(m))
+    for (const double x : u.of(p)) values.push_back(x);
+  CHECK(values == std::vector<double>{0, 1, 2, 3, 4, 5, 6});
 }

@@ -39,7 +39,9 @@ TEST_CASE("load_any: returns the most special kind that can hold the file") {
 TEST_CASE("load_any: has the errors, labels and reports of load") {
   const testing::temporary_folder dir;
   CHECK_THROWS_AS(load_any(dir / "none.obj"), io_error);
-  CHECK_THROWS_AS(load_any(dir / "none.xyz"), unsupported);
+  CHECK_THROWS_AS(load_any(dir / "none.xyz"), io_error);
+  testing::write_file(dir / "some.xyz", "0 0 0\n");
+  CHECK_THROWS_AS(load_any(dir / "some.xyz"), unsupported);
   testing::write_file(dir / "bad.obj", "v 0 0\n");
   CHECK_THROWS_AS(load_any(dir / "bad.obj"), parse_error);
   testing::write_file(dir / "a.mesh", cube + "Triangles 1 1 2 3 5 Edges 1 1 2 0 End");

@@ -41,11 +41,11 @@ TEST_CASE("load: the extension decides, in upper or lower case") {
   }
   write_file(dir / "d.txt", square + "f 1 2 3 4\n");
   CHECK_THROWS_WITH_AS(load<polygonmesh>(dir / "d.txt"),
-                       ((dir / "d.txt") + ": the extension is not that of a known format; known extensions: " + extensions_of(standard_formats)).c_str(),
+                       ((dir / "d.txt") + ": neither the extension nor the first words are those of a known format; known extensions: " + extensions_of(standard_formats) + "; known first words: " + signatures_of(standard_formats)).c_str(),
                        unsupported);
   CHECK(num_polys(load<polygonmesh>(dir / "d.txt", {.format = file_format::obj})) == 1);
-  CHECK_THROWS_AS(load<trimesh>(".obj"), unsupported);
-  CHECK_THROWS_AS(load<trimesh>(""), unsupported);
+  CHECK_THROWS_AS(load<trimesh>(".obj"), io_error);
+  CHECK_THROWS_AS(load<trimesh>(""), io_error);
   CHECK_THROWS_AS(load<trimesh>(dir / "none.obj"), io_error);
   CHECK_THROWS_AS(load_text<trimesh>("", file_format::by_extension), invalid_argument);
 }

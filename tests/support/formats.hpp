@@ -27,4 +27,15 @@ std::string extensions_of(format_list<F...>) {
   return all;
 }
 
+/// What the signatures of formats look for, as messages list it.
+template<class... F>
+std::string signatures_of(format_list<F...>) {
+  std::string all;
+  const auto add = [&]<class G>(G) {
+    if constexpr (requires { G::signature; }) (all += all.empty() ? "" : ", ") += G::signature;
+  };
+  (add(F{}), ...);
+  return all;
+}
+
 }  // namespace concino::testing

@@ -11,6 +11,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -42,6 +44,24 @@ class element_values {
   const detail::column& values() const { return values_; }
 };
 
+/// The values of one property, one for each element of its kind in the order of the file; one value for the mesh as a whole.
+struct property_column {
+  element_kind kind;
+  std::string name;
+  std::shared_ptr<detail::column> values;
+};
+
+/// Edges, or faces of a volume, that a file lists by their verts to give them values: element i has verts[offsets[i]] .. verts[offsets[i+1]-1].
+/// The elements of the mesh are found by their verts, in any order.
+struct listed_elements {
+  std::vector<std::uint32_t> offsets{0};
+  std::vector<vert_id> verts;
+
+  std::size_t size() const { return offsets.size() - 1; }
+  /// Adds an element with the verts that were added since the last one.
+  void end_element() { offsets.push_back(static_cast<std::uint32_t>(verts.size())); }
+};
+
 /// Which of the arrays a reader has filled.
 enum class arrays_kind : std::uint8_t { surface, cells, polyhedra };
 
@@ -58,6 +78,22 @@ struct file_contents {
   element_values<std::array<double, 2>> vert_textures;
   detail::name_runs objects, groups, materials;  // of polys
   material_table table;                          // of the materials
+
+  /// Properties with any names and types. The values of a kind are in the order of the file: those of corners follow surface.verts, those of edges
+  /// and faces belong to the elements listed below. Of two with the same kind and name, or with the name of a member above, the first one counts.
+  std::vector<property_column> properties;
+  listed_elements edges, faces;
+
+  /// Adds a property with n default values.
+  /// Result: where to store the n values; valid as long as the contents.
+  void* add_property(element_kind kind, std::string_view property, const detail::value_type& type, std::size_t n) {
+    properties.push_back({kind, std::string(property), std::make_shared<detail::column>(type, n)});
+    return properties.back().values->data();
+  }
+  template<class T>
+  T* add_property(element_kind kind, std::string_view property, std::size_t n) {
+    return static_cast<T*>(add_property(kind, property, detail::values_of<T>, n));
+  }
 };
 
 /// The contents of a file that holds a surface or a volume: `filled` says which arrays are used.

@@ -8,7 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace concino {
 
@@ -36,6 +38,19 @@ struct flat_values {
   const T& operator[](std::size_t i) const { return values[indices ? indices[i] : i]; }
 };
 
+/// A property of the mesh, for writers that store properties of any name.
+struct flat_property {
+  element_kind kind;  // vert, face, poly or mesh
+  std::string name;
+  const std::type_info* type;
+  const void* values;
+  const std::uint32_t* indices;  // as in flat_values
+
+  /// The values, if they have type T; else a flat_values that converts to false.
+  template<class T>
+  flat_values<T> as() const { return {*type == typeid(T) ? static_cast<const T*>(values) : nullptr, indices}; }
+};
+
 /// Polyhedra as arrays: faces are lists of verts, polys are lists of faces. outward[k] says whether the verts of face poly_faces.values[k],
 /// in the order listed, are counter-clockwise as seen from outside the poly.
 struct flat_polyhedra {
@@ -56,6 +71,7 @@ class flat_mesh {
   const property_set* properties = nullptr;          // null if the type of the mesh has none
   std::span<const std::uint32_t> vert_indices = {};  // the index in the mesh of each number; empty if they are equal
   std::span<const std::uint32_t> poly_indices = {};
+  std::span<const std::uint32_t> face_indices = {};  // of the faces of polyhedra(), once it was called
 
   /// The faces and polyhedra of a volume.      Cost: the first call builds these lists for a mesh of tets or hexes.
   const flat_polyhedra& polyhedra() {
@@ -77,6 +93,9 @@ class flat_mesh {
   flat_values<T> poly_values(std::string_view name) const {
     return {values<T>(element_kind::poly, name), poly_indices.empty() ? nullptr : poly_indices.data()};
   }
+  /// All properties of verts, faces, polys and the mesh as a whole, in the order in which they were created. A writer passes those that it stores to
+  /// write_context::declare_stored.      Cost: calls polyhedra() if there is a property of faces.
+  std::vector<flat_property> property_list();
   /// The value of a property of the mesh as a whole; null if there is none.
   template<class T>
   const T* mesh_value(std::string_view name) const { return values<T>(element_kind::mesh, name); }
@@ -98,5 +117,20 @@ class flat_mesh {
     return properties ? static_cast<const T*>(properties->values_if_any(kind, name, typeid(T))) : nullptr;
   }
 };
+
+inline std::vector<flat_property> flat_mesh::property_list() {
+  std::vector<flat_property> list;
+  for (std::size_t i = 0; properties && i < properties->size(); ++i) {
+    const property_info p = properties->info(i);
+    if (p.kind == element_kind::edge || p.kind == element_kind::corner || (p.kind == element_kind::face && dimension != 3)) continue;
+    if (p.kind == element_kind::face) polyhedra();
+    std::span<const std::uint32_t> indices;
+    if (p.kind == element_kind::vert) indices = vert_indices;
+    if (p.kind == element_kind::face) indices = face_indices;
+    if (p.kind == element_kind::poly) indices = poly_indices;
+    list.push_back({p.kind, p.name, p.type, properties->values_if_any(p.kind, p.name, *p.type), indices.empty() ? nullptr : indices.data()});
+  }
+  return list;
+}
 
 }  // namespace concino

@@ -11,9 +11,15 @@
 //
 // and pass it to a call:  load<trimesh>(path, triangle_soup{}),  save(m, path, standard_formats + triangle_soup{}).
 // A format may also define
-//     static bool has_signature(std::string_view text);  whether a file begins like files of this format: distinguishes formats with the same extension
+//     static bool has_signature(std::string_view text);  whether a file begins like files of this format, which then decides against the extension
+//     static constexpr std::string_view signature = "SOUP";  what has_signature looks for, for messages
 //     static constexpr bool has_binary = true;           if it has a binary form, for save_options::binary
 //     read as a template over the contents               so that programs that read only surfaces, into file_contents, need not compile volumes
+//
+// A reader stores a property of any name and type by out.add_property<double>(element_kind::poly, "temperature", n), and collects the cells of
+// volumes of any shapes with cell_builder (detail/cell_builder.hpp). Values of edges and faces belong to out.edges and out.faces, which lists them by
+// their verts. A writer finds all properties in m.property_list(), and passes those that it stores to context.declare_stored; all others are reported
+// as lost, or an error if options.strict is set. What else is lost it adds to context.report.lost.
 //
 // Laws: read() fills the arrays in the order of the file and reports what it skips. Where the file breaks the format, it throws parse_error, by
 // text_cursor::fail. It checks indices, or leaves that to the mesh, which throws invalid_mesh. From what write() writes, read() reads the same mesh.
@@ -92,8 +98,8 @@ consteval void explain_format() {
   if constexpr (!Format<F>) requirement::first_missing<requirement::format_requirements, F>::template explain<F>();
 }
 
-/// The formats that a call knows: a list fixed at compile time. If several have the extension of a path, those whose signature the file has
-/// are preferred, then those later in the list.
+/// The formats that a call knows: a list fixed at compile time. A file is read in a format with its extension whose signature it has; else in any
+/// whose signature it has; else in a format with its extension. Of several, the last one in the list is used.
 template<Format... F>
 struct format_list {
   static_assert(sizeof...(F) <= 64);

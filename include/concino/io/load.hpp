@@ -17,6 +17,7 @@
 namespace concino {
 
 /// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .hedra or .hybrid, in upper or lower case.
+/// A file that begins like a file of another of these formats is read as what it is, and the report has a note.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh any surface; the other
 ///         kinds accept only what they can hold. Values in the file become properties of the mesh; it has no others.
@@ -26,7 +27,7 @@ namespace concino {
 ///         skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks its format or holds a
-///         poly that M cannot hold. unsupported if the extension is unknown, if the file holds a volume and M is a surface or the reverse, or
+///         poly that M cannot hold. unsupported if neither extension nor first words are known, if the file holds a volume and M is a surface or the reverse, or
 ///         if faces of more than 16 verts belong to very many polyhedra. cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {

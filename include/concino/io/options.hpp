@@ -24,7 +24,7 @@ struct save_report {
 };
 
 struct load_options {
-  format_id format = {};                   // one of the formats that the call knows; by default the extension determines it
+  format_id format = {};                   // one of the formats that the call knows; by default the first words of the file or its extension
   concino::load_report* report = nullptr;  // unless null, cleared and then filled in
   concino::progress progress = {};         // called with the fraction of the file that has been read
   /// Maps the file into memory instead of reading it. Loading is about a tenth faster, but a file that shrinks meanwhile may terminate the
@@ -37,6 +37,7 @@ struct save_options {
   concino::save_report* report = nullptr;  // unless null, cleared and then filled in
   concino::progress progress = {};         // called with the fraction of the elements that have been written
   bool binary = false;                     // .off: 32-bit numbers, so coordinates are rounded to floats; unsupported by formats without a binary form
+  bool strict = false;                     // throws unsupported, before the file is touched, if anything would be lost; costs a second pass
   bool sync = false;                       // the new data reaches the disk before it replaces a file; otherwise the system decides when
 };
 

@@ -15,7 +15,7 @@
 
 namespace concino {
 
-/// A buffer for text. It writes to a file descriptor in large pieces; without a descriptor it keeps the text.
+/// A buffer for text. It writes to a file descriptor in large pieces; without a descriptor it keeps the text, or discards it.
 ///
 ///   atomic_file file(path);
 ///   text_sink out(file.descriptor(), path);
@@ -28,7 +28,8 @@ class text_sink {
   static constexpr std::size_t piece = 1 << 18;
   std::string text_;
   std::size_t used_ = 0;
-  int file_ = -1;
+  static constexpr int keep = -1, discard = -2;  // instead of a descriptor
+  int file_ = keep;
   std::string path_;
 
   char* reserve(std::size_t n) {
@@ -36,8 +37,8 @@ class text_sink {
     return text_.data() + used_;
   }
   [[gnu::noinline]] void grow(std::size_t n) {
-    if (file_ >= 0) flush();
-    if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, file_ < 0 ? 2 * text_.size() : 0}));
+    if (file_ != keep) flush();
+    if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, file_ == keep ? 2 * text_.size() : 0}));
   }
   [[gnu::noinline]] text_sink& put(std::uint64_t i) {
     char* const p = reserve(24);
@@ -48,6 +49,8 @@ class text_sink {
  public:
   text_sink() = default;
   text_sink(int file, std::string path) : file_(file), path_(std::move(path)) {}
+  /// A sink that discards what is written to it.
+  static text_sink nowhere() { return text_sink(discard, {}); }
 
   [[gnu::noinline]] text_sink& operator<<(char c) {  // not inlined: there are many calls, and the numbers between them take longer
     *reserve(1) = c;
@@ -71,9 +74,9 @@ class text_sink {
     return i < 0 ? (*this << '-').put(0 - static_cast<std::uint64_t>(i)) : put(static_cast<std::uint64_t>(i));
   }
 
-  /// Writes the rest of the buffer to the file. Needs: a descriptor.
+  /// Writes the rest of the buffer to the file. Needs: a descriptor, or a sink that discards.
   void flush() {
-    for (std::size_t done = 0; done < used_;) {
+    for (std::size_t done = 0; done < used_ && file_ != discard;) {
       const ::ssize_t n = ::write(file_, text_.data() + done, used_ - done);
       if (n < 0 && errno == EINTR) continue;
       if (n < 0) detail::throw_io_error(path_, "cannot be written", errno);

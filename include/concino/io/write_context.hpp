@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <typeinfo>
 #include <vector>
@@ -30,7 +31,7 @@ struct write_context {
   /// A property that the file stores.
   struct stored_property {
     element_kind kind;
-    std::string_view name;
+    std::string name;
     const std::type_info* type;
   };
 
@@ -52,7 +53,8 @@ struct write_context {
 
   /// Declares that the file stores the property of that name with values of type T. All others are reported as lost.
   template<class T>
-  void declare_stored(element_kind kind, std::string_view property) { stored.push_back({kind, property, &typeid(T)}); }
+  void declare_stored(element_kind kind, std::string_view property) { declare_stored(kind, property, typeid(T)); }
+  void declare_stored(element_kind kind, std::string_view property, const std::type_info& type) { stored.push_back({kind, std::string(property), &type}); }
 
   /// A number other than a coordinate, for output: files cannot hold a number that is not finite, so it becomes 0, which is reported.
   double finite(double x) {

@@ -142,6 +142,7 @@ class column {
   void* data() const { return data_; }  // not null in a column made for a number of values, even if that is 0
   std::size_t size() const { return size_; }
   const std::type_info& type() const { return *type_->type; }
+  const value_type& operations() const { return *type_; }
   property_rule rule() const { return rule_; }
   /// Returns false if values of this type do not allow the rule.
   bool set_rule(property_rule rule);

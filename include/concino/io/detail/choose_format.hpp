@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace concino::detail {
@@ -18,6 +19,7 @@ struct format_row {
   std::size_t num_extensions;
   bool (*has_signature)(std::string_view text);  // null: the format has no signature
   bool has_binary;
+  std::string_view signature = {};  // for messages: what has_signature looks for
 };
 
 template<class F>
@@ -32,6 +34,7 @@ struct format_facts {
     format_row r{F::name, extensions.data(), extensions.size(), nullptr, false};
     if constexpr (requires { F::has_signature; }) r.has_signature = &F::has_signature;
     if constexpr (requires { F::has_binary; }) r.has_binary = F::has_binary;
+    if constexpr (requires { F::signature; }) r.signature = F::signature;
     return r;
   }
 };
@@ -48,12 +51,20 @@ template<class... F>
 constexpr format_rows format_rows_of(format_list<F...>) { return {all_format_rows<F...>::rows.data(), sizeof...(F)}; }
 
 /// The set of formats with the extension of a path, or with the name `requested`: bit i stands for format i.
-/// Errors: as check_path; unsupported if there is none, naming those that are known.
+/// Errors: as check_path; unsupported if none has the name.
 std::uint64_t formats_for(std::string_view path, format_id requested, format_rows known);
 
 /// The format to use among the candidates: the last one whose signature the text has, else the last one that has no signature, else the last
 /// one. Without a text: the last one.
 std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text);
+
+/// The format in which a file is read, if its extension determines it: that of choose_format, unless the text has no signature of the candidates,
+/// but that of another known format. A note then says so; else it is empty.
+/// Errors: unsupported if there is neither a candidate nor a signature, naming the extensions and signatures that are known.
+std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text, std::string& note);
+
+/// Errors: unsupported if there is no candidate, naming the extensions that are known.
+void require_candidate(std::string_view path, std::uint64_t candidates, format_rows known);
 
 /// The set of formats that a path may have, among those that a call knows.
 template<Formats F>
@@ -67,7 +78,9 @@ std::uint64_t candidates_for(std::string_view path, F formats, format_id request
 /// The format in which a file is written.
 template<Formats F>
 std::size_t chosen_for(std::string_view path, F formats, format_id requested) {
-  return choose_format(candidates_for(path, formats, requested), format_rows_of(list_of(formats)), nullptr);
+  const std::uint64_t candidates = candidates_for(path, formats, requested);
+  require_candidate(path, candidates, format_rows_of(list_of(formats)));
+  return choose_format(candidates, format_rows_of(list_of(formats)), nullptr);
 }
 
 /// Calls f(format) for the chosen format.

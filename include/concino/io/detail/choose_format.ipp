@@ -33,12 +33,10 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
     } else {
       for (std::size_t k = 0; k < row.num_extensions; ++k) {
         if (has_extension(path, row.extensions[k])) found |= std::uint64_t{1} << i;
-        all = core::joined({all, all.empty() ? "" : ", ", row.extensions[k]});
       }
     }
   }
-  if (found != 0) return found;
-  if (by_extension) core::throw_joined<unsupported>({path, ": the extension is not that of a known format; known extensions: ", all});
+  if (found != 0 || by_extension) return found;
   core::throw_joined<unsupported>({path, ": the format ", requested.name(), " is not among those of this call: ", all});
 }
 
@@ -50,6 +48,39 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
   for (std::size_t i = last + 1; i-- > 0;)
     if ((candidates >> i & 1) != 0 && !known.rows[i].has_signature) return i;
   return last;
+}
+
+/// The extensions of all formats, or what their signatures look for.
+inline std::string listed_in_message(format_rows known, bool signatures) {
+  std::string all;
+  for (std::size_t i = 0; i < known.size; ++i) {
+    const format_row& row = known.rows[i];
+    if (signatures && row.has_signature) all = core::joined({all, all.empty() ? "" : ", ", row.signature.empty() ? row.name : row.signature});
+    for (std::size_t k = 0; !signatures && k < row.num_extensions; ++k) all = core::joined({all, all.empty() ? "" : ", ", row.extensions[k]});
+  }
+  return all;
+}
+
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE void require_candidate(std::string_view path, std::uint64_t candidates, format_rows known) {
+  if (candidates == 0)
+    core::throw_joined<unsupported>({path, ": the extension is not that of a known format; known extensions: ", listed_in_message(known, false)});
+}
+
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text,
+                                                                       std::string& note) {
+  const auto has_signature = [&](std::size_t i) { return known.rows[i].has_signature && known.rows[i].has_signature(text); };
+  for (std::size_t i = known.size; i-- > 0;)
+    if ((candidates >> i & 1) != 0 && has_signature(i)) return i;
+  for (std::size_t i = known.size; i-- > 0;)
+    if (has_signature(i)) {
+      const format_row& row = known.rows[i];
+      note = core::joined({"the extension is not ", row.extensions[0], ", but the text begins like a file of that format, ", row.name, ", and was read as one"});
+      return i;
+    }
+  if (candidates != 0) return choose_format(candidates, known, &text);
+  const std::string signatures = listed_in_message(known, true);
+  core::throw_joined<unsupported>({path, ": neither the extension nor the first words are those of a known format; known extensions: ", listed_in_message(known, false),
+                                   signatures.empty() ? "" : "; known first words: ", signatures});
 }
 
 }  // namespace concino::detail

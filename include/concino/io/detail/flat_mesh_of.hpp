@@ -105,6 +105,7 @@ class flat_mesh_of final : public flat_mesh {
         add_list<face_id, face_t<M>>(poly_faces_, faces_, mesh_, adj_p2f(mesh_, p));
         for (const face_t<M> f : adj_p2f(mesh_, p)) outward_.push_back(face_is_outward(mesh_, p, f) ? 1 : 0);
       }
+      face_indices = faces_.indices;
       polyhedra_ = {face_verts_.lists(), poly_faces_.lists(), outward_};
     }
   }

@@ -93,19 +93,18 @@ void read_text(std::string_view text, std::string_view name, format_list<F...> k
   if (file) file->close(std::string(name));
 }
 
-/// The format of an open file, among the candidates (a bit mask).
-template<class... F>
-std::size_t format_of(const file_text& file, format_list<F...> known, std::uint64_t candidates) {
-  const std::string_view text = file.text();
-  return choose_format(candidates, format_rows_of(known), &text);
-}
-
 template<bool Surfaces, bool Volumes, Formats F, class Contents>
 void read_file(const std::string& path, F formats, const wanted_mesh& wanted, const load_options& options, Contents& contents) {
   const auto known = list_of(formats);
+  const format_rows rows = format_rows_of(known);
   const std::uint64_t candidates = candidates_for(path, formats, options.format);
   file_text file(path, {.map = options.map, .pipes = true});
-  read_text<Surfaces, Volumes>(file.text(), path, known, format_of(file, known, candidates), wanted, options, contents, &file);
+  const std::string_view text = file.text();
+  std::string note;
+  const bool by_extension = !Format<F> && options.format == format_id();
+  const std::size_t chosen = by_extension ? choose_by_text(path, candidates, rows, text, note) : choose_format(candidates, rows, &text);
+  read_text<Surfaces, Volumes>(text, path, known, chosen, wanted, options, contents, &file);
+  if (!note.empty() && options.report) options.report->notes.push_back(std::move(note));
 }
 
 template<class M, Formats F>

@@ -11,8 +11,10 @@ struct medit_format {
   static constexpr std::string_view extensions[] = {".mesh"};
   static constexpr bool holds_surfaces = true, holds_volumes = true;
 
+  static constexpr std::string_view signature = "MeshVersionFormatted";
+
   static bool has_signature(std::string_view text) {
-    token_cursor in(text, name, nullptr, '#');
+    token_cursor in(text.substr(0, 4096), name, nullptr, '#');
     in.skip();
     return in.word() == "MeshVersionFormatted";
   }

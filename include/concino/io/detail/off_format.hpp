@@ -11,6 +11,16 @@ struct off_format {
   static constexpr std::string_view extensions[] = {".off"};
   static constexpr bool holds_surfaces = true, holds_volumes = false;
   static constexpr bool has_binary = true;
+  static constexpr std::string_view signature = "OFF";
+
+  static bool has_signature(std::string_view text) {
+    token_cursor in(text.substr(0, 4096), name, nullptr, '#');
+    in.skip();
+    std::string_view word = in.word();
+    for (const std::string_view prefix : {"ST", "C", "N", "4", "n"})
+      if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+    return word == "OFF";
+  }
   static void read(const read_context& in, file_contents& out);
   static void write(write_context& out, flat_mesh& m);
 };

@@ -3,6 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/io/detail/contents.hpp>
+#include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>
 
 namespace concino::detail {
@@ -19,8 +20,82 @@ void set_poly_property(property_set& all, file_contents& contents, const std::ve
 
 void report_skipped(const file_contents& contents, load_report& report);
 
+/// Whether contents.properties has columns of a kind.
+bool has_columns(const file_contents& contents, element_kind kind);
+
+/// Sets the properties of contents.properties of a kind, and frees their columns. The i-th value belongs to the element with index where[i]; it is
+/// skipped if that is ~0u.
+void set_columns(property_set& all, file_contents& contents, element_kind kind, const std::vector<std::uint32_t>& where, std::size_t bound, load_report* report);
+
+/// Finds listed elements by their verts, in any order.
+class element_finder {
+  const listed_elements& listed_;
+  std::vector<std::uint32_t> slots_, next_;  // hash table: first element of each slot, and the next one in the same slot
+  std::vector<vert_id> sorted_;
+
+  static std::uint64_t hash(const vert_id* v, std::size_t n);
+  bool is_same(std::uint32_t i);
+
+ public:
+  std::vector<std::uint32_t> where;   // the index in the mesh of each listed element; ~0u if it was not found
+  std::vector<std::uint32_t> verts;   // of the element to find, filled by the caller
+
+  explicit element_finder(const listed_elements& listed);
+
+  /// Sets where[i] = index for the listed elements with these verts, and clears them.
+  void match(std::size_t index);
+};
+
+template<class M>
+void set_columns_of_corners(M& m, file_contents& contents, std::vector<std::uint32_t>& where, load_report* report) {
+  if constexpr (NumbersCorners<M>) {
+    for (const poly_t<M> p : polys(m))
+      for (std::size_t k = 0, n = num_elements(adj_p2v(m, p)); k < n; ++k) where.push_back(static_cast<std::uint32_t>(traits<M>::first_corner(m, p) + k));
+    set_columns(traits<M>::properties(m), contents, element_kind::corner, where, traits<M>::corner_index_bound(m), report);
+    where.clear();
+  }
+}
+
+template<class M>
+void set_all_columns(M& m, file_contents& contents, load_report* report) {
+  property_set& all = traits<M>::properties(m);
+  std::vector<std::uint32_t> where;
+  if (has_columns(contents, element_kind::vert)) {
+    for (const vert_t<M> v : verts(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, v)));
+    set_columns(all, contents, element_kind::vert, where, vert_index_bound(m), report);
+    where.clear();
+  }
+  if (has_columns(contents, element_kind::poly)) {
+    for (const poly_t<M> p : polys(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, p)));
+    set_columns(all, contents, element_kind::poly, where, poly_index_bound(m), report);
+    where.clear();
+  }
+  if (has_columns(contents, element_kind::corner)) set_columns_of_corners(m, contents, where, report);
+  const auto number_of = [&](const auto& v) { return static_cast<std::uint32_t>(index_of(m, v)); };
+  if (has_columns(contents, element_kind::edge)) {
+    element_finder finder(contents.edges);
+    for (const edge_t<M> e : edges(m)) {
+      for (const vert_t<M> v : adj_e2v(m, e)) finder.verts.push_back(number_of(v));
+      finder.match(index_of(m, e));
+    }
+    set_columns(all, contents, element_kind::edge, finder.where, edge_index_bound(m), report);
+  }
+  if constexpr (dimension_v<M> == 3) {  // surfaces have no faces
+    if (has_columns(contents, element_kind::face)) {
+      element_finder finder(contents.faces);
+      for (const face_t<M> f : faces(m)) {
+        for (const vert_t<M> v : adj_f2v(m, f)) finder.verts.push_back(number_of(v));
+        finder.match(index_of(m, f));
+      }
+      set_columns(all, contents, element_kind::face, finder.where, face_index_bound(m), report);
+    }
+  }
+  set_columns(all, contents, element_kind::mesh, {0}, 1, report);
+}
+
 /// Sets the properties of a mesh from the values in a file, if the mesh can have properties: "label", "color", "normal", "texture", "object",
-/// "group" and "material" of elements, "materials" of the mesh itself. The mesh has its elements in the order of the file.
+/// "group" and "material" of elements, "materials" of the mesh itself, and those of contents.properties. The mesh has its elements in the order
+/// of the file.
 template<class M>
 void set_properties(M& m, file_contents& contents, load_report* report) {
   if constexpr (HasProperties<M>) {
@@ -36,6 +111,7 @@ void set_properties(M& m, file_contents& contents, load_report* report) {
       for (const poly_t<M> p : polys(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, p)));
       set_poly_property(traits<M>::properties(m), contents, where, poly_index_bound(m));
     }
+    if (!contents.properties.empty()) set_all_columns(m, contents, report);
   } else if (report) {
     report_skipped(contents, *report);
   }

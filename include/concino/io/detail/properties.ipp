@@ -3,6 +3,8 @@
 
 #include <concino/io/detail/properties.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace concino::detail {
@@ -60,6 +62,85 @@ namespace concino::detail {
   skipped(contents.groups.empty(), "names of groups");
   skipped(contents.materials.empty(), "names of materials");
   skipped(contents.table.materials.empty(), "definitions of materials in libraries");
+  for (const property_column& c : contents.properties) report.skipped.push_back(core::joined({to_string(c.kind), " property \"", c.name, "\""}));
+}
+
+CONCINO_INLINE bool has_columns(const file_contents& contents, element_kind kind) {
+  for (const property_column& c : contents.properties)
+    if (c.kind == kind) return true;
+  return false;
+}
+
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE void set_columns(property_set& all, file_contents& contents, element_kind kind, const std::vector<std::uint32_t>& where,
+                                                             std::size_t bound, load_report* report) {
+  const auto is_taken = [&](const std::string& name) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (const property_info p = all.info(i); p.kind == kind && p.name == name) return true;
+    return false;
+  };
+  const auto missing = static_cast<std::size_t>(std::count(where.begin(), where.end(), ~0u));
+  bool any = false;
+  for (property_column& c : contents.properties) {
+    if (c.kind != kind || !c.values) continue;
+    if (is_taken(c.name)) {
+      if (report) report->skipped.push_back(core::joined({"a second property \"", c.name, "\" of kind ", to_string(kind)}));
+    } else {
+      const value_type& type = c.values->operations();
+      const std::shared_ptr<column> to = all.get(kind, c.name, type, bound);
+      const auto* from = static_cast<const unsigned char*>(c.values->data());
+      auto* const first = static_cast<unsigned char*>(to->data());
+      for (std::size_t i = 0, n = std::min(where.size(), c.values->size()); i < n; ++i) {
+        if (where[i] == ~0u) continue;
+        if (type.copy) type.destroy(first + where[i] * type.size), type.copy(first + where[i] * type.size, from + i * type.size);
+        else std::memcpy(first + where[i] * type.size, from + i * type.size, type.size);
+      }
+      any = true;
+    }
+    c.values.reset();
+  }
+  if (any && missing && report)
+    report->skipped.push_back(core::joined({"values of ", missing, " elements of kind ", to_string(kind), " that the mesh does not have"}));
+}
+
+/// A hash that does not depend on the order of the verts.
+CONCINO_INLINE std::uint64_t element_finder::hash(const vert_id* v, std::size_t n) {
+  std::uint64_t sum = n;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint64_t x = (v[i].raw() + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 31)) * 0xbf58476d1ce4e5b9u;
+    sum += x ^ (x >> 29);
+  }
+  return sum ^ (sum >> 32);
+}
+
+CONCINO_INLINE element_finder::element_finder(const listed_elements& listed) : listed_(listed), where(listed.size(), ~0u) {
+  slots_.assign(std::bit_ceil(2 * listed.size() + 1), ~0u);
+  next_.assign(listed.size(), ~0u);
+  for (std::size_t i = listed.size(); i-- > 0;) {
+    std::uint32_t& slot = slots_[hash(listed.verts.data() + listed.offsets[i], listed.offsets[i + 1] - listed.offsets[i]) & (slots_.size() - 1)];
+    next_[i] = slot;
+    slot = static_cast<std::uint32_t>(i);
+  }
+}
+
+CONCINO_INLINE bool element_finder::is_same(std::uint32_t i) {
+  const std::uint32_t n = listed_.offsets[i + 1] - listed_.offsets[i];
+  if (n != verts.size()) return false;
+  const vert_id* const v = listed_.verts.data() + listed_.offsets[i];
+  sorted_.assign(v, v + n);
+  std::sort(sorted_.begin(), sorted_.end());
+  for (std::uint32_t k = 0; k < n; ++k)
+    if (sorted_[k].raw() != verts[k]) return false;
+  return true;
+}
+
+CONCINO_INLINE void element_finder::match(std::size_t index) {
+  std::sort(verts.begin(), verts.end());
+  sorted_.clear();
+  for (const std::uint32_t v : verts) sorted_.push_back(vert_id{v});
+  for (std::uint32_t i = slots_[hash(sorted_.data(), sorted_.size()) & (slots_.size() - 1)]; i != ~0u; i = next_[i])
+    if (where[i] == ~0u && is_same(i)) where[i] = static_cast<std::uint32_t>(index);
+  verts.clear();
 }
 
 }  // namespace concino::detail

@@ -1,11 +1,11 @@
 // The reader of MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids, with labels ("references").
 #pragma once
 
+#include <concino/io/detail/cell_builder.hpp>
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/medit_format.hpp>
 #include <concino/io/detail/medit_sections.hpp>
 #include <concino/io/text_cursor.hpp>
-#include <concino/mesh/face_soup.hpp>
 
 namespace concino::detail {
 
@@ -18,11 +18,9 @@ class medit_reader : token_cursor {
   bool has_verts_ = false, ended_ = false;
   std::vector<vec3> points_;
   std::vector<int> vert_labels_, poly_labels_;
-  std::vector<vert_id> verts_;             // of the polys, one after another
-  std::vector<std::uint32_t> poly_begin_;  // where each poly begins in verts_, once they differ in size
-  std::vector<std::uint8_t> shapes_;       // cell_shape of each poly, once they differ
+  surface_arrays surface_;
+  std::uint32_t arity_ = 0;  // of the polygons, as long as they have the same
   std::size_t polys_ = 0;
-  const medit_section* only_ = nullptr;    // the section of all polys so far
   std::uint64_t num_rounded_ = 0;          // references that are not integers
   const char* first_rounded_ = nullptr;
 
@@ -33,8 +31,13 @@ class medit_reader : token_cursor {
   };
   std::vector<part> deferred_;  // sections of surfaces, until it is known that there are no cells; sections of cells before the verts
 
+  struct no_cells {
+    no_cells(const read_context&, std::vector<vec3>&, std::size_t) {}
+  };
+  std::conditional_t<Volumes, cell_builder<volume_contents>, no_cells> cells_;
+
  public:
-  medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report) {}
+  medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report), cells_(c, points_, 1) {}
 
   void read(contents_of<Volumes>& out) {
     skip();
@@ -157,40 +160,36 @@ class medit_reader : token_cursor {
     const medit_section& s = *all.section;
     if (all.count == 0) return;
     skip();
-    if (s.volume && wanted_.cells && !wanted_.polyhedra) {
-      const std::uint32_t arity = wanted_.arity ? wanted_.arity : only_ ? only_->arity : s.arity;
-      if (s.arity != arity || (arity != 4 && arity != 8)) throw_wrong_arity_of(s, arity);
-    }
+    if constexpr (Volumes)
+      if (s.volume && !cells_.can_hold(s.shape)) throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
     if (!s.volume && wanted_.surface && wanted_.arity && s.arity != wanted_.arity) throw_wrong_arity_of(s, wanted_.arity);
-    if (only_ && only_ != &s && shapes_.empty()) {  // from here on the shape of every poly is stored
-      shapes_.resize(polys_);
-      for (std::uint8_t& shape : shapes_) shape = static_cast<std::uint8_t>(only_->shape);
-      for (std::size_t p = 0; p <= polys_; ++p) poly_begin_.push_back(static_cast<std::uint32_t>(p * only_->arity));
+    if constexpr (Volumes) {
+      if (s.volume) cells_.reserve(s.shape, reservable(all.count, 2 * s.arity + 2));
     }
-    core::reserve_large(verts_, verts_.size() + reservable(all.count, 2 * s.arity + 2) * s.arity);
-    std::vector<std::uint64_t> scratch;
+    if (!s.volume) core::reserve_large(surface_.verts, surface_.verts.size() + reservable(all.count, 2 * s.arity + 2) * s.arity);
     for (std::uint64_t i = 0; i < all.count; ++i) {
       skip();
       const char* const from = at;
-      for (std::uint32_t k = 0; k < s.arity; ++k) {
-        const vert_id v{next_index(points_.size(), "a vertex index")};
-        verts_.push_back(v);
+      vert_id corners[8];
+      for (std::uint32_t k = 0; k < s.arity; ++k) corners[k] = vert_id{next_index(points_.size(), "a vertex index")};
+      if constexpr (Volumes) {
+        if (s.volume && !cells_.add_cell(s.shape, corners)) fail(from, {cells_.expected}, {cells_.found});
       }
-      vert_id* const corners = verts_.data() + (verts_.size() - s.arity);
-      if (const std::size_t k = first_repeated(corners, s.arity, scratch); k != s.arity)
-        fail(from, {"different vertices in an element"}, {"vertex ", corners[k].raw() + 1, " twice"});
+      if (!s.volume) add_polygon(from, corners, s.arity);
       add_label(poly_labels_, polys_ + i, next_label("the reference of an element, an integer"));
-      if constexpr (Volumes)
-        if (s.volume) report_.reoriented_polys += make_volume_positive(s.shape, corners, points_);
-      if (!shapes_.empty()) {
-        shapes_.push_back(static_cast<std::uint8_t>(s.shape));
-        poly_begin_.push_back(static_cast<std::uint32_t>(verts_.size()));
-      }
       report_progress();
     }
-    if (verts_.size() > max_ids) fail_to_count("corners");
     polys_ += all.count;
-    if (!only_) only_ = &s;
+  }
+
+  void add_polygon(const char* from, const vert_id* corners, std::uint32_t n) {
+    std::vector<std::uint64_t> unused;
+    if (const std::size_t k = first_repeated(corners, n, unused); k != n)
+      fail(from, {"different verts in an element"}, {"vert ", corners[k].raw() + 1, " twice"});
+    const std::size_t first = surface_.verts.size();
+    surface_.verts.insert(surface_.verts.end(), corners, corners + n);
+    end_poly(surface_, arity_, first);
+    if (surface_.verts.size() > max_ids) fail_to_count("corners");
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_wrong_arity_of(const medit_section& s, std::uint32_t arity) const {
@@ -220,9 +219,6 @@ class medit_reader : token_cursor {
     if (num_rounded_)
       report_.notes.push_back(
           core::joined({num_rounded_, " references are not integers and were rounded, the first on line ", line_of(first_rounded_)}));
-    if (report_.reoriented_polys)
-      report_.notes.push_back(core::joined({report_.reoriented_polys, " of ", polys_,
-                                      " cells had a negative volume: their verts were put into the standard order"}));
     if (has_cells && !Volumes) throw_wrong_dimension(name(), true, polys_);
     if (!has_cells && !wanted_.surface && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
 
@@ -233,34 +229,14 @@ class medit_reader : token_cursor {
     const bool volume = has_cells || !wanted_.surface;
     if (!volume) out.surface = surface();
     if constexpr (Volumes)
-      if (volume) {
-        const bool fits = wanted_.cells && shapes_.empty() && (!only_ || only_->arity == 4 || only_->arity == 8);
-        out.filled = fits ? arrays_kind::cells : arrays_kind::polyhedra;
-        if (fits) out.cells = cell_arrays{std::move(points_), std::move(verts_), only_ ? only_->arity : wanted_.arity ? wanted_.arity : 4};
-        else out.polyhedra = polyhedra();
-      }
+      if (volume) cells_.finish(out);
   }
 
   surface_arrays surface() {
-    surface_arrays s;
-    s.points = std::move(points_);
-    s.verts = std::move(verts_);
-    s.offsets = std::move(poly_begin_);
-    if (s.offsets.empty()) s.arity = only_ ? only_->arity : wanted_.arity;
-    if (s.offsets.empty() && s.arity == 0) s.offsets.push_back(0);
-    return s;
-  }
-
-  polyhedra_arrays polyhedra() {
-    face_soup soup;
-    const vert_id* v = verts_.data();
-    for (std::size_t p = 0; p < polys_; ++p) {
-      const cell_shape shape = shapes_.empty() ? only_->shape : static_cast<cell_shape>(shapes_[p]);
-      soup.add_cell(shape, v);
-      v += standard_cell_of(shape).num_verts;
-    }
-    std::vector<vert_id>().swap(verts_);
-    return std::move(soup).unite(std::move(points_));
+    surface_.points = std::move(points_);
+    if (surface_.offsets.empty()) surface_.arity = polys_ ? arity_ : wanted_.arity;
+    if (surface_.offsets.empty() && surface_.arity == 0) surface_.offsets.push_back(0);
+    return std::move(surface_);
   }
 };
 

@@ -21,6 +21,9 @@ void check_savable_points(std::string_view name, const flat_mesh& m);
 /// Reports what was lost. Called after the whole mesh is written.
 [[gnu::cold]] void report_lost(const write_context& c, const flat_mesh& m, std::string_view format);
 
+/// Errors: unsupported, with all that is lost.
+[[noreturn, gnu::cold]] void throw_lossy(std::string_view name, const save_report& report);
+
 /// A function that passes a mesh, as flat arrays, to a writer.
 using flat_mesh_source = function_ref<void(function_ref<void(flat_mesh&)>)>;
 
@@ -51,9 +54,23 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
   return std::move(context.companions);
 }
 
+/// For save_options::strict: writes the mesh to nowhere. Errors: unsupported if anything is lost.
+template<int Dimension, class... F>
+void require_lossless(flat_mesh_source mesh, std::string_view name, std::string_view path, format_list<F...> known, std::size_t chosen,
+                      const save_options& options) {
+  save_report report;
+  save_options dry = options;
+  dry.report = &report;
+  dry.progress = {};
+  text_sink out = text_sink::nowhere();
+  write_with<Dimension>(out, mesh, name, path, known, chosen, dry);
+  if (!report.lost.empty()) throw_lossy(name, report);
+}
+
 template<int Dimension, Formats F>
 void save_flat(flat_mesh_source mesh, const std::string& path, F formats, const save_options& options) {
   const std::size_t chosen = chosen_for(path, formats, options.format);
+  if (options.strict) require_lossless<Dimension>(mesh, path, path, list_of(formats), chosen, options);
   atomic_file file(path, {.sync = options.sync});
   text_sink out(file.descriptor(), path);
   const std::unique_ptr<companion_files> companions = write_with<Dimension>(out, mesh, path, path, list_of(formats), chosen, options);
@@ -67,6 +84,7 @@ void save_flat(flat_mesh_source mesh, const std::string& path, F formats, const 
 template<int Dimension, Formats F>
 std::string flat_text(flat_mesh_source mesh, F formats, const save_options& options) {
   const std::size_t chosen = chosen_for({}, formats, options.format);
+  if (options.strict) require_lossless<Dimension>(mesh, "text", {}, list_of(formats), chosen, options);
   text_sink out;
   write_with<Dimension>(out, mesh, "text", {}, list_of(formats), chosen, options);
   return std::move(out).release();

@@ -42,6 +42,12 @@ CONCINO_INLINE void report_lost(const write_context& c, const flat_mesh& m, std:
     c.report.lost.push_back(core::joined({c.num_not_finite, " numbers of colours and other properties that are not finite: written as 0"}));
 }
 
+[[noreturn, gnu::cold]] CONCINO_INLINE void throw_lossy(std::string_view name, const save_report& report) {
+  std::string all;
+  for (const std::string& what : report.lost) all = core::joined({all, all.empty() ? "" : "; ", what});
+  core::throw_joined<unsupported>({name, ": the file would lose something, and options.strict is set: ", all});
+}
+
 #ifdef CONCINO_COMPILED
 template<class M>
 void visit_precompiled_flat_mesh(const M& m, function_ref<void(flat_mesh&)> f) {
