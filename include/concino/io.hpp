@@ -1,4 +1,4 @@
-// Reads and writes mesh files (OBJ, OFF, MEDIT .mesh, .hedra, .hybrid), slices (CLI), and functions on verts as text.
+// Reads and writes mesh files (OBJ, OFF, MEDIT .mesh, .hedra, .hybrid, Open Inventor .iv), slices (CLI), and functions on verts as text.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>
@@ -7,6 +7,7 @@
 #include <concino/io/formats.hpp>
 #include <concino/io/hedra.hpp>
 #include <concino/io/hybrid.hpp>
+#include <concino/io/iv.hpp>
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/material_table.hpp>

@@ -106,13 +106,32 @@ struct column_format {
   }
 };
 
+/// A format that is only read: lines of three numbers, the verts.
+struct points_format {
+  static constexpr std::string_view name = "points";
+  static constexpr std::string_view extensions[] = {".points"};
+  static constexpr bool holds_surfaces = true, holds_volumes = false, is_read_only = true;
+  static void read(const read_context& in, file_contents& out) {
+    token_cursor words = in.words();
+    for (words.skip(); !words.at_end(); words.skip()) {
+      const double x = words.next_real("x"), y = words.next_real("y");
+      out.surface.points.push_back({x, y, words.next_real("z")});
+    }
+    out.surface.arity = 3;
+  }
+};
+
 constexpr auto known = standard_formats + soup_format{};
 const std::string one = "0 0 0  1 0 0  0 1 0 # one\n";
 const trimesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
 const tetmesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
 
 struct nameless {};
-static_assert(Format<obj_format> && Format<off_format> && Format<medit_format> && Format<hedra_format> && Format<hybrid_format> && Format<soup_format> && Format<both_format>);
+static_assert(Format<obj_format> && Format<off_format> && Format<medit_format> && Format<hedra_format> && Format<hybrid_format> && Format<iv_format> && Format<soup_format> && Format<both_format>);
+struct without_writer : points_format {
+  static constexpr bool is_read_only = false;
+};
+static_assert(Format<points_format> && !Format<without_writer>);
 static_assert(!Format<nameless> && !Format<int> && !Format<load_options> && !Format<format_id>);
 static_assert(Formats<soup_format> && Formats<std::remove_const_t<decltype(known)>> && !Formats<nameless> && !Formats<load_options>);
 static_assert(format_id(soup_format{}) != file_format::obj && format_id(file_format::obj) == format_id(obj_format{}) && format_id() == file_format::by_extension);
@@ -185,6 +204,21 @@ TEST_CASE("format: throws if it cannot hold the mesh or be written in binary") {
                        ((dir / "f") + ": vert 1 has a coordinate that is not a finite number; no file can hold it").c_str(), invalid_mesh);
   CHECK(read_file(dir / "f") == "0 0 0\n1 0 0\n0 1 0\n");
   CHECK(dir.num_files() == 1);
+}
+
+TEST_CASE("format: a format that is only read is not offered to save") {
+  const temporary_folder dir;
+  write_file(dir / "a.points", "0 0 0 1 0 0");
+  constexpr auto some = format_list{soup_format{}, points_format{}};
+  CHECK(num_verts(load<trimesh>(dir / "a.points", some)) == 2);
+  const std::string where = (dir / "a.points") + ": .points can be read, but not written";
+  CHECK_THROWS_WITH_AS(save(triangle, dir / "a.points", some), (where + "; formats that can be written: .soup").c_str(), unsupported);
+  CHECK_THROWS_WITH_AS(save(triangle, dir / "a.points", points_format{}), where.c_str(), unsupported);
+  CHECK_THROWS_WITH_AS(save(tet, dir / "b.obj", some, {.format = points_format{}}), ((dir / "b.obj") + ": .points can be read, but not written; formats that can be written: .soup").c_str(), unsupported);
+  CHECK_THROWS_WITH_AS(save_text(triangle, points_format{}), ".points can be read, but not written", unsupported);
+  CHECK(read_file(dir / "a.points") == "0 0 0 1 0 0");
+  CHECK(dir.num_files() == 1);
+  CHECK_THROWS_WITH_AS(save(triangle, dir / "a.iv"), doctest::Contains("a.iv: .iv can be read, but not written; formats that can be written: .obj, .off, "), unsupported);
 }
 
 TEST_CASE("format: a reader of volumes can return surfaces") {

@@ -51,6 +51,10 @@ const seed seeds[] = {
      "0\nEnd"},
     {file_format::hedra,
      "5 7 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n3 1 2 5\n3 2 3 5\n3 1 3 5\n4 1 2 3 4\n4 -1 5 6 -7\n"},
+    {file_format::iv,
+     "#Inventor V2.1 ascii\n# c\nSeparator {\n  DEF p Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0, ] }\n  IndexedFaceSet { coordIndex [ 0, 1, 2, "
+     "-1, 0, 2, 3 ] materialIndex [ 1, 2 ] }\n  Separator { VertexProperty { vertex [0 0 1,1 0 1,.5 1 1] }\n IndexedFaceSet { coordIndex [0,1,2,-1] } }\n  USE p\n "
+     " Label { label \"a \\\" }\" }\n  IndexedFaceSet { vertexProperty VertexProperty { vertex [ 5 5 5 6 5 5 5 6 5 6 6 5] } coordIndex [ 0 1 3 2 -1 ] } }\n"},
     {file_format::hybrid,
      "5 7 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n3 1 2 4\n3 0 2 4\n4 0 1 2 3\n4 1 1 1 1\n4 0 4 5 "
      "6\n4 0 1 1 0\n0\n0\n"},

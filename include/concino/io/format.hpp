@@ -13,6 +13,7 @@
 // A format may also define
 //     static bool has_signature(std::string_view text);  whether a file begins like files of this format, which then decides against the extension
 //     static constexpr std::string_view signature = "SOUP";  what has_signature looks for, for messages
+//     static constexpr bool is_read_only = true;         if it has no write: save then refuses it
 //     static constexpr bool has_binary = true;           if it has a binary form, for save_options::binary
 //     read as a template over the contents               so that programs that read only surfaces, into file_contents, need not compile volumes
 //
@@ -75,12 +76,13 @@ struct reader_requirement {
   }
 };
 
-template<class F> concept has_writer = requires(write_context& out, flat_mesh& m) { F::write(out, m); };
+template<class F> concept is_read_only = requires { requires F::is_read_only; };
+template<class F> concept has_writer = is_read_only<F> || requires(write_context& out, flat_mesh& m) { F::write(out, m); };
 struct writer_requirement {
   template<class F> static constexpr bool holds = has_writer<F>;
   template<class F> static consteval void explain() {
     static_assert(!requires { &F::write; } || detail::missing<F>, "concino: write is there, but is not static, or takes other arguments");
-    static_assert(detail::missing<F>, "concino: Format needs write: static void write(write_context&, flat_mesh&); writes flat arrays to context.out");
+    static_assert(detail::missing<F>, "concino: Format needs write: static void write(write_context&, flat_mesh&); writes flat arrays to context.out; or is_read_only = true");
   }
 };
 

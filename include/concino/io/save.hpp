@@ -31,8 +31,9 @@ namespace concino {
 ///         is killed, the .obj on disk finds its materials. options.report names whatever is lost, changed or renamed.
 /// Cost:   O(size of the mesh) time. Memory: O(corners), or none for arrays that the mesh stores in the form of the file, as native meshes do
 ///         until something is removed. O(corners) for .mesh, O(polys) for .obj with colours or materials.
-/// Errors: unsupported if the extension is unknown, or if the format cannot hold the mesh: it names the first poly that does not fit, and
-///         formats that can hold it. With options.strict, also if anything would be lost. invalid_mesh if a coordinate is not finite. io_error if a file cannot be written, or if another program
+/// Errors: unsupported if the extension is unknown or that of a format that is only read, or if the format cannot hold the mesh: it names the
+///         first poly that does not fit, and formats that can hold it. With options.strict, also if anything would be lost. invalid_mesh if a
+///         coordinate is not finite. io_error if a file cannot be written, or if another program
 ///         creates a library of that name meanwhile. cancelled. The target is then as it was, and no other file has been created or changed.
 ///         (With options.sync, io_error also if the new file is in place but its folder cannot be synchronised with the disk.)
 template<EmbeddedMesh M>

@@ -19,6 +19,7 @@ struct format_row {
   std::size_t num_extensions;
   bool (*has_signature)(std::string_view text);  // null: the format has no signature
   bool has_binary;
+  bool is_read_only;
   std::string_view signature = {};  // for messages: what has_signature looks for
 };
 
@@ -31,7 +32,7 @@ struct format_facts {
     return all;
   }();
   static constexpr format_row row() {
-    format_row r{F::name, extensions.data(), extensions.size(), nullptr, false};
+    format_row r{F::name, extensions.data(), extensions.size(), nullptr, false, requirement::is_read_only<F>};
     if constexpr (requires { F::has_signature; }) r.has_signature = &F::has_signature;
     if constexpr (requires { F::has_binary; }) r.has_binary = F::has_binary;
     if constexpr (requires { F::signature; }) r.signature = F::signature;
@@ -63,8 +64,9 @@ std::size_t choose_format(std::uint64_t candidates, format_rows known, const std
 /// Errors: unsupported if there is neither a candidate nor a signature, naming the extensions and signatures that are known.
 std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text, std::string& note);
 
-/// Errors: unsupported if there is no candidate, naming the extensions that are known.
-void require_candidate(std::string_view path, std::uint64_t candidates, format_rows known);
+/// The candidates that can be written.
+/// Errors: unsupported if there is none, naming the extensions that are known or can be written.
+std::uint64_t writable(std::string_view path, std::uint64_t candidates, format_rows known);
 
 /// The set of formats that a path may have, among those that a call knows.
 template<Formats F>
@@ -78,9 +80,8 @@ std::uint64_t candidates_for(std::string_view path, F formats, format_id request
 /// The format in which a file is written.
 template<Formats F>
 std::size_t chosen_for(std::string_view path, F formats, format_id requested) {
-  const std::uint64_t candidates = candidates_for(path, formats, requested);
-  require_candidate(path, candidates, format_rows_of(list_of(formats)));
-  return choose_format(candidates, format_rows_of(list_of(formats)), nullptr);
+  constexpr format_rows known = format_rows_of(list_of(F{}));
+  return choose_format(writable(path, candidates_for(path, formats, requested), known), known, nullptr);
 }
 
 /// Calls f(format) for the chosen format.

@@ -61,9 +61,22 @@ inline std::string listed_in_message(format_rows known, bool signatures) {
   return all;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void require_candidate(std::string_view path, std::uint64_t candidates, format_rows known) {
+[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::uint64_t writable(std::string_view path, std::uint64_t candidates, format_rows known) {
+  std::uint64_t left = 0;
+  std::string_view refused;
+  std::string others;
+  for (std::size_t i = 0; i < known.size; ++i) {
+    const format_row& row = known.rows[i];
+    const bool is_candidate = (candidates >> i & 1) != 0;
+    if (is_candidate && !row.is_read_only) left |= std::uint64_t{1} << i;
+    if (is_candidate && row.is_read_only) refused = row.extensions[0];
+    if (!row.is_read_only) others = core::joined({others, others.empty() ? "" : ", ", row.extensions[0]});
+  }
   if (candidates == 0)
     core::throw_joined<unsupported>({path, ": the extension is not that of a known format; known extensions: ", listed_in_message(known, false)});
+  if (left == 0)
+    core::throw_joined<unsupported>({path, path.empty() ? "" : ": ", refused, " can be read, but not written", others.empty() ? "" : "; formats that can be written: ", others});
+  return left;
 }
 
 [[gnu::noinline, gnu::cold]] CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text,

@@ -4,6 +4,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/io/detail/read_hedra.hpp>
 #include <concino/io/detail/read_hybrid.hpp>
+#include <concino/io/detail/read_iv.hpp>
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/read_off.hpp>
@@ -18,7 +19,7 @@ template void medit_format::read<volume_contents>(const read_context&, volume_co
 
 // The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
-[[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&obj_format::read, &off_format::read};
+[[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read, &off_format::read};
 }  // namespace
 
 }  // namespace concino

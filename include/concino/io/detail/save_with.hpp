@@ -38,7 +38,8 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
   if (options.binary && !row.has_binary) core::throw_joined<unsupported>({name, ": ", row.extensions[0], " cannot be written in binary; use binary = false"});
   write_context context{out, name, path, options, report};
   with_format(known, chosen, [&]<Format G>(G) {
-    if constexpr (Dimension == 2 ? G::holds_surfaces : G::holds_volumes) {  // a format may hold one of them only
+    if constexpr (requirement::is_read_only<G>) {  // never chosen
+    } else if constexpr (Dimension == 2 ? G::holds_surfaces : G::holds_volumes) {  // a format may hold one of them only
       mesh([&](flat_mesh& flat) {
         check_savable_points(name, flat);
         context.num_elements = flat.points.size() + flat.num_polys;
