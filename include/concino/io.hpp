@@ -1,4 +1,4 @@
-// Reads and writes mesh files (OBJ, OFF, MEDIT .mesh, .hedra, .hybrid, Open Inventor .iv), slices (CLI), and functions on verts as text.
+// Reads and writes mesh files (OBJ, OFF, MEDIT .mesh, .hedra, .hybrid, Open Inventor .iv), slices (CLI), curve skeletons, and functions on verts as text.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>
@@ -17,6 +17,7 @@
 #include <concino/io/off.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/scalar_field.hpp>
+#include <concino/io/skeleton.hpp>
 #include <concino/io/slices.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>

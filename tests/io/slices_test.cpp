@@ -376,6 +376,7 @@ TEST_CASE("slices: binary files, with all commands and alignments and in both by
   const std::string third = save_slices_text(thirds, {.report = &report, .binary = true});
   CHECK(report.lost == std::vector<std::string>{"1 numbers were rounded to floats"});
   CHECK(save_slices_text(load_slices_text(third), {.binary = true}) == third);
+  CHECK_THROWS_AS(save_slices_text(thirds, {.binary = true, .strict = true}), unsupported);
   thirds.layers[0].z = 1e300;
   CHECK_THROWS_AS(save_slices_text(thirds, {.binary = true}), unsupported);
 }

@@ -47,7 +47,8 @@ slices load_slices_text(std::string_view text, const load_options& options = {},
 ///         written in units of 1 mm, which options.report notes. Binary files hold floats; options.report says how many numbers were rounded.
 /// Cost:   O(number of points).
 /// Errors: invalid_argument for slices that break the needs, and for labels and dates with line ends, $$ or //. unsupported if options.format is
-///         another format, or if a number is too large for a binary file. io_error if the file cannot be written. cancelled.
+///         another format, if a number is too large for a binary file, or if numbers would be rounded and options.strict is set. io_error if the
+///         file cannot be written. cancelled.
 void save_slices(const slices& s, const std::string& path, const save_options& options = {});
 
 /// The contents of the file that save_slices writes.

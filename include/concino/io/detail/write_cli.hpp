@@ -44,6 +44,8 @@ class cli_writer {
       report_progress(options_.progress, static_cast<double>(k + 1) / static_cast<double>(s_.layers.size() + 1), "writing");
     }
     if (!options_.binary) out_ << "$$GEOMETRYEND\n";
+    if (num_rounded_ && options_.strict)
+      core::throw_joined<unsupported>({name_, ": the file would lose something, and options.strict is set: ", num_rounded_, " numbers would be rounded to floats"});
     if (num_rounded_) report_.lost.push_back(core::joined({num_rounded_, " numbers were rounded to floats"}));
   }
 
