@@ -22,6 +22,9 @@ io/detail/off_cursor          io/detail/read_off
 io/detail/off_binary          io/detail/read_off
 io/detail/read_medit          io/detail/read_medit io/load
 io/detail/read_hedra          io/detail/read_hedra io/load
+io/detail/read_tet            io/detail/read_tet
+io/detail/read_iv             io/detail/read_iv
+io/detail/iv_cursor           io/detail/read_iv
 io/detail/read_hybrid         io/detail/read_hybrid
 io/detail/polyhedra_reader    io/detail/read_hedra io/detail/read_hybrid io/load
 io/detail/orient              io/detail/orient io/detail/read_hedra io/load

@@ -1,4 +1,4 @@
-// Reads and writes mesh files (OBJ, OFF, MEDIT .mesh, .hedra, .hybrid, Open Inventor .iv), slices (CLI), curve skeletons, and functions on verts as text.
+// Reads and writes mesh files in all formats of <concino/io/formats.hpp>, slices (CLI), curve skeletons, and functions on verts as text.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>
@@ -19,5 +19,6 @@
 #include <concino/io/scalar_field.hpp>
 #include <concino/io/skeleton.hpp>
 #include <concino/io/slices.hpp>
+#include <concino/io/tet.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>

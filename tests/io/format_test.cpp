@@ -127,7 +127,7 @@ const trimesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
 const tetmesh tet({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}});
 
 struct nameless {};
-static_assert(Format<obj_format> && Format<off_format> && Format<medit_format> && Format<hedra_format> && Format<hybrid_format> && Format<iv_format> && Format<soup_format> && Format<both_format>);
+static_assert(Format<obj_format> && Format<off_format> && Format<medit_format> && Format<hedra_format> && Format<hybrid_format> && Format<iv_format> && Format<tet_format> && Format<soup_format> && Format<both_format>);
 struct without_writer : points_format {
   static constexpr bool is_read_only = false;
 };
@@ -157,6 +157,8 @@ TEST_CASE("format: a format argument takes precedence over the extension") {
   CHECK(num_polys(load_obj<trimesh>(dir / "c")) == 1);
   save_medit(tet, dir / "c");
   CHECK(num_polys(load_medit<tetmesh>(dir / "c")) == 1);
+  save_tet(tet, dir / "c");
+  CHECK(num_polys(load_tet<tetmesh>(dir / "c")) == 1);
   save_hybrid(tet, dir / "c");
   CHECK(num_polys(load_hybrid<tetmesh>(dir / "c")) == 1);
   save_hedra(tet, dir / "c");

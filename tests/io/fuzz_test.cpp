@@ -55,6 +55,10 @@ const seed seeds[] = {
      "#Inventor V2.1 ascii\n# c\nSeparator {\n  DEF p Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0, ] }\n  IndexedFaceSet { coordIndex [ 0, 1, 2, "
      "-1, 0, 2, 3 ] materialIndex [ 1, 2 ] }\n  Separator { VertexProperty { vertex [0 0 1,1 0 1,.5 1 1] }\n IndexedFaceSet { coordIndex [0,1,2,-1] } }\n  USE p\n "
      " Label { label \"a \\\" }\" }\n  IndexedFaceSet { vertexProperty VertexProperty { vertex [ 5 5 5 6 5 5 5 6 5 6 6 5] } coordIndex [ 0 1 3 2 -1 ] } }\n"},
+    {file_format::tet, "5 vertices\n2 tets\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n4 0 1 2 3\n4 1 3 2 4\n"},
+    {file_format::tet,
+     "10 vertices 5 cells # c\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n.5 .5 2\n2 0 0\n8 0 1 2 3 4 5 6 7\n5 4 5 7 6 8\n# C 4 5 7 6\n6 1 5 9 3 7 2\n"
+     "4 9 1 3 8\n"},
     {file_format::hybrid,
      "5 7 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n3 1 2 4\n3 0 2 4\n4 0 1 2 3\n4 1 1 1 1\n4 0 4 5 "
      "6\n4 0 1 1 0\n0\n0\n"},

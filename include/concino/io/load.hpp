@@ -13,11 +13,12 @@
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/read_off.hpp>
+#include <concino/io/detail/read_tet.hpp>
 #endif
 
 namespace concino {
 
-/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .hedra, .hybrid or .iv, in upper or lower case.
+/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .hedra, .hybrid, .tet or .iv, in upper or lower case.
 /// A file that begins like a file of another of these formats is read as what it is, and the report has a note.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh any surface; the other

@@ -8,11 +8,13 @@
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/read_off.hpp>
+#include <concino/io/detail/read_tet.hpp>
 
 #ifdef CONCINO_COMPILED
 namespace concino {
 
 template void hedra_format::read<volume_contents>(const read_context&, volume_contents&);
+template void tet_format::read<volume_contents>(const read_context&, volume_contents&);
 template void hybrid_format::read<volume_contents>(const read_context&, volume_contents&);
 template void medit_format::read<file_contents>(const read_context&, file_contents&);
 template void medit_format::read<volume_contents>(const read_context&, volume_contents&);

@@ -7,6 +7,7 @@
 #include <concino/io/detail/write_medit.hpp>
 #include <concino/io/detail/write_obj.hpp>
 #include <concino/io/detail/write_off.hpp>
+#include <concino/io/detail/write_tet.hpp>
 
 #ifdef CONCINO_COMPILED
 namespace concino {
@@ -14,7 +15,7 @@ namespace concino {
 // The writers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
 [[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write, &hybrid_format::write, &medit_format::write,
-                                                                           &obj_format::write, &off_format::write};
+                                                                           &obj_format::write, &off_format::write, &tet_format::write};
 }  // namespace
 
 }  // namespace concino
