@@ -17,9 +17,8 @@
 
 namespace concino {
 
-/// Writes a mesh to a file. The extension determines which of standard_formats is used: .obj and .off for surfaces; .mesh for triangles and
-/// quads, or for tets, hexes, prisms and pyramids, which are recognised by their faces; .hedra and .hybrid for volumes;
-/// .tet for tets, hexes, prisms and pyramids.
+/// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and .mesh for triangles and quads.
+/// For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and pyramids, which are recognised by their faces.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and faces) are numbered in the
 ///         order of verts(m) (and faces(m)). These properties are written:
