@@ -66,6 +66,11 @@ TEST_CASE_TEMPLATE("flat_mesh: numbers have no gaps for removed elements", M, CO
   auto name = vert_property<int>(m, "name");
   for (const auto p : polys(m)) number[p] = static_cast<int>(p.raw());
   for (const auto v : verts(m)) name[v] = static_cast<int>(v.raw());
+  auto edge_number = edge_property<int>(m, "edge");
+  for (const auto e : edges(m)) edge_number[e] = static_cast<int>(e.raw());
+  auto corner_number = corner_property<int>(m, "corner");
+  for (const auto p : polys(m))
+    for (std::uint32_t k = 0; k < num_elements(adj_p2v(m, p)); ++k) corner_number[{p, k}] = static_cast<int>(100 * p.raw() + k);
   remove_poly(m, poly_id{0});
   remove_poly(m, poly_id{2});
   std::vector<vert_id> alone;
@@ -100,6 +105,29 @@ TEST_CASE_TEMPLATE("flat_mesh: numbers have no gaps for removed elements", M, CO
       for (const auto f : adj_p2f(m, p)) same_points(flat.polyhedra().face_verts[flat.polyhedra().poly_faces[i][k++].raw()], adj_f2v(m, f));
     }
     ++i;
+  }
+  const auto edge_numbers = flat.edge_values<int>("edge");
+  CHECK(!flat.edge_values<double>("edge"));
+  REQUIRE(flat.edge_verts().size() == num_edges(m));
+  i = 0;
+  for (const auto e : edges(m)) {
+    CHECK(edge_numbers[i] == static_cast<int>(e.raw()));
+    same_points(flat.edge_verts()[i++], adj_e2v(m, e));
+  }
+  if constexpr (dimension_v<M> == 3) {
+    auto face_number = face_property<int>(m, "face");
+    for (const auto f : faces(m)) face_number[f] = static_cast<int>(f.raw());
+    const auto face_numbers = flat.face_values<int>("face");
+    i = 0;
+    for (const auto f : faces(m)) CHECK(face_numbers[i++] == static_cast<int>(f.raw()));
+    CHECK(!flat.corner_values<int>("corner"));
+  } else {
+    const auto corner_numbers = flat.corner_values<int>("corner");
+    CHECK(!flat.corner_values<int>("edge"));
+    CHECK(!flat.face_values<int>("face"));
+    i = 0;
+    for (const auto p : polys(m))
+      for (std::size_t k = 0; k < num_elements(adj_p2v(m, p)); ++k) CHECK(corner_numbers[i++] == static_cast<int>(100 * p.raw() + k));
   }
 }
 

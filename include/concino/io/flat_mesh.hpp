@@ -5,6 +5,7 @@
 #include <concino/core/vec3.hpp>
 #include <concino/mesh/property_set.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -80,6 +81,13 @@ class flat_mesh {
     return polyhedra_;
   }
 
+  /// The two verts of each edge.      Cost: the first call builds this list.
+  std::span<const std::array<vert_id, 2>> edge_verts() {
+    if (!has_edges_) make_edges();
+    has_edges_ = true;
+    return edge_verts_;
+  }
+
   /// The index of a vert or poly in the mesh, for messages.
   std::size_t vert_index(std::size_t i) const { return vert_indices.empty() ? i : vert_indices[i]; }
   std::size_t poly_index(std::size_t i) const { return poly_indices.empty() ? i : poly_indices[i]; }
@@ -92,6 +100,27 @@ class flat_mesh {
   template<class T>
   flat_values<T> poly_values(std::string_view name) const {
     return {values<T>(element_kind::poly, name), poly_indices.empty() ? nullptr : poly_indices.data()};
+  }
+  /// The same for edges, by their numbers in edge_verts(), and for faces, by their numbers in polyhedra().      Cost: O(edges), O(faces).
+  template<class T>
+  flat_values<T> edge_values(std::string_view name) {
+    const T* const found = values<T>(element_kind::edge, name);
+    if (found) edge_verts();
+    return {found, edge_indices_.empty() ? nullptr : edge_indices_.data()};
+  }
+  template<class T>
+  flat_values<T> face_values(std::string_view name) {
+    const T* const found = dimension == 3 ? values<T>(element_kind::face, name) : nullptr;
+    if (found) polyhedra();
+    return {found, face_indices.empty() ? nullptr : face_indices.data()};
+  }
+  /// The same for the corners of a surface, in the order of poly_verts.values.      Cost: O(corners).
+  template<class T>
+  flat_values<T> corner_values(std::string_view name) {
+    const T* const found = dimension == 2 ? values<T>(element_kind::corner, name) : nullptr;
+    if (found && !has_corners_) make_corners();
+    has_corners_ = has_corners_ || found;
+    return {found, corner_indices_.empty() ? nullptr : corner_indices_.data()};
   }
   /// All properties of verts, faces, polys and the mesh as a whole, in the order in which they were created. A writer passes those that it stores to
   /// write_context::declare_stored.      Cost: calls polyhedra() if there is a property of faces.
@@ -107,10 +136,14 @@ class flat_mesh {
   ~flat_mesh() = default;
 
   flat_polyhedra polyhedra_;
+  std::vector<std::array<vert_id, 2>> edge_verts_;
+  std::vector<std::uint32_t> edge_indices_, corner_indices_;  // the index in the mesh of each number; empty if they are equal
 
  private:
   virtual void make_polyhedra() = 0;
-  bool has_polyhedra_ = false;
+  virtual void make_edges() = 0;
+  virtual void make_corners() = 0;
+  bool has_polyhedra_ = false, has_edges_ = false, has_corners_ = false;
 
   template<class T>
   const T* values(element_kind kind, std::string_view name) const {

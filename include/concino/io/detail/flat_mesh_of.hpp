@@ -4,8 +4,10 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/compiled.hpp>
 #include <concino/io/flat_mesh.hpp>
+#include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>
 
+#include <array>
 #include <type_traits>
 #include <vector>
 
@@ -107,6 +109,33 @@ class flat_mesh_of final : public flat_mesh {
       }
       face_indices = faces_.indices;
       polyhedra_ = {face_verts_.lists(), poly_faces_.lists(), outward_};
+    }
+  }
+
+  void make_edges() override {
+    element_numbers numbered;
+    for (const edge_t<M> e : edges(mesh_)) {
+      numbered.add(e, index_of(mesh_, e), edge_index_bound(mesh_));
+      std::array<vert_id, 2> ends;
+      std::size_t k = 0;
+      for (const vert_t<M> v : adj_e2v(mesh_, e))
+        if (k < 2) ends[k++] = vert_id{verts_.number_of(index_of(mesh_, v))};
+      edge_verts_.push_back(ends);
+    }
+    edge_indices_ = std::move(numbered.indices);
+  }
+
+  void make_corners() override {
+    if constexpr (NumbersCorners<M> && dimension_v<M> == 2) {  // writers of volumes ask for no corners
+      bool is_equal = true;
+      for (const poly_t<M> p : polys(mesh_)) {
+        const std::size_t first = traits<M>::first_corner(mesh_, p), n = num_elements(adj_p2v(mesh_, p));
+        for (std::size_t k = 0; k < n; ++k) {
+          is_equal = is_equal && first + k == corner_indices_.size();
+          corner_indices_.push_back(static_cast<std::uint32_t>(first + k));
+        }
+      }
+      if (is_equal) corner_indices_.clear();
     }
   }
 
