@@ -1,7 +1,8 @@
-// Reads and writes mesh files in all formats of <concino/io/formats.hpp>, slices (CLI), curve skeletons, and functions on verts as text.
+// Reads and writes mesh files in all formats of <concino/io/formats.hpp>, slices (CLI), curve skeletons, and functions on verts or polys as text.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>
+#include <concino/io/field.hpp>
 #include <concino/io/file_text.hpp>
 #include <concino/io/format.hpp>
 #include <concino/io/formats.hpp>
@@ -16,7 +17,6 @@
 #include <concino/io/obj.hpp>
 #include <concino/io/off.hpp>
 #include <concino/io/save.hpp>
-#include <concino/io/scalar_field.hpp>
 #include <concino/io/skeleton.hpp>
 #include <concino/io/slices.hpp>
 #include <concino/io/tet.hpp>

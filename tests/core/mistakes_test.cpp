@@ -5,7 +5,7 @@
 #include <concino/geometry/measure.hpp>
 #include <concino/graph/bfs.hpp>
 #include <concino/graph/dijkstra.hpp>
-#include <concino/io/scalar_field.hpp>
+#include <concino/io/field.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <doctest/doctest.h>
@@ -31,7 +31,7 @@ template<class M, class S> concept can_harmonic = requires(M&& m, const S& s) { 
 template<class M> concept can_verts = requires(M&& m) { cn::verts(m); };
 template<class M> concept can_map = requires(M&& m) { cn::make_vert_map<double>(static_cast<M&&>(m)); };
 template<class M, class P> concept can_measure = requires(M&& m, const P& p) { cn::measure(static_cast<M&&>(m), p); };
-template<class M, class U> concept can_save = requires(M&& m, const U& u) { cn::save_field(static_cast<M&&>(m), u, std::string()); };
+template<class M, class U> concept can_save = requires(M&& m, const U& u) { cn::save_field(u, static_cast<M&&>(m), std::string()); };
 
 static_assert(can_dijkstra<mesh, cn::vert_id> && can_dijkstra<mesh, std::vector<cn::poly_id>>);
 static_assert(!can_dijkstra<const foreign&, cn::vert_id> && !can_dijkstra<cn::trimesh, cn::vert_id> && !can_dijkstra<mesh, int>);
@@ -42,8 +42,8 @@ static_assert(can_harmonic<mesh, cn::vert_id> && !can_harmonic<const foreign&, c
 static_assert(can_verts<mesh> && can_verts<cn::trimesh> && !can_verts<const foreign&> && !can_verts<int>);
 static_assert(can_map<mesh> && can_map<pure_mesh> && !can_map<cn::trimesh> && !can_map<const foreign&> && !can_map<int>);
 static_assert(can_measure<mesh, cn::poly_id> && can_measure<cn::trimesh, cn::poly_id> && !can_measure<mesh, int> && !can_measure<const foreign&, int>);
-static_assert(can_save<mesh, cn::vert_map<cn::trimesh, float>> && !can_save<mesh, cn::poly_map<cn::trimesh, double>>);
-static_assert(!can_save<mesh, cn::vert_map<cn::trimesh, cn::vec3>> && !can_save<const foreign&, cn::vert_map<cn::trimesh, double>>);
+static_assert(can_save<mesh, cn::vert_map<cn::trimesh, float>> && can_save<mesh, cn::poly_map<cn::trimesh, cn::vec3>> && !can_save<mesh, cn::edge_map<cn::trimesh, double>>);
+static_assert(!can_save<mesh, cn::vert_map<cn::trimesh, std::string>> && !can_save<const foreign&, cn::vert_map<cn::trimesh, double>>);
 
 // Options and values of wrong types are rejected too, before the body is compiled.
 inline constexpr auto always = [](auto) { return true; };

@@ -3,7 +3,7 @@
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/save.hpp>
-#include <concino/io/scalar_field.hpp>
+#include <concino/io/field.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <support/temporary.hpp>
@@ -170,8 +170,8 @@ TEST_CASE("atomic_file: a path with a null character is an io_error") {
     CHECK_THROWS_AS(load<trimesh>(with_zero(""), {.format = format}), io_error);
   }
   const auto u = make_vert_map<double>(triangle);
-  CHECK_THROWS_AS(save_field(triangle, u, with_zero(".txt")), io_error);
-  CHECK_THROWS_AS(load_field(triangle, with_zero(".txt")), io_error);
+  CHECK_THROWS_AS(save_field(u, triangle, with_zero(".txt")), io_error);
+  CHECK_THROWS_AS(load_vert_field<double>(triangle, with_zero(".txt")), io_error);
   CHECK_THROWS_AS(replace(with_zero(""), "x"), io_error);
   CHECK(dir.num_files() == 0);
 }
@@ -205,6 +205,6 @@ TEST_CASE("atomic_file: every function that writes files has the option sync") {
   const temporary_folder dir;
   save(triangle, dir / "a.obj", {.sync = true});
   CHECK(num_polys(load<trimesh>(dir / "a.obj")) == 1);
-  save_field(triangle, make_vert_map<double>(triangle), dir / "u.txt", {.sync = true});
-  CHECK(load_field(triangle, dir / "u.txt")[vert_id{0}] == 0);
+  save_field(make_vert_map<double>(triangle), triangle, dir / "u.txt", {.sync = true});
+  CHECK(load_vert_field<double>(triangle, dir / "u.txt")[vert_id{0}] == 0);
 }

@@ -1,7 +1,7 @@
 // Saves that are killed at each call that changes a folder, and the order in which files reach the disk.
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>
-#include <concino/io/scalar_field.hpp>
+#include <concino/io/field.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <support/materials.hpp>
@@ -146,6 +146,6 @@ TEST_CASE("killed_save: with sync the data reaches the disk before the file is r
   CHECK(order("a.obj", [&] { save(colored(0.5f), dir / "a.obj"); }).empty());
   const trimesh m = colored(1);
   const auto u = make_vert_map<double>(m);
-  CHECK(order("u.txt", [&] { save_field(m, u, dir / "u.txt", {.sync = true}); }) == list{"file, none", "folder, SCALAR_FIELD"});
-  CHECK(order("u.txt", [&] { save_field(m, u, dir / "u.txt"); }).empty());
+  CHECK(order("u.txt", [&] { save_field(u, m, dir / "u.txt", {.sync = true}); }) == list{"file, none", "folder, SCALAR_FIELD"});
+  CHECK(order("u.txt", [&] { save_field(u, m, dir / "u.txt"); }).empty());
 }

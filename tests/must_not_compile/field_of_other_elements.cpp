@@ -2,4 +2,4 @@
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 
-void refused(const concino::trimesh& m) { concino::save_field(m, concino::make_poly_map<double>(m), "field.txt"); }
+void refused(const concino::trimesh& m) { concino::save_field(concino::make_edge_map<double>(m), m, "field.txt"); }

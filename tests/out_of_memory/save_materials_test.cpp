@@ -1,7 +1,7 @@
 // If an allocation fails while a mesh is saved or read, files, links and libraries do not change, and nothing leaks.
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>
-#include <concino/io/scalar_field.hpp>
+#include <concino/io/field.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <support/failing_allocations.hpp>
@@ -93,7 +93,7 @@ TEST_CASE("saving a field replaces the old file or keeps it") {
   const auto u = cn::make_vert_map<double>(m, 7);
   cn::testing::write_file(dir / "u.txt", "old");
   const auto result = for_each_failing_allocation([&](const auto& attempt) {
-    const bool failed = attempt([&] { cn::save_field(m, u, dir / "u.txt"); });
+    const bool failed = attempt([&] { cn::save_field(u, m, dir / "u.txt"); });
     CHECK(cn::testing::read_file(dir / "u.txt") == (failed ? "old" : "SCALAR_FIELD 3\n7\n7\n7\n"));
     CHECK(dir.num_files() == 1);
     cn::testing::write_file(dir / "u.txt", "old");

@@ -82,8 +82,9 @@ void no_adapter(const stranger& other) {
   cn::vert_gradient_matrix(other);  // refused
   cn::save(other);  // refused
   cn::save_text(other);  // refused
-  cn::save_field(other);  // refused
-  cn::load_field(other);  // refused
+  cn::save_field(0, other);  // refused
+  cn::load_vert_field<double>(other);  // refused
+  cn::load_poly_field<double>(other);  // refused
   cn::ambient_occlusion(other);  // refused
   cn::make_drawable(other);  // refused
   cn::validate(other);  // refused
@@ -137,7 +138,8 @@ void temporary() {
   cn::vert_gradient(made());  // refused
   cn::vert_masses(made());  // refused
   cn::poly_masses(made());  // refused
-  cn::load_field(made());  // refused
+  cn::load_vert_field<double>(made());  // refused
+  cn::load_poly_field<double>(made());  // refused
   cn::ambient_occlusion(made());  // refused
   cn::prepare_exact_geodesics(made());  // refused
   cn::exact_geodesics(made());  // refused
