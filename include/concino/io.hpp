@@ -22,3 +22,4 @@
 #include <concino/io/tet.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>
+#include <concino/io/vtk.hpp>

@@ -161,6 +161,8 @@ TEST_CASE("format: a format argument takes precedence over the extension") {
   CHECK(num_polys(load_tet<tetmesh>(dir / "c")) == 1);
   save_hybrid(tet, dir / "c");
   CHECK(num_polys(load_hybrid<tetmesh>(dir / "c")) == 1);
+  save_vtk(tet, dir / "c");
+  CHECK(num_polys(load_vtk<tetmesh>(dir / "c")) == 1);
   save_hedra(tet, dir / "c");
   CHECK(num_polys(load_hedra<tetmesh>(dir / "c")) == 1);
 }

@@ -62,6 +62,16 @@ const seed seeds[] = {
     {file_format::hybrid,
      "5 7 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n3 1 2 4\n3 0 2 4\n4 0 1 2 3\n4 1 1 1 1\n4 0 4 5 "
      "6\n4 0 1 1 0\n0\n0\n"},
+    {file_format::vtk,
+     "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD f 1\nT 1 1 double\n.5\nPOINTS 9 float\n0 0 0 1 0 0 1 1 0 0 1 0\n0 0 1 1 0 1 1 1 1 0 1 1\n.5 .5 2\n"
+     "CELLS 6 54\n8 0 1 2 3 4 5 6 7\n22 5 4 4 5 6 7 3 4 5 8 3 5 6 8 3 6 7 8 3 4 7 8\n4 0 1 2 3\n1 8\n4 0 1 3 4\n6 0 1 2 4 5 6\nCELL_TYPES 6\n12 42 9 1 10 13\n"
+     "CELL_DATA 6\nSCALARS s int 1\nLOOKUP_TABLE default\n1 2 3 4 5 6\nPOINT_DATA 9\nFIELD FieldData 2\na 1 9 float\n1 2 3 4 5 6 7 8 9\nb 1 9 bit\n1 0 1 0 1 0 1 0 1\nMETADATA\nX\n\n"},
+    {file_format::vtk,
+     "# vtk DataFile Version 5.1\nt\nASCII\nDATASET POLYDATA\nPOINTS 5 double\n0 0 0 1 0 0 1 1 0 0 1 0\n0 0 1\nVERTICES 2 1\nOFFSETS vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n4\nPOLYGONS 3 "
+     "7\nOFFSETS vtktypeint64\n0 3 7\nCONNECTIVITY vtktypeint64\n0 1 4 0 1 2 3\nTRIANGLE_STRIPS 1 5\n4 0 1 3 2\nCELL_DATA 4\nNORMALS n float\n0 0 1 0 0 1 0 0 1 0 0 1\nCOLOR_SCALARS c 3\n0 0 1 0 0 1 0 0 1 0 0 1\n"},
+    {file_format::vtk, std::string("# vtk DataFile Version 3.0\nt\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n") + std::string("\0\0\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0", 48) +
+                           "\nCELLS 1 5\n" + std::string("\0\0\0\4\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\3", 20) + "\nCELL_TYPES 1\n" + std::string("\0\0\0\x0a", 4) +
+                           "\nPOINT_DATA 4\nFIELD f 2\nb 1 4 bit\n" + "P" + "\ns 1 2 string\n\xc1x\xc1y\nSCALARS q unsigned_char 1\nLOOKUP_TABLE default\nabcd"},
 };
 
 bool holds_together(const surface_arrays& a) {

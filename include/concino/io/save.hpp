@@ -13,19 +13,23 @@
 #include <concino/io/detail/write_obj.hpp>
 #include <concino/io/detail/write_off.hpp>
 #include <concino/io/detail/write_tet.hpp>
+#include <concino/io/detail/write_vtk.hpp>
 #endif
 
 namespace concino {
 
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and .mesh for triangles and quads.
 /// For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and pyramids, which are recognised by their faces.
+/// .vtk for any mesh.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and faces) are numbered in the
 ///         order of verts(m) (and faces(m)). These properties are written:
 ///         - to .mesh: "label" (int) of verts and polys;
 ///         - to .obj and .off: "color" (rgba) of verts, "color" and "label" of polys (.off can hold only one of the two);
 ///         - to .off: "normal" (vec3) and "texture" (std::array<double, 2>) of verts;
-///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials".
+///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials";
+///         - to .vtk: all of verts, polys, the mesh and the faces of a volume that consist of 1, 2, 3, 4, 6 or 9 numbers, such as double, int, vec3 or
+///           std::array<float, 4>. Faces are written if a value is not the default one.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file and hold the same colours
 ///         and materials. Otherwise a new library is written there, with the same name and .mtl, or _1.mtl and so on. Existing libraries are
 ///         not changed, but those that earlier saves created for this file are removed. Both files change or neither does; even if the program

@@ -9,6 +9,7 @@
 #include <concino/io/detail/read_obj.hpp>
 #include <concino/io/detail/read_off.hpp>
 #include <concino/io/detail/read_tet.hpp>
+#include <concino/io/detail/read_vtk.hpp>
 
 #ifdef CONCINO_COMPILED
 namespace concino {
@@ -18,6 +19,8 @@ template void tet_format::read<volume_contents>(const read_context&, volume_cont
 template void hybrid_format::read<volume_contents>(const read_context&, volume_contents&);
 template void medit_format::read<file_contents>(const read_context&, file_contents&);
 template void medit_format::read<volume_contents>(const read_context&, volume_contents&);
+template void vtk_format::read<file_contents>(const read_context&, file_contents&);
+template void vtk_format::read<volume_contents>(const read_context&, volume_contents&);
 
 // The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {

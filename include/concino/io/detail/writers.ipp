@@ -8,6 +8,7 @@
 #include <concino/io/detail/write_obj.hpp>
 #include <concino/io/detail/write_off.hpp>
 #include <concino/io/detail/write_tet.hpp>
+#include <concino/io/detail/write_vtk.hpp>
 
 #ifdef CONCINO_COMPILED
 namespace concino {
@@ -15,7 +16,7 @@ namespace concino {
 // The writers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
 [[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write, &hybrid_format::write, &medit_format::write,
-                                                                           &obj_format::write, &off_format::write, &tet_format::write};
+                                                                           &obj_format::write, &off_format::write, &tet_format::write, &vtk_format::write};
 }  // namespace
 
 }  // namespace concino

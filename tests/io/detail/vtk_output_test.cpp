@@ -1,0 +1,194 @@
+// What .vtk, .vtu and .vtp store: meshes of all kinds with properties are the same after saving and loading, and saved again byte for byte.
+#include <concino/concepts/facets.hpp>
+#include <concino/io.hpp>
+
+#include <support/corpus.hpp>
+#include <support/kinds.hpp>
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstring>
+#include <limits>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// A mesh with properties of many types, also of faces.
+template<class M>
+M annotated() {
+  M m(jittered(grid_arrays<M>(2), 0.05, dimension_v<M> == 3));
+  const auto height = vert_property<double>(m, "a height, in %");
+  const auto velocity = vert_property<vec3>(m, "velocity");
+  const auto rank = vert_property<std::uint64_t>(m, "rank");
+  const auto marked = vert_property<std::int8_t>(m, "METADATA");
+  double x = 0.1;
+  for (const auto v : verts(m)) {
+    height[v] = x *= -1.3;
+    velocity[v] = {x / 3, -0.0, 5e-324};
+    rank[v] = ~std::uint64_t{0} - index_of(m, v);
+    marked[v] = static_cast<std::int8_t>(-5 + static_cast<int>(index_of(m, v) % 9));
+  }
+  height[*verts(m).begin()] = -std::numeric_limits<double>::infinity();
+  const auto label = poly_property<int>(m, "label");
+  const auto color = poly_property<rgba>(m, "color");
+  const auto stress = poly_property<std::array<float, 6>>(m, "stress");
+  for (const auto p : polys(m)) {
+    label[p] = 7 - 3 * static_cast<int>(index_of(m, p));
+    color[p] = {0.1f, 1.0f / 3, 2, 0};
+    stress[p] = {1.0f / 3, 1e-40f, -3e38f, 0, 5, 0.1f};
+  }
+  *mesh_property<double>(m, "time") = 0.3;
+  if constexpr (dimension_v<M> == 3) {
+    const auto flux = face_property<double>(m, "flux");
+    const auto boundary = face_property<int>(m, "label");
+    for (const auto f : faces(m)) {
+      if (index_of(m, f) % 3 == 0) flux[f] = 1.0 / static_cast<double>(index_of(m, f) + 3);
+      if (is_boundary(m, f)) boundary[f] = 4;
+    }
+  }
+  return m;
+}
+
+template<class T>
+std::vector<unsigned char> bytes_of_values(const T& x) {
+  std::vector<unsigned char> r(sizeof x);
+  std::memcpy(r.data(), &x, sizeof x);
+  return r;
+}
+
+/// Whether the property of that name has the same values, to the last bit. Both meshes have the same indices.
+template<class T, class A, class B>
+bool same_vert_values(const A& a, const B& b, const char* name) {
+  const auto x = find_vert_property<T>(a, name), y = find_vert_property<T>(b, name);
+  if (!x || !y) return false;
+  for (const auto v : verts(a))
+    if (bytes_of_values(x[v]) != bytes_of_values(y[v])) return false;
+  return true;
+}
+template<class T, class A, class B>
+bool same_poly_values(const A& a, const B& b, const char* name) {
+  const auto x = find_poly_property<T>(a, name), y = find_poly_property<T>(b, name);
+  if (!x || !y) return false;
+  for (const auto p : polys(a))
+    if (bytes_of_values(x[p]) != bytes_of_values(y[p])) return false;
+  return true;
+}
+
+/// The values of faces by their sorted verts.
+template<class T, class M>
+std::vector<std::pair<std::vector<std::size_t>, T>> face_values(const M& m, const char* name) {
+  std::vector<std::pair<std::vector<std::size_t>, T>> all;
+  const auto u = find_face_property<T>(m, name);
+  for (const auto f : faces(m)) {
+    std::vector<std::size_t> ids;
+    for (const auto v : adj_f2v(m, f)) ids.push_back(index_of(m, v));
+    std::sort(ids.begin(), ids.end());
+    all.emplace_back(ids, u ? u[f] : T{});
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+template<class M>
+std::vector<std::vector<std::size_t>> sorted_polys(const M& m) {
+  std::vector<std::vector<std::size_t>> all;
+  for (const auto p : polys(m)) {
+    all.emplace_back();
+    for (const auto v : adj_p2v(m, p)) all.back().push_back(index_of(m, v));
+    if (arity_v<M> == 0 && dimension_v<M> == 3) std::sort(all.back().begin(), all.back().end());
+  }
+  return all;
+}
+
+struct vtk_variant {
+  format_id format;
+  bool binary;
+};
+
+template<class M>
+std::vector<vtk_variant> vtk_variants() {
+  std::vector<vtk_variant> all = {{file_format::vtk, false}, {file_format::vtk, true}};
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("vtk_output: a mesh with properties is the same after saving and loading, and saved again byte for byte", M, CONCINO_ALL_KINDS) {
+  const M m = annotated<M>();
+  for (const vtk_variant& variant : vtk_variants<M>()) {
+    CAPTURE(variant.format.name());
+    CAPTURE(variant.binary);
+    const std::string text = save_text(m, variant.format, {.binary = variant.binary, .strict = true});
+    load_report r;
+    const M again = load_text<M>(text, variant.format, {.report = &r});
+    CHECK(r.skipped.empty());
+    CHECK(r.reoriented_polys == 0);
+    CHECK(num_verts(again) == num_verts(m));
+    std::size_t wrong = 0;
+    for (const auto v : verts(m)) wrong += bytes_of_values(vec3(point(m, v))) != bytes_of_values(vec3(point(again, v)));
+    CHECK(wrong == 0);
+    CHECK(sorted_polys(m) == sorted_polys(again));
+    CHECK(same_vert_values<double>(m, again, "a height, in %"));
+    CHECK(same_vert_values<vec3>(m, again, "velocity"));
+    CHECK(same_vert_values<std::uint64_t>(m, again, "rank"));
+    CHECK(same_vert_values<std::int8_t>(m, again, "METADATA"));
+    CHECK(same_poly_values<int>(m, again, "label"));
+    CHECK(same_poly_values<rgba>(m, again, "color"));
+    CHECK(same_poly_values<std::array<float, 6>>(m, again, "stress"));
+    CHECK(*find_mesh_property<double>(again, "time") == 0.3);
+    if constexpr (dimension_v<M> == 3) {
+      CHECK(num_faces(m) == num_faces(again));
+      CHECK(face_values<double>(m, "flux") == face_values<double>(again, "flux"));
+      CHECK(face_values<int>(m, "label") == face_values<int>(again, "label"));
+    }
+    CHECK(save_text(again, variant.format, {.binary = variant.binary}) == text);
+    CHECK(num_verts(load_text<M>(save_text(M(), variant.format, {.binary = variant.binary}), variant.format)) == 0);
+  }
+}
+
+TEST_CASE("vtk_output: what a file cannot hold is reported, and refused if the save is strict") {
+  trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  vert_property<std::string>(m, "name");
+  edge_property<int>(m, "sharp");
+  poly_property<std::array<double, 5>>(m, "five");
+  save_report r;
+  for (const vtk_variant& variant : vtk_variants<trimesh>()) {
+    const std::string text = save_text(m, variant.format, {.report = &r, .binary = variant.binary});
+    CHECK(r.lost.size() == 3);
+    CHECK_THROWS_AS(save_text(m, variant.format, {.binary = variant.binary, .strict = true}), unsupported);
+    CHECK(num_polys(load_text<trimesh>(text, variant.format)) == 1);
+  }
+}
+
+TEST_CASE("vtk_output: corpus files of all kinds are the same after saving and loading") {
+  const temporary_folder dir;
+  std::size_t files = 0;
+  for (const char* name : {"fields/half_disk_crossfield.vtk", "hex/cylinder.vtk", "polyhedral/mixed_types.vtk", "tet/capsule_cavity.vtk", "tet/cube_tet.vtk", "polyhedral/voronoi_cube_250.hedra",
+                           "polyhedral/agglomerated_crown.hedra", "polygon/lion_vase_poly.off", "quad/hole_capsule.off"}) {
+    const auto file = corpus(name);
+    if (file.empty()) continue;
+    ++files;
+    CAPTURE(std::string(name));
+    const any_mesh m = load_any(file);
+    std::visit(
+        [&]<class M>(const M& mesh) {
+          for (const vtk_variant& variant : vtk_variants<M>()) {
+            const std::string text = save_text(mesh, variant.format, {.binary = variant.binary, .strict = true});
+            const M again = load_text<M>(text, variant.format);
+            CHECK(num_edges(again) == num_edges(mesh));
+            CHECK(sorted_polys(mesh) == sorted_polys(again));
+            std::size_t wrong = 0;
+            for (const auto v : verts(mesh)) wrong += !(point(mesh, v) == point(again, v));
+            CHECK(wrong == 0);
+            CHECK(property_list(again).size() == property_list(mesh).size());
+            CHECK((save_text(again, variant.format, {.binary = variant.binary}) == text));
+          }
+        },
+        m);
+  }
+  if (files == 0) skip("no corpus");
+}
