@@ -26,7 +26,7 @@ class cli_cursor : protected text_cursor {
       const char* const comment = at;
       const auto rest = std::string_view(at + 2, left() - 2);
       const std::size_t end = rest.find("//");
-      if (end == std::string_view::npos) fail(comment, {"// at the end of the comment"}, {"the end of the file"});
+      if (end == std::string_view::npos) fail(comment, {"two slashes at the end of the comment"}, {"the end of the file"});
       at += end + 4;
     }
   }

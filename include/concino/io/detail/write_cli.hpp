@@ -73,7 +73,7 @@ class cli_writer {
 
   void check_text(const char* what, std::string_view text) const {
     if (text.find_first_of("\r\n") != text.npos || text.find("//") != text.npos || text.find("$$") != text.npos)
-      throw_invalid({what, " contains a line end, // or $$, which would end it in the file"});
+      throw_invalid({what, " contains a line end, two slashes or $$, which would end it in the file"});
     if (!text.empty() && (is_blank(text.front()) || is_blank(text.back()))) throw_invalid({what, " begins or ends with a blank, which the file would lose"});
   }
 
