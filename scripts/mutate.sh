@@ -21,6 +21,11 @@ io/detail/read_off            io/detail/read_off io/load
 io/detail/off_cursor          io/detail/read_off
 io/detail/off_binary          io/detail/read_off
 io/detail/read_medit          io/detail/read_medit io/load
+io/detail/medit_text          io/detail/read_medit
+io/detail/medit_binary        io/detail/medit_binary
+io/detail/medit_marks         io/detail/read_medit io/detail/write_medit
+io/detail/medit_output        io/detail/medit_binary io/detail/write_medit
+io/detail/write_medit         io/detail/write_medit io/save
 io/detail/read_hedra          io/detail/read_hedra io/load
 io/detail/read_tet            io/detail/read_tet
 io/detail/read_iv             io/detail/read_iv

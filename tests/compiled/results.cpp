@@ -78,6 +78,9 @@ int main(int argc, char** argv) {
   print_file(folder, "house.obj", house);
   print_file(folder, "quads.off", quads);
   print_file(folder, "tet.mesh", tet);
+  print_file(folder, "tet.meshb", tet);
+  print_file(folder, "tet.tet", tet);
+  print_file(folder, "tet.hybrid", tet);
   print_file(folder, "tet.hedra", cn::convert<cn::polyhedralmesh>(tet));
   print_error([] { cn::trimesh({{0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}); });
   print_error([&] { cn::load<cn::trimesh>(folder + "/quads.off"); });

@@ -125,7 +125,7 @@ TEST_CASE("corpus: the readers count reoriented polys") {
   CONCINO_CORPUS_OR_SKIP(crown, "tet/quarter_crown.mesh");
   load<tetmesh>(crown, {.report = &r});
   CHECK(r.reoriented_polys == 0);
-  CHECK(r.skipped == std::vector<std::string>{"section Edges, 66 rows", "section Triangles, 398 rows"});
+  CHECK(r.skipped.empty());
 }
 
 TEST_CASE("corpus: every bad file causes the expected error in the expected line") {

@@ -23,6 +23,34 @@ struct seed {
   std::string text;
 };
 
+/// A tet in a binary MEDIT file of version 2, with a triangle, a ridge and a corner.
+std::string binary_medit(bool big) {
+  std::string text;
+  const auto put = [&](std::initializer_list<std::int32_t> numbers) {
+    for (const std::int32_t x : numbers)
+      for (unsigned k = 0; k < 4; ++k) text += static_cast<char>(x >> 8 * (big ? 3 - k : k) & 0xff);
+  };
+  const auto section = [&](std::int32_t code, std::int32_t n, std::initializer_list<std::int32_t> numbers) {
+    put({code, static_cast<std::int32_t>(text.size() + 12 + 4 * numbers.size()), n});
+    put(numbers);
+  };
+  put({1, 2, 3, 20, 3});
+  put({4, static_cast<std::int32_t>(text.size() + 12 + 4 * 28), 4});
+  for (int v = 0; v < 4; ++v) {
+    for (int k = 1; k < 4; ++k)  // 1.0 or 0.0
+      if (big) put({v == k ? 0x3ff00000 : 0, 0});
+      else put({0, v == k ? 0x3ff00000 : 0});
+    put({v});
+  }
+  section(6, 1, {1, 3, 2, 5});
+  section(5, 1, {1, 2, 0});
+  section(8, 1, {1, 2, 3, 4, 7});
+  section(14, 1, {1});
+  section(13, 1, {4});
+  put({54, 0});
+  return text;
+}
+
 const seed seeds[] = {
     {file_format::obj,
      "# cube corner\nv 0 0 0\nv 1.5 0 0 1.0\nv 0 1e0 0\nv 0 0 .25\nvt 0 1\nvn 0 0 1\nusemtl a\ng b c\nf 1 3 2\nf 1/1 2/1 4/1\nf -3//1 3//1 "
@@ -49,6 +77,11 @@ const seed seeds[] = {
     {file_format::medit,
      "MeshVersionFormatted 1\nDimension\n2\nVertices\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\nTriangles 1\n1 2 3 0\nQuadrilaterals\n1\n1 2 3 4 "
      "0\nEnd"},
+    {file_format::medit,
+     "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\nEdges 2\n1 2 3\n3 1 0\nTriangles 1\n1 3 2 4\nCorners 1\n2\nRidges 1\n2\n"
+     "RequiredTriangles 1\n1\nNormals 1\n0 0 1\nNormalAtVertices 1\n4 1\nTetrahedra 1\n1 2 3 4 0\nEnd\n"},
+    {file_format::medit, binary_medit(false)},
+    {file_format::medit, binary_medit(true)},
     {file_format::hedra,
      "5 7 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n3 1 2 5\n3 2 3 5\n3 1 3 5\n4 1 2 3 4\n4 -1 5 6 -7\n"},
     {file_format::iv,

@@ -44,9 +44,9 @@ TEST_CASE("load_any: has the errors, labels and reports of load") {
   CHECK_THROWS_AS(load_any(dir / "some.xyz"), unsupported);
   testing::write_file(dir / "bad.obj", "v 0 0\n");
   CHECK_THROWS_AS(load_any(dir / "bad.obj"), parse_error);
-  testing::write_file(dir / "a.mesh", cube + "Triangles 1 1 2 3 5 Edges 1 1 2 0 End");
+  testing::write_file(dir / "a.mesh", cube + "Triangles 1 1 2 3 5 Tangents 1 1 2 0 End");
   load_report r;
   const any_mesh m = load_any(dir / "a.mesh", {.report = &r});
   CHECK(find_poly_property<int>(std::get<trimesh>(m), "label")[poly_id{0}] == 5);
-  CHECK(r.skipped == std::vector<std::string>{"section Edges, 1 rows"});
+  CHECK(r.skipped == std::vector<std::string>{"section Tangents, 1 rows"});
 }

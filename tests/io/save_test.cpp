@@ -223,13 +223,13 @@ TEST_CASE("save: stores labels, and reports properties that the format cannot st
   vert_property<int>(m, "label")[vert_id{4}] = -9;
   poly_property<int>(m, "label")[poly_id{1}] = 12;
   vert_property<double>(m, "heat");
-  edge_property<int>(m, "label");
+  edge_property<int>(m, "sharpness");
   save_report r;
   const auto again = load_text<quadmesh>(save_text(m, file_format::medit, {.report = &r}), file_format::medit);
   CHECK(find_vert_property<int>(again, "label")[vert_id{4}] == -9);
   CHECK(find_poly_property<int>(again, "label")[poly_id{1}] == 12);
   CHECK(r.lost == std::vector<std::string>{"vert property \"heat\": .mesh cannot store it",
-                                           "edge property \"label\": .mesh cannot store it"});
+                                           "edge property \"sharpness\": .mesh cannot store it"});
   save_text(m, file_format::obj, {.report = &r});
   CHECK(r.lost.size() == 3);
   auto odd = grid<quadmesh>(1);

@@ -77,6 +77,9 @@ TEST_CASE("saving replaces the file completely or not at all") {
   saved_or_not(labelled<cn::quadmesh>(), "a.mesh");
   saved_or_not(labelled<cn::tetmesh>(), "a.mesh");
   saved_or_not(labelled<cn::hexmesh>(), "a.mesh");
+  saved_or_not(labelled<cn::hexmesh>(), "a.meshb");
+  saved_or_not(labelled<cn::hexmesh>(), "a.tet");
+  saved_or_not(labelled<cn::hexmesh>(), "a.hybrid");
   saved_or_not(labelled<cn::hexmesh>(), "a.hedra");
   saved_or_not(labelled<cn::polyhedralmesh>(), "a.hedra");
 }
@@ -86,6 +89,9 @@ TEST_CASE("loading into a mesh succeeds or changes nothing") {
   loaded_or_not(labelled<cn::polygonmesh>(), "a.off");
   loaded_or_not(labelled<cn::quadmesh>(), "a.mesh");
   loaded_or_not(labelled<cn::tetmesh>(), "a.mesh");
+  loaded_or_not(labelled<cn::tetmesh>(), "a.meshb");
+  loaded_or_not(labelled<cn::tetmesh>(), "a.tet");
+  loaded_or_not(labelled<cn::hexmesh>(), "a.hybrid");
   loaded_or_not(labelled<cn::hexmesh>(), "a.hedra");
   loaded_or_not(labelled<cn::polyhedralmesh>(), "a.hedra");
 }

@@ -19,14 +19,15 @@
 
 namespace concino {
 
-/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .hedra, .hybrid, .tet, .iv or .vtk, in upper or lower case.
+/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .meshb, .hedra, .hybrid, .tet, .iv or .vtk, in upper or lower case.
 /// A file that begins like a file of another of these formats is read as what it is, and the report has a note.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh any surface; the other
 ///         kinds accept only what they can hold. Values in the file become properties of the mesh; it has no others.
 ///         From every format: "label" (int) and "color" (rgba) of verts and polys. From .off: "normal" (vec3) and "texture"
 ///         (std::array<double, 2>) of verts. From .obj: "object", "group" and "material" (std::string) of polys, with colours from the .mtl
-///         files in the same folder; the mesh property "materials" (material_table) has all their lines. From .vtk: every
+///         files in the same folder; the mesh property "materials" (material_table) has all their lines. From .mesh and .meshb: "label" of edges and faces too,
+///         "corner", "required", "ridge" and "listed" (int, 0 or 1) of verts, edges, faces and polys, "normal" of verts. From .vtk: every
 ///         array of numbers, by its name and type, for verts, polys, the mesh, and the faces of a volume that the file lists. options.report lists what was
 ///         skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved into the mesh.

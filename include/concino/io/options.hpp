@@ -36,7 +36,7 @@ struct save_options {
   format_id format = {};                   // one of the formats that the call knows; by default the extension determines it
   concino::save_report* report = nullptr;  // unless null, cleared and then filled in
   concino::progress progress = {};         // called with the fraction of the elements that have been written
-  bool binary = false;                     // .off: 32-bit numbers, so coordinates are rounded to floats; unsupported by formats without a binary form
+  bool binary = false;                     // .off: 32-bit numbers, so coordinates are rounded to floats; .mesh: as .meshb; unsupported by formats without a binary form
   bool strict = false;                     // throws unsupported, before the file is touched, if anything would be lost; costs a second pass
   bool sync = false;                       // the new data reaches the disk before it replaces a file; otherwise the system decides when
 };

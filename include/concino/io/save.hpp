@@ -20,11 +20,12 @@ namespace concino {
 
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and .mesh for triangles and quads.
 /// For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and pyramids, which are recognised by their faces.
-/// .vtk for any mesh.
+/// .meshb, the binary .mesh, for the same; .vtk for any mesh.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and faces) are numbered in the
 ///         order of verts(m) (and faces(m)). These properties are written:
-///         - to .mesh: "label" (int) of verts and polys;
+///         - to .mesh and .meshb: "label" (int) of all elements, "normal" (vec3) of verts. Also marks (int, 0 or 1): "corner" of verts;
+///           "ridge" of edges; "required" of verts, edges, triangles and quads; "listed" of edges and faces to write without other values;
 ///         - to .obj and .off: "color" (rgba) of verts, "color" and "label" of polys (.off can hold only one of the two);
 ///         - to .off: "normal" (vec3) and "texture" (std::array<double, 2>) of verts;
 ///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials";

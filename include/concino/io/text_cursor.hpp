@@ -194,7 +194,7 @@ struct token_cursor : text_cursor {
 
  private:
   [[noreturn, gnu::noinline, gnu::cold]] void fail_index(std::uint64_t bound, const char* what, std::uint32_t first) const {
-    if (first == 0 && bound == 0) fail(at, {what, ", but there is nothing to refer to"});
+    if (bound == 0) fail(at, {what, ", but there is nothing to refer to"});
     fail(at, {what, " from ", first, " to ", bound - 1 + first});
   }
 };

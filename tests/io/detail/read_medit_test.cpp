@@ -2,11 +2,16 @@
 #include <concino/io/detail/read_medit.hpp>
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/tetmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
+
+#include <concino/concepts/end_verts.hpp>
 
 #include <support/reading.hpp>
 
 #include <doctest/doctest.h>
+
+#include <set>
 
 using namespace concino;
 using namespace concino::testing;
@@ -58,18 +63,87 @@ TEST_CASE("read_medit: accepts free layout, comments, sections in any order, and
   CHECK(flat.num_polys() == 1);
 }
 
-TEST_CASE("read_medit: surface elements of a volume and other sections are skipped and reported") {
+TEST_CASE("read_medit: references and marks of a volume become properties of its elements") {
   load_report r;
-  const auto t = medit<cell_arrays>(
-      head + "NormalAtVertices 1\n1 2\n" + points +
-          "Edges 1\n1 2 0\nTriangles 2\n1 2 3 0\n1 2 9 0\nRidges\n1\n1\nNormals 1\n0 1e-3 2.5E+1\nTetrahedra 1\n1 2 3 4 0\nEnd\n",
-      {.report = &r});
-  CHECK(t.num_polys() == 1);
-  CHECK(r.skipped == std::vector<std::string>{"section NormalAtVertices, 1 rows", "section Edges, 1 rows", "section Ridges, 1 rows",
-                                              "section Normals, 1 rows", "section Triangles, 2 rows"});
+  const std::string text = head + "NormalAtVertices 2\n1 2 4 1\n" + points +
+                           "Edges 3\n1 2 5\n4 2 0\n3 1 0\nTriangles 2\n3 2 1 7\n1 2 4 0\nRidges\n1\n3\nRequiredEdges 1\n2\nCorners 2\n4 1\nRequiredVertices 1\n3\n"
+                           "RequiredTriangles 1\n2\nNormals 2\n0 1e-3 2.5E+1\n1 0 0\nTetrahedra 1\n1 2 3 4 0\nTangents 1\n1 0 0\nEnd\n";
+  const auto m = load_text<tetmesh>(text, file_format::medit, {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"section Tangents, 1 rows"});
   CHECK(r.notes.empty());
+  const auto at_verts = [&](const char* name) {
+    std::vector<int> all;
+    for (const auto v : verts(m)) all.push_back(find_vert_property<int>(m, name)[v]);
+    return all;
+  };
+  CHECK(at_verts("corner") == std::vector<int>{1, 0, 0, 1});
+  CHECK(at_verts("required") == std::vector<int>{0, 0, 1, 0});
+  CHECK(find_vert_property<vec3>(m, "normal")[vert_id{0}] == vec3{1, 0, 0});
+  CHECK(find_vert_property<vec3>(m, "normal")[vert_id{1}] == vec3{});
+  CHECK(find_vert_property<vec3>(m, "normal")[vert_id{3}] == vec3{0, 1e-3, 25});
+  const auto label = find_edge_property<int>(m, "label"), ridge = find_edge_property<int>(m, "ridge"), required = find_edge_property<int>(m, "required");
+  CHECK(!find_edge_property<int>(m, "listed"));
+  for (const auto e : edges(m)) {
+    const auto [a, b] = end_verts(m, e);
+    const std::set<unsigned> ends = {a.raw(), b.raw()};
+    const auto joins = [&](unsigned x, unsigned y) { return ends == std::set<unsigned>{x, y}; };
+    CHECK(label[e] == (joins(0, 1) ? 5 : 0));
+    CHECK(ridge[e] == (joins(0, 2) ? 1 : 0));
+    CHECK(required[e] == (joins(1, 3) ? 1 : 0));
+  }
+  const auto face_label = find_face_property<int>(m, "label"), face_required = find_face_property<int>(m, "required");
+  for (const auto f : faces(m)) {
+    unsigned sum = 0;
+    for (const auto v : adj_f2v(m, f)) sum += v.raw();
+    CHECK(face_label[f] == (sum == 3 ? 7 : 0));
+    CHECK(face_required[f] == (sum == 4 ? 1 : 0));
+  }
+  CHECK(!find_face_property<int>(m, "listed"));
+}
+
+TEST_CASE("read_medit: marks of a surface; several sections of one kind are numbered through") {
+  const std::string text = head + points + "Quadrilaterals 1\n1 2 3 4 1\nTriangles 1\n1 2 3 2\nRequiredTriangles 2\n3 1\nRequiredQuadrilaterals 1\n2\nTriangles 2\n1 2 4 3\n1 3 4 4\n"
+                                          "Quadrilaterals 1\n4 3 2 1 5\nEdges 1\n1 2 0\nRidges 1\n2\nEdges 1\n2 3 0\nEnd";
+  const auto m = load_text<polygonmesh>(text, file_format::medit);
+  const auto required = find_poly_property<int>(m, "required"), label = find_poly_property<int>(m, "label");
+  const int expected[] = {0, 1, 0, 1, 1};
+  for (unsigned p = 0; p < 5; ++p) {
+    CHECK(required[poly_id{p}] == expected[p]);
+    CHECK(label[poly_id{p}] == static_cast<int>(p) + 1);
+  }
+  // an edge that is listed without a value
+  const auto listed = find_edge_property<int>(m, "listed"), ridge = find_edge_property<int>(m, "ridge");
+  int num_listed = 0, num_ridges = 0;
+  for (const auto e : edges(m)) num_listed += listed[e], num_ridges += ridge[e];
+  CHECK(num_listed == 2);
+  CHECK(num_ridges == 1);
+}
+
+TEST_CASE("read_medit: elements that the mesh does not have, and normals of no vertex, are reported as skipped") {
+  load_report r;
+  load_text<tetmesh>(head + points + "Triangles 1\n1 2 3 4\nNormals 1\n0 0 1\nQuadrilaterals 1\n1 2 3 4 5\nTetrahedra 1\n1 2 3 4 0\nEnd", file_format::medit, {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"section Normals, 1 rows", "values of 1 elements of kind face that the mesh does not have"});
+  load_text<trimesh>(head + points + "Triangles 1\n1 2 3 4\nEdges 1\n1 4 1\nEnd", file_format::medit, {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"values of 1 elements of kind edge that the mesh does not have"});
   medit<cell_arrays>(one_tet.substr(0, one_tet.size() - 4), {.report = &r});
   CHECK(r.notes == std::vector<std::string>{"the file has no End: it may be cut off"});
+}
+
+TEST_CASE("read_medit: errors in sections besides polys name the line") {
+  const std::string tet = head + points + "Tetrahedra 1\n1 2 3 4 0\n";  // lines 3 to 10
+  CHECK(line(tet + "Triangles 1\n1 2 9 0\nEnd") == 12);
+  CHECK(line(tet + "Triangles 1\n1 2 2 0\nEnd") == 12);
+  CHECK(line(tet + "Edges 1\n1 1 0\nEnd") == 12);
+  CHECK(line(tet + "Edges 2\n1 2 0\nEnd") == 13);
+  CHECK(line(tet + "Corners\n1\n5\nEnd") == 13);
+  CHECK(line(tet + "Edges 1\n1 2 0\nRidges 1\n2\nEnd") == 14);
+  CHECK(line(tet + "Ridges 1\n1\nEnd") == 12);
+  CHECK(line(tet + "RequiredTriangles 1\n1\nEnd") == 12);
+  CHECK(line(tet + "Triangles 1\n1 2 3 0\nRequiredQuadrilaterals 1\n1\nEnd") == 14);
+  CHECK(line(tet + "Normals 1\n0 0 1\nNormalAtVertices 1\n1 2\nEnd") == 14);
+  CHECK(line(tet + "NormalAtVertices 1\n1 1\nEnd") == 12);
+  CHECK(line(tet + "Ridges\nEnd") == 12);
+  CHECK(complaint<cell_arrays>(tet + "Ridges 1\n1\nEnd", file_format::medit) == "12: the index of an edge, but there is nothing to refer to | '1'");
 }
 
 TEST_CASE("read_medit: cells of different shapes share their common faces") {
@@ -192,12 +266,12 @@ TEST_CASE("read_medit: sections may be repeated, empty or unknown") {
   CHECK(medit<surface_arrays>(head + points + "Tetrahedra 0\nTriangles 1\n1 2 3 0\nEnd", {.report = &r}).num_polys() == 1);
   CHECK(r.skipped.empty());
   medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nQuadrilaterals 0\nTetrahedra 1\n1 2 3 4 0\nEnd", {.report = &r});
-  CHECK(r.skipped == std::vector<std::string>{"section Triangles, 1 rows"});
+  CHECK(r.skipped == std::vector<std::string>{"face property \"listed\""});
   const std::string long_word(50, 'W');
-  medit<cell_arrays>(head + points + long_word + " 2\n1 2\n# Corners\n3 4\nOther -3\nRidges\nEnd\n", {.report = &r});
-  CHECK(r.skipped == std::vector<std::string>{"section " + long_word.substr(0, 40) + ", 2 rows", "section Other", "section Ridges"});
+  medit<cell_arrays>(head + points + long_word + " 2\n1 2\n# Corners\n3 4\nOther -3\nTangents\nEnd\n", {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"section " + long_word.substr(0, 40) + ", 2 rows", "section Other", "section Tangents"});
   CHECK(r.notes.empty());
-  medit<cell_arrays>(head + points + "Ridges 1\n1\n# the end", {.report = &r});
+  medit<cell_arrays>(head + points + "Tangents 1\n1\n# the end", {.report = &r});
   CHECK(r.notes.size() == 1);
 }
 

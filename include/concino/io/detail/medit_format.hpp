@@ -1,19 +1,22 @@
 // The type of the MEDIT format. Its reader is defined in read_medit.hpp, its writer in write_medit.hpp.
 #pragma once
 
+#include <concino/io/detail/medit_sections.hpp>
 #include <concino/io/format.hpp>
 
 namespace concino {
 
-/// The MEDIT format: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids; "label" of verts and polys.
+/// The MEDIT format, text and binary (.meshb): surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids; "label" of all elements;
+/// marks of verts, edges, faces and polys; "normal" of verts.
 struct medit_format {
   static constexpr std::string_view name = "medit";
-  static constexpr std::string_view extensions[] = {".mesh"};
-  static constexpr bool holds_surfaces = true, holds_volumes = true;
+  static constexpr std::string_view extensions[] = {".mesh", ".meshb"};
+  static constexpr bool holds_surfaces = true, holds_volumes = true, has_binary = true;
 
   static constexpr std::string_view signature = "MeshVersionFormatted";
 
   static bool has_signature(std::string_view text) {
+    if (detail::is_binary_medit(text)) return true;
     token_cursor in(text.substr(0, 4096), name, nullptr, '#');
     in.skip();
     return in.word() == "MeshVersionFormatted";

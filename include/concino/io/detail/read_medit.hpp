@@ -1,35 +1,33 @@
-// The reader of MEDIT .mesh, ASCII: triangles and quads, or tets, hexes, prisms and pyramids, with labels ("references").
+// The reader of MEDIT files, text and binary: surfaces, or volumes of tets, hexes, prisms and pyramids, with references and marks of all elements.
 #pragma once
 
 #include <concino/io/detail/cell_builder.hpp>
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/medit_binary.hpp>
 #include <concino/io/detail/medit_format.hpp>
-#include <concino/io/detail/medit_sections.hpp>
-#include <concino/io/text_cursor.hpp>
+#include <concino/io/detail/medit_marks.hpp>
+#include <concino/io/detail/medit_text.hpp>
 
 namespace concino::detail {
 
-/// Reads a MEDIT file. Programs that read only surfaces need not compile the code for volumes.
-template<bool Volumes>
-class medit_reader : token_cursor {
+/// Reads a MEDIT file. Programs that read only surfaces need not compile the code for volumes. Cursor is medit_text or medit_binary.
+template<bool Volumes, class Cursor>
+class medit_reader : Cursor {
+  using Cursor::at, Cursor::end, Cursor::fail, Cursor::position, Cursor::index, Cursor::reference;
+
   const wanted_mesh& wanted_;
   load_report& report_;
-  int dimension_ = 0;
-  bool has_verts_ = false, ended_ = false;
-  std::vector<vec3> points_;
+  contents_of<Volumes>& out_;
+  bool has_verts_ = false;
+  std::vector<vec3> points_, normals_;
   std::vector<int> vert_labels_, poly_labels_;
   surface_arrays surface_;
   std::uint32_t arity_ = 0;  // of the polygons, as long as they have the same
   std::size_t polys_ = 0;
-  std::uint64_t num_rounded_ = 0;          // references that are not integers
-  const char* first_rounded_ = nullptr;
-
-  struct part {
-    const medit_section* section;
-    const char* at;  // before the count
-    std::uint64_t count;
-  };
-  std::vector<part> deferred_;  // sections of surfaces, until it is known that there are no cells; sections of cells before the verts
+  std::vector<medit_part> deferred_;  // all sections but cells after the verts: their meaning depends on whether there are cells
+  row_numbers triangles_, quads_, edges_;
+  medit_marks marks_;
+  std::vector<std::uint64_t> scratch_;
 
   struct no_cells {
     no_cells(const read_context&, std::vector<vec3>&, std::size_t) {}
@@ -37,99 +35,28 @@ class medit_reader : token_cursor {
   std::conditional_t<Volumes, cell_builder<volume_contents>, no_cells> cells_;
 
  public:
-  medit_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), wanted_(c.wanted), report_(*c.report), cells_(c, points_, 1) {}
+  medit_reader(const read_context& c, contents_of<Volumes>& out) : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), cells_(c, points_, 1) {}
 
-  void read(contents_of<Volumes>& out) {
-    skip();
-    if (at_end()) fail(end(), "MeshVersionFormatted");
-    const char* const from = at;
-    if (word() != "MeshVersionFormatted") fail(from, "MeshVersionFormatted (MEDIT in ASCII)");
-    next_integer("the version of the format, an integer");
-    while (!ended_) {
-      skip();
-      if (at_end()) break;
-      section();
+  void read() {
+    this->begin_file();
+    for (medit_part part; this->next_section(part);) {
+      if (!part.section) {
+        vertices(part);
+      } else if (Volumes && part.section->is_volume() && has_verts_) {
+        elements(part);
+      } else {
+        deferred_.push_back(part);
+        this->skip_rows();
+      }
     }
-    if (!ended_) report_.notes.push_back("the file has no End: it may be cut off");
-    if (!has_verts_) fail(end(), "a section Vertices");
-    finish(out);
+    this->end_file();
+    if (!has_verts_) fail(end(), {"a section Vertices"});
+    finish();
   }
 
  private:
-  [[gnu::noinline, gnu::cold]] void section() {
-    const char* const from = at;
-    const std::string_view keyword = is_letter(*at) ? word() : std::string_view{};
-    if (keyword == "End") {
-      ended_ = true;
-    } else if (keyword == "Dimension") {
-      skip();
-      const char* const number = at;
-      dimension_ = static_cast<int>(std::clamp<std::int64_t>(next_integer("the dimension, 2 or 3"), 0, 4));
-      if (dimension_ != 2 && dimension_ != 3) fail(number, "the dimension, 2 or 3");
-    } else if (keyword == "Vertices") {
-      if (dimension_ == 0) fail(from, "Dimension before Vertices");
-      if (has_verts_) fail(from, {"one section Vertices"}, {"another"});
-      vertices();
-    } else if (keyword.empty()) {
-      fail(from, "a keyword, such as Tetrahedra or End");
-    } else {
-      for (const medit_section& s : medit_sections)
-        if (keyword == s.keyword) {
-          const part here{&s, at, next_count("the number of elements", 2 * s.arity + 2)};
-          if (Volumes && s.volume && has_verts_) {
-            elements(here);
-          } else {
-            deferred_.push_back(here);
-            skip_section();
-          }
-          return;
-        }
-      skip();
-      std::int64_t n = 0;
-      parse_integer(at, end(), n);  // most sections begin with the number of their rows
-      report_skipped(keyword.substr(0, 40), n > 0 ? static_cast<std::uint64_t>(n) : 0);
-      skip_section();
-    }
-  }
-
-  /// Moves to the next word that begins with a letter.
-  [[gnu::noinline]] void skip_section() {
-    for (bool after_space = true; !at_end(); ++at) {
-      if (*at == comment) {
-        skip_line();
-        if (at_end()) return;
-        after_space = true;
-      } else if (is_space(*at)) {
-        after_space = true;
-        report_progress();
-      } else {
-        if (after_space && is_letter(*at)) return;
-        after_space = false;
-      }
-    }
-  }
-
-  [[gnu::noinline, gnu::cold]] void report_skipped(std::string_view keyword, std::uint64_t rows) {
-    report_.skipped.push_back(rows ? core::joined({"section ", keyword, ", ", rows, " rows"}) : core::joined({"section ", keyword}));
-  }
-
-  int next_label(const char* what) {
-    skip();
-    const char* const from = at;
-    std::int64_t label = 0;
-    const char* const p = parse_integer(at, end(), label);
-    if (p && ends_token(p, comment)) [[likely]] at = p;
-    else label = real_label(what);
-    if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) fail(from, {what, " of 32 bits"});
-    return static_cast<int>(label);
-  }
-
-  /// Reads a reference that is a real number, as some programs write them. If it exceeds 32 bits, the result does too.
-  [[gnu::noinline, gnu::cold]] std::int64_t real_label(const char* what) {
-    const char* const from = at;
-    const double x = std::clamp(real(what, comment), -0x1p40, 0x1p40), rounded = std::round(x);
-    if (x != rounded && num_rounded_++ == 0) first_rounded_ = from;
-    return static_cast<std::int64_t>(rounded);
+  void report_skipped(const medit_part& part) {
+    if (part.count > 0) report_.skipped.push_back(core::joined({"section ", part.section->keyword, ", ", part.count, " rows"}));
   }
 
   /// Adds the label of element n. Labels are stored only if one of them is not zero.
@@ -139,97 +66,184 @@ class medit_reader : token_cursor {
     labels.push_back(label);
   }
 
-  std::uint64_t min_bytes() const { return static_cast<std::uint64_t>(2 * dimension_ + 2); }  // of a vertex: its digits and blanks
+  vec3 next_vector(const char* x, const char* y, const char* z) {
+    vec3 p;
+    p.x = this->coordinate(x);
+    p.y = this->coordinate(y);
+    if (this->dimension_ == 3) p.z = this->coordinate(z);
+    return p;
+  }
 
-  void vertices() {
-    const std::uint64_t n = next_count("the number of vertices", min_bytes());
-    core::reserve_large(points_, reservable(n, min_bytes()));
-    for (std::uint64_t i = 0; i < n; ++i) {
-      vec3 p;
-      p.x = next_real("the x of a vertex");
-      p.y = next_real("the y of a vertex");
-      if (dimension_ == 3) p.z = next_real("the z of a vertex");
-      points_.push_back(p);
-      add_label(vert_labels_, i, next_label("the reference of a vertex, an integer"));
-      report_progress();
+  void vertices(const medit_part& part) {
+    if (has_verts_) fail(part.at, {"one section Vertices"}, {"another"});
+    core::reserve_large(points_, this->room_for(part, static_cast<std::uint64_t>(this->dimension_) + 1));
+    for (std::uint64_t i = 0; i < part.count; ++i) {
+      points_.push_back(next_vector("the x of a vertex", "the y of a vertex", "the z of a vertex"));
+      add_label(vert_labels_, i, reference("the reference of a vertex, an integer"));
+      this->report_progress();
     }
     has_verts_ = true;
   }
 
-  void elements(const part& all) {
-    const medit_section& s = *all.section;
-    if (all.count == 0) return;
-    skip();
+  /// Reads the verts of an element. Returns its position.
+  const char* next_element(const medit_section& s, vert_id* corners) {
+    const char* const from = position();
+    for (std::uint32_t k = 0; k < s.arity; ++k) corners[k] = vert_id{index(points_.size(), "a vertex index")};
+    return from;
+  }
+  int next_reference() { return reference("the reference of an element, an integer"); }
+
+  /// Reads polys.
+  void elements(const medit_part& part) {
+    const medit_section& s = *part.section;
+    if (part.count == 0) return;
+    position();
+    const std::size_t room = this->room_for(part, s.arity + 1);
     if constexpr (Volumes)
-      if (s.volume && !cells_.can_hold(s.shape)) throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
-    if (!s.volume && wanted_.surface && wanted_.arity && s.arity != wanted_.arity) throw_wrong_arity_of(s, wanted_.arity);
-    if constexpr (Volumes) {
-      if (s.volume) cells_.reserve(s.shape, reservable(all.count, 2 * s.arity + 2));
-    }
-    if (!s.volume) core::reserve_large(surface_.verts, surface_.verts.size() + reservable(all.count, 2 * s.arity + 2) * s.arity);
-    for (std::uint64_t i = 0; i < all.count; ++i) {
-      skip();
-      const char* const from = at;
-      vert_id corners[8];
-      for (std::uint32_t k = 0; k < s.arity; ++k) corners[k] = vert_id{next_index(points_.size(), "a vertex index")};
-      if constexpr (Volumes) {
-        if (s.volume && !cells_.add_cell(s.shape, corners)) fail(from, {cells_.expected}, {cells_.found});
+      if (s.is_volume()) {
+        if (!cells_.can_hold(s.shape)) throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
+        cells_.reserve(s.shape, room);
       }
-      if (!s.volume) add_polygon(from, corners, s.arity);
-      add_label(poly_labels_, polys_ + i, next_label("the reference of an element, an integer"));
-      report_progress();
+    if (!s.is_volume()) {
+      if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity) throw_wrong_arity_of(s, wanted_.arity);
+      core::reserve_large(surface_.verts, surface_.verts.size() + room * s.arity);
+      numbers_of(s).add(part.count, polys_);
     }
-    polys_ += all.count;
+    for (std::uint64_t i = 0; i < part.count; ++i) {
+      vert_id corners[8];
+      const char* const from = next_element(s, corners);
+      if constexpr (Volumes)
+        if (s.is_volume() && !cells_.add_cell(s.shape, corners)) fail(from, {cells_.expected}, {cells_.found});
+      if (!s.is_volume()) add_polygon(from, corners, s.arity);
+      add_label(poly_labels_, polys_ + i, next_reference());
+      this->report_progress();
+    }
+    polys_ += part.count;
+  }
+
+  row_numbers& numbers_of(const medit_section& s) { return s.code == 6 || s.code == 17 ? triangles_ : quads_; }
+
+  void require_different(const char* from, const vert_id* corners, std::uint32_t n) {
+    if (const std::size_t k = first_repeated(corners, n, scratch_); k != n)
+      fail(from, {"different verts in an element"}, {"vert ", corners[k].raw() + 1, " twice"});
   }
 
   void add_polygon(const char* from, const vert_id* corners, std::uint32_t n) {
-    std::vector<std::uint64_t> unused;
-    if (const std::size_t k = first_repeated(corners, n, unused); k != n)
-      fail(from, {"different verts in an element"}, {"vert ", corners[k].raw() + 1, " twice"});
+    require_different(from, corners, n);
     const std::size_t first = surface_.verts.size();
     surface_.verts.insert(surface_.verts.end(), corners, corners + n);
     end_poly(surface_, arity_, first);
-    if (surface_.verts.size() > max_ids) fail_to_count("corners");
+    if (surface_.verts.size() > max_ids) this->fail_to_count("corners");
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_wrong_arity_of(const medit_section& s, std::uint32_t arity) const {
     fail(at,
-         {name_of_poly(s.volume, arity),
-          s.volume ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"},
+         {name_of_poly(s.is_volume(), arity),
+          s.is_volume() ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"},
          {"an element of section ", s.keyword});
   }
 
-  [[gnu::noinline, gnu::cold]] void finish(contents_of<Volumes>& out) {
-    bool has_cells = polys_ > 0;
-    for (const part& p : deferred_) has_cells = has_cells || (p.section->volume && p.count > 0);
-    for (const part& p : deferred_) {
-      if (p.section->volume != has_cells) {
-        if (p.count > 0) report_skipped(p.section->keyword, p.count);
-        continue;
-      }
-      // If the file has the wrong kind of mesh, the error that load() throws is clearer than the line of one element.
-      if (has_cells ? !Volumes : !wanted_.surface) {
-        polys_ += p.count;
-        continue;
-      }
-      at = p.at;
-      next_count("the number of elements", 2 * p.section->arity + 2);
-      elements(p);
+  /// Reads edges, or faces of a volume: elements that the mesh has, and to which the file gives references.
+  void list(const medit_part& part, element_kind kind, listed_elements& listed, row_numbers& numbers) {
+    const medit_section& s = *part.section;
+    numbers.add(part.count, listed.size());
+    for (std::uint64_t i = 0; i < part.count; ++i) {
+      vert_id corners[8];
+      require_different(next_element(s, corners), corners, s.arity);
+      listed.verts.insert(listed.verts.end(), corners, corners + s.arity);
+      if (listed.verts.size() > max_ids) this->fail_to_count("corners of edges or faces");
+      listed.end_element();
+      marks_.set(kind, "label", listed.size() - 1, next_reference());
+      this->report_progress();
     }
-    if (num_rounded_)
-      report_.notes.push_back(
-          core::joined({num_rounded_, " references are not integers and were rounded, the first on line ", line_of(first_rounded_)}));
-    if (has_cells && !Volumes) throw_wrong_dimension(name(), true, polys_);
-    if (!has_cells && !wanted_.surface && polys_ > 0) throw_wrong_dimension(name(), false, polys_);
+  }
+
+  void read_normals(const medit_part& part) {
+    for (std::uint64_t i = 0; i < part.count; ++i) normals_.push_back(next_vector("the x of a normal", "the y of a normal", "the z of a normal"));
+  }
+
+  void read_normals_at_verts(const medit_part& part) {
+    out_.vert_normals.resize(points_.size());
+    for (std::uint64_t i = 0; i < part.count; ++i) {
+      const std::uint32_t v = index(points_.size(), "a vertex index");
+      out_.vert_normals[v] = normals_[index(normals_.size(), "the index of a normal")];
+    }
+  }
+
+  /// Reads the numbers of marked elements. Those of a section refer to the rows of others.
+  void mark(const medit_part& part, bool is_volume) {
+    const medit_section& s = *part.section;
+    for (std::uint64_t i = 0; i < part.count; ++i) {
+      if (s.rows == medit_rows::marked_verts) {
+        marks_.set(element_kind::vert, s.mark, index(points_.size(), "a vertex index"), 1);
+      } else if (s.rows == medit_rows::marked_edges) {
+        marks_.set(element_kind::edge, s.mark, edges_[index(edges_.size(), "the index of an edge")], 1);
+      } else {
+        const row_numbers& numbers = numbers_of(s);
+        marks_.set(is_volume ? element_kind::face : element_kind::poly, s.mark, numbers[index(numbers.size(), "the index of a triangle or quad")], 1);
+      }
+    }
+  }
+
+  /// Whether a section of this kind waits that is not empty.
+  bool has_deferred(medit_rows rows) const {
+    return std::any_of(deferred_.begin(), deferred_.end(), [&](const medit_part& p) { return p.section->rows == rows && p.count > 0; });
+  }
+
+  /// Reads the sections that waited until the verts were read and it was known whether there are cells.
+  void read_deferred(bool has_cells) {
+    // If the file has the wrong kind of mesh, the error that load() throws is clearer than the line of one element.
+    const bool is_wanted = has_cells ? Volumes : wanted_.surface || !has_deferred(medit_rows::polygons);
+    for (const medit_part& p : deferred_) {
+      const medit_rows rows = p.section->rows;
+      at = p.at;
+      if (rows == medit_rows::cells || (rows == medit_rows::polygons && !has_cells)) {
+        if (is_wanted) elements(p);
+        else polys_ += p.count;
+      } else if (!is_wanted) {
+        continue;
+      } else if (rows == medit_rows::polygons) {
+        list(p, element_kind::face, out_.faces, numbers_of(*p.section));
+      } else if (rows == medit_rows::edges) {
+        list(p, element_kind::edge, out_.edges, edges_);
+      } else if (rows == medit_rows::normals) {
+        read_normals(p);
+      }
+    }
+    bool uses_normals = false;
+    for (const medit_part& p : deferred_) {
+      if (!is_wanted) continue;
+      at = p.at;
+      if (p.section->rows == medit_rows::normals_at_verts) {
+        uses_normals = true;
+        read_normals_at_verts(p);
+      } else if (p.section->mark) {
+        mark(p, has_cells);
+      }
+    }
+    for (const medit_part& p : deferred_)
+      if (p.section->rows == medit_rows::normals && !uses_normals) report_skipped(p);
+  }
+
+  [[gnu::noinline, gnu::cold]] void finish() {
+    const bool has_cells = polys_ > 0 || has_deferred(medit_rows::cells);
+    read_deferred(has_cells);
+    this->report_rounded();
+    if (has_cells && !Volumes) throw_wrong_dimension(this->name(), true, polys_);
+    if (!has_cells && !wanted_.surface && polys_ > 0) throw_wrong_dimension(this->name(), false, polys_);
 
     if (!vert_labels_.empty()) vert_labels_.resize(points_.size());
     if (!poly_labels_.empty()) poly_labels_.resize(polys_);
-    out.vert_labels = std::move(vert_labels_);
-    out.poly_labels = std::move(poly_labels_);
+    out_.vert_labels = std::move(vert_labels_);
+    out_.poly_labels = std::move(poly_labels_);
+    marks_.store(element_kind::vert, points_.size(), false, out_);
+    marks_.store(element_kind::poly, polys_, false, out_);
+    marks_.store(element_kind::edge, out_.edges.size(), true, out_);
+    marks_.store(element_kind::face, out_.faces.size(), true, out_);
     const bool volume = has_cells || !wanted_.surface;
-    if (!volume) out.surface = surface();
+    if (!volume) out_.surface = surface();
     if constexpr (Volumes)
-      if (volume) cells_.finish(out);
+      if (volume) cells_.finish(out_);
   }
 
   surface_arrays surface() {
@@ -244,17 +258,23 @@ class medit_reader : token_cursor {
 
 namespace concino {
 
-/// Needs:  text of a MEDIT file: keywords, counts and rows in any layout, sections in any order, `#` comments, Dimension 2 (z is 0) or 3.
+/// Needs:  a MEDIT file. As text: keywords, counts and rows in any layout, sections in any order, `#` comments. Binary: versions 1 to 4 in either byte
+///         order. Dimension 2 (z is 0) or 3.
 /// Result: a volume if there is any cell, else a surface. Elements keep their order. The verts of cells of negative volume are put into the
-///         standard order, and these cells are counted. References become labels unless all are zero; those that are not integers are rounded
-///         and counted. Surface elements of a volume, and sections that a mesh cannot store, are reported as skipped.
+///         standard order, and these cells are counted. References become "label" of verts, polys, edges, and faces of a volume, unless all are zero;
+///         those that are not integers are rounded and counted. Marks become properties (int) of verts ("corner", "required"), edges ("ridge",
+///         "required") and triangles and quads ("required"). If the file lists edges or faces without any of these, they and the others listed
+///         have the property "listed". Normals at vertices become "normal" of verts. Other sections are reported as skipped, as are edges and faces
+///         that the mesh does not have.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line of a wrong number, an index out of range, an element with a vertex twice, an element that the
-///         wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
+/// Errors: parse_error naming the line (of binary files the byte) of a wrong number, an index out of range, an element with a vertex twice, an element
+///         that the wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
 ///         or the reverse.
 template<std::derived_from<file_contents> Contents>
 void medit_format::read(const read_context& in, Contents& out) {
-  detail::medit_reader<std::is_same_v<Contents, volume_contents>>(in).read(out);
+  constexpr bool volumes = std::is_same_v<Contents, volume_contents>;
+  if (detail::is_binary_medit(in.text)) detail::medit_reader<volumes, detail::medit_binary>(in, out).read();
+  else detail::medit_reader<volumes, detail::medit_text>(in, out).read();
 }
 
 }  // namespace concino

@@ -31,19 +31,22 @@ class tet_reader : token_cursor {
     const std::uint64_t nv = next_count("the number of vertices", 6);
     keyword("vertices", "vertices", "the word 'vertices'");
     const std::uint64_t nc = next_count("the number of cells", 10);
-    keyword("tets", "cells", "the word 'tets' or 'cells'");
+    const bool has_other_cells = keyword("tets", "cells", "the word 'tets' or 'cells'");
     verts(nv);
-    choose_order();
+    if (has_other_cells) choose_order();
     cells(nc);
     if (num_connectors_) report_.skipped.push_back(core::joined({num_connectors_, " connectors between cells (# C)"}));
     cells_.finish(out);
   }
 
  private:
-  void keyword(std::string_view one, std::string_view other, const char* expected) {
+  /// Reads one of two words. Returns whether it is the second one.
+  bool keyword(std::string_view one, std::string_view other, const char* expected) {
     skip();
     const char* const from = at;
-    if (const std::string_view w = word(); w != one && w != other) fail(from, expected);
+    const std::string_view w = word();
+    if (w != one && w != other) fail(from, expected);
+    return w == other;
   }
 
   void verts(std::uint64_t n) {

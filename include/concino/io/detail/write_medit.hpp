@@ -1,95 +1,231 @@
-// The writer of MEDIT .mesh: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids, recognised by their faces.
+// The writer of MEDIT files, text and binary: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids, recognised by their faces.
 #pragma once
 
-#include <concino/io/detail/medit_sections.hpp>
+#include <concino/io/detail/flat_cells.hpp>
 #include <concino/io/detail/medit_format.hpp>
+#include <concino/io/detail/medit_output.hpp>
 #include <concino/io/detail/write_common.hpp>
-#include <concino/mesh/cell_recogniser.hpp>
+
+#include <array>
+#include <string_view>
+#include <vector>
 
 namespace concino::detail {
 
-/// The polys in the order of the mesh: the shape of each, and its verts as numbers of the file, in the order of the format.
-struct medit_rows {
-  std::vector<std::uint8_t> section;  // index in medit_sections
-  std::vector<std::uint32_t> verts;
-  std::size_t count[std::size(medit_sections)] = {};
+class medit_writer {
+  static constexpr std::size_t num_shapes = 6;  // the sections of polys, the first of the table
+  using element_list = std::vector<std::uint32_t>;
 
-  void end_row(std::size_t s) {
-    section.push_back(static_cast<std::uint8_t>(s));
-    ++count[s];
+  write_context& c_;
+  flat_mesh& m_;
+  medit_output out_;
+
+  // the polys in the order of the mesh: the section of each, and its verts in the order of the format
+  std::vector<std::uint8_t> section_;
+  std::vector<vert_id> verts_;
+  std::size_t num_of_[num_shapes] = {};
+
+  element_list edges_, faces_[2], normals_;  // the elements that are listed: edges; triangles and quads of a volume; verts with a normal
+  std::uint64_t num_odd_ = 0;                // marks other than 0 and 1
+  std::uint64_t num_large_ = 0;              // faces of more than four verts that have a value
+
+ public:
+  medit_writer(write_context& c, flat_mesh& m, bool binary) : c_(c), m_(m), out_(c.out, binary) {}
+
+  void write() {
+    declare();
+    collect_polys();
+    collect_listed();
+    announce();
+    out_.begin_file();
+    while (out_.has_next()) write_section(out_.begin());
+    out_.end_file();
+    std::size_t kinds = 0;
+    for (const std::size_t n : num_of_) kinds += n > 0;
+    if (kinds > 1) c_.report.notes.push_back("the file lists polys of one shape after those of another: their order changed");
+    if (num_large_) c_.report.lost.push_back(core::joined({"values of ", num_large_, " faces that are neither triangles nor quads"}));
+    if (num_odd_) c_.report.lost.push_back(core::joined({num_odd_, " marks of elements (\"corner\", \"required\", \"ridge\", \"listed\") that are neither 0 nor 1: written as 1"}));
+  }
+
+ private:
+  void declare() {
+    for (const char* const name : {"label", "corner", "required"}) c_.declare_stored<int>(element_kind::vert, name);
+    for (const char* const name : {"label", "ridge", "required", "listed"}) c_.declare_stored<int>(element_kind::edge, name);
+    c_.declare_stored<int>(element_kind::poly, "label");
+    c_.declare_stored<vec3>(element_kind::vert, "normal");
+    if (m_.dimension == 2) c_.declare_stored<int>(element_kind::poly, "required");
+    else
+      for (const char* const name : {"label", "required", "listed"}) c_.declare_stored<int>(element_kind::face, name);
+  }
+
+  void add_poly(std::size_t section, const vert_id* v) {
+    section_.push_back(static_cast<std::uint8_t>(section));
+    verts_.insert(verts_.end(), v, v + medit_sections[section].arity);
+    ++num_of_[section];
+    c_.report_progress();
+  }
+
+  void collect_polys() {
+    if (m_.dimension == 3) {
+      for_each_cell(m_, [&](std::size_t p, cell_shape s, const vert_id* v) {
+        if (s == cell_shape::general) throw_general_cell(c_, m_, p, ".mesh");
+        add_poly(2 + static_cast<std::size_t>(s), v);
+      });
+      return;
+    }
+    for (std::size_t p = 0; p < m_.num_polys; ++p) {
+      const std::span<const vert_id> v = m_.poly_verts[p];
+      if (v.size() != 3 && v.size() != 4) c_.throw_cannot_hold(".mesh", {"poly ", m_.poly_index(p), ", a polygon of ", v.size(), " verts"}, ".obj");
+      add_poly(v.size() - 3, v.data());
+    }
+  }
+
+  /// Whether an element has a value other than 0 in one of the properties.
+  static bool has_value(std::initializer_list<flat_values<int>> properties, std::size_t i) {
+    for (const flat_values<int>& p : properties)
+      if (p && p[i] != 0) return true;
+    return false;
+  }
+
+  [[gnu::noinline]] void collect_listed() {
+    const flat_values<int> edge[] = {m_.edge_values<int>("label"), m_.edge_values<int>("ridge"), m_.edge_values<int>("required"), m_.edge_values<int>("listed")};
+    if (edge[0] || edge[1] || edge[2] || edge[3])
+      for (std::size_t e = 0; e < m_.edge_verts().size(); ++e)
+        if (has_value({edge[0], edge[1], edge[2], edge[3]}, e)) edges_.push_back(static_cast<std::uint32_t>(e));
+    const flat_values<int> face[] = {m_.face_values<int>("label"), m_.face_values<int>("required"), m_.face_values<int>("listed")};
+    if (face[0] || face[1] || face[2])
+      for (std::size_t f = 0; f < m_.polyhedra().face_verts.size(); ++f)
+        if (has_value({face[0], face[1], face[2]}, f)) {
+          const std::size_t n = m_.polyhedra().face_verts[f].size();
+          if (n == 3 || n == 4) faces_[n - 3].push_back(static_cast<std::uint32_t>(f));
+          else ++num_large_;
+        }
+    if (const auto normal = m_.vert_values<vec3>("normal"))
+      for (std::size_t v = 0; v < m_.points.size(); ++v)
+        if (!(normal[v] == vec3{})) normals_.push_back(static_cast<std::uint32_t>(v));
+  }
+
+  /// Calls f(number in the file) for the elements that a section marks.
+  template<class F>
+  void for_each_marked(const medit_section& s, const F& f) {
+    const auto each = [&](const flat_values<int>& marks, std::size_t n, const auto& element) {
+      for (std::size_t i = 0; marks && i < n; ++i)
+        if (const int x = marks[element(i)]; x != 0) f(i, x);
+    };
+    const auto same = [](std::size_t i) { return i; };
+    if (s.rows == medit_rows::marked_verts) return each(m_.vert_values<int>(s.mark), m_.points.size(), same);
+    if (s.rows == medit_rows::marked_edges) return each(m_.edge_values<int>(s.mark), edges_.size(), [&](std::size_t i) { return edges_[i]; });
+    const std::size_t kind = s.code == 18;
+    if (m_.dimension == 3) return each(m_.face_values<int>(s.mark), faces_[kind].size(), [&](std::size_t i) { return faces_[kind][i]; });
+    if (const auto marks = m_.poly_values<int>(s.mark)) {
+      std::size_t row = 0;
+      for (std::size_t p = 0; p < m_.num_polys; ++p)
+        if (section_[p] == kind) {
+          if (marks[p] != 0) f(row, marks[p]);
+          ++row;
+        }
+    }
+  }
+
+  void announce() {
+    out_.announce(nullptr, m_.points.size());
+    for (std::size_t k = 0; k < std::size(medit_sections); ++k) {
+      const medit_section& s = medit_sections[k];
+      std::uint64_t n = 0;
+      if (k < num_shapes) n = num_of_[k] + (k < 2 ? faces_[k].size() : 0);
+      else if (s.rows == medit_rows::edges) n = edges_.size();
+      else if (!s.mark) n = normals_.size();
+      else
+        for_each_marked(s, [&](std::size_t, int x) {
+          ++n;
+          num_odd_ += x != 1;
+        });
+      out_.announce(&s, n);
+    }
+  }
+
+  void write_section(const medit_section* s) {
+    if (!s) return write_vertices();
+    const auto k = static_cast<std::size_t>(s - medit_sections);
+    if (k < 2 && m_.dimension == 3) return write_faces(k);
+    if (k < num_shapes) return write_polys(k);
+    if (s->rows == medit_rows::edges) return write_edges();
+    if (s->mark)
+      return for_each_marked(*s, [&](std::size_t i, int) {
+        out_.index(i);
+        out_.end_row();
+      });
+    write_normals(s->rows == medit_rows::normals);
+  }
+
+  void write_point(const vec3& p) { out_.real(p.x), out_.real(p.y), out_.real(p.z); }
+
+  void write_vertices() {
+    const flat_values<int> label = m_.vert_values<int>("label");
+    for (std::size_t v = 0; v < m_.points.size(); ++v) {
+      write_point(m_.points[v]);
+      out_.integer(label ? label[v] : 0);
+      out_.end_row();
+      c_.report_progress();
+    }
+  }
+
+  void write_polys(std::size_t section) {
+    const flat_values<int> label = m_.poly_values<int>("label");
+    const vert_id* v = verts_.data();
+    for (std::size_t p = 0; p < section_.size(); ++p) {
+      const std::size_t n = medit_sections[section_[p]].arity;
+      if (section_[p] == section) {
+        for (std::size_t i = 0; i < n; ++i) out_.index(v[i].raw());
+        out_.integer(label ? label[p] : 0);
+        out_.end_row();
+      }
+      v += n;
+    }
+  }
+
+  void write_faces(std::size_t kind) {
+    const flat_values<int> label = m_.face_values<int>("label");
+    for (const std::uint32_t f : faces_[kind]) {
+      for (const vert_id v : m_.polyhedra().face_verts[f]) out_.index(v.raw());
+      out_.integer(label ? label[f] : 0);
+      out_.end_row();
+    }
+  }
+
+  void write_edges() {
+    const flat_values<int> label = m_.edge_values<int>("label");
+    for (const std::uint32_t e : edges_) {
+      for (const vert_id v : m_.edge_verts()[e]) out_.index(v.raw());
+      out_.integer(label ? label[e] : 0);
+      out_.end_row();
+    }
+  }
+
+  void write_normals(bool vectors) {
+    const flat_values<vec3> normal = m_.vert_values<vec3>("normal");
+    for (std::size_t i = 0; i < normals_.size(); ++i) {
+      const vec3& n = normal[normals_[i]];
+      if (vectors) write_point({c_.finite(n.x), c_.finite(n.y), c_.finite(n.z)});
+      else out_.index(normals_[i]), out_.index(i);
+      out_.end_row();
+    }
   }
 };
 
-inline void add_row(const write_context& c, flat_mesh& m, std::size_t p, medit_rows& rows, cell_recogniser& known, const std::uint8_t*& outward) {
-  std::size_t s = std::size(medit_sections);
-  if (m.dimension == 2) {
-    for (const vert_id v : m.poly_verts[p]) rows.verts.push_back(v.raw());
-    const std::size_t n = m.poly_verts[p].size();
-    if (n == 3 || n == 4) s = n - 3;
-    else c.throw_cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polygon of ", n, " verts"}, ".obj");
-  } else if (m.arity == 4 || m.arity == 8) {
-    for (const vert_id v : m.poly_verts[p]) rows.verts.push_back(v.raw());
-    s = m.arity == 4 ? 2 : 3;
-  } else {
-    known.clear();
-    const flat_polyhedra& all = m.polyhedra();
-    for (const face_id f : all.poly_faces[p]) {
-      known.begin_face();
-      for (const vert_id v : all.face_verts[f.raw()]) known.push(v);
-      if (*outward++ == 0) known.reverse_face();
-    }
-    const cell_shape shape = known.recognise();
-    if (shape == cell_shape::general)
-      c.throw_cannot_hold(".mesh", {"poly ", m.poly_index(p), ", a polyhedron of ", all.poly_faces[p].size(), " faces that is not a tet, hex, prism or pyramid"}, ".hedra");
-    for (unsigned i = 0; i < standard_cell_of(shape).num_verts; ++i) rows.verts.push_back(known.cell[i].raw());
-    s = 2 + static_cast<std::size_t>(shape);
-  }
-  rows.end_row(s);
+/// Whether a path ends in .meshb, in upper or lower case.
+inline bool is_meshb(std::string_view path) {
+  constexpr std::string_view extension = ".meshb";
+  if (path.size() < extension.size()) return false;
+  for (std::size_t i = 0; i < extension.size(); ++i)
+    if (const char c = path[path.size() - extension.size() + i]; c != extension[i] && (c | 0x20) != extension[i]) return false;
+  return true;
 }
 
 }  // namespace concino::detail
 
 namespace concino {
 
-inline void medit_format::write(write_context& c, flat_mesh& m) {
-  const flat_values<int> vert_label = m.vert_values<int>("label"), poly_label = m.poly_values<int>("label");
-  c.declare_stored<int>(element_kind::vert, "label");
-  c.declare_stored<int>(element_kind::poly, "label");
-  c.out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << m.points.size() << '\n';
-  for (std::size_t v = 0; v < m.points.size(); ++v) {
-    detail::write_point(c.out, m.points[v]);
-    c.out << ' ' << (vert_label ? vert_label[v] : 0) << '\n';
-    c.report_progress();
-  }
-
-  detail::medit_rows rows;
-  cell_recogniser known;
-  const bool by_faces = m.dimension == 3 && m.arity != 4 && m.arity != 8;
-  const std::uint8_t* outward = by_faces ? m.polyhedra().outward.data() : nullptr;
-  std::vector<int> labels;
-  for (std::size_t p = 0; p < m.num_polys; ++p) {
-    detail::add_row(c, m, p, rows, known, outward);
-    labels.push_back(poly_label ? poly_label[p] : 0);
-    c.report_progress();
-  }
-  std::size_t kinds = 0;
-  for (std::size_t s = 0; s < std::size(detail::medit_sections); ++s) {
-    if (rows.count[s] == 0) continue;
-    ++kinds;
-    const detail::medit_section& section = detail::medit_sections[s];
-    c.out << section.keyword << '\n' << rows.count[s] << '\n';
-    std::size_t at = 0;
-    for (std::size_t p = 0; p < rows.section.size(); ++p) {
-      const std::size_t n = detail::medit_sections[rows.section[p]].arity;
-      if (rows.section[p] == s) {
-        for (std::size_t i = 0; i < n; ++i) c.out << rows.verts[at + i] + 1 << ' ';
-        c.out << labels[p] << '\n';
-      }
-      at += n;
-    }
-  }
-  c.out << "End\n";
-  if (kinds > 1) c.report.notes.push_back("the file lists polys of one shape after those of another: their order changed");
-}
+inline void medit_format::write(write_context& c, flat_mesh& m) { detail::medit_writer(c, m, c.options.binary || detail::is_meshb(c.path)).write(); }
 
 }  // namespace concino
