@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/function_ref.hpp>
 #include <concino/core/system_checks.hpp>
 #include <concino/solve/detail/ordered.hpp>
 #include <concino/solve/detail/sparse_factor.hpp>
@@ -13,6 +14,12 @@
 #include <limits>
 
 namespace concino {
+
+/// What a factorisation costs, counted before it begins. Where ldlt is going to try nested dissection, the numbers are those that it commonly leaves.
+struct factor_size {
+  double entries = 0;          // of L, below the diagonal
+  double multiplications = 0;  // up to the number of unknowns
+};
 
 /// Factorises a symmetric matrix as L D L^T, with a fill-reducing order, and solves with it. A SparseSolver.
 /// Reads only the lower triangle of the matrix. Matrices may be indefinite, but there is no pivoting: D is diagonal.
@@ -28,7 +35,10 @@ class ldlt {
   detail::sparse_factor factors_;  // of the reordered matrix
   detail::supernodes supernodes_;
   core::sparsity_pattern pattern_;  // of the matrix for which the order was computed
-  bool is_analysed_ = false;          // factors_ has analysed the pattern too
+  enum class progress { ordered, copied, counted, chosen };
+  progress progress_ = progress::ordered;  // with the pattern: it is ordered by minimum degree; has the order of another solver; factors_ has analysed
+                                           // it by minimum degree; factors_ has analysed it in the better order
+  bool is_countable_ = true;               // 32-bit indices can count the entries of the factor by minimum degree
   Eigen::Index size_ = -1;
 
  public:
@@ -41,9 +51,12 @@ class ldlt {
 
   void factorize(const Eigen::SparseMatrix<double>& matrix) { factorize_within(matrix, any_number); }
 
-  /// factorize, unless the factor in the order by minimum degree would have more than `most` entries below the diagonal. Then the result is false, nothing
-  /// is factorised, and the cost is that of this order.
-  bool factorize_within(const Eigen::SparseMatrix<double>& matrix, std::int64_t most);
+  /// factorize, unless the factor in the order by minimum degree would have more than `most` entries below the diagonal, or accepts(size) is false. Then the
+  /// result is false, nothing is factorised, and the cost is that of this order. The order is kept if the size was counted and not accepted.
+  bool factorize_within(const Eigen::SparseMatrix<double>& matrix, std::int64_t most, function_ref<bool(const factor_size&)> accepts = nullptr);
+
+  /// Whether this matrix has the pattern of the previous one that was ordered, so that its order can be reused.
+  bool has_order_of(const Eigen::SparseMatrix<double>& a) const { return a.isCompressed() && pattern_.is_of(a); }
 
   /// Copies the order of another solver, so that a matrix of the same pattern need not be ordered again. Afterwards nothing is factorised
   /// until the next factorize.
@@ -52,8 +65,15 @@ class ldlt {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:
-  /// Analyses the factor of a in the order by minimum degree, or in a better one. upper: a in the first order, afterwards in the chosen one. Returns false if
-  /// the factor would have too many entries.
+  /// Orders a and counts the entries of its factor, unless that is done for its pattern; upper: the reordered a. Returns false if there are more than `most`.
+  bool count(const Eigen::SparseMatrix<double>& a, std::int64_t most, Eigen::SparseMatrix<double>& upper);
+
+  /// Whether nested dissection may pay for the matrix, which is ordered by minimum degree; entries: of its lower triangle.
+  bool may_dissect(Eigen::Index entries) const;
+  factor_size expected_size(Eigen::Index entries) const;
+
+  /// Dissects a if that may pay, and keeps the better order. upper: a in the first order, afterwards in the chosen one. Returns false if the factor would
+  /// have more than `most` entries.
   bool choose_order(const Eigen::SparseMatrix<double>& a, std::int64_t most, Eigen::SparseMatrix<double>& upper);
 
   /// Rejects pivots that are only rounding errors. A pivot is a diagonal entry minus the contributions of elimination.

@@ -13,7 +13,7 @@ namespace concino {
 CONCINO_INLINE ldlt::ldlt() = default;
 CONCINO_INLINE ldlt::~ldlt() = default;
 
-CONCINO_INLINE bool ldlt::factorize_within(const Eigen::SparseMatrix<double>& matrix, std::int64_t most) {
+CONCINO_INLINE bool ldlt::factorize_within(const Eigen::SparseMatrix<double>& matrix, std::int64_t most, function_ref<bool(const factor_size&)> accepts) {
   size_ = -1;
   Eigen::SparseMatrix<double> storage;
   const Eigen::SparseMatrix<double>& a = core::compressed(matrix, storage);
@@ -23,56 +23,75 @@ CONCINO_INLINE bool ldlt::factorize_within(const Eigen::SparseMatrix<double>& ma
     size_ = 0;
     return true;
   }
-  const bool has_order = pattern_.is_of(a);
-  if (!has_order) {
-    pattern_.forget();
-    order_.find(a);
-  }
-  Eigen::SparseMatrix<double> upper = order_(a);
-  if (!has_order || !is_analysed_) {
-    is_analysed_ = false;
-    if (!(has_order ? factors_.analyse(upper, most) : choose_order(a, most, upper))) {
-      if (most == any_number) throw unsupported("ldlt: the factor would have more entries than 32-bit indices can count; use conjugate_gradients");
-      return false;
-    }
-    is_analysed_ = true;
-  }
+  Eigen::SparseMatrix<double> upper;
+  bool fits = count(a, most, upper);
+  if (fits && accepts && !accepts(expected_size(upper.nonZeros()))) return false;
+  fits = fits && choose_order(a, most, upper);
+  if (!fits && most != any_number) return false;
+  if (!fits) throw unsupported("ldlt: the factor would have more entries than 32-bit indices can count; use multigrid");
   factors_.factorize(upper);
-  if (!has_order) pattern_.remember(a);
   check_pivots(a);
   supernodes_.find(factors_.lower());
   size_ = a.rows();
   return true;
 }
 
-CONCINO_INLINE bool ldlt::choose_order(const Eigen::SparseMatrix<double>& a, std::int64_t most, Eigen::SparseMatrix<double>& upper) {
-  const bool fits = factors_.analyse(upper, most);
-  if (!fits && most != any_number) return false;
+CONCINO_INLINE bool ldlt::count(const Eigen::SparseMatrix<double>& a, std::int64_t most, Eigen::SparseMatrix<double>& upper) {
+  const bool has_order = pattern_.is_of(a);
+  if (!has_order) {
+    pattern_.forget();
+    order_.find(a);
+    progress_ = progress::ordered;
+  }
+  order_(a).swap(upper);
+  if (progress_ == progress::counted || progress_ == progress::chosen) return factors_.lower().nonZeros() <= most;
+  is_countable_ = factors_.analyse(upper, most);
+  if (!is_countable_ && (progress_ == progress::copied || most != any_number)) return false;
+  progress_ = progress_ == progress::copied ? progress::chosen : progress::counted;
+  if (!has_order) pattern_.remember(a);
+  return true;
+}
+
+CONCINO_INLINE bool ldlt::may_dissect(Eigen::Index entries) const {
+  if (progress_ == progress::chosen) return false;
+  if (!is_countable_) return true;
   // Dissection takes about as long as 50 multiplications per entry and level of cuts, and saves a third or more of them all on large meshes.
-  const double num_levels = std::log2(1 + static_cast<double>(a.cols()) / 200), threshold = 250 * static_cast<double>(upper.nonZeros()) * num_levels;
-  const std::int64_t multiplications = fits ? factors_.num_multiplications() : any_number;
-  if (static_cast<double>(multiplications) < threshold) return fits;
-  factors_ = {};  // its memory is not needed meanwhile
-  detail::elimination_order dissected;
-  dissected.keep(detail::nested_dissection_order(detail::elimination_order::symmetric_pattern(a), order_.row));
-  if (!dissected.row.empty()) {
-    Eigen::SparseMatrix<double> reordered = dissected(a);
-    if (factors_.analyse(reordered, most) && factors_.num_multiplications() < multiplications) {
+  const double num_levels = std::log2(1 + static_cast<double>(order_.row.size()) / 200);
+  return static_cast<double>(factors_.num_multiplications()) >= 250 * static_cast<double>(entries) * num_levels;
+}
+
+CONCINO_INLINE factor_size ldlt::expected_size(Eigen::Index entries) const {
+  factor_size r{static_cast<double>(factors_.lower().nonZeros()), static_cast<double>(factors_.num_multiplications())};
+  return may_dissect(entries) ? factor_size{0.7 * r.entries, 0.45 * r.multiplications} : r;
+}
+
+CONCINO_INLINE bool ldlt::choose_order(const Eigen::SparseMatrix<double>& a, std::int64_t most, Eigen::SparseMatrix<double>& upper) {
+  if (may_dissect(upper.nonZeros())) {
+    const std::int64_t multiplications = is_countable_ ? factors_.num_multiplications() : any_number;
+    progress_ = progress::ordered;
+    factors_ = {};  // its memory is not needed meanwhile
+    detail::elimination_order dissected;
+    dissected.keep(detail::nested_dissection_order(detail::elimination_order::symmetric_pattern(a), order_.row));
+    Eigen::SparseMatrix<double> reordered;
+    if (!dissected.row.empty()) dissected(a).swap(reordered);
+    if (!dissected.row.empty() && factors_.analyse(reordered, most) && factors_.num_multiplications() < multiplications) {
       std::swap(order_, dissected);
       upper.swap(reordered);
-      return true;
+    } else if (!factors_.analyse(upper, most)) {
+      return false;
     }
   }
-  return factors_.analyse(upper, most);
+  progress_ = progress::chosen;
+  return true;
 }
 
 CONCINO_INLINE void ldlt::use_order_of(const ldlt& other) {
   size_ = -1;
-  is_analysed_ = false;
   if (this == &other) return;
   pattern_.forget();  // in case that memory for the order runs out
   order_ = detail::elimination_order(other.order_);
   pattern_ = other.pattern_;
+  progress_ = progress::copied;
 }
 
 CONCINO_INLINE Eigen::VectorXd ldlt::solve(const Eigen::VectorXd& b) const {
