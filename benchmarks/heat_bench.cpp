@@ -1,4 +1,4 @@
-// Measures heat geodesics with the library's own solver. Their preparation is compared with the necessary factorisations: two, or three with a boundary.
+// Measures heat geodesics with the library's own factorisation. Their preparation is compared with the necessary factorisations: two, or three with a boundary.
 // A query is compared with as many back-substitutions. `query` includes bounds by shortest paths, `unclamped` does not.
 #include "support/kinds.hpp"
 
@@ -58,7 +58,7 @@ void measure(const bench::program& p, const std::string& name, const M& m) {
                                  return all;
                                });
                              }},
-                            {"concino", [&] { return bench::seconds_of([&] { return concino::prepare_heat_geodesics(m); }); }}}));
+                            {"concino", [&] { return bench::seconds_of([&] { return concino::prepare_heat_geodesics(m, {}, concino::ldlt{}); }); }}}));
   if (!p.wants(query)) return;
   std::vector<std::unique_ptr<factors>> all;
   for (const sparse& a : matrices) all.push_back(std::make_unique<factors>(a));
@@ -76,7 +76,7 @@ void measure(const bench::program& p, const std::string& name, const M& m) {
                             {"concino", [&] { return bench::seconds_of([&] { return asked.distance_from(source); }); }}}));
   };
   compare_with_substitutions(query, heat);
-  compare_with_substitutions("heat.unclamped." + name, concino::prepare_heat_geodesics(m, {.clamp = false}));
+  compare_with_substitutions("heat.unclamped." + name, concino::prepare_heat_geodesics(m, {.clamp = false}, concino::ldlt{}));
 }
 
 }  // namespace

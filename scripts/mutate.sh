@@ -90,6 +90,7 @@ operators/detail/virtual_elements  operators/detail/virtual_elements operators/m
 operators/detail/virtual_refinement    operators/virtual_refinement
 solve/auto_solver      solve/auto_solver
 solve/detail/auto_solver solve/auto_solver
+solve/detail/solver_times solve/detail/solver_times solve/auto_solver
 optimize/constrained      optimize/constrained
 solve/ldlt             solve/ldlt solve/auto_solver
 solve/detail/ldlt       solve/ldlt solve/auto_solver

@@ -62,7 +62,7 @@ int main() {
   }
   cn::auto_solver solver({.max_factor_entries = 1000});  // too few for the factor
   cn::harmonic_map(sphere, {{cn::vert_id{0}, 0.0}, {cn::vert_id{1}, 1.0}}, {}, solver);
-  fmt::print("auto_solver took {}\n", solver.used() == cn::solver_used::ldlt ? "ldlt" : "conjugate_gradients");
+  fmt::print("auto_solver took {}\n", solver.used() == cn::solver_used::ldlt ? "ldlt" : "multigrid");
 
   // Constraints: x + y = 1; then 2x + 2y = 2 is redundant, and x + y = 3 contradicts it.
   const sparse k = matrix(2, 2, {{0, 0, 1.0}, {1, 1, 1.0}});

@@ -37,10 +37,10 @@ TEST_CASE("prepared problems: every solver gives the same fields") {
   check(auto_solver{});
   const auto_solver small({.max_factor_entries = 10});
   check(small);
-  CHECK(prepare_harmonic_map(m, {a}, {}, small).solver().used() == solver_used::conjugate_gradients);
-  CHECK(prepare_poisson(m, {a}, {}, small).solver().used() == solver_used::conjugate_gradients);
-  CHECK(prepare_heat_flow(m, 0.01, {}, small).solver().used() == solver_used::conjugate_gradients);
-  CHECK(prepare_smooth(m, 0.01, {}, small).solver().used() == solver_used::conjugate_gradients);
+  CHECK(prepare_harmonic_map(m, {a}, {}, small).solver().used() == solver_used::multigrid);
+  CHECK(prepare_poisson(m, {a}, {}, small).solver().used() == solver_used::multigrid);
+  CHECK(prepare_heat_flow(m, 0.01, {}, small).solver().used() == solver_used::multigrid);
+  CHECK(prepare_smooth(m, 0.01, {}, small).solver().used() == solver_used::multigrid);
   CHECK(prepare_smooth(m, 0.01).solver().used() == solver_used::ldlt);
   auto_solver mine;
   smooth(m, f, 0.01, {}, mine);

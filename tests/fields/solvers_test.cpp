@@ -44,8 +44,8 @@ TEST_CASE("problems report the solver that they used") {
   harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{100}, 1.0}}, {}, solver);
   CHECK(solver.used() == solver_used::ldlt);
   harmonic_map(m, {{vert_id{0}, 0.0}, {vert_id{100}, 1.0}}, {}, small);
-  CHECK(small.used() == solver_used::conjugate_gradients);
-  CHECK(small.iterations() > 5);
+  CHECK(small.used() == solver_used::multigrid);
+  CHECK(small.iterations() > 0);
   CHECK(small.iterations() < 60);
   CHECK(small.residual() <= 1e-12);
 }

@@ -1,14 +1,74 @@
 #include <concino/solve/auto_solver.hpp>
 
-#include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>
+#include <concino/solve/multigrid.hpp>
 
 #include <Eigen/SparseCholesky>
 
 #include <support/systems.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <vector>
+
 using namespace concino;
 using namespace systems;
+
+namespace {
+
+/// Minus the Laplacian of a strip of n x width verts, plus `more` on the diagonal; lower triangle.
+sparse strip(int n, int width, double more = 0.01) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto edge = [&](int i, int j) {
+    for (const int k : {i, j}) entries.emplace_back(k, k, 1.0);
+    entries.emplace_back(i, j, -1);
+  };
+  for (int i = 0; i < n * width; ++i) {
+    entries.emplace_back(i, i, more);
+    if (i % width) edge(i, i - 1);
+    if (i >= width) edge(i, i - width);
+    if (i % width && i >= width) edge(i, i - width - 1);
+  }
+  return from(n * width, n * width, entries);
+}
+
+/// Multigrid solves this once in less time than ldlt factorises.
+const sparse& large() {
+  static const sparse a = strip(210, 125);
+  return a;
+}
+
+/// The same for n^3 verts, each with edges to up to 26 others.
+sparse box(int n, double more) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n * n * n; ++i) {
+    entries.emplace_back(i, i, more);
+    for (int dz = -1; dz <= 0; ++dz)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+          const int x = i % n + dx, y = i / n % n + dy, z = i / n / n + dz, j = x + n * (y + n * z);
+          if (j >= i || x < 0 || y < 0 || z < 0 || x >= n || y >= n) continue;
+          for (const int k : {i, j}) entries.emplace_back(k, k, 1.0);
+          entries.emplace_back(i, j, -1);
+        }
+  }
+  return from(n * n * n, n * n * n, entries);
+}
+
+Eigen::VectorXd product(const sparse& lower, const Eigen::VectorXd& x) { return lower.selfadjointView<Eigen::Lower>() * x; }
+
+std::string message_of(auto f) {
+  try {
+    f();
+  } catch (const solver_error& e) {
+    return e.what();
+  }
+  return "solved";
+}
+
+}  // namespace
 
 TEST_CASE("auto_solver: fulfils the laws of solvers, by factorisation and by iteration") {
   auto_solver direct, iterative({.max_factor_entries = 0});
@@ -24,7 +84,7 @@ TEST_CASE("auto_solver: factorises up to the limit, and reports its choice") {
   at.factorize(path);
   CHECK(at.used() == solver_used::ldlt);
   below.factorize(path);
-  CHECK(below.used() == solver_used::conjugate_gradients);
+  CHECK(below.used() == solver_used::multigrid);
   CHECK(distance(at.solve(b), below.solve(b)) < 1e-11);
   CHECK(at.iterations() == 0);
   below.factorize(grid(10));
@@ -37,6 +97,162 @@ TEST_CASE("auto_solver: factorises up to the limit, and reports its choice") {
   CHECK_THROWS_AS(at.factorize(sparse(2, 3)), solver_error);
   CHECK(at.used() == solver_used::none);
   CHECK_THROWS_AS(auto_solver({.max_factor_entries = -1}), invalid_argument);
+  CHECK_THROWS_AS(auto_solver({.questions = -1}), invalid_argument);
+}
+
+TEST_CASE("auto_solver: the choice follows the size, the shape and the number of questions") {
+  const auto choice = [](const sparse& a, const auto_solver_options& options = {}) {
+    auto_solver solver(options);
+    solver.factorize(a);
+    return solver.used();
+  };
+  CHECK(choice(grid(100)) == solver_used::ldlt);
+  CHECK(choice(large()) == solver_used::multigrid);
+  CHECK(choice(large(), {.questions = 1}) == solver_used::multigrid);
+  CHECK(choice(large(), {.questions = 100}) == solver_used::ldlt);
+  CHECK(choice(large(), {.max_factor_entries = 100'000, .questions = 100}) == solver_used::multigrid);
+  CHECK(choice(strip(60'000, 1)) == solver_used::ldlt);  // a path
+  CHECK(choice(strip(10'000, 5)) == solver_used::ldlt);
+  CHECK(choice(strip(10'000, 5), {.max_factor_entries = 1000}) == solver_used::multigrid);
+}
+
+TEST_CASE("auto_solver: iterates at first, and factorises when the solves have cost as much") {
+  const sparse a = box(16, 1e-4);
+  auto_solver solver;
+  solver.factorize(a);
+  CHECK(solver.used() == solver_used::multigrid);
+  int number = 0;
+  for (; solver.used() == solver_used::multigrid && number < 30; ++number) {
+    const Eigen::VectorXd b = random_vector(a.cols(), static_cast<unsigned>(number)), x = solver.solve(b);
+    CHECK(distance(product(a, x), b) < 1e-9 * x.cwiseAbs().maxCoeff());
+    CHECK((solver.iterations() > 0) == (solver.used() == solver_used::multigrid));
+  }
+  CHECK(number > 2);
+  CHECK(number < 30);
+  const predicted_times factor = solver.predicted(solver_used::ldlt), levels = solver.predicted(solver_used::multigrid);
+  CHECK(factor.factorize > levels.factorize + levels.solve);
+  CHECK(factor.solve < levels.solve);
+  CHECK(number * levels.solve < 4 * factor.factorize);
+  const Eigen::VectorXd x = random_vector(a.cols());
+  CHECK(distance(solver.solve(product(a, x)), x) < 1e-8);
+  CHECK(solver.iterations() == 0);
+  auto_solver once({.questions = 1});
+  once.factorize(a);
+  for (int i = 0; i < number; ++i) once.solve(1e-3 * x);
+  CHECK(once.used() == solver_used::multigrid);  // as it was told
+}
+
+TEST_CASE("auto_solver: predicts times") {
+  auto_solver solver, limited({.max_factor_entries = 100});
+  CHECK(solver.predicted(solver_used::none).factorize == 0);
+  solver.factorize(grid(100));
+  CHECK(solver.predicted(solver_used::ldlt).factorize > 0);
+  CHECK(solver.predicted(solver_used::ldlt).solve > 0);
+  CHECK(solver.predicted(solver_used::multigrid).factorize > 0);
+  CHECK(solver.predicted(solver_used::multigrid).solve > solver.predicted(solver_used::ldlt).solve);
+  solver.factorize(large());
+  CHECK(std::isnan(solver.predicted(solver_used::ldlt).factorize));
+  limited.factorize(grid(100));
+  CHECK(std::isinf(limited.predicted(solver_used::ldlt).solve));
+}
+
+TEST_CASE("auto_solver: where multigrid fails, the factor solves") {
+  auto_solver solver;
+  ldlt direct;
+  const auto check = [&](const sparse& a, double allowed) {
+    solver.factorize(a);
+    direct.factorize(a);
+    const Eigen::VectorXd b = random_vector(a.cols()), x = direct.solve(b);
+    CHECK(distance(solver.solve(b), x) <= allowed * x.cwiseAbs().maxCoeff());
+    CHECK(solver.used() == solver_used::ldlt);
+  };
+  check(strip(210, 125, -0.01), 1e-8);  // indefinite
+  sparse gap = large();
+  gap.coeffRef(7, 7) = 0;
+  check(gap, 1e-8);
+  const sparse& a = large();
+  auto_solver few({.iteration = {.max_iterations = 2}}), flagged({.iteration = {.max_iterations = 2, .accept_missed_tolerance = true}}),
+      no_factor({.max_factor_entries = 100'000, .iteration = {.max_iterations = 2}});
+  const Eigen::VectorXd x = random_vector(a.cols()), b = product(a, x);
+  for (auto_solver* s : {&few, &flagged, &no_factor}) {
+    s->factorize(a);
+    CHECK(s->used() == solver_used::multigrid);
+  }
+  CHECK(distance(few.solve(b), x) < 1e-11);
+  CHECK(few.used() == solver_used::ldlt);
+  few.factorize(a);
+  CHECK(few.used() == solver_used::ldlt);  // it remembers
+  few.factorize(a * 2);
+  CHECK(few.used() == solver_used::ldlt);
+  flagged.solve(b);
+  CHECK(flagged.iterations() == 2);
+  CHECK_FALSE(flagged.has_converged());
+  CHECK(message_of([&] { no_factor.solve(b); }).find("multigrid: not converged after 2 iterations") == 0);
+  CHECK(no_factor.used() == solver_used::multigrid);
+}
+
+TEST_CASE("auto_solver: a badly conditioned system is factorised once the iteration has cost as much") {
+  const sparse laplacian = grid(122, 1e-7), b = laplacian * laplacian;  // of fourth order
+  auto_solver solver;
+  ldlt direct;
+  solver.factorize(b);
+  CHECK(solver.used() == solver_used::multigrid);
+  direct.factorize(b);
+  const Eigen::VectorXd load = random_vector(b.cols());
+  CHECK(solver.solve(load) == direct.solve(load));
+  CHECK(solver.used() == solver_used::ldlt);
+  CHECK(solver.iterations() == 0);
+}
+
+TEST_CASE("auto_solver: the errors of large singular systems are those of ldlt") {
+  sparse a = large();  // with a component that is singular
+  const int n = static_cast<int>(a.cols());
+  a.conservativeResize(n + 2, n + 2);
+  for (const int i : {n, n + 1}) a.coeffRef(i, i) = 1;
+  a.coeffRef(n + 1, n) = -1;
+  ldlt direct;
+  auto_solver solver, no_factor({.max_factor_entries = 100'000});
+  const std::string expected = message_of([&] { direct.factorize(a); });
+  CHECK(expected.find("ldlt: the matrix is singular") == 0);
+  CHECK_THROWS_AS(solver.factorize(a), core::singular_row);
+  CHECK(message_of([&] { solver.factorize(a); }) == expected);
+  CHECK(solver.used() == solver_used::none);
+  const sparse neumann = strip(210, 125, 0);
+  Eigen::VectorXd b = random_vector(n);
+  const auto solve_with = [&](auto& s) {
+    return message_of([&] {
+      s.factorize(neumann);
+      throw solver_error(std::to_string(s.solve(b).sum()));
+    });
+  };
+  CHECK(solve_with(solver) == solve_with(direct));
+  no_factor.factorize(neumann);
+  CHECK_THROWS_AS(no_factor.solve(b), solver_error);
+  sparse gap = large();
+  gap.coeffRef(7, 7) = 0;
+  CHECK(message_of([&] { no_factor.factorize(gap); }).find("multigrid: the matrix is not positive definite: the diagonal entry of row 7") == 0);
+  solver.factorize(large());
+  CHECK_THROWS_AS(solver.solve(Eigen::VectorXd::Ones(3)), solver_error);
+  b[3] = std::nan("");
+  CHECK_THROWS_AS(solver.solve(b), solver_error);
+}
+
+TEST_CASE("auto_solver: several threads may solve at once") {
+  const sparse a = box(16, 0.01);
+  auto_solver solver;
+  solver.factorize(a);
+  std::vector<double> worst(2);
+  std::vector<std::thread> threads;
+  for (unsigned t = 0; t < worst.size(); ++t)
+    threads.emplace_back([&, t] {
+      for (unsigned i = 0; i < 6; ++i) {
+        const Eigen::VectorXd x = random_vector(a.cols(), 10 * t + i);
+        worst[t] = std::max(worst[t], distance(solver.solve(product(a, x)), x));
+      }
+    });
+  for (std::thread& t : threads) t.join();
+  for (const double w : worst) CHECK(w < 1e-9);
+  CHECK(solver.used() == solver_used::ldlt);
 }
 
 TEST_CASE("auto_solver: make_similar_solver and a new matrix with the same pattern work") {
@@ -48,7 +264,7 @@ TEST_CASE("auto_solver: make_similar_solver and a new matrix with the same patte
   for (const int n : {3, 20, 20, 3, 3, 20})
     for (const double more : {0.5, 2.0}) {
       solver.factorize(grid(n, more));
-      CHECK(solver.used() == (n == 3 ? solver_used::ldlt : solver_used::conjugate_gradients));
+      CHECK(solver.used() == (n == 3 ? solver_used::ldlt : solver_used::multigrid));
       const Eigen::VectorXd x = random_vector(n * n);
       CHECK(distance(solver.solve(grid(n, more) * x), x) < 1e-7);
     }
@@ -79,12 +295,12 @@ TEST_CASE("auto_solver: an order copied from another obeys its own limit") {
     CHECK(distance(s->solve(b), first.solve(b)) < 1e-9);
   }
   CHECK(second.used() == solver_used::ldlt);
-  CHECK(small.used() == solver_used::conjugate_gradients);
+  CHECK(small.used() == solver_used::multigrid);
 }
 
 TEST_CASE("auto_solver: reports an iteration, and nothing of it after a factorisation") {
   auto_solver solver({.max_factor_entries = 0, .iteration = {.max_iterations = 1, .accept_missed_tolerance = true}});
-  conjugate_gradients same(solver.options().iteration);
+  multigrid same(solver.options().iteration);
   solver.factorize(grid(10));
   same.factorize(grid(10));
   CHECK(solver.solve(random_vector(100)) == same.solve(random_vector(100)));

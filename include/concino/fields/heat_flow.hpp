@@ -157,7 +157,8 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 /// Result: a map of double or vec3. If nothing is fixed, the total heat (the sum of M u) is constant, and the sum of u times M u never grows.
 ///         The limit for long times is then the mean value in each component; with fixed values it is the harmonic map through them. Verts without
 ///         edges keep their value; prepare_heat_flow counts them.
-/// Cost:   one sparse factorisation with as many unknowns as there are verts to solve for, and two back-substitutions per step, or one, see heat_scheme.
+/// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for, and two back-substitutions per step, or one, see
+///         heat_scheme. On large meshes the default solver iterates for the first ones, in time proportional to the number of unknowns.
 /// Errors: invalid_argument if time or steps is out of its range, or a value is not finite at a vert that has edges or is fixed. invalid_mesh if a
 ///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation and of mass_matrix.
 ///         solver_error. cancelled.

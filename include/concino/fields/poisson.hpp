@@ -183,7 +183,8 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 ///         functions over edges and faces exactly as the Laplacian of virtual_elements does. Linear functions are reproduced where the mesh is planar, or
 ///         a volume with planar faces on the boundary. Verts without edges get isolated_value unless a value is prescribed; prepare_poisson counts
 ///         them. f is not read at verts of no poly.
-/// Cost:   one sparse factorisation with as many unknowns as there are verts to solve for.
+/// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for. On large meshes the default solver iterates
+///         instead, in time proportional to their number.
 /// Errors: as harmonic_map with the same discretisation. invalid_argument if f is not finite at a vert of a poly, or a flux is not finite or given
 ///         twice with different values. invalid_mesh if a poly has no area or volume or has points that are not finite. invalid_mesh if a flux is
 ///         given at what is no edge or face of m, or at one that does not have exactly one poly.

@@ -120,7 +120,8 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 ///         values; prepare_smooth counts them. Where nothing is fixed on the boundary, u meets it with slope 0, so linear functions bend
 ///         there. With `uniform` and exponent 1, values stay between the extrema of f. With other discretisations they do so if no weight
 ///         is negative.
-/// Cost:   one sparse factorisation with as many unknowns as there are verts to solve for.
+/// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for. On large meshes the default solver iterates
+///         instead, in time proportional to their number.
 /// Errors: invalid_argument if amount or exponent is out of its range, or f is not finite at a vert that has edges or is fixed. invalid_mesh if a
 ///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation. solver_error. cancelled.
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature

@@ -1,8 +1,8 @@
-// The default solver: a factorisation if its memory allows, otherwise an iteration.
+// The default solver: multigrid or a factorisation, whichever takes less time.
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/solve/conjugate_gradients_options.hpp>
+#include <concino/solve/multigrid_options.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -12,25 +12,35 @@
 namespace concino {
 
 struct auto_solver_options {
-  std::int64_t max_factor_entries = 100'000'000;  // below the diagonal, 12 bytes each; at least 0
-  conjugate_gradients_options iteration = {};      // used if the factor would have more entries
+  std::int64_t max_factor_entries = 100'000'000;  // below the diagonal, 12 bytes each; at least 0; a larger factor is not computed
+  std::int64_t questions = 0;                     // right-hand sides expected for each matrix; 0: unknown
+  multigrid_options iteration = {};               // of the solves by multigrid
 };
 
-enum class solver_used { none, ldlt, conjugate_gradients };
+enum class solver_used { none, ldlt, multigrid };
 
-/// Solves symmetric systems with ldlt if its factor has at most max_factor_entries, which are counted before the factorisation. Otherwise with
-/// conjugate_gradients, for positive definite matrices only. A SparseSolver; the default of all problems. Reads only the lower triangle.
-/// Give it a name to learn what it did: auto_solver s; harmonic_map(m, values, {}, s). Then s.used() names the method. s.iterations(), s.error(),
-/// s.residual() and s.has_converged() describe the last solve by conjugate_gradients; for ldlt they are 0, 0, 0 and true. Both methods agree up to 1e-9 of
-/// the largest value on grids of triangles, tets and hexes graded by x^3. By iteration, values far smaller than the largest have no correct digits.
-/// The limit is reached by Laplacians of triangle surfaces of about 3 million verts, and of grids of hexes of about 50 verts per axis. A matrix
-/// with the pattern of the previously factorised one reuses its order.
-/// Errors: as ldlt and as conjugate_gradients; their messages begin with their names. invalid_argument if an option is out of its range.
+/// CPU seconds on one core of a server of 2023, as a model predicts them.
+struct predicted_times {
+  double factorize = 0;  // with the order of the unknowns
+  double solve = 0;      // for one right-hand side
+};
+
+/// Solves symmetric systems by ldlt or by multigrid, whichever takes less time by a model of both. A SparseSolver; the default of all problems. Reads only
+/// the lower triangle. A single solve on a mesh of more than about 20,000 verts is by multigrid, on a smaller surface by ldlt. Narrow bands and trees are
+/// factorised whatever their size. If `questions` right-hand sides are expected, the choice is that for all of them. If their number is unknown, multigrid
+/// answers the first ones, and ldlt the others, as soon as multigrid has cost as much as a factor. That is at most about twice the time of the better of both.
+/// The choice depends on the matrix, the options and the solves so far, not on measured times: results are reproducible.
+/// A factor has at most max_factor_entries. They are counted before it is computed. Where it may be computed, multigrid never fails: a matrix that is not
+/// positive definite, or a solve that misses the tolerance, goes to ldlt. Then errors are those of ldlt.
+/// Give it a name to learn what it did: auto_solver s; harmonic_map(m, values, {}, s). Then s.used() names the method for the next solve, and s.predicted
+/// the times. s.iterations(), s.error(), s.residual() and s.has_converged() describe the last solve by multigrid; for ldlt they are 0, 0, 0 and true. By
+/// multigrid, values far smaller than the largest have no correct digits. A matrix with the pattern of the previous one reuses its order.
+/// Several threads may solve at once. Those that multigrid answers take turns, and which of them it answers may depend on their order.
+/// Errors: as ldlt and as multigrid; their messages begin with their names. invalid_argument if an option is out of its range.
 class auto_solver {
-  struct solvers;  // ldlt and conjugate_gradients, which take long to compile
+  struct state;  // both solvers, which take long to compile
   auto_solver_options options_;
-  std::unique_ptr<solvers> solvers_;
-  solver_used used_ = solver_used::none;
+  std::unique_ptr<state> state_;
 
  public:
   auto_solver();
@@ -41,15 +51,18 @@ class auto_solver {
 
   void factorize(const Eigen::SparseMatrix<double>& a);
 
-  /// Copies the elimination order of another solver, see ldlt.
+  /// Copies the elimination order of another solver, see ldlt; none if that used multigrid only.
   void use_order_of(const auto_solver& other);
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
   const auto_solver_options& options() const { return options_; }
-  /// The method that the last factorize chose; none before the first, and after one that failed.
-  solver_used used() const { return used_; }
-  bool is_iterative() const { return used_ == solver_used::conjugate_gradients; }
+  /// The method that factorize or the last solve chose; none before the first factorize, and after one that failed.
+  solver_used used() const;
+  bool is_iterative() const { return used() == solver_used::multigrid; }
+  /// What this method costs for the last matrix. Of ldlt: NaN if its factor was not counted, because multigrid costs less in any case; infinity if it would be
+  /// too large.
+  predicted_times predicted(solver_used method) const;
   int iterations() const;
   double error() const;
   double residual() const;

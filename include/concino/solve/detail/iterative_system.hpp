@@ -26,6 +26,7 @@ class iterative_system {
   double scale_ = 1;
   Eigen::Index size_ = -1;
 
+ public:
   [[noreturn, gnu::noinline, gnu::cold]] static void throw_missed(const char* caller, const iteration_report& r, double tolerance) {
     core::throw_joined<solver_error>({caller, ": not converged after ", static_cast<std::size_t>(r.iterations),
                                         " iterations: the error is estimated as ", core::number_text(r.error), " of the solution, the residual is ",
@@ -34,7 +35,6 @@ class iterative_system {
                                         " tolerance, or set accept_missed_tolerance"});
   }
 
- public:
   static void check_options(const char* caller, double tolerance, int max_iterations) {
     if (!(tolerance > 0 && tolerance < 1))
       core::throw_joined<invalid_argument>({caller, ": tolerance is ", core::number_text(tolerance), "; it must be in (0, 1)"});
@@ -70,6 +70,14 @@ class iterative_system {
     Eigen::SparseMatrix<double> a = sorted_transpose(order_(input));
     for (Eigen::Index k = 0; k < a.nonZeros(); ++k) a.valuePtr()[k] *= scale_;
     return a;
+  }
+
+  /// The lower triangle of the matrix that `prepare` made a of.
+  Eigen::SparseMatrix<double> restore(const Eigen::SparseMatrix<double>& a) const {
+    const elimination_order inverse{order_.row, order_.position};
+    Eigen::SparseMatrix<double> r = sorted_transpose(inverse(a));
+    for (Eigen::Index k = 0; k < r.nonZeros(); ++k) r.valuePtr()[k] /= scale_;
+    return r;
   }
 
   /// a: the prepared matrix; precondition and patience as in preconditioned_iteration; report: about this solve.

@@ -78,8 +78,8 @@ class coarse_matrix {
     multiply(a, p);
   }
 
-  /// P^T A P. A diagonal entry that is only rounding errors belongs to the kernel of A, and is replaced by a positive number.
-  Eigen::SparseMatrix<double> lower() const {
+  /// P^T A P. A diagonal entry that is only rounding errors belongs to the kernel of A, and is replaced by a positive number; has_kernel: then set.
+  Eigen::SparseMatrix<double> lower(bool& has_kernel) const {
     std::vector<int> next(n_ + 2), row(column_.size()), rows, at(n_, -1);  // column j of the upper triangle: entries (i, j) and (j, i) of T for i <= j
     std::vector<double> sorted(column_.size()), values;
     const auto for_each_entry = [&](auto visit) {
@@ -110,7 +110,9 @@ class coarse_matrix {
     Eigen::SparseMatrix<double> r = sorted_transpose(upper);
     for (std::size_t c = 0; c < n_; ++c) {
       double& d = r.valuePtr()[r.outerIndexPtr()[c]];
-      if (!(d > 1e-13 * bound_[c])) d = bound_[c];
+      if (d > 1e-13 * bound_[c]) continue;
+      d = bound_[c];
+      has_kernel = true;
     }
     return r;
   }
@@ -123,8 +125,9 @@ class bottom_solver {
   sparse_factor factors_;
 
  public:
-  /// a: a lower triangle with a positive diagonal. Returns false if no factorisation was found, since entries are too large.
-  bool factorize(const Eigen::SparseMatrix<double>& a) {
+  /// a: a lower triangle with a positive diagonal. Returns false if no factorisation was found, since entries are too large. has_kernel: set if a diagonal
+  /// entry was raised.
+  bool factorize(const Eigen::SparseMatrix<double>& a, bool& has_kernel) {
     const auto n = static_cast<std::size_t>(a.cols());
     order_.find(a);
     Eigen::SparseMatrix<double> upper = order_(a);
@@ -139,6 +142,7 @@ class bottom_solver {
       while (c < n && factors_.pivots()[c] > 1e-13 * *diagonal[c] && std::isfinite(factors_.pivots()[c])) ++c;
       if (c == n) return true;
       *diagonal[c] *= attempt < n ? 2 : 64;
+      has_kernel = true;
     }
     return false;
   }
@@ -168,7 +172,8 @@ class multigrid_levels {
   };
   std::vector<level> levels_;
   bottom_solver bottom_;
-  bool has_bottom_ = false;
+  bool has_bottom_ = false, has_kernel_ = false;
+  double entries_per_cycle_ = 0;
 
  public:
   static constexpr Eigen::Index max_bottom = 256;
@@ -180,13 +185,18 @@ class multigrid_levels {
 
   const Eigen::SparseMatrix<double>& finest() const { return levels_.front().a; }
   std::size_t size() const { return levels_.size(); }
+  /// Whether a vector was met whose product with the matrix is only rounding errors, or the matrix is not definite.
+  bool has_kernel() const { return has_kernel_; }
+  /// The entries of the matrices of a cycle, once for each visit.
+  double entries_per_cycle() const { return entries_per_cycle_; }
 
   /// a: a lower triangle with a positive diagonal and sorted columns; moved from.
   void build(Eigen::SparseMatrix<double>& a) {
     levels_.clear();
+    has_kernel_ = false;
     levels_.emplace_back().a.swap(a);
     while (levels_.back().a.cols() > max_bottom && add_level()) {}
-    has_bottom_ = levels_.back().a.cols() <= max_bottom && bottom_.factorize(levels_.back().a);
+    has_bottom_ = levels_.back().a.cols() <= max_bottom && bottom_.factorize(levels_.back().a, has_kernel_);
     choose_visits();
   }
 
@@ -235,10 +245,10 @@ class multigrid_levels {
     prolongation p = groups.smoothed(static_cast<std::size_t>(entries));
     groups.forget_strong_entries();
     Eigen::SparseMatrix<double> coarse;
-    if (p.columns > 0) coarse_matrix(levels_.back().a, p).lower().swap(coarse);
+    if (p.columns > 0) coarse_matrix(levels_.back().a, p).lower(has_kernel_).swap(coarse);
     if (p.columns == 0 || coarse.nonZeros() > entries / 4 * 3) {
       p = groups.piecewise_constant();
-      coarse_matrix(levels_.back().a, p).lower().swap(coarse);
+      coarse_matrix(levels_.back().a, p).lower(has_kernel_).swap(coarse);
     }
     levels_.back().to_this = std::move(p);
     levels_.emplace_back().a.swap(coarse);
@@ -253,6 +263,7 @@ class multigrid_levels {
       levels_[i].visits_next_twice = i + 2 < levels_.size() && cost <= entries;
       cost = entries + (levels_[i].visits_next_twice ? 2 : 1) * cost;
     }
+    entries_per_cycle_ = cost;
   }
 
   /// Gauss-Seidel from 0, first to last row.
