@@ -42,6 +42,7 @@ TEST_CASE("prepared problems: every solver gives the same fields") {
   CHECK(prepare_heat_flow(m, 0.01, {}, small).solver().used() == solver_used::multigrid);
   CHECK(prepare_smooth(m, 0.01, {}, small).solver().used() == solver_used::multigrid);
   CHECK(prepare_smooth(m, 0.01).solver().used() == solver_used::ldlt);
+  CHECK(prepare_poisson(m, {a}, {}, auto_solver{{.questions = 1000}}).solver().options().questions == 1000);
   auto_solver mine;
   smooth(m, f, 0.01, {}, mine);
   CHECK(mine.used() == solver_used::ldlt);
