@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace concino {
@@ -62,7 +63,7 @@ double six_times_volume_under(std::size_t n, const Point& point_of, const vec3& 
 /// Needs:  the verts of the cell in the standard order of its shape, which is not general; a point for each.
 /// Result: volume units, six times; negative if the cell is inverted.              Cost: O(1).
 /// Errors: none.
-inline double six_times_volume(cell_shape s, const vert_id* v, const std::vector<vec3>& points) {
+inline double six_times_volume(cell_shape s, const vert_id* v, std::span<const vec3> points) {
   const auto at = [&](unsigned i) -> const vec3& { return points[v[i].raw()]; };
   if (s == cell_shape::tet) return dot(at(1) - at(0), cross(at(2) - at(0), at(3) - at(0)));
   const standard_cell& t = standard_cell_of(s);
@@ -81,7 +82,7 @@ inline double six_times_volume(cell_shape s, const vert_id* v, const std::vector
 /// Needs:  as six_times_volume.
 /// Result: whether the verts were changed.                                         Cost: O(1).
 /// Errors: none.
-inline bool make_volume_positive(cell_shape s, vert_id* v, const std::vector<vec3>& points) {
+inline bool make_volume_positive(cell_shape s, vert_id* v, std::span<const vec3> points) {
   if (!(six_times_volume(s, v, points) < 0)) return false;
   vert_id was[8];
   const standard_cell& t = standard_cell_of(s);

@@ -154,3 +154,23 @@ TEST_CASE("read_tet: corpus meshes are the same after saving and loading") {
     CHECK(r.notes.empty());
   }
 }
+
+TEST_CASE("read_tet: hexes that look like hexes in another order are the same after saving and loading") {
+  const std::string cube = "MeshVersionFormatted 2 Dimension 3 Vertices 8 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 0 1 1 0 1 0 1 0 1 1 1 0 5 1 1 0 ";
+  const auto m = load_text<cell_arrays>(cube + "Hexahedra 1 1 2 3 4 5 6 7 8 0 End", file_format::medit);
+  const std::string once = save_text(hexmesh(cell_arrays(m)), file_format::tet);
+  CHECK(once.find("# hexes in the order of voxels\n8 ") != std::string::npos);
+  load_report r;
+  CHECK(load_text<cell_arrays>(once, file_format::tet, {.report = &r}).verts == m.verts);
+  CHECK(r.notes.empty());
+  CHECK(r.skipped.empty());
+}
+
+TEST_CASE("read_tet: cells that share faces are written in the same order again") {
+  const std::string points = "9 vertices\n3 cells\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n0.5 0.5 2\n";
+  const auto m = load_text<polyhedralmesh>(points + "8 0 1 2 3 4 5 6 7\n5 7 6 4 5 8\n6 1 5 0 3 7 2\n", file_format::tet);
+  for (const format_id f : {format_id(file_format::tet), format_id(file_format::medit)}) {
+    const std::string once = save_text(m, f);
+    CHECK(save_text(load_text<polyhedralmesh>(once, f), f) == once);
+  }
+}

@@ -159,3 +159,10 @@ TEST_CASE("write_off: components of colours read back as the same floats") {
     if (text.find_first_of(".e") == text.npos) FAIL_CHECK(text);
   }
 }
+
+TEST_CASE("write_off: numbers too large for floats are refused in binary") {
+  auto m = grid<trimesh>(1);
+  set_point(m, vert_id{1}, vec3{0, 1e39, 0});
+  CHECK_THROWS_WITH_AS(save_text(m, file_format::off, {.binary = true}), "text: binary .off cannot hold a number that is too large for floats; save it as text, with binary = false", unsupported);
+  CHECK(load_text<trimesh>(save_text(m, file_format::off), file_format::off).points()[1].y == 1e39);
+}

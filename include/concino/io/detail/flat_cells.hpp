@@ -1,6 +1,7 @@
 // Recognises tets, hexes, prisms and pyramids among the polyhedra of a flat_mesh.
 #pragma once
 
+#include <concino/io/detail/canonical_cells.hpp>
 #include <concino/io/flat_mesh.hpp>
 #include <concino/io/write_context.hpp>
 #include <concino/mesh/cell_recogniser.hpp>
@@ -18,7 +19,7 @@ inline cell_shape recognise(const flat_polyhedra& all, std::size_t p, std::size_
   return known.recognise();
 }
 
-/// Calls f(poly, shape, verts in the standard order) for each poly of a volume. If the shape is general, the verts are those of no cell.
+/// Calls f(poly, shape, verts in the standard order) for each poly of a volume. The verts do not depend on how the mesh stores its faces. If the shape is general, the verts are those of no cell.
 template<class F>
 void for_each_cell(flat_mesh& m, const F& f) {
   if (m.arity == 4 || m.arity == 8) {
@@ -30,6 +31,7 @@ void for_each_cell(flat_mesh& m, const F& f) {
   std::size_t first = 0;
   for (std::size_t p = 0; p < m.num_polys; ++p) {
     const cell_shape s = recognise(all, p, first, known);
+    if (s != cell_shape::general) make_canonical(s, known.cell);
     first += all.poly_faces[p].size();
     f(p, s, static_cast<const vert_id*>(known.cell));
   }

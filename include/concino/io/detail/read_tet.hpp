@@ -7,7 +7,6 @@
 #include <concino/io/text_cursor.hpp>
 
 #include <array>
-#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -86,22 +85,18 @@ class tet_reader : token_cursor {
     return r;
   }
 
-  /// Finds out in which of two orders the file lists the verts of hexes, from the volumes of the first thousand: in the wrong order, a hex
-  /// intersects itself.
+  /// Finds out in which of two orders the file lists the verts of hexes: as a comment says, or from the volumes of the first thousand.
   void choose_order() {
     const char* const back = at;
-    int votes = 0;
-    std::size_t hexes = 0;
-    for (skip_to_cell(); !at_end() && hexes < 1000; skip_to_cell()) {
+    skip_space();
+    const bool is_said = std::string_view(at, left()).starts_with(voxel_order_comment);
+    hex_order_vote vote;
+    for (skip_to_cell(); !is_said && !at_end() && !vote.is_complete(); skip_to_cell()) {
       const row r = next_row();
       report_progress();
-      if (r.shape != cell_shape::hex) continue;
-      ++hexes;
-      const double standard = std::abs(six_times_volume(r.shape, r.verts.data(), points_)),
-                   voxel = std::abs(six_times_volume(r.shape, swap_voxel_order(r.verts.data()).data(), points_));
-      votes += standard > voxel ? 1 : standard < voxel ? -1 : 0;
+      if (r.shape == cell_shape::hex) vote.add(r.verts.data(), points_);
     }
-    standard_hexes_ = votes > 0;
+    standard_hexes_ = vote.is_standard();
     at = back;
     num_connectors_ = 0;
     if (standard_hexes_) report_.notes.push_back("the hexes list their verts around two opposite faces, not in geogram's order");
@@ -127,7 +122,8 @@ namespace concino {
 /// Needs:  text of a .tet file: the numbers of vertices and cells, on one line or two, then these. Lines that begin with # are comments; those
 ///         that begin with # C connect cells.
 /// Result: its verts and cells in order. The verts of cells of negative volume are put into the standard order, and these cells are counted.
-///         Hexes are in geogram's order (that of voxels), unless most of them have a larger volume in the standard order. Connectors are
+///         Hexes are in geogram's order (that of voxels), unless most of them have a larger volume in the standard order, and the comment
+///         before the first cell does not say that they are in the order of voxels. Connectors are
 ///         reported as skipped.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a wrong number, an index out of range, a cell with a vertex twice, a cell that the wanted mesh

@@ -46,6 +46,7 @@ class off_numbers {
       return;
     }
     const float f = static_cast<float>(c_.finite(x));
+    if (!std::isfinite(f)) c_.throw_cannot_hold("binary .off", {"a number that is too large for floats"}, "text, with binary = false");
     rounded = rounded || static_cast<double>(f) != x;
     word(std::bit_cast<std::uint32_t>(f));
   }

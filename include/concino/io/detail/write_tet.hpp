@@ -10,8 +10,10 @@ namespace concino {
 
 inline void tet_format::write(write_context& c, flat_mesh& m) {
   bool only_tets = true;
-  detail::for_each_cell(m, [&](std::size_t p, cell_shape s, const vert_id*) {
+  detail::hex_order_vote vote;  // of readers that do not see the comment
+  detail::for_each_cell(m, [&](std::size_t p, cell_shape s, const vert_id* v) {
     if (s == cell_shape::general) detail::throw_general_cell(c, m, p, ".tet");
+    if (s == cell_shape::hex) vote.add(detail::swap_voxel_order(v).data(), m.points);
     only_tets = only_tets && s == cell_shape::tet;
   });
   c.out << m.points.size() << " vertices\n" << m.num_polys << (only_tets ? " tets\n" : " cells\n");
@@ -20,6 +22,7 @@ inline void tet_format::write(write_context& c, flat_mesh& m) {
     c.out << '\n';
     c.report_progress();
   }
+  if (vote.is_standard()) c.out << detail::voxel_order_comment << '\n';
   detail::for_each_cell(m, [&](std::size_t, cell_shape s, const vert_id* v) {
     const unsigned n = standard_cell_of(s).num_verts;
     c.out << n;
