@@ -1,0 +1,234 @@
+// A libFuzzer target for every reader of the library. tests/fuzz/run.sh builds and runs it. The environment variable CONCINO_FUZZ names the reader:
+// a format of standard_formats or of skeletons, slices, fields or mtl. What a reader returns is validated, has to keep the laws of its concepts, and
+// is saved in every format that can hold it and read back: the second save has to equal the first. Any error that is not typed is a finding.
+// With CONCINO_FUZZ_SEEDS=<folder> the program writes a few seeds for the reader to that folder, and ends. CONCINO_FUZZ=list lists the readers.
+#include <concino/io.hpp>
+#include <concino/mesh.hpp>
+#include <concino/validate.hpp>
+
+#include <concino/io/detail/read_field.hpp>
+#include <concino/io/detail/read_mtl.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+using namespace concino;
+
+namespace {
+
+/// Writes a file; a failure ends the program.
+void write_seed(const std::string& path, std::string_view text) {
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  if (!file || std::fwrite(text.data(), 1, text.size(), file) != text.size()) std::abort();
+  std::fclose(file);
+}
+
+[[noreturn]] void finding(const std::string& what, std::string_view detail = {}) {
+  std::fprintf(stderr, "FINDING: %s\n%.*s\n", what.c_str(), static_cast<int>(std::min<std::size_t>(detail.size(), 4000)), detail.data());
+  std::abort();
+}
+
+/// Calls f. Result: whether it returned; false if it threw an error of a type that files may cause.
+template<class F>
+bool succeeds(const F& f) {
+  try {
+    f();
+    return true;
+  } catch (const parse_error& e) {
+    if (e.line == 0) finding("a parse_error without a line", e.what());
+  } catch (const unsupported&) {
+  } catch (const invalid_mesh&) {
+  }
+  return false;
+}
+
+/// Checks a mesh that was read, and that every format which can hold it gives the same text for what it reads back.
+template<class M>
+void check_mesh(const M& m) {
+  for (std::size_t v = 0; v < m.points().size(); ++v)
+    if (!is_finite(m.points()[v])) finding("a point that is not finite");
+  const auto laws = check_laws(m);
+  if (!laws.empty()) finding("a broken law: " + laws[0].law, laws[0].what);
+  validate(m);
+  for (const format_id f : standard_formats.ids())
+    for (const bool binary : {false, true}) {
+      std::string first, second;
+      save_report report;
+      if (!succeeds([&] { first = save_text(m, f, {.report = &report, .binary = binary}); })) continue;
+      try {
+        const M back = load_text<M>(first, f);
+        if (num_verts(back) != num_verts(m) || num_polys(back) != num_polys(m)) finding("another number of elements in " + std::string(f.name()), first);
+        second = save_text(back, f, {.binary = binary});
+      } catch (const error& e) {
+        finding("a mesh that cannot be read back: " + std::string(f.name()) + ": " + e.what(), first);
+      }
+      if (second != first) finding("another second save in " + std::string(f.name()), first + "\n---\n" + second);
+    }
+}
+
+template<class M>
+void read_mesh(std::string_view text, format_id format) {
+  succeeds([&] {
+    load_report report;
+    check_mesh(load_text<M>(text, format, {.report = &report}));
+  });
+}
+
+void fuzz_mesh(std::string_view text, format_id format) {
+  read_mesh<polygonmesh>(text, format);
+  read_mesh<polyhedralmesh>(text, format);
+  succeeds([&] { load_text<surface_arrays>(text, format); });
+  succeeds([&] { load_text<cell_arrays>(text, format); });
+}
+
+void fuzz_skeleton(std::string_view text, format_id format) {
+  succeeds([&] {
+    load_report report;
+    const skeleton k = load_skeleton_text(text, {.format = format, .report = &report});
+    const auto laws = check_laws(k);
+    if (!laws.empty()) finding("a broken law: " + laws[0].law, laws[0].what);
+    for (const format_id to : {format_id(file_format::skel), format_id(file_format::cg)}) {
+      const std::string first = save_skeleton_text(k, {.format = to});
+      const skeleton back = load_skeleton_text(first, {.format = to});
+      if (back.points() != k.points() || back.num_edges() != k.num_edges()) finding("another skeleton is read back", first);
+      if (save_skeleton_text(back, {.format = to}) != first) finding("another second save", first);
+    }
+  });
+}
+
+void fuzz_slices(std::string_view text, format_id) {
+  slices s;
+  if (!succeeds([&] { s = load_slices_text(text); })) return;
+  for (const bool binary : {false, true}) {
+    std::string first;
+    if (!succeeds([&] { first = save_slices_text(s, {.binary = binary}); })) continue;  // too large for floats
+    const slices back = load_slices_text(first);
+    if (!binary && (back.layers != s.layers || back.labels != s.labels)) finding("other slices are read back", first);
+    if (save_slices_text(back, {.binary = binary}) != first) finding("another second save", first);
+  }
+}
+
+void fuzz_fields(std::string_view text, format_id) {
+  const auto read = [&](const detail::file_field& wanted) {
+    std::uint64_t n = 0;
+    const bool is_read = succeeds([&] { detail::read_field(text, "text", wanted, [&](const detail::file_field_value&) { ++n; }); });
+    if (n > wanted.count || (is_read && n != wanted.count)) finding("another number of values");
+  };
+  for (const std::uint64_t count : {0u, 1u, 4u}) {
+    read({.count = count});
+    read({.count = count, .elements = "polys", .size = 3});
+    read({.count = count, .are_integers = true, .low = -128, .high = 127});
+    read({.count = count, .max_number = 3e38});
+  }
+}
+
+void fuzz_mtl(std::string_view text, format_id) {
+  detail::material_library library;
+  load_report report;
+  succeeds([&] { detail::read_mtl(text, "text", library, report); });
+}
+
+struct reader {
+  std::string name;
+  format_id format;
+  void (*fuzz)(std::string_view, format_id);
+};
+
+std::vector<reader> all_readers() {
+  std::vector<reader> all;
+  for (const format_id f : standard_formats.ids()) all.push_back({std::string(f.name()), f, &fuzz_mesh});
+  for (const format_id f : {format_id(file_format::cg), format_id(file_format::skc), format_id(file_format::skel), format_id(file_format::csv)})
+    all.push_back({std::string(f.name()), f, &fuzz_skeleton});
+  all.push_back({"slices", {}, &fuzz_slices});
+  all.push_back({"fields", {}, &fuzz_fields});
+  all.push_back({"mtl", {}, &fuzz_mtl});
+  return all;
+}
+
+/// Small meshes with what formats may store.
+template<class M>
+void save_seeds(M m, const std::string& prefix, format_id format) {
+  auto label = poly_property<int>(m, "label");
+  for (const poly_id p : polys(m)) label[p] = static_cast<int>(p.raw() % 3);
+  auto heat = vert_property<double>(m, "heat");
+  auto normal = vert_property<vec3>(m, "normal");
+  for (const vert_id v : verts(m)) heat[v] = 0.1 * v.raw(), normal[v] = {0, 0.6, -0.8};
+  for (const bool binary : {false, true})
+    succeeds([&] { write_seed(prefix + (binary ? "_binary" : "_text"), save_text(m, format, {.binary = binary})); });
+}
+
+void write_seeds(const reader& r, const std::string& folder) {
+  const std::string prefix = folder + "/" + r.name;
+  if (r.fuzz == &fuzz_mesh) {
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.25\nv 0 0 1\nv 1 0 1\nv 1 1 1\n";
+    save_seeds(load_text<polygonmesh>(points + "f 1 3 2\nf 1 4 3\n", file_format::obj), prefix + "_triangles", r.format);
+    save_seeds(load_text<polygonmesh>(points + "f 1 2 6 5\nf 5 6 7\nf 1 4 3 7 2\n", file_format::obj), prefix + "_polygons", r.format);
+    const std::string cube = "MeshVersionFormatted 2 Dimension 3 Vertices 9 0 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 0 0 1 0 1 0 1 0 1 1 1 0 0 1 1 0 .5 .5 2 0 ";
+    save_seeds(load_text<polyhedralmesh>(cube + "Tetrahedra 2 1 2 3 6 0 1 3 4 8 1 End", file_format::medit), prefix + "_tets", r.format);
+    save_seeds(load_text<polyhedralmesh>(cube + "Hexahedra 1 1 2 3 4 5 6 7 8 2 Pyramids 1 5 6 7 8 9 1 Prisms 1 1 2 3 5 6 7 3 End", file_format::medit), prefix + "_cells", r.format);
+    save_seeds(load_text<polyhedralmesh>("5 7 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 -1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n3 1 2 5\n3 2 3 5\n3 1 3 5\n4 1 2 3 4\n4 -1 5 6 -7\n",
+                                         file_format::hedra),
+               prefix + "_polyhedra", r.format);
+    if (r.name == "iv")
+      write_seed(prefix, "#Inventor V2.1 ascii\nSeparator { VertexProperty { vertex [ 0 0 0, 1 0 0, 0 1 0, 0 0 1 ] } IndexedFaceSet { coordIndex [ 0, 2, 1, -1, 0, 1, 3, -1 ] "
+                         "materialIndex [ 0, 1 ] } Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0 ] } IndexedFaceSet { coordIndex [ 0, 1, 2, 3, -1 ] } }\n");
+  } else if (r.fuzz == &fuzz_skeleton) {
+    const skeleton k({{0, 0, 0}, {1, 0, 0.5}, {0, 1e-3, 0}}, {{vert_id{0}, vert_id{1}}, {vert_id{2}, vert_id{1}}}, {0.5, 1, 2});
+    succeeds([&] { write_seed(prefix, save_skeleton_text(k, {.format = r.format})); });
+    if (r.name == "skc") write_seed(prefix, "3 2\n0 0 0\n1 0 0\n0 1 0\n0 1 .5 .25 1 2 17 18\n1 2 0 0 0 0\n");
+    if (r.name == "csv") write_seed(prefix, "x,y,z\n0,0,0,1\n1 0 0 2\n1;1;0\n");
+  } else if (r.fuzz == &fuzz_slices) {
+    slices s;
+    s.units = 0.5;
+    s.labels = {{3, "a part"}};
+    slice_layer& layer = s.layers.emplace_back();
+    const slice_point square[] = {{0, 0}, {1, 0}, {1, 1.5}, {0, 1}};
+    for (slice_lines* lines : {&layer.outer, &layer.inner, &layer.open, &layer.hatches}) lines->push_back(square, 3);
+    s.layers.push_back(layer);
+    write_seed(prefix + "_text", save_slices_text(s));
+    write_seed(prefix + "_binary", save_slices_text(s, {.binary = true}));
+    write_seed(prefix + "_words", "$$HEADERSTART //c// $$ASCII\n$$UNITS/2\n$$VERSION/200\n$$DATE/070493\n$$DIMENSION/0,0,0,1,1,1\n$$LAYERS/1\n$$ALIGN\n$$USERDATA/x,2,ab"
+                                  "$$HEADEREND\n$$GEOMETRYSTART\n$$LAYER/1\n$$POLYLINE/1,2,1,2,3\n$$END\n");
+    std::string aligned = "$$HEADERSTART\n$$BINARY\n$$UNITS/1\n$$ALIGN\n$$HEADEREND";
+    aligned += std::string("\x80\0\5\0\x81\0\1\0\1\0\1\0\2\0\3\0\x83\0\1\0\1\0\1\0\2\0\3\0\4\0\0\0", 32);
+    write_seed(prefix + "_short", aligned);
+  } else if (r.fuzz == &fuzz_fields) {
+    write_seed(prefix + "_scalar", "SCALAR_FIELD 4\n1\n-2.5e-3\ninf\nnan\n");
+    write_seed(prefix + "_vector", "VECTOR_FIELD 4\n1 2 3\n4 5 6\n7 8 9\n0 0 1\n");
+    write_seed(prefix + "_bare", "1\n-128\n127\n3\n");
+  } else {
+    write_seed(prefix, "# a library\nnewmtl steel\nKd 0.5 0.25 1\nd 0.5\nTr 0.25\nmap_Kd a b.png\nnewmtl glass\nKd spectral x\nKs 1 1 1\n");
+  }
+}
+
+const reader* chosen = nullptr;
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  static const std::vector<reader> all = all_readers();
+  const char* const name = std::getenv("CONCINO_FUZZ");
+  for (const reader& r : all)
+    if (name && r.name == name) chosen = &r;
+  if (!chosen) {
+    for (const reader& r : all) std::printf("%s\n", r.name.c_str());
+    std::exit(name && std::strcmp(name, "list") == 0 ? 0 : 2);
+  }
+  if (const char* const folder = std::getenv("CONCINO_FUZZ_SEEDS")) {
+    write_seeds(*chosen, folder);
+    std::exit(0);
+  }
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  chosen->fuzz({reinterpret_cast<const char*>(data), size}, chosen->format);
+  return 0;
+}
