@@ -1,8 +1,9 @@
-// The reader of Wavefront OBJ: verts and polygons of any size, with colours, groups and materials. Lines that a mesh cannot store are counted and
-// reported.
+// The reader of Wavefront OBJ: verts and polygons of any size, with colours, groups, materials, and texture coordinates and normals of corners. Lines
+// that a mesh cannot store are counted and reported.
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/obj_corner_values.hpp>
 #include <concino/io/detail/obj_format.hpp>
 #include <concino/io/detail/read_mtl.hpp>
 #include <concino/io/text_cursor.hpp>
@@ -16,10 +17,13 @@ class obj_reader : text_cursor {
   file_contents& extra_;
   surface_arrays& out_;
   std::vector<std::string> libraries_;                                       // the names of material libraries
+  corner_value_list<texture_point> texture_;
+  corner_value_list<vec3> normal_;
   std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // the final numbers, once they are known
   std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // the largest index so far
-  std::uint64_t num_textures_ = 0, num_normals_ = 0, num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
-  std::size_t first_other_ = 0;
+  std::uint64_t num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
+  std::uint64_t num_third_ = 0, num_invalid_ = 0;  // texture coordinates with a third number; those and normals that are not finite numbers
+  std::size_t first_other_ = 0, first_invalid_ = 0;
   std::string other_;
   std::uint32_t arity_ = 0;
   std::vector<std::uint64_t> scratch_;
@@ -36,8 +40,8 @@ class obj_reader : text_cursor {
     lines();
     // Indices may refer to elements later in the file, so their bounds are known only now. If an index is out of range, the file is read again
     // with the bounds, to find the line.
-    if (max_point_ > out_.points.size() || max_texture_ > num_textures_ || max_normal_ > num_normals_) {
-      points_ = out_.points.size(), textures_ = num_textures_, normals_ = num_normals_;
+    if (max_point_ > out_.points.size() || max_texture_ > texture_.size() || max_normal_ > normal_.size()) {
+      points_ = out_.points.size(), textures_ = texture_.size(), normals_ = normal_.size();
       restart(all.data());
     }
     if (out_.points.empty() && num_other_ > 0)
@@ -51,14 +55,20 @@ class obj_reader : text_cursor {
 
  private:
   void make_room(std::string_view all) {
-    std::size_t points = 0, corners = 0;
+    std::size_t points = 0, corners = 0, textures = 0, normals = 0;
     const double scale = sample_lines(all, [&](const char* line, const char* last) {
-      if (last - line < 2 || !is_blank(line[1])) return;
+      if (last - line < 2) return;
+      textures += *line == 'v' && line[1] == 't';
+      normals += *line == 'v' && line[1] == 'n';
+      if (!is_blank(line[1])) return;
       if (*line == 'v') ++points;
       else if (*line == 'f') corners += words_of_line(line, last) - 1;
     });
     core::reserve_large(out_.points, with_margin(scale * static_cast<double>(points)));
     core::reserve_large(out_.verts, with_margin(scale * static_cast<double>(corners)));
+    const std::size_t room = with_margin(scale * static_cast<double>(corners));
+    if (textures) texture_.reserve(with_margin(scale * static_cast<double>(textures)), room);
+    if (normals) normal_.reserve(with_margin(scale * static_cast<double>(normals)), room);
   }
 
   /// Reads the file again to throw the error. Members that do not influence the error are not reset.
@@ -67,7 +77,8 @@ class obj_reader : text_cursor {
     out_.offsets.clear();
     out_.verts.clear();
     at = from;
-    num_textures_ = num_normals_ = 0;
+    texture_.clear();
+    normal_.clear();
     lines();
   }
 
@@ -79,6 +90,7 @@ class obj_reader : text_cursor {
       const char c = *at, d = at + 1 != end() ? at[1] : '\n';
       if (c == 'v' && (is_space(d) || d == '\\')) vert();
       else if (c == 'f' && (is_space(d) || d == '\\')) face();
+      else if (c == 'v' && (d == 't' || d == 'n') && (end() - at == 2 || is_space(at[2]) || at[2] == '\\')) corner_value(d == 't');
       else if (c == '#') text_cursor::skip_line();  // a backslash at the end of a comment does not join lines
       else other();
     }
@@ -121,6 +133,25 @@ class obj_reader : text_cursor {
       return;
     }
     after_point();
+  }
+
+  /// Reads a texture coordinate u [v [w]] or a normal. If it has no finite numbers, as some programs write, it is no value.
+  void corner_value(bool is_texture) {
+    const char* const line = at;
+    at += 2;
+    double x[3] = {};
+    unsigned n = 0;
+    for (blanks(); n < 3 && !line_is_over(); blanks(), ++n) {
+      const char* const p = parse_real(at, end(), x[n]);
+      if (!p || !ends_token(p, '#') || !std::isfinite(x[n])) break;
+      at = p;
+    }
+    const bool is_valid = is_texture ? n > 0 && (n == 3 || line_is_over()) : n == 3;
+    if (!is_valid && num_invalid_++ == 0) first_invalid_ = static_cast<std::size_t>(line - begin());
+    if (is_texture && is_valid) num_third_ += x[2] != 0;
+    if (is_texture) texture_.add(is_valid ? texture_point{x[0], x[1]} : no_corner_value<texture_point>());
+    else normal_.add(is_valid ? vec3{x[0], x[1], x[2]} : no_corner_value<vec3>());
+    skip_joined_line();
   }
 
   /// Reads the weight or the colour after the coordinates of a vert.
@@ -168,17 +199,19 @@ class obj_reader : text_cursor {
     end_face(line, first);
   }
 
-  /// Reads the indices of a texture coordinate and a normal, each of which may be missing. They are checked, but not stored.
+  /// Reads the indices of a texture coordinate and a normal, each of which may be missing.
   const char* attributes(const char* corner, const char* p) {
     std::int64_t i = 0;
     if (const char* q = parse_integer(++p, end(), i)) {
-      const std::uint64_t t = absolute(corner, i, num_textures_, textures_, "a texture coordinate");
+      const std::uint64_t t = absolute(corner, i, texture_.size(), textures_, "a texture coordinate");
+      texture_.set(out_.verts.size(), t - 1);
       if (t > max_texture_) max_texture_ = t;
       p = q;
     }
     if (p == end() || *p != '/') return p;
     if (const char* q = parse_integer(++p, end(), i)) {
-      const std::uint64_t n = absolute(corner, i, num_normals_, normals_, "a normal");
+      const std::uint64_t n = absolute(corner, i, normal_.size(), normals_, "a normal");
+      normal_.set(out_.verts.size(), n - 1);
       if (n > max_normal_) max_normal_ = n;
       p = q;
     }
@@ -247,9 +280,7 @@ class obj_reader : text_cursor {
     while (at != end() && (is_letter(*at) || is_digit(*at) || *at == '_')) ++at;
     const std::string_view word{from, static_cast<std::size_t>(at - from)};
     if (!is_letter(*from) || !(ends_token(at, '#'))) fail(from, "a keyword of OBJ such as v or f");
-    if (word == "vt") ++num_textures_;
-    else if (word == "vn") ++num_normals_;
-    else if (word == "l" || word == "p") ++num_lines_;
+    if (word == "l" || word == "p") ++num_lines_;
     else if (word == "g") return extra_.groups.change(num_polys(), name_to_end_of_line());
     else if (word == "o") return extra_.objects.change(num_polys(), name_to_end_of_line());
     else if (word == "usemtl") return extra_.materials.change(num_polys(), name_to_end_of_line());
@@ -262,12 +293,16 @@ class obj_reader : text_cursor {
     skip_joined_line();
   }
 
-  [[gnu::noinline, gnu::cold]] void report_skipped(load_report& report) const {
+  [[gnu::noinline, gnu::cold]] void report_skipped(load_report& report) {
     const auto skipped = [&](std::uint64_t n, const char* what) {
       if (n) report.skipped.push_back(core::joined({n, " ", what}));
     };
-    skipped(num_textures_, "texture coordinates (vt)");
-    skipped(num_normals_, "normals (vn)");
+    skipped(num_third_, "texture coordinates with a third number other than 0: the number");
+    skipped(texture_.store("texture", out_.verts.size(), extra_), "texture coordinates (vt) that no corner has");
+    skipped(normal_.store("normal", out_.verts.size(), extra_), "normals (vn) that no corner has");
+    if (num_invalid_)
+      report.notes.push_back(core::joined({num_invalid_, " texture coordinates (vt) or normals (vn) are not finite numbers, so that their corners have no value; the first on line ",
+                                           line_of(begin() + first_invalid_)}));
     skipped(num_extra_, "weights of verts, or other numbers after x y z that are not r g b");
     skipped(num_lines_, "points and lines (p, l)");
     skipped(num_smooth_, "smoothing groups (s)");
@@ -285,7 +320,8 @@ namespace concino {
 /// Result: its verts and polys, in the order of the file; isolated verts and equal positions are kept. `v x y z r g b` defines the colour of a
 ///         vert; the others are white. `o`, `g` and `usemtl` define names of polys, of at most 1000 bytes. Labels number the groups (the
 ///         objects if there are no groups) from 1, in the order of the file. If all groups are called label_<number>, they become labels only.
-///         Kd and d in the libraries define colours of polys. A material called color_<number> that defines nothing else becomes a colour only.
+///         Texture coordinates and normals become "texture" (std::array<double, 2>) and "normal" (vec3) of corners, if a corner has one; those of the
+///         other corners are not-a-number. Kd and d in the libraries define colours of polys. A material called color_<number> that defines nothing else becomes a colour only.
 ///         `table` holds all lines of the libraries.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line of a number that is invalid or not finite, of an index out of range, of a poly of fewer than three

@@ -1,6 +1,7 @@
 // The writer of Wavefront OBJ: surfaces, and the material library with the colours of their polys.
 #pragma once
 
+#include <concino/io/detail/obj_corner_values.hpp>
 #include <concino/io/detail/obj_format.hpp>
 #include <concino/io/detail/write_mtl.hpp>
 
@@ -38,6 +39,58 @@ inline bool labels_number(std::size_t polys, const flat_values<std::string>& nam
     if (number(names[p]) != labels[p]) return false;
   return true;
 }
+
+/// The distinct values of a property of corners, and the one of each corner, numbered from 1; 0: the corner has none.
+template<class T>
+class obj_corner_numbers {
+  distinct_corner_values<T> distinct_;
+  std::vector<std::uint32_t> number_;
+
+ public:
+  std::size_t num_not_finite = 0;
+
+  obj_corner_numbers(const flat_values<T>& property, std::size_t corners) {
+    for (std::size_t k = 0; property && k < corners; ++k) {
+      const T& x = property[k];
+      number_.push_back(is_finite(x) ? distinct_.add(x) + 1 : 0);
+      num_not_finite += number_.back() == 0 && !is_no_corner_value(x);
+    }
+  }
+  const std::vector<T>& values() const { return distinct_.values(); }
+  std::uint32_t operator[](std::size_t corner) const { return number_.empty() ? 0 : number_[corner]; }
+};
+
+/// Writes the lines of texture coordinates and normals, and then what follows the vert of each corner.
+class obj_corners {
+  write_context& c_;
+  obj_corner_numbers<texture_point> texture_;
+  obj_corner_numbers<vec3> normal_;
+
+ public:
+  obj_corners(write_context& c, flat_mesh& m)
+      : c_(c),
+        texture_(m.corner_values<texture_point>("texture"), m.poly_verts.values.size()),
+        normal_(m.corner_values<vec3>("normal"), m.poly_verts.values.size()) {
+    c.declare_stored<texture_point>(element_kind::corner, "texture");
+    c.declare_stored<vec3>(element_kind::corner, "normal");
+    if (const std::size_t n = texture_.num_not_finite + normal_.num_not_finite)
+      c.report.lost.push_back(core::joined({n, " texture coordinates or normals of corners that are not finite"}));
+  }
+  void write_values() {
+    for (const texture_point& t : texture_.values()) c_.out << "vt " << t[0] << ' ' << t[1] << '\n';
+    for (const vec3& n : normal_.values()) {
+      c_.out << "vn ";
+      write_point(c_.out, n);
+      c_.out << '\n';
+    }
+  }
+  bool any() const { return !texture_.values().empty() || !normal_.values().empty(); }
+  void after_vert(std::size_t corner) {
+    const std::uint32_t t = texture_[corner], n = normal_[corner];
+    if (t) c_.out << '/' << t;
+    if (n) c_.out << (t ? "/" : "//") << n;
+  }
+};
 
 }  // namespace concino::detail
 
@@ -82,6 +135,9 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
     c.out << '\n';
     c.report_progress();
   }
+  detail::obj_corners corners(c, m);
+  corners.write_values();
+  std::size_t corner = 0;
   detail::obj_names objects(c, "o"), groups(c, "g"), materials(c, "usemtl");
   for (std::size_t p = 0; p < m.num_polys; ++p) {
     if (object) objects.before_poly(object[p]);
@@ -89,7 +145,10 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
     else if (labels_are_groups) groups.before_poly(detail::label_name(label[p]));
     if (material.any()) materials.before_poly(material[p]);
     c.out << 'f';
-    for (const vert_id v : m.poly_verts[p]) c.out << ' ' << v.raw() + 1;
+    for (const vert_id v : m.poly_verts[p]) {
+      c.out << ' ' << v.raw() + 1;
+      if (corners.any()) corners.after_vert(corner++);
+    }
     c.out << '\n';
     c.report_progress();
   }
