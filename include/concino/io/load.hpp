@@ -26,7 +26,8 @@ namespace concino {
 ///         kinds accept only what they can hold. Values in the file become properties of the mesh; it has no others.
 ///         From every format: "label" (int) and "color" (rgba) of verts and polys. From .off: "normal" (vec3) and "texture"
 ///         (std::array<double, 2>) of verts. From .obj: "object", "group" and "material" (std::string) of polys, with colours from the .mtl
-///         files in the same folder; the mesh property "materials" (material_table) has all their lines. From .mesh and .meshb: "label" of edges and faces too,
+///         files in the same folder; the mesh property "materials" (material_table) has all their lines. Also "texture"
+///         (std::array<double, 2>) and "normal" (vec3) of corners; a corner without one has not-a-number. From .mesh and .meshb: "label" of edges and faces too,
 ///         "corner", "required", "ridge" and "listed" (int, 0 or 1) of verts, edges, faces and polys, "normal" of verts. From .vtk: every
 ///         array of numbers, by its name and type, for verts, polys, the mesh, and the faces of a volume that the file lists. options.report lists what was
 ///         skipped, reoriented or worth a remark.

@@ -29,6 +29,7 @@ namespace concino {
 ///         - to .obj and .off: "color" (rgba) of verts, "color" and "label" of polys (.off can hold only one of the two);
 ///         - to .off: "normal" (vec3) and "texture" (std::array<double, 2>) of verts;
 ///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials";
+///           "texture" (std::array<double, 2>) and "normal" (vec3) of corners, each distinct value once, and none for not-a-number;
 ///         - to .vtk: all of verts, polys, the mesh and the faces of a volume that consist of 1, 2, 3, 4, 6 or 9 numbers, such as double, int, vec3 or
 ///           std::array<float, 4>. Faces are written if a value is not the default one.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file and hold the same colours
