@@ -1,0 +1,137 @@
+// Every file of the corpus survives being saved to every format that can hold it, and read again.
+#include <concino/io.hpp>
+
+#include <support/corpus.hpp>
+#include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// The verts of a polygon, beginning with the smallest one.
+std::vector<std::size_t> rotated(std::vector<std::size_t> verts) {
+  std::rotate(verts.begin(), std::min_element(verts.begin(), verts.end()), verts.end());
+  return verts;
+}
+
+/// Each poly as its faces, seen from outside, or as itself in a surface.
+template<class M>
+std::vector<std::vector<std::vector<std::size_t>>> polys_as_lists(const M& m) {
+  std::vector<std::vector<std::vector<std::size_t>>> all;
+  const auto indices = [&](const auto& around) {
+    std::vector<std::size_t> r;
+    for (const auto v : around) r.push_back(index_of(m, v));
+    return r;
+  };
+  for (const auto p : polys(m)) {
+    all.emplace_back();
+    if constexpr (dimension_v<M> == 2) {
+      all.back().push_back(rotated(indices(adj_p2v(m, p))));
+    } else {
+      for (const auto f : adj_p2f(m, p)) {
+        auto face = indices(adj_f2v(m, f));
+        if (!face_is_outward(m, p, f)) std::reverse(face.begin(), face.end());
+        all.back().push_back(rotated(face));
+      }
+      std::sort(all.back().begin(), all.back().end());
+    }
+  }
+  return all;
+}
+
+struct contents {
+  std::vector<vec3> points;
+  std::vector<std::vector<std::vector<std::size_t>>> polys;
+  std::size_t properties = 0;
+};
+
+contents contents_of(const any_mesh& any) {
+  return std::visit(
+      [](const auto& m) {
+        contents r;
+        for (const auto v : verts(m)) r.points.push_back(point(m, v));
+        r.polys = polys_as_lists(m);
+        r.properties = property_list(m).size();
+        return r;
+      },
+      any);
+}
+
+std::string text_of(const any_mesh& any, format_id format, bool binary, save_report& report) {
+  return std::visit([&](const auto& m) { return save_text(m, format, {.report = &report, .binary = binary}); }, any);
+}
+
+/// Returns whether the format can hold the mesh.
+bool survives(const any_mesh& m, const contents& before, format_id format, bool binary, const std::string& path) {
+  CAPTURE(format.name());
+  CAPTURE(binary);
+  std::string text;
+  save_report saved;
+  try {
+    text = text_of(m, format, binary, saved);
+  } catch (const unsupported&) {
+    return false;
+  }
+  write_file(path, text);
+  load_report report;
+  const any_mesh again = load_any(path, {.format = format, .report = &report});
+  CHECK(report.reoriented_polys == 0);
+  const contents after = contents_of(again);
+  const bool is_rounded = binary && format == file_format::off;
+  CHECK(after.points.size() == before.points.size());
+  if (!is_rounded) CHECK(after.points == before.points);
+  if (before.polys == after.polys) {
+    CHECK(after.properties + saved.lost.size() >= before.properties);
+  } else {  // .mesh lists cells by their shapes
+    CHECK(!saved.notes.empty());
+    auto sorted = before.polys, sorted_after = after.polys;
+    std::sort(sorted.begin(), sorted.end());
+    std::sort(sorted_after.begin(), sorted_after.end());
+    CHECK((sorted == sorted_after));
+  }
+  std::string second = text_of(again, format, binary, saved);
+  if (before.polys != after.polys) {  // the elements have another order now, which stays
+    text = second;
+    write_file(path, text);
+    second = text_of(load_any(path, {.format = format}), format, binary, saved);
+  }
+  const bool is_same_again = second == text;
+  CHECK(is_same_again);
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("round trips: every file of the corpus through every format that can hold it, and the second save is the first") {
+  if (corpus_dir().empty()) return skip("no corpus");
+  const std::size_t largest = long_run() ? 2'000'000 : 60'000;  // bytes
+  const temporary_folder folder;
+  std::size_t files = 0, trips = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus_dir())) {
+    const std::string path = entry.path().string();
+    if (!entry.is_regular_file() || entry.file_size() > largest || path.find("/bad/") != std::string::npos) continue;
+    any_mesh m;
+    try {
+      m = load_any(path);
+    } catch (const unsupported&) {
+      continue;  // not a mesh
+    }
+    CAPTURE(path);
+    ++files;
+    std::size_t here = 0;
+    const contents before = contents_of(m);
+    for (const format_id format : standard_formats.ids())
+      for (const bool binary : {false, true}) here += survives(m, before, format, binary, folder / "mesh");
+    CHECK(here >= 3);
+    trips += here;
+  }
+  MESSAGE(files << " files, " << trips << " round trips");
+  CHECK(files >= 15);
+}
