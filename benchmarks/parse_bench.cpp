@@ -56,6 +56,8 @@ void measure_surface(const bench::program& p) {
   read(m, file_format::medit);
   read(m, file_format::vtk);
   read(m, file_format::vtk, true);
+  read(m, file_format::vtu);
+  read(m, file_format::vtu, true);
 }
 
 void measure_tets(const bench::program& p) {
@@ -66,6 +68,8 @@ void measure_tets(const bench::program& p) {
   read(m, file_format::tet);
   read(m, file_format::vtk);
   read(m, file_format::vtk, true);
+  read(m, file_format::vtu);
+  read(m, file_format::vtu, true);
 }
 
 void measure_polyhedra(const bench::program& p) {
@@ -76,6 +80,8 @@ void measure_polyhedra(const bench::program& p) {
   read(m, file_format::hybrid);
   read(m, file_format::vtk);
   read(m, file_format::vtk, true);
+  read(m, file_format::vtu);
+  read(m, file_format::vtu, true);
 }
 
 }  // namespace

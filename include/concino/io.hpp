@@ -23,3 +23,5 @@
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/io/vtk.hpp>
+#include <concino/io/vtp.hpp>
+#include <concino/io/vtu.hpp>

@@ -100,6 +100,10 @@ TEST_CASE("corpus: counts, Euler characteristic, area and volume of every file m
     if (file.empty()) continue;
     ++files;
     CAPTURE(path);
+    if (path == "tet/quarter_crown_binary.vtu") {  // tests/adapters/zlib_test.cpp reads it
+      CHECK_THROWS_AS(load_any(file), unsupported);
+      continue;
+    }
     const any_mesh m = load_any(file);
     const figures f = std::visit([](const auto& mesh) { return measure(mesh); }, m);
     CHECK(f.verts == number("n_verts"));

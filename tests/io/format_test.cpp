@@ -161,6 +161,10 @@ TEST_CASE("format: a format argument takes precedence over the extension") {
   CHECK(num_polys(load_tet<tetmesh>(dir / "c")) == 1);
   save_hybrid(tet, dir / "c");
   CHECK(num_polys(load_hybrid<tetmesh>(dir / "c")) == 1);
+  save_vtu(tet, dir / "c");
+  CHECK(num_polys(load_vtu<tetmesh>(dir / "c")) == 1);
+  save_vtp(triangle, dir / "c", {.binary = true});
+  CHECK(num_polys(load_vtp<trimesh>(dir / "c")) == 1);
   save_vtk(tet, dir / "c");
   CHECK(num_polys(load_vtk<tetmesh>(dir / "c")) == 1);
   save_hedra(tet, dir / "c");

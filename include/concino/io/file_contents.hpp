@@ -110,6 +110,7 @@ struct read_context {
   load_report* report;  // never null
   const concino::progress* progress = nullptr;  // for text_cursor
   bool is_file = false;                         // `name` is a path, and the same folder may contain more files to read
+  inflate_function inflate = nullptr;           // load_options::inflate
 
   /// A cursor over the words of the text. `comment`, unless 0, begins a comment that ends with its line.
   token_cursor words(char comment = 0) const { return {text, name, progress, comment}; }

@@ -9,10 +9,12 @@
 #include <concino/io/detail/off_format.hpp>
 #include <concino/io/detail/tet_format.hpp>
 #include <concino/io/detail/vtk_format.hpp>
+#include <concino/io/detail/vtp_format.hpp>
+#include <concino/io/detail/vtu_format.hpp>
 
 namespace concino {
 
 /// The formats that load, load_any and save know by default; save leaves out those that are only read. Add your own: standard_formats + my_format{}.
-inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format, vtk_format> standard_formats{};
+inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format, vtk_format, vtu_format, vtp_format> standard_formats{};
 
 }  // namespace concino

@@ -15,11 +15,13 @@
 #include <concino/io/detail/read_off.hpp>
 #include <concino/io/detail/read_tet.hpp>
 #include <concino/io/detail/read_vtk.hpp>
+#include <concino/io/detail/read_vtp.hpp>
+#include <concino/io/detail/read_vtu.hpp>
 #endif
 
 namespace concino {
 
-/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .meshb, .hedra, .hybrid, .tet, .iv or .vtk, in upper or lower case.
+/// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .meshb, .hedra, .hybrid, .tet, .iv, .vtk, .vtu or .vtp, in upper or lower case.
 /// A file that begins like a file of another of these formats is read as what it is, and the report has a note.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh any surface; the other
@@ -28,7 +30,7 @@ namespace concino {
 ///         (std::array<double, 2>) of verts. From .obj: "object", "group" and "material" (std::string) of polys, with colours from the .mtl
 ///         files in the same folder; the mesh property "materials" (material_table) has all their lines. Also "texture"
 ///         (std::array<double, 2>) and "normal" (vec3) of corners; a corner without one has not-a-number. From .mesh and .meshb: "label" of edges and faces too,
-///         "corner", "required", "ridge" and "listed" (int, 0 or 1) of verts, edges, faces and polys, "normal" of verts. From .vtk: every
+///         "corner", "required", "ridge" and "listed" (int, 0 or 1) of verts, edges, faces and polys, "normal" of verts. From .vtk, .vtu and .vtp: every
 ///         array of numbers, by its name and type, for verts, polys, the mesh, and the faces of a volume that the file lists. options.report lists what was
 ///         skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved into the mesh.

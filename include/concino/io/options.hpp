@@ -23,6 +23,9 @@ struct save_report {
   std::vector<std::string> notes;  // anything else worth knowing
 };
 
+/// Decompresses zlib data: n bytes at `from` into `size` bytes at `to`. Returns false if they are not zlib data of exactly this size.
+using inflate_function = bool (*)(const unsigned char* from, std::size_t n, unsigned char* to, std::size_t size);
+
 struct load_options {
   format_id format = {};                   // one of the formats that the call knows; by default the first words of the file or its extension
   concino::load_report* report = nullptr;  // unless null, cleared and then filled in
@@ -30,6 +33,7 @@ struct load_options {
   /// Maps the file into memory instead of reading it. Loading is about a tenth faster, but a file that shrinks meanwhile may terminate the
   /// program by SIGBUS; without `map` it cannot. In both cases a file whose size has changed at the end is an io_error.
   bool map = false;
+  inflate_function inflate = nullptr;  // for compressed .vtu and .vtp: zlib_inflate of <concino/adapters/zlib.hpp>; null: they are unsupported
 };
 
 struct save_options {

@@ -14,13 +14,15 @@
 #include <concino/io/detail/write_off.hpp>
 #include <concino/io/detail/write_tet.hpp>
 #include <concino/io/detail/write_vtk.hpp>
+#include <concino/io/detail/write_vtp.hpp>
+#include <concino/io/detail/write_vtu.hpp>
 #endif
 
 namespace concino {
 
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and .mesh for triangles and quads.
 /// For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and pyramids, which are recognised by their faces.
-/// .meshb, the binary .mesh, for the same; .vtk for any mesh.
+/// .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh, .vtp for any surface.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and faces) are numbered in the
 ///         order of verts(m) (and faces(m)). These properties are written:
@@ -30,7 +32,7 @@ namespace concino {
 ///         - to .off: "normal" (vec3) and "texture" (std::array<double, 2>) of verts;
 ///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials";
 ///           "texture" (std::array<double, 2>) and "normal" (vec3) of corners, each distinct value once, and none for not-a-number;
-///         - to .vtk: all of verts, polys, the mesh and the faces of a volume that consist of 1, 2, 3, 4, 6 or 9 numbers, such as double, int, vec3 or
+///         - to .vtk, .vtu and .vtp: all of verts, polys, the mesh and the faces of a volume that consist of 1, 2, 3, 4, 6 or 9 numbers, such as double, int, vec3 or
 ///           std::array<float, 4>. Faces are written if a value is not the default one.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file and hold the same colours
 ///         and materials. Otherwise a new library is written there, with the same name and .mtl, or _1.mtl and so on. Existing libraries are

@@ -111,7 +111,11 @@ struct vtk_variant {
 
 template<class M>
 std::vector<vtk_variant> vtk_variants() {
-  std::vector<vtk_variant> all = {{file_format::vtk, false}, {file_format::vtk, true}};
+  std::vector<vtk_variant> all = {{file_format::vtk, false}, {file_format::vtk, true}, {file_format::vtu, false}, {file_format::vtu, true}};
+  if (dimension_v<M> == 2) {
+    all.push_back({file_format::vtp, false});
+    all.push_back({file_format::vtp, true});
+  }
   return all;
 }
 

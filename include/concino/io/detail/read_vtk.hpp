@@ -3,7 +3,7 @@
 
 #include <concino/io/detail/vtk_cells_reader.hpp>
 #include <concino/io/detail/vtk_format.hpp>
-#include <concino/io/detail/vtk_grid.hpp>
+#include <concino/io/detail/vtk_mesh.hpp>
 
 namespace concino::detail {
 

@@ -10,6 +10,8 @@
 #include <concino/io/detail/read_off.hpp>
 #include <concino/io/detail/read_tet.hpp>
 #include <concino/io/detail/read_vtk.hpp>
+#include <concino/io/detail/read_vtp.hpp>
+#include <concino/io/detail/read_vtu.hpp>
 
 #ifdef CONCINO_COMPILED
 namespace concino {
@@ -21,10 +23,12 @@ template void medit_format::read<file_contents>(const read_context&, file_conten
 template void medit_format::read<volume_contents>(const read_context&, volume_contents&);
 template void vtk_format::read<file_contents>(const read_context&, file_contents&);
 template void vtk_format::read<volume_contents>(const read_context&, volume_contents&);
+template void vtu_format::read<file_contents>(const read_context&, file_contents&);
+template void vtu_format::read<volume_contents>(const read_context&, volume_contents&);
 
 // The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
-[[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read, &off_format::read};
+[[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read, &off_format::read, &vtp_format::read};
 }  // namespace
 
 }  // namespace concino

@@ -9,6 +9,8 @@
 #include <concino/io/detail/write_off.hpp>
 #include <concino/io/detail/write_tet.hpp>
 #include <concino/io/detail/write_vtk.hpp>
+#include <concino/io/detail/write_vtp.hpp>
+#include <concino/io/detail/write_vtu.hpp>
 
 #ifdef CONCINO_COMPILED
 namespace concino {
@@ -16,7 +18,7 @@ namespace concino {
 // The writers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
 [[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write, &hybrid_format::write, &medit_format::write,
-                                                                           &obj_format::write, &off_format::write, &tet_format::write, &vtk_format::write};
+                                                                           &obj_format::write, &off_format::write, &tet_format::write, &vtk_format::write, &vtu_format::write, &vtp_format::write};
 }  // namespace
 
 }  // namespace concino

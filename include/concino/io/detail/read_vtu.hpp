@@ -1,0 +1,23 @@
+// The reader of .vtu files, the XML format of VTK for unstructured grids.
+#pragma once
+
+#include <concino/io/detail/vtk_mesh.hpp>
+#include <concino/io/detail/vtk_xml_reader.hpp>
+#include <concino/io/detail/vtu_format.hpp>
+
+namespace concino {
+
+/// Needs:  text of a .vtu file, or of a .vtp file: arrays as text, base64 or appended, in either byte order, compressed by zlib or not, in pieces.
+/// Result: as vtk_format::read. Points of different pieces at the same place become one, and ghost cells are dropped; both are reported.
+/// Cost:   O(size of the text), and of the data it was compressed from.
+/// Errors: parse_error naming the line of the tag of a wrong array, or of a wrong number in text; unsupported for compressed files without
+///         load_options::inflate, other compressors, datasets and cell types, and if the file holds a volume and a surface was wanted, or the reverse.
+template<std::derived_from<file_contents> Contents>
+void vtu_format::read(const read_context& in, Contents& out) {
+  detail::vtk_grid grid;
+  detail::vtk_xml_reader reader(in, grid);
+  reader.read();
+  detail::vtk_mesh<Contents>(grid, in, reader, out).make();
+}
+
+}  // namespace concino

@@ -1,0 +1,207 @@
+// Turns the contents of a VTK file into those of a mesh.
+#pragma once
+
+#include <concino/io/detail/cell_builder.hpp>
+#include <concino/io/detail/vtk_grid.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// Turns a grid into the contents of a mesh: a volume if it has cells of a volume, else a surface. Polygons in a volume become listed faces.
+/// Contents is volume_contents if the program reads volumes.
+template<class Contents>
+class vtk_mesh {
+  static constexpr bool volumes = std::is_same_v<Contents, volume_contents>;
+
+  vtk_grid& grid_;
+  const read_context& in_;
+  vtk_places& places_;
+  Contents& out_;
+  std::vector<std::uint32_t> poly_cells_, face_cells_;  // the cell of each poly or listed face
+  std::vector<std::uint64_t> scratch_;
+  std::vector<vert_id> corners_;
+
+ public:
+  vtk_mesh(vtk_grid& grid, const read_context& in, vtk_places& places, Contents& out) : grid_(grid), in_(in), places_(places), out_(out) {}
+
+  void make() {
+    std::size_t count[5] = {};
+    for (std::size_t c = 0; c < grid_.size(); ++c) {
+      const vtk_kind k = kind_of_vtk_cell(grid_.types[c]);
+      if (k == vtk_kind::unknown) fail_type(c);
+      ++count[static_cast<unsigned>(k)];
+    }
+    const std::size_t num_polygons = count[static_cast<unsigned>(vtk_kind::polygon)], num_cells = count[static_cast<unsigned>(vtk_kind::cell)];
+    if (num_cells ? !volumes : !in_.wanted.surface && num_polygons > 0) throw_wrong_dimension(in_.name, num_cells != 0, num_cells ? num_cells : num_polygons);
+    if (num_cells && !in_.wanted.cells && !in_.wanted.polyhedra) throw_wrong_dimension(in_.name, true, num_cells);
+    if (const std::size_t lines = count[static_cast<unsigned>(vtk_kind::line)])
+      in_.report->skipped.push_back(core::joined({lines, " cells that are verts or lines"}));
+    const bool has_values = std::any_of(grid_.columns.begin(), grid_.columns.end(), [](const property_column& c) { return c.kind == element_kind::poly; });
+    if (num_cells && num_polygons && !has_values)
+      in_.report->skipped.push_back(core::joined({num_polygons, " polygons: the faces of a volume are those of its cells, and these have no values"}));
+    if (grid_.num_ghosts) in_.report->skipped.push_back(core::joined({grid_.num_ghosts, " ghost cells"}));
+    const bool is_volume = num_cells || !in_.wanted.surface;
+    if (!is_volume) make_surface();
+    if constexpr (volumes) {
+      if (is_volume) make_volume(has_values);
+    }
+    std::vector<vert_id>().swap(grid_.verts);
+    set_columns_of_grid();
+  }
+
+ private:
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_type(std::size_t c) {
+    core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " has type ", unsigned{grid_.types[c]},
+                                     "; cells with nodes on edges and other types from 17 on, except 42, are not supported"});
+  }
+
+  /// The verts of a cell, checked. Errors: parse_error for a point that is not there, or a wrong number of points.
+  const vert_id* verts_of(std::size_t c) {
+    const std::size_t first = grid_.first(c), n = grid_.cell_ends[c] - first, expected = size_of_vtk_cell(grid_.types[c]);
+    if (expected && n != expected)
+      places_.fail_at_cell(c, {expected, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
+    check_verts(c, first, n);
+    return grid_.verts.data() + first;
+  }
+  void check_verts(std::size_t c, std::size_t first, std::size_t n) {
+    for (std::size_t i = first; i < first + n; ++i)
+      if (grid_.verts[i].raw() >= grid_.points.size()) fail_vert(c, grid_.verts[i]);
+  }
+  [[gnu::noinline, gnu::cold]] void fail_vert(std::size_t c, vert_id v) {
+    places_.fail_at_cell(c, {"a point index below ", grid_.points.size()}, {v.raw()});
+  }
+
+  /// Calls use(verts, n) for the polygon of a cell, or for each triangle of a strip.
+  template<class Use>
+  void for_each_polygon(std::size_t c, const Use& use) {
+    const vert_id* const v = verts_of(c);
+    const std::size_t n = grid_.cell_ends[c] - grid_.first(c);
+    if (grid_.types[c] == 8) {
+      const vert_id pixel[] = {v[0], v[1], v[3], v[2]};
+      use(pixel, 4);
+    } else if (grid_.types[c] == 6) {
+      if (n < 3) places_.fail_at_cell(c, {"a strip of at least three points"}, {n});
+      for (std::size_t i = 0; i + 2 < n; ++i) {
+        const vert_id triangle[] = {v[i + i % 2], v[i + 1 - i % 2], v[i + 2]};
+        use(triangle, 3);
+      }
+    } else {
+      if (n < 3) places_.fail_at_cell(c, {"a polygon of at least three points"}, {n});
+      use(v, n);
+    }
+  }
+  void check_distinct(std::size_t c, const vert_id* v, std::size_t n) {
+    if (const std::size_t k = first_repeated(v, n, scratch_); k != n)
+      places_.fail_at_cell(c, {"different points at the corners of a polygon"}, {"point ", v[k].raw(), " twice"});
+  }
+
+  void make_surface() {
+    surface_arrays& s = out_.surface;
+    std::uint32_t arity = 0;
+    core::reserve_large(s.verts, grid_.verts.size());
+    for (std::size_t c = 0; c < grid_.size(); ++c) {
+      if (kind_of_vtk_cell(grid_.types[c]) != vtk_kind::polygon) continue;
+      for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
+        check_distinct(c, v, n);
+        if (in_.wanted.arity && n != in_.wanted.arity)
+          places_.fail_at_cell(c, {name_of_poly(false, in_.wanted.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", n, " corners"});
+        const std::size_t first = s.verts.size();
+        s.verts.insert(s.verts.end(), v, v + n);
+        if (s.verts.size() > max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", max_ids, " corners"});
+        end_poly(s, arity, first);
+        poly_cells_.push_back(static_cast<std::uint32_t>(c));
+      });
+    }
+    s.points = std::move(grid_.points);
+    if (s.offsets.empty()) s.arity = arity ? arity : in_.wanted.arity;
+    if (s.offsets.empty() && s.arity == 0) s.offsets.push_back(0);
+  }
+
+  void make_volume(bool lists_faces) {
+    cell_builder<Contents> cells(in_, grid_.points, 0);
+    for (std::size_t c = 0; c < grid_.size(); ++c) {
+      const vtk_kind kind = kind_of_vtk_cell(grid_.types[c]);
+      if (kind == vtk_kind::polygon) list_faces(c, lists_faces);
+      if (kind != vtk_kind::cell) continue;
+      if (!add_cell(cells, c)) places_.fail_at_cell(c, {cells.expected}, {cells.found});
+      poly_cells_.push_back(static_cast<std::uint32_t>(c));
+    }
+    cells.finish(out_);
+  }
+
+  /// Checks the polygons of a cell, and lists them as faces.
+  void list_faces(std::size_t c, bool listed) {
+    for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
+      check_distinct(c, v, n);
+      if (!listed) return;
+      out_.faces.verts.insert(out_.faces.verts.end(), v, v + n);
+      out_.faces.end_element();
+      face_cells_.push_back(static_cast<std::uint32_t>(c));
+    });
+  }
+
+  template<class Builder>
+  bool add_cell(Builder& cells, std::size_t c) {
+    const unsigned type = grid_.types[c];
+    if (type == vtk_polyhedron) return add_polyhedron(cells, c);
+    const vert_id* const v = verts_of(c);
+    if (type == 15 || type == 16) {
+      const std::size_t n = type == 15 ? 5 : 6;
+      cells.add_face(v, n);
+      cells.add_face(v + n, n);
+      for (std::size_t i = 0; i < n; ++i) {
+        const vert_id quad[] = {v[i], v[(i + 1) % n], v[n + (i + 1) % n], v[n + i]};
+        cells.add_face(quad, 4);
+      }
+      return cells.end_polyhedron();
+    }
+    if (type != 11) return cells.add_cell(shape_of_vtk_cell(type), v);
+    const vert_id voxel[] = {v[0], v[1], v[3], v[2], v[4], v[5], v[7], v[6]};
+    return cells.add_cell(cell_shape::hex, voxel);
+  }
+
+  template<class Builder>
+  bool add_polyhedron(Builder& cells, std::size_t c) {
+    std::size_t at = grid_.first(c);
+    const std::size_t end = grid_.cell_ends[c];
+    const std::size_t faces = at < end ? grid_.verts[at++].raw() : 0;
+    for (std::size_t f = 0; f < faces; ++f) {
+      const std::size_t n = at < end ? grid_.verts[at++].raw() : ~std::size_t{0};
+      if (n > end - at) places_.fail_at_cell(c, {"the verts of ", faces, " faces of a polyhedron"}, {"a list that ends in face ", f});
+      check_verts(c, at, n);
+      cells.add_face(grid_.verts.data() + at, n);
+      at += n;
+    }
+    if (at != end) places_.fail_at_cell(c, {"the end of the polyhedron after ", faces, " faces"}, {end - at, " more numbers"});
+    return cells.end_polyhedron();
+  }
+
+  /// Moves the values of verts, and copies those of cells to the polys and faces that the cells became.
+  void set_columns_of_grid() {
+    for (const element_kind kind : {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh})
+      for (property_column& c : grid_.columns) {
+        const bool of_cells = kind == element_kind::poly || kind == element_kind::face;
+        if (c.kind != (of_cells ? element_kind::poly : kind) || (kind == element_kind::face && face_cells_.empty())) continue;
+        if (!of_cells || (kind == element_kind::poly && poly_cells_.size() == grid_.size() && is_identity(poly_cells_))) {
+          out_.properties.push_back(std::move(c));
+          continue;
+        }
+        const std::vector<std::uint32_t>& cells = kind == element_kind::poly ? poly_cells_ : face_cells_;
+        const value_type& type = c.values->operations();
+        auto* const to = static_cast<unsigned char*>(out_.add_property(kind, c.name, type, cells.size()));
+        const auto* const from = static_cast<const unsigned char*>(c.values->data());
+        for (std::size_t i = 0; i < cells.size(); ++i) std::memcpy(to + i * type.size, from + cells[i] * type.size, type.size);
+      }
+  }
+  static bool is_identity(const std::vector<std::uint32_t>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (cells[i] != i) return false;
+    return true;
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,213 @@
+// Reads .vtu and .vtp files into a grid.
+#pragma once
+
+#include <concino/io/detail/vtk_xml_cells.hpp>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace concino::detail {
+
+/// Reads the points and cells of all pieces, then their arrays. Points of different pieces at the same place become one.
+class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
+  load_report& report_;
+  std::vector<std::uint32_t> kept_cells_;              // without ghosts; empty: all
+  std::vector<std::uint8_t> is_ghost_;
+
+ public:
+  vtk_xml_reader(const read_context& in, vtk_grid& grid) : vtk_xml_cells(in, grid), report_(*in.report) {}
+
+  [[gnu::noinline]] void read() {
+    vtk_xml_tags(in_, index_).read();
+    encoding_ = index_.encoding;
+    for (std::size_t p = 0; p < index_.pieces.size(); ++p) {
+      first_point_.push_back(grid_.points.size());
+      first_cell_.push_back(grid_.size());
+      points(p);
+      if (!index_.is_polydata) grid_cells(p);
+      for (unsigned i = 0; index_.is_polydata && i < 4; ++i) polydata_cells(p, i);
+    }
+    first_point_.push_back(grid_.points.size());
+    first_cell_.push_back(grid_.size());
+    columns();
+    if (index_.num_texts) report_.skipped.push_back(core::joined({index_.num_texts, " arrays of texts"}));
+    merge_pieces();
+    drop_ghosts();
+  }
+
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected, core::message found) override {
+    const auto [p, k] = piece_of(cell);
+    fail(index_.pieces[p].at, expected, {core::joined(found), " in cell ", k, " of the piece"});
+  }
+  [[gnu::noinline, gnu::cold]] std::string place_of_cell(std::size_t cell) override {
+    const auto [p, k] = piece_of(cell);
+    return core::joined({"position ", k, " of the piece on line ", line_of(index_.pieces[p].at)});
+  }
+
+ private:
+  std::pair<std::size_t, std::size_t> piece_of(std::size_t cell) const {
+    if (!kept_cells_.empty()) cell = kept_cells_[cell];
+    std::size_t p = 0;
+    while (p + 1 < index_.pieces.size() && cell >= first_cell_[p + 1]) ++p;
+    return {p, cell - first_cell_[p]};
+  }
+
+  /// The arrays of one name, in the pieces that have them.
+  using array_of_pieces = std::vector<std::pair<std::size_t, const vtk_xml_array*>>;
+
+  /// Reads the arrays that all pieces have.
+  [[gnu::noinline]] void columns() {
+    using key = std::pair<vtk_xml_part, std::string>;
+    std::map<key, array_of_pieces> all;
+    std::vector<const std::pair<const key, array_of_pieces>*> in_order;
+    for (const vtk_xml_entry& e : index_.entries) {
+      if (e.part != vtk_xml_part::of_points && e.part != vtk_xml_part::of_cells && e.part != vtk_xml_part::of_mesh) continue;
+      const auto [it, is_new] = all.try_emplace({e.part, e.array.name});
+      if (is_new) in_order.push_back(&*it);
+      const std::size_t piece = e.part == vtk_xml_part::of_mesh ? 0 : e.piece;
+      if (it->second.empty() || it->second.back().first != piece) it->second.push_back({piece, &e.array});
+    }
+    for (const auto* const entry : in_order) column(entry->first.first, entry->first.second, entry->second);
+  }
+
+  [[gnu::noinline, gnu::cold]] void skip_column(const std::string& array_name, std::uint64_t components) {
+    report_.skipped.push_back(core::joined(
+        {"array \"", array_name, "\": properties have one value for each element, in all pieces, of 1, 2, 3, 4, 6 or 9 numbers, and it has ", components}));
+  }
+
+  [[gnu::noinline]] void column(vtk_xml_part part, const std::string& array_name, const array_of_pieces& arrays) {
+    const element_kind kind = part == vtk_xml_part::of_points ? element_kind::vert : part == vtk_xml_part::of_cells ? element_kind::poly : element_kind::mesh;
+    const std::vector<std::size_t>& first = kind == element_kind::vert ? first_point_ : first_cell_;
+    const auto count = [&](std::size_t p) { return kind == element_kind::mesh ? std::size_t{1} : first[p + 1] - first[p]; };
+    const vtk_xml_array& one = *arrays.front().second;
+    std::string property = array_name;
+    if (kind == element_kind::vert && array_name == index_.normals && one.components == 3) property = "normal";
+    if (kind == element_kind::vert && array_name == index_.textures && one.components == 2) property = "texture";
+    const bool as_doubles = property != array_name || property == index_.normals || property == index_.textures;
+    const value_type* const type = property_type_of(as_doubles ? vtk_number::float64 : one.type, one.components, property);
+    bool fits = type && (kind != element_kind::mesh || one.tuples == 1);
+    std::size_t num_values = 0;
+    for (const auto& [p, a] : arrays) {
+      fits = fits && (count(p) == 0 || (a->type == one.type && a->components == one.components));
+      num_values += count(p);
+    }
+    const std::size_t total = kind == element_kind::mesh ? 1 : first.back();
+    if (!fits || num_values != total) return skip_column(array_name, one.components);
+    for (const auto& [p, a] : arrays) require_numbers(*a, count(p) * one.components);
+    if (property != array_name) report_.notes.push_back(core::joined({"the array \"", array_name, "\" is the property \"", property, "\""}));
+    auto values = std::make_shared<detail::column>(*type, total);
+    auto* to = static_cast<unsigned char*>(values->data());
+    for (const auto& [p, a] : arrays) {
+      read_column(*a, count(p) * one.components, as_doubles, to);
+      to += count(p) * type->size;
+    }
+    const bool is_ghost_array = array_name == "vtkGhostType" && one.type == vtk_number::uint8 && one.components == 1;
+    if (!is_ghost_array) grid_.columns.push_back({kind, property, std::move(values)});
+    else if (kind == element_kind::poly) is_ghost_.assign(static_cast<const std::uint8_t*>(values->data()), static_cast<const std::uint8_t*>(values->data()) + total);
+  }
+  void read_column(const vtk_xml_array& a, std::uint64_t n, bool as_doubles, unsigned char* to) {
+    if (!as_doubles || a.type == vtk_number::float64) return read_array(a, n, to);
+    for_each_part<double>(a, n, [&](const double* values, std::size_t k) {
+      std::memcpy(to, values, k * sizeof(double));
+      to += k * sizeof(double);
+    });
+  }
+
+  /// Gives points of different pieces at the same place one number.
+  [[gnu::noinline, gnu::cold]] void merge_pieces() {
+    if (index_.pieces.size() < 2) return;
+    const std::size_t n = grid_.points.size();
+    std::vector<std::uint32_t> number(n), kept, table(std::bit_ceil(2 * n + 1), ~0u);
+    const auto slot_of = [&](const vec3& x) {
+      std::uint64_t h = 0;
+      for (const double part : {x.x + 0.0, x.y + 0.0, x.z + 0.0}) {
+        h = (h ^ std::bit_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15u;
+        h ^= h >> 29;
+      }
+      return h & (table.size() - 1);
+    };
+    std::vector<std::uint32_t> added, last_piece;  // the last piece of which a point became each kept point
+    for (std::size_t p = 0; p + 1 < first_point_.size(); ++p) {
+      added.clear();
+      for (std::size_t i = first_point_[p]; i < first_point_[p + 1]; ++i) {
+        std::size_t s = slot_of(grid_.points[i]);
+        while (table[s] != ~0u && !(grid_.points[kept[table[s]]] == grid_.points[i])) s = (s + 1) & (table.size() - 1);
+        number[i] = table[s];
+        if (table[s] != ~0u && last_piece[table[s]] != p) {
+          last_piece[table[s]] = static_cast<std::uint32_t>(p);
+          continue;
+        }
+        number[i] = static_cast<std::uint32_t>(kept.size());
+        kept.push_back(static_cast<std::uint32_t>(i));
+        last_piece.push_back(static_cast<std::uint32_t>(p));
+        added.push_back(number[i]);
+      }
+      for (const std::uint32_t k : added) {  // only now, because points of the same piece are different points
+        std::size_t s = slot_of(grid_.points[kept[k]]);
+        while (table[s] != ~0u && !(grid_.points[kept[table[s]]] == grid_.points[kept[k]])) s = (s + 1) & (table.size() - 1);
+        if (table[s] == ~0u) table[s] = k;
+      }
+    }
+    report_.notes.push_back(core::joined({index_.pieces.size(), " pieces were joined: ", n - kept.size(), " points at the place of a point of an earlier piece became that point"}));
+    if (kept.size() == n) return;
+    for (std::size_t c = 0; c < grid_.size(); ++c) renumber(c, number);
+    keep(element_kind::vert, kept);
+    std::vector<vec3> points;
+    points.reserve(kept.size());
+    for (const std::uint32_t i : kept) points.push_back(grid_.points[i]);
+    grid_.points = std::move(points);
+  }
+  void renumber(std::size_t c, const std::vector<std::uint32_t>& number) {
+    const std::size_t end = grid_.cell_ends[c];
+    std::size_t i = grid_.first(c);
+    if (grid_.types[c] != vtk_polyhedron) {
+      for (; i < end; ++i) grid_.verts[i] = vert_id{number[grid_.verts[i].raw()]};
+      return;
+    }
+    for (++i; i < end;) {
+      const std::size_t face_end = i + 1 + grid_.verts[i].raw();
+      for (++i; i < face_end; ++i) grid_.verts[i] = vert_id{number[grid_.verts[i].raw()]};
+    }
+  }
+
+  /// Keeps only these values of the columns of a kind.
+  void keep(element_kind kind, const std::vector<std::uint32_t>& kept) {
+    for (property_column& c : grid_.columns) {
+      if (c.kind != kind) continue;
+      const value_type& type = c.values->operations();
+      auto* const bytes = static_cast<unsigned char*>(c.values->data());
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        if (kept[i] != i) std::memcpy(bytes + i * type.size, bytes + kept[i] * type.size, type.size);
+      c.values->resize(kept.size());
+    }
+  }
+
+  /// Drops cells that another piece has too, and hidden ones.
+  [[gnu::noinline, gnu::cold]] void drop_ghosts() {
+    constexpr unsigned duplicate = 1, hidden = 32;
+    std::size_t verts = 0;
+    std::vector<std::uint32_t> kept;
+    for (std::size_t c = 0; c < is_ghost_.size(); ++c)
+      if ((is_ghost_[c] & (duplicate | hidden)) == 0) kept.push_back(static_cast<std::uint32_t>(c));
+    if (is_ghost_.empty() || kept.size() == grid_.size()) return;
+    grid_.num_ghosts = grid_.size() - kept.size();
+    std::size_t first = 0;
+    for (std::size_t c = 0, k = 0; c < is_ghost_.size(); ++c) {
+      const std::size_t end = grid_.cell_ends[c];
+      if (k < kept.size() && kept[k] == c) {
+        for (std::size_t i = first; i < end; ++i) grid_.verts[verts++] = grid_.verts[i];
+        grid_.types[k] = grid_.types[c];
+        grid_.cell_ends[k++] = static_cast<std::uint32_t>(verts);
+      }
+      first = end;
+    }
+    grid_.verts.resize(verts);
+    grid_.types.resize(kept.size());
+    grid_.cell_ends.resize(kept.size());
+    keep(element_kind::poly, kept);
+    kept_cells_ = std::move(kept);
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,36 @@
+// Reads and writes .vtu files of VTK, as text or binary: any surface and any volume, with properties. Compressed files need <concino/adapters/zlib.hpp>.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/io/detail/load_with.hpp>
+#include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/vtu_format.hpp>
+
+#ifndef CONCINO_COMPILED
+#include <concino/io/detail/read_vtu.hpp>
+#include <concino/io/detail/write_vtu.hpp>
+#endif
+
+namespace concino {
+
+/// Reads a mesh from a .vtu file, whatever its extension; no other format is compiled.
+/// Needs:  Loadable M.
+/// Result: as load.
+/// Cost:   as load.
+/// Errors: as load, except that any extension is accepted.
+template<Loadable M>
+M load_vtu(const std::string& path, const load_options& options = {}) {
+  return detail::load_with<M>(path, file_format::vtu, options);
+}
+
+/// Writes a mesh to a .vtu file of version 1.0, whatever its extension; no other format is compiled.
+/// Needs:  a mesh with points, of any type.
+/// Result: as save.
+/// Cost:   as save.
+/// Errors: as save, except that any extension is accepted.
+template<EmbeddedMesh M>
+void save_vtu(const M& m, const std::string& path, const save_options& options = {}) {
+  detail::save_with(m, path, file_format::vtu, options);
+}
+
+}  // namespace concino
