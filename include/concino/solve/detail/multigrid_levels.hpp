@@ -2,14 +2,13 @@
 #pragma once
 
 #include <concino/solve/detail/aggregates.hpp>
+#include <concino/solve/detail/bottom_solver.hpp>
 #include <concino/solve/detail/incomplete_cholesky.hpp>
-#include <concino/solve/detail/ordered.hpp>
-#include <concino/solve/detail/sparse_factor.hpp>
+#include <concino/solve/detail/multigrid_cycle.hpp>
 
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -118,51 +117,6 @@ class coarse_matrix {
   }
 };
 
-/// A direct solve with a small matrix. Where a pivot is not positive, the diagonal entry is raised. So an unknown of each kernel vector of a singular matrix is
-/// near 0 in the solution.
-class bottom_solver {
-  elimination_order order_;
-  sparse_factor factors_;
-
- public:
-  /// a: a lower triangle with a positive diagonal. Returns false if no factorisation was found, since entries are too large. has_kernel: set if a diagonal
-  /// entry was raised.
-  bool factorize(const Eigen::SparseMatrix<double>& a, bool& has_kernel) {
-    const auto n = static_cast<std::size_t>(a.cols());
-    order_.find(a);
-    Eigen::SparseMatrix<double> upper = order_(a);
-    factors_.analyse(upper, a.cols() * a.cols());
-    std::vector<double*> diagonal(n);
-    for (int c = 0; c < static_cast<int>(n); ++c)
-      for (int k = upper.outerIndexPtr()[c]; k < upper.outerIndexPtr()[c + 1]; ++k)
-        if (upper.innerIndexPtr()[k] == c) diagonal[static_cast<std::size_t>(c)] = upper.valuePtr() + k;
-    for (std::size_t attempt = 0; attempt < 100 + 8 * n; ++attempt) {
-      factors_.factorize(upper);
-      std::size_t c = 0;
-      while (c < n && factors_.pivots()[c] > 1e-13 * *diagonal[c] && std::isfinite(factors_.pivots()[c])) ++c;
-      if (c == n) return true;
-      *diagonal[c] *= attempt < n ? 2 : 64;
-      has_kernel = true;
-    }
-    return false;
-  }
-
-  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-    const Eigen::SparseMatrix<double>& l = factors_.lower();
-    const auto n = static_cast<int>(l.cols());
-    const int *const starts = l.outerIndexPtr(), *const rows = l.innerIndexPtr(), *const row = order_.row.data();
-    const double* const entry = l.valuePtr();
-    for (int c = 0; c < n; ++c) y[c] = b[row[c]];
-    for (int c = 0; c < n; ++c)
-      for (int k = starts[c]; k < starts[c + 1]; ++k) y[rows[k]] -= entry[k] * y[c];
-    for (int c = n - 1; c >= 0; --c) {
-      double sum = y[c] / factors_.pivots()[static_cast<std::size_t>(c)];
-      for (int k = starts[c]; k < starts[c + 1]; ++k) sum -= entry[k] * y[rows[k]];
-      x[row[c]] = y[c] = sum;
-    }
-  }
-};
-
 /// The matrices of multigrid, from the finest to one with few unknowns, and the interpolations between them.
 class multigrid_levels {
   struct level {
@@ -200,40 +154,43 @@ class multigrid_levels {
     choose_visits();
   }
 
-  workspace make_workspace() const {
+  /// width: the number of right-hand sides at once.
+  workspace make_workspace(Eigen::Index width = 1) const {
     workspace w;
     for (auto* const v : {&w.b, &w.x, &w.r, &w.e}) v->resize(levels_.size());
-    for (std::size_t i = 0; i < levels_.size(); ++i) {
-      const Eigen::Index n = levels_[i].a.cols();
-      if (i > 0)
-        for (auto* const v : {&w.b, &w.x, &w.r, &w.e}) (*v)[i].resize(n);
+    for (std::size_t i = 1; i < levels_.size(); ++i) {
+      const Eigen::Index n = levels_[i].a.cols() * width;
+      for (auto* const v : {&w.b, &w.x, &w.r, &w.e}) (*v)[i].resize(n);
     }
-    if (levels_.size() == 1 && has_bottom_) w.e[0].resize(levels_[0].a.cols());
+    if (levels_.size() == 1 && has_bottom_) w.e[0].resize(levels_[0].a.cols() * width);
     return w;
   }
 
-  /// x = M b for a symmetric positive definite M that approximates the inverse of the matrix of this level.
-  void cycle(std::size_t at, const Eigen::VectorXd& b, Eigen::VectorXd& x, workspace& w) const {
+  /// x = M b for a symmetric positive definite M that approximates the inverse of the matrix of this level. For W vectors at once; the W entries of a row are
+  /// next to each other.
+  template<int W = 1>
+  void cycle(std::size_t at, const double* b, double* x, workspace& w) const {
     const level& l = levels_[at];
+    const lower_entries a(l.a);
     const bool is_last = at + 1 == levels_.size();
     if (is_last && has_bottom_) {
-      bottom_.solve(b, x, w.e[at]);
+      bottom_.solve<W>(b, x, w.e[at].data());
       return;
     }
-    smooth_first(l.a, b, x);
+    smooth_first<W>(a, b, x);
     if (!is_last) {
-      Eigen::VectorXd &coarse_b = w.b[at + 1], &coarse_x = w.x[at + 1];
-      restrict_residual(l, x, coarse_b);
-      cycle(at + 1, coarse_b, coarse_x, w);
+      double *const coarse_b = w.b[at + 1].data(), *const coarse_x = w.x[at + 1].data();
+      restrict_residual<W>(a, l.to_this, x, coarse_b);
+      cycle<W>(at + 1, coarse_b, coarse_x, w);
       if (l.visits_next_twice) {
-        Eigen::VectorXd &r = w.r[at + 1], &e = w.e[at + 1];
-        subtract_product(levels_[at + 1].a, coarse_x, coarse_b, r);
-        cycle(at + 1, r, e, w);
-        for (Eigen::Index i = 0; i < e.size(); ++i) coarse_x[i] += e[i];
+        double *const r = w.r[at + 1].data(), *const e = w.e[at + 1].data();
+        subtract_product<W>(lower_entries(levels_[at + 1].a), coarse_x, coarse_b, r);
+        cycle<W>(at + 1, r, e, w);
+        for (Eigen::Index i = 0; i < w.e[at + 1].size(); ++i) coarse_x[i] += e[i];
       }
-      add_interpolated(l, coarse_x, x);
+      add_interpolated<W>(l.to_this, coarse_x, x, a.n);
     }
-    smooth_last(l.a, b, x);
+    smooth_last<W>(a, b, x);
   }
 
  private:
@@ -264,77 +221,6 @@ class multigrid_levels {
       cost = entries + (levels_[i].visits_next_twice ? 2 : 1) * cost;
     }
     entries_per_cycle_ = cost;
-  }
-
-  /// Gauss-Seidel from 0, first to last row.
-  static void smooth_first(const Eigen::SparseMatrix<double>& m, const Eigen::VectorXd& b, Eigen::VectorXd& x_of) {
-    const auto n = static_cast<int>(m.cols());
-    const int *const starts = m.outerIndexPtr(), *const rows = m.innerIndexPtr();
-    const double* const a = m.valuePtr();
-    double* const x = x_of.data();
-    for (int c = 0; c < n; ++c) x[c] = b[c];
-    for (int c = 0; c < n; ++c) {
-      const double xc = x[c] /= a[starts[c]];
-      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) x[rows[k]] -= a[k] * xc;
-    }
-  }
-
-  /// Gauss-Seidel from x, last to first row.
-  static void smooth_last(const Eigen::SparseMatrix<double>& m, const Eigen::VectorXd& b, Eigen::VectorXd& x_of) {
-    const auto n = static_cast<int>(m.cols());
-    const int *const starts = m.outerIndexPtr(), *const rows = m.innerIndexPtr();
-    const double* const a = m.valuePtr();
-    double* const x = x_of.data();
-    for (int c = n - 1; c >= 0; --c) {  // x = b - L x; entries below c are done
-      const double xc = x[c];
-      x[c] = b[c];
-      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) x[rows[k]] -= a[k] * xc;
-    }
-    for (int c = n - 1; c >= 0; --c) {
-      double xc = x[c];
-      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) xc -= a[k] * x[rows[k]];
-      x[c] = xc / a[starts[c]];
-    }
-  }
-
-  /// The residual after smooth_first is -L^T x.
-  static void restrict_residual(const level& l, const Eigen::VectorXd& x, Eigen::VectorXd& coarse) {
-    const auto n = static_cast<int>(l.a.cols());
-    const int *const starts = l.a.outerIndexPtr(), *const rows = l.a.innerIndexPtr(), *const begin = l.to_this.begin.data();
-    const double* const a = l.a.valuePtr();
-    for (Eigen::Index i = 0; i < coarse.size(); ++i) coarse[i] = 0;
-    for (int c = 0; c < n; ++c) {
-      double r = 0;
-      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) r -= a[k] * x[rows[k]];
-      for (int k = begin[c]; k < begin[c + 1]; ++k)
-        coarse[l.to_this.column[static_cast<std::size_t>(k)]] += static_cast<double>(l.to_this.weight[static_cast<std::size_t>(k)]) * r;
-    }
-  }
-
-  static void add_interpolated(const level& l, const Eigen::VectorXd& coarse, Eigen::VectorXd& x) {
-    const int* const begin = l.to_this.begin.data();
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      double sum = 0;
-      for (int k = begin[i]; k < begin[i + 1]; ++k)
-        sum += static_cast<double>(l.to_this.weight[static_cast<std::size_t>(k)]) * coarse[l.to_this.column[static_cast<std::size_t>(k)]];
-      x[i] += sum;
-    }
-  }
-
-  /// r = b - A x.
-  static void subtract_product(const Eigen::SparseMatrix<double>& m, const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r) {
-    const auto n = static_cast<int>(m.cols());
-    const int *const starts = m.outerIndexPtr(), *const rows = m.innerIndexPtr();
-    const double* const a = m.valuePtr();
-    for (int c = 0; c < n; ++c) r[c] = b[c];
-    for (int c = 0; c < n; ++c) {
-      double sum = a[starts[c]] * x[c];
-      for (int k = starts[c] + 1; k < starts[c + 1]; ++k) {
-        r[rows[k]] -= a[k] * x[c];
-        sum += a[k] * x[rows[k]];
-      }
-      r[c] -= sum;
-    }
   }
 };
 
