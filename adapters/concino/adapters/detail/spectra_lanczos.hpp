@@ -1,6 +1,7 @@
 // The smallest eigenpairs of K u = lambda M u by Spectra, for prepared matrices.
 #pragma once
 
+#include <concino/core/eigenproblem.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
@@ -22,75 +23,10 @@
 
 namespace concino::detail {
 
-/// y = a x for a symmetric matrix given by its lower triangle.
-inline Eigen::VectorXd symmetric_product(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& x) {
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(lower.cols());
-  for (int c = 0; c < lower.cols(); ++c)
-    for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
-      const int row = lower.innerIndexPtr()[k];
-      y[row] += lower.valuePtr()[k] * x[c];
-      if (row != c) y[c] += lower.valuePtr()[k] * x[row];
-    }
-  return y;
-}
-
-/// Eigenvectors in columns that are orthonormal with respect to the mass, smallest eigenvalue first.
-struct eigenbasis {
-  Eigen::VectorXd values;
-  Eigen::MatrixXd vectors;
-  std::size_t solves = 0;
-};
-
-/// The eigenpairs within the span of the columns of v, as many as there are (Rayleigh-Ritz).
-inline eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd v) {
-  const Eigen::Index n = v.cols();
-  for (Eigen::Index j = 0; j < n; ++j) {  // Gram-Schmidt, twice for accuracy
-    Eigen::VectorXd u = v.col(j), mu = symmetric_product(mass, u);
-    const double mass_before = u.dot(mu);
-    for (int round = 0; round < 2; ++round) {
-      for (Eigen::Index i = 0; i < j; ++i) u -= v.col(i).dot(mu) * v.col(i);
-      mu = symmetric_product(mass, u);
-    }
-    const double left = u.dot(mu);
-    if (!(mass_before > 0 && left > 1e-15 * mass_before)) throw solver_error("eigenpairs: the mass matrix is not positive definite");
-    v.col(j) = u / std::sqrt(left);
-  }
-  Eigen::MatrixXd k(n, n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const Eigen::VectorXd kv = symmetric_product(stiffness, v.col(j));
-    for (Eigen::Index i = 0; i < n; ++i) k(i, j) = v.col(i).dot(kv);
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(k);
-  return {all.eigenvalues(), v * all.eigenvectors()};
-}
-
-/// |K u - lambda M u| / |M u|, and an estimate of the rounding errors of the products in it.
-struct eigen_residual {
-  double size, rounding;
-
-  eigen_residual(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass, double value, const Eigen::VectorXd& u) {
-    Eigen::VectorXd r = Eigen::VectorXd::Zero(u.size()), mu = r, terms = r;
-    const auto add = [&](const Eigen::SparseMatrix<double>& lower, double factor, Eigen::VectorXd* product) {
-      const auto add_entry = [&](int row, int column, double a) {
-        const double x = a * u[column];
-        r[row] += factor * x;
-        terms[row] += std::abs(factor * x);
-        if (product) (*product)[row] += x;
-      };
-      for (int c = 0; c < lower.cols(); ++c)
-        for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
-          const int row = lower.innerIndexPtr()[k];
-          add_entry(row, c, lower.valuePtr()[k]);
-          if (row != c) add_entry(c, row, lower.valuePtr()[k]);
-        }
-    };
-    add(stiffness, 1, nullptr);
-    add(mass, -value, &mu);
-    const double of_mass = mu.norm();
-    size = r.norm() / of_mass;
-    rounding = 8 * std::numeric_limits<double>::epsilon() * terms.norm() / of_mass;
-  }
-};
+using core::eigen_residual;
+using core::eigenbasis;
+using core::eigenpairs_within;
+using core::symmetric_product;
 
 /// The operator shift (K + shift M)^-1 M on the space orthogonal to `found`. Its largest eigenvalues shift / (lambda + shift) have the smallest lambda.
 struct shifted_inverse {
