@@ -31,11 +31,13 @@ template<int W>
 void smooth_first(const lower_entries& m, const double* b, double* x) {
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(m.n) * W; ++i) x[i] = b[i];
   for (int c = 0; c < m.n; ++c) {
+    const double diagonal = m.a[m.starts[c]];
     double xc[W], *const at = row_of<W>(x, c);
-    for (int l = 0; l < W; ++l) xc[l] = at[l] /= m.a[m.starts[c]];
+    for (int l = 0; l < W; ++l) xc[l] = at[l] /= diagonal;
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
+      const double a = m.a[k];
       double* const to = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) to[l] -= m.a[k] * xc[l];
+      for (int l = 0; l < W; ++l) to[l] -= a * xc[l];
     }
   }
 }
@@ -50,18 +52,21 @@ void smooth_last(const lower_entries& m, const double* b, double* x) {
       at[l] = row_of<W>(b, c)[l];
     }
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
+      const double a = m.a[k];
       double* const to = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) to[l] -= m.a[k] * xc[l];
+      for (int l = 0; l < W; ++l) to[l] -= a * xc[l];
     }
   }
   for (int c = m.n - 1; c >= 0; --c) {
     double xc[W], *const at = row_of<W>(x, c);
     for (int l = 0; l < W; ++l) xc[l] = at[l];
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
+      const double a = m.a[k];
       const double* const from = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) xc[l] -= m.a[k] * from[l];
+      for (int l = 0; l < W; ++l) xc[l] -= a * from[l];
     }
-    for (int l = 0; l < W; ++l) at[l] = xc[l] / m.a[m.starts[c]];
+    const double diagonal = m.a[m.starts[c]];
+    for (int l = 0; l < W; ++l) at[l] = xc[l] / diagonal;
   }
 }
 
@@ -72,8 +77,9 @@ void restrict_residual(const lower_entries& m, const prolongation& p, const doub
   for (int c = 0; c < m.n; ++c) {
     double r[W] = {};
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
+      const double a = m.a[k];
       const double* const from = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) r[l] -= m.a[k] * from[l];
+      for (int l = 0; l < W; ++l) r[l] -= a * from[l];
     }
     for (auto k = static_cast<std::size_t>(p.begin[static_cast<std::size_t>(c)]); k < static_cast<std::size_t>(p.begin[static_cast<std::size_t>(c) + 1]); ++k) {
       double* const to = row_of<W>(coarse, p.column[k]);
@@ -102,17 +108,15 @@ void subtract_product(const lower_entries& m, const double* x, const double* b, 
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(m.n) * W; ++i) r[i] = b[i];
   for (int c = 0; c < m.n; ++c) {
     double xc[W], sum[W], *const at = row_of<W>(r, c);
-    for (int l = 0; l < W; ++l) {
-      xc[l] = row_of<W>(x, c)[l];
-      sum[l] = m.a[m.starts[c]] * xc[l];
-    }
+    const double diagonal = m.a[m.starts[c]];
+    for (int l = 0; l < W; ++l) xc[l] = row_of<W>(x, c)[l];
+    for (int l = 0; l < W; ++l) sum[l] = diagonal * xc[l];
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
+      const double a = m.a[k];
       double* const to = row_of<W>(r, m.rows[k]);
       const double* const from = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) {
-        to[l] -= m.a[k] * xc[l];
-        sum[l] += m.a[k] * from[l];
-      }
+      for (int l = 0; l < W; ++l) to[l] -= a * xc[l];
+      for (int l = 0; l < W; ++l) sum[l] += a * from[l];
     }
     for (int l = 0; l < W; ++l) at[l] -= sum[l];
   }
