@@ -24,18 +24,43 @@ inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recog
   return known.recognise();
 }
 
+struct same_point {
+  const vec3& operator()(const vec3& p) const { return p; }
+};
+
 /// Six times the volume of poly p: each face is split into triangles at its mean point, with the sign of its outward flag.
-inline double six_times_poly_volume(const polyhedra_arrays& m, std::size_t p) {
+/// Points are mapped by `scaled` first.
+template<class Scale = same_point>
+double six_times_poly_volume(const polyhedra_arrays& m, std::size_t p, const Scale& scaled = {}) {
   double sum = 0;
   if (m.poly_offsets[p] == m.poly_offsets[p + 1]) return sum;
-  const vec3 apex = m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()];
+  const vec3 apex = scaled(m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()]);
   for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i) {
     const std::uint32_t f = m.poly_faces[i].raw(), first = m.face_offsets[f];
     const double one = six_times_volume_under(
-        m.face_offsets[f + 1] - first, [&](std::size_t k) -> const vec3& { return m.points[m.face_verts[first + k].raw()]; }, apex);
+        m.face_offsets[f + 1] - first, [&](std::size_t k) -> decltype(auto) { return scaled(m.points[m.face_verts[first + k].raw()]); }, apex);
     sum += m.outward[i] ? one : -one;
   }
   return sum;
+}
+
+/// Whether the volume of poly p is negative, by more than rounding errors.
+inline bool has_negative_volume(const polyhedra_arrays& m, std::size_t p) {
+  const double x = six_times_poly_volume(m, p);
+  if (x > 1e-100 && x < 1e100) return false;  // nearly all polys
+  volume_box box;
+  std::size_t num_corners = 0;
+  const auto for_each_corner = [&](const auto& f) {
+    for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i)
+      for (std::uint32_t k = m.face_offsets[m.poly_faces[i].raw()]; k < m.face_offsets[m.poly_faces[i].raw() + 1]; ++k) f(m.face_verts[k]);
+  };
+  for_each_corner([&](vert_id v) {
+    box.add(m.points[v.raw()]);
+    ++num_corners;
+  });
+  if (num_corners == 0) return false;
+  if (box.is_moderate()) return x < -box.error(num_corners);
+  return six_times_poly_volume(m, p, [&](const vec3& q) { return box.scaled(q); }) < -box.error(num_corners);
 }
 
 /// Checks whether the faces of a polyhedron are consistently oriented at every edge that two of them share. This is fast, for the majority that
@@ -195,7 +220,7 @@ std::size_t orient_polyhedra(Arrays& m) {
   for (std::size_t p = 0; p < m.num_polys(); ++p) {
     const std::uint32_t begin = m.poly_offsets[p], end = m.poly_offsets[p + 1];
     bool touched = !wound_well(m, begin, end) && orient(m, begin, end);
-    if (six_times_poly_volume(m, p) < 0) {
+    if (has_negative_volume(m, p)) {
       for (std::uint32_t i = begin; i < end; ++i) m.outward[i] = !m.outward[i];
       touched = true;
     }
