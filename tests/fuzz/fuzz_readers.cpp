@@ -6,6 +6,8 @@
 #include <concino/mesh.hpp>
 #include <concino/validate.hpp>
 
+#include <concino/adapters/zlib.hpp>
+
 #include <concino/io/detail/read_field.hpp>
 #include <concino/io/detail/read_mtl.hpp>
 
@@ -77,15 +79,15 @@ template<class M>
 void read_mesh(std::string_view text, format_id format) {
   succeeds([&] {
     load_report report;
-    check_mesh(load_text<M>(text, format, {.report = &report}));
+    check_mesh(load_text<M>(text, format, {.report = &report, .inflate = zlib_inflate}));
   });
 }
 
 void fuzz_mesh(std::string_view text, format_id format) {
   read_mesh<polygonmesh>(text, format);
   read_mesh<polyhedralmesh>(text, format);
-  succeeds([&] { load_text<surface_arrays>(text, format); });
-  succeeds([&] { load_text<cell_arrays>(text, format); });
+  succeeds([&] { load_text<surface_arrays>(text, format, {.inflate = zlib_inflate}); });
+  succeeds([&] { load_text<cell_arrays>(text, format, {.inflate = zlib_inflate}); });
 }
 
 void fuzz_skeleton(std::string_view text, format_id format) {

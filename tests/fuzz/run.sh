@@ -24,8 +24,8 @@ if [ -z "${CONCINO_FUZZ_PROGRAM:-}" ]; then
   if [ ! -x "$program" ] || [ -n "$newest" ]; then
     cxx=${CXX:-$(find_clang)} || { echo "no clang++ 14 or later"; exit 1; }
     eigen=$(pkg-config --cflags eigen3 2>/dev/null || echo -I/usr/include/eigen3)
-    "$cxx" -std=c++20 -O1 -g1 -fsanitize=fuzzer,address,undefined -fno-sanitize=function -fno-sanitize-recover=all -Iinclude -Iconcepts ${eigen//-I/-isystem } \
-      tests/fuzz/fuzz_readers.cpp -o "$program" || exit 1
+    "$cxx" -std=c++20 -O1 -g1 -fsanitize=fuzzer,address,undefined -fno-sanitize=function -fno-sanitize-recover=all -Iinclude -Iconcepts -Iadapters ${eigen//-I/-isystem } \
+      tests/fuzz/fuzz_readers.cpp -lz -o "$program" || exit 1
   fi
 fi
 grep -qx "${1:-obj}" <(CONCINO_FUZZ=list "$program") || { echo "no reader ${1:-obj}; there are:"; CONCINO_FUZZ=list "$program"; exit 2; }

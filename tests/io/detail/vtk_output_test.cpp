@@ -196,3 +196,11 @@ TEST_CASE("vtk_output: corpus files of all kinds are the same after saving and l
   }
   if (files == 0) skip("no corpus");
 }
+
+TEST_CASE("vtk_output: a polyhedron with two faces of the same verts is refused, as it could not be read back") {
+  // a tet with a pillow of two more triangles on one of its faces
+  const auto m = load_text<polyhedralmesh>("4 6 1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 1 3 2\n3 1 2 4\n3 2 3 4\n3 1 4 3\n3 1 2 3\n3 3 2 1\n6 1 2 3 4 5 6\n", file_format::hedra);
+  for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu)})
+    CHECK_THROWS_WITH_AS(save_text(m, f), "text: VTK cannot hold poly 0, which has two faces with the same verts; save it as .hedra", unsupported);
+  CHECK(num_faces(load_text<polyhedralmesh>(save_text(m, file_format::hedra), file_format::hedra)) == 6);
+}

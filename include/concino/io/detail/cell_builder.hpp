@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/face_key.hpp>
 #include <concino/io/detail/orient.hpp>
 #include <concino/mesh/face_soup.hpp>
 
@@ -77,9 +78,7 @@ class cell_builder {
     if (n < 3) failed_ = !reject_with({"a face of at least three verts"}, {"one of ", n});
     else if (const std::size_t k = first_repeated(v, n, scratch_); k != n) failed_ = !reject_repeated(v[k], "a face");
     ++faces_;
-    std::uint64_t key = n;
-    for (std::size_t i = 0; i < n; ++i) key += mixed(v[i].raw());
-    face_keys_.push_back(key);
+    face_keys_.push_back(face_key(v, n));
     verts_.push_back(vert_id{n});
     verts_.insert(verts_.end(), v, v + n);
     corners_ += n;
@@ -114,12 +113,6 @@ class cell_builder {
   }
 
  private:
-  static std::uint64_t mixed(std::uint64_t v) {
-    v = (v + 1) * 0x9e3779b97f4a7c15u;
-    v = (v ^ (v >> 31)) * 0xbf58476d1ce4e5b9u;
-    return v ^ (v >> 29);
-  }
-
   /// The number of verts that every cell must have: that of the wanted mesh, else that of the cells so far, else the one given.
   std::uint32_t wanted_arity(std::uint32_t otherwise) const {
     return in_.wanted.arity ? in_.wanted.arity : cells_ ? standard_cell_of(only_).num_verts : otherwise;

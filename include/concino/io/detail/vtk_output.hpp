@@ -2,11 +2,13 @@
 #pragma once
 
 #include <concino/io/detail/canonical_cells.hpp>
+#include <concino/io/detail/face_key.hpp>
 #include <concino/io/detail/vtk_grid.hpp>
 #include <concino/io/detail/vtk_numbers.hpp>
 #include <concino/io/detail/write_common.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,12 +22,22 @@ class vtk_cell_list {
   std::vector<vert_id> verts_;  // of the cells that are no lists of verts in the mesh, as in vtk_grid
   std::vector<std::uint32_t> ends_;
   std::vector<std::uint8_t> types_;
+  std::vector<std::uint64_t> face_keys_;
   std::size_t num_direct_ = 0;  // cells that are lists of verts in the mesh
 
   void end_cell(const write_context& c, unsigned type) {
     if (verts_.size() > max_ids) core::throw_joined<unsupported>({c.name, ": more than ", max_ids, " corners of faces"});
     ends_.push_back(static_cast<std::uint32_t>(verts_.size()));
     types_.push_back(static_cast<std::uint8_t>(type));
+  }
+
+  /// Errors: unsupported if two faces of poly p have the same verts: faces have no numbers in the file, so readers could not tell them apart.
+  void check_faces(const write_context& c, const flat_polyhedra& all, std::size_t p) {
+    face_keys_.clear();
+    for (const face_id f : all.poly_faces[p]) face_keys_.push_back(face_key(all.face_verts[f.raw()].data(), all.face_verts[f.raw()].size()));
+    std::sort(face_keys_.begin(), face_keys_.end());
+    if (std::adjacent_find(face_keys_.begin(), face_keys_.end()) != face_keys_.end())
+      c.throw_cannot_hold("VTK", {"poly ", m_.poly_index(p), ", which has two faces with the same verts"}, ".hedra");
   }
 
   void add_polyhedron(const write_context& c, const flat_polyhedra& all, std::size_t p, const std::uint8_t*& outward, cell_recogniser& known) {
@@ -45,7 +57,10 @@ class vtk_cell_list {
       rotate_to_smallest(mine, v.size());
     }
     const cell_shape shape = known.recognise();
-    if (shape == cell_shape::general) return end_cell(c, vtk_polyhedron);
+    if (shape == cell_shape::general) {
+      check_faces(c, all, p);
+      return end_cell(c, vtk_polyhedron);
+    }
     verts_.resize(first);
     make_canonical(shape, known.cell);
     verts_.insert(verts_.end(), known.cell, known.cell + standard_cell_of(shape).num_verts);
