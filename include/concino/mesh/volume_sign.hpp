@@ -34,6 +34,8 @@ class volume_box {
   /// Whether products of three lengths neither overflow nor underflow. If they do, the volume of the scaled points has the same sign.
   bool is_moderate() const { return is_moderate(high_.x - low_.x) && is_moderate(high_.y - low_.y) && is_moderate(high_.z - low_.z); }
 
+  vec3 center() const { return {low_.x / 2 + high_.x / 2, low_.y / 2 + high_.y / 2, low_.z / 2 + high_.z / 2}; }
+
   /// A point with each coordinate divided by a power of two that is as large as the largest one of the box.
   vec3 scaled(const vec3& p) const {
     return {std::ldexp(p.x, -exponent_of(low_.x, high_.x)), std::ldexp(p.y, -exponent_of(low_.y, high_.y)), std::ldexp(p.z, -exponent_of(low_.z, high_.z))};

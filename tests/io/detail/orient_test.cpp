@@ -135,3 +135,27 @@ TEST_CASE("winding_check: returns false if too many edges collide in its table, 
   CHECK(agree(m, 0, 1));  // the table is empty again
   CHECK(agree(m, 1999, 2000));
 }
+
+TEST_CASE("orient: an open poly is turned over or not whatever the order of its verts") {
+  // five faces of a cube, and a vert far away in another face, from which the volume has another sign
+  const std::vector<vec3> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  const std::vector<std::vector<unsigned>> faces = {{0, 3, 2, 1}, {1, 2, 6, 5}, {2, 7, 4, 5}, {0, 4, 7, 3}, {0, 1, 5, 4}};
+  std::vector<unsigned char> first;
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    polyhedra_arrays m;
+    m.points = points;
+    m.face_offsets = {0};
+    m.poly_offsets = {0, 5};
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      for (std::size_t i = 0; i < 4; ++i) m.face_verts.push_back(vert_id{faces[f][(i + turn) % 4]});
+      m.face_offsets.push_back(static_cast<std::uint32_t>(m.face_verts.size()));
+      m.poly_faces.push_back(face_id{f});
+      m.outward.push_back(1);
+    }
+    orient_polyhedra(m);
+    const std::vector<unsigned char> outward(m.outward.begin(), m.outward.end());
+    if (turn == 0) first = outward;
+    CHECK(outward == first);
+    CHECK(orient_polyhedra(m) == 0);
+  }
+}

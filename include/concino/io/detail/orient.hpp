@@ -29,12 +29,13 @@ struct same_point {
 };
 
 /// Six times the volume of poly p: each face is split into triangles at its mean point, with the sign of its outward flag.
-/// Points are mapped by `scaled` first.
+/// Points are mapped by `scaled` first. If the faces do not close the poly, the result depends on the point from which volumes are measured: `center`,
+/// or the first vert.
 template<class Scale = same_point>
-double six_times_poly_volume(const polyhedra_arrays& m, std::size_t p, const Scale& scaled = {}) {
+double six_times_poly_volume(const polyhedra_arrays& m, std::size_t p, const Scale& scaled = {}, const vec3* center = nullptr) {
   double sum = 0;
   if (m.poly_offsets[p] == m.poly_offsets[p + 1]) return sum;
-  const vec3 apex = scaled(m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()]);
+  const vec3 apex = scaled(center ? *center : m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()]);
   for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i) {
     const std::uint32_t f = m.poly_faces[i].raw(), first = m.face_offsets[f];
     const double one = six_times_volume_under(
@@ -44,9 +45,11 @@ double six_times_poly_volume(const polyhedra_arrays& m, std::size_t p, const Sca
   return sum;
 }
 
-/// Whether the volume of poly p is negative, by more than rounding errors.
-inline bool has_negative_volume(const polyhedra_arrays& m, std::size_t p) {
-  const double x = six_times_poly_volume(m, p);
+/// Whether the volume of poly p is negative, by more than rounding errors. If its faces do not close it, volumes are measured from the centre of its
+/// box, so that the result does not depend on the order of its verts.
+inline bool has_negative_volume(const polyhedra_arrays& m, std::size_t p, bool is_closed) {
+  double x = 0;
+  if (is_closed) x = six_times_poly_volume(m, p);
   if (x > 1e-100 && x < 1e100) return false;  // nearly all polys
   volume_box box;
   std::size_t num_corners = 0;
@@ -59,8 +62,10 @@ inline bool has_negative_volume(const polyhedra_arrays& m, std::size_t p) {
     ++num_corners;
   });
   if (num_corners == 0) return false;
-  if (box.is_moderate()) return x < -box.error(num_corners);
-  return six_times_poly_volume(m, p, [&](const vec3& q) { return box.scaled(q); }) < -box.error(num_corners);
+  const vec3 center = box.center();
+  if (box.is_moderate()) x = six_times_poly_volume(m, p, same_point{}, &center);
+  else x = six_times_poly_volume(m, p, [&](const vec3& q) { return box.scaled(q); }, &center);
+  return x < -box.error(num_corners);
 }
 
 /// Checks whether the faces of a polyhedron are consistently oriented at every edge that two of them share. This is fast, for the majority that
@@ -72,12 +77,17 @@ class winding_check {
     std::int32_t faces, sum;
   };
   static constexpr int max_probes = 1000;
+  bool is_closed_ = false;
   std::vector<entry> table_;
   std::vector<std::uint32_t> used_;
 
  public:
+  /// Whether the faces that were checked last are consistently oriented and close the poly: two of them have each edge.
+  bool is_closed() const { return is_closed_; }
+
   /// True if the faces are consistently oriented; false if they are not or if it is not known.
   bool operator()(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
+    is_closed_ = false;
     std::size_t num_corners = 0;
     for (std::uint32_t i = begin; i < end; ++i) {
       const std::uint32_t f = m.poly_faces[i].raw();
@@ -107,8 +117,10 @@ class winding_check {
       }
     }
     bool agree = true;
+    is_closed_ = true;
     for (const std::uint32_t at : used_) {
       agree = agree && (table_[at].faces != 2 || table_[at].sum == 0);
+      is_closed_ = is_closed_ && table_[at].faces == 2 && table_[at].sum == 0;
       table_[at] = {0, 0, 0};
     }
     return agree;
@@ -220,7 +232,7 @@ std::size_t orient_polyhedra(Arrays& m) {
   for (std::size_t p = 0; p < m.num_polys(); ++p) {
     const std::uint32_t begin = m.poly_offsets[p], end = m.poly_offsets[p + 1];
     bool touched = !wound_well(m, begin, end) && orient(m, begin, end);
-    if (has_negative_volume(m, p)) {
+    if (has_negative_volume(m, p, wound_well.is_closed())) {
       for (std::uint32_t i = begin; i < end; ++i) m.outward[i] = !m.outward[i];
       touched = true;
     }
