@@ -67,6 +67,25 @@ class cell_builder {
     return true;
   }
 
+  /// Adds all cells of a volume that has cells of one shape only. Needs: no cell was added before.
+  /// Result: the number of cells; less if one is not valid, as for add_cell: then its position.
+  std::size_t add_all_cells(cell_shape s, std::vector<vert_id>&& verts) {
+    const standard_cell& cell = standard_cell_of(s);
+    verts_ = std::move(verts);
+    const std::size_t n = verts_.size() / cell.num_verts;
+    for (std::size_t c = 0; c < n; ++c) {
+      vert_id* const v = verts_.data() + c * cell.num_verts;
+      const std::size_t k = first_repeated(v, cell.num_verts, scratch_);
+      if (k != cell.num_verts ? !reject_repeated(v[k], "a cell") : !can_hold(s) && !reject(cell.name, cell.num_faces)) return c;
+      num_negative_ += make_volume_positive(s, v, points_);
+    }
+    for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += n * cell.face_size[f];
+    if (verts_.size() > max_ids || corners_ > max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", max_ids, " corners of faces"});
+    only_ = s;
+    cells_ = n;
+    return n;
+  }
+
   /// Adds a face of the next polyhedron.
   void add_face(const vert_id* v, std::size_t n) {
     if (faces_ == 0) {

@@ -1,6 +1,7 @@
 // Reads the cells of legacy VTK files: rows of verts up to version 5.0, offsets and a list of verts from 5.1 on.
 #pragma once
 
+#include <concino/io/detail/corners.hpp>
 #include <concino/io/detail/vtk_cursor.hpp>
 #include <concino/io/detail/vtk_grid.hpp>
 #include <concino/io/file_contents.hpp>
@@ -128,8 +129,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     if (used != size) reject(last, {"cells of ", size, " numbers"}, {n, " cells of ", used});
   }
   std::uint32_t next_index_value(const char* position) {
-    std::int32_t i = 0;
-    read_values(&i, 1);
+    const auto i = value<std::int32_t>();
     if (i < 0) reject(position, {"an index of a point"}, {i});
     return static_cast<std::uint32_t>(i);
   }
@@ -177,8 +177,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
   std::int64_t integer_of(vtk_number type) {
     return with_number_type(type, [&]<class T>(std::type_identity<T>) {
       if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
-        T x{};
-        read_values(&x, 1);
+        const T x = value<T>();
         return std::in_range<std::int64_t>(x) ? static_cast<std::int64_t>(x) : std::int64_t{-1};
       } else {
         return std::int64_t{-1};

@@ -109,6 +109,20 @@ class vtk_cursor : public token_cursor {
     }
   }
 
+  /// Reads one number. Needs: as read_values.
+  template<class T>
+  T value() {
+    if (!binary_) {
+      report_progress();
+      return next_value<T>();
+    }
+    T x;
+    std::memcpy(&x, at, sizeof x);
+    if constexpr (std::endian::native == std::endian::little) swap_bytes(&x, 1, sizeof x);
+    at += sizeof x;
+    return x;
+  }
+
   /// Reads n numbers into memory. Needs: begin_numbers() and require_room() for this type.
   template<class T>
   [[gnu::noinline]] void read_values(T* to, std::size_t n) {

@@ -22,8 +22,8 @@ class vtk_mesh {
   vtk_places& places_;
   Contents& out_;
   std::vector<std::uint32_t> poly_cells_, face_cells_;  // the cell of each poly or listed face
+  bool identity_ = false;  // poly_cells_ would be 0, 1, 2, ...
   std::vector<std::uint64_t> scratch_;
-  std::vector<vert_id> corners_;
 
  public:
   vtk_mesh(vtk_grid& grid, const read_context& in, vtk_places& places, Contents& out) : grid_(grid), in_(in), places_(places), out_(out) {}
@@ -123,6 +123,11 @@ class vtk_mesh {
 
   void make_volume(bool lists_faces) {
     cell_builder<Contents> cells(in_, grid_.points, 0);
+    if (has_one_shape()) {
+      const std::size_t n = grid_.size(), added = cells.add_all_cells(shape_of_vtk_cell(grid_.types[0]), std::move(grid_.verts));
+      if (added != n) places_.fail_at_cell(added, {cells.expected}, {cells.found});
+      return cells.finish(out_);
+    }
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       const vtk_kind kind = kind_of_vtk_cell(grid_.types[c]);
       if (kind == vtk_kind::polygon) list_faces(c, lists_faces);
@@ -131,6 +136,17 @@ class vtk_mesh {
       poly_cells_.push_back(static_cast<std::uint32_t>(c));
     }
     cells.finish(out_);
+  }
+
+  /// Whether all cells are tets, or hexes, and so on. Checks their verts.
+  bool has_one_shape() {
+    const std::uint8_t type = grid_.types.empty() ? std::uint8_t{0} : grid_.types[0];
+    if (shape_of_vtk_cell(type) == cell_shape::general || type == 11) return false;
+    for (const std::uint8_t t : grid_.types)
+      if (t != type) return false;
+    for (std::size_t c = 0; c < grid_.size(); ++c) verts_of(c);
+    identity_ = true;
+    return true;
   }
 
   /// Checks the polygons of a cell, and lists them as faces.
@@ -186,7 +202,7 @@ class vtk_mesh {
       for (property_column& c : grid_.columns) {
         const bool of_cells = kind == element_kind::poly || kind == element_kind::face;
         if (c.kind != (of_cells ? element_kind::poly : kind) || (kind == element_kind::face && face_cells_.empty())) continue;
-        if (!of_cells || (kind == element_kind::poly && poly_cells_.size() == grid_.size() && is_identity(poly_cells_))) {
+        if (!of_cells || (kind == element_kind::poly && (identity_ || (poly_cells_.size() == grid_.size() && is_identity(poly_cells_))))) {
           out_.properties.push_back(std::move(c));
           continue;
         }

@@ -104,7 +104,7 @@ struct vtk_property_type {
 }
 
 /// Reverses the bytes of each of n numbers of `size` bytes: between big-endian and little-endian.
-[[gnu::noinline]] inline void swap_bytes(void* numbers, std::size_t n, std::size_t size) {
+inline void swap_bytes(void* numbers, std::size_t n, std::size_t size) {
   auto* p = static_cast<unsigned char*>(numbers);
   const auto swap_as = [&]<class T>(T, auto reversed) {
     for (std::size_t i = 0; i < n; ++i, p += sizeof(T)) {

@@ -1,6 +1,7 @@
 // Reads the points and cells of the pieces of .vtu and .vtp files into a grid.
 #pragma once
 
+#include <concino/io/detail/corners.hpp>
 #include <concino/io/detail/vtk_grid.hpp>
 #include <concino/io/detail/vtk_xml_tags.hpp>
 #include <concino/mesh/limits.hpp>
@@ -82,7 +83,18 @@ class vtk_xml_cells : public vtk_xml_data {
     const auto before = static_cast<std::uint32_t>(grid_.verts.size());
     require_numbers(a, total);
     core::reserve_large(grid_.verts, grid_.verts.size() + total);
-    for_each_integer(a, total, [&](std::int64_t v) { push_vert(a, p, v); });
+    const std::uint64_t bound = index_.pieces[p].points, first = first_point_[p];
+    for_each_integers(a, total, [&](const std::int64_t* values, std::size_t count) {
+      const std::size_t at_verts = grid_.verts.size();
+      grid_.verts.resize(at_verts + count);
+      vert_id* const to = grid_.verts.data() + at_verts;
+      bool fits = true;
+      for (std::size_t i = 0; i < count; ++i) {
+        fits = fits && static_cast<std::uint64_t>(values[i]) < bound;
+        to[i] = vert_id{static_cast<std::uint32_t>(first + static_cast<std::uint64_t>(values[i]))};
+      }
+      for (std::size_t i = 0; !fits && i < count; ++i) push_vert(a, p, values[i]);  // throws
+    });
     core::reserve_large(grid_.cell_ends, grid_.cell_ends.size() + ends.size());
     for (const std::uint32_t e : ends) grid_.cell_ends.push_back(before + e);
   }

@@ -96,28 +96,36 @@ class vtk_xml_data : public vtk_cursor {
     T part[1024];
     for (std::uint64_t i = 0; i < n; i += std::size(part)) {
       const std::size_t count = std::min<std::uint64_t>(std::size(part), n - i);
-      with_number_type(a.type, [&]<class N>(std::type_identity<N>) {
-        for (std::size_t k = 0; k < count; ++k) {
-          N x;
-          std::memcpy(&x, buffer_.data() + (i + k) * sizeof(N), sizeof x);
-          part[k] = static_cast<T>(x);
-        }
-      });
-      use(part, count);
+      convert(a.type, buffer_.data() + i * size, count, part);
+      use(static_cast<const T*>(part), count);
     }
     buffer_.clear();
     if (buffer_.capacity() > std::size_t{1} << 20) std::vector<unsigned char>().swap(buffer_);
   }
   /// The same with integers. Errors: parse_error if the array has reals.
+  [[gnu::noinline]] void for_each_integers(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const std::int64_t*, std::size_t)> use) {
+    if (a.type == vtk_number::float32 || a.type == vtk_number::float64) fail(a.at, {"integers"}, {"reals in the array \"", a.name, "\""});
+    for_each_part<std::int64_t>(a, n, use);
+  }
   template<class Use>
   void for_each_integer(const vtk_xml_array& a, std::uint64_t n, const Use& use) {
-    if (a.type == vtk_number::float32 || a.type == vtk_number::float64) fail(a.at, {"integers"}, {"reals in the array \"", a.name, "\""});
-    for_each_part<std::int64_t>(a, n, [&](const std::int64_t* values, std::size_t count) {
+    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
       for (std::size_t i = 0; i < count; ++i) use(values[i]);
     });
   }
 
  private:
+  template<class T>
+  [[gnu::noinline]] static void convert(vtk_number type, const unsigned char* from, std::size_t n, T* to) {
+    with_number_type(type, [&]<class N>(std::type_identity<N>) {
+      for (std::size_t k = 0; k < n; ++k) {
+        N x;
+        std::memcpy(&x, from + k * sizeof(N), sizeof x);
+        to[k] = static_cast<T>(x);
+      }
+    });
+  }
+
   bool is_empty(const vtk_xml_array& a) const {
     return a.format == "binary" && std::all_of(a.begin, a.end, [](char c) { return is_space(c); });
   }

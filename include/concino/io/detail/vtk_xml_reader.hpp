@@ -1,10 +1,10 @@
 // Reads .vtu and .vtp files into a grid.
 #pragma once
 
+#include <concino/io/detail/name_runs.hpp>
 #include <concino/io/detail/vtk_xml_cells.hpp>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace concino::detail {
@@ -58,17 +58,17 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
 
   /// Reads the arrays that all pieces have.
   [[gnu::noinline]] void columns() {
-    using key = std::pair<vtk_xml_part, std::string>;
-    std::map<key, array_of_pieces> all;
-    std::vector<const std::pair<const key, array_of_pieces>*> in_order;
+    name_table names;
+    std::vector<array_of_pieces> all;
+    std::vector<vtk_xml_part> parts;
     for (const vtk_xml_entry& e : index_.entries) {
       if (e.part != vtk_xml_part::of_points && e.part != vtk_xml_part::of_cells && e.part != vtk_xml_part::of_mesh) continue;
-      const auto [it, is_new] = all.try_emplace({e.part, e.array.name});
-      if (is_new) in_order.push_back(&*it);
+      const std::size_t k = names.add(core::joined({static_cast<char>('0' + static_cast<int>(e.part)), e.array.name}));
+      if (k == all.size()) all.emplace_back(), parts.push_back(e.part);
       const std::size_t piece = e.part == vtk_xml_part::of_mesh ? 0 : e.piece;
-      if (it->second.empty() || it->second.back().first != piece) it->second.push_back({piece, &e.array});
+      if (all[k].empty() || all[k].back().first != piece) all[k].push_back({piece, &e.array});
     }
-    for (const auto* const entry : in_order) column(entry->first.first, entry->first.second, entry->second);
+    for (std::size_t k = 0; k < all.size(); ++k) column(parts[k], all[k].front().second->name, all[k]);
   }
 
   [[gnu::noinline, gnu::cold]] void skip_column(const std::string& array_name, std::uint64_t components) {
