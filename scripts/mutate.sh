@@ -17,6 +17,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 # header below include/concino, or .ipp file where there is no header of that name: tests that answer for it, below tests; those that find most come first.
 table='
 io/detail/read_obj            io/detail/read_obj io/detail/read_mtl io/load io/detail/name_runs
+io/detail/obj_cursor          io/detail/read_obj
+io/detail/obj_names           io/detail/read_obj io/load
 io/detail/obj_corner_values   io/detail/obj_corner_values
 io/detail/read_off            io/detail/read_off io/load
 io/detail/off_cursor          io/detail/read_off

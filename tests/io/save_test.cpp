@@ -218,6 +218,19 @@ TEST_CASE("save: the file has no gaps for deleted elements") {
   }
 }
 
+TEST_CASE("save: names that become equal in a file are written once") {
+  auto m = grid<quadmesh>(2);
+  const auto group = poly_property<std::string>(m, "group");
+  const char* const names[] = {"a\x1f_b", "a__b", "a__b", "c"};
+  for (const auto p : polys(m)) group[p] = names[p.raw()];
+  save_report r;
+  const std::string text = save_text(m, file_format::obj, {.report = &r});
+  CHECK(r.lost.size() == 1);
+  CHECK(text.find("g a__b\nf") != text.npos);
+  CHECK(text.find("g a__b\n", text.find("g a__b\n") + 1) == text.npos);
+  CHECK(save_text(load_text<quadmesh>(text, file_format::obj), file_format::obj) == text);
+}
+
 TEST_CASE("save: stores labels, and reports properties that the format cannot store") {
   auto m = grid<quadmesh>(2);
   vert_property<int>(m, "label")[vert_id{4}] = -9;

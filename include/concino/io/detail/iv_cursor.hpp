@@ -1,11 +1,33 @@
-// Reads the words, strings and lists of numbers of Open Inventor files.
+// Reads the words, strings and lists of numbers of Open Inventor files, and counts nodes.
 #pragma once
 
+#include <concino/io/detail/name_runs.hpp>
 #include <concino/io/text_cursor.hpp>
 
+#include <algorithm>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace concino::detail {
+
+/// Counts nodes by their types, of which there may be very many.
+class node_counts {
+  static constexpr std::size_t max_types = 20;
+  name_table types_;
+  std::vector<std::size_t> counts_;
+
+ public:
+  [[gnu::noinline]] void add(std::string_view type) {
+    const bool is_another = types_.find(type) == name_table::none && types_.size() >= max_types;
+    const std::size_t i = types_.add(is_another ? "of other types" : type);
+    counts_.resize(std::max(counts_.size(), i + 1));
+    ++counts_[i];
+  }
+  void report(std::vector<std::string>& sentences) const {
+    for (std::size_t i = 0; i < counts_.size(); ++i) sentences.push_back(core::joined({counts_[i], " nodes ", types_[i]}));
+  }
+};
 
 /// A cursor for text in which blanks, line ends, commas and comments separate words, and braces and brackets are words of their own.
 class iv_cursor : protected text_cursor {

@@ -1,4 +1,4 @@
-// The values that MEDIT files give to elements besides cells and verts: references of faces and edges, and marks.
+// What readers of MEDIT files collect besides cells and verts: polygons, references of faces and edges, and marks.
 #pragma once
 
 #include <concino/io/detail/contents.hpp>
@@ -63,6 +63,28 @@ class medit_marks {
     }
     for (const column& c : columns_)
       if (c.kind == kind) std::copy(c.values.begin(), c.values.end(), out.add_property<int>(kind, c.name, n));
+  }
+};
+
+/// Collects the polygons of a surface.
+class medit_polygons {
+  surface_arrays surface_;
+  std::uint32_t arity_ = 0;  // of the polygons, as long as they have the same
+
+ public:
+  std::size_t size_of_lists() const { return surface_.verts.size(); }
+  void reserve(std::size_t more) { core::reserve_large(surface_.verts, surface_.verts.size() + more); }
+  void add(const vert_id* corners, std::uint32_t n) {
+    const std::size_t first = surface_.verts.size();
+    surface_.verts.insert(surface_.verts.end(), corners, corners + n);
+    end_poly(surface_, arity_, first);
+  }
+  /// `wanted` is the arity of a surface without polygons.
+  surface_arrays finish(std::vector<vec3>&& points, std::uint32_t wanted) && {
+    surface_.points = std::move(points);
+    if (surface_.offsets.empty()) surface_.arity = surface_.verts.empty() ? wanted : arity_;
+    if (surface_.offsets.empty() && surface_.arity == 0) surface_.offsets.push_back(0);
+    return std::move(surface_);
   }
 };
 

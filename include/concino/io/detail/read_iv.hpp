@@ -48,8 +48,7 @@ class iv_reader : iv_cursor {
 
   std::uint32_t arity_ = 0;
   std::vector<std::uint64_t> scratch_;
-  name_table skipped_names_;
-  std::vector<std::size_t> skipped_counts_;
+  node_counts skipped_nodes_;
   std::size_t num_copies_ = 0, num_unmatched_ = 0;
 
  public:
@@ -93,15 +92,8 @@ class iv_reader : iv_cursor {
       if (type == s) return node_kind::separator;
     for (const std::string_view s : {"Group", "Switch", "TransformSeparator", "LevelOfDetail", "ShapeHints", "Info", "Label"})
       if (type == s) return node_kind::group;
-    count_skipped(core::joined({type.empty() ? "without a type" : type.substr(0, 40)}));
+    skipped_nodes_.add(type.empty() ? "without a type" : type.substr(0, 40));
     return node_kind::other;
-  }
-
-  [[gnu::noinline]] void count_skipped(const std::string& type) {
-    constexpr std::size_t max_types = 20;
-    const std::size_t i = skipped_names_.find(type) == name_table::none && skipped_names_.size() >= max_types ? skipped_names_.add("of other types") : skipped_names_.add(type);
-    skipped_counts_.resize(std::max(skipped_counts_.size(), i + 1));
-    ++skipped_counts_[i];
   }
 
   void begin_scope(node_kind kind) {
@@ -241,8 +233,7 @@ class iv_reader : iv_cursor {
   }
 
   [[gnu::noinline, gnu::cold]] void report_skipped() const {
-    for (std::size_t i = 0; i < skipped_names_.size(); ++i)
-      report_.skipped.push_back(core::joined({skipped_counts_[i], " nodes ", skipped_names_[i]}));
+    skipped_nodes_.report(report_.skipped);
     if (num_copies_) report_.skipped.push_back(core::joined({num_copies_, " nodes used again (USE)"}));
     if (num_unmatched_) report_.skipped.push_back(core::joined({num_unmatched_, " material indices that are not one for each face"}));
   }

@@ -21,8 +21,7 @@ class medit_reader : Cursor {
   bool has_verts_ = false;
   std::vector<vec3> points_, normals_;
   std::vector<int> vert_labels_, poly_labels_;
-  surface_arrays surface_;
-  std::uint32_t arity_ = 0;  // of the polygons, as long as they have the same
+  medit_polygons surface_;
   std::size_t polys_ = 0;
   std::vector<medit_part> deferred_;  // all sections but cells after the verts: their meaning depends on whether there are cells
   row_numbers triangles_, quads_, edges_;
@@ -106,7 +105,7 @@ class medit_reader : Cursor {
       }
     if (!s.is_volume()) {
       if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity) throw_wrong_arity_of(s, wanted_.arity);
-      core::reserve_large(surface_.verts, surface_.verts.size() + room * s.arity);
+      surface_.reserve(room * s.arity);
       numbers_of(s).add(part.count, polys_);
     }
     for (std::uint64_t i = 0; i < part.count; ++i) {
@@ -130,10 +129,8 @@ class medit_reader : Cursor {
 
   void add_polygon(const char* from, const vert_id* corners, std::uint32_t n) {
     require_different(from, corners, n);
-    const std::size_t first = surface_.verts.size();
-    surface_.verts.insert(surface_.verts.end(), corners, corners + n);
-    end_poly(surface_, arity_, first);
-    if (surface_.verts.size() > max_ids) this->fail_to_count("corners");
+    surface_.add(corners, n);
+    if (surface_.size_of_lists() > max_ids) this->fail_to_count("corners");
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_wrong_arity_of(const medit_section& s, std::uint32_t arity) const {
@@ -241,16 +238,9 @@ class medit_reader : Cursor {
     marks_.store(element_kind::edge, out_.edges.size(), true, out_);
     marks_.store(element_kind::face, out_.faces.size(), true, out_);
     const bool volume = has_cells || !wanted_.surface;
-    if (!volume) out_.surface = surface();
+    if (!volume) out_.surface = std::move(surface_).finish(std::move(points_), wanted_.arity);
     if constexpr (Volumes)
       if (volume) cells_.finish(out_);
-  }
-
-  surface_arrays surface() {
-    surface_.points = std::move(points_);
-    if (surface_.offsets.empty()) surface_.arity = polys_ ? arity_ : wanted_.arity;
-    if (surface_.offsets.empty() && surface_.arity == 0) surface_.offsets.push_back(0);
-    return std::move(surface_);
   }
 };
 

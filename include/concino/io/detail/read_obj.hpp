@@ -4,14 +4,14 @@
 
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/obj_corner_values.hpp>
+#include <concino/io/detail/obj_cursor.hpp>
 #include <concino/io/detail/obj_format.hpp>
-#include <concino/io/detail/read_mtl.hpp>
-#include <concino/io/text_cursor.hpp>
+#include <concino/io/detail/obj_names.hpp>
 #include <concino/io/detail/text_sample.hpp>
 
 namespace concino::detail {
 
-class obj_reader : text_cursor {
+class obj_reader : obj_cursor {
   const read_context& context_;
   const wanted_mesh& wanted_;
   file_contents& extra_;
@@ -27,11 +27,10 @@ class obj_reader : text_cursor {
   std::string other_;
   std::uint32_t arity_ = 0;
   std::vector<std::uint64_t> scratch_;
-  static constexpr std::size_t max_name = 1000;  // the length of the names of polys, in bytes
 
  public:
   obj_reader(const read_context& c, file_contents& out)
-      : text_cursor(c.text, c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out), out_(out.surface) {}
+      : obj_cursor(c.text, c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out), out_(out.surface) {}
 
   void read(load_report& report) {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
@@ -50,7 +49,7 @@ class obj_reader : text_cursor {
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
     report_skipped(report);
     if (!extra_.vert_colors.empty()) extra_.vert_colors.resize(out_.points.size());
-    end_names();
+    end_obj_names(context_, libraries_, extra_);
   }
 
  private:
@@ -94,30 +93,6 @@ class obj_reader : text_cursor {
       else if (c == '#') text_cursor::skip_line();  // a backslash at the end of a comment does not join lines
       else other();
     }
-  }
-
-  /// Skips blanks, and line ends after a backslash.
-  void blanks() {
-    while (at != end()) {
-      if (is_blank(*at)) ++at;
-      else if (*at != '\\' || !joins_lines()) return;
-    }
-  }
-  bool joins_lines() {
-    const char* p = at + 1;
-    if (p == end() || !is_line_end(*p)) return false;
-    at = p + (*p == '\r' && p + 1 != end() && p[1] == '\n' ? 2 : 1);
-    return true;
-  }
-  bool line_is_over() const { return at == end() || is_line_end(*at) || *at == '#'; }
-  void skip_joined_line() {
-    while (at != end() && !is_line_end(*at))
-      if (*at != '\\' || !joins_lines()) ++at;
-  }
-
-  double coordinate(const char* expected) {
-    blanks();
-    return real(expected);
   }
 
   void vert() {
@@ -169,14 +144,6 @@ class obj_reader : text_cursor {
     }
     extra_.vert_colors.resize(out_.points.size() - 1);
     extra_.vert_colors.push_back(rgba{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
-  }
-
-  /// Converts an index of the file to one that counts from 1. Negative indices count back from the last element read so far.
-  std::uint64_t absolute(const char* position, std::int64_t i, std::uint64_t so_far, std::uint64_t bound, const char* what) const {
-    if (i < 0) i += static_cast<std::int64_t>(so_far) + 1;
-    if (i < 1 || static_cast<std::uint64_t>(i) > bound)
-      fail(position, {"the index of ", what, " from 1 to ", bound < max_ids ? bound : so_far, ", or from -1 (the last one read) back to the first"});
-    return static_cast<std::uint64_t>(i);
   }
 
   void face() {
@@ -231,49 +198,6 @@ class obj_reader : text_cursor {
   }
 
   std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
-
-  /// The rest of the line, without surrounding blanks and without a comment. A comment must follow a blank.
-  [[gnu::noinline]] std::string name_to_end_of_line() {
-    std::string name;
-    while (at != end() && !is_line_end(*at)) {
-      if (*at == '\\' && joins_lines()) {
-        name += ' ';
-        continue;
-      }
-      if (*at == '#' && (name.empty() || is_blank(name.back()))) break;
-      if (!name.empty() || !is_blank(*at)) name += *at;
-      ++at;
-    }
-    text_cursor::skip_line();
-    while (!name.empty() && is_blank(name.back())) name.pop_back();
-    return name;
-  }
-
-  /// Sets labels from the names of groups or objects, and materials and colours from the libraries.
-  [[gnu::noinline, gnu::cold]] void end_names() {
-    const std::size_t n = out_.num_polys();
-    for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) names->end(n);
-    const name_runs& named = extra_.groups.empty() ? extra_.objects : extra_.groups;
-    if (!named.empty()) {
-      int label = 0;
-      const bool numbers = &named == &extra_.groups && named.all([&](std::string_view name) { return is_number(name, "label_", label); });
-      name_numbers number;
-      extra_.poly_labels.reserve(n);
-      named.for_each(n, [&](std::size_t, std::size_t end, std::string_view name) {
-        label = 0;
-        if (numbers) is_number(name, "label_", label);
-        else label = number(name);
-        while (extra_.poly_labels.size() < end) extra_.poly_labels.push_back(label);
-      });
-      if (numbers) extra_.groups.clear();
-    }
-    if (!libraries_.empty()) assign_materials(context_, libraries_, n, extra_);
-    for (name_runs* const names : {&extra_.objects, &extra_.groups, &extra_.materials}) {
-      if (names->longest() <= max_name) continue;
-      names->rename([](std::string_view name) { return std::string(name.substr(0, max_name)); });
-      context_.report->notes.push_back(core::joined({"names longer than ", max_name, " bytes were truncated, as every poly has a copy of its name"}));
-    }
-  }
 
   [[gnu::noinline]] void other() {
     const char* const from = at;

@@ -11,7 +11,7 @@ namespace concino::detail {
 class obj_names {
   write_context& c_;
   std::string_view keyword_;
-  std::string last_;
+  std::string last_, last_written_;  // as the mesh has it, and as the file has it
 
  public:
   bool changed = false;
@@ -20,8 +20,11 @@ class obj_names {
   [[gnu::noinline]] void before_poly(const std::string& name) {
     if (std::string_view(name) == last_) return;
     last_ = name;
+    std::string written = name.empty() ? name : std::string(line_name(name, changed));
+    if (written == last_written_) return;
+    last_written_ = std::move(written);
     c_.out << keyword_;
-    if (!name.empty()) c_.out << ' ' << line_name(name, changed);
+    if (!name.empty()) c_.out << ' ' << last_written_;
     c_.out << '\n';
   }
 };
