@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/canonical_cells.hpp>
+#include <concino/io/detail/corners.hpp>
 #include <concino/io/detail/face_key.hpp>
 #include <concino/io/detail/vtk_grid.hpp>
 #include <concino/io/detail/vtk_numbers.hpp>
