@@ -118,6 +118,36 @@ TEST_CASE("corpus: counts, Euler characteristic, area and volume of every file m
   CHECK(files >= 30);
 }
 
+TEST_CASE("corpus: files with a signature are read as what they are, whatever their extension") {
+  if (corpus_dir().empty()) return skip("no corpus");
+  const temporary_folder dir;
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus_dir())) {
+    const std::string extension = entry.path().extension().string();
+    const bool has_signature = extension == ".off" || extension == ".mesh" || extension == ".vtk" || extension == ".vtu";
+    if (!entry.is_regular_file() || !has_signature || entry.file_size() > 200'000) continue;
+    CAPTURE(entry.path().string());
+    const std::string copy = dir / (extension == ".off" ? "copy.hedra" : "copy.obj");
+    std::filesystem::copy_file(entry.path(), copy, std::filesystem::copy_options::overwrite_existing);
+    const auto counts = [](const std::string& path, load_report& report) -> std::string {
+      try {
+        return std::visit([](const auto& m) { return core::joined({num_verts(m), " ", num_edges(m), " ", num_polys(m)}); }, load_any(path, {.report = &report}));
+      } catch (const parse_error& e) {
+        return core::joined({"line ", e.line, ": ", e.expected});
+      } catch (const unsupported&) {
+        return "unsupported";
+      }
+    };
+    load_report as_it_is, under_another_name;
+    const std::string expected = counts(entry.path().string(), as_it_is), found = counts(copy, under_another_name);
+    if (expected.starts_with("line 1:")) continue;  // the signature is damaged
+    ++files;
+    CHECK(found == expected);
+    if (found[0] >= '0' && found[0] <= '9') CHECK(under_another_name.notes.size() == as_it_is.notes.size() + 1);
+  }
+  CHECK(files >= 15);
+}
+
 TEST_CASE("corpus: the readers count reoriented polys") {
   CONCINO_CORPUS_OR_SKIP(voronoi, "polyhedral/eight_voronoi.hedra");
   load_report r;
