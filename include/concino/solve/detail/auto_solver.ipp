@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/function_ref.hpp>
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/detail/iterative_system.hpp>
 #include <concino/solve/detail/multigrid_levels.hpp>
@@ -48,8 +49,7 @@ struct auto_solver::state {
   bool has_narrow_band(const Eigen::SparseMatrix<double>& a) const;
 
   /// Factorises if the factor is small enough and accepts(size).
-  template<class F>
-  bool factorize_if(const Eigen::SparseMatrix<double>& a, F accepts);
+  bool factorize_if(const Eigen::SparseMatrix<double>& a, function_ref<bool(const factor_size&)> accepts);
   bool is_due(const factor_size& f) const { return spent - static_cast<double>(num_solves) * times.substitution(f) >= times.factorization(f); }
   bool switch_if_due();
   bool replace_after_miss(bool was_stopped);
@@ -63,13 +63,12 @@ CONCINO_INLINE bool auto_solver::state::costs_less(const factor_size& f) const {
          (is_known ? 1 : 2) * (times.levels() + questions * expected_iterations() * per_iteration);
 }
 
-template<class F>
-bool auto_solver::state::factorize_if(const Eigen::SparseMatrix<double>& a, F accepts) {
+CONCINO_INLINE bool auto_solver::state::factorize_if(const Eigen::SparseMatrix<double>& a, function_ref<bool(const factor_size&)> accepts) {
   bool is_counted_now = false;
   const bool done = direct.factorize_within(a, options_.max_factor_entries, [&](const factor_size& f) {
     size = f;
     is_counted = is_counted_now = true;
-    return accepts(f);
+    return !accepts || accepts(f);
   });
   fits = done || is_counted_now;
   if (!done) return false;
@@ -114,17 +113,16 @@ CONCINO_INLINE void auto_solver::state::factorize(const Eigen::SparseMatrix<doub
   const auto accepts = [&](const factor_size& f) { return needs_factor || costs_less(f); };
   const bool counts_first = fits && (is_small || is_near_tree || (questions > 1 && is_asked_often) || needs_factor || direct.has_order_of(a));
   if (counts_first && factorize_if(a, accepts)) return;
-  const auto any = [](const factor_size&) { return true; };
   Eigen::SparseMatrix<double> prepared;
   try {
     system.prepare("multigrid", a).swap(prepared);
   } catch (const core::singular_row&) {
-    if (fits && factorize_if(a, any)) return;
+    if (fits && factorize_if(a, nullptr)) return;
     throw;
   }
   if (!counts_first && fits && has_narrow_band(prepared) && factorize_if(a, accepts)) return;
   levels.build(prepared);
-  if (levels.has_kernel() && fits && factorize_if(a, any)) return;
+  if (levels.has_kernel() && fits && factorize_if(a, nullptr)) return;
   per_iteration = times.iteration(levels.entries_per_cycle());
   system.accept(a.cols());
   used = solver_used::multigrid;

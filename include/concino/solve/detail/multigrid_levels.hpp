@@ -147,6 +147,7 @@ class multigrid_levels {
   /// a: a lower triangle with a positive diagonal and sorted columns; moved from.
   void build(Eigen::SparseMatrix<double>& a) {
     levels_.clear();
+    levels_.reserve(32);  // Eigen's matrices are copied where a vector grows
     has_kernel_ = false;
     levels_.emplace_back().a.swap(a);
     while (levels_.back().a.cols() > max_bottom && add_level()) {}
