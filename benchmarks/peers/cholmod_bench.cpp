@@ -1,5 +1,5 @@
 // Measures CHOLMOD's supernodal factorisation against Eigen's, on a surface and in a volume, a harmonic map with CHOLMOD against its factorisation
-// alone, and multigrid to 1e-10 against CHOLMOD's factorisation with one solve. The speed depends on the BLAS that CHOLMOD uses.
+// alone, multigrid to 1e-10 against CHOLMOD's factorisation with one solve, and a harmonic map as it is by default against the same with both. The speed depends on the BLAS that CHOLMOD uses.
 #include "../support/harmonic.hpp"
 
 #include <concino/adapters/cholmod.hpp>
@@ -8,7 +8,17 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 namespace {
+
+struct eigen_solver {
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors;
+  void factorize(const Eigen::SparseMatrix<double>& a) { factors.compute(a); }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return factors.solve(b); }
+};
 
 /// The lower triangle of minus the Laplacian of a mesh with one constrained vert.
 template<class M>
@@ -46,6 +56,19 @@ void compare_with_multigrid(const bench::program& p, const std::string& work, co
                           {"concino", [&] { return bench::seconds_of([&] { return solve(concino::multigrid({.tolerance = 1e-10})); }); }}}));
 }
 
+/// One harmonic map with two prescribed values.
+template<class M>
+void compare_harmonic_maps(const bench::program& p, const std::string& work, const M& m) {
+  const std::vector<std::pair<concino::vert_id, double>> given = {{concino::vert_id{0}, 0.0}, {concino::vert_id{concino::num_verts(m) - 1}, 1.0}};
+  const auto u = concino::harmonic_map(m, given), v = concino::harmonic_map(m, given, {}, concino::cholmod());
+  for (std::size_t i = 0; i < u.values().size(); ++i)
+    if (!(std::abs(u.values()[i] - v.values()[i]) <= 1e-8)) throw std::runtime_error(work + ": two solvers return different maps");
+  p.print(bench::compare(work, std::min(p.rounds, 3),
+                         {{"cholmod", [&] { return bench::seconds_of([&] { return concino::harmonic_map(m, given, {}, concino::cholmod()); }); }},
+                          {"eigen", [&] { return bench::seconds_of([&] { return concino::harmonic_map(m, given, {}, eigen_solver()); }); }},
+                          {"concino", [&] { return bench::seconds_of([&] { return concino::harmonic_map(m, given); }); }}}));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -56,6 +79,9 @@ int main(int argc, char** argv) {
     if (p.wants("solve.bunny16")) compare_with_multigrid(p, "solve.bunny16", concino::trimesh(p.data.bunny16()));
     if (p.wants("solve.tri1m")) compare_with_multigrid(p, "solve.tri1m", concino::trimesh(p.data.tri1m()));
     if (p.wants("solve.tet105k")) compare_with_multigrid(p, "solve.tet105k", concino::tetmesh(bench::tet_grid(p.data.tiny ? 3 : 26)));
+    if (p.wants("one-shot.bunny16")) compare_harmonic_maps(p, "one-shot.bunny16", concino::trimesh(p.data.bunny16()));
+    if (p.wants("one-shot.tri1m")) compare_harmonic_maps(p, "one-shot.tri1m", concino::trimesh(p.data.tri1m()));
+    if (p.wants("one-shot.tet105k")) compare_harmonic_maps(p, "one-shot.tet105k", concino::tetmesh(bench::tet_grid(p.data.tiny ? 3 : 26)));
     bench::compare_harmonic<concino::cholmod>(p, ".cholmod", [](const Eigen::SparseMatrix<double>& a) {
       auto factors = std::make_unique<Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>>();
       factors->cholmod().nmethods = 1;  // as in the adapter, where this is fastest
