@@ -204,3 +204,32 @@ TEST_CASE("vtk_output: a polyhedron with two faces of the same verts is refused,
     CHECK_THROWS_WITH_AS(save_text(m, f), "text: VTK cannot hold poly 0, which has two faces with the same verts; save it as .hedra", unsupported);
   CHECK(num_faces(load_text<polyhedralmesh>(save_text(m, file_format::hedra), file_format::hedra)) == 6);
 }
+
+TEST_CASE("vtk_output: corpus files are read under a wrong extension and by the functions of one format, and their truncations are errors") {
+  const temporary_folder dir;
+  std::size_t files = 0;
+  for (const char* name : {"hex/cylinder.vtk", "polyhedral/mixed_types.vtk", "tet/cube_tet.vtk", "tet/quarter_crown_ascii.vtu"}) {
+    const auto file = corpus(name);
+    if (file.empty()) continue;
+    ++files;
+    CAPTURE(std::string(name));
+    const auto m = load<polyhedralmesh>(file);
+    const std::string text = read_file(file.string()), other = dir / "a.mesh";
+    write_file(other, text);
+    load_report r;
+    CHECK(num_faces(load<polyhedralmesh>(other, {.report = &r})) == num_faces(m));
+    REQUIRE(!r.notes.empty());
+    CHECK(r.notes.back().find("the extension is not .vt") == 0);
+    const bool is_xml = std::string(name).ends_with(".vtu");
+    CHECK(num_faces(is_xml ? load_vtu<polyhedralmesh>(other) : load_vtk<polyhedralmesh>(other)) == num_faces(m));
+    CHECK_THROWS_AS((is_xml ? load_vtk<polyhedralmesh>(other) : load_vtu<polyhedralmesh>(other)), parse_error);
+    for (std::size_t i = 0; i < 10; ++i) {
+      try {
+        load_text<polyhedralmesh>(std::string_view(text).substr(0, text.size() * i / 10), is_xml ? format_id(file_format::vtu) : format_id(file_format::vtk));
+      } catch (const error& e) {
+        CHECK(std::string(e.what()).starts_with("text:"));
+      }
+    }
+  }
+  if (files == 0) skip("no corpus");
+}
