@@ -108,6 +108,17 @@ headers() {
   make "$1" "$2: every header alone" all_verify_interface_header_sets && passed=$((passed + 1))
 }
 
+# fuzz <seconds>: every reader for that long. What is found is in the folder that the log names; each finding becomes a test.
+fuzz() {
+  say "$clang: fuzz every reader for $1 s"
+  if CXX=$clang CONCINO_FUZZ_BUILD=$build/fuzz tests/fuzz/run.sh "$1" >"$build/fuzz.log" 2>&1; then
+    passed=$((passed + 1))
+  else
+    grep -v ': nothing found' "$build/fuzz.log"
+    failed=$((failed + 1))
+  fi
+}
+
 # All tests are built once with g++ and once with clang++ and sanitizers, a batch of files at a time. g++, which takes more than twice as long,
 # builds most tests of every kind of mesh for two kinds, and not the matrix of algorithms and models. The tests whose templates cost most, it checks
 # without generating code. Programs that must not compile are left to clang++, and those of users to g++.
@@ -128,6 +139,7 @@ else
     whole sanitized sanitized "$clang" "${batches[@]}"
   fi
 fi
+[ $quick -eq 1 ] || fuzz $((long == 1 ? 300 : 5))
 if [ $long -eq 1 ]; then
   say "clang-tidy"
   scripts/clang_tidy.sh "$build/clang-tidy" && passed=$((passed + 1)) || failed=$((failed + 1))

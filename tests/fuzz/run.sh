@@ -41,6 +41,7 @@ extensions() {
   esac
 }
 
+export CONCINO_NUM_THREADS=1  # threads cost more than they gain on small meshes
 failed=0
 for reader in $(if [ $# -gt 0 ]; then echo "$@"; else CONCINO_FUZZ=list "$program"; fi); do
   seeds=$build/$reader.seeds
