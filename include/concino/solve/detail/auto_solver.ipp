@@ -50,7 +50,7 @@ struct auto_solver::state {
 
   /// Factorises if the factor is small enough and accepts(size).
   bool factorize_if(const Eigen::SparseMatrix<double>& a, function_ref<bool(const factor_size&)> accepts);
-  bool is_due(const factor_size& f) const { return spent - static_cast<double>(num_solves) * times.substitution(f) >= times.factorization(f); }
+  bool is_due(const factor_size& f) const { return times.levels() + spent - static_cast<double>(num_solves) * times.substitution(f) >= times.factorization(f); }
   bool switch_if_due();
   bool replace_after_miss(bool was_stopped);
 };
