@@ -117,4 +117,42 @@ void check_scaling(S& solver) {
   }
 }
 
+/// Checks solutions of a system with penalties, which have nearly all of its energy: in the energy without them, and in the largest value. There, a relative
+/// residual of 1e-6 would accept solutions that are wrong by more than 1 %. make(tolerance, max_iterations) returns a solver that accepts a missed tolerance.
+/// factor: how many tolerances the error in the energy may be, relative to the energy of the solution.
+template<class Make>
+void check_penalties(int n, double factor, const Make& make) {
+  const sparse without = grid(n, 0);
+  Eigen::VectorXd expected(n * n);
+  for (int i = 0; i < n * n; ++i) expected[i] = 1 + i % n;  // harmonic
+  const double range = n - 1, energy = std::sqrt(expected.dot(without * expected));
+  for (const double penalty : {1e4, 1e8, 1e12}) {
+    sparse a = without;
+    for (int i = 0; i < n * n; ++i)
+      if (i % n == 0 || i % n == n - 1) a.coeffRef(i, i) += penalty;
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(n * n);
+    for (int i = 0; i < n * n; ++i)
+      if (i % n == 0 || i % n == n - 1) b[i] = penalty * expected[i] + without.row(i).dot(expected);
+    for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+      auto solver = make(tolerance, 0);
+      solver.factorize(a);
+      const Eigen::VectorXd error = solver.solve(b) - expected;
+      INFO("penalty " << penalty << ", tolerance " << tolerance);
+      CHECK(solver.has_converged());
+      CHECK(std::sqrt(error.dot(without * error)) <= factor * tolerance * energy);
+      CHECK(error.cwiseAbs().maxCoeff() <= 1e-6 * range);
+    }
+    double worst_accepted = 0;  // of the first solution with a small relative residual
+    for (int iterations = 1; iterations < 200; ++iterations) {
+      auto solver = make(1e-10, iterations);
+      solver.factorize(a);
+      const Eigen::VectorXd x = solver.solve(b);
+      if ((b - a * x).norm() > 1e-6 * b.norm()) continue;
+      worst_accepted = distance(x, expected);
+      break;
+    }
+    if (penalty >= 1e8) CHECK(worst_accepted > 0.01 * range);
+  }
+}
+
 }  // namespace systems
