@@ -210,6 +210,40 @@ TEST_CASE("conjugate_gradients: takes few iterations in any order of rows, also 
   CHECK(distance(near_singular * solver.solve(Eigen::Vector2d(1, 3)), Eigen::Vector2d(1, 3)) < 1e-5);
 }
 
+TEST_CASE("conjugate_gradients: rows connected to all others cost time proportional to their entries") {
+  for (const int hubs : {1, 2}) {
+    const int n = 50000;  // a second for each hub and preconditioner if time grew with the square
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n; ++i) entries.emplace_back(i, i, i < hubs ? n : hubs + 2.5);
+    const auto edge = [&](int i, int j) { entries.emplace_back(i, j, -1.0), entries.emplace_back(j, i, -1.0); };
+    for (int i = hubs; i < n; ++i) {
+      for (int hub = 0; hub < hubs; ++hub) edge(hub, i);
+      edge(i, i + 1 < n ? i + 1 : hubs);
+    }
+    const sparse a = from(n, n, entries);
+    conjugate_gradients solver;
+    solver.factorize(a);
+    const Eigen::VectorXd x = random_vector(n);
+    CHECK(distance(solver.solve(a * x), x) < 1e-9);
+    CHECK(solver.iterations() < 40);
+  }
+  // a long column whose rows are connected to each other too: the same preconditioner as for short ones, up to rounding
+  std::vector<int> iterations;
+  for (const int n : {200, 256, 257, 300}) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        if (i == j || i == 0 || j == 0 || std::abs(i - j) % 7 == 1) entries.emplace_back(i, j, i == j ? 0.3 * n : -1.0);
+    const sparse a = from(n, n, entries);
+    conjugate_gradients solver;
+    solver.factorize(a);
+    const Eigen::VectorXd x = random_vector(n);
+    CHECK(distance(solver.solve(a * x), x) < 1e-9);
+    iterations.push_back(solver.iterations());
+  }
+  CHECK(*std::max_element(iterations.begin(), iterations.end()) <= *std::min_element(iterations.begin(), iterations.end()) + 2);
+}
+
 TEST_CASE("conjugate_gradients: make_similar_solver and copies work") {
   conjugate_gradients one({.tolerance = 1e-4, .max_iterations = 70});
   const conjugate_gradients another(one.options());

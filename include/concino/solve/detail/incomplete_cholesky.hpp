@@ -6,6 +6,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -74,7 +75,33 @@ inline Eigen::SparseMatrix<double> sorted_transpose(const Eigen::SparseMatrix<do
 /// small pivots are increased. If there are many, fill-in is dropped instead, and the diagonal is raised until all pivots are positive.
 /// Source: Meijerink, van der Vorst 1977; Gustafsson 1978 (sums kept); Manteuffel 1980 (diagonal raised).
 class incomplete_cholesky {
+  static constexpr int long_column = 256;  // entries; the time for others may grow with the square of their number
   std::vector<double> l_;  // parallel to the entries of the matrix; on the diagonal 1 / l
+
+  /// Subtracts the products of all pairs of entries of column c from the columns after it, in time proportional to the entries of those. The products outside
+  /// the pattern, of one entry with many others, are added up first. position: -1 for each row.
+  void eliminate_long(const Eigen::SparseMatrix<double>& a, int c, double keep, std::vector<int>& position) {
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), first = starts[c], end = starts[c + 1];
+    double* const l = l_.data();
+    double sum = 0;
+    for (int i = first + 1; i < end; ++i) {
+      position[static_cast<std::size_t>(rows[i])] = i;
+      sum += l[i];
+    }
+    for (int j = first + 1; j < end; ++j) {
+      const int begin = starts[rows[j]];
+      l[begin] -= l[j] * l[j] + keep * l[j] * (sum - l[j]);
+      for (int to = begin + 1; to < starts[rows[j] + 1]; ++to) {
+        const int i = position[static_cast<std::size_t>(rows[to])];
+        if (i < 0) continue;
+        const double fill = l[i] * l[j];
+        l[to] -= fill;
+        l[begin] += keep * fill;  // it was in the sum
+        l[starts[rows[to]]] += keep * fill;
+      }
+    }
+    for (int i = first + 1; i < end; ++i) position[static_cast<std::size_t>(rows[i])] = -1;
+  }
 
   bool try_to_factorize(const Eigen::SparseMatrix<double>& a, double raise, double keep) {
     const auto n = static_cast<int>(a.cols());
@@ -83,6 +110,7 @@ class incomplete_cholesky {
     double* const l = l_.data();
     for (int c = 0; c < n; ++c) l[starts[c]] *= 1 + raise;
     int num_increased = 0;  // number of increased pivots
+    std::vector<int> position(static_cast<std::size_t>(n), -1);
     for (int c = 0; c < n; ++c) {
       const int first = starts[c], end = starts[c + 1];
       const double input_pivot = a.valuePtr()[first];
@@ -92,12 +120,17 @@ class incomplete_cholesky {
       }
       l[first] = 1 / std::sqrt(l[first]);
       for (int k = first + 1; k < end; ++k) l[k] *= l[first];
+      if (end - first > long_column) {
+        eliminate_long(a, c, keep, position);
+        continue;
+      }
       for (int j = first + 1; j < end; ++j) {
         const int column = rows[j];
         int to = starts[column];
         const int to_end = starts[column + 1];
         l[to++] -= l[j] * l[j];
         for (int i = j + 1; i < end; ++i) {
+          if (to_end - to > long_column) to = static_cast<int>(std::lower_bound(rows + to, rows + to_end, rows[i]) - rows);
           while (to < to_end && rows[to] < rows[i]) ++to;
           const double fill = l[i] * l[j];
           if (to < to_end && rows[to] == rows[i]) {
