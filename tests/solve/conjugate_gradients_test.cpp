@@ -256,6 +256,11 @@ TEST_CASE("conjugate_gradients: make_similar_solver and copies work") {
   CHECK(copy.solve(b) == x);
 }
 
+TEST_CASE("conjugate_gradients: rounding errors of a long row do not prevent convergence") {
+  conjugate_gradients solver;
+  check_wheel(solver, 6000);
+}
+
 TEST_CASE("conjugate_gradients: options out of range throw") {
   for (const double tolerance : {0.0, 1.0, -1.0, std::nan("")}) CHECK_THROWS_AS(conjugate_gradients({.tolerance = tolerance}), invalid_argument);
   CHECK_THROWS_AS(conjugate_gradients({.max_iterations = -1}), invalid_argument);

@@ -318,6 +318,11 @@ TEST_CASE("multigrid: similar solvers and copies work") {
   CHECK(copy.solve(b) == x);
 }
 
+TEST_CASE("multigrid: rounding errors of a long row do not prevent convergence") {
+  multigrid solver;
+  check_wheel(solver, 6000);
+}
+
 TEST_CASE("multigrid: options out of range throw") {
   for (const double tolerance : {0.0, 1.0, -1.0, std::nan("")}) CHECK_THROWS_AS(multigrid({.tolerance = tolerance}), invalid_argument);
   CHECK_THROWS_AS(multigrid({.max_iterations = -1}), invalid_argument);

@@ -155,4 +155,31 @@ void check_penalties(int n, double factor, const Make& make) {
   }
 }
 
+/// Checks that the tolerance is met where the rounding errors of a plain sum over a long row are above it: on a wheel that is almost singular.
+template<class S>
+void check_wheel(S& solver, int spokes) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto edge = [&](int i, int j) {
+    for (const int k : {i, j}) entries.emplace_back(k, k, 1.0);
+    entries.emplace_back(i, j, -1.0);
+    entries.emplace_back(j, i, -1.0);
+  };
+  for (int i = 0; i < spokes; ++i) {
+    edge(i + 1, (i + 1) % spokes + 1);
+    edge(0, i + 1);
+  }
+  for (int i = 0; i <= spokes; ++i) entries.emplace_back(i, i, 1e-3);
+  const sparse a = from(spokes + 1, spokes + 1, entries);
+  solver.factorize(a);
+  const Eigen::VectorXd x = solver.solve(Eigen::VectorXd::Ones(spokes + 1));
+  CHECK(solver.has_converged());
+  CHECK(distance(x, Eigen::VectorXd::Constant(spokes + 1, 1000)) < 1e-5);  // rounding errors of the entries alone: 1e-16 * spokes / 1e-3, relative
+  for (const int at : {0, 5}) {
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(spokes + 1);
+    b[at] = 1;
+    CHECK(std::abs(solver.solve(b).sum() - 1000) < 1e-5);
+    CHECK(solver.has_converged());
+  }
+}
+
 }  // namespace systems

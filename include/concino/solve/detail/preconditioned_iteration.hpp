@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace concino::detail {
 
@@ -81,8 +83,12 @@ class preconditioned_iteration : public iteration_report {
         is_stuck = !(along > 0 && std::isfinite(along)) || iterations - of_smallest > patience_;
       }
       const double expected = along;
-      multiply(x, q);
-      for (Eigen::Index i = 0; i < n; ++i) r[i] = b[i] - q[i];
+      if (has_long_rows()) {
+        subtract_exactly(x, b, r);
+      } else {
+        multiply(x, q);
+        for (Eigen::Index i = 0; i < n; ++i) r[i] = b[i] - q[i];
+      }
       precondition(r, z);
       along = dot(r, z);
       if (left == unknown) left = gained.has_any() ? gained.recent() : left_before;
@@ -124,6 +130,37 @@ class preconditioned_iteration : public iteration_report {
       r.energy += (on + 2 * sum) * xc;
     }
     return r;
+  }
+
+  /// Whether a row has so many entries that rounding errors of its sum are far above those of one number.
+  bool has_long_rows() const {
+    constexpr int long_row = 1000;
+    const auto n = static_cast<std::size_t>(a_.cols());
+    std::vector<int> entries(n);
+    for (Eigen::Index k = 0; k < a_.nonZeros(); ++k) ++entries[static_cast<std::size_t>(a_.innerIndexPtr()[k])];
+    for (std::size_t c = 0; c < n; ++c)
+      if (entries[c] + a_.outerIndexPtr()[c + 1] - a_.outerIndexPtr()[c] > long_row) return true;
+    return false;
+  }
+
+  /// r = b - A x, with the rounding errors of all additions added up beside.
+  void subtract_exactly(const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r) const {
+    const auto n = static_cast<int>(a_.cols());
+    const int *const starts = a_.outerIndexPtr(), *const rows = a_.innerIndexPtr();
+    const double* const a = a_.valuePtr();
+    std::vector<double> errors(static_cast<std::size_t>(n));
+    const auto subtract = [&](int i, double term) {
+      const double before = r[i], sum = before - term, added = sum - before;
+      errors[static_cast<std::size_t>(i)] += (before - (sum - added)) - (term + added);
+      r[i] = sum;
+    };
+    for (int i = 0; i < n; ++i) r[i] = b[i];
+    for (int c = 0; c < n; ++c)
+      for (int k = starts[c]; k < starts[c + 1]; ++k) {
+        subtract(rows[k], a[k] * x[c]);
+        if (rows[k] != c) subtract(c, a[k] * x[rows[k]]);
+      }
+    for (int i = 0; i < n; ++i) r[i] += errors[static_cast<std::size_t>(i)];
   }
 
   /// The largest |r|_i / (|b|_i + a_ii max|x|), or its value with the unknowns scaled to a diagonal of 1, if that is larger for a row.
