@@ -166,3 +166,10 @@ TEST_CASE("write_off: numbers too large for floats are refused in binary") {
   CHECK_THROWS_WITH_AS(save_text(m, file_format::off, {.binary = true}), "text: binary .off cannot hold a number that is too large for floats; save it as text, with binary = false", unsupported);
   CHECK(load_text<trimesh>(save_text(m, file_format::off), file_format::off).points()[1].y == 1e39);
 }
+
+TEST_CASE("write_off: a mesh without verts is written without their properties") {
+  trimesh m;
+  vert_property<vec3>(m, "normal");
+  vert_property<rgba>(m, "color");
+  CHECK(save_text(m, file_format::off) == "OFF\n0 0 0\n");
+}

@@ -97,7 +97,8 @@ inline void off_format::write(write_context& c, flat_mesh& m) {
   if (!color) c.declare_stored<int>(element_kind::poly, "label");  // a poly has a colour or the index of one
 
   detail::off_numbers numbers(c, binary);
-  c.out << (texture ? "ST" : "") << (vert_color ? "C" : "") << (normal ? "N" : "") << "OFF";
+  const bool any = !m.points.empty();  // without verts, what they could have would not be read back
+  c.out << (any && texture ? "ST" : "") << (any && vert_color ? "C" : "") << (any && normal ? "N" : "") << "OFF";
   const std::size_t vert_count = m.points.size();
   if (binary) {
     if (vert_count > 0x7FFFFFFFu || m.num_polys > 0x7FFFFFFFu) c.throw_cannot_hold("binary .off", {"so many elements"}, ".obj");
