@@ -1,6 +1,7 @@
 // face_soup: builds polyhedra from cells with separate faces, and merges equal faces.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
@@ -46,6 +47,13 @@ struct basic_face_soup {
   std::vector<Vert> face_verts;
   std::vector<std::uint32_t> poly_offsets{0};
 
+  /// Makes room for polys that have so many faces, of so many corners.
+  void reserve(std::size_t polys, std::size_t faces, std::size_t corners) {
+    core::reserve_large(poly_offsets, polys + 1);
+    core::reserve_large(face_offsets, faces + 1);
+    core::reserve_large(face_verts, corners);
+  }
+
   void add_cell(cell_shape s, const Vert* v) {
     const standard_cell& t = standard_cell_of(s);
     for (unsigned f = 0; f < t.num_faces; ++f) {
@@ -71,7 +79,7 @@ struct basic_face_soup {
     const auto smallest = [&](std::size_t f) { return std::min_element(first(f), first(f) + size(f))->raw(); };
     for (std::size_t f = 0; f < n; ++f) ++where[smallest(f) + 1];
     for (std::size_t v = 1; v < where.size(); ++v) where[v] += where[v - 1];
-    std::vector<entry> entries(n);
+    std::vector<entry> entries = core::large_vector(n, entry{});
     for (std::size_t f = 0; f < n; ++f) {
       std::uint32_t low[3] = {~0u, ~0u, ~0u};
       for (const Vert *v = first(f), *last = v + size(f); v != last; ++v) {
@@ -88,11 +96,14 @@ struct basic_face_soup {
   /// Result: polyhedra with the faces that are their own twins; the other faces refer to their twin.
   polyhedra_arrays keep_first_faces(std::vector<vec3>&& points, const std::vector<std::uint32_t>& twin, std::vector<std::uint8_t>&& outward) {
     const std::size_t n = twin.size();
+    std::size_t num_first = 0;
+    for (std::size_t f = 0; f < n; ++f) num_first += twin[f] == f;
     polyhedra_arrays out;
     out.points = std::move(points);
     out.poly_offsets = std::move(poly_offsets);
-    out.poly_faces.resize(n);
+    core::reserve_large(out.poly_faces, n);
     out.outward = std::move(outward);
+    core::reserve_large(out.face_offsets, num_first + 1);
     out.face_offsets.push_back(0);
     std::uint32_t corners = 0, face_count = 0;
     // In place: a face that is kept moves forward, over faces already read.
@@ -101,11 +112,12 @@ struct basic_face_soup {
         const std::uint32_t k = size(f);
         std::copy_n(first(f), k, face_verts.data() + corners);
         out.face_offsets.push_back(corners += k);
-        out.poly_faces[f] = face_id{face_count++};
+        out.poly_faces.push_back(face_id{face_count++});
       } else {
-        out.poly_faces[f] = out.poly_faces[twin[f]];
+        out.poly_faces.push_back(out.poly_faces[twin[f]]);
       }
     }
+    core::reserve_large(out.face_verts, corners);
     out.face_verts.assign(face_verts.data(), face_verts.data() + corners);
     std::vector<Vert>().swap(face_verts);
     return out;
@@ -114,12 +126,12 @@ struct basic_face_soup {
  public:
   polyhedra_arrays unite(std::vector<vec3> points) && {
     const std::size_t n = face_offsets.size() - 1;
-    std::vector<std::uint32_t> where(points.size() + 1, 0);
+    std::vector<std::uint32_t> where = core::large_vector(points.size() + 1, std::uint32_t{0});
     std::vector<entry> entries = sort_by_smallest_vert(where);
 
     // twin[f]: the first face equal to f; outward[f]: whether f has the same direction as that face
-    std::vector<std::uint32_t> twin(n);
-    std::vector<std::uint8_t> outward(n, 1);
+    std::vector<std::uint32_t> twin = core::large_vector(n, std::uint32_t{0});
+    std::vector<std::uint8_t> outward = core::large_vector(n, std::uint8_t{1});
     std::vector<cycle> cycles;
     auto original = entries.begin();  // the last face without a twin, where faces are sorted
     for (std::size_t v = 0, from = 0; v < points.size(); from = where[v++]) {

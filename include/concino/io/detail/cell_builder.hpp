@@ -30,6 +30,7 @@ class cell_builder {
   cell_shape only_ = cell_shape::tet;  // of all cells so far
   std::size_t cells_ = 0, num_general_ = 0, num_negative_ = 0, num_turned_ = 0;
   std::uint64_t corners_ = 0;       // of the faces of all cells
+  std::size_t all_faces_ = 0;       // of all cells; a face of two cells twice
   std::vector<std::uint64_t> scratch_;
   // the polyhedron that is being added
   std::size_t first_ = 0, faces_ = 0;
@@ -47,6 +48,9 @@ class cell_builder {
   /// Makes room for n more cells of a shape. Needs: n was compared with the size of the file.
   void reserve(cell_shape s, std::size_t n) { core::reserve_large(verts_, verts_.size() + n * standard_cell_of(s).num_verts); }
 
+  /// Makes room for more cells, whose lists have so many numbers. Needs: as above.
+  void reserve_numbers(std::size_t n) { core::reserve_large(verts_, verts_.size() + n); }
+
   /// Whether the wanted mesh can hold a cell of this shape.
   bool can_hold(cell_shape s) const {
     if (!in_.wanted.cells || in_.wanted.polyhedra) return true;
@@ -63,6 +67,7 @@ class cell_builder {
     verts_.insert(verts_.end(), v, v + cell.num_verts);
     num_negative_ += make_volume_positive(s, verts_.data() + first, points_);
     for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += cell.face_size[f];
+    all_faces_ += cell.num_faces;
     end_cell(s);
     return true;
   }
@@ -81,6 +86,7 @@ class cell_builder {
     }
     for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += n * cell.face_size[f];
     if (verts_.size() > max_ids || corners_ > max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", max_ids, " corners of faces"});
+    all_faces_ = n * cell.num_faces;
     only_ = s;
     cells_ = n;
     return n;
@@ -117,6 +123,7 @@ class cell_builder {
     if (has_twins) return reject_with({"different faces in a polyhedron"}, {"two with the same verts"});
     if (in_.wanted.cells && !in_.wanted.polyhedra) return add_recognised(faces);
     ++num_general_;
+    all_faces_ += faces;
     end_cell(cell_shape::general);
     return true;
   }
@@ -201,6 +208,7 @@ class cell_builder {
 
   polyhedra_arrays polyhedra() {
     face_soup soup;
+    soup.reserve(cells_, all_faces_, corners_);
     const vert_id* v = verts_.data();
     for (std::size_t p = 0; p < cells_; ++p) {
       const cell_shape shape = shapes_.empty() ? only_ : static_cast<cell_shape>(shapes_[p]);

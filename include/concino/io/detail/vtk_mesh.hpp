@@ -128,6 +128,7 @@ class vtk_mesh {
       if (added != n) places_.fail_at_cell(added, {cells.expected}, {cells.found});
       return cells.finish(out_);
     }
+    cells.reserve_numbers(grid_.verts.size());
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       const vtk_kind kind = kind_of_vtk_cell(grid_.types[c]);
       if (kind == vtk_kind::polygon) list_faces(c, lists_faces);

@@ -152,6 +152,7 @@ class vtk_xml_cells : public vtk_xml_data {
     }
     if (cell_ends.size() < ends.size()) fail_array(faces, {"an end for each of ", ends.size(), " cells"}, {cell_ends.size()});
     if (is_new) check_shared_faces(cell_faces, face_ends, face_verts.size());
+    if (!is_new) core::reserve_large(grid_.verts, first + verts.size() + list.size());
     std::int64_t at_list = 0;
     for (std::size_t c = 0; c < ends.size(); ++c) {
       const std::uint32_t from = c ? ends[c - 1] : 0;
@@ -180,17 +181,19 @@ class vtk_xml_cells : public vtk_xml_data {
   }
   std::vector<std::int64_t> integers(const vtk_xml_array& a) {
     std::vector<std::int64_t> all;
+    std::uint64_t n = 0;
     if (a.format == "ascii") {
-      std::uint64_t n = 0;
       bool in_word = false;
       for (const char* c = a.begin; c != a.end; ++c) {
         n += !is_space(*c) && !in_word;
         in_word = !is_space(*c);
       }
-      for_each_integer(a, n, [&](std::int64_t x) { all.push_back(x); });
     } else {
-      for_each_integer(a, count_numbers(a), [&](std::int64_t x) { all.push_back(x); });
+      n = count_numbers(a);
     }
+    require_numbers(a, n);
+    core::reserve_large(all, n);
+    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { all.insert(all.end(), values, values + count); });
     return all;
   }
   /// The number of faces, and for each the number of its verts and these, from `begin` to `end`.
