@@ -48,10 +48,10 @@ struct basic_face_soup {
   std::vector<std::uint32_t> poly_offsets{0};
 
   /// Makes room for polys that have so many faces, of so many corners.
-  void reserve(std::size_t polys, std::size_t faces, std::size_t corners) {
-    core::reserve_large(poly_offsets, polys + 1);
-    core::reserve_large(face_offsets, faces + 1);
-    core::reserve_large(face_verts, corners);
+  void reserve(std::size_t poly_count, std::size_t face_count, std::size_t corner_count) {
+    core::reserve_large(poly_offsets, poly_count + 1);
+    core::reserve_large(face_offsets, face_count + 1);
+    core::reserve_large(face_verts, corner_count);
   }
 
   void add_cell(cell_shape s, const Vert* v) {

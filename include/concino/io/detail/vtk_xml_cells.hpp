@@ -137,8 +137,13 @@ class vtk_xml_cells : public vtk_xml_data {
  private:
   /// Replaces the verts of polyhedra by their faces.
   [[gnu::noinline, gnu::cold]] void polyhedra(std::size_t p, std::size_t first, const std::vector<std::uint32_t>& ends) {
-    const std::vector<vert_id> verts(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
-    grid_.verts.resize(first);
+    std::vector<vert_id> verts;
+    if (first) {
+      verts.assign(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
+      grid_.verts.resize(first);
+    } else {
+      verts.swap(grid_.verts);
+    }
     const auto part = vtk_xml_part::cells;
     const bool is_new = !find(p, part, "faces");
     const vtk_xml_array& faces = need(p, part, is_new && find(p, part, "polyhedron_to_faces") ? "polyhedron_to_faces" : "faces");

@@ -91,12 +91,11 @@ class vtk_xml_data : public vtk_cursor {
   void for_each_part(const vtk_xml_array& a, std::uint64_t n, const Use& use) {
     require_numbers(a, n);
     const std::size_t size = vtk_names_of(a.type).size;
-    buffer_.resize(n * size);
-    read_array(a, n, buffer_.data());
+    const unsigned char* const from = bytes_of(a, n);
     T part[1024];
     for (std::uint64_t i = 0; i < n; i += std::size(part)) {
       const std::size_t count = std::min<std::uint64_t>(std::size(part), n - i);
-      convert(a.type, buffer_.data() + i * size, count, part);
+      convert(a.type, from + i * size, count, part);
       use(static_cast<const T*>(part), count);
     }
     buffer_.clear();
@@ -115,6 +114,18 @@ class vtk_xml_data : public vtk_cursor {
   }
 
  private:
+  /// The n numbers of an array, in the file if they stand there as they are in memory, else in the buffer. Needs: as read_array.
+  [[gnu::noinline]] const unsigned char* bytes_of(const vtk_xml_array& a, std::uint64_t n) {
+    if (n && a.format == "appended" && !encoding_.base64_appended && !encoding_.compressed && !encoding_.swapped) {
+      open(a);
+      count_bytes(a, bytes_);
+      return reinterpret_cast<const unsigned char*>(raw_);
+    }
+    core::reserve_large(buffer_, n * vtk_names_of(a.type).size);
+    buffer_.resize(n * vtk_names_of(a.type).size);
+    read_array(a, n, buffer_.data());
+    return buffer_.data();
+  }
   template<class T>
   [[gnu::noinline]] static void convert(vtk_number type, const unsigned char* from, std::size_t n, T* to) {
     with_number_type(type, [&]<class N>(std::type_identity<N>) {
@@ -132,10 +143,13 @@ class vtk_xml_data : public vtk_cursor {
 
   std::uint64_t source_left() const { return base64_ ? base64_source_.max_left() : static_cast<std::uint64_t>(text_end() - raw_); }
   const char* text_end() const { return in_.text.data() + in_.text.size(); }
-  void take(const vtk_xml_array& a, unsigned char* to, std::uint64_t n) {
+  void count_bytes(const vtk_xml_array& a, std::uint64_t n) {
     if (n > source_left()) fail_array(a, {n, " more bytes"}, {source_left()});
     num_read_ += n;
     if (num_read_ > in_.text.size()) fail_array(a, {"arrays that do not share their bytes"}, {"more bytes than the file has"});
+  }
+  void take(const vtk_xml_array& a, unsigned char* to, std::uint64_t n) {
+    count_bytes(a, n);
     if (!base64_) {
       std::memcpy(to, raw_, n);
       raw_ += n;
