@@ -85,28 +85,37 @@ class vtk_cursor : public token_cursor {
     if (n > most) reject(position, {"a count that fits into the file"}, {n, " ", vtk_names_of(type).legacy, " numbers, and ", left(), " bytes"});
   }
 
+  /// Reads an integer of so many bytes as text. Result: modulo 2^64. One function for all types, which compiles faster than ten.
+  [[gnu::noinline]] std::uint64_t next_integer(bool is_signed, std::size_t size) {
+    skip();
+    std::int64_t i = 0;
+    const char* p = parse_integer(at, end(), i);
+    auto x = static_cast<std::uint64_t>(i);
+    if (!p || !ends_token(p, 0)) {  // 19 digits and more
+      const auto r = is_signed ? std::from_chars(at, end(), i) : std::from_chars(at, end(), x);
+      p = r.ec == std::errc() && ends_token(r.ptr, 0) ? r.ptr : nullptr;
+      if (is_signed) x = static_cast<std::uint64_t>(i);
+    } else if (!is_signed && i < 0) {
+      p = nullptr;
+    }
+    const std::size_t bits = 8 * size;
+    const bool fits = is_signed ? static_cast<std::int64_t>(x) >> (bits - 1) == static_cast<std::int64_t>(x) >> 63 : bits == 64 || x >> bits == 0;
+    if (!p || !fits) reject(at, {"an integer of type ", is_signed ? "int" : "unsigned int", bits});
+    at = p;
+    return x;
+  }
+  [[gnu::noinline]] double next_real() {
+    skip();
+    double x = 0;
+    const char* const p = parse_real(at, end(), x);
+    if (!p || !ends_token(p, 0)) reject(at, {"a number"});
+    at = p;
+    return x;
+  }
   template<class T>
   T next_value() {
-    skip();
-    if constexpr (std::is_floating_point_v<T>) {
-      double x = 0;
-      const char* const p = parse_real(at, end(), x);
-      if (!p || !ends_token(p, 0)) reject(at, {"a number"});
-      at = p;
-      return static_cast<T>(x);
-    } else {
-      std::int64_t i = 0;
-      const char* p = parse_integer(at, end(), i);
-      if (!p || !ends_token(p, 0) || !std::in_range<T>(i)) {
-        T x{};
-        const auto r = std::from_chars(at, end(), x);  // 19 digits and more
-        if (r.ec != std::errc() || !ends_token(r.ptr, 0)) reject(at, {"an integer of type ", std::is_signed_v<T> ? "int" : "unsigned int", 8 * sizeof(T)});
-        at = r.ptr;
-        return x;
-      }
-      at = p;
-      return static_cast<T>(i);
-    }
+    if constexpr (std::is_floating_point_v<T>) return static_cast<T>(next_real());
+    else return static_cast<T>(next_integer(std::is_signed_v<T>, sizeof(T)));
   }
 
   /// Reads one number. Needs: as read_values.
@@ -139,15 +148,32 @@ class vtk_cursor : public token_cursor {
     }
   }
   [[gnu::noinline]] void read_bits(bool* to, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) to[i] = binary_ ? (static_cast<unsigned char>(at[i / 8]) >> (7 - i % 8) & 1) != 0 : next_value<std::uint8_t>() != 0;
+    for (std::size_t i = 0; i < n; ++i) to[i] = binary_ ? (static_cast<unsigned char>(at[i / 8]) >> (7 - i % 8) & 1) != 0 : next_integer(false, 1) != 0;
     if (binary_) at += (n + 7) / 8;
   }
   /// The same with any type of numbers.
   [[gnu::noinline]] void read_values_of(vtk_number type, void* to, std::size_t n) {
-    with_number_type(type, [&]<class T>(std::type_identity<T>) {
-      if constexpr (std::is_same_v<T, bool>) read_bits(static_cast<bool*>(to), n);
-      else read_values(static_cast<T*>(to), n);
-    });
+    if (type == vtk_number::bit) return read_bits(static_cast<bool*>(to), n);
+    if (type == vtk_number::float64) return read_values(static_cast<double*>(to), n);
+    const std::size_t size = vtk_names_of(type).size;
+    auto* p = static_cast<unsigned char*>(to);
+    if (binary_) {
+      if (n) std::memcpy(p, at, n * size);
+      if constexpr (std::endian::native == std::endian::little) swap_bytes(p, n, size);
+      at += n * size;
+      return report_progress();
+    }
+    for (; n > 0; --n, p += size) {
+      if (type == vtk_number::float32) {
+        const auto x = static_cast<float>(next_real());
+        std::memcpy(p, &x, sizeof x);
+      } else {
+        std::uint64_t x = next_integer(is_signed(type), size);
+        if constexpr (std::endian::native == std::endian::big) x <<= 64 - 8 * size;
+        std::memcpy(p, &x, size);
+      }
+      report_progress();
+    }
   }
   /// Moves behind n numbers.
   [[gnu::noinline]] void skip_values(vtk_number type, std::uint64_t n) {

@@ -28,6 +28,9 @@ inline constexpr vtk_number_names vtk_numbers[] = {
 };
 inline const vtk_number_names& vtk_names_of(vtk_number t) { return vtk_numbers[static_cast<unsigned>(t)]; }
 
+/// Whether integers of this type have a sign. Needs: a type of integers.
+inline bool is_signed(vtk_number t) { return static_cast<unsigned>(t) % 2 == 0; }
+
 inline vtk_number vtk_number_of_xml(std::string_view name) {
   for (unsigned i = 0; i + 1 < std::size(vtk_numbers); ++i)
     if (vtk_numbers[i].xml == name) return static_cast<vtk_number>(i);

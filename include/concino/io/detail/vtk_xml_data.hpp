@@ -36,6 +36,8 @@ class vtk_xml_data : public vtk_cursor {
   vtk_xml_encoding encoding_;
 
  private:
+  static constexpr std::size_t largest_part = 1024;  // of an array that is converted
+
   // the array that is open
   bool base64_ = false;
   base64_reader base64_source_{nullptr, nullptr};
@@ -87,16 +89,16 @@ class vtk_xml_data : public vtk_cursor {
   }
 
   /// Calls use(values, count) for parts of the n numbers of an array, converted to T.
-  template<class T, class Use>
-  void for_each_part(const vtk_xml_array& a, std::uint64_t n, const Use& use) {
+  template<class T>
+  [[gnu::noinline]] void for_each_part(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const T*, std::size_t)> use) {
     require_numbers(a, n);
     const std::size_t size = vtk_names_of(a.type).size;
     const unsigned char* const from = bytes_of(a, n);
-    T part[1024];
+    T part[largest_part];
     for (std::uint64_t i = 0; i < n; i += std::size(part)) {
       const std::size_t count = std::min<std::uint64_t>(std::size(part), n - i);
       convert(a.type, from + i * size, count, part);
-      use(static_cast<const T*>(part), count);
+      use(part, count);
     }
     buffer_.clear();
     if (buffer_.capacity() > std::size_t{1} << 20) std::vector<unsigned char>().swap(buffer_);
@@ -126,15 +128,33 @@ class vtk_xml_data : public vtk_cursor {
     read_array(a, n, buffer_.data());
     return buffer_.data();
   }
-  template<class T>
-  [[gnu::noinline]] static void convert(vtk_number type, const unsigned char* from, std::size_t n, T* to) {
-    with_number_type(type, [&]<class N>(std::type_identity<N>) {
-      for (std::size_t k = 0; k < n; ++k) {
-        N x;
-        std::memcpy(&x, from + k * sizeof(N), sizeof x);
-        to[k] = static_cast<T>(x);
-      }
-    });
+  template<class N, class T>
+  [[gnu::noinline]] static void convert_from(const unsigned char* from, std::size_t n, T* to) {
+    for (std::size_t k = 0; k < n; ++k) {
+      N x;
+      std::memcpy(&x, from + k * sizeof(N), sizeof x);
+      to[k] = static_cast<T>(x);
+    }
+  }
+  [[gnu::noinline]] static void convert(vtk_number type, const unsigned char* from, std::size_t n, std::int64_t* to) {
+    switch (type) {
+      case vtk_number::int8: return convert_from<std::int8_t>(from, n, to);
+      case vtk_number::uint8: return convert_from<std::uint8_t>(from, n, to);
+      case vtk_number::int16: return convert_from<std::int16_t>(from, n, to);
+      case vtk_number::uint16: return convert_from<std::uint16_t>(from, n, to);
+      case vtk_number::int32: return convert_from<std::int32_t>(from, n, to);
+      case vtk_number::uint32: return convert_from<std::uint32_t>(from, n, to);
+      default: return convert_from<std::int64_t>(from, n, to);
+    }
+  }
+  /// Needs: at most `largest_part` numbers.
+  [[gnu::noinline]] static void convert(vtk_number type, const unsigned char* from, std::size_t n, double* to) {
+    if (type == vtk_number::float64) return convert_from<double>(from, n, to);
+    if (type == vtk_number::float32) return convert_from<float>(from, n, to);
+    if (type == vtk_number::uint64) return convert_from<std::uint64_t>(from, n, to);
+    std::int64_t integers[largest_part];
+    convert(type, from, n, integers);
+    for (std::size_t k = 0; k < n; ++k) to[k] = static_cast<double>(integers[k]);
   }
 
   bool is_empty(const vtk_xml_array& a) const {

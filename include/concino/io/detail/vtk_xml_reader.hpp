@@ -53,34 +53,39 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     return {p, cell - first_cell_[p]};
   }
 
-  /// The arrays of one name, in the pieces that have them.
-  using array_of_pieces = std::vector<std::pair<std::size_t, const vtk_xml_array*>>;
-
-  /// Reads the arrays that all pieces have.
+  /// Reads the arrays that all pieces have. The arrays of one name become a list.
   [[gnu::noinline]] void columns() {
     name_table names;
-    std::vector<array_of_pieces> all;
-    std::vector<vtk_xml_part> parts;
-    for (const vtk_xml_entry& e : index_.entries) {
+    std::vector<std::uint32_t> first, last;
+    for (std::size_t i = 0; i < index_.entries.size(); ++i) {
+      vtk_xml_entry& e = index_.entries[i];
       if (e.part != vtk_xml_part::of_points && e.part != vtk_xml_part::of_cells && e.part != vtk_xml_part::of_mesh) continue;
+      if (e.part == vtk_xml_part::of_mesh) e.piece = 0;
       const std::size_t k = names.add(core::joined({static_cast<char>('0' + static_cast<int>(e.part)), e.array.name}));
-      if (k == all.size()) all.emplace_back(), parts.push_back(e.part);
-      const std::size_t piece = e.part == vtk_xml_part::of_mesh ? 0 : e.piece;
-      if (all[k].empty() || all[k].back().first != piece) all[k].push_back({piece, &e.array});
+      const auto here = static_cast<std::uint32_t>(i);
+      if (k == first.size()) {
+        first.push_back(here), last.push_back(here);
+      } else if (index_.entries[last[k]].piece != e.piece) {
+        index_.entries[last[k]].next = here;
+        last[k] = here;
+      }
     }
-    for (std::size_t k = 0; k < all.size(); ++k) column(parts[k], all[k].front().second->name, all[k]);
+    for (const std::uint32_t i : first) column(index_.entries[i]);
   }
+  const vtk_xml_entry* next(const vtk_xml_entry* e) const { return e->next == ~0u ? nullptr : &index_.entries[e->next]; }
 
   [[gnu::noinline, gnu::cold]] void skip_column(const std::string& array_name, std::uint64_t components) {
     report_.skipped.push_back(core::joined(
         {"array \"", array_name, "\": properties have one value for each element, in all pieces, of 1, 2, 3, 4, 6 or 9 numbers, and it has ", components}));
   }
 
-  [[gnu::noinline]] void column(vtk_xml_part part, const std::string& array_name, const array_of_pieces& arrays) {
+  [[gnu::noinline]] void column(const vtk_xml_entry& start) {
+    const vtk_xml_part part = start.part;
+    const std::string& array_name = start.array.name;
     const element_kind kind = part == vtk_xml_part::of_points ? element_kind::vert : part == vtk_xml_part::of_cells ? element_kind::poly : element_kind::mesh;
     const std::vector<std::size_t>& first = kind == element_kind::vert ? first_point_ : first_cell_;
     const auto count = [&](std::size_t p) { return kind == element_kind::mesh ? std::size_t{1} : first[p + 1] - first[p]; };
-    const vtk_xml_array& one = *arrays.front().second;
+    const vtk_xml_array& one = start.array;
     std::string property = array_name;
     if (kind == element_kind::vert && array_name == index_.normals && one.components == 3) property = "normal";
     if (kind == element_kind::vert && array_name == index_.textures && one.components == 2) property = "texture";
@@ -88,19 +93,20 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     const value_type* const type = property_type_of(as_doubles ? vtk_number::float64 : one.type, one.components, property);
     bool fits = type && (kind != element_kind::mesh || one.tuples == 1);
     std::size_t num_values = 0;
-    for (const auto& [p, a] : arrays) {
-      fits = fits && (count(p) == 0 || (a->type == one.type && a->components == one.components));
-      num_values += count(p);
+    for (const vtk_xml_entry* e = &start; e; e = next(e)) {
+      const std::size_t n = count(e->piece);
+      fits = fits && (n == 0 || (e->array.type == one.type && e->array.components == one.components));
+      num_values += n;
     }
     const std::size_t total = kind == element_kind::mesh ? 1 : first.back();
     if (!fits || num_values != total) return skip_column(array_name, one.components);
-    for (const auto& [p, a] : arrays) require_numbers(*a, count(p) * one.components);
+    for (const vtk_xml_entry* e = &start; e; e = next(e)) require_numbers(e->array, count(e->piece) * one.components);
     if (property != array_name) report_.notes.push_back(core::joined({"the array \"", array_name, "\" is the property \"", property, "\""}));
     auto values = std::make_shared<detail::column>(*type, total);
     auto* to = static_cast<unsigned char*>(values->data());
-    for (const auto& [p, a] : arrays) {
-      read_column(*a, count(p) * one.components, as_doubles, to);
-      to += count(p) * type->size;
+    for (const vtk_xml_entry* e = &start; e; e = next(e)) {
+      read_column(e->array, count(e->piece) * one.components, as_doubles, to);
+      to += count(e->piece) * type->size;
     }
     const bool is_ghost_array = array_name == "vtkGhostType" && one.type == vtk_number::uint8 && one.components == 1;
     if (!is_ghost_array) grid_.columns.push_back({kind, property, std::move(values)});

@@ -22,6 +22,7 @@ struct vtk_xml_entry {
   std::size_t piece;
   vtk_xml_part part;
   vtk_xml_array array;
+  std::uint32_t next = ~0u;  // the entry of the same array in the next piece that has it
 };
 
 /// What the tags of a file say.
@@ -153,7 +154,7 @@ class vtk_xml_tags : xml_scanner {
       const auto* const close = left() ? static_cast<const char*>(std::memchr(at, '<', left())) : nullptr;
       a.end = close ? close : end();
     }
-    index_.entries.push_back({index_.pieces.empty() ? 0 : index_.pieces.size() - 1, part_, std::move(a)});
+    index_.entries.push_back({index_.pieces.empty() ? 0 : index_.pieces.size() - 1, part_, std::move(a), ~0u});
   }
 
   /// The rest of the file is data.
