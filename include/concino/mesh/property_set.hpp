@@ -69,7 +69,7 @@ template<countable T> void add_scaled(T& to, const T& x, double) {
 template<class T, std::size_t N>
   requires(scalable<T> && N > 0)
 std::array<T, N> scaled_value(std::array<T, N> x, double factor) {
-  for (T& part : x) part = scaled_value(part, factor);
+  for (std::size_t i = 0; i < N; ++i) x[i] = scaled_value(x[i], factor);
   return x;
 }
 template<class T, std::size_t N>
@@ -83,7 +83,7 @@ void add_scaled(std::array<T, N>& to, const std::array<T, N>& x, double factor) 
 struct value_type {
   std::size_t size, alignment;
   const std::type_info* type;
-  void (*make)(void* at);                    // a default value
+  void (*make)(void* at);                    // a default value; null: all bytes are 0
   void (*copy)(void* at, const void* from);  // null, like the others: the bytes can be copied
   void (*move)(void* at, void* from);        // or copy, if moving may throw
   void (*destroy)(void* at);
@@ -91,6 +91,10 @@ struct value_type {
   void (*scale)(void* at, const void* from, double factor);     // constructs factor * from; null: the values cannot be split
   void (*add)(void* at, const void* from, double factor);       // adds factor * from, with the factor 1 if values cannot be split; null: there is no sum
 };
+
+/// Numbers and arrays of numbers need few functions, as files have them in many types.
+template<class T> inline constexpr bool is_zero_by_default = std::is_arithmetic_v<T>;
+template<class T, std::size_t N> inline constexpr bool is_zero_by_default<std::array<T, N>> = std::is_arithmetic_v<T>;
 
 template<class T>
 struct value_functions {
@@ -103,7 +107,8 @@ struct value_functions {
   static void add(void* at, const void* from, double factor) { detail::add_scaled(*static_cast<T*>(at), *static_cast<const T*>(from), factor); }
 
   static constexpr value_type type() {
-    value_type t{sizeof(T), alignof(T), &typeid(T), make, nullptr, nullptr, nullptr, property_rule::copy, nullptr, nullptr};
+    value_type t{sizeof(T), alignof(T), &typeid(T), nullptr, nullptr, nullptr, nullptr, property_rule::copy, nullptr, nullptr};
+    if constexpr (!is_zero_by_default<T>) t.make = make;
     if constexpr (!std::is_trivially_copyable_v<T>) t.copy = copy, t.move = move, t.destroy = destroy;
     if constexpr (requires(T& x) { detail::add_scaled(x, x, 1.0); }) {
       t.add = add;
@@ -125,6 +130,7 @@ class column {
   unsigned char* at(std::size_t i) const { return data_ + i * type_->size; }
 
   void make_room(std::size_t n);
+  void make_default();
   void copy_value(const column& o, std::size_t from);
   void interpolate(const column& o, const element_origins& from);
   void copy_largest(const column& o, const element_origins& from);

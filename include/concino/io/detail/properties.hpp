@@ -47,7 +47,7 @@ class element_finder {
 };
 
 template<class M>
-void set_columns_of_corners(M& m, file_contents& contents, std::vector<std::uint32_t>& where, load_report* report) {
+[[gnu::noinline, gnu::cold]] void set_columns_of_corners(M& m, file_contents& contents, std::vector<std::uint32_t>& where, load_report* report) {
   if constexpr (NumbersCorners<M>) {
     for (const poly_t<M> p : polys(m))
       for (std::size_t k = 0, n = num_elements(adj_p2v(m, p)); k < n; ++k) where.push_back(static_cast<std::uint32_t>(traits<M>::first_corner(m, p) + k));
@@ -57,7 +57,7 @@ void set_columns_of_corners(M& m, file_contents& contents, std::vector<std::uint
 }
 
 template<class M>
-void set_all_columns(M& m, file_contents& contents, load_report* report) {
+[[gnu::noinline, gnu::cold]] void set_all_columns(M& m, file_contents& contents, load_report* report) {
   property_set& all = traits<M>::properties(m);
   std::vector<std::uint32_t> where;
   if (has_columns(contents, element_kind::vert)) {
@@ -97,7 +97,7 @@ void set_all_columns(M& m, file_contents& contents, load_report* report) {
 /// "group" and "material" of elements, "materials" of the mesh itself, and those of contents.properties. The mesh has its elements in the order
 /// of the file.
 template<class M>
-void set_properties(M& m, file_contents& contents, load_report* report) {
+[[gnu::noinline, gnu::cold]] void set_properties(M& m, file_contents& contents, load_report* report) {
   if constexpr (HasProperties<M>) {
     if (!contents.table.empty()) *mesh_property<material_table>(m, "materials") = std::move(contents.table);
     std::vector<std::uint32_t> where;

@@ -56,6 +56,12 @@ CONCINO_INLINE column::column(const value_type& type, std::size_t n) : column(ty
   }
 }
 
+/// Constructs a default value behind the last one.
+CONCINO_INLINE void column::make_default() {
+  if (type_->make) type_->make(at(size_));
+  else std::memset(at(size_), 0, type_->size);
+}
+
 CONCINO_INLINE void column::copy_value(const column& o, std::size_t from) {
   if (type_->copy) type_->copy(at(size_), o.at(from));
   else std::memcpy(at(size_), o.at(from), type_->size);
@@ -74,7 +80,7 @@ CONCINO_INLINE void column::copy_largest(const column& o, const element_origins&
   while (size_ < from.size()) {
     const auto origins = from[size_];
     if (!origins.empty()) copy_value(o, largest_origin(origins));
-    else type_->make(at(size_)), ++size_;
+    else make_default(), ++size_;
   }
 }
 
@@ -82,7 +88,7 @@ CONCINO_INLINE void column::interpolate(const column& o, const element_origins& 
   while (size_ < from.size()) {
     const auto origins = from[size_];
     if (origins.empty()) {
-      type_->make(at(size_)), ++size_;
+      make_default(), ++size_;
       continue;
     }
     if (origins.size() == 1) {
@@ -125,7 +131,7 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
       else if (part == 1) copy_value(o, x.index);
       else type_->scale(at(here), o.at(x.index), part), ++size_;
     }
-    if (size_ == here) type_->make(at(here)), ++size_;
+    if (size_ == here) make_default(), ++size_;
   }
 }
 
@@ -157,7 +163,7 @@ CONCINO_INLINE bool column::set_rule(property_rule rule) {
   }
   if (size_ < n) {
     // the first value is constructed, then copied in ever larger blocks, but no larger than a cache
-    type_->make(at(size_));
+    make_default();
     for (std::size_t num_filled = 1, more = 1; size_ + num_filled < n; num_filled += more) {
       more = std::min({num_filled, n - size_ - num_filled, std::size_t{1024}});
       std::memcpy(at(size_ + num_filled), at(size_), more * type_->size);
