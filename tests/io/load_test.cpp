@@ -27,9 +27,9 @@ M from(const std::string& text, format_id f) {
 }
 
 static_assert(Loadable<trimesh> && Loadable<polyhedralmesh> && Loadable<surface_arrays> && !Loadable<int> && !Loadable<std::string>);
-static_assert(detail::from_surface<trimesh> && !detail::from_cells<trimesh> && !detail::from_polyhedra<trimesh>);
-static_assert(!detail::from_surface<tetmesh> && detail::from_cells<tetmesh> && !detail::from_polyhedra<tetmesh>);
-static_assert(!detail::from_surface<polyhedralmesh> && !detail::from_cells<polyhedralmesh> && detail::from_polyhedra<polyhedralmesh>);
+static_assert(concino::detail::from_surface<trimesh> && !concino::detail::from_cells<trimesh> && !concino::detail::from_polyhedra<trimesh>);
+static_assert(!concino::detail::from_surface<tetmesh> && concino::detail::from_cells<tetmesh> && !concino::detail::from_polyhedra<tetmesh>);
+static_assert(!concino::detail::from_surface<polyhedralmesh> && !concino::detail::from_cells<polyhedralmesh> && concino::detail::from_polyhedra<polyhedralmesh>);
 
 }  // namespace
 
