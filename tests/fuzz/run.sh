@@ -3,7 +3,7 @@
 #   tests/fuzz/run.sh SECONDS [reader...]    each reader for that many seconds; default: all (CONCINO_FUZZ=list <program> lists them)
 # Prints a line per reader, and the input and the report of what is found. Fails if anything is found.
 # Environment: CONCINO_FUZZ_BUILD (default build/fuzz; keeps the inputs that were found interesting), CONCINO_CORPUS (default ../shared/data),
-# CONCINO_FUZZ_PROGRAM (a built program, else it is compiled), CXX (clang++).
+# CONCINO_FUZZ_PROGRAM (a built program, else it is compiled), CXX (clang++), CONCINO_JOBS (2: readers at a time).
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
 . scripts/packages.sh
@@ -41,29 +41,47 @@ extensions() {
   esac
 }
 
-export CONCINO_NUM_THREADS=1  # threads cost more than they gain on small meshes
-failed=0
-for reader in $(if [ $# -gt 0 ]; then echo "$@"; else CONCINO_FUZZ=list "$program"; fi); do
-  seeds=$build/$reader.seeds
-  inputs=$build/$reader.inputs
-  log=$build/$reader.log
+# Runs of a few seconds, as in test.sh, try the same inputs each time; longer ones try others.
+seed=0
+[ "$seconds" -gt 10 ] || seed=1
+
+# fuzz_reader <reader>
+fuzz_reader() {
+  local reader=$1 extension code speed
+  local seeds=$build/$reader.seeds inputs=$build/$reader.inputs log=$build/$reader.log
   mkdir -p "$seeds" "$inputs"
-  CONCINO_FUZZ=$reader CONCINO_FUZZ_SEEDS=$seeds "$program" || exit 1
+  CONCINO_FUZZ=$reader CONCINO_FUZZ_SEEDS=$seeds "$program" || return 1
   for extension in $(extensions "$reader"); do
     [ ! -d "$corpus" ] || find "$corpus" -name "*.$extension" -size -32k -exec cp -f {} "$seeds" \; 2>/dev/null
   done
   chmod -R u+w "$seeds"
-  CONCINO_FUZZ=$reader "$program" -max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \
+  CONCINO_FUZZ=$reader "$program" -seed=$seed -max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 \
     -dict=tests/fuzz/words.dict -artifact_prefix="$build/$reader-" "$inputs" "$seeds" >"$log" 2>&1
   code=$?
   speed=$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")
   if [ $code -eq 0 ]; then
     echo "$reader: nothing found in $seconds s, ${speed:-0} executions per second"
-  else
-    failed=1
-    echo "$reader: FOUND, see $log"
-    grep -aE -A 12 'FINDING|ERROR|runtime error|libc\+\+abi|terminate' "$log" | head -n 40
-    grep -a 'Test unit written' "$log"
+    return 0
   fi
+  echo "$reader: FOUND, see $log"
+  grep -aE -A 12 'FINDING|ERROR|runtime error|libc\+\+abi|terminate' "$log" | head -n 40
+  grep -a 'Test unit written' "$log"
+  return 1
+}
+
+export CONCINO_NUM_THREADS=1  # threads cost more than they gain on small meshes
+jobs=${CONCINO_JOBS:-2}
+failed=0 running=0
+for reader in $(if [ $# -gt 0 ]; then echo "$@"; else CONCINO_FUZZ=list "$program"; fi); do
+  if [ $running -ge "$jobs" ]; then
+    wait -n || failed=1
+    running=$((running - 1))
+  fi
+  fuzz_reader "$reader" &
+  running=$((running + 1))
+done
+while [ $running -gt 0 ]; do
+  wait -n || failed=1
+  running=$((running - 1))
 done
 exit $failed

@@ -9,6 +9,8 @@
 
 #include <doctest/doctest.h>
 
+#include <limits>
+
 using namespace concino;
 using namespace concino::testing;
 
@@ -108,4 +110,17 @@ TEST_CASE("write_medit: reports what is lost") {
   face_property<int>(loose, "label")[face_id{0}] = 3;
   save_text(loose, file_format::medit, {.report = &r});
   CHECK(r.lost == std::vector<std::string>{"values of 1 faces that are neither triangles nor quads"});
+}
+
+TEST_CASE("write_medit: a normal without finite components is lost, and the second save is the first") {
+  trimesh m = grid<trimesh>(2);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto normal = vert_property<vec3>(m, "normal");
+  normal[vert_id{0}] = {0, infinity, 0};
+  normal[vert_id{1}] = {0, infinity, 2};
+  save_report report;
+  const std::string text = save_text(m, file_format::medit, {.report = &report});
+  CHECK(report.lost == std::vector<std::string>{"2 numbers of colours and other properties that are not finite: written as 0"});
+  CHECK(text.find("Normals\n1\n0 0 2\n") != std::string::npos);
+  CHECK(save_text(load_text<trimesh>(text, file_format::medit), file_format::medit) == text);
 }

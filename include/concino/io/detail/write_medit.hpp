@@ -101,9 +101,16 @@ class medit_writer {
           else ++num_large_;
         }
     if (const auto normal = m_.vert_values<vec3>("normal"))
-      for (std::size_t v = 0; v < m_.points.size(); ++v)
-        if (!(normal[v] == vec3{})) normals_.push_back(static_cast<std::uint32_t>(v));
+      for (std::size_t v = 0; v < m_.points.size(); ++v) {
+        const vec3& n = normal[v];
+        const bool is_listed = has_direction(n.x) || has_direction(n.y) || has_direction(n.z);
+        if (is_listed) normals_.push_back(static_cast<std::uint32_t>(v));
+        else c_.finite(n.x), c_.finite(n.y), c_.finite(n.z);  // reports numbers that are not finite
+      }
   }
+
+  /// Whether a component of a normal is written as a number other than 0.
+  static bool has_direction(double x) { return x != 0 && std::isfinite(x); }
 
   /// Calls f(number in the file) for the elements that a section marks.
   template<class F>
