@@ -7,6 +7,7 @@
 #include <concino/io/detail/write_common.hpp>
 
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
