@@ -4,6 +4,7 @@
 
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/fields/detail/heat_sweeps.hpp>
 #include <concino/fields/detail/make_similar_solver.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -40,9 +42,13 @@ class heat_system {
   static int scale_exponent(const Solver& solver) { return core::is_iterative(solver) ? 13 : 900; }
   static constexpr int max_rounds = 100;  // of continuing underflowed heat; 70 times more for iterative solvers, whose rounds are short
 
+  // See heat_sweeps. Distances then differ from those by factorisation by about 1e-4 of the largest.
+  static constexpr double sweep_tolerance = 2e-3;
+  static constexpr int max_sweeps = 100;
+
   struct factorised {
     Eigen::SparseMatrix<double> lower;  // triangle
-    std::unique_ptr<Solver> solver;
+    std::unique_ptr<Solver> solver;     // of heat, none if solvers are iterative
 
     void factorize() {
       core::factorize_over_verts(*solver, lower, "heat_geodesics", [](Eigen::Index row) { return row; });
@@ -85,26 +91,39 @@ class heat_system {
   /// lower: the masses minus the time times a Laplacian, with the same pattern.
   void add_heat(Eigen::SparseMatrix<double>&& lower, const Solver& solver) {
     heats_.push_back({std::move(lower), make_similar_solver(solver)});
-    if constexpr (requires(Solver& s) { s.use_order_of(s); }) heats_.back().solver->use_order_of(*poisson_.solver);
     for (int i = 0; i < heats_.back().lower.cols(); ++i)
       if (double& x = diagonal(heats_.back().lower, i); !(x > 0)) x = 1;  // a vert of no poly
+    if (is_iterative()) {
+      heats_.back().solver.reset();
+      return;
+    }
+    if constexpr (requires(Solver& s) { s.use_order_of(s); }) heats_.back().solver->use_order_of(*poisson_.solver);
     heats_.back().factorize();
   }
 
-  /// Whether heat from one vert of each component is negative at one vert in 500 or more, as with very long and thin polys. Such heat does not show
-  /// the direction of its source.
-  bool is_heat_negative() const {
-    const auto size = component_.size();
+  /// Whether solvers are iterative. Heat is then found by sweeps, which need a guess.
+  bool is_iterative() const { return core::is_iterative(*poisson_.solver); }
+
+  /// One vert of each component of polys.
+  std::vector<heat_source> one_source_per_component() const {
     std::vector<heat_source> sources;
-    std::vector<unsigned char> is_heated(size);
+    std::vector<unsigned char> is_heated(component_.size());
     for (const int v : corners_.vert)
       if (unsigned char& known = is_heated[static_cast<std::size_t>(component(v))]; !known) {
         known = 1;
         sources.push_back({component(v), 1});
       }
+    return sources;
+  }
+
+  /// Whether heat from these sources is negative at one vert in 500 or more of their components, as with very long and thin polys. Such heat does not show
+  /// the direction of its source. log_guess: as for log_heat.
+  bool is_heat_negative(const std::vector<heat_source>& sources, std::span<const double> log_guess) const {
+    std::vector<unsigned char> is_heated(component_.size());
+    for (const heat_source& s : sources) is_heated[static_cast<std::size_t>(component(s.vert))] = 1;
     std::size_t num_negative = 0, all = 0;
-    const std::vector<double> log_u = log_heat(sources);
-    for (std::size_t i = 0; i < size; ++i) {
+    const std::vector<double> log_u = log_heat(sources, log_guess);
+    for (std::size_t i = 0; i < component_.size(); ++i) {
       if (!is_heated[static_cast<std::size_t>(component_[i])]) continue;
       ++all;
       num_negative += log_u[i] == none;
@@ -116,12 +135,22 @@ class heat_system {
   int component(int vert) const { return component_[static_cast<std::size_t>(vert)]; }
 
   /// The logarithm of the heat at each vert, up to a constant; -inf in components without a source, and where heat is not positive,
-  /// as it may be with Laplacians that have negative weights.
+  /// as it may be with Laplacians that have negative weights. log_guess: about what is returned, up to a constant in each component; read if
+  /// solvers are iterative.
+  ///
+  /// Iterative solvers are accurate relative to the largest values only, so heat is found by sweeps; by such a solver where they converge slowly.
   ///
   /// Where heat underflows double precision, it is continued from there. Let u be known down to a threshold, and v equal to u there and 0
   /// beyond. The rest, u - v, solves the same system with the right-hand side b - K v. This is not 0 on both sides of the frontier only,
   /// and can be scaled by any factor.
-  std::vector<double> log_heat(const std::vector<heat_source>& sources) const {
+  std::vector<double> log_heat(const std::vector<heat_source>& sources, std::span<const double> log_guess) const {
+    if (is_iterative()) {
+      std::vector<double> sum = log_by_sweeps(heats_.front().lower, sources, log_guess);
+      if (heats_.size() == 1) return sum;
+      const std::vector<double> other = log_by_sweeps(heats_.back().lower, sources, log_guess);
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = log_of_sum(sum[i], other[i]);
+      return sum;
+    }
     const rescaled_heat a = solve_rescaled(heats_.front(), sources);
     std::vector<double> sum(a.heat.size());
     if (heats_.size() == 1) {
@@ -130,12 +159,8 @@ class heat_system {
     }
     const rescaled_heat b = solve_rescaled(heats_.back(), sources);
     for (std::size_t i = 0; i < sum.size(); ++i) {
-      if (a.round[i] == b.round[i] && a.per_round == b.per_round) {
-        sum[i] = a.log_of(a.heat[i] + b.heat[i], a.round[i]);
-      } else {
-        const double x = a.log(i), y = b.log(i), large = std::max(x, y), small = std::min(x, y);
-        sum[i] = small == none ? large : large + std::log1p(std::exp(small - large));
-      }
+      if (a.round[i] == b.round[i]) sum[i] = a.log_of(a.heat[i] + b.heat[i], a.round[i]);
+      else sum[i] = log_of_sum(a.log(i), b.log(i));
     }
     return sum;
   }
@@ -161,6 +186,26 @@ class heat_system {
   }
 
  private:
+  /// The logarithm of the sum of two numbers that are given by theirs.
+  static double log_of_sum(double x, double y) {
+    const double large = std::max(x, y), small = std::min(x, y);
+    return small == none ? large : large + std::log1p(std::exp(small - large));
+  }
+
+  std::vector<double> log_by_sweeps(const Eigen::SparseMatrix<double>& lower, const std::vector<heat_source>& sources,
+                                    std::span<const double> log_guess) const {
+    std::vector<double> load(component_.size());
+    for (const heat_source& s : sources) load[static_cast<std::size_t>(s.vert)] += s.strength;
+    heat_sweeps sweeps(lower, load, log_guess);
+    if (sweeps.run(sweep_tolerance, max_sweeps)) return sweeps.log_heat();
+    factorised heat{lower, make_similar_solver(*poisson_.solver)};
+    heat.factorize();
+    const rescaled_heat rescaled = solve_rescaled(heat, sources);
+    const double unit = (scale_exponent(*heat.solver) + unit_) * std::log(2.0);  // as by sweeps
+    for (std::size_t i = 0; i < load.size(); ++i) load[i] = rescaled.log(i) - unit;
+    return load;
+  }
+
   /// Heat at each vert, times 2^(2 e) for each round of continuation before the one that found it, where e is scale_exponent.
   struct rescaled_heat {
     std::vector<double> heat;  // 0 where it is not positive

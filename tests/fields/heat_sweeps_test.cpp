@@ -1,0 +1,112 @@
+// Heat geodesics and heat flow by multigrid, whose small values are inaccurate, agree with those by a factorisation.
+#include <concino/fields/heat_flow.hpp>
+#include <concino/fields/heat_geodesics.hpp>
+#include <concino/solve/ldlt.hpp>
+#include <concino/solve/multigrid.hpp>
+
+#include <support/geodesic_errors.hpp>
+#include <support/values_at_verts.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// Multigrid that counts what it does.
+struct counted_multigrid : multigrid {
+  struct counts {
+    int factorised = 0, solved = 0, cycles = 0;
+  };
+  counts* count;
+  explicit counted_multigrid(counts* where) : multigrid({.tolerance = 1e-10}), count(where) {}
+  counted_multigrid(const counted_multigrid& other) : multigrid({.tolerance = 1e-10}), count(other.count) {}
+  void factorize(const Eigen::SparseMatrix<double>& a) {
+    ++count->factorised;
+    multigrid::factorize(a);
+  }
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    Eigen::VectorXd x = multigrid::solve(b);
+    ++count->solved;
+    count->cycles += iterations();
+    return x;
+  }
+};
+
+/// The largest difference of the distances by multigrid from those by ldlt, beside the largest distance.
+template<class M, class S>
+double difference_by_multigrid(const M& m, const S& sources, const heat_geodesics_options& options = {.clamp = false}) {
+  const auto expected = heat_geodesics(m, sources, options, ldlt{}), d = heat_geodesics(m, sources, options, multigrid{});
+  double worst = 0, most = 0;
+  for (const auto v : verts(m)) {
+    if (!std::isfinite(expected[v])) {
+      CHECK(d[v] == expected[v]);
+      continue;
+    }
+    worst = std::max(worst, std::abs(d[v] - expected[v]));
+    most = std::max(most, std::abs(expected[v]));
+  }
+  return worst / most;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("heat_geodesics: multigrid gives the distances of a factorisation", M, CONCINO_KINDS) {
+  const unsigned n = VolumeMesh<M> ? 5 : 16;
+  const M m = square_or_cube<M>(n);
+  const vert_id corner{0}, middle = nearest(m, {0.5, 0.5, VolumeMesh<M> ? 0.5 : 0});
+  CHECK(difference_by_multigrid(m, corner) < 2e-3);
+  CHECK(difference_by_multigrid(m, middle, {}) < 2e-3);
+  CHECK(difference_by_multigrid(m, middle, {.boundary = heat_boundary::neumann, .clamp = false}) < 2e-3);
+  CHECK(difference_by_multigrid(m, corner, {.boundary = heat_boundary::dirichlet, .clamp = false}) < 2e-3);
+  CHECK(difference_by_multigrid(m, std::vector<std::pair<vert_id, double>>{{corner, 0.3}, {middle, 0.0}}) < 2e-3);
+  CHECK(difference_by_multigrid(m, middle, {.time = 0.25, .clamp = false}) < 2e-3);  // heat flows over many edges, and sweeps converge slowly
+  const M two = two_grids<M>(3);
+  CHECK(difference_by_multigrid(two, std::vector<std::pair<vert_id, double>>{{corner, 0.15}, {nearest(two, {1, 1, 0}), 0.0}}) < 2e-3);
+  CHECK(difference_by_multigrid(two, std::vector<vert_id>{corner, nearest(two, {2, 0, 0}), vert_id{static_cast<unsigned>(num_verts(two) - 1)}}) < 2e-3);
+}
+
+TEST_CASE("heat_geodesics: a query by multigrid takes one solve on a mesh of even edges, however many") {
+  for (const std::size_t cells : {20u, 60u}) {
+    const trimesh m = make_torus<trimesh>({.cells = {2 * cells, cells}});
+    counted_multigrid::counts counts;
+    const auto heat = prepare_heat_geodesics(m, {}, counted_multigrid(&counts));
+    CHECK(counts.factorised == 1);
+    CHECK(counts.solved == 0);
+    heat.distance_from(vert_id{7});
+    CHECK(counts.factorised == 1);
+    CHECK(counts.solved == 1);
+    CHECK(counts.cycles <= 20);
+    CHECK(difference_by_multigrid(m, vert_id{7}) < 2e-3);
+  }
+}
+
+TEST_CASE("heat_geodesics: multigrid gives the distances of a factorisation on graded meshes") {
+  for (const double power : {2.0, 3.0}) {
+    auto m = make_grid<trimesh>({.cells = {40, 40}});
+    grade(m, {power, power, 1});
+    CHECK(difference_by_multigrid(m, vert_id{0}) < 2e-3);
+    CHECK(difference_by_multigrid(m, vert_id{800}) < 2e-3);
+  }
+}
+
+TEST_CASE_TEMPLATE("heat_flow: multigrid gives the values of a factorisation, in few cycles", M, CONCINO_KINDS) {
+  const M m = square_or_cube<M>(VolumeMesh<M> ? 5 : 16);
+  const auto u = random_values(m);
+  for (const double time : {1e-4, 0.1}) {
+    const heat_flow_options<M> options{.fixed = {vert_id{0}}, .steps = 4};
+    const auto expected = heat_flow(m, u, time, options, ldlt{});
+    counted_multigrid::counts counts;
+    counted_multigrid solver(&counts);
+    CHECK(largest_difference(heat_flow(m, u, time, options, solver), expected) < 1e-8);
+    CHECK(counts.solved == 8);
+    CHECK(counts.cycles <= 20 * counts.solved);
+    CHECK(largest_difference(prepare_heat_flow(m, time, options, multigrid{}).advance(u), expected) < 1e-8);
+  }
+}
