@@ -39,6 +39,18 @@ struct counted_multigrid : multigrid {
   }
 };
 
+/// Is iterative up to its first solve.
+struct changing_solver : multigrid {
+  mutable bool has_solved = false;
+  changing_solver() = default;
+  changing_solver(const changing_solver&) : multigrid() {}
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
+    has_solved = true;
+    return multigrid::solve(b);
+  }
+  bool is_iterative() const { return !has_solved; }
+};
+
 /// The largest difference of the distances by multigrid from those by ldlt, beside the largest distance.
 template<class M, class S>
 double difference_by_multigrid(const M& m, const S& sources, const heat_geodesics_options& options = {.clamp = false}) {
@@ -85,6 +97,14 @@ TEST_CASE("heat_geodesics: a query by multigrid takes one solve on a mesh of eve
     CHECK(counts.cycles <= 20);
     CHECK(difference_by_multigrid(m, vert_id{7}) < 2e-3);
   }
+}
+
+TEST_CASE("heat_geodesics: a solver may change from an iteration to a factor between queries, as auto_solver does") {
+  const auto m = square_or_cube<trimesh>(12);
+  const auto heat = prepare_heat_geodesics(m, {.clamp = false}, changing_solver{});
+  const auto first = heat.distance_from(vert_id{5}), second = heat.distance_from(vert_id{5});
+  CHECK(largest_difference(first, second) < 1e-9);
+  CHECK(largest_difference(second, heat_geodesics(m, vert_id{5}, {.clamp = false}, ldlt{})) < 2e-3);
 }
 
 TEST_CASE("heat_geodesics: multigrid gives the distances of a factorisation on graded meshes") {

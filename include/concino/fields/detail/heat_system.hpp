@@ -59,6 +59,7 @@ class heat_system {
   factorised poisson_;
   corner_fluxes corners_;
   std::vector<int> component_;  // of polys connected through verts: the number of one vert of each component
+  bool is_iterative_ = false;   // a solver may change its method later
   int unit_ = 0;                // 2^unit_ is about the mass of a vert: it makes heat independent of the scale of the mesh
 
   void find_components(int size) {
@@ -86,6 +87,7 @@ class heat_system {
       constrained = constrained > 0 ? 2 * constrained : 1;
     }
     poisson_.factorize();
+    is_iterative_ = core::is_iterative(*poisson_.solver);
   }
 
   /// lower: the masses minus the time times a Laplacian, with the same pattern.
@@ -101,8 +103,8 @@ class heat_system {
     heats_.back().factorize();
   }
 
-  /// Whether solvers are iterative. Heat is then found by sweeps, which need a guess.
-  bool is_iterative() const { return core::is_iterative(*poisson_.solver); }
+  /// Whether the solver was iterative when it was factorised. Heat is then found by sweeps, which need a guess.
+  bool is_iterative() const { return is_iterative_; }
 
   /// One vert of each component of polys.
   std::vector<heat_source> one_source_per_component() const {
@@ -200,8 +202,8 @@ class heat_system {
     if (sweeps.run(sweep_tolerance, max_sweeps)) return sweeps.log_heat();
     factorised heat{lower, make_similar_solver(*poisson_.solver)};
     heat.factorize();
+    const double unit = (scale_exponent(*heat.solver) + unit_) * std::log(2.0);  // to the scale of sweeps
     const rescaled_heat rescaled = solve_rescaled(heat, sources);
-    const double unit = (scale_exponent(*heat.solver) + unit_) * std::log(2.0);  // as by sweeps
     for (std::size_t i = 0; i < load.size(); ++i) load[i] = rescaled.log(i) - unit;
     return load;
   }
