@@ -299,21 +299,21 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
 /// Prepares geodesic distances over a surface or through a volume, for many queries: auto heat = prepare_heat_geodesics(m);
 /// auto d = heat.distance_from(v); d[w] is a length.
 /// Needs:  as heat_geodesics; the mesh must not change afterwards. solver: the result keeps two or three of its type, constructed from its options() if
-///         it has them.
+///         it has them. By default auto_solver expects 20 queries, so it factorises all but very large meshes; {.questions = n} says how many you expect.
 /// Result: an object with distance_from(...).
 /// Cost:   as heat_geodesics without the query.
 /// Errors: as heat_geodesics, except those about sources.
 template<class M, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const heat_geodesics_options& options = {},
-                                                                                                    Solver&& solver = {}) {
+                                                                                                    Solver&& solver = auto_solver({.questions = 20})) {
   return {m, virtual_elements, options, solver};
 }
 template<class M, class D, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_geodesics(M&& m, const D& discretisation,
                                                                                                     const heat_geodesics_options& options = {},
-                                                                                                    Solver&& solver = {}) {
+                                                                                                    Solver&& solver = auto_solver({.questions = 20})) {
   return {m, discretisation, options, solver};
 }
 
