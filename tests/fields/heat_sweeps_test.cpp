@@ -116,6 +116,18 @@ TEST_CASE("heat_geodesics: multigrid gives the distances of a factorisation on g
   }
 }
 
+TEST_CASE("heat_geodesics: where sweeps fail, queries share one solver of heat") {
+  auto m = make_grid<trimesh>({.cells = {40, 40}});
+  grade(m, {3, 3, 1});
+  counted_multigrid::counts counts;
+  const auto heat = prepare_heat_geodesics(m, {.boundary = heat_boundary::neumann}, counted_multigrid(&counts));
+  const auto first = heat.distance_from(vert_id{0});
+  REQUIRE(counts.factorised == 2);  // of Poisson's equation and of heat
+  heat.distance_from(vert_id{800});
+  CHECK(largest_difference(heat.distance_from(vert_id{0}), first) == 0);
+  CHECK(counts.factorised == 2);
+}
+
 TEST_CASE_TEMPLATE("heat_flow: multigrid gives the values of a factorisation, in few cycles", M, CONCINO_KINDS) {
   const M m = square_or_cube<M>(VolumeMesh<M> ? 5 : 16);
   const auto u = random_values(m);

@@ -346,7 +346,7 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         Iterative solvers, such as multigrid, are only used for the potential of the gradient: one set-up to prepare, and one solve per query. Heat is
 ///         found by 10 to 100 Gauss-Seidel sweeps there and back, each as long as a cycle of multigrid; distances differ by about 1e-4 of the largest from those
 ///         by factorisation. A tolerance of 1e-6 of the solver is enough. Where sweeps do not converge, as on meshes graded by x^2 and sometimes at 10^6
-///         polys, heat takes one set-up more per query, and a solve for each 18 sqrt(time) of distance.
+///         polys, heat takes one more set-up, which is kept, and in each query a solve for each 18 sqrt(time) of distance.
 /// Errors: invalid_argument if time is out of its range, there is no source, or an initial distance is not finite. invalid_mesh if a source is no
 ///         vert of the mesh, or if a poly has no area or volume or points that are not finite. unsupported as laplacian. solver_error. cancelled.
 /// Source: Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"; the logarithm: Varadhan 1967; paths across triangles: Novotni, Klein 2002, "Computing

@@ -15,8 +15,10 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -48,10 +50,11 @@ class heat_system {
 
   struct factorised {
     Eigen::SparseMatrix<double> lower;  // triangle
-    std::unique_ptr<Solver> solver;     // of heat, none if solvers are iterative
+    mutable std::unique_ptr<Solver> solver;  // of heat: none if solvers are iterative, until sweeps have failed
 
-    void factorize() {
-      core::factorize_over_verts(*solver, lower, "heat_geodesics", [](Eigen::Index row) { return row; });
+    void factorize() { factorize_by(*solver); }
+    void factorize_by(Solver& by) const {
+      core::factorize_over_verts(by, lower, "heat_geodesics", [](Eigen::Index row) { return row; });
     }
   };
 
@@ -60,6 +63,7 @@ class heat_system {
   corner_fluxes corners_;
   std::vector<int> component_;  // of polys connected through verts: the number of one vert of each component
   bool is_iterative_ = false;   // a solver may change its method later
+  std::unique_ptr<std::mutex> adding_solver_ = std::make_unique<std::mutex>();  // locked by the query that adds a solver of heat
   int unit_ = 0;                // 2^unit_ is about the mass of a vert: it makes heat independent of the scale of the mesh
 
   void find_components(int size) {
@@ -147,9 +151,9 @@ class heat_system {
   /// and can be scaled by any factor.
   std::vector<double> log_heat(const std::vector<heat_source>& sources, std::span<const double> log_guess) const {
     if (is_iterative()) {
-      std::vector<double> sum = log_by_sweeps(heats_.front().lower, sources, log_guess);
+      std::vector<double> sum = log_by_sweeps(heats_.front(), sources, log_guess);
       if (heats_.size() == 1) return sum;
-      const std::vector<double> other = log_by_sweeps(heats_.back().lower, sources, log_guess);
+      const std::vector<double> other = log_by_sweeps(heats_.back(), sources, log_guess);
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = log_of_sum(sum[i], other[i]);
       return sum;
     }
@@ -194,14 +198,19 @@ class heat_system {
     return small == none ? large : large + std::log1p(std::exp(small - large));
   }
 
-  std::vector<double> log_by_sweeps(const Eigen::SparseMatrix<double>& lower, const std::vector<heat_source>& sources,
-                                    std::span<const double> log_guess) const {
+  std::vector<double> log_by_sweeps(const factorised& heat, const std::vector<heat_source>& sources, std::span<const double> log_guess) const {
     std::vector<double> load(component_.size());
     for (const heat_source& s : sources) load[static_cast<std::size_t>(s.vert)] += s.strength;
-    heat_sweeps sweeps(lower, load, log_guess);
+    heat_sweeps sweeps(heat.lower, load, log_guess);
     if (sweeps.run(sweep_tolerance, max_sweeps)) return sweeps.log_heat();
-    factorised heat{lower, make_similar_solver(*poisson_.solver)};
-    heat.factorize();
+    {
+      const std::lock_guard<std::mutex> lock(*adding_solver_);
+      if (!heat.solver) {
+        auto solver = make_similar_solver(*poisson_.solver);
+        heat.factorize_by(*solver);
+        heat.solver = std::move(solver);
+      }
+    }
     const double unit = (scale_exponent(*heat.solver) + unit_) * std::log(2.0);  // to the scale of sweeps
     const rescaled_heat rescaled = solve_rescaled(heat, sources);
     for (std::size_t i = 0; i < load.size(); ++i) load[i] = rescaled.log(i) - unit;
