@@ -2,8 +2,8 @@
 // is the better of both for that number. The rows auto.MESH.predicted have the times that its model predicts for one right-hand side, beside those measured in
 // auto.MESH.1; 0: not counted.
 #include "support/kinds.hpp"
+#include "support/laplace_system.hpp"
 
-#include <concino/operators/laplacian.hpp>
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/multigrid.hpp>
@@ -16,14 +16,6 @@
 namespace {
 
 using sparse = Eigen::SparseMatrix<double>;
-
-/// The lower triangle of minus the Laplacian, with one vert constrained.
-template<class M>
-sparse system_of(const M& m) {
-  sparse a = -concino::laplacian(m);
-  a.coeffRef(0, 0) *= 2;
-  return a.triangularView<Eigen::Lower>();
-}
 
 Eigen::VectorXd right_hand_side(Eigen::Index size, int number) {
   Eigen::VectorXd b(size);
@@ -45,7 +37,7 @@ template<class Make>
 void compare(const bench::program& p, const std::string& kind, const Make& make) {
   const std::string work = "auto." + kind;
   if (!p.wants(work + ".1") && !p.wants(work + ".30")) return;
-  const sparse a = system_of(make());
+  const sparse a = bench::laplace_system(make());
   const int rounds = a.nonZeros() > 100'000 ? 1 : std::min(p.rounds, 3);
   std::vector<double> one[3], thirty[3];
   concino::predicted_times of_factor, of_levels;

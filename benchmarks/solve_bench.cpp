@@ -4,8 +4,8 @@
 // matrix; its floor is the matrix.
 #include "support/heap.hpp"
 #include "support/kinds.hpp"
+#include "support/laplace_system.hpp"
 
-#include <concino/operators/laplacian.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/multigrid.hpp>
@@ -18,14 +18,6 @@ namespace {
 
 using sparse = Eigen::SparseMatrix<double>;
 
-/// The lower triangle of the matrix.
-template<class M>
-sparse system_of(const M& m) {
-  sparse a = -concino::laplacian(m);
-  a.coeffRef(0, 0) *= 2;
-  return a.triangularView<Eigen::Lower>();
-}
-
 /// make(n) returns a mesh of about n polys. Solver: a factorisation without options, or an iteration.
 template<class Solver, class Make, class... Options>
 void grow(const bench::program& p, const std::string& kind, const char* by, double last, const char* model, const char* memory_model,
@@ -36,7 +28,7 @@ void grow(const bench::program& p, const std::string& kind, const char* by, doub
     if (p.data.tiny && exponent > 4.5) break;
     const auto m = make(std::pow(10.0, p.data.tiny ? exponent - 2 : exponent));
     const auto polys = static_cast<double>(concino::num_polys(m));
-    const sparse a = system_of(m);
+    const sparse a = bench::laplace_system(m);
     Eigen::VectorXd b(a.cols()), x;
     for (Eigen::Index i = 0; i < b.size(); ++i) b[i] = static_cast<double>(i * 7919 % 101) - 50;
     int iterations = 0;

@@ -1,6 +1,7 @@
 // Measures CHOLMOD's supernodal factorisation against Eigen's, on a surface and in a volume, a harmonic map with CHOLMOD against its factorisation
 // alone, multigrid to 1e-10 against CHOLMOD's factorisation with one solve, and a harmonic map as it is by default against the same with both. The speed depends on the BLAS that CHOLMOD uses.
 #include "../support/harmonic.hpp"
+#include "../support/laplace_system.hpp"
 
 #include <concino/adapters/cholmod.hpp>
 #include <concino/operators/laplacian.hpp>
@@ -19,14 +20,6 @@ struct eigen_solver {
   void factorize(const Eigen::SparseMatrix<double>& a) { factors.compute(a); }
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return factors.solve(b); }
 };
-
-/// The lower triangle of minus the Laplacian of a mesh with one constrained vert.
-template<class M>
-Eigen::SparseMatrix<double> system_of(const M& m) {
-  Eigen::SparseMatrix<double> a = -concino::laplacian(m, concino::uniform);
-  a.coeffRef(0, 0) *= 2;
-  return a.triangularView<Eigen::Lower>();
-}
 
 void compare_factorisations(const bench::program& p, const std::string& work, const Eigen::SparseMatrix<double>& a) {
   const auto by_eigen = [&] { return std::make_unique<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>(a); };
@@ -73,9 +66,9 @@ void compare_harmonic_maps(const bench::program& p, const std::string& work, con
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
-    if (p.wants("factorise.bunny16")) compare_factorisations(p, "factorise.bunny16", system_of(concino::trimesh(p.data.bunny16())));
+    if (p.wants("factorise.bunny16")) compare_factorisations(p, "factorise.bunny16", bench::laplace_system(concino::trimesh(p.data.bunny16()), concino::uniform));
     if (p.wants("factorise.hex27k"))
-      compare_factorisations(p, "factorise.hex27k", system_of(concino::hexmesh(bench::hex_grid(p.data.tiny ? 4 : 30))));
+      compare_factorisations(p, "factorise.hex27k", bench::laplace_system(concino::hexmesh(bench::hex_grid(p.data.tiny ? 4 : 30)), concino::uniform));
     if (p.wants("solve.bunny16")) compare_with_multigrid(p, "solve.bunny16", concino::trimesh(p.data.bunny16()));
     if (p.wants("solve.tri1m")) compare_with_multigrid(p, "solve.tri1m", concino::trimesh(p.data.tri1m()));
     if (p.wants("solve.tet105k")) compare_with_multigrid(p, "solve.tet105k", concino::tetmesh(bench::tet_grid(p.data.tiny ? 3 : 26)));
