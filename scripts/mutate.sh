@@ -117,7 +117,10 @@ mesh/corner_orders     mesh/corner_orders
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
 mesh/detail/surface_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
 mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
-mesh/detail/cell_tables mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/cell_tables_build mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/cell_tables_edit mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/cell_tables_fans mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/met_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
 mesh/detail/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
 mesh/detail/facet_adjacency             mesh/detail/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes

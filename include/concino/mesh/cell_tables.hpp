@@ -215,5 +215,7 @@ using hex_tables = cell_tables<detail::hex_shape>;
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/cell_tables.ipp>
+#include <concino/mesh/detail/cell_tables_build.ipp>
+#include <concino/mesh/detail/cell_tables_edit.ipp>
+#include <concino/mesh/detail/cell_tables_fans.ipp>
 #endif
