@@ -1,7 +1,7 @@
 // Meshes that have every verb but one: what a concept needs is what it cannot do without.
 #pragma once
 
-#include <concino/concepts/mesh.hpp>
+#include <concino/concepts/editable.hpp>
 
 namespace stranger {
 
@@ -19,7 +19,7 @@ inline constexpr const char* verbs[] = {
     "verts",   "num_verts", "vert_index_bound", "index_of(vert)", "adj_v2v", "polys",   "num_polys", "poly_index_bound", "index_of(poly)", "adj_p2p",
     "edges",   "num_edges", "edge_index_bound", "index_of(edge)", "adj_e2v", "adj_e2p", "adj_v2e",   "adj_v2p",          "adj_p2v",        "adj_p2e",
     "faces",   "num_faces", "face_index_bound", "index_of(face)", "adj_f2v", "adj_f2e", "adj_f2p",   "adj_v2f",          "adj_e2f",        "adj_p2f",
-    "face_is_outward", "point", "set_point"};
+    "face_is_outward", "point", "set_point", "rewire"};
 inline constexpr int num_verbs = sizeof(verbs) / sizeof(*verbs);
 
 }  // namespace stranger
@@ -67,4 +67,5 @@ struct concino::mesh_traits<stranger::mesh<L, D>> {
   static bool face_is_outward(m, poly, face) requires(L != 30);
   static const double* point(m, vert) requires(L != 31);
   static void set_point(stranger::mesh<L, D>&, vert, const double*) requires(L != 32);
+  template<class C, class R> static void rewire(stranger::mesh<L, D>&, const C&, const R&) requires(L != 33);
 };

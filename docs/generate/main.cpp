@@ -41,6 +41,8 @@ MODELS(SurfaceMesh);
 MODELS(VolumeMesh);
 MODELS(Embedded);
 MODELS(MutablePoints);
+MODELS(EditableSurfaceMesh);
+MODELS(EditableVolumeMesh);
 #undef MODELS
 
 struct concept_row {
@@ -54,7 +56,8 @@ std::vector<concept_row> all_concepts() {
   needs both = surface;
   for (std::size_t i = 0; i < both.size(); ++i) both[i] = surface[i] && volume[i];
   return {{"PrimalGraph", needed<models_PrimalGraph, 2>()}, {"DualGraph", needed<models_DualGraph, 2>()}, {"Embedded", needed<models_Embedded, 2>()},
-          {"MutablePoints", needed<models_MutablePoints, 2>()}, {"AnyMesh", both}, {"SurfaceMesh", surface, 2}, {"VolumeMesh", volume, 3}};
+          {"MutablePoints", needed<models_MutablePoints, 2>()}, {"AnyMesh", both}, {"SurfaceMesh", surface, 2}, {"VolumeMesh", volume, 3},
+          {"EditableSurfaceMesh", needed<models_EditableSurfaceMesh, 2>(), 2}, {"EditableVolumeMesh", needed<models_EditableVolumeMesh, 3>(), 3}};
 }
 
 bool within(const needs& a, const needs& b) {

@@ -18,6 +18,7 @@
 // the types used before still model no concept.
 #pragma once
 
+#include <concino/concepts/cavity.hpp>
 #include <concino/concepts/descriptors.hpp>
 #include <concino/concepts/ranges.hpp>
 #include <concino/concepts/requirement.hpp>
@@ -37,6 +38,10 @@ template<class M> using vert_t = typename traits<M>::vert;
 template<class M> using edge_t = typename traits<M>::edge;
 template<class M> using face_t = typename traits<M>::face;
 template<class M> using poly_t = typename traits<M>::poly;
+
+/// What the verb `rewire` replaces in a mesh of type M, and where it writes the descriptors of new elements.
+template<class M> using cavity = cavity_of<vert_t<M>, poly_t<M>>;
+template<class M> using cavity_result = cavity_result_of<vert_t<M>, poly_t<M>>;
 
 namespace requirement {
 

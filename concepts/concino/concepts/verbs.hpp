@@ -132,6 +132,14 @@ inline constexpr struct set_point_verb : detail::verb {
   constexpr void operator()(M& m, vert_t<M> v, const P& p) const { traits<M>::set_point(m, v, p); }
 } set_point{};
 
+/// Replaces the old polys of a cavity by the new ones, at once. The descriptors of new elements are written to `made`.
+inline constexpr struct rewire_verb : detail::verb {
+  using verb::operator();
+  template<class M>
+    requires requires(M& m, const cavity<M>& c, const cavity_result<M>& made) { traits<M>::rewire(m, c, made); }
+  constexpr void operator()(M& m, const cavity<M>& c, const cavity_result<M>& made) const { traits<M>::rewire(m, c, made); }
+} rewire{};
+
 /// Whether face f of poly p, in the order of adj_f2v, runs counter-clockwise seen from outside p.
 inline constexpr struct face_is_outward_verb : detail::verb {
   using verb::operator();
