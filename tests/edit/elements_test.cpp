@@ -4,72 +4,21 @@
 #include <concino/validate/check_laws.hpp>
 
 #include <support/corpus.hpp>
+#include <support/rebuilt.hpp>
 #include <support/soups.hpp>
 
 #include <doctest/doctest.h>
 
-#include <map>
 #include <set>
 
 namespace cn = concino;
 
 namespace {
 
-template<class M>
-void keeps_all_laws(const M& m) {
-  for (const auto& b : cn::check_laws(m)) FAIL_CHECK(b.law << ": " << b.what << " [" << b.witness << "]");
-}
-
+using cn::testing::equals_rebuilt;
+using cn::testing::keeps_all_laws;
+using cn::testing::raw;
 using list = std::vector<unsigned>;
-
-template<class R>
-list raw(const R& range) {
-  list all;
-  for (const auto x : range) all.push_back(x.raw());
-  return all;
-}
-template<class R>
-std::set<unsigned> raw_set(const R& range) {
-  const list l = raw(range);
-  return {l.begin(), l.end()};
-}
-
-/// A new mesh of the polys of m, on the same verts, and the names that these polys have in m.
-template<class M>
-std::pair<M, list> rebuilt(const M& m) {
-  std::vector<cn::vec3> points(cn::vert_index_bound(m));
-  for (const auto v : cn::verts(m)) points[v.raw()] = cn::point(m, v);
-  const list old = raw(cn::polys(m));
-  if constexpr (std::same_as<M, cn::polyhedralmesh>) {
-    std::vector<list> faces;
-    std::map<unsigned, unsigned> fresh;
-    for (const auto f : cn::faces(m)) fresh[f.raw()] = static_cast<unsigned>(faces.size()), faces.push_back(raw(cn::adj_f2v(m, f)));
-    std::vector<std::vector<std::pair<unsigned, bool>>> polys;
-    for (const unsigned p : old) {
-      polys.emplace_back();
-      for (const auto f : cn::adj_p2f(m, cn::poly_id{p})) polys.back().emplace_back(fresh[f.raw()], cn::face_is_outward(m, cn::poly_id{p}, f));
-    }
-    return {M(points, faces, polys), old};
-  } else {
-    std::vector<list> polys;
-    for (const unsigned p : old) polys.push_back(raw(cn::adj_p2v(m, cn::poly_id{p})));
-    return {M(points, polys), old};
-  }
-}
-
-template<class M>
-void equals_rebuilt(const M& m) {
-  const auto [fresh, old] = rebuilt(m);
-  CHECK(cn::num_edges(m) == cn::num_edges(fresh));
-  if constexpr (cn::VolumeMesh<M>) CHECK(cn::num_faces(m) == cn::num_faces(fresh));
-  for (const auto v : cn::verts(m)) CHECK(raw_set(cn::adj_v2v(m, v)) == raw_set(cn::adj_v2v(fresh, v)));
-  for (unsigned i = 0; i < old.size(); ++i) {
-    std::set<unsigned> across;
-    for (const auto q : cn::adj_p2p(fresh, cn::poly_id{i})) across.insert(old[q.raw()]);
-    CHECK(raw_set(cn::adj_p2p(m, cn::poly_id{old[i]})) == across);
-    CHECK(raw_set(cn::adj_p2v(m, cn::poly_id{old[i]})) == raw_set(cn::adj_p2v(fresh, cn::poly_id{i})));
-  }
-}
 
 template<class M>
 void add_random_poly(M& m, std::mt19937& random) {
