@@ -154,6 +154,13 @@ struct native_traits : Base<M> {
   {
     return m.tables().add_poly(list, outward, growing(m));
   }
+  static void rewire(M& m, const native_cavity& c, const native_cavity_result& made)
+    requires requires { m.tables().rewire(c, made); }
+  {
+    reserve_more(m.points(), c.points.size());
+    m.tables().rewire(c, made, growing(m));
+    m.points().insert(m.points().end(), c.points.begin(), c.points.end());
+  }
   static void reserve_removal(M& m, std::span<const poly_id> polys) { m.tables().reserve_removal(polys); }
   static void remove_poly(M& m, poly_id p) { m.tables().remove_poly(p); }
 

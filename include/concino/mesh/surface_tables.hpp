@@ -6,6 +6,7 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/detail/alive_elements.hpp>
+#include <concino/mesh/detail/cavity_input.hpp>
 #include <concino/mesh/detail/checks.hpp>
 #include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
@@ -90,6 +91,11 @@ class surface_tables {
   /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   poly_id add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
 
+  /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the corners of old and new polys, and the edges and polys at their verts.
+  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly; if the constructor would refuse
+  ///         a new poly; if a vert that is to be removed would keep a poly. The tables are unchanged then.
+  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {});
+
   /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id>);
 
@@ -100,6 +106,8 @@ class surface_tables {
   void remove_vert(vert_id v);
 
  private:
+  class rewiring;
+
   void check(std::size_t vert_count) const;
 
   void build(std::size_t vert_count);
@@ -119,6 +127,8 @@ class surface_tables {
 #define CONCINO_SURFACE_TABLES(EXTERN, ARITY)                                                                                         \
   EXTERN template vert_id surface_tables<ARITY>::add_vert(function_ref<void(const detail::index_bounds&)>);                           \
   EXTERN template poly_id surface_tables<ARITY>::add_poly(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>); \
+  EXTERN template void surface_tables<ARITY>::rewire(const detail::native_cavity&, const detail::native_cavity_result&,                \
+                                                     function_ref<void(const detail::index_bounds&)>);                                \
   EXTERN template void surface_tables<ARITY>::reserve_removal(std::span<const poly_id>);                                              \
   EXTERN template void surface_tables<ARITY>::remove_poly(poly_id);                                                                   \
   EXTERN template void surface_tables<ARITY>::remove_vert(vert_id);                                                                   \
@@ -133,3 +143,4 @@ CONCINO_SURFACE_TABLES(extern, 4);
 }  // namespace concino
 
 #include <concino/mesh/detail/surface_tables.ipp>
+#include <concino/mesh/detail/surface_rewire.ipp>

@@ -60,6 +60,11 @@ class alive_elements {
     if (dead_.empty() && dead_.capacity() < bound_) dead_.reserve(std::max(bound_, 2 * dead_.capacity()));
   }
 
+  /// After this call, n calls of add() cannot fail, even after calls of remove(), nor can these.
+  void reserve_with_removal(std::size_t n) {
+    if (dead_.capacity() < bound_ + n) dead_.reserve(std::max(bound_ + n, 2 * dead_.capacity()));
+  }
+
   Id add() {
     if (!dead_.empty()) dead_.push_back(0);
     return Id{bound_++};

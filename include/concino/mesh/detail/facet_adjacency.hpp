@@ -71,7 +71,7 @@ class facet_adjacency {
     return {poly_id{s.poly}, poly_id{x.poly()}};
   }
 
-  /// Construction: adds a facet without polys.
+  /// Adds a facet without polys.
   void add_facet() { owner_.push_back(~0u); }
   /// Construction: adds the next facet, which is facet k of p and of no other poly so far.
   void add_facet(std::uint32_t p, std::uint32_t k, Facet f)
@@ -157,9 +157,7 @@ class facet_adjacency {
     } else {
       for (std::uint32_t k = 0; k < n; ++k)
         if (!s[k].is_none() && !s[k].is_non_manifold()) scratch.push_back(std::uint64_t{s[k].poly()} << 32 | k);
-      core::sort_numbers(scratch.data(), scratch.data() + scratch.size());
-      for (std::size_t i = 1; i < scratch.size(); ++i)
-        if (scratch[i] >> 32 == scratch[i - 1] >> 32) s[static_cast<std::uint32_t>(scratch[i])].raw |= encoded_neighbour::special;
+      mark_repeats_in(scratch, s);
     }
     mark_in_poly_lists(p);
     for (const Facet f : facets_[p]) {
@@ -200,6 +198,89 @@ class facet_adjacency {
       }
     }
   }
+
+  // Edits that replace a few polys by others: detach() all old ones, attach() the facets of the new ones, refresh_marks() of each new poly and of each poly
+  // that shares a facet with a new one or is in a poly list of an old one. A new poly may have the number of an old one.
+
+  encoded_neighbour neighbour(poly_id p, std::uint32_t k) const { return neighbours_.begin(p.raw())[k]; }
+  /// The number of polys at facet k of p.
+  std::uint32_t num_polys_at(poly_id p, std::uint32_t k) const {
+    const encoded_neighbour x = neighbour(p, k);
+    return x.is_none() ? 1 : x.is_non_manifold() ? poly_lists_.length(x.poly_list()) : 2;
+  }
+  /// Allocates memory for `rows` new polys with that many facets in all, which includes the growth of rows that resize_row() will need, and for `facets` new ones.
+  void reserve_polys(std::size_t rows, std::size_t values, std::size_t facets) {
+    facets_.reserve_rows(rows, values);
+    neighbours_.reserve_rows(rows, values);
+    owner_.reserve_back(facets);
+  }
+  std::uint32_t growth_of_row(poly_id p, std::size_t n) const { return facets_.growth_of_row(p.raw(), n); }
+  /// Allocates memory for poly lists of `lists` facets that will have `polys` polys in all.
+  void reserve_poly_lists(std::size_t lists, std::size_t polys) {
+    poly_lists_.make_editable();
+    if (lists > 0) poly_lists_.reserve_rows(lists, 4 * polys + 2 * min_list_capacity * lists);
+  }
+  void detach(poly_id p) { unlink(p.raw()); }
+  /// Gives p room for n facets; they are undefined before they are attached.
+  void resize_row(poly_id p, std::uint32_t n) {
+    facets_.resize_row(p.raw(), n);
+    neighbours_.resize_row(p.raw(), n);
+  }
+  /// Adds a poly with n facets, which are undefined before they are attached.
+  void add_poly(std::uint32_t n) {
+    facets_.stage_row(nullptr, n);
+    neighbours_.stage_row(nullptr, n);
+    facets_.commit_row(n);
+    neighbours_.commit_row(n);
+  }
+  /// Makes f facet k of p. Other polys at f, but no marks of repeated neighbours, are updated.
+  void attach(poly_id p, std::uint32_t k, Facet f) {
+    facets_.begin(p.raw())[k] = f;
+    encoded_neighbour& own = neighbours_.begin(p.raw())[k];
+    own = {};
+    if (!is_owned(f)) return set_owner(f, p.raw(), k);
+    const incidence s = owner(f);
+    encoded_neighbour& first = neighbours_.begin(s.poly)[s.k];
+    if (first.is_none()) {
+      first.raw = p.raw();
+      own.raw = s.poly;
+    } else if (first.is_non_manifold()) {
+      poly_lists_.insert(first.poly_list(), p);
+      own = first;
+    } else {
+      poly_id three[] = {poly_id{s.poly}, poly_id{first.poly()}, p};
+      encoded_neighbour& second = neighbours_.begin(first.poly())[local(first.poly(), f)];
+      if (three[1] < three[0]) std::swap(three[0], three[1]);
+      if (three[2] < three[1]) std::swap(three[1], three[2]);
+      if (three[1] < three[0]) std::swap(three[0], three[1]);
+      own.raw = encoded_neighbour::special | encoded_neighbour::non_manifold_bit | static_cast<std::uint32_t>(poly_lists_.size());
+      poly_lists_.add_row(three, three + 3, min_list_capacity);
+      first = second = own;
+    }
+  }
+  /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p, and no others. The scratch memory needs
+  /// room for its facets, if these are more than `max_scanned_facets`.
+  template<class Scratch>
+  void refresh_marks(poly_id p, Scratch& scratch) {
+    encoded_neighbour* const s = neighbours_.begin(p.raw());
+    const std::uint32_t n = facets_.length(p.raw());
+    bool has_list = false;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      if (s[k].is_none()) continue;
+      if (s[k].is_non_manifold()) has_list = true;
+      else s[k].raw &= ~encoded_neighbour::special;
+    }
+    if (n <= max_scanned_facets) {
+      mark_by_scanning(p.raw());
+    } else {
+      scratch.clear();
+      for (std::uint32_t k = 0; k < n; ++k)
+        if (!s[k].is_none() && !s[k].is_non_manifold()) scratch.push_back(std::uint64_t{s[k].poly()} << 32 | k);
+      mark_repeats_in(scratch, s);
+    }
+    if (has_list) mark_in_poly_lists(p.raw());
+  }
+  static constexpr std::uint32_t max_scanned_facets = 24;  // up to here comparing all pairs is fastest
 
   /// A fast test that is false for nearly all polys.
   bool may_repeat(std::uint32_t p) const {
@@ -251,8 +332,15 @@ class facet_adjacency {
   }
 
  private:
-  static constexpr std::uint32_t max_scanned_facets = 24;  // up to here comparing all pairs is fastest
   static constexpr std::size_t min_list_capacity = 4;       // of a new list of polys
+
+  /// Marks incidences of one poly, given as neighbour and position, that repeat a neighbour.
+  template<class Scratch>
+  static void mark_repeats_in(Scratch& sorted, encoded_neighbour* s) {
+    core::sort_numbers(sorted.data(), sorted.data() + sorted.size());
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      if (sorted[i] >> 32 == sorted[i - 1] >> 32) s[static_cast<std::uint32_t>(sorted[i])].raw |= encoded_neighbour::special;
+  }
 
   void mark_by_scanning(std::uint32_t p) {
     encoded_neighbour* const s = neighbours_.begin(p);

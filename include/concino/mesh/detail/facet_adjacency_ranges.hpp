@@ -103,6 +103,7 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
  public:
   using base::begin;
   using base::end;
+  using base::length;
   using base::size;
   using base::operator[];
 
@@ -118,6 +119,12 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
   void push(std::size_t i, const poly_id& p) {
     forget();
     base::push(i, p);
+  }
+  /// Adds p to list i, which remains sorted.
+  void insert(std::size_t i, const poly_id& p) {
+    push(i, p);
+    poly_id* const first = base::begin(i);
+    for (std::size_t k = length(i) - 1; k > 0 && first[k] < first[k - 1]; --k) std::swap(first[k], first[k - 1]);
   }
   void remove(std::size_t i, const poly_id& p) {
     forget();

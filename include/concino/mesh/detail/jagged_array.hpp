@@ -89,6 +89,10 @@ class jagged_array {
     assert(last - first == N);
     data_.append(std::to_address(first), N);
   }
+  /// After this call, n calls of add_row() cannot fail, and row i can get a length of N, which it has.
+  void reserve_rows(std::size_t n, std::size_t) { reserve_rows(n); }
+  std::uint32_t growth_of_row(std::size_t, std::size_t) const { return 0; }
+  void resize_row(std::size_t, [[maybe_unused]] std::size_t n) { assert(n == N); }
 };
 
 /// Rows of any lengths. Before the first edit the rows are consecutive ("packed"): row i ends where row i+1 begins, so one array of offsets is
@@ -250,6 +254,19 @@ class jagged_array<T, 0> {
     make_editable();
     loose_last_[i] = loose_first_[i];
   }
+  /// The number of values that resize_row(i, n) needs behind the last row; reserve_rows() reserves them.
+  std::uint32_t growth_of_row(std::size_t i, std::size_t n) const {
+    const std::uint32_t room = packed_ ? length(i) : room_[i];
+    return n <= room ? 0 : std::max({std::uint32_t{4}, 2 * room, static_cast<std::uint32_t>(n)});
+  }
+  /// Sets the length of row i, whose values the caller then writes. A row that becomes too long moves behind the others.
+  void resize_row(std::size_t i, std::size_t n) {
+    make_editable();
+    if (const std::uint32_t room = growth_of_row(i, n)) move_row(i, room);
+    loose_last_[i] = loose_first_[i] + static_cast<std::uint32_t>(n);
+  }
+  /// Replaces the first `value` in row i by another one.
+  void replace(std::size_t i, const T& value, const T& by) { *std::find(begin(i), begin(i) + length(i), value) = by; }
 };
 
 /// Rows with uninitialised values; lengths[i + 1] is the length of row i, lengths[0] is 0.

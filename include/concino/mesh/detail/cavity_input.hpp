@@ -1,0 +1,74 @@
+// The input of `rewire` by local numbers: the verts of a cavity are 0, 1, 2, ... in the order in which the cavity lists them, new ones after the existing ones.
+#pragma once
+
+#include <concino/concepts/editable.hpp>
+#include <concino/core/message.hpp>
+#include <concino/core/small_array.hpp>
+#include <concino/core/sort_numbers.hpp>
+#include <concino/mesh/detail/alive_elements.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace concino::detail {
+
+using native_cavity = cavity_of<vert_id, poly_id>;
+using native_cavity_result = cavity_result_of<vert_id, poly_id>;
+
+/// The verts of a cavity by local numbers.
+class cavity_verts {
+  static constexpr std::size_t longest_scan = 24;
+
+  id_span<vert_id> verts_;
+  core::small_array<std::uint64_t, 1> sorted_;  // the existing verts with their local numbers, if there are many
+
+ public:
+  static constexpr unsigned none = ~0u;
+
+  explicit cavity_verts(id_span<vert_id> verts) : verts_(verts) {
+    if (verts.size() <= longest_scan) return;
+    sorted_.reserve(verts.size());
+    for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back(std::uint64_t{verts[i].raw()} << 32 | i);
+    core::sort_numbers(sorted_.begin(), sorted_.end());
+  }
+
+  vert_id operator[](unsigned local) const { return verts_[local]; }
+  unsigned size() const { return static_cast<unsigned>(verts_.size()); }
+
+  /// The local number of a vert, or `none`.
+  unsigned local(vert_id v) const {
+    if (sorted_.empty()) {
+      for (unsigned i = 0; i < size(); ++i)
+        if (verts_[i] == v) return i;
+      return none;
+    }
+    const std::uint64_t* const at = std::lower_bound(sorted_.begin(), sorted_.end(), std::uint64_t{v.raw()} << 32);
+    return at != sorted_.end() && *at >> 32 == v.raw() ? static_cast<unsigned>(*at) : none;
+  }
+
+  /// A vert that is listed twice, or a vert id of none.
+  vert_id repeated() const {
+    for (std::size_t i = 1; i < sorted_.size(); ++i)
+      if (sorted_[i] >> 32 == sorted_[i - 1] >> 32) return verts_[static_cast<unsigned>(sorted_[i])];
+    if (sorted_.empty())
+      for (unsigned i = 1; i < size(); ++i)
+        if (std::find(verts_.begin(), verts_.begin() + i, verts_[i]) != verts_.begin() + i) return verts_[i];
+    return {};
+  }
+};
+
+/// Checks the lists of a cavity: elements exist and are listed once, the new polys have the right number of different verts.
+/// Errors: invalid_mesh.
+void check_cavity(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys, unsigned arity);
+
+/// invalid_mesh for a cavity whose list of verts lacks a vert of old poly p.
+[[noreturn]] void missing_cavity_vert(poly_id p, vert_id v);
+
+/// invalid_mesh for a vert that is to be removed but keeps a poly.
+[[noreturn]] void removed_vert_in_use(vert_id v);
+
+}  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/cavity_input.ipp>
+#endif

@@ -1,0 +1,69 @@
+// The checks of the input of `rewire`; see cavity_input.hpp.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/mesh/detail/cavity_input.hpp>
+
+namespace concino::detail {
+
+CONCINO_INLINE void missing_cavity_vert(poly_id p, vert_id v) {
+  core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of old poly ", p.raw(), " is not among the verts of the cavity; list all verts of old and new polys"});
+}
+
+CONCINO_INLINE void removed_vert_in_use(vert_id v) {
+  core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " cannot be removed: it would still have a poly; list all its polys as old polys, and use it in no new one"});
+}
+
+/// The first value that an earlier one repeats; null if all differ.
+template<class T>
+const T* repeated(const T* first, const T* last) {
+  if (last - first <= 16) {
+    for (const T* i = first; i != last; ++i)
+      if (std::find(first, i, *i) != i) return i;
+    return nullptr;
+  }
+  core::small_array<std::uint64_t, 1> sorted;
+  for (const T* i = first; i != last; ++i) {
+    if constexpr (std::is_same_v<T, poly_id>) sorted.push_back(i->raw());
+    else sorted.push_back(*i);
+  }
+  core::sort_numbers(sorted.begin(), sorted.end());
+  const std::uint64_t* const twice = std::adjacent_find(sorted.begin(), sorted.end());
+  return twice == sorted.end() ? nullptr : std::find(first, last, T(static_cast<unsigned>(*twice)));
+}
+
+/// Checks the corners of new poly k.
+CONCINO_INLINE void check_new_poly(std::size_t k, id_span<unsigned> corners, std::size_t vert_count, unsigned arity) {
+  const std::size_t n = corners.size();
+  if (arity > 0 && n != arity) core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " has ", n, " verts; every poly of this mesh has ", arity});
+  if (n < 3) core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " has ", n, " verts; it needs at least 3"});
+  for (const unsigned v : corners)
+    if (v >= vert_count) core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " names vert ", v, " of the cavity, which has ", vert_count, ", numbered from 0"});
+  if (const unsigned* const twice = repeated(corners.begin(), corners.end()))
+    core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " has vert ", *twice, " of the cavity twice; its verts must differ"});
+}
+
+CONCINO_INLINE void check_cavity(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys, unsigned arity) {
+  for (const poly_id p : c.polys)
+    if (!polys.contains(p)) core::throw_joined<invalid_mesh>({"rewire: old poly ", p.raw(), " is not a poly of the mesh"});
+  if (const poly_id* const twice = repeated(c.polys.begin(), c.polys.end()))
+    core::throw_joined<invalid_mesh>({"rewire: old poly ", twice->raw(), " is listed twice; list it once"});
+  for (const vert_id v : c.verts)
+    if (!verts.contains(v)) core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of the cavity is not a vert of the mesh"});
+  if (const vert_id v = local.repeated(); !v.is_none()) core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of the cavity is listed twice; list it once"});
+  if (c.kept > c.polys.size() || c.kept > c.ends.size())
+    core::throw_joined<invalid_mesh>({"rewire: ", c.kept, " polys cannot keep their descriptors: there are ", c.polys.size(), " old and ", c.ends.size(), " new ones"});
+  if (c.removed > c.verts.size()) core::throw_joined<invalid_mesh>({"rewire: ", c.removed, " verts cannot be removed: the cavity lists ", c.verts.size()});
+  unsigned first = 0;
+  for (std::size_t k = 0; k < c.ends.size(); ++k) {
+    const unsigned last = c.ends[k];
+    if (last < first || last > c.corners.size())
+      core::throw_joined<invalid_mesh>({"rewire: the corners of new poly ", k, " end at ", last, ", which is not between ", first, " and ", c.corners.size()});
+    check_new_poly(k, {c.corners.begin() + first, c.corners.begin() + last}, c.verts.size() + c.points.size(), arity);
+    first = last;
+  }
+  for (unsigned k = 0; k < first; ++k)
+    if (c.corners[k] < c.verts.size() && c.corners[k] + c.removed >= c.verts.size()) removed_vert_in_use(c.verts[c.corners[k]]);
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,331 @@
+// Replaces a few polys of a surface by others; see surface_tables.hpp and concepts/editable.hpp. Like the other edits: first all memory is allocated,
+// which changes no element, then the tables are changed, which cannot fail.
+#pragma once
+
+#include <concino/mesh/detail/cavity_edges.hpp>
+#include <concino/mesh/surface_tables.hpp>
+
+namespace concino {
+
+template<unsigned Arity, class Lists>
+class surface_tables<Arity, Lists>::rewiring {
+  surface_tables& t_;
+  const detail::native_cavity& c_;
+  const detail::cavity_verts verts_;
+  const unsigned num_old_verts_ = static_cast<unsigned>(c_.verts.size()), num_verts_ = num_old_verts_ + static_cast<unsigned>(c_.points.size());
+  detail::cavity_edges edges_;
+  /// How many entries the lists of a vert lose and gain.
+  struct vert_change {
+    std::uint32_t polys_before = 0, polys_after = 0, edges_lost = 0, edges_gained = 0;
+  };
+  core::small_array<vert_change, 24> changes_;
+  core::small_array<poly_id, 8> of_lists_;  // polys in lists of old polys
+  core::small_array<std::uint64_t, 1> scratch_;
+  std::size_t fresh_ = 0, left_over_ = 0;   // numbers of edges that the mesh did not have, and of those that it loses
+  const std::size_t first_vert_ = t_.verts_.bound(), first_poly_ = t_.polys_.bound();  // the first added ones
+
+  id_span<unsigned> corners(std::size_t k) const {
+    const unsigned* const all = c_.corners.begin();
+    return {all + (k == 0 ? 0 : c_.ends[k - 1]), all + c_.ends[k]};
+  }
+  std::size_t num_new() const { return c_.ends.size(); }
+  std::size_t num_added() const { return num_new() - c_.kept; }
+  std::size_t num_corners() const { return c_.ends.empty() ? 0 : c_.ends[num_new() - 1]; }
+  vert_id vert(unsigned local) const { return local < num_old_verts_ ? verts_[local] : vert_id{first_vert_ + (local - num_old_verts_)}; }
+  poly_id new_poly(std::size_t k) const { return k < c_.kept ? c_.polys[k] : poly_id{first_poly_ + (k - c_.kept)}; }
+  static std::size_t next(std::size_t i, std::size_t n) { return i + 1 == n ? 0 : i + 1; }
+
+  static std::size_t count_corners(const surface_tables& t, const detail::native_cavity& c) {
+    std::size_t n = c.ends.empty() ? 0 : c.ends[c.ends.size() - 1];
+    for (const poly_id p : c.polys)
+      if (t.polys_.contains(p)) n += t.p2v_.length(p.raw());
+    return n;
+  }
+
+ public:
+  rewiring(surface_tables& t, const detail::native_cavity& c) : t_(t), c_(c), verts_(c.verts), edges_(num_verts_, count_corners(t, c)), changes_(num_verts_, vert_change{}) {
+    detail::check_cavity(c, verts_, t.verts_, t.polys_, Arity);
+    find_old_edges();
+    find_new_edges();
+    count_edges();
+    for (unsigned v = num_old_verts_ - static_cast<unsigned>(c.removed); v < num_old_verts_; ++v)
+      if (t_.v2p_.length(verts_[v].raw()) != changes_[v].polys_before) detail::removed_vert_in_use(verts_[v]);
+  }
+
+  void reserve(function_ref<void(const detail::index_bounds&)> grow);
+  void commit(const detail::native_cavity_result& made);
+
+ private:
+  void find_old_edges();
+  void find_new_edges();
+  void count_edges();
+  void reserve_rows_of_verts();
+  void reserve_poly_lists();
+  std::size_t values_of_rows() const;
+
+  void change_polys_of_verts();
+  void pair_edges();
+  void change_edges();
+  void replace_polys();
+  void refresh_marks();
+
+  using cavity_edge = detail::cavity_edge;
+};
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::find_old_edges() {
+  for (const poly_id p : c_.polys) {
+    const auto v = t_.p2v_[p.raw()];
+    const id_span<edge_id> e = t_.facet_adjacency_.facets(p);
+    const auto n = static_cast<std::uint32_t>(v.size());
+    const auto local = [&](std::uint32_t k) {
+      const unsigned i = verts_.local(v[k]);
+      if (i == detail::cavity_verts::none) detail::missing_cavity_vert(p, v[k]);
+      return i;
+    };
+    const unsigned first = local(0);
+    unsigned a = first;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const unsigned b = k + 1 == n ? first : local(k + 1);
+      cavity_edge& x = edges_.at(a, b);
+      x.id = e[k];
+      ++x.old_polys;
+      x.num_polys = t_.facet_adjacency_.num_polys_at(p, k);
+      ++changes_[a].polys_before;
+      if (t_.facet_adjacency_.neighbour(p, k).is_non_manifold())
+        for (const poly_id q : t_.adj_e2p(e[k])) of_lists_.push_back(q);
+      a = b;
+    }
+  }
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::find_new_edges() {
+  for (std::size_t k = 0; k < num_new(); ++k) {
+    const id_span<unsigned> v = corners(k);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      const unsigned a = v[i], b = v[next(i, v.size())];
+      ++changes_[a].polys_after;
+      cavity_edge& x = edges_.at(a, b);
+      if (++x.new_polys > 1 || !x.id.is_none() || a >= num_old_verts_ || b >= num_old_verts_) continue;
+      x.id = detail::edge_between(t_.v2v_, t_.v2e_, verts_[a], verts_[b]);
+      if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(num_elements(t_.adj_e2p(x.id)));
+    }
+  }
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::count_edges() {
+  for (const cavity_edge& x : edges_) {
+    if (x.id.is_none()) ++fresh_, ++changes_[x.a].edges_gained, ++changes_[x.b].edges_gained;
+    else if (x.is_left_over()) ++left_over_, ++changes_[x.a].edges_lost, ++changes_[x.b].edges_lost;
+  }
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::reserve_rows_of_verts() {
+  t_.v2v_.make_editable();
+  t_.v2e_.make_editable();
+  t_.v2p_.make_editable();
+  for (unsigned v = 0; v < num_old_verts_; ++v) {
+    const vert_change& x = changes_[v];
+    if (x.edges_gained > x.edges_lost) detail::reserve_edges_at(t_.v2v_, t_.v2e_, verts_[v], x.edges_gained - x.edges_lost);
+    if (x.polys_after > x.polys_before) t_.v2p_.reserve_in_row(verts_[v].raw(), x.polys_after - x.polys_before);
+  }
+  if (num_verts_ == num_old_verts_) return;
+  std::size_t num_edges_of_new = 0, num_polys_of_new = 0;
+  for (unsigned v = num_old_verts_; v < num_verts_; ++v) num_edges_of_new += changes_[v].edges_gained, num_polys_of_new += changes_[v].polys_after;
+  t_.v2v_.reserve_rows(c_.points.size(), num_edges_of_new);
+  t_.v2e_.reserve_rows(c_.points.size(), num_edges_of_new);
+  t_.v2p_.reserve_rows(c_.points.size(), num_polys_of_new);
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::reserve_poly_lists() {
+  std::size_t lists = 0, in_lists = 0;
+  for (const cavity_edge& x : edges_) {
+    if (x.num_polys - x.old_polys + x.new_polys <= 2) continue;
+    ++lists;
+    in_lists += x.num_polys + x.new_polys;
+  }
+  t_.facet_adjacency_.reserve_poly_lists(lists, in_lists);
+}
+
+/// The memory for corners that new polys, and old ones whose size changes, need behind the others.
+template<unsigned Arity, class Lists>
+std::size_t surface_tables<Arity, Lists>::rewiring::values_of_rows() const {
+  if constexpr (Arity > 0) return Arity * num_added();
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < num_new(); ++k) n += k < c_.kept ? t_.p2v_.growth_of_row(c_.polys[k].raw(), corners(k).size()) : corners(k).size();
+  return n;
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
+  const std::size_t more_edges = fresh_ > left_over_ ? fresh_ - left_over_ : 0;
+  reserve_rows_of_verts();
+  reserve_poly_lists();
+  const std::size_t values = values_of_rows();
+  t_.p2v_.reserve_rows(num_added(), values);
+  t_.facet_adjacency_.reserve_polys(num_added(), Arity > 0 ? values : 2 * (values + num_corners()) + 4 * c_.kept, more_edges);
+  t_.e2v_.reserve_rows(more_edges);
+  t_.verts_.reserve(c_.points.size());
+  t_.edges_.reserve(more_edges);
+  t_.polys_.reserve(num_added());
+  if (c_.removed > 0) t_.verts_.reserve_with_removal(c_.points.size());
+  if (left_over_ > fresh_) t_.edges_.reserve_with_removal(0);
+  if (c_.polys.size() > c_.kept) t_.polys_.reserve_with_removal(num_added());
+  if constexpr (Arity == 0) {
+    std::size_t most = 0;
+    for (const poly_id p : of_lists_) most = std::max<std::size_t>(most, t_.p2v_.length(p.raw()));
+    for (std::size_t k = 0; k < num_new(); ++k) most = std::max(most, corners(k).size());
+    for (const cavity_edge& x : edges_)
+      if (!x.id.is_none())
+        for (const poly_id p : t_.adj_e2p(x.id)) most = std::max<std::size_t>(most, t_.p2v_.length(p.raw()));
+    scratch_.reserve(most);
+  }
+  if (grow) grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + more_edges, 0, t_.polys_.bound() + num_added(), t_.p2v_.num_values() + values});
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::commit(const detail::native_cavity_result& made) {
+  for (unsigned v = num_old_verts_; v < num_verts_; ++v) {
+    t_.v2v_.add_row(static_cast<const vert_id*>(nullptr), static_cast<const vert_id*>(nullptr), changes_[v].edges_gained);
+    t_.v2e_.add_row(static_cast<const edge_id*>(nullptr), static_cast<const edge_id*>(nullptr), changes_[v].edges_gained);
+    t_.v2p_.add_row(static_cast<const poly_id*>(nullptr), static_cast<const poly_id*>(nullptr), changes_[v].polys_after);
+    made.verts[v - num_old_verts_] = vert(v);
+  }
+  for (const poly_id p : c_.polys) t_.facet_adjacency_.detach(p);
+  change_polys_of_verts();
+  change_edges();
+  replace_polys();
+  refresh_marks();
+  for (std::size_t k = c_.kept; k < c_.polys.size(); ++k) t_.polys_.remove(c_.polys[k]);
+  for (std::size_t k = 0; k < num_new(); ++k) made.polys[k] = new_poly(k);
+  for (std::size_t k = c_.kept; k < num_new(); ++k) t_.polys_.add();
+  for (std::size_t v = num_old_verts_ - c_.removed; v < num_old_verts_; ++v) t_.verts_.remove(c_.verts[v]);
+  for (unsigned v = num_old_verts_; v < num_verts_; ++v) t_.verts_.add();
+}
+
+/// Verts that a poly has before and after keep it where it is in their lists. All removals come first: memory is reserved for the lists as they will be.
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::change_polys_of_verts() {
+  constexpr std::size_t longest_scan = 16;
+  const auto keeps = [&](std::size_t k, vert_id v) {  // whether poly k keeps v, and its place among the polys of v
+    if (k >= c_.kept || corners(k).size() > longest_scan || t_.p2v_.length(c_.polys[k].raw()) > longest_scan) return false;
+    const auto old = t_.p2v_[c_.polys[k].raw()];
+    bool had = false, has = false;
+    for (const vert_id x : old) had |= x == v;
+    for (const unsigned x : corners(k)) has |= vert(x) == v;
+    return had && has;
+  };
+  for (std::size_t k = 0; k < c_.polys.size(); ++k)
+    for (const vert_id v : t_.p2v_[c_.polys[k].raw()])
+      if (!keeps(k, v)) t_.v2p_.remove(v.raw(), c_.polys[k]);
+  for (std::size_t k = 0; k < num_new(); ++k)
+    for (const unsigned v : corners(k))
+      if (!keeps(k, vert(v))) t_.v2p_.push(vert(v).raw(), new_poly(k));
+}
+
+/// New edges take the descriptors of old ones that are left over: first of those with a common vert, then of any.
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::pair_edges() {
+  constexpr std::size_t most = 64;  // more pairs take too long to compare
+  const auto pair = [](cavity_edge& x, cavity_edge& old) { x.partner = &old, old.partner = &x; };
+  if (fresh_ <= most && left_over_ <= most)
+    for (cavity_edge& x : edges_)
+      if (x.id.is_none())
+        for (cavity_edge& old : edges_)
+          if (old.is_left_over() && !old.partner && (old.a == x.a || old.a == x.b || old.b == x.a || old.b == x.b)) {
+            pair(x, old);
+            break;
+          }
+  cavity_edge* old = edges_.begin();
+  for (cavity_edge& x : edges_) {
+    if (!x.id.is_none() || x.partner) continue;
+    while (old != edges_.end() && (!old->is_left_over() || old->partner)) ++old;
+    if (old == edges_.end()) return;
+    pair(x, *old);
+  }
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::change_edges() {
+  if (fresh_ == 0 && left_over_ == 0) return;
+  pair_edges();
+  for (cavity_edge& old : edges_) {
+    if (!old.is_left_over()) continue;
+    for (const unsigned v : {old.a, old.b}) {
+      const cavity_edge* const x = old.partner;
+      const vert_id other = vert(v == old.a ? old.b : old.a);
+      if (x && (x->a == v || x->b == v)) {
+        t_.v2v_.replace(vert(v).raw(), other, vert(x->a == v ? x->b : x->a));
+      } else {
+        t_.v2v_.remove(vert(v).raw(), other);
+        t_.v2e_.remove(vert(v).raw(), old.id);
+      }
+    }
+    if (!old.partner) t_.edges_.remove(old.id);
+  }
+  for (cavity_edge& x : edges_) {
+    if (!x.id.is_none()) continue;
+    const vert_id a = vert(x.a), b = vert(x.b), ends[] = {std::min(a, b), std::max(a, b)};
+    if (const cavity_edge* const old = x.partner) {
+      x.id = old->id;
+      std::copy_n(ends, 2, t_.e2v_.begin(x.id.raw()));
+      for (const unsigned v : {x.a, x.b}) {
+        if (v == old->a || v == old->b) continue;
+        t_.v2v_.push(vert(v).raw(), vert(v == x.a ? x.b : x.a));
+        t_.v2e_.push(vert(v).raw(), x.id);
+      }
+    } else {
+      x.id = detail::add_edge(t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, a, b);
+      t_.facet_adjacency_.add_facet();
+    }
+  }
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::replace_polys() {
+  for (std::size_t k = 0; k < num_new(); ++k) {
+    const id_span<unsigned> v = corners(k);
+    const poly_id p = new_poly(k);
+    const auto n = static_cast<std::uint32_t>(v.size());
+    if (k < c_.kept) {
+      t_.p2v_.resize_row(p.raw(), n);
+      t_.facet_adjacency_.resize_row(p, n);
+    } else {
+      t_.p2v_.stage_row(nullptr, n);
+      t_.p2v_.commit_row(n);
+      t_.facet_adjacency_.add_poly(n);
+    }
+    for (std::uint32_t i = 0; i < n; ++i) t_.p2v_.begin(p.raw())[i] = vert(v[i]);
+    for (std::uint32_t i = 0; i < n; ++i) t_.facet_adjacency_.attach(p, i, edges_.at(v[i], v[next(i, n)]).id);
+  }
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::refresh_marks() {
+  detail::facet_adjacency<edge_id, Arity>& all = t_.facet_adjacency_;
+  for (std::size_t k = 0; k < num_new(); ++k) {
+    const poly_id p = new_poly(k);
+    all.refresh_marks(p, scratch_);
+    for (std::uint32_t i = 0; i < corners(k).size(); ++i) {
+      const detail::encoded_neighbour x = all.neighbour(p, i);
+      if (x.is_none()) continue;
+      if (!x.is_non_manifold()) all.refresh_marks(poly_id{x.poly()}, scratch_);
+      else
+        for (const poly_id q : t_.adj_e2p(all.facets(p)[i])) all.refresh_marks(q, scratch_);
+    }
+  }
+  for (const poly_id q : of_lists_) all.refresh_marks(q, scratch_);
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow) {
+  rewiring r(*this, c);
+  r.reserve(grow);
+  r.commit(made);
+}
+
+}  // namespace concino
