@@ -231,6 +231,17 @@ TEST_CASE("save: names that become equal in a file are written once") {
   CHECK(save_text(load_text<quadmesh>(text, file_format::obj), file_format::obj) == text);
 }
 
+TEST_CASE("save: a group whose name has to be changed does not become a label in .obj") {
+  for (const std::string text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\ng label\t1\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\no x\ng label\t1\nf 1 2 3\n",
+                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\ng label\t1\nf 1 2 3\n"}) {
+    CAPTURE(text);
+    const std::string first = save_text(load_text<trimesh>(text, file_format::obj), file_format::obj);
+    const auto again = load_text<trimesh>(first, file_format::obj);
+    CHECK(find_poly_property<std::string>(again, "group"));
+    CHECK(save_text(again, file_format::obj) == first);
+  }
+}
+
 TEST_CASE("save: stores labels, and reports properties that the format cannot store") {
   auto m = grid<quadmesh>(2);
   vert_property<int>(m, "label")[vert_id{4}] = -9;

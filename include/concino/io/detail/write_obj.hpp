@@ -20,7 +20,8 @@ class obj_names {
   [[gnu::noinline]] void before_poly(const std::string& name) {
     if (std::string_view(name) == last_) return;
     last_ = name;
-    std::string written = name.empty() ? name : std::string(line_name(name, changed));
+    std::string written = name.empty() ? name : line_name(name, changed);
+    if (int label = 0; written != name && is_number(written, "label_", label)) written.insert(0, "_");  // a reader would take it for a label
     if (written == last_written_) return;
     last_written_ = std::move(written);
     c_.out << keyword_;
