@@ -1,14 +1,16 @@
-// Every file of the corpus in the formats of the library agrees with its row of INDEX.tsv or bad/EXPECTED.md.
+// Every file of the corpus in the formats of the library agrees with its row of INDEX.tsv or bad/EXPECTED.md. It is read in three ways: by its
+// extension, under another extension, and by the header of its format alone (read_alone).
+#include <concino/graph/components.hpp>
 #include <concino/io.hpp>
 
 #include <support/corpus.hpp>
 #include <support/formats.hpp>
+#include <support/same_mesh.hpp>
 #include <support/temporary.hpp>
 
 #include <doctest/doctest.h>
 
 #include <map>
-#include <optional>
 #include <sstream>
 
 using namespace concino;
@@ -17,7 +19,7 @@ using namespace concino::testing;
 namespace {
 
 struct figures {
-  std::size_t verts = 0, used = 0, edges = 0, faces = 0, cells = 0;
+  std::size_t verts = 0, used = 0, edges = 0, faces = 0, cells = 0, components = 0;  // of which isolated verts are none
   double area = 0, volume = 0;
 };
 
@@ -44,6 +46,7 @@ figures measure(const M& m) {
   f.verts = num_verts(m);
   for (const auto v : verts(m)) f.used += adj_v2p(m, v).begin() != adj_v2p(m, v).end();
   f.edges = num_edges(m);
+  f.components = static_cast<std::size_t>(connected_components(m).count) - (f.verts - f.used);
   if constexpr (dimension_v<M> == 2) {
     f.faces = num_polys(m);
     for (const auto p : polys(m)) {
@@ -75,13 +78,131 @@ std::vector<std::string> split(const std::string& line, char at) {
   return r;
 }
 
-bool is_known(const std::string& file) {
-  return (" " + extensions_of(standard_formats) + ",").find(' ' + std::filesystem::path(file).extension().string() + ',') != std::string::npos;
+/// The format with the extension of a file; none if there is no such format.
+format_id format_of(const std::filesystem::path& file) {
+  format_id found;
+  const auto look = [&](auto format) {
+    for (const std::string_view extension : format.extensions)
+      if (file.extension() == extension) found = format;
+  };
+  [&]<class... F>(format_list<F...>) { (look(F{}), ...); }(standard_formats);
+  return found;
+}
+bool has_signature(format_id f) { return f != file_format::obj && f != file_format::hedra && f != file_format::hybrid && f != file_format::tet; }
+
+/// Reads a file through the header of its format.
+template<class M>
+M read_alone(const std::string& path, format_id f, const load_options& options) {
+  if constexpr (dimension_v<M> == 2) {  // formats of surfaces and of volumes
+    if (f == file_format::obj) return load_obj<M>(path, options);
+    if (f == file_format::off) return load_off<M>(path, options);
+    if (f == file_format::iv) return load_iv<M>(path, options);
+    if (f == file_format::vtp) return load_vtp<M>(path, options);
+  } else {
+    if (f == file_format::hedra) return load_hedra<M>(path, options);
+    if (f == file_format::hybrid) return load_hybrid<M>(path, options);
+    if (f == file_format::tet) return load_tet<M>(path, options);
+  }
+  if (f == file_format::vtk) return load_vtk<M>(path, options);
+  if (f == file_format::vtu) return load_vtu<M>(path, options);
+  REQUIRE(f == file_format::medit);
+  return load_medit<M>(path, options);
+}
+
+/// A link to a file under another extension, beside links to the material libraries of its folder.
+class renamed_file {
+  temporary_folder folder_;
+  std::string path_;
+
+ public:
+  renamed_file(const std::filesystem::path& file, const std::string& extension) : path_(folder_ / ("renamed" + extension)) {
+    std::filesystem::create_symlink(file, path_);
+    for (const auto& entry : std::filesystem::directory_iterator(file.parent_path()))
+      if (entry.path().extension() == ".mtl") std::filesystem::create_symlink(entry.path(), folder_ / entry.path().filename().string());
+  }
+  const std::string& path() const { return path_; }
+};
+
+/// What reading a file leads to: a mesh as a record, or an error as a text, with the line of a parse_error.
+struct outcome {
+  mesh_record mesh;
+  std::string error;
+  std::size_t line = 0;
+  load_report report;
+};
+template<class Read>
+outcome outcome_of(const std::string& path, const Read& read) {
+  outcome r;
+  try {
+    r.mesh = read(load_options{.report = &r.report});
+  } catch (const parse_error& e) {
+    r.error = e.expected + ", not " + e.found;
+    r.line = e.line;
+    CHECK(e.file == path);
+  } catch (const unsupported& e) {
+    const std::string what = e.what();
+    CHECK(what.starts_with(path));
+    r.error = what.substr(std::min(path.size(), what.size()));
+  }
+  return r;
+}
+mesh_record record_of_any(const any_mesh& m) {
+  return std::visit([](const auto& mesh) { return record_of(mesh); }, m);
+}
+
+void check_same(const outcome& a, const outcome& expected) {
+  CHECK(a.error == expected.error);
+  CHECK(a.line == expected.line);
+  CHECK((a.mesh == expected.mesh));
+  CHECK(a.report.reoriented_polys == expected.report.reoriented_polys);
+  CHECK(a.report.skipped == expected.report.skipped);
+}
+
+/// Checks that a file is read as under its own name if its extension is another one, and by the header of its format. M is a mesh that can hold it.
+/// Small files get more than one other extension.
+template<class M>
+void check_other_ways(const std::filesystem::path& file, const outcome& expected) {
+  const format_id format = format_of(file);
+  const bool is_recognised = has_signature(format) && !(expected.line == 1 && !expected.error.empty());  // its signature is not damaged
+  const bool is_small = std::filesystem::file_size(file) < 50'000;
+  for (const std::string extension : {".renamed", ".hedra", ".vtu"}) {
+    if (file.extension() == extension || (extension == ".vtu" && !is_small)) continue;
+    CAPTURE(extension);
+    const renamed_file renamed(file, extension);
+    const auto read = [&](format_id named) {
+      return outcome_of(renamed.path(), [&](load_options options) { return options.format = named, record_of_any(load_any(renamed.path(), options)); });
+    };
+    if (!is_recognised && extension == ".renamed") {
+      CHECK(read({}).error.starts_with(": neither the extension nor the first words are those of a known format"));
+      check_same(read(format), expected);
+    } else if (!is_recognised) {
+      CHECK(!read({}).error.empty());
+    } else if (extension != ".renamed" || is_small) {
+      const outcome by_content = read({});
+      check_same(by_content, expected);
+      if (expected.error.empty()) CHECK(by_content.report.notes.size() == expected.report.notes.size() + 1);
+    }
+    if (extension == ".renamed")
+      check_same(outcome_of(renamed.path(), [&](const load_options& options) { return record_of(read_alone<M>(renamed.path(), format, options)); }), expected);
+  }
+}
+
+/// Reads a file by its extension, and in the other ways. Returns the figures of its mesh, if it has no errors.
+figures read_in_all_ways(const std::filesystem::path& file, outcome& by_extension) {
+  any_mesh m = polygonmesh();
+  if (const format_id f = format_of(file); f != file_format::obj && f != file_format::off) m = polyhedralmesh();
+  by_extension = outcome_of(file.string(), [&](const load_options& options) { return record_of_any(m = load_any(file.string(), options)); });
+  return std::visit(
+      [&]<class M>(const M& mesh) {
+        if (long_run() || std::filesystem::file_size(file) < 500'000) check_other_ways<M>(file, by_extension);
+        return measure(mesh);
+      },
+      m);
 }
 
 }  // namespace
 
-TEST_CASE("corpus: counts, Euler characteristic, area and volume of every file match the index") {
+TEST_CASE("corpus: counts, Euler characteristic, components, area and volume of every file match the index, in whatever way it is read") {
   CONCINO_CORPUS_OR_SKIP(index, "INDEX.tsv");
   std::ifstream in(index);
   std::string line;
@@ -95,57 +216,29 @@ TEST_CASE("corpus: counts, Euler characteristic, area and volume of every file m
     const auto at = [&](const char* name) { return row[column.at(name)]; };
     const auto number = [&](const char* name) { return std::stoul(at(name)); };
     const std::string path = at("path");
-    if (!is_known(path) || path.starts_with("bad/") || at("n_verts").empty()) continue;
+    if (format_of(path) == format_id() || path.starts_with("bad/") || at("n_verts").empty()) continue;
     const auto file = corpus(path);
     if (file.empty()) continue;
     ++files;
     CAPTURE(path);
+    outcome read;
+    const figures f = read_in_all_ways(file, read);
     if (path == "tet/quarter_crown_binary.vtu") {  // tests/adapters/zlib_test.cpp reads it
-      CHECK_THROWS_AS(load_any(file), unsupported);
+      CHECK(read.error.find("zlib_inflate") != std::string::npos);
       continue;
     }
-    const any_mesh m = load_any(file);
-    const figures f = std::visit([](const auto& mesh) { return measure(mesh); }, m);
+    CHECK(read.error.empty());
     CHECK(f.verts == number("n_verts"));
     CHECK(f.used == number("n_verts_used"));
     CHECK(f.edges == number("n_edges"));
     CHECK(f.faces == number("n_faces"));
     CHECK(f.cells == number("n_cells"));
+    CHECK(f.components == number("components"));
     CHECK(static_cast<long>(f.used + f.faces) - static_cast<long>(f.edges + f.cells) == std::stol(at("euler_chi")));
     CHECK(f.area == doctest::Approx(std::stod(at("area_vec"))).epsilon(1e-9));
     if (!at("volume_ctr").empty()) CHECK(std::abs(f.volume) == doctest::Approx(std::stod(at("volume_ctr"))).epsilon(1e-9));
   }
   CHECK(files >= 30);
-}
-
-TEST_CASE("corpus: files with a signature are read as what they are, whatever their extension") {
-  if (corpus_dir().empty()) return skip("no corpus");
-  const temporary_folder dir;
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus_dir())) {
-    const std::string extension = entry.path().extension().string();
-    const bool has_signature = extension == ".off" || extension == ".mesh" || extension == ".vtk" || extension == ".vtu";
-    if (!entry.is_regular_file() || !has_signature || entry.file_size() > 200'000) continue;
-    CAPTURE(entry.path().string());
-    const std::string copy = dir / (extension == ".off" ? "copy.hedra" : "copy.obj");
-    std::filesystem::copy_file(entry.path(), copy, std::filesystem::copy_options::overwrite_existing);
-    const auto counts = [](const std::string& path, load_report& report) -> std::string {
-      try {
-        return std::visit([](const auto& m) { return core::joined({num_verts(m), " ", num_edges(m), " ", num_polys(m)}); }, load_any(path, {.report = &report}));
-      } catch (const parse_error& e) {
-        return core::joined({"line ", e.line, ": ", e.expected});
-      } catch (const unsupported&) {
-        return "unsupported";
-      }
-    };
-    load_report as_it_is, under_another_name;
-    const std::string expected = counts(entry.path().string(), as_it_is), found = counts(copy, under_another_name);
-    if (expected.starts_with("line 1:")) continue;  // the signature is damaged
-    ++files;
-    CHECK(found == expected);
-    if (found[0] >= '0' && found[0] <= '9') CHECK(under_another_name.notes.size() == as_it_is.notes.size() + 1);
-  }
-  CHECK(files >= 15);
 }
 
 TEST_CASE("corpus: the readers count reoriented polys") {
@@ -162,39 +255,39 @@ TEST_CASE("corpus: the readers count reoriented polys") {
   CHECK(r.skipped.empty());
 }
 
-TEST_CASE("corpus: every bad file causes the expected error in the expected line") {
+TEST_CASE("corpus: every bad file leads to the expected mesh, or the expected error in the expected line, in whatever way it is read") {
   CONCINO_CORPUS_OR_SKIP(expected, "bad/EXPECTED.md");
   std::ifstream in(expected);
   std::size_t errors = 0, valid = 0;
   for (std::string line; std::getline(in, line);) {
     const auto cells = split(line, '|');
     if (cells.size() < 4) continue;
-    const std::string file = cells[1].substr(1, cells[1].size() - 2), outcome = cells[2].substr(1);
-    if (!is_known(file)) continue;
+    const std::string file = cells[1].substr(1, cells[1].size() - 2), expectation = cells[2].substr(1), &facts = cells[3];
+    if (format_of(file) == format_id()) continue;
     CAPTURE(file);
     const auto path = corpus("bad/" + file);
     REQUIRE(!path.empty());
-    if (outcome.starts_with("valid")) {
-      ++valid;
-      const figures f = std::visit([](const auto& mesh) { return measure(mesh); }, load_any(path));
-      // "V 4, E 6, F 4", but also "V 6 of which", "V 4 (1 isolated)" and "readers do not merge: V 6"
-      for (const auto& [letter, count] : {std::pair{"V ", f.verts}, {"E ", f.edges}, {"F ", f.faces}, {"C ", f.cells}})
-        if (const auto k = cells[3].find(letter); k != std::string::npos && (k == 0 || cells[3][k - 1] == ' '))
-          CHECK(count == std::stoul(cells[3].substr(k + 2)));
-      if (cells[3].find("volume 1/6") != std::string::npos) CHECK(f.volume == doctest::Approx(1.0 / 6).epsilon(1e-12));
-      if (cells[3].find("2.36602540378") != std::string::npos) CHECK(f.area == doctest::Approx(2.36602540378).epsilon(1e-11));
-    } else {
+    outcome read;
+    const figures f = read_in_all_ways(path, read);
+    if (!expectation.starts_with("valid")) {
       ++errors;
-      const auto k = outcome.find("line ");
-      const std::size_t on = k == std::string::npos ? 1 : std::stoul(outcome.substr(k + 5));
-      try {
-        load_any(path);
-        FAIL_CHECK("loaded");
-      } catch (const parse_error& e) {
-        CHECK(e.line == on);
-        CHECK(e.file == path);
-      }
+      const auto k = expectation.find("line ");
+      CHECK(!read.error.empty());
+      CHECK(read.line == (k == std::string::npos ? 1 : std::stoul(expectation.substr(k + 5))));
+      continue;
     }
+    ++valid;
+    CHECK(read.error.empty());
+    // "V 4, E 6, F 4", but also "V 6 of which", "V 4 (1 isolated)" and "readers do not merge: V 6"; what comes after ';' or "merging" is about other meshes
+    const auto chi = static_cast<long>(f.used + f.faces) - static_cast<long>(f.edges + f.cells);
+    const std::string of_this = facts.substr(0, facts.find("after merging"));
+    for (const auto& [letter, count] : {std::pair{"V ", static_cast<long>(f.verts)}, {"E ", static_cast<long>(f.edges)}, {"F ", static_cast<long>(f.faces)},
+                                        {"C ", static_cast<long>(f.cells)}, {"chi ", chi}})
+      if (const auto k = of_this.find(letter); k != std::string::npos && (k == 0 || of_this[k - 1] == ' ')) CHECK(count == std::stol(of_this.substr(k + std::string(letter).size())));
+    if (const auto k = of_this.find(" component"); k != std::string::npos) CHECK(f.components == std::stoul(of_this.substr(k - 1)));
+    if (of_this.find("volume 1/6") != std::string::npos) CHECK(f.volume == doctest::Approx(1.0 / 6).epsilon(1e-12));
+    if (of_this.find("2.36602540378") != std::string::npos) CHECK(f.area == doctest::Approx(2.36602540378).epsilon(1e-11));
+    if (of_this.find("area 1;") != std::string::npos) CHECK(f.area == doctest::Approx(1).epsilon(1e-12));
   }
   CHECK(errors == 21);
   CHECK(valid == 16);
