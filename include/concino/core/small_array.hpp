@@ -13,9 +13,9 @@ template<class T, std::size_t N>
 class small_array {
   static_assert(std::is_trivially_copyable_v<T>);
 
-  T inside_[N];
-  std::vector<T> outside_;  // empty, or all values
-  T* data_ = inside_;
+  alignas(T) std::byte inside_[N * sizeof(T)];  // no values are constructed before they are needed
+  std::vector<T> outside_;                      // empty, or all values
+  T* data_ = reinterpret_cast<T*>(inside_);
   std::size_t size_ = 0, capacity_ = N;
 
   void grow(std::size_t n) {

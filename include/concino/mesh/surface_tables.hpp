@@ -92,8 +92,8 @@ class surface_tables {
   poly_id add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
 
   /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the corners of old and new polys, and the edges and polys at their verts.
-  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly, or if a vert that is to be removed
-  ///         would keep a poly. The same if the constructor would refuse a new poly. The tables are unchanged then.
+  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly; if the constructor would
+  ///         refuse a new poly; if it removes a vert that keeps a poly. The tables are unchanged then.
   void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {});
 
   /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.

@@ -60,9 +60,10 @@ class alive_elements {
     if (dead_.empty() && dead_.capacity() < bound_) dead_.reserve(std::max(bound_, 2 * dead_.capacity()));
   }
 
-  /// After this call, n calls of add() cannot fail, even after calls of remove(), nor can these.
-  void reserve_with_removal(std::size_t n) {
-    if (dead_.capacity() < bound_ + n) dead_.reserve(std::max(bound_ + n, 2 * dead_.capacity()));
+  /// After this call, so many calls of remove(), followed by so many of add(), cannot fail.
+  void reserve_change(std::size_t removed, std::size_t added) {
+    if (removed == 0) reserve(added);
+    else if (dead_.capacity() < bound_ + added) dead_.reserve(std::max(bound_ + added, 2 * dead_.capacity()));
   }
 
   Id add() {

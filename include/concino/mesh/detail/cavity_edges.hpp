@@ -5,8 +5,7 @@
 #include <concino/concepts/descriptors.hpp>
 
 #include <cstdint>
-#include <cstring>
-#include <vector>
+#include <utility>
 
 namespace concino::detail {
 
@@ -19,58 +18,53 @@ struct cavity_edge {
   cavity_edge* partner = nullptr;  // of a new edge, the old one whose descriptor it takes, and the other way round
 
   bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
+  bool shares_all_but_one(const cavity_edge& x) const { return a == x.a || a == x.b || b == x.a || b == x.b; }
 };
 
+/// The edges of a cavity by the local numbers of their ends. A pointer to one is valid until the next is added.
 class cavity_edges {
-  static constexpr unsigned largest_matrix = 24;  // verts, up to which the number of every edge is in a matrix
+  static constexpr unsigned largest_matrix = 24;  // verts, up to which the number of every edge is in a matrix; else the numbers are in a hash table
 
   unsigned verts_;
-  core::small_array<cavity_edge, 40> edges_;
-  unsigned char number_[largest_matrix * largest_matrix];  // of the edge plus 1, if there are few verts
-  std::vector<std::uint32_t> slots_;                       // else a hash table of these numbers
+  core::small_array<cavity_edge, 80> edges_;
+  core::small_array<std::uint32_t, largest_matrix * largest_matrix> numbers_;  // of edges plus 1
 
-  static std::size_t hash(unsigned a, unsigned b) {
-    const std::uint64_t x = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>(x >> 32 ^ x);
-  }
-  std::uint32_t& slot(unsigned a, unsigned b) {
-    std::size_t i = hash(a, b) & (slots_.size() - 1);
-    while (slots_[i] != 0 && (edges_[slots_[i] - 1].a != a || edges_[slots_[i] - 1].b != b)) i = (i + 1) & (slots_.size() - 1);
-    return slots_[i];
-  }
-  unsigned add(unsigned a, unsigned b) {
-    edges_.push_back({a, b, {}});
-    return static_cast<unsigned>(edges_.size());
+  std::uint32_t& number_at(unsigned a, unsigned b) {
+    if (verts_ <= largest_matrix) return numbers_[a * verts_ + b];
+    const std::uint64_t hash = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
+    std::size_t i = static_cast<std::size_t>(hash >> 32 ^ hash) & (numbers_.size() - 1);
+    while (numbers_[i] != 0 && (edges_[numbers_[i] - 1].a != a || edges_[numbers_[i] - 1].b != b)) i = (i + 1) & (numbers_.size() - 1);
+    return numbers_[i];
   }
 
  public:
-  /// Room for the edges of `corners` corners on `verts` verts.
-  cavity_edges(unsigned verts, std::size_t corners) : verts_(verts) {
-    if (verts <= largest_matrix && corners < 255) {
-      std::memset(number_, 0, std::size_t{verts} * verts);
-    } else {
-      std::size_t n = 64;
-      while (n < 2 * corners) n *= 2;
-      slots_.assign(n, 0);
-    }
+  /// Room for the edges of old and new polys that have `uses` edges in all, on `verts` verts.
+  cavity_edges(unsigned verts, std::size_t uses) : verts_(verts) {
+    std::size_t n = 64;
+    if (verts > largest_matrix)
+      while (n < 2 * uses) n *= 2;
+    numbers_.resize(verts > largest_matrix ? n : std::size_t{verts} * verts, 0);
   }
 
   /// The edge between two verts; it is added if it is new.
   cavity_edge& at(unsigned a, unsigned b) {
     if (b < a) std::swap(a, b);
-    if (!slots_.empty()) {
-      std::uint32_t& number = slot(a, b);
-      if (number == 0) number = add(a, b);
-      return edges_[number - 1];
+    std::uint32_t& number = number_at(a, b);
+    if (number == 0) {
+      edges_.push_back({a, b, {}});
+      number = static_cast<std::uint32_t>(edges_.size());
     }
-    unsigned char& number = number_[a * verts_ + b];
-    if (number == 0) number = static_cast<unsigned char>(add(a, b));
-    return edges_[number - 1u];
+    return edges_[number - 1];
   }
 
   std::size_t size() const { return edges_.size(); }
+  unsigned number(const cavity_edge& x) const { return static_cast<unsigned>(&x - edges_.begin()); }
+  cavity_edge& operator[](unsigned i) { return edges_[i]; }
+  const cavity_edge& operator[](unsigned i) const { return edges_[i]; }
   cavity_edge* begin() { return edges_.begin(); }
   cavity_edge* end() { return edges_.end(); }
+  const cavity_edge* begin() const { return edges_.begin(); }
+  const cavity_edge* end() const { return edges_.end(); }
 };
 
 }  // namespace concino::detail

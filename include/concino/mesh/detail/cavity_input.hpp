@@ -2,9 +2,11 @@
 #pragma once
 
 #include <concino/concepts/editable.hpp>
+#include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/core/sort_numbers.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/mesh/detail/alive_elements.hpp>
 
 #include <algorithm>

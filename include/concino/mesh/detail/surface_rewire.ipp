@@ -2,6 +2,7 @@
 // which changes no element, then the tables are changed, which cannot fail.
 #pragma once
 
+#include <concino/mesh/detail/cavity_changes.hpp>
 #include <concino/mesh/detail/cavity_edges.hpp>
 #include <concino/mesh/surface_tables.hpp>
 
@@ -14,11 +15,7 @@ class surface_tables<Arity, Lists>::rewiring {
   const detail::cavity_verts verts_;
   const unsigned num_old_verts_ = static_cast<unsigned>(c_.verts.size()), num_verts_ = num_old_verts_ + static_cast<unsigned>(c_.points.size());
   detail::cavity_edges edges_;
-  /// How many entries the lists of a vert lose and gain.
-  struct vert_change {
-    std::uint32_t polys_before = 0, polys_after = 0, edges_lost = 0, edges_gained = 0;
-  };
-  core::small_array<vert_change, 24> changes_;
+  core::small_array<detail::vert_change, 24> changes_;
   core::small_array<poly_id, 8> of_lists_;  // polys in lists of old polys
   core::small_array<std::uint64_t, 1> scratch_;
   std::size_t fresh_ = 0, left_over_ = 0;   // numbers of edges that the mesh did not have, and of those that it loses
@@ -43,7 +40,7 @@ class surface_tables<Arity, Lists>::rewiring {
   }
 
  public:
-  rewiring(surface_tables& t, const detail::native_cavity& c) : t_(t), c_(c), verts_(c.verts), edges_(num_verts_, count_corners(t, c)), changes_(num_verts_, vert_change{}) {
+  rewiring(surface_tables& t, const detail::native_cavity& c) : t_(t), c_(c), verts_(c.verts), edges_(num_verts_, count_corners(t, c)), changes_(num_verts_, detail::vert_change{}) {
     detail::check_cavity(c, verts_, t.verts_, t.polys_, Arity);
     find_old_edges();
     find_new_edges();
@@ -59,13 +56,10 @@ class surface_tables<Arity, Lists>::rewiring {
   void find_old_edges();
   void find_new_edges();
   void count_edges();
-  void reserve_rows_of_verts();
   void reserve_poly_lists();
   std::size_t values_of_rows() const;
 
   void change_polys_of_verts();
-  void pair_edges();
-  void change_edges();
   void replace_polys();
   void refresh_marks();
 
@@ -123,24 +117,6 @@ void surface_tables<Arity, Lists>::rewiring::count_edges() {
 }
 
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::rewiring::reserve_rows_of_verts() {
-  t_.v2v_.make_editable();
-  t_.v2e_.make_editable();
-  t_.v2p_.make_editable();
-  for (unsigned v = 0; v < num_old_verts_; ++v) {
-    const vert_change& x = changes_[v];
-    if (x.edges_gained > x.edges_lost) detail::reserve_edges_at(t_.v2v_, t_.v2e_, verts_[v], x.edges_gained - x.edges_lost);
-    if (x.polys_after > x.polys_before) t_.v2p_.reserve_in_row(verts_[v].raw(), x.polys_after - x.polys_before);
-  }
-  if (num_verts_ == num_old_verts_) return;
-  std::size_t num_edges_of_new = 0, num_polys_of_new = 0;
-  for (unsigned v = num_old_verts_; v < num_verts_; ++v) num_edges_of_new += changes_[v].edges_gained, num_polys_of_new += changes_[v].polys_after;
-  t_.v2v_.reserve_rows(c_.points.size(), num_edges_of_new);
-  t_.v2e_.reserve_rows(c_.points.size(), num_edges_of_new);
-  t_.v2p_.reserve_rows(c_.points.size(), num_polys_of_new);
-}
-
-template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::reserve_poly_lists() {
   std::size_t lists = 0, in_lists = 0;
   for (const cavity_edge& x : edges_) {
@@ -163,18 +139,15 @@ std::size_t surface_tables<Arity, Lists>::rewiring::values_of_rows() const {
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
   const std::size_t more_edges = fresh_ > left_over_ ? fresh_ - left_over_ : 0;
-  reserve_rows_of_verts();
+  detail::reserve_lists_of_verts(t_.v2v_, t_.v2e_, t_.v2p_, changes_, num_old_verts_, [this](unsigned v) { return vert(v); });
   reserve_poly_lists();
   const std::size_t values = values_of_rows();
   t_.p2v_.reserve_rows(num_added(), values);
   t_.facet_adjacency_.reserve_polys(num_added(), Arity > 0 ? values : 2 * (values + num_corners()) + 4 * c_.kept, more_edges);
   t_.e2v_.reserve_rows(more_edges);
-  t_.verts_.reserve(c_.points.size());
-  t_.edges_.reserve(more_edges);
-  t_.polys_.reserve(num_added());
-  if (c_.removed > 0) t_.verts_.reserve_with_removal(c_.points.size());
-  if (left_over_ > fresh_) t_.edges_.reserve_with_removal(0);
-  if (c_.polys.size() > c_.kept) t_.polys_.reserve_with_removal(num_added());
+  t_.verts_.reserve_change(c_.removed, c_.points.size());
+  t_.edges_.reserve_change(left_over_ - std::min(fresh_, left_over_), more_edges);
+  t_.polys_.reserve_change(c_.polys.size() - c_.kept, num_added());
   if constexpr (Arity == 0) {
     std::size_t most = 0;
     for (const poly_id p : of_lists_) most = std::max<std::size_t>(most, t_.p2v_.length(p.raw()));
@@ -190,14 +163,14 @@ void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const det
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::commit(const detail::native_cavity_result& made) {
   for (unsigned v = num_old_verts_; v < num_verts_; ++v) {
-    t_.v2v_.add_row(static_cast<const vert_id*>(nullptr), static_cast<const vert_id*>(nullptr), changes_[v].edges_gained);
-    t_.v2e_.add_row(static_cast<const edge_id*>(nullptr), static_cast<const edge_id*>(nullptr), changes_[v].edges_gained);
-    t_.v2p_.add_row(static_cast<const poly_id*>(nullptr), static_cast<const poly_id*>(nullptr), changes_[v].polys_after);
+    detail::add_lists_of_vert(t_.v2v_, t_.v2e_, t_.v2p_, changes_[v]);
     made.verts[v - num_old_verts_] = vert(v);
   }
   for (const poly_id p : c_.polys) t_.facet_adjacency_.detach(p);
   change_polys_of_verts();
-  change_edges();
+  detail::pair_with_left_over(edges_, fresh_, left_over_);
+  detail::change_edges(edges_, t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, [this](unsigned v) { return vert(v); });
+  while (t_.facet_adjacency_.num_facets() < t_.edges_.bound()) t_.facet_adjacency_.add_facet();
   replace_polys();
   refresh_marks();
   for (std::size_t k = c_.kept; k < c_.polys.size(); ++k) t_.polys_.remove(c_.polys[k]);
@@ -225,64 +198,6 @@ void surface_tables<Arity, Lists>::rewiring::change_polys_of_verts() {
   for (std::size_t k = 0; k < num_new(); ++k)
     for (const unsigned v : corners(k))
       if (!keeps(k, vert(v))) t_.v2p_.push(vert(v).raw(), new_poly(k));
-}
-
-/// New edges take the descriptors of old ones that are left over: first of those with a common vert, then of any.
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::rewiring::pair_edges() {
-  constexpr std::size_t most = 64;  // more pairs take too long to compare
-  const auto pair = [](cavity_edge& x, cavity_edge& old) { x.partner = &old, old.partner = &x; };
-  if (fresh_ <= most && left_over_ <= most)
-    for (cavity_edge& x : edges_)
-      if (x.id.is_none())
-        for (cavity_edge& old : edges_)
-          if (old.is_left_over() && !old.partner && (old.a == x.a || old.a == x.b || old.b == x.a || old.b == x.b)) {
-            pair(x, old);
-            break;
-          }
-  cavity_edge* old = edges_.begin();
-  for (cavity_edge& x : edges_) {
-    if (!x.id.is_none() || x.partner) continue;
-    while (old != edges_.end() && (!old->is_left_over() || old->partner)) ++old;
-    if (old == edges_.end()) return;
-    pair(x, *old);
-  }
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::rewiring::change_edges() {
-  if (fresh_ == 0 && left_over_ == 0) return;
-  pair_edges();
-  for (cavity_edge& old : edges_) {
-    if (!old.is_left_over()) continue;
-    for (const unsigned v : {old.a, old.b}) {
-      const cavity_edge* const x = old.partner;
-      const vert_id other = vert(v == old.a ? old.b : old.a);
-      if (x && (x->a == v || x->b == v)) {
-        t_.v2v_.replace(vert(v).raw(), other, vert(x->a == v ? x->b : x->a));
-      } else {
-        t_.v2v_.remove(vert(v).raw(), other);
-        t_.v2e_.remove(vert(v).raw(), old.id);
-      }
-    }
-    if (!old.partner) t_.edges_.remove(old.id);
-  }
-  for (cavity_edge& x : edges_) {
-    if (!x.id.is_none()) continue;
-    const vert_id a = vert(x.a), b = vert(x.b), ends[] = {std::min(a, b), std::max(a, b)};
-    if (const cavity_edge* const old = x.partner) {
-      x.id = old->id;
-      std::copy_n(ends, 2, t_.e2v_.begin(x.id.raw()));
-      for (const unsigned v : {x.a, x.b}) {
-        if (v == old->a || v == old->b) continue;
-        t_.v2v_.push(vert(v).raw(), vert(v == x.a ? x.b : x.a));
-        t_.v2e_.push(vert(v).raw(), x.id);
-      }
-    } else {
-      x.id = detail::add_edge(t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, a, b);
-      t_.facet_adjacency_.add_facet();
-    }
-  }
 }
 
 template<unsigned Arity, class Lists>

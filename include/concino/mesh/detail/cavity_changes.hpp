@@ -1,0 +1,109 @@
+// Steps of `rewire` that surfaces and volumes share: which new elements take the descriptors of old ones, and the lists of edges and of verts.
+#pragma once
+
+#include <concino/mesh/detail/alive_elements.hpp>
+#include <concino/mesh/detail/cavity_edges.hpp>
+#include <concino/mesh/detail/jagged_array.hpp>
+#include <concino/mesh/detail/vertex_incidence.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace concino::detail {
+
+/// How many entries the lists of a vert lose and gain.
+struct vert_change {
+  std::uint32_t polys_before = 0, polys_after = 0, edges_lost = 0, edges_gained = 0;
+};
+
+/// New edges or faces take the descriptors of old ones that are left over: first of those with which they share all verts but one, then of any.
+/// `fresh` are new to the mesh, `left_over` have no poly afterwards.
+template<class Elements>
+void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over) {
+  constexpr std::size_t most_pairs = 4096;  // more take too long to compare
+  if (fresh == 0 || left_over == 0) return;
+  auto* const first = std::find_if(all.begin(), all.end(), [](const auto& x) { return x.is_left_over(); });
+  const auto pair = [](auto& x, auto& old) { x.partner = &old, old.partner = &x; };
+  std::size_t left = std::min(fresh, left_over);
+  if (fresh * left_over <= most_pairs)
+    for (auto *x = all.begin(); x != all.end() && left > 0; ++x) {
+      if (!x->id.is_none()) continue;
+      const auto old = std::find_if(first, all.end(), [x](const auto& y) { return y.is_left_over() && !y.partner && x->shares_all_but_one(y); });
+      if (old != all.end()) pair(*x, *old), --left;
+    }
+  auto* old = first;
+  for (auto *x = all.begin(); x != all.end() && left > 0; ++x) {
+    if (!x->id.is_none() || x->partner) continue;
+    while (!old->is_left_over() || old->partner) ++old;
+    pair(*x, *old), --left;
+  }
+}
+
+/// Allocates memory for the lists of the verts as they will be. Memory for removals too. `vert` gives the vert with a local number.
+template<class Changes, class Verts>
+void reserve_lists_of_verts(jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, jagged_array<poly_id, 0>& v2p, const Changes& changes, unsigned num_old, const Verts& vert) {
+  v2v.make_editable();
+  v2e.make_editable();
+  v2p.make_editable();
+  for (unsigned v = 0; v < num_old; ++v) {
+    const vert_change& x = changes[v];
+    if (x.edges_gained > x.edges_lost) reserve_edges_at(v2v, v2e, vert(v), x.edges_gained - x.edges_lost);
+    if (x.polys_after > x.polys_before) v2p.reserve_in_row(vert(v).raw(), x.polys_after - x.polys_before);
+  }
+  const std::size_t num_new = changes.size() - num_old;
+  if (num_new == 0) return;
+  std::size_t edges = 0, polys = 0;
+  for (std::size_t v = num_old; v < changes.size(); ++v) edges += changes[v].edges_gained, polys += changes[v].polys_after;
+  v2v.reserve_rows(num_new, edges);
+  v2e.reserve_rows(num_new, edges);
+  v2p.reserve_rows(num_new, polys);
+}
+
+/// Adds the rows of a new vert.
+inline void add_lists_of_vert(jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, jagged_array<poly_id, 0>& v2p, const vert_change& x) {
+  const auto add = [](auto& rows, std::size_t room) {
+    rows.stage_row(nullptr, 0, room);
+    rows.commit_row(0, room);
+  };
+  add(v2v, x.edges_gained);
+  add(v2e, x.edges_gained);
+  add(v2p, x.polys_after);
+}
+
+/// Removes the edges that are left over, and gives all new ones their descriptors.
+template<class Verts>
+void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends, jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, const Verts& vert) {
+  const auto has = [](const cavity_edge& x, unsigned v) { return x.a == v || x.b == v; };
+  for (const cavity_edge& old : all) {
+    if (!old.is_left_over()) continue;
+    for (const unsigned v : {old.a, old.b}) {
+      const cavity_edge* const x = old.partner;
+      const vert_id other = vert(v == old.a ? old.b : old.a);
+      if (x && has(*x, v)) {
+        v2v.replace(vert(v).raw(), other, vert(x->a == v ? x->b : x->a));
+      } else {
+        v2v.remove(vert(v).raw(), other);
+        v2e.remove(vert(v).raw(), old.id);
+      }
+    }
+    if (!old.partner) edges.remove(old.id);
+  }
+  for (cavity_edge& x : all) {
+    if (!x.id.is_none()) continue;
+    const vert_id a = vert(x.a), b = vert(x.b);
+    if (!x.partner) {
+      x.id = add_edge(edges, ends, v2v, v2e, a, b);
+      continue;
+    }
+    x.id = x.partner->id;
+    ends.begin(x.id.raw())[0] = std::min(a, b);
+    ends.begin(x.id.raw())[1] = std::max(a, b);
+    for (const unsigned v : {x.a, x.b}) {
+      if (has(*x.partner, v)) continue;
+      v2v.push(vert(v).raw(), vert(v == x.a ? x.b : x.a));
+      v2e.push(vert(v).raw(), x.id);
+    }
+  }
+}
+
+}  // namespace concino::detail
