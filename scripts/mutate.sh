@@ -121,6 +121,13 @@ mesh/detail/cell_tables_build mesh/cell_tables mesh/native_mesh edit/elements me
 mesh/detail/cell_tables_edit mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
 mesh/detail/cell_tables_fans mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
 mesh/detail/met_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/cell_tables_rewire mesh/cell_tables_rewire
+mesh/detail/cell_cavity mesh/cell_tables_rewire
+mesh/detail/cavity_faces mesh/cell_tables_rewire
+mesh/detail/cavity_edges mesh/surface_rewire mesh/cell_tables_rewire
+mesh/detail/cavity_changes mesh/surface_rewire mesh/cell_tables_rewire
+mesh/detail/cavity_input mesh/surface_rewire mesh/cell_tables_rewire
+mesh/detail/surface_rewire mesh/surface_rewire
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
 mesh/detail/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
 mesh/detail/facet_adjacency             mesh/detail/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes

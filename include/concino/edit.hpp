@@ -1,6 +1,4 @@
-// Editing of meshes: adding and removing elements, splitting and flipping edges.
+// Editing of meshes: adding and removing elements.
 #pragma once
 
-#include <concino/edit/edge_flip.hpp>
-#include <concino/edit/edge_split.hpp>
 #include <concino/edit/elements.hpp>

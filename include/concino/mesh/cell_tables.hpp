@@ -7,16 +7,22 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/corner_orders.hpp>
+#include <concino/mesh/detail/cavity_input.hpp>
 #include <concino/mesh/detail/cell_ranges.hpp>
 #include <concino/mesh/detail/checks.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
 
 namespace concino {
 
+namespace detail {
+template<class Shape> class cell_cavity;
+}
+
 /// Lists: where the verts of polys are stored, either in rows of these tables, which can be edited, or in an array of the user.
 template<class Shape, class Lists = detail::jagged_array<vert_id, Shape::verts>>
 class cell_tables {
   template<class, class> friend class cell_tables;
+  friend class detail::cell_cavity<Shape>;
   template<class T> using jagged = detail::jagged_array<T, 0>;
   static constexpr const auto& shape = detail::shape_v<Shape>;
 
@@ -122,6 +128,11 @@ class cell_tables {
   /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   poly_id add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
 
+  /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the old and new polys, and the edges and polys at their verts.
+  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly; if the constructor would
+  ///         refuse a new poly; if it removes a vert that keeps a poly. The tables are unchanged then.
+  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {});
+
   /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id> polys);
 
@@ -162,6 +173,8 @@ class cell_tables {
   }
 
  private:
+  class rewiring;
+
   /// The edges of a poly that will be added.
   struct edges_of_new_poly {
     edge_id edges[Shape::edges];             // none where the edge does not exist yet
@@ -218,4 +231,5 @@ using hex_tables = cell_tables<detail::hex_shape>;
 #include <concino/mesh/detail/cell_tables_build.ipp>
 #include <concino/mesh/detail/cell_tables_edit.ipp>
 #include <concino/mesh/detail/cell_tables_fans.ipp>
+#include <concino/mesh/detail/cell_tables_rewire.ipp>
 #endif
