@@ -3,43 +3,21 @@
 #include <concino/mesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
-#include <support/failing_allocations.hpp>
+#include <support/all_or_nothing.hpp>
 #include <support/soups.hpp>
 #include <support/whole_mesh.hpp>
 
 #include <doctest/doctest.h>
 
 namespace cn = concino;
+using cn::testing::all_or_nothing;
 using cn::testing::for_each_failing_allocation;
-using cn::testing::whole;
 
 namespace {
 
 template<class R>
 auto listed(const R& range) {
   return std::vector<std::remove_cvref_t<decltype(*range.begin())>>(range.begin(), range.end());
-}
-
-/// Runs edit(m) with each of its allocations failing, and checks that m is unchanged and can be edited afterwards.
-template<class M, class F>
-std::size_t all_or_nothing(const M& before, const F& edit) {
-  const std::vector<double> old = whole(before);
-  M edited = before;
-  edit(edited);
-  const std::vector<double> expected = whole(edited);
-  bool looked = false;
-  const auto result = for_each_failing_allocation([&](const auto& attempt) {
-    M m = before;
-    if (attempt([&] { edit(m); })) {
-      CHECK(whole(m) == old);
-      edit(m);
-      if (!looked) CHECK(cn::check_laws(m).empty());
-      looked = true;
-    }
-    CHECK(whole(m) == expected);
-  });
-  CHECK(result.leaks == 0);
-  return result.failed;
 }
 
 template<class M>
