@@ -2,3 +2,4 @@
 #pragma once
 
 #include <concino/edit/elements.hpp>
+#include <concino/edit/remove_unreferenced.hpp>

@@ -74,6 +74,15 @@ TEST_CASE_TEMPLATE("an edit that runs out of memory changes nothing", M, CONCINO
   }
 }
 
+TEST_CASE_TEMPLATE("cleaning up that runs out of memory changes nothing", M, CONCINO_ALL_KINDS) {
+  M m = cn::testing::grid<M>(1);
+  cn::testing::give_properties(m);
+  const auto polys = listed(cn::polys(m));
+  for (std::size_t i = 0; i < polys.size(); i += 2) cn::remove_poly(m, polys[i]);
+  cn::add_vert(m, {1, 2, 3});
+  CHECK(all_or_nothing(m, [](M& x) { cn::remove_unreferenced(x); }) > 0);
+}
+
 TEST_CASE("an edit of long polygons that runs out of memory changes nothing") {
   // two polygons of 40 verts that share every third edge, and a third polygon at one of these edges
   std::vector<cn::vec3> points(80);

@@ -138,6 +138,7 @@ struct cgal_surface_links {
       refuse("cannot be linked: in CGAL::Surface_mesh at most two polys share an edge, in opposite directions, and each vert of a new poly is on the boundary");
     return p;
   }
+  static void remove_vert(mesh& m, vert v) { m.remove_vertex(v); }
 };
 
 template<class P> std::type_identity<P> point_of_cgal_surface_mesh(const CGAL::Surface_mesh<P>*);

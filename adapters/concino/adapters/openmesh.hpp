@@ -64,7 +64,7 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   }
   static void remove_vert(M& m, vert v) {
     request_vert_status(m);
-    m.OpenMesh::PolyConnectivity::delete_vertex(v, false);
+    m.status(v).set_deleted(true);  // as delete_vertex does for a vert without polys, which allocates memory for none
   }
 
  private:

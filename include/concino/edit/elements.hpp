@@ -26,6 +26,7 @@ template<class M> concept has_add_face =
 template<class M> concept has_add_poly_of_faces = requires(std::remove_cvref_t<M>& m, std::span<const face_t<M>> faces, std::span<const unsigned char> outward) {
   { traits<M>::add_poly(m, faces, outward) } -> std::convertible_to<poly_t<M>>;
 };
+template<class M> concept has_remove_face = requires(std::remove_cvref_t<M>& m, face_t<M> f) { traits<M>::remove_face(m, f); };
 template<class M> concept has_remove_poly = requires(std::remove_cvref_t<M>& m, poly_t<M> p) { traits<M>::remove_poly(m, p); };
 
 }  // namespace requirement
@@ -95,8 +96,35 @@ void remove_poly(M& m, poly_t<M> p) {
   traits<M>::remove_poly(m, p);
 }
 
-/// Removes v, after the polys at it. If the traits have reserve_removal(m, polys), the edit has the strong exception guarantee: that function allocates
-/// the memory for removing these polys and verts before the first one is removed.
+namespace detail {
+
+/// The strong exception guarantee: if the traits have reserve_removal(m, polys), it allocates the memory for removing these polys, and faces and verts,
+/// before the first one is removed.
+template<class M>
+void reserve_removal(M& m, const std::vector<poly_t<M>>& polys) {
+  if constexpr (requires { traits<M>::reserve_removal(m, std::span<const poly_t<M>>(polys)); }) traits<M>::reserve_removal(m, std::span<const poly_t<M>>(polys));
+}
+
+}  // namespace detail
+
+/// Removes f, after the polys at it. Edges that have no other face are removed too; verts stay.
+/// Needs:  a volume whose traits have remove_poly, and remove_face if faces without polys can exist.
+/// Result: none; other elements keep their descriptors.
+/// Cost:   that of removing the polys at f one after another.
+/// Errors: invalid_mesh if f is not a face of m.
+template<requirement::has_remove_poly M>
+  requires VolumeMesh<M>
+void remove_face(M& m, face_t<M> f) {
+  if (!contains(m, f)) core::throw_joined<invalid_mesh>({"remove_face: face ", index_of(m, f), " cannot be removed: it is not a face of the mesh"});
+  std::vector<poly_t<M>> at_face;
+  for (const auto& p : adj_f2p(m, f)) at_face.push_back(p);
+  detail::reserve_removal(m, at_face);
+  for (const auto& p : at_face) traits<M>::remove_poly(m, p);
+  if constexpr (requirement::has_remove_face<M>)
+    if (contains(m, f)) traits<M>::remove_face(m, f);
+}
+
+/// Removes v, after the polys at it. The edit has the strong exception guarantee if the traits have reserve_removal(m, polys).
 /// Needs:  a mesh whose traits have remove_vert and remove_poly.
 /// Result: none; other elements keep their descriptors.
 /// Cost:   that of removing the polys at v one after another.
@@ -107,7 +135,7 @@ void remove_vert(M& m, vert_t<M> v) {
   if (!contains(m, v)) core::throw_joined<invalid_mesh>({"remove_vert: vert ", index_of(m, v), " cannot be removed: it is not a vert of the mesh"});
   std::vector<poly_t<M>> around;
   for (const auto& p : adj_v2p(m, v)) around.push_back(p);
-  if constexpr (requires { traits<M>::reserve_removal(m, std::span<const poly_t<M>>(around)); }) traits<M>::reserve_removal(m, std::span<const poly_t<M>>(around));
+  detail::reserve_removal(m, around);
   for (const auto& p : around) traits<M>::remove_poly(m, p);
   traits<M>::remove_vert(m, v);
 }

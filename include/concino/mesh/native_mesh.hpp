@@ -163,6 +163,11 @@ struct native_traits : Base<M> {
   }
   static void reserve_removal(M& m, std::span<const poly_id> polys) { m.tables().reserve_removal(polys); }
   static void remove_poly(M& m, poly_id p) { m.tables().remove_poly(p); }
+  static void remove_face(M& m, face_id f)
+    requires requires { m.tables().remove_face(f); }
+  {
+    m.tables().remove_face(f);
+  }
 
  private:
   static auto growing(M& m) {
