@@ -1,5 +1,7 @@
-// Editing of meshes: adding and removing elements.
+// Editing of meshes: adding and removing elements, splitting and flipping edges.
 #pragma once
 
+#include <concino/edit/edge_flip.hpp>
+#include <concino/edit/edge_split.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/edit/remove_unreferenced.hpp>

@@ -1,0 +1,55 @@
+// Splits an edge of triangles or tets at a point between its ends.
+#pragma once
+
+#include <concino/edit/detail/cavity_builder.hpp>
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/core/number_text.hpp>
+
+namespace concino {
+
+namespace detail {
+
+/// The polys at e, each of which is replaced by two.
+template<class M>
+permission edge_split_cavity(const M& m, const edge_t<M>& e, double t, cavity_builder<M>& c) {
+  const auto ends = end_verts(m, e);
+  const unsigned a = c.vert(ends.first), b = c.vert(ends.second);
+  for (const poly_t<M> p : adj_e2p(m, e))
+    if (!c.add_old(m, p)) return not_simplices;
+  const vec3 first = to_vec3(point(m, ends.first)), second = to_vec3(point(m, ends.second));
+  const unsigned v = c.add_point((1 - t) * first + t * second);
+  for (unsigned k = 0; k < c.num_old(); ++k) c.add_new(k, b, v);
+  for (unsigned k = 0; k < c.num_old(); ++k) c.add_new(k, a, v);
+  c.keep(c.num_old());
+  return {};
+}
+
+}  // namespace detail
+
+/// Whether e can be split: all polys at it are triangles in a surface, tets in a volume. Any number of polys is allowed.
+/// Needs:  EditableMesh M, an edge of m.      Result: true, or the reason.      Cost: O(polys at e).      Errors: invalid_mesh if e is not an edge of m.
+template<EditableMesh M>
+permission can_edge_split(const M& m, edge_t<M> e) {
+  detail::check_element(m, e, "can_edge_split", "edge");
+  for (const poly_t<M> p : adj_e2p(m, e))
+    if (num_elements(adj_p2v(m, p)) != detail::cavity_builder<M>::size) return detail::not_simplices;
+  return {};
+}
+
+/// Splits e at (1 - t) a + t b, where a and b are its ends as end_verts lists them, and each poly at it into two.
+/// Needs:  EditableMesh M; 0 < t < 1.
+/// Result: the new vert, or the reason why not. Of each poly the half at a keeps the descriptor. Other descriptors remain valid, apart from e.
+/// Cost:   the elements at the verts of the polys at e, but O(mesh) the first time.
+/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if t is not between 0 and 1. The mesh is unchanged then, also if memory runs out.
+template<EditableMesh M>
+vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5) {
+  detail::check_element(m, e, "edge_split", "edge");
+  if (!(t > 0 && t < 1)) core::throw_joined<invalid_argument>({"edge_split: the parameter is ", core::number_text(t), "; it must be between 0 and 1"});
+  detail::cavity_builder<M> c;
+  if (const permission p = detail::edge_split_cavity(m, e, t, c); !p) return {p, {}};
+  c.apply(m);
+  return {{}, c.new_vert()};
+}
+
+}  // namespace concino

@@ -1,0 +1,34 @@
+// Whether an edit is allowed, and what it has made.
+#pragma once
+
+#include <concino/concepts/mesh_traits.hpp>
+
+#include <string_view>
+
+namespace concino {
+
+/// Why an edit is refused.
+enum class refusal : unsigned char {
+  none,            // it is allowed
+  not_simplices,   // a poly at the element is not a triangle or a tet
+  wrong_number,    // the element has another number of polys than the operator needs
+  same_verts,      // an edge, face or poly on the new verts exists already
+  link_condition,  // the mesh would no longer be of the same kind: two parts would touch, or a part would vanish
+  winding,         // the polys at the element run in contradictory directions
+  invariant,       // a condition in the options does not hold afterwards
+};
+
+/// The answer of can_edge_flip(m, e) and its siblings: true, or a reason. An edit that is refused changes nothing, and returns the same answer.
+struct permission {
+  refusal reason = refusal::none;
+  std::string_view why = {};  // a sentence; its text has static lifetime, or belongs to the caller's condition
+
+  explicit constexpr operator bool() const { return reason == refusal::none; }
+};
+
+/// What an edit returns: a permission, and the vert, edge or face that it made, which is valid only if the edit was allowed.
+template<class M> struct vert_result : permission { vert_t<M> vert{}; };
+template<class M> struct edge_result : permission { edge_t<M> edge{}; };
+template<class M> struct face_result : permission { face_t<M> face{}; };
+
+}  // namespace concino

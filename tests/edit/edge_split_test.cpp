@@ -1,0 +1,89 @@
+// edge_split of surfaces: counts, area, descriptors and winding of the halves, also at edges of one and of many triangles.
+#include <concino/edit/edge_split.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/mesh.hpp>
+
+#include <support/kinds.hpp>
+#include <support/rebuilt.hpp>
+#include <support/whole_mesh.hpp>
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+namespace cn = concino;
+using cn::testing::equals_rebuilt;
+using cn::testing::keeps_all_laws;
+using cn::testing::raw;
+
+TEST_CASE("edge_split: the halves of two triangles") {
+  cn::trimesh m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  cn::edge_id diagonal;
+  for (const auto e : cn::edges(m))
+    if (raw(cn::adj_e2v(m, e)) == std::vector<unsigned>{0, 2}) diagonal = e;
+  REQUIRE(cn::can_edge_split(m, diagonal));
+  const auto made = cn::edge_split(m, diagonal, 0.25);
+  REQUIRE(made);
+  CHECK(made.vert == cn::vert_id{4});
+  CHECK(cn::to_vec3(cn::point(m, made.vert)) == cn::vec3{0.25, 0.25, 0});
+  CHECK(cn::num_polys(m) == 4);
+  CHECK(cn::num_edges(m) == 8);
+  CHECK(raw(cn::adj_p2v(m, cn::poly_id{0})) == std::vector<unsigned>{0, 1, 4});  // at vert 0, the first end
+  CHECK(raw(cn::adj_p2v(m, cn::poly_id{1})) == std::vector<unsigned>{0, 4, 3});
+  CHECK(cn::total_measure(m) == doctest::Approx(1));
+  keeps_all_laws(m);
+  equals_rebuilt(m);
+}
+
+TEST_CASE("edge_split: edges of one triangle and of five") {
+  cn::trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}, {0, 1, 1}},
+                {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}, {0, 1, 5}, {1, 0, 6}});
+  const double area = cn::total_measure(m);
+  for (unsigned round = 0; round < 6; ++round) {
+    std::vector<cn::edge_id> all;
+    for (const auto e : cn::edges(m)) all.push_back(e);
+    for (const auto e : all) {
+      if (!cn::contains(m, e) || round > 2) continue;
+      const std::size_t polys = cn::num_polys(m), at_edge = cn::num_elements(cn::adj_e2p(m, e)), verts = cn::num_verts(m), edges = cn::num_edges(m);
+      REQUIRE(cn::edge_split(m, e, 0.3));
+      CHECK(cn::num_polys(m) == polys + at_edge);
+      CHECK(cn::num_verts(m) == verts + 1);
+      CHECK(cn::num_edges(m) == edges + 1 + at_edge);
+    }
+  }
+  CHECK(cn::total_measure(m) == doctest::Approx(area));
+  keeps_all_laws(m);
+  equals_rebuilt(m);
+}
+
+TEST_CASE("edge_split: refuses quads, and throws for edges of other meshes and parameters outside the edge; nothing changes") {
+  cn::quadmesh q = cn::testing::grid<cn::quadmesh>(2);
+  const auto before = cn::testing::whole(q);
+  CHECK(cn::can_edge_split(q, cn::edge_id{0}).reason == cn::refusal::not_simplices);
+  const auto made = cn::edge_split(q, cn::edge_id{0});
+  CHECK_FALSE(made);
+  CHECK(made.why == "a poly at the element is not a triangle or a tet");
+  CHECK(cn::testing::whole(q) == before);
+
+  cn::trimesh m = cn::testing::grid<cn::trimesh>(2);
+  const auto old = cn::testing::whole(m);
+  CHECK_THROWS_WITH_AS(cn::edge_split(m, cn::edge_id{99}), "edge_split: edge 99 is not an edge of the mesh", cn::invalid_mesh);
+  CHECK_THROWS_WITH_AS(cn::can_edge_split(m, cn::edge_id{99}), "can_edge_split: edge 99 is not an edge of the mesh", cn::invalid_mesh);
+  for (const double t : {0.0, 1.0, -2.0, std::numeric_limits<double>::quiet_NaN()}) CHECK_THROWS_AS(cn::edge_split(m, cn::edge_id{0}, t), cn::invalid_argument);
+  CHECK(cn::testing::whole(m) == old);
+}
+
+TEST_CASE("edge_split: a mesh of general polygons, where all polys at the edge are triangles") {
+  cn::polygonmesh m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {1, 4, 5, 2}});
+  for (const auto e : cn::edges(m)) {
+    cn::polygonmesh copy = m;
+    const bool at_quad = [&] {
+      for (const auto p : cn::adj_e2p(m, e))
+        if (p == cn::poly_id{2}) return true;
+      return false;
+    }();
+    CHECK(bool(cn::edge_split(copy, e)) == !at_quad);
+    keeps_all_laws(copy);
+    equals_rebuilt(copy);
+  }
+}
