@@ -6,6 +6,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/arrays.hpp>
+#include <concino/mesh/detail/edit_recorder.hpp>
 #include <concino/mesh/indexed_base.hpp>
 #include <concino/mesh/property_set.hpp>
 #include <concino/mesh/surface_tables.hpp>
@@ -98,11 +99,15 @@ class native_mesh {
   std::vector<vec3> points_;
   Tables tables_;
   property_set properties_;
+  edit_state<native_mesh> edits_;
 
  protected:
   native_mesh(std::vector<vec3> points, Tables tables);
 
  public:
+  using native = native_mesh;
+  using tables_type = Tables;
+
   native_mesh();
   native_mesh(const native_mesh&);
   native_mesh(native_mesh&&) noexcept;
@@ -116,7 +121,12 @@ class native_mesh {
   Tables& tables() { return tables_; }
   const property_set& properties() const { return properties_; }
   property_set& properties() { return properties_; }
+  edit_state<native_mesh>& edits() { return edits_; }
 };
+
+/// Whether the tables of M can record edits, so that these can be undone.
+template<class M>
+inline constexpr bool can_be_undone = requires(M& m, const native_cavity& c, const native_cavity_result& made) { m.tables().rewire(c, made, {}, nullptr); };
 
 /// The part of mesh_traits that the six native meshes share, besides adjacencies.
 template<class M, template<class> class Base>
@@ -125,7 +135,11 @@ struct native_traits : Base<M> {
   static const auto& tables(const M& m) { return m.tables(); }
   static const vec3& point(const M& m, vert_id v) { return m.points()[v.raw()]; }
   template<class P>
-  static void set_point(M& m, vert_id v, const P& p) { m.points()[v.raw()] = to_vec3(p); }
+  static void set_point(M& m, vert_id v, const P& p) {
+    if constexpr (can_be_undone<M>)
+      if (m.edits().recorder) m.edits().recorder->save_point(v.raw());
+    m.points()[v.raw()] = to_vec3(p);
+  }
   static const property_set& properties(const M& m) { return m.properties(); }
   static property_set& properties(M& m) { return m.properties(); }
   static std::size_t first_corner(const M& m, poly_id p) { return m.tables().first_corner(p); }
@@ -133,49 +147,99 @@ struct native_traits : Base<M> {
 
   static vert_id add_vert(M& m, const vec3& x) {
     const vec3 copy = x;  // a copy: x may be a point of m, which moves
+    if (is_recorded(m)) return edit_by_rewire(m, {.points = {&copy, &copy + 1}}).vert;
     reserve_more(m.points(), 1);
     const vert_id v = m.tables().add_vert(growing(m));
     m.points().push_back(copy);
+    count_edit(m);
     return v;
   }
-  static void remove_vert(M& m, vert_id v) { m.tables().remove_vert(v); }
+  static void remove_vert(M& m, vert_id v) {
+    if (is_recorded(m)) return void(edit_by_rewire(m, {.verts = {&v, &v + 1}, .removed = 1}));
+    m.tables().remove_vert(v);
+    count_edit(m);
+  }
   static poly_id add_poly(M& m, std::span<const vert_id> corners)
     requires requires { m.tables().add_poly(corners); }
   {
-    return m.tables().add_poly(corners, growing(m));
+    if (is_recorded(m)) {
+      check_new_verts({corners.data(), corners.data() + corners.size()}, m.tables().verts(), "add_poly: poly", m.tables().polys().bound());
+      std::vector<unsigned> all(corners.size());
+      for (unsigned k = 0; k < all.size(); ++k) all[k] = k;
+      const auto n = static_cast<unsigned>(all.size());
+      return edit_by_rewire(m, {.verts = {corners.data(), corners.data() + n}, .corners = {all.data(), all.data() + n}, .ends = {&n, &n + 1}}).poly;
+    }
+    const poly_id p = m.tables().add_poly(corners, growing(m));
+    count_edit(m);
+    return p;
   }
   static face_id add_face(M& m, std::span<const vert_id> corners)
     requires requires { m.tables().add_face(corners); }
   {
-    return m.tables().add_face(corners, growing(m));
+    refuse_recording(m, "add_face");
+    const face_id f = m.tables().add_face(corners, growing(m));
+    count_edit(m);
+    return f;
   }
   static poly_id add_poly(M& m, std::span<const face_id> list, std::span<const std::uint8_t> outward)
     requires requires { m.tables().add_poly(list, outward); }
   {
-    return m.tables().add_poly(list, outward, growing(m));
+    refuse_recording(m, "add_poly");
+    const poly_id p = m.tables().add_poly(list, outward, growing(m));
+    count_edit(m);
+    return p;
   }
   static void rewire(M& m, const native_cavity& c, const native_cavity_result& made)
     requires requires { m.tables().rewire(c, made); }
   {
     reserve_more(m.points(), c.points.size());
-    m.tables().rewire(c, made, growing(m));
+    if constexpr (can_be_undone<M>) {
+      edit_step<typename M::native> step(m);
+      m.tables().rewire(c, made, growing(m), step.log());
+      step.finish();
+    } else {
+      m.tables().rewire(c, made, growing(m));
+    }
     m.points().insert(m.points().end(), c.points.begin(), c.points.end());
   }
+  static edit_state<typename M::native>& edits(M& m) { return m.edits(); }
   static void reserve_removal(M& m, std::span<const poly_id> polys) { m.tables().reserve_removal(polys); }
-  static void remove_poly(M& m, poly_id p) { m.tables().remove_poly(p); }
+  static void remove_poly(M& m, poly_id p) {
+    if (is_recorded(m)) {
+      std::vector<vert_id> all;
+      for (const vert_id v : m.tables().adj_p2v(p)) all.push_back(v);
+      edit_by_rewire(m, {.polys = {&p, &p + 1}, .verts = {all.data(), all.data() + all.size()}});
+      return;
+    }
+    m.tables().remove_poly(p);
+    count_edit(m);
+  }
   static void remove_face(M& m, face_id f)
     requires requires { m.tables().remove_face(f); }
   {
+    refuse_recording(m, "remove_face");
     m.tables().remove_face(f);
+    count_edit(m);
   }
 
  private:
   static auto growing(M& m) {
-    return [&m](const index_bounds& after) {
-      index_bounds before{m.tables().verts().bound(), m.tables().edges().bound(), 0, m.tables().polys().bound(), m.tables().corner_bound()};
-      if constexpr (requires { m.tables().faces(); }) before.faces = m.tables().faces().bound();
-      m.properties().grow(before, after);
-    };
+    return [&m](const index_bounds& after) { m.properties().grow(bounds_of(m.tables()), after); };
+  }
+  static bool is_recorded(M& m) { return m.edits().recorder != nullptr; }
+  static void count_edit(M& m) { m.edits().version = ++m.edits().last_version; }
+  static void refuse_recording(M& m, const char* edit) {
+    if (is_recorded(m)) core::throw_joined<unsupported>({edit, ": faces cannot be added or removed one by one while a transaction is open; use rewire"});
+  }
+  struct new_elements {
+    vert_id vert;
+    poly_id poly;
+  };
+  /// An edit that adds at most one vert and one poly, as rewire does it, which can be undone.
+  static new_elements edit_by_rewire(M& m, const native_cavity& c) {
+    new_elements made;
+    if constexpr (can_be_undone<M>) rewire(m, c, {&made.vert, &made.poly});
+    return made;
   }
 };
 

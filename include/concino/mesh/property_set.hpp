@@ -155,6 +155,7 @@ class column {
 
   /// New values are default values.
   void resize(std::size_t n);
+  bool is_bytes() const { return !type_->copy; }
 };
 
 }  // namespace detail
@@ -202,6 +203,11 @@ class property_set {
 
   /// Adds default values for elements that will be added. If one of them cannot be constructed, nothing changes.
   void grow(const detail::index_bounds& before, const detail::index_bounds& after);
+  /// Removes the values of elements from these index bounds on.
+  void shrink(const detail::index_bounds& to) noexcept;
+
+  /// The column of property i.
+  const std::shared_ptr<detail::column>& values(std::size_t i) const { return entries_[i].values; }
 
   std::size_t size() const { return entries_.size(); }
   property_info info(std::size_t i) const;

@@ -8,6 +8,7 @@
 #include <concino/mesh/detail/alive_elements.hpp>
 #include <concino/mesh/detail/cavity_input.hpp>
 #include <concino/mesh/detail/checks.hpp>
+#include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
 
@@ -94,7 +95,16 @@ class surface_tables {
   /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the corners of old and new polys, and the edges and polys at their verts.
   /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly; if the constructor would
   ///         refuse a new poly; if it removes a vert that keeps a poly. The tables are unchanged then.
-  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {});
+  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
+              detail::edit_log* log = nullptr);
+
+  /// Calls f for every array of the tables, for undoing edits.
+  template<class F>
+  void for_each_array(const F& f) {
+    f(verts_), f(edges_), f(polys_), f(p2v_), f(e2v_), f(v2v_), f(v2e_), f(v2p_);
+    facet_adjacency_.for_each_array(f);
+  }
+  static constexpr std::uint32_t num_arrays = 8 + detail::facet_adjacency<edge_id, Arity>::num_arrays;
 
   /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id>);
@@ -128,7 +138,7 @@ class surface_tables {
   EXTERN template vert_id surface_tables<ARITY>::add_vert(function_ref<void(const detail::index_bounds&)>);                           \
   EXTERN template poly_id surface_tables<ARITY>::add_poly(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>); \
   EXTERN template void surface_tables<ARITY>::rewire(const detail::native_cavity&, const detail::native_cavity_result&,                \
-                                                     function_ref<void(const detail::index_bounds&)>);                                \
+                                                     function_ref<void(const detail::index_bounds&)>, detail::edit_log*);             \
   EXTERN template void surface_tables<ARITY>::reserve_removal(std::span<const poly_id>);                                              \
   EXTERN template void surface_tables<ARITY>::remove_poly(poly_id);                                                                   \
   EXTERN template void surface_tables<ARITY>::remove_vert(vert_id);                                                                   \

@@ -66,6 +66,15 @@ class alive_elements {
     else if (dead_.capacity() < bound_ + added) dead_.reserve(std::max(bound_ + added, 2 * dead_.capacity()));
   }
 
+  /// For undoing: sets the index bound and the number of elements, and whether x is one.
+  void restore_size(std::size_t bound, std::size_t size) {
+    bound_ = bound, deleted_ = bound - size;
+    if (!dead_.empty()) dead_.resize(bound, 0);
+  }
+  void restore(Id x, bool is_alive) {
+    if (!dead_.empty()) dead_[x.raw()] = !is_alive;
+  }
+
   Id add() {
     if (!dead_.empty()) dead_.push_back(0);
     return Id{bound_++};

@@ -220,6 +220,26 @@ class facet_adjacency {
     poly_lists_.make_editable();
     if (lists > 0) poly_lists_.reserve_rows(lists, 4 * polys + 2 * min_list_capacity * lists);
   }
+  /// Calls f for every array, for undoing; save_facet() and save_poly() save the rows of one facet and of one poly.
+  template<class F>
+  void for_each_array(const F& f) {
+    f(facets_), f(neighbours_), f(owner_), f(poly_lists_.rows());
+  }
+  static constexpr std::uint32_t num_arrays = 4;
+  template<class Log>
+  void save_facet(Log& log, std::uint32_t first_array, Facet f) const {
+    log.save(first_array + 2, owner_, f.raw());
+    if (!is_owned(f)) return;
+    const incidence s = owner(f);
+    const encoded_neighbour x = neighbours_.begin(s.poly)[s.k];
+    if (x.is_non_manifold()) log.save(first_array + 3, poly_lists_.rows(), x.poly_list());
+    for (const poly_id p : polys_of(f)) log.save(first_array + 1, neighbours_, p.raw());
+  }
+  template<class Log>
+  void save_poly(Log& log, std::uint32_t first_array, poly_id p) const {
+    log.save(first_array, facets_, p.raw());
+    log.save(first_array + 1, neighbours_, p.raw());
+  }
   void detach(poly_id p) { unlink(p.raw()); }
   /// Gives p room for n facets; they are undefined before they are attached.
   void resize_row(poly_id p, std::uint32_t n) {

@@ -111,6 +111,13 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
   using base::reserve_in_row;
   using base::reserve_rows;
 
+  /// The lists as rows, which the caller may change.
+  base& rows() {
+    forget();
+    return *this;
+  }
+  const base& rows() const { return *this; }
+
   template<class It>
   void add_row(It from, It to, std::size_t room = 0) {
     forget();

@@ -93,6 +93,8 @@ class jagged_array {
   void reserve_rows(std::size_t n, std::size_t) { reserve_rows(n); }
   std::uint32_t growth_of_row(std::size_t, std::size_t) const { return 0; }
   void resize_row(std::size_t, [[maybe_unused]] std::size_t n) { assert(n == N); }
+  /// Removes the rows from `rows` on, or makes them part of the array again, for undoing.
+  void restore_size(std::size_t rows) { data_.resize(rows * N); }
 };
 
 /// Rows of any lengths. Before the first edit the rows are consecutive ("packed"): row i ends where row i+1 begins, so one array of offsets is
@@ -264,6 +266,19 @@ class jagged_array<T, 0> {
     make_editable();
     if (const std::uint32_t room = growth_of_row(i, n)) move_row(i, room);
     loose_last_[i] = loose_first_[i] + static_cast<std::uint32_t>(n);
+  }
+  /// Where the values of a row are, for undoing. Only for rows that can be edited; restore_size() also takes the number of all values in memory.
+  struct place {
+    std::uint32_t first, last, room;
+  };
+  place place_of(std::size_t i) const { return {first_[i], last_[i], packed_ ? length(i) : room_[i]}; }
+  void restore_place(std::size_t i, const place& x) { loose_first_[i] = x.first, loose_last_[i] = x.last, room_[i] = x.room; }
+  void restore_size(std::size_t rows, std::size_t values) {
+    if (packed_) return;
+    loose_first_.resize(rows), loose_last_.resize(rows), room_.resize(rows);
+    data_.resize(values);
+    size_ = rows;
+    update_pointers();
   }
   /// Replaces the first `value` in row i by another one.
   void replace(std::size_t i, const T& value, const T& by) { *std::find(begin(i), begin(i) + length(i), value) = by; }

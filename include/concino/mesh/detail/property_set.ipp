@@ -252,18 +252,24 @@ CONCINO_INLINE void property_set::transfer(const property_set& source, const cor
   entries_.swap(all);
 }
 
+/// The number of values of a property in a mesh with these index bounds.
+CONCINO_INLINE std::size_t num_values_of(element_kind kind, const detail::index_bounds& bounds) {
+  const std::size_t sizes[] = {bounds.verts, bounds.edges, bounds.faces, bounds.polys, 1, bounds.corners};
+  return sizes[static_cast<unsigned>(kind)];
+}
+
 CONCINO_INLINE void property_set::grow(const detail::index_bounds& before, const detail::index_bounds& after) {
-  if (entries_.empty()) return;
-  const auto resize = [&](const detail::index_bounds& to) {
-    const std::size_t sizes[] = {to.verts, to.edges, to.faces, to.polys, 1, to.corners};
-    for (entry& e : entries_) e.values->resize(sizes[static_cast<unsigned>(e.kind)]);
-  };
   try {
-    resize(after);
+    for (entry& e : entries_) e.values->resize(num_values_of(e.kind, after));
   } catch (...) {
-    resize(before);  // only destroys values
+    shrink(before);
     throw;
   }
+}
+
+CONCINO_INLINE void property_set::shrink(const detail::index_bounds& to) noexcept {
+  for (entry& e : entries_)
+    if (const std::size_t n = num_values_of(e.kind, to); n < e.values->size()) e.values->resize(n);
 }
 
 CONCINO_INLINE property_info property_set::info(std::size_t i) const { return {entries_[i].kind, entries_[i].name, &entries_[i].values->type(), entries_[i].values->rule()}; }

@@ -49,6 +49,7 @@ class surface_tables<Arity, Lists>::rewiring {
       if (t_.v2p_.length(verts_[v].raw()) != changes_[v].polys_before) detail::removed_vert_in_use(verts_[v]);
   }
 
+  void save(detail::edit_log& log) const;
   void reserve(function_ref<void(const detail::index_bounds&)> grow);
   void commit(const detail::native_cavity_result& made);
 
@@ -113,6 +114,25 @@ void surface_tables<Arity, Lists>::rewiring::count_edges() {
   for (const cavity_edge& x : edges_) {
     if (x.id.is_none()) ++fresh_, ++changes_[x.a].edges_gained, ++changes_[x.b].edges_gained;
     else if (x.is_left_over()) ++left_over_, ++changes_[x.a].edges_lost, ++changes_[x.b].edges_lost;
+  }
+}
+
+/// Saves all rows that reserve() and commit() may change. The arrays are numbered as for_each_array() visits them.
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::save(detail::edit_log& log) const {
+  enum : std::uint32_t { of_verts, of_edges, of_polys, of_p2v, of_e2v, of_v2v, of_v2e, of_v2p, of_facets };
+  for (unsigned i = 0; i < num_old_verts_; ++i) {
+    const std::size_t v = verts_[i].raw();
+    log.save(of_verts, t_.verts_, v), log.save(of_v2v, t_.v2v_, v), log.save(of_v2e, t_.v2e_, v), log.save(of_v2p, t_.v2p_, v);
+  }
+  for (const cavity_edge& x : edges_) {
+    if (x.id.is_none()) continue;
+    log.save(of_edges, t_.edges_, x.id.raw()), log.save(of_e2v, t_.e2v_, x.id.raw());
+    t_.facet_adjacency_.save_facet(log, of_facets, x.id);
+  }
+  for (const poly_id p : c_.polys) {
+    log.save(of_polys, t_.polys_, p.raw()), log.save(of_p2v, t_.p2v_, p.raw());
+    t_.facet_adjacency_.save_poly(log, of_facets, p);
   }
 }
 
@@ -237,8 +257,10 @@ void surface_tables<Arity, Lists>::rewiring::refresh_marks() {
 }
 
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow) {
+void surface_tables<Arity, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow,
+                                           detail::edit_log* log) {
   rewiring r(*this, c);
+  if (log) r.save(*log);
   r.reserve(grow);
   r.commit(made);
 }

@@ -1,0 +1,129 @@
+// transaction: edits of a mesh that are all kept or all undone.
+//
+//   { transaction t(m); edge_split(m, e); }                                        // not committed: m is as it was
+//   transaction t(m); edge_split(m, e); auto edits = t.commit();  edits.undo();  edits.redo();
+//
+// What is undone are edits by the functions of this library: elements, adjacencies and their order, points set by set_point, and the properties that these
+// edits change. Values that are written through maps and property handles, and points written in m.points(), are not.
+#pragma once
+
+#include <concino/concepts/editable.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
+
+#include <memory>
+#include <utility>
+
+namespace concino {
+
+namespace requirement {
+
+template<class M> concept has_edits = requires(std::remove_cvref_t<M>& m) { traits<M>::edits(m).recorder; traits<M>::edits(m).version; };
+
+}  // namespace requirement
+
+namespace detail {
+
+template<class M> using recorder_of = std::remove_pointer_t<decltype(traits<M>::edits(std::declval<M&>()).recorder)>;
+
+}  // namespace detail
+
+/// The edits of a committed transaction, which can be undone and done again as long as nothing else has changed the mesh in between. Refers to the mesh.
+template<class M>
+  requires requirement::has_edits<M>
+class committed_edits {
+  M* m_ = nullptr;
+  std::unique_ptr<detail::recorder_of<M>> before_;
+  std::unique_ptr<decltype(detail::recorder_of<M>::log)> after_;
+  std::uint64_t version_before_ = 0, version_after_ = 0;
+
+  void check(std::uint64_t version, const char* caller) const {
+    if (m_ && traits<M>::edits(*m_).recorder) core::throw_joined<invalid_argument>({caller, ": a transaction is open; commit it or let it end first"});
+    if (!m_ || traits<M>::edits(*m_).version != version)
+      core::throw_joined<invalid_argument>({caller, ": the mesh is not in the state that these edits ", version == version_after_ ? "made" : "began with", "; undo later edits first"});
+  }
+
+ public:
+  committed_edits() = default;
+  committed_edits(M& m, std::unique_ptr<detail::recorder_of<M>> log, std::uint64_t version_before)
+      : m_(&m), before_(std::move(log)), version_before_(version_before), version_after_(traits<M>::edits(m).version) {}
+
+  /// Whether these are the edits of a whole transaction; those of an inner one belong to the outer one.
+  explicit operator bool() const { return m_ != nullptr; }
+
+  /// Undoes the edits.
+  /// Needs:  the mesh exists, at the same address.      Result: none; the mesh is as before the edits.      Cost: linear in what the edits changed.
+  /// Errors: invalid_argument if the mesh has been edited since, these edits are undone already, or a transaction is open. std::bad_alloc; nothing changes then.
+  void undo() {
+    check(version_after_, "undo");
+    if (!after_) after_ = std::make_unique<decltype(detail::recorder_of<M>::log)>(before_->changes());
+    before_->undo();
+    traits<M>::edits(*m_).version = version_before_;
+  }
+
+  /// Does the edits again after undo().
+  /// Needs:  the mesh exists, at the same address.      Result: none; the mesh is as after the edits.      Cost: linear in what the edits changed.
+  /// Errors: invalid_argument if the mesh has been edited since undo(), or a transaction is open.
+  void redo() {
+    check(version_before_, "redo");
+    if (!after_) core::throw_joined<invalid_argument>({"redo: the edits were not undone"});
+    before_->redo(*after_);
+    traits<M>::edits(*m_).version = version_after_;
+  }
+};
+
+/// Undoes all edits of m since its construction, unless commit() was called: also if an exception leaves its scope. Transactions can be nested; an inner
+/// one that is committed is undone with the outer one. The mesh must not be moved or assigned to while one is open.
+template<class M>
+  requires requirement::has_edits<M>
+class transaction {
+  M& m_;
+  std::unique_ptr<detail::recorder_of<M>> own_;  // empty in an inner transaction
+  std::size_t first_step_ = 0;
+  std::uint64_t version_before_;
+  bool is_open_ = true;
+
+ public:
+  /// Needs:  a mesh that records its edits: those of this library.      Cost: O(properties); edits inside take longer, by what they save.
+  /// Errors: unsupported if a property of m has values that cannot be copied byte by byte, such as std::string.
+  explicit transaction(M& m) : m_(m), version_before_(traits<M>::edits(m).version) {
+    auto& state = traits<M>::edits(m);
+    if (!state.recorder) own_ = std::make_unique<detail::recorder_of<M>>(m);
+    if (own_) state.recorder = own_.get();
+    first_step_ = state.recorder->log.num_steps();
+  }
+  transaction(const transaction&) = delete;
+  transaction& operator=(const transaction&) = delete;
+  ~transaction() {
+    if (is_open_) roll_back();
+  }
+
+  /// Keeps the edits.
+  /// Needs:  the transaction is open.      Result: the edits, to undo them; empty in an inner transaction.      Cost: O(1).
+  /// Errors: invalid_argument if the transaction has ended.
+  committed_edits<M> commit() {
+    end("commit");
+    if (!own_) return {};
+    traits<M>::edits(m_).recorder = nullptr;
+    return committed_edits<M>(m_, std::move(own_), version_before_);
+  }
+
+  /// Undoes the edits of this transaction now, and ends it. Allocates no memory.
+  /// Needs:  the transaction is open.      Result: none.      Cost: linear in what the edits changed.
+  /// Errors: invalid_argument if the transaction has ended.
+  void roll_back() {
+    end("roll_back");
+    auto& state = traits<M>::edits(m_);
+    state.recorder->roll_back(first_step_);
+    state.version = version_before_;
+    if (own_) state.recorder = nullptr;
+  }
+
+ private:
+  void end(const char* caller) {
+    if (!is_open_) core::throw_joined<invalid_argument>({caller, ": the transaction has ended already"});
+    is_open_ = false;
+  }
+};
+
+}  // namespace concino
