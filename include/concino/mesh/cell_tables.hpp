@@ -10,6 +10,7 @@
 #include <concino/mesh/detail/cavity_input.hpp>
 #include <concino/mesh/detail/cell_ranges.hpp>
 #include <concino/mesh/detail/checks.hpp>
+#include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
 
 namespace concino {
@@ -131,7 +132,16 @@ class cell_tables {
   /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the old and new polys, and the edges and polys at their verts.
   /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly; if the constructor would
   ///         refuse a new poly; if it removes a vert that keeps a poly. The tables are unchanged then.
-  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {});
+  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
+              detail::edit_log* log = nullptr);
+
+  /// Calls f for every array of the tables, for undoing edits.
+  template<class F>
+  void for_each_array(const F& f) {
+    f(verts_), f(edges_), f(faces_), f(polys_), f(p2v_), f(p2e_), f(e2v_), f(e2p_), f(poly_lists_), f(v2v_), f(v2e_), f(v2p_);
+    facet_adjacency_.for_each_array(f);
+  }
+  static constexpr std::uint32_t num_arrays = 12 + detail::facet_adjacency<face_id, Shape::faces>::num_arrays;
 
   /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id> polys);

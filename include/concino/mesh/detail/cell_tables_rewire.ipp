@@ -38,9 +38,34 @@ class cell_tables<Shape, Lists>::rewiring {
 
  public:
   rewiring(cell_tables& t, const detail::native_cavity& c) : t_(t), x_(t, c) {}
+  void save(detail::edit_log& log) const;
   void reserve(function_ref<void(const detail::index_bounds&)> grow);
   void commit(const detail::native_cavity_result& made);
 };
+
+/// Saves all rows that reserve() and commit() may change. The arrays are numbered as for_each_array() visits them.
+template<class Shape, class Lists>
+void cell_tables<Shape, Lists>::rewiring::save(detail::edit_log& log) const {
+  enum : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_p2v, of_p2e, of_e2v, of_e2p, of_poly_lists, of_v2v, of_v2e, of_v2p, of_facets };
+  for (const vert_id x : c_.verts) {
+    const std::size_t v = x.raw();
+    log.save(of_verts, t_.verts_, v), log.save(of_v2v, t_.v2v_, v), log.save(of_v2e, t_.v2e_, v), log.save(of_v2p, t_.v2p_, v);
+  }
+  for (const detail::cavity_edge& x : x_.edges) {
+    if (x.id.is_none()) continue;
+    log.save(of_edges, t_.edges_, x.id.raw()), log.save(of_e2v, t_.e2v_, x.id.raw()), log.save(of_e2p, t_.e2p_, x.id.raw());
+    if (t_.is_non_manifold(x.id)) log.save(of_poly_lists, t_.poly_lists_, t_.poly_list_number(x.id));
+  }
+  for (const face& x : x_.faces) {
+    if (x.id.is_none()) continue;
+    log.save(of_faces, t_.faces_, x.id.raw());
+    t_.facet_adjacency_.save_facet(log, of_facets, x.id);
+  }
+  for (const poly_id p : c_.polys) {
+    log.save(of_polys, t_.polys_, p.raw()), log.save(of_p2v, t_.p2v_, p.raw()), log.save(of_p2e, t_.p2e_, p.raw());
+    t_.facet_adjacency_.save_poly(log, of_facets, p);
+  }
+}
 
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
@@ -171,15 +196,19 @@ void cell_tables<Shape, Lists>::rewiring::refresh_marks() {
 }
 
 template<class Shape, class Lists>
-void cell_tables<Shape, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow) {
+void cell_tables<Shape, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow,
+                                        detail::edit_log* log) {
   rewiring r(*this, c);
+  if (log) r.save(*log);
   r.reserve(grow);
   r.commit(made);
 }
 
 #ifdef CONCINO_COMPILED
-template void cell_tables<detail::tet_shape>::rewire(const detail::native_cavity&, const detail::native_cavity_result&, function_ref<void(const detail::index_bounds&)>);
-template void cell_tables<detail::hex_shape>::rewire(const detail::native_cavity&, const detail::native_cavity_result&, function_ref<void(const detail::index_bounds&)>);
+template void cell_tables<detail::tet_shape>::rewire(const detail::native_cavity&, const detail::native_cavity_result&, function_ref<void(const detail::index_bounds&)>,
+                                                     detail::edit_log*);
+template void cell_tables<detail::hex_shape>::rewire(const detail::native_cavity&, const detail::native_cavity_result&, function_ref<void(const detail::index_bounds&)>,
+                                                     detail::edit_log*);
 #endif
 
 }  // namespace concino
