@@ -2,11 +2,13 @@
 #include <concino/io.hpp>
 
 #include <support/corpus.hpp>
+#include <support/same_mesh.hpp>
 #include <support/temporary.hpp>
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -46,10 +48,33 @@ std::vector<std::vector<std::vector<std::size_t>>> polys_as_lists(const M& m) {
   return all;
 }
 
+/// The values of a property as bytes, sorted by the verts of their elements: files list edges and faces in an order of their own.
+template<class M>
+std::vector<std::pair<std::vector<std::size_t>, std::string>> values_by_verts(const M& m, const property_info& p) {
+  const std::string bytes = bytes_of_property(m, p);
+  std::vector<std::pair<std::vector<std::size_t>, std::string>> all;
+  const auto add = [&](std::size_t index, std::size_t bound, const auto& verts) {
+    const std::size_t size = bytes.size() / bound;
+    std::vector<std::size_t> key;
+    for (const auto v : verts) key.push_back(index_of(m, v));
+    std::sort(key.begin(), key.end());
+    all.emplace_back(key, bytes.substr(index * size, size));
+  };
+  if (p.kind == element_kind::edge)
+    for (const auto e : edges(m)) add(index_of(m, e), edge_index_bound(m), adj_e2v(m, e));
+  else if (p.kind == element_kind::face) {
+    if constexpr (dimension_v<M> == 3)  // surfaces have no faces
+      for (const auto f : faces(m)) add(index_of(m, f), face_index_bound(m), adj_f2v(m, f));
+  } else
+    all.emplace_back(std::vector<std::size_t>(), bytes);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 struct contents {
   std::vector<vec3> points;
   std::vector<std::vector<std::vector<std::size_t>>> polys;
-  std::size_t properties = 0;
+  std::map<std::string, std::vector<std::pair<std::vector<std::size_t>, std::string>>> properties;  // by kind and name
 };
 
 contents contents_of(const any_mesh& any) {
@@ -58,7 +83,7 @@ contents contents_of(const any_mesh& any) {
         contents r;
         for (const auto v : verts(m)) r.points.push_back(point(m, v));
         r.polys = polys_as_lists(m);
-        r.properties = property_list(m).size();
+        for (const property_info& p : property_list(m)) r.properties[core::joined({to_string(p.kind), " property \"", p.name, "\""})] = values_by_verts(m, p);
         return r;
       },
       any);
@@ -66,6 +91,22 @@ contents contents_of(const any_mesh& any) {
 
 std::string text_of(const any_mesh& any, format_id format, bool binary, save_report& report) {
   return std::visit([&](const auto& m) { return save_text(m, format, {.report = &report, .binary = binary}); }, any);
+}
+
+/// Checks that each property is the same afterwards, or reported as lost, and that there are no others.
+void check_properties(const contents& before, const contents& after, const save_report& saved) {
+  for (const auto& [name, values] : before.properties) {
+    const std::string property = name;
+    CAPTURE(property);
+    const bool is_lost = std::any_of(saved.lost.begin(), saved.lost.end(), [&](const std::string& lost) { return lost.starts_with(property); });
+    const auto found = after.properties.find(property);
+    CHECK(is_lost != (found != after.properties.end() && found->second == values));
+  }
+  for (const auto& [name, values] : after.properties) {
+    const std::string property = name;
+    CAPTURE(property);
+    CHECK(before.properties.count(property) == 1);
+  }
 }
 
 /// Returns whether the format can hold the mesh.
@@ -88,7 +129,7 @@ bool survives(const any_mesh& m, const contents& before, format_id format, bool 
   CHECK(after.points.size() == before.points.size());
   if (!is_rounded) CHECK(after.points == before.points);
   if (before.polys == after.polys) {
-    CHECK(after.properties + saved.lost.size() >= before.properties);
+    check_properties(before, after, saved);
   } else {  // .mesh lists cells by their shapes
     CHECK(!saved.notes.empty());
     auto sorted = before.polys, sorted_after = after.polys;

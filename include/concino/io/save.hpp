@@ -33,7 +33,8 @@ namespace concino {
 ///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials";
 ///           "texture" (std::array<double, 2>) and "normal" (vec3) of corners, each distinct value once, and none for not-a-number;
 ///         - to .vtk, .vtu and .vtp: all of verts, polys, the mesh and the faces of a volume that consist of 1, 2, 3, 4, 6 or 9 numbers, such as double, int, vec3 or
-///           std::array<float, 4>. Faces are written if a value is not the default one.
+///           std::array<float, 4>. Faces are written if a value is not the default one. std::array<double, 3> reads back as vec3, and an rgba
+///           that is not called "color" as std::array<float, 4>.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file and hold the same colours
 ///         and materials. Otherwise a new library is written there, with the same name and .mtl, or _1.mtl and so on. Existing libraries are
 ///         not changed, but those that earlier saves created for this file are removed. Both files change or neither does; even if the program

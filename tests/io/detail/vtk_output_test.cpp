@@ -104,6 +104,15 @@ std::vector<std::vector<std::size_t>> sorted_polys(const M& m) {
   return all;
 }
 
+/// The kind, name and type of each property, sorted.
+template<class M>
+std::vector<std::string> properties_of(const M& m) {
+  std::vector<std::string> all;
+  for (const property_info& p : property_list(m)) all.push_back(core::joined({to_string(p.kind), " ", p.name, " ", p.type->name()}));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 struct vtk_variant {
   format_id format;
   bool binary;
@@ -136,6 +145,7 @@ TEST_CASE_TEMPLATE("vtk_output: a mesh with properties is the same after saving 
     for (const auto v : verts(m)) wrong += bytes_of_values(vec3(point(m, v))) != bytes_of_values(vec3(point(again, v)));
     CHECK(wrong == 0);
     CHECK(sorted_polys(m) == sorted_polys(again));
+    CHECK(properties_of(m) == properties_of(again));
     CHECK(same_vert_values<double>(m, again, "a height, in %"));
     CHECK(same_vert_values<vec3>(m, again, "velocity"));
     CHECK(same_vert_values<std::uint64_t>(m, again, "rank"));
@@ -159,12 +169,39 @@ TEST_CASE("vtk_output: what a file cannot hold is reported, and refused if the s
   vert_property<std::string>(m, "name");
   edge_property<int>(m, "sharp");
   poly_property<std::array<double, 5>>(m, "five");
+  corner_property<double>(m, "angle");
   save_report r;
   for (const vtk_variant& variant : vtk_variants<trimesh>()) {
     const std::string text = save_text(m, variant.format, {.report = &r, .binary = variant.binary});
-    CHECK(r.lost.size() == 3);
+    const std::string end = core::joined({"\": .", variant.format.name(), " cannot store it"});
+    CHECK(r.lost == std::vector<std::string>{"vert property \"name" + end, "edge property \"sharp" + end, "poly property \"five" + end, "corner property \"angle" + end});
     CHECK_THROWS_AS(save_text(m, variant.format, {.binary = variant.binary, .strict = true}), unsupported);
     CHECK(num_polys(load_text<trimesh>(text, variant.format)) == 1);
+  }
+}
+
+TEST_CASE("vtk_output: properties of faces or polys with default values only are stored, or reported where a reader will not find them") {
+  auto m = grid<hexmesh>(1);
+  poly_property<int>(m, "poly only");
+  poly_property<int>(m, "both");
+  face_property<int>(m, "both");
+  face_property<double>(m, "face only");
+  const auto flux = face_property<double>(m, "flux");
+  poly_property<double>(m, "flux");
+  for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu)}) {
+    save_report r;
+    flux[face_id{3}] = 0;
+    auto again = load_text<hexmesh>(save_text(m, f, {.report = &r}), f);
+    CHECK(properties_of(again) == std::vector<std::string>{"poly both i", "poly flux d", "poly poly only i"});
+    const std::string why = "\", which has default values only: a file of VTK lists faces with other values only";
+    CHECK(r.lost == std::vector<std::string>{"face property \"both" + why, "face property \"flux" + why, "face property \"face only" + why});
+    flux[face_id{3}] = 0.5;
+    again = load_text<hexmesh>(save_text(m, f, {.report = &r}), f);
+    CHECK(properties_of(again) == std::vector<std::string>{"face flux d", "poly both i", "poly poly only i"});
+    CHECK(r.lost == std::vector<std::string>{"face property \"both" + why, "poly property \"flux\", which has default values only: the property of faces of that name takes its place",
+                                             "face property \"face only" + why});
+    CHECK(find_face_property<double>(again, "flux")[face_id{3}] == 0.5);
+    CHECK_THROWS_AS(save_text(m, f, {.strict = true}), unsupported);
   }
 }
 

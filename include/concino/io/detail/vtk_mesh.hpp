@@ -197,12 +197,15 @@ class vtk_mesh {
     return cells.end_polyhedron();
   }
 
-  /// Moves the values of verts, and copies those of cells to the polys and faces that the cells became.
+  /// Moves the values of verts, and copies those of cells to the polys and faces that the cells became. Values of faces only, or of polys only, have
+  /// default values at the others in the file: they become no property of these.
   void set_columns_of_grid() {
     for (const element_kind kind : {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh})
       for (property_column& c : grid_.columns) {
         const bool of_cells = kind == element_kind::poly || kind == element_kind::face;
-        if (c.kind != (of_cells ? element_kind::poly : kind) || (kind == element_kind::face && face_cells_.empty())) continue;
+        if (c.kind != (of_cells ? element_kind::poly : kind)) continue;
+        if (kind == element_kind::poly && !face_cells_.empty() && !has_value(c, poly_cells_) && has_value(c, face_cells_)) continue;
+        if (kind == element_kind::face && (face_cells_.empty() || !has_value(c, face_cells_))) continue;
         if (!of_cells || (kind == element_kind::poly && (identity_ || (poly_cells_.size() == grid_.size() && is_identity(poly_cells_))))) {
           out_.properties.push_back(std::move(c));
           continue;
@@ -213,6 +216,13 @@ class vtk_mesh {
         const auto* const from = static_cast<const unsigned char*>(c.values->data());
         for (std::size_t i = 0; i < cells.size(); ++i) std::memcpy(to + i * type.size, from + cells[i] * type.size, type.size);
       }
+  }
+  /// Whether one of the cells has a value other than the default one.
+  static bool has_value(const property_column& c, const std::vector<std::uint32_t>& cells) {
+    const value_type& type = c.values->operations();
+    const column defaults(type, 1);
+    const auto* const values = static_cast<const unsigned char*>(c.values->data());
+    return std::any_of(cells.begin(), cells.end(), [&](std::uint32_t i) { return std::memcmp(values + i * type.size, defaults.data(), type.size) != 0; });
   }
   static bool is_identity(const std::vector<std::uint32_t>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i)

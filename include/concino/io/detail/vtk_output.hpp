@@ -130,6 +130,7 @@ struct vtk_output_array {
 
   const unsigned char* value(std::size_t i) const { return at(values, i); }
   const unsigned char* face_value(std::size_t f) const { return at(face_values, f); }
+  bool has_value(const unsigned char* value) const { return !std::equal(value, value + bytes, default_value); }
 
  private:
   const unsigned char* at(const flat_values<unsigned char>& v, std::size_t i) const {
@@ -162,18 +163,37 @@ struct vtk_output_arrays {
         }
         c.declare_stored(kind, p.name, *p.type);
       }
+    drop_defaults(c, m);
   }
 
   /// Whether a face has a value other than the default one.
   bool face_has_value(std::size_t f) const {
-    for (const vtk_output_array& a : of_cells) {
-      const unsigned char* const v = a.face_value(f);
-      if (a.face_values && !std::equal(v, v + a.bytes, a.default_value)) return true;
-    }
-    return false;
+    return std::any_of(of_cells.begin(), of_cells.end(), [&](const vtk_output_array& a) { return a.face_values && a.has_value(a.face_value(f)); });
   }
   bool any_of_faces() const {
     return std::any_of(of_cells.begin(), of_cells.end(), [](const vtk_output_array& a) { return static_cast<bool>(a.face_values); });
+  }
+
+ private:
+  /// Drops values of faces that are all default ones, as no face is written for them. A reader takes an array for one of faces, and not of polys, if only
+  /// faces have other values. Reports what a reader will not find.
+  void drop_defaults(write_context& c, flat_mesh& m) {
+    const auto lost = [&](element_kind kind, const std::string& name, const char* why) {
+      c.report.lost.push_back(core::joined({to_string(kind), " property \"", name, "\", which has default values only: ", why}));
+    };
+    for (vtk_output_array& a : of_cells) {
+      if (!a.face_values) continue;
+      bool faces_have = false, polys_have = false;
+      for (std::size_t f = 0; f < m.polyhedra().face_verts.size() && !faces_have; ++f) faces_have = a.has_value(a.face_value(f));
+      for (std::size_t p = 0; p < m.num_polys && !polys_have; ++p) polys_have = a.has_value(a.value(p));
+      if (!faces_have) {
+        lost(element_kind::face, a.name, "a file of VTK lists faces with other values only");
+        a.face_values = {};
+      } else if (a.values && !polys_have) {
+        lost(element_kind::poly, a.name, "the property of faces of that name takes its place");
+      }
+    }
+    std::erase_if(of_cells, [](const vtk_output_array& a) { return !a.values && !a.face_values; });
   }
 };
 
