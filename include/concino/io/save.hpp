@@ -27,7 +27,7 @@ namespace concino {
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and faces) are numbered in the
 ///         order of verts(m) (and faces(m)). These properties are written:
 ///         - to .mesh and .meshb: "label" (int) of all elements, "normal" (vec3) of verts. Also marks (int, 0 or 1): "corner" of verts;
-///           "ridge" of edges; "required" of verts, edges, triangles and quads; "listed" of edges and faces to write without other values;
+///           "ridge" of edges; "required" of verts, edges, triangles and quads; "entity" of edges and faces to write although they have no other value;
 ///         - to .obj and .off: "color" (rgba) of verts, "color" and "label" of polys (.off can hold only one of the two);
 ///         - to .off: "normal" (vec3) and "texture" (std::array<double, 2>) of verts;
 ///         - to .obj: "object", "group" and "material" (std::string) of polys, with all lines of the mesh property "materials";

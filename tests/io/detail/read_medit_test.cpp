@@ -82,7 +82,7 @@ TEST_CASE("read_medit: references and marks of a volume become properties of its
   CHECK(find_vert_property<vec3>(m, "normal")[vert_id{1}] == vec3{});
   CHECK(find_vert_property<vec3>(m, "normal")[vert_id{3}] == vec3{0, 1e-3, 25});
   const auto label = find_edge_property<int>(m, "label"), ridge = find_edge_property<int>(m, "ridge"), required = find_edge_property<int>(m, "required");
-  CHECK(!find_edge_property<int>(m, "listed"));
+  CHECK(!find_edge_property<int>(m, "entity"));
   for (const auto e : edges(m)) {
     const auto [a, b] = end_verts(m, e);
     const std::set<unsigned> ends = {a.raw(), b.raw()};
@@ -98,7 +98,7 @@ TEST_CASE("read_medit: references and marks of a volume become properties of its
     CHECK(face_label[f] == (sum == 3 ? 7 : 0));
     CHECK(face_required[f] == (sum == 4 ? 1 : 0));
   }
-  CHECK(!find_face_property<int>(m, "listed"));
+  CHECK(!find_face_property<int>(m, "entity"));
 }
 
 TEST_CASE("read_medit: marks of a surface; several sections of one kind are numbered through") {
@@ -112,10 +112,10 @@ TEST_CASE("read_medit: marks of a surface; several sections of one kind are numb
     CHECK(label[poly_id{p}] == static_cast<int>(p) + 1);
   }
   // an edge that is listed without a value
-  const auto listed = find_edge_property<int>(m, "listed"), ridge = find_edge_property<int>(m, "ridge");
-  int num_listed = 0, num_ridges = 0;
-  for (const auto e : edges(m)) num_listed += listed[e], num_ridges += ridge[e];
-  CHECK(num_listed == 2);
+  const auto entity = find_edge_property<int>(m, "entity"), ridge = find_edge_property<int>(m, "ridge");
+  int num_entities = 0, num_ridges = 0;
+  for (const auto e : edges(m)) num_entities += entity[e], num_ridges += ridge[e];
+  CHECK(num_entities == 2);
   CHECK(num_ridges == 1);
 }
 
@@ -266,7 +266,7 @@ TEST_CASE("read_medit: sections may be repeated, empty or unknown") {
   CHECK(medit<surface_arrays>(head + points + "Tetrahedra 0\nTriangles 1\n1 2 3 0\nEnd", {.report = &r}).num_polys() == 1);
   CHECK(r.skipped.empty());
   medit<cell_arrays>(head + points + "Triangles 1\n1 2 3 0\nQuadrilaterals 0\nTetrahedra 1\n1 2 3 4 0\nEnd", {.report = &r});
-  CHECK(r.skipped == std::vector<std::string>{"face property \"listed\""});
+  CHECK(r.skipped == std::vector<std::string>{"face property \"entity\""});
   const std::string long_word(50, 'W');
   medit<cell_arrays>(head + points + long_word + " 2\n1 2\n# Corners\n3 4\nOther -3\nTangents\nEnd\n", {.report = &r});
   CHECK(r.skipped == std::vector<std::string>{"section " + long_word.substr(0, 40) + ", 2 rows", "section Other", "section Tangents"});

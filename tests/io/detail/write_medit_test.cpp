@@ -32,7 +32,7 @@ M marked_mesh() {
     edge_property<int>(m, "label")[e] = i % 2;
     edge_property<int>(m, "ridge")[e] = i % 3 == 0;
     edge_property<int>(m, "required")[e] = i % 5 == 0;
-    edge_property<int>(m, "listed")[e] = i % 7 == 0 || i % 2 || i % 3 == 0 || i % 5 == 0;
+    edge_property<int>(m, "entity")[e] = i % 7 == 0 || i % 2 || i % 3 == 0 || i % 5 == 0;
   }
   for (const auto p : polys(m)) poly_property<int>(m, "label")[p] = --i;
   if constexpr (dimension_v<M> == 2) {
@@ -63,7 +63,7 @@ TEST_CASE_TEMPLATE("write_medit: values of all elements are read back, and writt
     for (const char* name : {"label", "corner", "required"})
       for (const auto v : verts(m)) CHECK(find_vert_property<int>(m, name)[v] == find_vert_property<int>(again, name)[v]);
     for (const auto v : verts(m)) CHECK(find_vert_property<vec3>(m, "normal")[v] == find_vert_property<vec3>(again, "normal")[v]);
-    for (const char* name : {"label", "ridge", "required", "listed"})
+    for (const char* name : {"label", "ridge", "required", "entity"})
       for (const auto e : edges(m)) CHECK(find_edge_property<int>(m, name)[e] == find_edge_property<int>(again, name)[e]);
     for (const auto p : polys(m)) CHECK(find_poly_property<int>(m, "label")[p] == find_poly_property<int>(again, "label")[p]);
     if constexpr (dimension_v<M> == 2) {
@@ -96,7 +96,7 @@ TEST_CASE("write_medit: reports what is lost") {
   save_report r;
   const auto again = load_text<trimesh>(save_text(m, file_format::medit, {.report = &r}), file_format::medit);
   CHECK(find_vert_property<int>(again, "corner")[vert_id{0}] == 1);
-  CHECK(r.lost == std::vector<std::string>{"1 marks of elements (\"corner\", \"required\", \"ridge\", \"listed\") that are neither 0 nor 1: written as 1",
+  CHECK(r.lost == std::vector<std::string>{"1 marks of elements (\"corner\", \"required\", \"ridge\", \"entity\") that are neither 0 nor 1: written as 1",
                                            "vert property \"ridge\": .mesh cannot store it"});
   CHECK_THROWS_AS(save_text(m, file_format::medit, {.strict = true}), unsupported);
 

@@ -52,14 +52,14 @@ class medit_marks {
   }
 
   /// Adds the properties of n elements of a kind to the contents. Elements that are there only because the file lists them have nothing but zeros: to be
-  /// written again they need "listed", a 1 at each.
+  /// written again they need "entity", a 1 at each.
   void store(element_kind kind, std::size_t n, bool are_listed, file_contents& out) {
     if (are_listed) {
       std::vector<bool> has_value(n);
       for (const column& c : columns_)
         for (std::size_t i = 0; c.kind == kind && i < c.values.size(); ++i)
           if (c.values[i] != 0) has_value[i] = true;
-      if (std::find(has_value.begin(), has_value.end(), false) != has_value.end()) std::fill_n(out.add_property<int>(kind, "listed", n), n, 1);
+      if (std::find(has_value.begin(), has_value.end(), false) != has_value.end()) std::fill_n(out.add_property<int>(kind, "entity", n), n, 1);
     }
     for (const column& c : columns_)
       if (c.kind == kind) std::copy(c.values.begin(), c.values.end(), out.add_property<int>(kind, c.name, n));

@@ -254,7 +254,7 @@ namespace concino {
 ///         standard order, and these cells are counted. References become "label" of verts, polys, edges, and faces of a volume, unless all are zero;
 ///         those that are not integers are rounded and counted. Marks become properties (int) of verts ("corner", "required"), edges ("ridge",
 ///         "required") and triangles and quads ("required"). If the file lists edges or faces without any of these, they and the others listed
-///         have the property "listed". Normals at vertices become "normal" of verts. Other sections are reported as skipped, as are edges and faces
+///         have the property "entity". Normals at vertices become "normal" of verts. Other sections are reported as skipped, as are edges and faces
 ///         that the mesh does not have.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line (of binary files the byte) of a wrong number, an index out of range, an element with a vertex twice, an element

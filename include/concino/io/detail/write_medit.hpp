@@ -45,18 +45,18 @@ class medit_writer {
     for (const std::size_t n : num_of_) kinds += n > 0;
     if (kinds > 1) c_.report.notes.push_back("the file lists polys of one shape after those of another: their order changed");
     if (num_large_) c_.report.lost.push_back(core::joined({"values of ", num_large_, " faces that are neither triangles nor quads"}));
-    if (num_odd_) c_.report.lost.push_back(core::joined({num_odd_, " marks of elements (\"corner\", \"required\", \"ridge\", \"listed\") that are neither 0 nor 1: written as 1"}));
+    if (num_odd_) c_.report.lost.push_back(core::joined({num_odd_, " marks of elements (\"corner\", \"required\", \"ridge\", \"entity\") that are neither 0 nor 1: written as 1"}));
   }
 
  private:
   void declare() {
     for (const char* const name : {"label", "corner", "required"}) c_.declare_stored<int>(element_kind::vert, name);
-    for (const char* const name : {"label", "ridge", "required", "listed"}) c_.declare_stored<int>(element_kind::edge, name);
+    for (const char* const name : {"label", "ridge", "required", "entity"}) c_.declare_stored<int>(element_kind::edge, name);
     c_.declare_stored<int>(element_kind::poly, "label");
     c_.declare_stored<vec3>(element_kind::vert, "normal");
     if (m_.dimension == 2) c_.declare_stored<int>(element_kind::poly, "required");
     else
-      for (const char* const name : {"label", "required", "listed"}) c_.declare_stored<int>(element_kind::face, name);
+      for (const char* const name : {"label", "required", "entity"}) c_.declare_stored<int>(element_kind::face, name);
   }
 
   void add_poly(std::size_t section, const vert_id* v) {
@@ -89,11 +89,11 @@ class medit_writer {
   }
 
   [[gnu::noinline]] void collect_listed() {
-    const flat_values<int> edge[] = {m_.edge_values<int>("label"), m_.edge_values<int>("ridge"), m_.edge_values<int>("required"), m_.edge_values<int>("listed")};
+    const flat_values<int> edge[] = {m_.edge_values<int>("label"), m_.edge_values<int>("ridge"), m_.edge_values<int>("required"), m_.edge_values<int>("entity")};
     if (edge[0] || edge[1] || edge[2] || edge[3])
       for (std::size_t e = 0; e < m_.edge_verts().size(); ++e)
         if (has_value({edge[0], edge[1], edge[2], edge[3]}, e)) edges_.push_back(static_cast<std::uint32_t>(e));
-    const flat_values<int> face[] = {m_.face_values<int>("label"), m_.face_values<int>("required"), m_.face_values<int>("listed")};
+    const flat_values<int> face[] = {m_.face_values<int>("label"), m_.face_values<int>("required"), m_.face_values<int>("entity")};
     if (face[0] || face[1] || face[2])
       for (std::size_t f = 0; f < m_.polyhedra().face_verts.size(); ++f)
         if (has_value({face[0], face[1], face[2]}, f)) {
