@@ -14,7 +14,7 @@ namespace concino {
 
 /// Builds polyhedra from lists of verts, one list per face of each poly. Two equal faces become one face with two polys.
 /// Faces are numbered in the order of their first occurrence, and are outward for the poly in which they occur first. Linear time, except for
-/// sorting the few faces that have the same smallest vert.
+/// sorting the faces of verts that are the smallest one of many faces.
 /// A template only so that programs without volumes need not compile it: face_soup.
 template<class Vert>
 struct basic_face_soup {
@@ -64,58 +64,83 @@ struct basic_face_soup {
   }
 
  private:
+  static constexpr std::uint32_t none = ~0u, too_many = ~0u - 1;  // no id is as large
+  static constexpr unsigned max_compared = 64;                    // faces with the same smallest vert, before they are sorted
+
+  struct entry {
+    std::uint64_t sum;   // of the verts, which equal faces have in common
+    std::uint32_t next;  // an earlier face with the same smallest vert
+    std::uint32_t twin;  // the first face that is equal
+  };
+
   std::uint32_t size(std::size_t f) const { return face_offsets[f + 1] - face_offsets[f]; }
   Vert* first(std::size_t f) { return face_verts.data() + face_offsets[f]; }
 
-  struct entry {
-    std::uint64_t others;  // the second and third smallest verts
-    std::uint32_t face;
-  };
-
-  /// Returns the faces sorted by their smallest vert. Needs: `where` has zeros, one more than there are verts. Result: where[v] is the end of the
-  /// faces whose smallest vert is v.
-  std::vector<entry> sort_by_smallest_vert(std::vector<std::uint32_t>& where) {
-    const std::size_t n = face_offsets.size() - 1;
-    const auto smallest = [&](std::size_t f) { return std::min_element(first(f), first(f) + size(f))->raw(); };
-    for (std::size_t f = 0; f < n; ++f) ++where[smallest(f) + 1];
-    for (std::size_t v = 1; v < where.size(); ++v) where[v] += where[v - 1];
-    std::vector<entry> entries = core::large_vector(n, entry{});
-    for (std::size_t f = 0; f < n; ++f) {
-      std::uint32_t low[3] = {~0u, ~0u, ~0u};
-      for (const Vert *v = first(f), *last = v + size(f); v != last; ++v) {
-        const std::uint32_t x = v->raw();
-        if (x < low[0]) low[2] = low[1], low[1] = low[0], low[0] = x;
-        else if (x < low[1]) low[2] = low[1], low[1] = x;
-        else if (x < low[2]) low[2] = x;
-      }
-      entries[where[low[0]]++] = {std::uint64_t{low[1]} << 32 | low[2], static_cast<std::uint32_t>(f)};
+  /// Adds the entry of face f, and finds its twin among the faces that have the same smallest vert.
+  /// Result: 1 if the directions are equal, -1 if they are not, 0 if there is none.
+  int find_twin(std::vector<entry>& entries, std::uint32_t f, std::vector<std::uint32_t>& last) {
+    std::uint32_t smallest = none;
+    std::uint64_t sum = 0;
+    for (const Vert *v = first(f), *end = v + size(f); v != end; ++v) {
+      smallest = std::min(smallest, v->raw());
+      sum += v->raw();
     }
-    return entries;
+    const std::uint32_t before = last[smallest];
+    entries.push_back({sum, before, f});
+    if (before == too_many) return 0;
+    unsigned compared = 0;
+    for (std::uint32_t g = before; g != none; g = entries[g].next, ++compared) {
+      if (entries[g].sum != sum || size(g) != size(f)) continue;
+      if (const int order = compare_cycles(first(g), first(f), size(f))) {
+        entries[f].twin = g;
+        return order;
+      }
+    }
+    last[smallest] = compared < max_compared ? f : too_many;
+    return 0;
+  }
+
+  /// Finds the twins of the faces whose smallest verts have many faces: sorts them, so that equal ones are consecutive.
+  [[gnu::noinline, gnu::cold]] void find_twins_by_sorting(std::vector<entry>& entries, const std::vector<std::uint32_t>& last, std::vector<std::uint8_t>& outward) {
+    std::vector<cycle> cycles;
+    for (std::uint32_t f = 0; f < entries.size(); ++f)
+      if (last[std::min_element(first(f), first(f) + size(f))->raw()] == too_many) cycles.push_back(cycle(first(f), size(f), f));
+    std::sort(cycles.begin(), cycles.end());
+    std::uint32_t original = none;
+    for (const cycle& c : cycles) {
+      const std::uint32_t f = c.face();
+      if (entries[f].twin != f) continue;
+      const int order = original != none && size(original) == size(f) ? compare_cycles(first(original), first(f), size(f)) : 0;
+      if (order == 0) {
+        original = f;
+        continue;
+      }
+      entries[f].twin = original;
+      outward[f] ^= order < 0;
+    }
   }
 
   /// Result: polyhedra with the faces that are their own twins; the other faces refer to their twin.
-  polyhedra_arrays keep_first_faces(std::vector<vec3>&& points, const std::vector<std::uint32_t>& twin, std::vector<std::uint8_t>&& outward) {
-    const std::size_t n = twin.size();
+  polyhedra_arrays keep_first_faces(std::vector<vec3>&& points, const std::vector<entry>& entries, std::vector<std::uint8_t>&& outward) {
+    const std::size_t n = entries.size();
     std::size_t num_first = 0;
-    for (std::size_t f = 0; f < n; ++f) num_first += twin[f] == f;
+    for (std::size_t f = 0; f < n; ++f) num_first += entries[f].twin == f;
     polyhedra_arrays out;
     out.points = std::move(points);
     out.poly_offsets = std::move(poly_offsets);
-    core::reserve_large(out.poly_faces, n);
     out.outward = std::move(outward);
-    core::reserve_large(out.face_offsets, num_first + 1);
-    out.face_offsets.push_back(0);
+    out.poly_faces = core::large_vector(n, face_id{});
+    out.face_offsets = core::large_vector(num_first + 1, std::uint32_t{0});
     std::uint32_t corners = 0, face_count = 0;
     // In place: a face that is kept moves forward, over faces already read.
     for (std::size_t f = 0; f < n; ++f) {
-      if (twin[f] == f) {
-        const std::uint32_t k = size(f);
-        std::copy_n(first(f), k, face_verts.data() + corners);
-        out.face_offsets.push_back(corners += k);
-        out.poly_faces.push_back(face_id{face_count++});
-      } else {
-        out.poly_faces.push_back(out.poly_faces[twin[f]]);
-      }
+      const bool is_first = entries[f].twin == f;
+      out.poly_faces[f] = is_first ? face_id{face_count} : out.poly_faces[entries[f].twin];
+      if (!is_first) continue;
+      const std::uint32_t k = size(f);
+      const Vert* const from = first(f);
+      for (std::uint32_t i = 0; i < k; ++i) face_verts[corners + i] = from[i];
+      out.face_offsets[++face_count] = corners += k;
     }
     core::reserve_large(out.face_verts, corners);
     out.face_verts.assign(face_verts.data(), face_verts.data() + corners);
@@ -124,47 +149,18 @@ struct basic_face_soup {
   }
 
  public:
-  polyhedra_arrays unite(std::vector<vec3> points) && {
+  /// Merges equal faces. outward[f] says whether face f, as it is listed, is outward for its poly; empty: all are.
+  polyhedra_arrays unite(std::vector<vec3> points, std::vector<std::uint8_t> outward = {}) && {
     const std::size_t n = face_offsets.size() - 1;
-    std::vector<std::uint32_t> where = core::large_vector(points.size() + 1, std::uint32_t{0});
-    std::vector<entry> entries = sort_by_smallest_vert(where);
-
-    // twin[f]: the first face equal to f; outward[f]: whether f has the same direction as that face
-    std::vector<std::uint32_t> twin = core::large_vector(n, std::uint32_t{0});
-    std::vector<std::uint8_t> outward = core::large_vector(n, std::uint8_t{1});
-    std::vector<cycle> cycles;
-    auto original = entries.begin();  // the last face without a twin, where faces are sorted
-    for (std::size_t v = 0, from = 0; v < points.size(); from = where[v++]) {
-      const auto b = entries.begin() + static_cast<std::ptrdiff_t>(from), e = entries.begin() + where[v];
-      std::sort(b, e, [](const entry& x, const entry& y) { return x.others != y.others ? x.others < y.others : x.face < y.face; });
-      for (auto run = b, after = b; run != e; run = after) {
-        while (after != e && after->others == run->others) ++after;
-        // Many faces with the same three smallest verts are sorted, so that equal ones are consecutive.
-        const bool sorted = after - run > 16;
-        if (sorted) {
-          cycles.clear();
-          for (auto i = run; i != after; ++i) cycles.push_back(cycle(first(i->face), size(i->face), i->face));
-          std::sort(cycles.begin(), cycles.end());
-          for (std::size_t k = 0; k < cycles.size(); ++k) run[static_cast<std::ptrdiff_t>(k)].face = cycles[k].face();
-        }
-        for (auto i = run; i != after; ++i) {
-          twin[i->face] = i->face;
-          for (auto j = sorted && i != run ? original : run; j != i; ++j) {
-            if (twin[j->face] != j->face || size(j->face) != size(i->face)) continue;
-            if (const int order = compare_cycles(first(j->face), first(i->face), size(i->face))) {
-              twin[i->face] = j->face;
-              outward[i->face] = order > 0;
-              break;
-            }
-          }
-          if (twin[i->face] == i->face) original = i;
-        }
-      }
-    }
-    entries = {};
-    where = {};
-
-    return keep_first_faces(std::move(points), twin, std::move(outward));
+    if (outward.empty()) outward = core::large_vector(n, std::uint8_t{1});
+    std::vector<std::uint32_t> last = core::large_vector(points.size(), none);  // the last different face with each smallest vert
+    std::vector<entry> entries;
+    core::reserve_large(entries, n);
+    for (std::uint32_t f = 0; f < n; ++f)
+      if (find_twin(entries, f, last) < 0) outward[f] ^= 1;
+    if (std::find(last.begin(), last.end(), too_many) != last.end()) find_twins_by_sorting(entries, last, outward);
+    last = {};
+    return keep_first_faces(std::move(points), entries, std::move(outward));
   }
 };
 using face_soup = basic_face_soup<vert_id>;

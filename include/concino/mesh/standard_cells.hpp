@@ -122,10 +122,13 @@ inline int compare_cycles(const vert_id* a, const vert_id* b, std::size_t n) {
   std::size_t k = 0;
   while (k < n && b[k] != a[0]) ++k;
   if (k == n) return 0;
+  std::size_t up = k, down = k;  // positions in b
   bool same = true, opposite = true;
-  for (std::size_t i = 0; i < n && (same || opposite); ++i) {
-    same = same && a[i] == b[(k + i) % n];
-    opposite = opposite && a[i] == b[(k + n - i) % n];
+  for (std::size_t i = 1; i < n && (same || opposite); ++i) {
+    up = up + 1 == n ? 0 : up + 1;
+    down = (down == 0 ? n : down) - 1;
+    same = same && a[i] == b[up];
+    opposite = opposite && a[i] == b[down];
   }
   return same ? 1 : opposite ? -1 : 0;
 }
