@@ -1,11 +1,13 @@
 // Add a file format of your own: one struct states its name and what it can hold, and converts between text and flat arrays. Nothing is registered, and no
 // file of the library changes. A call that gets the struct knows the format, and only formats that a call names are compiled.
 #include <concino/io.hpp>
+#include <concino/io/cell_builder.hpp>
 #include <concino/mesh.hpp>
 
 #include <fmt/core.h>
 
 #include <variant>
+#include <vector>
 
 namespace cn = concino;
 
@@ -29,6 +31,31 @@ struct triangle_list {
   }
 };
 
+/// Tets and hexes: the numbers of verts and cells, the points, then for each cell the number of its verts and these, numbered from 1. cell_builder
+/// checks the cells, puts them into the standard order, and merges their common faces. It takes prisms, pyramids and polyhedra as well.
+struct cell_list {
+  static constexpr std::string_view name = "cells", extensions[] = {".cells"};
+  static constexpr bool holds_surfaces = false, holds_volumes = true, is_read_only = true;
+
+  static void read(const cn::read_context& in, cn::volume_contents& out) {
+    cn::token_cursor words = in.words('#');
+    const auto verts = words.next_count("the number of verts", 6), cells = words.next_count("the number of cells", 10);
+    std::vector<cn::vec3> points;
+    for (std::uint64_t v = 0; v < verts; ++v) points.push_back({words.next_real("x"), words.next_real("y"), words.next_real("z")});
+    cn::cell_builder builder(in, points, 1);
+    for (std::uint64_t c = 0; c < cells; ++c) {
+      words.skip();
+      const char* const position = words.at;
+      const auto n = words.next_integer("the number of verts of a cell");
+      if (n != 4 && n != 8) words.fail(position, "a cell of 4 or 8 verts");
+      cn::vert_id v[8];
+      for (std::int64_t k = 0; k < n; ++k) v[k] = cn::vert_id{words.next_index(verts, "a vert")};
+      if (!builder.add_cell(n == 4 ? cn::cell_shape::tet : cn::cell_shape::hex, v)) words.fail(position, {builder.expected}, {builder.found});
+    }
+    builder.finish(out);
+  }
+};
+
 int main() {
   // Your format and those of the library: the extension selects one. As with all formats, the file appears only when it is complete.
   constexpr auto formats = cn::standard_formats + triangle_list{};
@@ -42,6 +69,11 @@ int main() {
   // Your format alone, which needs no file name; and one of the library's.
   fmt::print("text: {}", cn::save_text(cn::load_text<cn::trimesh>("3 1  0 0 0  1 0 0  0 0.5 0  1 2 3", triangle_list{}), triangle_list{}));
   fmt::print("load_obj: {} verts\n", cn::num_verts(cn::load_obj<cn::trimesh>("roof.obj")));
+
+  // A volume: two tets, one of them inside out.
+  cn::load_report report;
+  const auto tets = cn::load_text<cn::polyhedralmesh>("5 2  0 0 0  1 0 0  0 1 0  0 0 1  0 0 -1  4 1 2 3 4  4 1 2 3 5", cell_list{}, {.report = &report});
+  fmt::print("cells: {} polys, {} faces; {}\n", cn::num_polys(tets), cn::num_faces(tets), report.notes[0]);
 
   // Errors name the line. A mesh that the format cannot hold is refused: no file is created or changed.
   try {

@@ -18,7 +18,7 @@
 //     read as a template over the contents               so that programs that read only surfaces, into file_contents, need not compile volumes
 //
 // A reader stores a property of any name and type by out.add_property<double>(element_kind::poly, "temperature", n), and collects the cells of
-// volumes of any shapes with cell_builder (detail/cell_builder.hpp). Values of edges and faces belong to out.edges and out.faces, which lists them by
+// volumes of any shapes with cell_builder (<concino/io/cell_builder.hpp>). Values of edges and faces belong to out.edges and out.faces, which lists them by
 // their verts. A writer finds all properties in m.property_list(), and passes those that it stores to context.declare_stored; all others are reported
 // as lost, or an error if options.strict is set. What else is lost it adds to context.report.lost.
 //

@@ -7,6 +7,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 
+#include <support/poly_volume.hpp>
 #include <support/reading.hpp>
 
 #include <doctest/doctest.h>
@@ -152,11 +153,11 @@ TEST_CASE("read_medit: cells of different shapes share their common faces") {
   CHECK(m.num_faces() == 10);
   CHECK(m.poly_offsets == std::vector<std::uint32_t>{0, 5, 11});
   double volume = 0;
-  for (std::size_t p = 0; p < 2; ++p) volume += detail::six_times_poly_volume(m, p) / 6;
+  for (std::size_t p = 0; p < 2; ++p) volume += testing::six_times_poly_volume(m, p) / 6;
   CHECK(volume == doctest::Approx(1 + 1.0 / 3));
   const auto two_prisms = medit<polyhedra_arrays>(cube + "Prisms 2\n1 2 3 5 6 7 0\n1 3 4 5 7 8 0\nEnd");
   CHECK(two_prisms.num_faces() == 9);
-  CHECK(detail::six_times_poly_volume(two_prisms, 0) + detail::six_times_poly_volume(two_prisms, 1) == doctest::Approx(6));
+  CHECK(testing::six_times_poly_volume(two_prisms, 0) + testing::six_times_poly_volume(two_prisms, 1) == doctest::Approx(6));
 }
 
 TEST_CASE("read_medit: cells of negative volume are reordered and counted") {
@@ -166,7 +167,7 @@ TEST_CASE("read_medit: cells of negative volume are reordered and counted") {
     const auto m = medit<polyhedra_arrays>(cube + cells + "End", {.report = &r});
     CHECK_MESSAGE(r.reoriented_polys == 1, cells);
     CHECK(r.notes.size() == 1);
-    for (std::size_t p = 0; p < 2; ++p) CHECK(detail::six_times_poly_volume(m, p) > 0);
+    for (std::size_t p = 0; p < 2; ++p) CHECK(testing::six_times_poly_volume(m, p) > 0);
   }
   load_report r;
   const auto flat = medit<cell_arrays>(cube + "Tetrahedra 1\n1 2 3 4 0\nEnd", {.report = &r});

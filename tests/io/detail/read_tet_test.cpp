@@ -7,6 +7,7 @@
 
 #include <support/corpus.hpp>
 #include <support/kinds.hpp>
+#include <support/poly_volume.hpp>
 #include <support/reading.hpp>
 #include <support/temporary.hpp>
 
@@ -65,10 +66,10 @@ TEST_CASE("read_tet: reads hexes in geogram's order, prisms, pyramids and connec
     CHECK(r.reoriented_polys == 0);
     CHECK(r.notes.empty());
     CHECK(r.skipped == (text.find("# C") == text.npos ? std::vector<std::string>{} : std::vector<std::string>{"1 connectors between cells (# C)"}));
-    CHECK(detail::six_times_poly_volume(m, 0) == 6);
-    CHECK(detail::six_times_poly_volume(m, 1) == 2);
-    CHECK(detail::six_times_poly_volume(m, 2) == 3);
-    CHECK(detail::six_times_poly_volume(m, 3) > 0);
+    CHECK(testing::six_times_poly_volume(m, 0) == 6);
+    CHECK(testing::six_times_poly_volume(m, 1) == 2);
+    CHECK(testing::six_times_poly_volume(m, 2) == 3);
+    CHECK(testing::six_times_poly_volume(m, 3) > 0);
     CHECK(m.num_faces() == 6 + 4 + 4 + 2);
   }
 }

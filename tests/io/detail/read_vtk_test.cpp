@@ -1,6 +1,7 @@
 #include <concino/io/detail/read_vtk.hpp>
 #include <concino/io/load_any.hpp>
 
+#include <support/poly_volume.hpp>
 #include <support/reading.hpp>
 
 #include <doctest/doctest.h>
@@ -53,7 +54,7 @@ std::string vtk_grid_of(const std::string& cells, const std::string& types, cons
 
 double vtk_volume(const polyhedra_arrays& m) {
   double sum = 0;
-  for (std::size_t p = 0; p < m.num_polys(); ++p) sum += detail::six_times_poly_volume(m, p) / 6;
+  for (std::size_t p = 0; p < m.num_polys(); ++p) sum += testing::six_times_poly_volume(m, p) / 6;
   return sum;
 }
 

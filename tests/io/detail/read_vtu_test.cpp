@@ -2,6 +2,7 @@
 #include <concino/io/detail/read_vtu.hpp>
 #include <concino/io/load_any.hpp>
 
+#include <support/poly_volume.hpp>
 #include <support/reading.hpp>
 
 #include <doctest/doctest.h>
@@ -35,7 +36,7 @@ M vtu(const std::string& text, const load_options& options = {}) { return load_a
 
 double vtu_volume(const polyhedra_arrays& m) {
   double sum = 0;
-  for (std::size_t p = 0; p < m.num_polys(); ++p) sum += detail::six_times_poly_volume(m, p) / 6;
+  for (std::size_t p = 0; p < m.num_polys(); ++p) sum += testing::six_times_poly_volume(m, p) / 6;
   return sum;
 }
 

@@ -1,13 +1,15 @@
 // Orients the faces of polyhedra outward.
 #pragma once
 
-#include <concino/mesh/arrays.hpp>
+#include <concino/io/detail/oriented_faces.hpp>
 #include <concino/mesh/cell_recogniser.hpp>
+#include <concino/mesh/face_soup.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <concepts>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace concino::detail {
@@ -24,113 +26,61 @@ inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recog
   return known.recognise();
 }
 
-struct same_point {
-  const vec3& operator()(const vec3& p) const { return p; }
-};
-
-/// Six times the volume of poly p: each face is split into triangles at its mean point, with the sign of its outward flag.
-/// Points are mapped by `scaled` first. If the faces do not close the poly, the result depends on the point from which volumes are measured: `center`,
-/// or the first vert.
-template<class Scale = same_point>
-double six_times_poly_volume(const polyhedra_arrays& m, std::size_t p, const Scale& scaled = {}, const vec3* center = nullptr) {
-  double sum = 0;
-  if (m.poly_offsets[p] == m.poly_offsets[p + 1]) return sum;
-  const vec3 apex = scaled(center ? *center : m.points[m.face_verts[m.face_offsets[m.poly_faces[m.poly_offsets[p]].raw()]].raw()]);
-  for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i) {
-    const std::uint32_t f = m.poly_faces[i].raw(), first = m.face_offsets[f];
-    const double one = six_times_volume_under(
-        m.face_offsets[f + 1] - first, [&](std::size_t k) -> decltype(auto) { return scaled(m.points[m.face_verts[first + k].raw()]); }, apex);
-    sum += m.outward[i] ? one : -one;
-  }
-  return sum;
-}
-
-/// Whether the volume of poly p is negative, by more than rounding errors. If its faces do not close it, volumes are measured from the centre of its
-/// box, so that the result does not depend on the order of its verts.
-inline bool has_negative_volume(const polyhedra_arrays& m, std::size_t p, bool is_closed) {
-  double x = 0;
-  if (is_closed) x = six_times_poly_volume(m, p);
-  if (x > 1e-100 && x < 1e100) return false;  // nearly all polys
-  volume_box box;
-  std::size_t num_corners = 0;
-  const auto for_each_corner = [&](const auto& f) {
-    for (std::uint32_t i = m.poly_offsets[p]; i < m.poly_offsets[p + 1]; ++i)
-      for (std::uint32_t k = m.face_offsets[m.poly_faces[i].raw()]; k < m.face_offsets[m.poly_faces[i].raw() + 1]; ++k) f(m.face_verts[k]);
-  };
-  for_each_corner([&](vert_id v) {
-    box.add(m.points[v.raw()]);
-    ++num_corners;
-  });
-  if (num_corners == 0) return false;
-  const vec3 center = box.center();
-  if (box.is_moderate()) x = six_times_poly_volume(m, p, same_point{}, &center);
-  else x = six_times_poly_volume(m, p, [&](const vec3& q) { return box.scaled(q); }, &center);
-  return x < -box.error(num_corners);
-}
-
 /// Checks whether the faces of a polyhedron are consistently oriented at every edge that two of them share. This is fast, for the majority that
-/// needs no repair. The edges of one polyhedron are in a small hash table with open addressing, at most a quarter full.
-template<class Arrays>
+/// needs no repair. The edges of one polyhedron are in a small hash table with open addressing, at most a quarter full; entries of earlier ones are
+/// recognised by their stamp.
 class winding_check {
+  enum : std::uint32_t { down, up, agreeing, opposed, many };  // the one face, the two faces or the more faces of an edge
   struct entry {
     std::uint64_t edge;
-    std::int32_t faces, sum;
+    std::uint32_t stamp, faces;
   };
   static constexpr int max_probes = 1000;
   bool is_closed_ = false;
+  std::uint32_t stamp_ = 0;
   std::vector<entry> table_;
-  std::vector<std::uint32_t> used_;
 
  public:
   /// Whether the faces that were checked last are consistently oriented and close the poly: two of them have each edge.
   bool is_closed() const { return is_closed_; }
 
   /// True if the faces are consistently oriented; false if they are not or if it is not known.
-  bool operator()(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
+  bool operator()(const oriented_faces& p) {
     is_closed_ = false;
-    std::size_t num_corners = 0;
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t f = m.poly_faces[i].raw();
-      num_corners += m.face_offsets[f + 1] - m.face_offsets[f];
+    const std::size_t num_corners = p.num_corners();
+    if (++stamp_ == 0 || table_.size() < 2 * num_corners) {
+      table_.assign(std::max(table_.size(), std::bit_ceil(4 * num_corners)), {0, 0, many});
+      stamp_ = 1;
     }
-    if (table_.size() < 2 * num_corners) table_.assign(std::bit_ceil(4 * num_corners), {0, 0, 0});
     const std::uint64_t mask = table_.size() - 1;
-    used_.clear();
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t f = m.poly_faces[i].raw();
-      std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
-      for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
-        const std::uint32_t b = m.face_verts[k].raw();
-        const std::uint64_t edge = a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a;
-        std::uint64_t at = (edge * 0x9e3779b97f4a7c15u >> 32) & mask;
-        for (int probes = 0; table_[at].faces != 0 && table_[at].edge != edge; at = (at + 1) & mask)
-          if (++probes == max_probes) {  // the edges collide on purpose: face_orienter takes n log n
-            for (const std::uint32_t u : used_) table_[u] = {0, 0, 0};
-            return false;
-          }
-        if (table_[at].faces++ == 0) {
-          table_[at].edge = edge;
-          used_.push_back(static_cast<std::uint32_t>(at));
-        }
-        table_[at].sum += (a < b) == (m.outward[i] != 0) ? 1 : -1;
-        a = b;
+    std::size_t num_agreeing = 0, num_opposed = 0;  // edges of two faces
+    bool is_known = true;
+    p.for_each_edge([&](std::uint32_t a, std::uint32_t b, bool is_up, std::uint32_t) {
+      const std::uint64_t edge = std::uint64_t{a} << 32 | b;
+      std::uint64_t at = (edge * 0x9e3779b97f4a7c15u >> 32) & mask;
+      for (int probes = 0; table_[at].stamp == stamp_ && table_[at].edge != edge; at = (at + 1) & mask)
+        if (++probes == max_probes) return is_known = false;  // the edges collide on purpose: face_orienter takes n log n
+      entry& e = table_[at];
+      if (e.stamp != stamp_) {
+        e = {edge, stamp_, is_up ? up : down};
+      } else if (e.faces <= up) {
+        const bool agree = e.faces != (is_up ? up : down);
+        (agree ? num_agreeing : num_opposed) += 1;
+        e.faces = agree ? agreeing : opposed;
+      } else if (e.faces != many) {
+        (e.faces == agreeing ? num_agreeing : num_opposed) -= 1;
+        e.faces = many;
       }
-    }
-    bool agree = true;
-    is_closed_ = true;
-    for (const std::uint32_t at : used_) {
-      agree = agree && (table_[at].faces != 2 || table_[at].sum == 0);
-      is_closed_ = is_closed_ && table_[at].faces == 2 && table_[at].sum == 0;
-      table_[at] = {0, 0, 0};
-    }
-    return agree;
+      return true;
+    });
+    is_closed_ = is_known && 2 * num_agreeing == num_corners;
+    return is_known && num_opposed == 0;
   }
 };
 
 /// Orients the faces of one poly at a time consistently, by a search from face to face through the edges that two of them share.
 /// It is not `bfs`, because there is no mesh yet, only the arrays of a file.
 /// The faces of a poly are numbered by their positions in its list.
-template<class Arrays>
 class face_orienter {
   struct incidence {
     std::uint64_t edge;  // smaller vert, larger vert
@@ -147,17 +97,12 @@ class face_orienter {
   std::vector<link> links_;
   std::vector<std::uint8_t> flip_;
 
-  void list_incidences(const Arrays& m, std::uint32_t begin, std::uint32_t end) {
+  void list_incidences(const oriented_faces& p) {
     incidences_.clear();
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t f = m.poly_faces[i].raw();
-      std::uint32_t a = m.face_verts[m.face_offsets[f + 1] - 1].raw();
-      for (std::uint32_t k = m.face_offsets[f]; k < m.face_offsets[f + 1]; ++k) {
-        const std::uint32_t b = m.face_verts[k].raw();
-        incidences_.push_back({a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a, i - begin, (a < b) == (m.outward[i] != 0)});
-        a = b;
-      }
-    }
+    p.for_each_edge([&](std::uint32_t a, std::uint32_t b, bool up, std::uint32_t k) {
+      incidences_.push_back({std::uint64_t{a} << 32 | b, k, up});
+      return true;
+    });
     std::sort(incidences_.begin(), incidences_.end(), [](const incidence& x, const incidence& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
   }
 
@@ -203,40 +148,59 @@ class face_orienter {
 
  public:
   /// Result: whether a face was flipped.
-  bool operator()(Arrays& m, std::uint32_t begin, std::uint32_t end) {
-    const std::uint32_t n = end - begin;
-    list_incidences(m, begin, end);
-    link_faces(n);
-    flip_.assign(n, 0);
-    component_.assign(n, ~0u);
-    for (std::uint32_t seed = 0; seed < n; ++seed)
+  bool operator()(const oriented_faces& p) {
+    list_incidences(p);
+    link_faces(p.size);
+    flip_.assign(p.size, 0);
+    component_.assign(p.size, ~0u);
+    for (std::uint32_t seed = 0; seed < p.size; ++seed)
       if (component_[seed] == ~0u) orient_component(seed);
     bool any = false;
-    for (std::uint32_t k = 0; k < n; ++k)
-      if (flip_[k]) {
-        m.outward[begin + k] = !m.outward[begin + k];
-        any = true;
-      }
+    for (std::uint32_t k = 0; k < p.size; ++k) {
+      p.outward[k] ^= flip_[k];
+      any = any || flip_[k];
+    }
     return any;
   }
 };
 
-/// Orients the faces of each poly consistently, and outward, so that its volume is positive. Polys that are already oriented so, or that are
-/// consistent and have no volume, are not changed.
-/// Result: how many polys changed.   Cost: O(n log n) in the edges of a poly.
+/// Orients the faces of polys consistently, and outward, so that the volume is positive. Polys that are already oriented so, or that are
+/// consistent and have no volume, are not changed.      Cost: O(n log n) in the edges of a poly; O(n) if it is oriented consistently.
+class poly_orienter {
+  std::span<const vec3> points_;
+  winding_check wound_well_;
+  face_orienter orient_;
+
+ public:
+  explicit poly_orienter(std::span<const vec3> points) : points_(points) {}
+
+  /// Result: whether the poly changed.
+  bool operator()(const oriented_faces& p) {
+    const bool changed = !wound_well_(p) && orient_(p);
+    if (!has_negative_volume(p, points_, wound_well_.is_closed())) return changed;
+    for (std::uint32_t k = 0; k < p.size; ++k) p.outward[k] ^= 1;
+    return true;
+  }
+};
+
+/// Orients all polys.   Result: how many polys changed.
 template<std::same_as<polyhedra_arrays> Arrays>  // a template only so that programs without volumes need not compile it
 std::size_t orient_polyhedra(Arrays& m) {
-  winding_check<Arrays> wound_well;
-  face_orienter<Arrays> orient;
+  poly_orienter orient(m.points);
+  face_lister faces_of;
   std::size_t changed = 0;
-  for (std::size_t p = 0; p < m.num_polys(); ++p) {
-    const std::uint32_t begin = m.poly_offsets[p], end = m.poly_offsets[p + 1];
-    bool touched = !wound_well(m, begin, end) && orient(m, begin, end);
-    if (has_negative_volume(m, p, wound_well.is_closed())) {
-      for (std::uint32_t i = begin; i < end; ++i) m.outward[i] = !m.outward[i];
-      touched = true;
-    }
-    changed += touched;
+  for (std::size_t p = 0; p < m.num_polys(); ++p) changed += orient(faces_of(m, p));
+  return changed;
+}
+
+/// The same with separate faces; outward has a flag for each of them.
+template<class Vert>
+std::size_t orient_polyhedra(const basic_face_soup<Vert>& soup, std::span<const vec3> points, std::vector<std::uint8_t>& outward) {
+  poly_orienter orient(points);
+  std::size_t changed = 0;
+  for (std::size_t p = 0; p + 1 < soup.poly_offsets.size(); ++p) {
+    const std::uint32_t first = soup.poly_offsets[p];
+    changed += orient({soup.face_offsets.data() + first, soup.face_verts.data(), outward.data() + first, soup.poly_offsets[p + 1] - first});
   }
   return changed;
 }

@@ -1,7 +1,7 @@
 // The reader of MEDIT files, text and binary: surfaces, or volumes of tets, hexes, prisms and pyramids, with references and marks of all elements.
 #pragma once
 
-#include <concino/io/detail/cell_builder.hpp>
+#include <concino/io/cell_builder.hpp>
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/medit_binary.hpp>
 #include <concino/io/detail/medit_format.hpp>
@@ -31,7 +31,7 @@ class medit_reader : Cursor {
   struct no_cells {
     no_cells(const read_context&, std::vector<vec3>&, std::size_t) {}
   };
-  std::conditional_t<Volumes, cell_builder<volume_contents>, no_cells> cells_;
+  std::conditional_t<Volumes, cell_builder, no_cells> cells_;
 
  public:
   medit_reader(const read_context& c, contents_of<Volumes>& out) : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), cells_(c, points_, 1) {}

@@ -1,7 +1,7 @@
 // The reader of .tet: verts, then cells as lists of verts, as Cinolib and geogram write them.
 #pragma once
 
-#include <concino/io/detail/cell_builder.hpp>
+#include <concino/io/cell_builder.hpp>
 #include <concino/io/detail/tet_format.hpp>
 #include <concino/io/detail/voxel_order.hpp>
 #include <concino/io/text_cursor.hpp>
@@ -17,7 +17,7 @@ template<class Contents>
 class tet_reader : token_cursor {
   load_report& report_;
   std::vector<vec3> points_;
-  cell_builder<Contents> cells_;
+  basic_cell_builder<Contents> cells_;
   std::uint64_t num_connectors_ = 0;
   bool standard_hexes_ = false;  // else in the order of voxels
 

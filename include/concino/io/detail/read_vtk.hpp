@@ -93,7 +93,10 @@ class vtk_reader : public vtk_cells_reader {
     if (n > max_ids) fail_to_count("points");
     core::reserve_large(grid_.points, n);
     const char* const first = at;
-    with_number_type(type, [&]<class T>(std::type_identity<T>) {
+    if (type == vtk_number::float64) {
+      grid_.points.resize(n);
+      read_values_of(type, grid_.points.data(), 3 * n);
+    } else with_number_type(type, [&]<class T>(std::type_identity<T>) {
       for (std::uint64_t i = 0; i < n; ++i) {
         if constexpr (std::is_same_v<T, bool>) reject(from, {"points of numbers"}, {"bits"});
         else if (binary_) point_of<T>();

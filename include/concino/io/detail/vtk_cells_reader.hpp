@@ -19,6 +19,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     std::vector<std::uint32_t> ends;
   };
   static constexpr std::string_view polydata_sections[] = {"vertices", "lines", "polygons", "triangle_strips"};
+  static constexpr std::uint32_t max_index = 0x7FFFFFFF;  // indices are written as signed integers
   part parts_[4];  // of polydata, in VTK's order of cells; else the first one
   const char* types_at_ = nullptr;
   bool has_cells_ = false, finished_ = false;
@@ -112,8 +113,9 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     if (n > size) reject(from, {"no more cells than numbers"}, {n, " cells of ", size, " numbers"});
     require_room(from, size, vtk_number::int32);
     p.at = at;
-    core::reserve_large(p.verts, size - n);
     core::reserve_large(p.ends, n);
+    if (binary_) return binary_rows(p, n, size, from);
+    core::reserve_large(p.verts, size - n);
     const char* last = from;
     std::uint64_t used = 0;
     for (std::uint64_t c = 0; c < n; ++c) {
@@ -127,6 +129,33 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
       p.ends.push_back(static_cast<std::uint32_t>(p.verts.size()));
     }
     if (used != size) reject(last, {"cells of ", size, " numbers"}, {n, " cells of ", used});
+  }
+  /// The same in binary files: converts all numbers, then moves the verts together.
+  [[gnu::noinline]] void binary_rows(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
+    core::reserve_large(p.verts, size);
+    vert_id some[1024];
+    for (std::uint64_t k, left = size; left > 0; left -= k) {
+      k = std::min<std::uint64_t>(std::size(some), left);
+      read_values_of(vtk_number::int32, some, k);
+      p.verts.insert(p.verts.end(), some, some + k);
+    }
+    vert_id *to = p.verts.data(), *in = to;
+    const vert_id* const end = to + size;
+    const auto position = [&] { return p.at + 4 * (in - p.verts.data()); };
+    for (std::uint64_t c = 0; c < n; ++c) {
+      if (in == end) reject(position(), {"cells of ", size, " numbers"}, {n, " cells of more"});
+      const std::uint32_t k = in->raw();
+      if (k > max_index) reject(position(), {"an index of a point"}, {static_cast<std::int32_t>(k)});
+      if (k >= static_cast<std::uint64_t>(end - in)) reject(position(), {"cells of ", size, " numbers"}, {"a cell of ", k, " where ", end - in - 1, " are left"});
+      const vert_id* const last = ++in + k;
+      for (; in != last; ++in) {
+        if (in->raw() > max_index) reject(position(), {"an index of a point"}, {static_cast<std::int32_t>(in->raw())});
+        *to++ = *in;
+      }
+      p.ends.push_back(static_cast<std::uint32_t>(to - p.verts.data()));
+    }
+    if (in != end) reject(n ? position() - 4 * (p.ends.back() - (n > 1 ? p.ends[n - 2] : 0) + 1) : from, {"cells of ", size, " numbers"}, {n, " cells of ", in - p.verts.data()});
+    p.verts.resize(size - n);
   }
   std::uint32_t next_index_value(const char* position) {
     const auto i = value<std::int32_t>();

@@ -1,7 +1,7 @@
 // Turns the contents of a VTK file into those of a mesh.
 #pragma once
 
-#include <concino/io/detail/cell_builder.hpp>
+#include <concino/io/cell_builder.hpp>
 #include <concino/io/detail/vtk_grid.hpp>
 
 #include <algorithm>
@@ -21,7 +21,9 @@ class vtk_mesh {
   const read_context& in_;
   vtk_places& places_;
   Contents& out_;
+  const vert_id* verts_ = grid_.verts.data();             // valid also after they were moved
   std::vector<std::uint32_t> poly_cells_, face_cells_;  // the cell of each poly or listed face
+  bool in_range_ = false;  // all verts are, so that each need not be compared
   bool identity_ = false;  // poly_cells_ would be 0, 1, 2, ...
   std::vector<std::uint64_t> scratch_;
 
@@ -29,6 +31,9 @@ class vtk_mesh {
   vtk_mesh(vtk_grid& grid, const read_context& in, vtk_places& places, Contents& out) : grid_(grid), in_(in), places_(places), out_(out) {}
 
   void make() {
+    std::uint32_t largest = 0;
+    for (const vert_id v : grid_.verts) largest = std::max(largest, v.raw());
+    in_range_ = largest < grid_.points.size();
     std::size_t count[5] = {};
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       const vtk_kind k = kind_of_vtk_cell(grid_.types[c]);
@@ -65,11 +70,11 @@ class vtk_mesh {
     if (expected && n != expected)
       places_.fail_at_cell(c, {expected, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
     check_verts(c, first, n);
-    return grid_.verts.data() + first;
+    return verts_ + first;
   }
   void check_verts(std::size_t c, std::size_t first, std::size_t n) {
-    for (std::size_t i = first; i < first + n; ++i)
-      if (grid_.verts[i].raw() >= grid_.points.size()) fail_vert(c, grid_.verts[i]);
+    for (std::size_t i = first; !in_range_ && i < first + n; ++i)
+      if (verts_[i].raw() >= grid_.points.size()) fail_vert(c, verts_[i]);
   }
   [[gnu::noinline, gnu::cold]] void fail_vert(std::size_t c, vert_id v) {
     places_.fail_at_cell(c, {"a point index below ", grid_.points.size()}, {v.raw()});
@@ -122,32 +127,32 @@ class vtk_mesh {
   }
 
   void make_volume(bool lists_faces) {
-    cell_builder<Contents> cells(in_, grid_.points, 0);
-    if (has_one_shape()) {
-      const std::size_t n = grid_.size(), added = cells.add_all_cells(shape_of_vtk_cell(grid_.types[0]), std::move(grid_.verts));
-      if (added != n) places_.fail_at_cell(added, {cells.expected}, {cells.found});
-      return cells.finish(out_);
-    }
-    cells.reserve_numbers(grid_.verts.size());
+    basic_cell_builder<Contents> cells(in_, grid_.points, 0);
+    identity_ = lists_as_builder();
+    if (identity_) cells.take(std::move(grid_.verts));
+    else cells.reserve_numbers(grid_.verts.size());
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       const vtk_kind kind = kind_of_vtk_cell(grid_.types[c]);
       if (kind == vtk_kind::polygon) list_faces(c, lists_faces);
       if (kind != vtk_kind::cell) continue;
-      if (!add_cell(cells, c)) places_.fail_at_cell(c, {cells.expected}, {cells.found});
-      poly_cells_.push_back(static_cast<std::uint32_t>(c));
+      if (!(identity_ ? add_taken(cells, c) : add_cell(cells, c))) places_.fail_at_cell(c, {cells.expected}, {cells.found});
+      if (!identity_) poly_cells_.push_back(static_cast<std::uint32_t>(c));
     }
     cells.finish(out_);
   }
 
-  /// Whether all cells are tets, or hexes, and so on. Checks their verts.
-  bool has_one_shape() {
-    const std::uint8_t type = grid_.types.empty() ? std::uint8_t{0} : grid_.types[0];
-    if (shape_of_vtk_cell(type) == cell_shape::general || type == 11) return false;
+  /// Whether all cells are listed as cell_builder does it: tets, hexes, prisms, pyramids, and polyhedra unless these have to become tets or hexes.
+  bool lists_as_builder() const {
+    const bool takes_polyhedra = in_.wanted.polyhedra || !in_.wanted.cells;
     for (const std::uint8_t t : grid_.types)
-      if (t != type) return false;
-    for (std::size_t c = 0; c < grid_.size(); ++c) verts_of(c);
-    identity_ = true;
+      if (t == vtk_polyhedron ? !takes_polyhedra : shape_of_vtk_cell(t) == cell_shape::general || t == 11) return false;
     return true;
+  }
+  template<class Builder>
+  bool add_taken(Builder& cells, std::size_t c) {
+    if (grid_.types[c] == vtk_polyhedron) check_faces(c);
+    else verts_of(c);
+    return cells.add_taken(shape_of_vtk_cell(grid_.types[c]), grid_.cell_ends[c] - grid_.first(c));
   }
 
   /// Checks the polygons of a cell, and lists them as faces.
@@ -181,19 +186,29 @@ class vtk_mesh {
     return cells.add_cell(cell_shape::hex, voxel);
   }
 
-  template<class Builder>
-  bool add_polyhedron(Builder& cells, std::size_t c) {
+  /// Checks the list of the faces of a polyhedron.
+  void check_faces(std::size_t c) {
     std::size_t at = grid_.first(c);
     const std::size_t end = grid_.cell_ends[c];
-    const std::size_t faces = at < end ? grid_.verts[at++].raw() : 0;
+    const std::size_t faces = at < end ? verts_[at++].raw() : 0;
     for (std::size_t f = 0; f < faces; ++f) {
-      const std::size_t n = at < end ? grid_.verts[at++].raw() : ~std::size_t{0};
+      const std::size_t n = at < end ? verts_[at++].raw() : ~std::size_t{0};
       if (n > end - at) places_.fail_at_cell(c, {"the verts of ", faces, " faces of a polyhedron"}, {"a list that ends in face ", f});
       check_verts(c, at, n);
-      cells.add_face(grid_.verts.data() + at, n);
       at += n;
     }
     if (at != end) places_.fail_at_cell(c, {"the end of the polyhedron after ", faces, " faces"}, {end - at, " more numbers"});
+    if (faces == 0) places_.fail_at_cell(c, {"a polyhedron of at least one face"}, {"one without faces"});
+  }
+  template<class Builder>
+  bool add_polyhedron(Builder& cells, std::size_t c) {
+    check_faces(c);
+    const vert_id* v = verts_ + grid_.first(c);
+    for (std::uint32_t left = v++->raw(); left > 0; --left) {
+      const std::uint32_t n = v++->raw();
+      cells.add_face(v, n);
+      v += n;
+    }
     return cells.end_polyhedron();
   }
 

@@ -1,4 +1,6 @@
-#include <concino/io/detail/cell_builder.hpp>
+#include <concino/io/cell_builder.hpp>
+
+#include <support/poly_volume.hpp>
 
 #include <doctest/doctest.h>
 
@@ -14,7 +16,7 @@ struct built_cells {
   wanted_mesh wanted;
   std::vector<vec3> points = cube_and_apex;
   read_context in{"", "t", wanted, &report, nullptr, false};
-  detail::cell_builder<volume_contents> cells{in, points, 1};
+  cell_builder cells{in, points, 1};
 
   explicit built_cells(wanted_mesh w = {}) : wanted(w) { in.wanted = w; }
 
@@ -44,7 +46,7 @@ const std::vector<std::vector<unsigned>> tet_faces = {{0, 1, 2}, {0, 1, 4}, {1, 
 
 double volume_of(const polyhedra_arrays& m) {
   double sum = 0;
-  for (std::size_t p = 0; p < m.num_polys(); ++p) sum += detail::six_times_poly_volume(m, p) / 6;
+  for (std::size_t p = 0; p < m.num_polys(); ++p) sum += testing::six_times_poly_volume(m, p) / 6;
   return sum;
 }
 
@@ -113,4 +115,45 @@ TEST_CASE("cell_builder: rejects cells that are no cells, and names the vert") {
   CHECK(!bad.polyhedron({{0, 1, 2}, {0, 1, 4}, {2, 1, 0}}));
   CHECK(bad.reason() == "different faces in a polyhedron | two with the same verts");
   CHECK(bad.cells.size() == 0);
+}
+
+TEST_CASE("cell_builder: a list that is taken over gives the same as its cells added one by one") {
+  const std::vector<unsigned> pyramid = {5, 4, 7, 6, 8};  // inside out
+  built_cells one_by_one, taken;
+  CHECK(one_by_one.add(cell_shape::pyramid, pyramid));
+  CHECK(one_by_one.polyhedron(hex_faces));
+  std::vector<vert_id> list;
+  for (const unsigned v : pyramid) list.push_back(vert_id{v});
+  list.push_back(vert_id{hex_faces.size()});
+  for (const auto& face : hex_faces) {
+    list.push_back(vert_id{face.size()});
+    for (const unsigned v : face) list.push_back(vert_id{v});
+  }
+  const std::size_t n = list.size() - 5;
+  taken.cells.take(std::move(list));
+  CHECK(taken.cells.add_taken(cell_shape::pyramid, 5));
+  CHECK(taken.cells.add_taken(cell_shape::general, n));
+  const volume_contents a = one_by_one.finish(), b = taken.finish();
+  CHECK(a.polyhedra.face_verts == b.polyhedra.face_verts);
+  CHECK(a.polyhedra.poly_faces == b.polyhedra.poly_faces);
+  CHECK(a.polyhedra.outward == b.polyhedra.outward);
+  CHECK(one_by_one.report.notes == taken.report.notes);
+  built_cells bad;
+  bad.cells.take({vert_id{0}, vert_id{1}, vert_id{1}, vert_id{3}});
+  CHECK(!bad.cells.add_taken(cell_shape::tet, 4));
+  CHECK(bad.reason() == "different verts in a cell | vert 2 twice");
+}
+
+TEST_CASE("cell_builder: faces with equal sums of verts are different, and many faces are compared too") {
+  built_cells some;
+  CHECK(some.polyhedron({{0, 5, 4}, {1, 2, 6}, {1, 3, 5}}));
+  std::vector<std::vector<unsigned>> many;
+  for (unsigned i = 0; i < 9; ++i)
+    for (unsigned j = 0; j < i; ++j)
+      for (unsigned k = 0; k < j; ++k) many.push_back({i, j, k});
+  CHECK(some.polyhedron(many));
+  many.push_back({5, 3, 1});
+  CHECK(!some.polyhedron(many));
+  CHECK(some.reason() == "different faces in a polyhedron | two with the same verts");
+  CHECK(some.cells.size() == 2);
 }

@@ -1,0 +1,216 @@
+// cell_builder: collects the cells of a volume, of any shapes in any order, for the readers of file formats.
+#pragma once
+
+#include <concino/io/detail/cell_lists.hpp>
+#include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/orient.hpp>
+#include <concino/mesh/face_soup.hpp>
+
+#include <concepts>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+/// Collects cells in the order of the file: standard cells by their verts, polyhedra by their faces. Cells of negative volume are put into the
+/// standard order, polyhedra are turned outward, and equal faces become one; the report has the numbers of cells that were changed.
+///
+///   cell_builder cells(in, points, 1);                                      // verts of the file are numbered from 1
+///   if (!cells.add_cell(cell_shape::hex, verts)) cursor.fail(position, {cells.expected}, {cells.found});
+///   cells.add_face(verts, 5); ...; if (!cells.end_polyhedron()) ...         // the same with a polyhedron
+///   cells.finish(out);
+///
+/// Needs:  the points of all verts, before the first cell; verts below their number.
+/// Result: finish() fills the contents: tets or hexes alone become cells, if the wanted mesh can hold cells; all others become polyhedra.
+/// Cost:   O(corners of the cells), of the polyhedra O(n log n) in the worst case.
+/// Errors: unsupported for more corners than there are ids. What else is wrong with a cell is returned, so that the reader can say where it stands.
+/// A template only so that programs without volumes need not compile it: cell_builder.
+template<std::same_as<volume_contents> Contents>
+class basic_cell_builder {
+  const read_context& in_;
+  std::vector<vec3>& points_;
+  std::size_t first_number_;           // of verts, in messages
+  std::vector<vert_id> verts_;         // of the cells; of a polyhedron: the number of its faces, then for each the number of its verts and these
+  std::vector<cell_shape> shapes_;     // of each cell, once they differ
+  cell_shape only_ = cell_shape::tet;  // of all cells so far
+  std::size_t cells_ = 0, num_general_ = 0, num_negative_ = 0, num_turned_ = 0;
+  std::uint64_t corners_ = 0;          // of the faces of all cells
+  std::size_t all_faces_ = 0;          // of all cells; a face of two cells twice
+  std::size_t taken_ = 0;              // the numbers of the list that was taken over that belong to cells
+  std::size_t first_ = 0, faces_ = 0;  // of the polyhedron that is being added
+  std::vector<std::uint64_t> scratch_;
+  detail::faces_check check_;
+
+ public:
+  std::string expected, found;  // the reason why a function below returned false
+
+  /// `first_number` is the number of the first vert in messages.
+  basic_cell_builder(const read_context& in, std::vector<vec3>& points, std::size_t first_number)
+      : in_(in), points_(points), first_number_(first_number) {}
+
+  /// How many cells were added.
+  std::size_t size() const { return cells_; }
+  /// The number of verts of the first cell. Needs: a cell that is no polyhedron.
+  std::uint32_t arity() const { return standard_cell_of(only_).num_verts; }
+  /// Makes room for n more cells of a shape. Needs: n was compared with the size of the file.
+  void reserve(cell_shape s, std::size_t n) { reserve_numbers(n * standard_cell_of(s).num_verts); }
+  /// Makes room for more cells, whose lists have so many numbers. Needs: as above.
+  void reserve_numbers(std::size_t n) { core::reserve_large(verts_, verts_.size() + n); }
+
+  /// Whether the wanted mesh can hold a cell of this shape.
+  bool can_hold(cell_shape s) const {
+    if (!in_.wanted.cells || in_.wanted.polyhedra) return true;
+    const std::uint32_t n = standard_cell_of(s).num_verts;
+    return n == wanted_arity(n) && (n == 4 || n == 8);
+  }
+
+  /// Adds a cell with its verts in the order of VTK and MEDIT. Returns false if a vert is there twice, or if the wanted mesh cannot hold the cell.
+  bool add_cell(cell_shape s, const vert_id* v) {
+    const std::size_t first = verts_.size(), n = standard_cell_of(s).num_verts;
+    verts_.insert(verts_.end(), v, v + n);
+    if (check_cell(s, verts_.data() + first)) return true;
+    verts_.resize(first);
+    return false;
+  }
+
+  /// Adds a face of the next polyhedron.
+  void add_face(const vert_id* v, std::size_t n) {
+    if (faces_++ == 0) {
+      first_ = verts_.size();
+      verts_.push_back({});
+    }
+    verts_.push_back(vert_id{n});
+    verts_.insert(verts_.end(), v, v + n);
+  }
+
+  /// Ends a polyhedron. Returns false if it has no face, a face of fewer than three verts, a face or a vert of a face twice, or if the wanted mesh
+  /// cannot hold it.
+  bool end_polyhedron() {
+    if (faces_ == 0) return reject_with({"a polyhedron of at least one face"}, {"one without faces"});
+    verts_[first_] = vert_id{std::exchange(faces_, 0)};
+    const bool is_recognised = in_.wanted.cells && !in_.wanted.polyhedra;
+    if (is_recognised ? are_valid_faces(verts_.data() + first_) && add_recognised() : check_polyhedron(verts_.data() + first_)) return true;
+    verts_.resize(first_);
+    return false;
+  }
+
+  /// Takes over a list of all cells, which is not copied: the verts of standard cells in their order; of a polyhedron the number of its faces, and for
+  /// each the number of its verts and these. add_taken then adds each of its cells.
+  /// Needs:  no cell was added before. The wanted mesh can hold polyhedra, if there are any.
+  void take(std::vector<vert_id>&& list) { verts_ = std::move(list); }
+  /// Adds the next n numbers of the list as a cell. Returns false as add_cell and end_polyhedron. Needs: n is right for the shape.
+  bool add_taken(cell_shape s, std::size_t n) {
+    vert_id* const v = verts_.data() + taken_;
+    taken_ += n;
+    return s == cell_shape::general ? check_polyhedron(v) : check_cell(s, v);
+  }
+
+  /// Moves the points and the cells into the contents.
+  void finish(Contents& out) {
+    const std::size_t arity = cells_ && only_ != cell_shape::general ? standard_cell_of(only_).num_verts : 0;
+    const bool fits = in_.wanted.cells && shapes_.empty() && (cells_ == 0 || arity == 4 || arity == 8);
+    out.filled = fits ? arrays_kind::cells : arrays_kind::polyhedra;
+    if (fits) out.cells = cell_arrays{std::move(points_), std::move(verts_), arity ? static_cast<std::uint32_t>(arity) : in_.wanted.arity ? in_.wanted.arity : 4};
+    else out.polyhedra = polyhedra();
+    report_reoriented();
+  }
+
+ private:
+  /// The number of verts that every cell must have: that of the wanted mesh, else that of the cells so far, else the one given.
+  std::uint32_t wanted_arity(std::uint32_t otherwise) const {
+    return in_.wanted.arity ? in_.wanted.arity : cells_ ? standard_cell_of(only_).num_verts : otherwise;
+  }
+
+  void end_cell(cell_shape s) {
+    if (verts_.size() > detail::max_ids || corners_ > detail::max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", detail::max_ids, " corners of faces"});
+    if (cells_ == 0) only_ = s;
+    if (s != only_ && shapes_.empty()) shapes_.assign(cells_, only_);
+    if (!shapes_.empty()) shapes_.push_back(s);
+    ++cells_;
+  }
+
+  /// Ends a cell whose verts are in the list, if it is valid.
+  bool check_cell(cell_shape s, vert_id* v) {
+    const standard_cell& cell = standard_cell_of(s);
+    if (const std::size_t k = detail::first_repeated(v, cell.num_verts, scratch_); k != cell.num_verts) return reject_repeated(v[k], "a cell");
+    if (!can_hold(s)) return reject(cell.name, cell.num_faces);
+    num_negative_ += make_volume_positive(s, v, points_);
+    for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += cell.face_size[f];
+    all_faces_ += cell.num_faces;
+    end_cell(s);
+    return true;
+  }
+
+  /// The same with the list of a polyhedron.
+  bool check_polyhedron(const vert_id* list) {
+    if (!are_valid_faces(list)) return false;
+    ++num_general_;
+    all_faces_ += list->raw();
+    end_cell(cell_shape::general);
+    return true;
+  }
+
+  bool are_valid_faces(const vert_id* list) {
+    const detail::face_fault fault = check_(list);
+    corners_ += check_.num_corners;
+    return fault == detail::face_fault::none || reject_faces(fault);
+  }
+  [[gnu::noinline, gnu::cold]] bool reject_with(core::message what, core::message instead) {
+    expected = core::joined(what);
+    found = core::joined(instead);
+    return false;
+  }
+  [[gnu::noinline, gnu::cold]] bool reject_faces(detail::face_fault fault) {
+    if (fault == detail::face_fault::too_few_verts) return reject_with({"a face of at least three verts"}, {"one of ", check_.number});
+    if (fault == detail::face_fault::repeated_vert) return reject_repeated(vert_id{check_.number}, "a face");
+    return reject_with({"different faces in a polyhedron"}, {"two with the same verts"});
+  }
+  [[gnu::noinline, gnu::cold]] bool reject_repeated(vert_id v, const char* where) {
+    return reject_with({"different verts in ", where}, {"vert ", v.raw() + first_number_, " twice"});
+  }
+  [[gnu::noinline, gnu::cold]] bool reject(const char* shape, std::size_t faces_of_it) {
+    return reject_with({detail::name_of_poly(true, wanted_arity(4)), " (polyhedralmesh and load_any take any cell)"}, {"a ", shape, " of ", faces_of_it, " faces"});
+  }
+
+  /// Replaces the polyhedron at the end of the list by a tet or a hex.
+  bool add_recognised() {
+    const std::uint32_t n = verts_[first_].raw();
+    const face_soup soup = detail::faces_of_cells({verts_.begin() + static_cast<std::ptrdiff_t>(first_), verts_.end()}, 1, {}, cell_shape::general);
+    std::vector<std::uint8_t> outward(n, 1);
+    const bool turned = orient(soup, outward) != 0;
+    cell_recogniser known;
+    for (std::uint32_t f = 0; f < n; ++f) {
+      known.begin_face();
+      for (std::uint32_t k = soup.face_offsets[f]; k < soup.face_offsets[f + 1]; ++k) known.push(soup.face_verts[k]);
+      if (!outward[f]) known.reverse_face();
+    }
+    const cell_shape s = known.recognise();
+    if (s == cell_shape::general || !can_hold(s)) return reject(s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, n);
+    num_turned_ += turned;
+    verts_.resize(first_);
+    verts_.insert(verts_.end(), known.cell, known.cell + standard_cell_of(s).num_verts);
+    end_cell(s);
+    return true;
+  }
+
+  std::size_t orient(const face_soup& soup, std::vector<std::uint8_t>& outward) const { return detail::orient_polyhedra(soup, points_, outward); }
+
+  [[gnu::noinline, gnu::cold]] void report_reoriented() {
+    load_report& r = *in_.report;
+    r.reoriented_polys += num_negative_ + num_turned_;
+    if (num_negative_) r.notes.push_back(core::joined({num_negative_, " of ", cells_, " cells had a negative volume: their verts were put into the standard order"}));
+    if (num_turned_) r.notes.push_back(core::joined({num_turned_, " of ", cells_, " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
+  }
+
+  polyhedra_arrays polyhedra() {
+    face_soup soup = detail::faces_of_cells(std::exchange(verts_, {}), cells_, shapes_, only_, all_faces_, corners_);
+    std::vector<cell_shape>().swap(shapes_);
+    std::vector<std::uint8_t> outward = core::large_vector(soup.face_offsets.size() - 1, std::uint8_t{1});
+    if (num_general_) num_turned_ += orient(soup, outward);
+    return std::move(soup).unite(std::move(points_), std::move(outward));
+  }
+};
+using cell_builder = basic_cell_builder<volume_contents>;
+
+}  // namespace concino

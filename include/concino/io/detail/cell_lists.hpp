@@ -1,0 +1,111 @@
+// Lists of cells of any shapes: of standard cells their verts, of a polyhedron the number of its faces, and for each the number of its verts and these.
+#pragma once
+
+#include <concino/core/sort_numbers.hpp>
+#include <concino/io/detail/corners.hpp>
+#include <concino/io/detail/face_key.hpp>
+#include <concino/mesh/face_soup.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// What is wrong with the faces of a polyhedron.
+enum class face_fault : std::uint8_t { none, too_few_verts, repeated_vert, equal_faces };
+
+/// Checks the faces of one polyhedron at a time.
+class faces_check {
+  std::vector<std::uint64_t> scratch_;
+  std::vector<std::uint32_t> sums_;  // of the verts of each face
+
+  /// False if no two faces can have the same verts.
+  bool has_equal_sums() const {
+    const std::size_t n = sums_.size();
+    if (n > 64) return true;
+    bool equal = false;
+    for (std::size_t i = 1; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j) equal |= sums_[i] == sums_[j];
+    return equal;
+  }
+  [[gnu::noinline, gnu::cold]] bool has_equal_faces(const vert_id* list) {
+    scratch_.clear();
+    for (std::uint32_t left = list++->raw(); left > 0; --left) {
+      const std::uint32_t n = list++->raw();
+      scratch_.push_back(face_key(list, n));
+      list += n;
+    }
+    core::sort_numbers(scratch_.data(), scratch_.data() + scratch_.size());
+    return std::adjacent_find(scratch_.begin(), scratch_.end()) != scratch_.end();
+  }
+
+ public:
+  std::uint64_t num_corners = 0;  // of the polyhedron
+  std::uint32_t number = 0;       // of a fault: the verts of the face, or the repeated vert
+
+  /// Needs: the list of a polyhedron.   Result: its first fault.   Cost: O(n log n) in the corners.
+  face_fault operator()(const vert_id* list) {
+    const vert_id* v = list + 1;
+    sums_.clear();
+    num_corners = 0;
+    for (std::uint32_t left = list->raw(); left > 0; --left) {
+      const std::uint32_t n = number = v++->raw();
+      if (n < 3) return face_fault::too_few_verts;
+      std::uint32_t sum = n;
+      std::uint64_t bits = 0;  // nearly all faces have verts with different last bits
+      for (std::uint32_t i = 0; i < n; ++i) {
+        sum += v[i].raw();
+        bits |= std::uint64_t{1} << (v[i].raw() & 63);
+      }
+      if (static_cast<std::uint32_t>(std::popcount(bits)) != n)
+        if (const std::size_t k = first_repeated(v, n, scratch_); k != n) return number = v[k].raw(), face_fault::repeated_vert;
+      sums_.push_back(sum);
+      num_corners += n;
+      v += n;
+    }
+    return has_equal_sums() && has_equal_faces(list) ? face_fault::equal_faces : face_fault::none;
+  }
+};
+
+/// The faces of n cells, whose shapes are `only` if none are listed. Polyhedra alone are decoded in place.
+/// Needs: all_corners is the number of corners of all faces, unless there are polyhedra only.
+inline face_soup faces_of_cells(std::vector<vert_id>&& list, std::size_t n, std::span<const cell_shape> shapes, cell_shape only, std::size_t all_faces = 0,
+                                std::size_t all_corners = 0) {
+  face_soup soup;
+  soup.poly_offsets.resize(n + 1);
+  core::reserve_large(soup.face_offsets, all_faces + 1);
+  const bool in_place = shapes.empty() && only == cell_shape::general;
+  if (!in_place) soup.face_verts = core::large_vector(all_corners, vert_id{});
+  const vert_id* from = list.data();
+  vert_id* const to = in_place ? list.data() : soup.face_verts.data();
+  std::uint32_t corners = 0;
+  for (std::size_t p = 0; p < n; ++p) {
+    const cell_shape shape = shapes.empty() ? only : shapes[p];
+    if (shape == cell_shape::general) {
+      for (std::uint32_t left = from++->raw(); left > 0; --left) {
+        const std::uint32_t size = from++->raw();
+        for (std::uint32_t i = 0; i < size; ++i) to[corners + i] = from[i];
+        from += size;
+        soup.face_offsets.push_back(corners += size);
+      }
+    } else {
+      const standard_cell& cell = standard_cell_of(shape);
+      for (unsigned f = 0; f < cell.num_faces; ++f) {
+        for (unsigned i = 0; i < cell.face_size[f]; ++i) to[corners++] = from[cell.face_vert[f][i]];
+        soup.face_offsets.push_back(corners);
+      }
+      from += cell.num_verts;
+    }
+    soup.poly_offsets[p + 1] = static_cast<std::uint32_t>(soup.face_offsets.size() - 1);
+  }
+  if (!in_place) return soup;
+  list.resize(corners);
+  soup.face_verts = std::move(list);
+  return soup;
+}
+
+}  // namespace concino::detail

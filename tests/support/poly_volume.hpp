@@ -1,0 +1,10 @@
+// The volume of one poly of polyhedra_arrays.
+#pragma once
+
+#include <concino/io/detail/oriented_faces.hpp>
+
+namespace concino::testing {
+
+inline double six_times_poly_volume(polyhedra_arrays m, std::size_t p) { return detail::six_times_poly_volume(detail::face_lister()(m, p), m.points); }
+
+}  // namespace concino::testing
