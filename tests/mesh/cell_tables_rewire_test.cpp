@@ -17,6 +17,8 @@ using cn::testing::keeps_all_laws;
 using cn::testing::owned_cavity;
 using cn::testing::rewires_as_told;
 
+static_assert(cn::EditableVolumeMesh<cn::tetmesh> && cn::EditableVolumeMesh<cn::hexmesh>);
+
 namespace {
 
 template<class M>

@@ -34,13 +34,21 @@ class cavity_faces {
   core::small_array<std::uint32_t, 256> slots_;  // a hash table of the numbers of the faces plus 1
 
   static void put_in_order(unsigned (&v)[N]) {
-    std::rotate(v, std::min_element(v, v + N), v + N);
-    if (v[N - 1] < v[1]) std::reverse(v + 1, v + N);
+    static_assert(N == 3 || N == 4);
+    if constexpr (N == 3) {
+      if (v[1] < v[0]) std::swap(v[0], v[1]);
+      if (v[2] < v[1]) std::swap(v[1], v[2]);
+      if (v[1] < v[0]) std::swap(v[0], v[1]);
+    } else {
+      if (std::min(v[2], v[3]) < std::min(v[0], v[1])) std::swap(v[0], v[2]), std::swap(v[1], v[3]);
+      if (v[1] < v[0]) std::swap(v[0], v[1]), std::swap(v[2], v[3]);
+      if (v[3] < v[1]) std::swap(v[1], v[3]);
+    }
   }
   static std::size_t hash(const unsigned (&v)[N]) {
     std::uint64_t x = 0;
-    for (const unsigned i : v) x = (x + i) * 0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>(x >> 32);
+    for (const unsigned i : v) x = x << 12 ^ i;  // different for few verts
+    return static_cast<std::size_t>(x * 0x9e3779b97f4a7c15u >> 32);
   }
 
  public:

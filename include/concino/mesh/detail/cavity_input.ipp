@@ -19,7 +19,8 @@ template<class T>
 const T* repeated(const T* first, const T* last) {
   if (last - first <= 16) {
     for (const T* i = first; i != last; ++i)
-      if (std::find(first, i, *i) != i) return i;
+      for (const T* j = first; j != i; ++j)  // std::find takes longer for few values
+        if (*i == *j) return i;
     return nullptr;
   }
   core::small_array<std::uint64_t, 1> sorted;

@@ -11,11 +11,10 @@ namespace concino::detail {
 
 /// What changes among the polys around an edge. A fan is a sequence of polys in which each shares a face at the edge with the next.
 struct fan_change {
-  static constexpr std::uint32_t none = ~0u;
-
   std::uint32_t old_joints = 0;    // faces at the edge with two old polys
-  std::uint32_t new_joints = 0;    // pairs of new polys, as few as connect as many of them as possible
-  std::uint32_t first_new = none;  // the first new poly at the edge
+  std::uint32_t new_joints = 0;    // faces at the edge with two new polys and no others
+  std::uint32_t first_new = 0;     // the first new poly at the edge, times edges per poly, plus the place of the edge there
+  bool has_others = false;         // whether a face at the edge has polys besides old ones
   bool starts_at_old = false;      // whether the walk around the edge starts at an old poly
   bool is_irregular = false;       // whether the polys may not be one fan before or after
 };
@@ -32,6 +31,7 @@ class cell_cavity {
   cavity_faces<Shape::face_verts> faces;
   core::small_array<fan_change, 80> fans;     // parallel to edges
   core::small_array<vert_change, 24> changes;  // of verts
+  core::small_array<unsigned, 24 * Shape::verts> corners_of_old;
   core::small_array<std::uint32_t, 16 * Shape::edges> edges_of_new;
   core::small_array<std::uint32_t, 16 * Shape::faces> faces_of_new;
   std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;  // those the mesh did not have, and those it loses
@@ -43,9 +43,10 @@ class cell_cavity {
   template<class Tables>
   cell_cavity(const Tables& t, const native_cavity& cavity)
       : c(cavity), verts(c.verts), edges(num_verts, Shape::edges * (c.polys.size() + c.ends.size())), faces(Shape::faces * (c.polys.size() + c.ends.size())),
-        changes(num_verts, vert_change{}) {
+        changes(num_verts, vert_change{}), corners_of_old(Shape::verts * c.polys.size(), 0), edges_of_new(Shape::edges * c.ends.size(), 0),
+        faces_of_new(Shape::faces * c.ends.size(), 0) {
     check_cavity(c, verts, t.verts(), t.polys(), Shape::verts);
-    for (const poly_id p : c.polys) find_old(t, p);
+    for (std::size_t k = 0; k < c.polys.size(); ++k) find_old(t, k);
     for (std::size_t k = 0; k < num_new(); ++k) find_new(t, k);
     compare_faces();
     compare_edges(t);
@@ -56,117 +57,128 @@ class cell_cavity {
  private:
   static constexpr const auto& shape = shape_v<Shape>;
 
-  /// The numbers of the edges and faces of one poly.
-  struct numbers {
-    unsigned edge[Shape::edges], face[Shape::faces];
-  };
-
-  numbers find(const unsigned (&v)[Shape::verts]) {
-    numbers n;
-    for (unsigned j = 0; j < Shape::edges; ++j) n.edge[j] = edges.number(edges.at(v[Shape::edge_vert[j][0]], v[Shape::edge_vert[j][1]]));
-    fans.resize(edges.size(), {});
+  /// Writes the numbers of the edges and faces of a poly with corners v.
+  void find(const unsigned* v, std::uint32_t* edges_of_poly, std::uint32_t* faces_of_poly) {
+    for (unsigned j = 0; j < Shape::edges; ++j) edges_of_poly[j] = edges.number(edges.at(v[Shape::edge_vert[j][0]], v[Shape::edge_vert[j][1]]));
+    if (fans.size() < edges.size()) fans.resize(edges.size(), {});
     for (unsigned k = 0; k < Shape::faces; ++k) {
       unsigned w[Shape::face_verts];
       for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[Shape::face_vert[k][i]];
       face& x = faces.at(w);
       if (x.old_polys + x.new_polys == 0)
-        for (unsigned i = 0; i < Shape::face_verts; ++i) x.edges[i] = n.edge[shape.face_edge[k][i]];
-      n.face[k] = faces.number(x);
+        for (unsigned i = 0; i < Shape::face_verts; ++i) x.edges[i] = edges_of_poly[shape.face_edge[k][i]];
+      faces_of_poly[k] = faces.number(x);
     }
-    return n;
   }
 
   template<class Tables>
-  void find_old(const Tables& t, poly_id p) {
-    unsigned v[Shape::verts];
+  void find_old(const Tables& t, std::size_t k) {
+    const poly_id p = c.polys[k];
+    unsigned* const v = corners_of_old.begin() + k * Shape::verts;
     const auto all = t.adj_p2v(p);
     for (unsigned i = 0; i < Shape::verts; ++i) {
       v[i] = verts.local(all[i]);
       if (v[i] == cavity_verts::none) missing_cavity_vert(p, all[i]);
       ++changes[v[i]].polys_before;
     }
-    const numbers n = find(v);
+    std::uint32_t edges_of_old[Shape::edges], faces_of_old[Shape::faces];
+    find(v, edges_of_old, faces_of_old);
+    const edge_id* const e = t.adj_p2e(p).begin();
+    const face_id* const f = t.adj_p2f(p).begin();
     for (unsigned j = 0; j < Shape::edges; ++j) {
-      cavity_edge& x = edges[n.edge[j]];
-      fan_change& fan = fans[n.edge[j]];
+      cavity_edge& x = edges[edges_of_old[j]];
+      fan_change& fan = fans[edges_of_old[j]];
       if (x.old_polys++ == 0) {
-        x.id = t.adj_p2e(p)[j];
+        x.id = e[j];
         fan.is_irregular = t.is_non_manifold(x.id);
       }
-      if (t.first_poly(x.id) == p) fan.starts_at_old = true;
+      fan.starts_at_old |= t.first_poly(x.id) == p;
     }
-    for (unsigned k = 0; k < Shape::faces; ++k) {
-      face& x = faces[n.face[k]];
+    for (unsigned j = 0; j < Shape::faces; ++j) {
+      face& x = faces[faces_of_old[j]];
       if (x.old_polys++ > 0) continue;
-      x.id = t.adj_p2f(p)[k];
-      x.num_polys = t.facet_adjacency_.num_polys_at(p, k);
+      x.id = f[j];
+      x.num_polys = t.facet_adjacency_.num_polys_at(p, j);
     }
   }
 
   template<class Tables>
   void find_new(const Tables& t, std::size_t k) {
-    unsigned v[Shape::verts];
-    bool has_new_vert = false;
-    for (unsigned i = 0; i < Shape::verts; ++i) {
-      v[i] = corners(k)[i];
-      ++changes[v[i]].polys_after;
-      has_new_vert |= v[i] >= num_old_verts;
-    }
-    const numbers n = find(v);
-    for (const unsigned j : n.edge) {
-      cavity_edge& x = edges[j];
-      edges_of_new.push_back(j);
+    const unsigned* const v = corners(k);
+    std::uint32_t* const edges_of_poly = edges_of_new.begin() + k * Shape::edges;
+    std::uint32_t* const faces_of_poly = faces_of_new.begin() + k * Shape::faces;
+    for (unsigned i = 0; i < Shape::verts; ++i) ++changes[v[i]].polys_after;
+    find(v, edges_of_poly, faces_of_poly);
+    for (unsigned j = 0; j < Shape::edges; ++j) {
+      const std::uint32_t n = edges_of_poly[j];
+      cavity_edge& x = edges[n];
       if (x.new_polys++ > 0) continue;
-      fans[j].first_new = static_cast<std::uint32_t>(k);
-      if (!x.id.is_none() || x.a >= num_old_verts || x.b >= num_old_verts) continue;
+      fans[n].first_new = static_cast<std::uint32_t>(k * Shape::edges + j);
+      if (!x.id.is_none() || x.b >= num_old_verts) continue;
       x.id = edge_between(t.v2v_, t.v2e_, verts[x.a], verts[x.b]);
-      fans[j].is_irregular = !x.id.is_none();
+      fans[n].is_irregular = !x.id.is_none();
     }
     for (unsigned j = 0; j < Shape::faces; ++j) {
-      face& x = faces[n.face[j]];
-      faces_of_new.push_back(n.face[j]);
+      face& x = faces[faces_of_poly[j]];
       if (x.new_polys < 2) x.new_uses[x.new_polys] = static_cast<std::uint32_t>(k * Shape::faces + j);
-      if (x.new_polys++ > 0 || !x.id.is_none() || std::any_of(x.edges, x.edges + Shape::face_verts, [&](unsigned e) { return edges[e].id.is_none(); })) continue;
-      vert_id all[Shape::verts];
-      for (unsigned i = 0; i < Shape::verts; ++i) all[i] = v[i] < num_old_verts ? verts[v[i]] : vert_id{};
-      x.id = t.face_on(all, j);
-      if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(t.adj_f2p(x.id).size());
+      if (x.new_polys++ == 0 && x.id.is_none()) look_for(t, x, v, j);
     }
+  }
+  /// Finds face x, which is face j of a new poly with corners v, among those of other polys. The mesh can only have it if it has all its edges.
+  template<class Tables>
+  void look_for(const Tables& t, face& x, const unsigned* v, unsigned j) {
+    for (const unsigned e : x.edges)
+      if (edges[e].id.is_none()) return;
+    vert_id all[Shape::verts];
+    for (unsigned i = 0; i < Shape::verts; ++i) all[i] = v[i] < num_old_verts ? verts[v[i]] : vert_id{};
+    x.id = t.face_on(all, j);
+    if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(t.adj_f2p(x.id).size());
   }
 
   /// An edge remains one fan if the faces between its old polys and others are those between its new polys and others, and the new polys are connected.
   void compare_faces() {
-    core::small_array<std::uint32_t, 16 * Shape::edges> connected(edges_of_new.size(), 0);  // new polys at edges: trees of connected ones
-    for (std::uint32_t i = 0; i < connected.size(); ++i) connected[i] = i;
-    const auto root = [&](std::uint32_t i) {
-      while (connected[i] != i) i = connected[i] = connected[connected[i]];
-      return i;
-    };
     for (const face& x : faces) {
-      if (x.id.is_none()) ++fresh_faces;
-      else if (x.is_left_over()) ++left_over_faces;
+      fresh_faces += x.id.is_none();
+      left_over_faces += x.is_left_over();
       const std::uint32_t others = x.num_polys - x.old_polys;
       const bool is_irregular = others == 0 ? x.old_polys > 2 || x.new_polys > 2 : others > 1 || x.old_polys != 1 || x.new_polys != 1;
       for (const unsigned e : x.edges) {
         fan_change& fan = fans[e];
         fan.is_irregular |= is_irregular;
-        if (others > 0) edges[e].num_polys = 1;  // besides old ones, see compare_edges()
-        if (others > 0 || is_irregular) continue;
+        fan.has_others |= others > 0;
         fan.old_joints += x.old_polys == 2;
-        if (x.new_polys != 2) continue;
-        const std::uint32_t a = root(use_of(e, x.new_uses[0])), b = root(use_of(e, x.new_uses[1]));
-        if (a == b) continue;
-        connected[std::max(a, b)] = std::min(a, b);
-        ++fan.new_joints;
+        fan.new_joints += is_joint(x);
       }
     }
   }
-  /// The place in edges_of_new of edge e, which has the face of a new poly.
-  std::uint32_t use_of(unsigned e, std::uint32_t face_use) const {
-    const std::uint32_t first = face_use / Shape::faces * Shape::edges;
-    const std::uint8_t* at = shape.face_edge[face_use % Shape::faces];
-    while (edges_of_new[first + *at] != e) ++at;
-    return first + *at;
+  /// Whether face x connects two new polys.
+  static bool is_joint(const face& x) { return x.new_polys == 2 && x.num_polys == x.old_polys; }
+
+  /// Whether the new polys at edge e are connected by faces at e.
+  bool is_connected(unsigned e) const {
+    const std::uint32_t n = edges[e].new_polys;
+    const fan_change& fan = fans[e];
+    if (fan.new_joints + 1 < n) return false;
+    if (n <= (fan.new_joints < n ? 2u : 3u)) return true;  // too few for a ring of two polys and others
+    std::uint32_t met = 1;
+    for (const unsigned side : {0u, 1u}) {
+      std::uint32_t k = fan.first_new / Shape::edges, j = shape.edge_face[fan.first_new % Shape::edges][side];
+      while (is_joint(faces[faces_of_new[k * Shape::faces + j]])) {
+        const face& x = faces[faces_of_new[k * Shape::faces + j]];
+        const std::uint32_t use = x.new_uses[x.new_uses[0] == k * Shape::faces + j];
+        k = use / Shape::faces;
+        if (k == fan.first_new / Shape::edges) return met == n;
+        ++met;
+        j = other_face_at(e, k, use % Shape::faces);
+      }
+    }
+    return met == n;
+  }
+  /// The other face of new poly k at edge e.
+  std::uint32_t other_face_at(unsigned e, std::uint32_t k, std::uint32_t j) const {
+    const std::uint32_t* const all = edges_of_new.begin() + k * Shape::edges;
+    const std::uint8_t* const two = shape.edge_face[std::find(all, all + Shape::edges, e) - all];
+    return two[two[0] == j];
   }
 
   /// Counts polys at edges. Those of an edge that is one fan are not counted: it is enough that it has a poly besides the old ones.
@@ -177,13 +189,13 @@ class cell_cavity {
       if (x.id.is_none()) {
         ++fresh_edges, ++changes[x.a].edges_gained, ++changes[x.b].edges_gained;
       } else {
-        x.num_polys += x.old_polys;
+        x.num_polys = x.old_polys + fan.has_others;
         if (t.is_non_manifold(x.id)) x.num_polys = static_cast<std::uint32_t>(t.poly_list(x.id).size());
         else if (x.old_polys == 0) x.num_polys = 1;
         fan.is_irregular |= x.old_polys > fan.old_joints + 1;
         if (x.is_left_over()) ++left_over_edges, ++changes[x.a].edges_lost, ++changes[x.b].edges_lost;
       }
-      fan.is_irregular |= x.new_polys > 0 && x.new_polys != fan.new_joints + 1;
+      fan.is_irregular |= x.new_polys > 0 && !is_connected(edges.number(x));
     }
   }
 };

@@ -19,16 +19,6 @@ class cell_tables<Shape, Lists>::rewiring {
 
   vert_id vert(unsigned local) const { return local < x_.num_old_verts ? x_.verts[local] : vert_id{first_vert_ + (local - x_.num_old_verts)}; }
   poly_id new_poly(std::size_t k) const { return k < c_.kept ? c_.polys[k] : poly_id{first_poly_ + (k - c_.kept)}; }
-  /// Whether new poly k has the descriptor of an old one that has this vert too.
-  bool had(std::size_t k, vert_id v) const {
-    if (k >= c_.kept) return false;
-    const auto all = t_.p2v_[c_.polys[k].raw()];
-    return std::find(all.begin(), all.end(), v) != all.end();
-  }
-  bool will_have(std::size_t k, vert_id v) const {
-    return k < c_.kept && std::any_of(x_.corners(k), x_.corners(k) + Shape::verts, [&](unsigned local) { return vert(local) == v; });
-  }
-
   void reserve_poly_lists();
   void change_polys_of_verts();
   void change_faces();
@@ -133,12 +123,15 @@ void cell_tables<Shape, Lists>::rewiring::commit(const detail::native_cavity_res
 /// A vert that a kept poly has before and after keeps it in its list. All removals come first: memory is reserved for the lists as they will be.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::change_polys_of_verts() {
+  const auto keeps = [this](std::size_t k, unsigned local, const unsigned* others) {  // the corners of kept poly k before or after
+    return k < c_.kept && std::find(others, others + Shape::verts, local) != others + Shape::verts;
+  };
   for (std::size_t k = 0; k < c_.polys.size(); ++k)
-    for (const vert_id v : t_.p2v_[c_.polys[k].raw()])
-      if (!will_have(k, v)) t_.v2p_.remove(v.raw(), c_.polys[k]);
+    for (unsigned i = 0; i < Shape::verts; ++i)
+      if (const unsigned v = x_.corners_of_old[k * Shape::verts + i]; !keeps(k, v, x_.corners(k))) t_.v2p_.remove(x_.verts[v].raw(), c_.polys[k]);
   for (std::size_t k = 0; k < x_.num_new(); ++k)
     for (unsigned i = 0; i < Shape::verts; ++i)
-      if (const vert_id v = vert(x_.corners(k)[i]); !had(k, v)) t_.v2p_.push(v.raw(), new_poly(k));
+      if (const unsigned v = x_.corners(k)[i]; !keeps(k, v, x_.corners_of_old.begin() + k * Shape::verts)) t_.v2p_.push(vert(v).raw(), new_poly(k));
 }
 
 template<class Shape, class Lists>
@@ -179,7 +172,7 @@ void cell_tables<Shape, Lists>::rewiring::change_fans() {
     const detail::fan_change& fan = x_.fans[x_.edges.number(x)];
     if (x.num_polys - x.old_polys + x.new_polys == 0) continue;
     const bool is_fresh = x.num_polys == 0;
-    if (is_fresh || (!fan.is_irregular && fan.starts_at_old)) t_.e2p_[x.id.raw()] = new_poly(fan.first_new).raw();
+    if (is_fresh || (!fan.is_irregular && fan.starts_at_old)) t_.e2p_[x.id.raw()] = new_poly(fan.first_new / Shape::edges).raw();
     if (fan.is_irregular) t_.update_fan(x.id, t_.count_polys(x.id));
   }
 }
@@ -191,7 +184,8 @@ void cell_tables<Shape, Lists>::rewiring::refresh_marks() {
   for (std::size_t k = 0; k < x_.num_new(); ++k) all.refresh_marks(new_poly(k), scratch);
   for (const face& x : x_.faces)
     if (x.new_polys > 0 && x.num_polys > x.old_polys)
-      for (const poly_id p : t_.adj_f2p(x.id)) all.refresh_marks(p, scratch);
+      for (const poly_id p : t_.adj_f2p(x.id))
+        if (p != new_poly(x.new_uses[0] / Shape::faces)) all.refresh_marks(p, scratch);
   for (const poly_id p : of_lists_) all.refresh_marks(p, scratch);
 }
 

@@ -284,6 +284,7 @@ class facet_adjacency {
   void refresh_marks(poly_id p, Scratch& scratch) {
     encoded_neighbour* const s = neighbours_.begin(p.raw());
     const std::uint32_t n = facets_.length(p.raw());
+    if (N > 0 && !is_marked(p.raw()) && !may_repeat(p.raw())) return;
     bool has_list = false;
     for (std::uint32_t k = 0; k < n; ++k) {
       if (s[k].is_none()) continue;
@@ -301,6 +302,13 @@ class facet_adjacency {
     if (has_list) mark_in_poly_lists(p.raw());
   }
   static constexpr std::uint32_t max_scanned_facets = 24;  // up to here comparing all pairs is fastest
+
+  /// Whether an incidence of p is marked or non-manifold.
+  bool is_marked(std::uint32_t p) const {
+    bool is = false;
+    for (const encoded_neighbour *s = neighbours_.begin(p), *last = s + facets_.length(p); s != last; ++s) is |= !s->is_none() && !s->is_first_occurrence();
+    return is;
+  }
 
   /// A fast test that is false for nearly all polys.
   bool may_repeat(std::uint32_t p) const {
