@@ -123,15 +123,16 @@ void cell_tables<Shape, Lists>::rewiring::commit(const detail::native_cavity_res
 /// A vert that a kept poly has before and after keeps it in its list. All removals come first: memory is reserved for the lists as they will be.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::change_polys_of_verts() {
-  const auto keeps = [this](std::size_t k, unsigned local, const unsigned* others) {  // the corners of kept poly k before or after
-    return k < c_.kept && std::find(others, others + Shape::verts, local) != others + Shape::verts;
+  // `others`: the corners of all polys at the other time
+  const auto keeps = [this](std::size_t k, unsigned local, const unsigned* others) {
+    return k < c_.kept && std::find(others + k * Shape::verts, others + (k + 1) * Shape::verts, local) != others + (k + 1) * Shape::verts;
   };
   for (std::size_t k = 0; k < c_.polys.size(); ++k)
     for (unsigned i = 0; i < Shape::verts; ++i)
-      if (const unsigned v = x_.corners_of_old[k * Shape::verts + i]; !keeps(k, v, x_.corners(k))) t_.v2p_.remove(x_.verts[v].raw(), c_.polys[k]);
+      if (const unsigned v = x_.corners_of_old[k * Shape::verts + i]; !keeps(k, v, c_.corners.begin())) t_.v2p_.remove(x_.verts[v].raw(), c_.polys[k]);
   for (std::size_t k = 0; k < x_.num_new(); ++k)
     for (unsigned i = 0; i < Shape::verts; ++i)
-      if (const unsigned v = x_.corners(k)[i]; !keeps(k, v, x_.corners_of_old.begin() + k * Shape::verts)) t_.v2p_.push(vert(v).raw(), new_poly(k));
+      if (const unsigned v = x_.corners(k)[i]; !keeps(k, v, x_.corners_of_old.begin())) t_.v2p_.push(vert(v).raw(), new_poly(k));
 }
 
 template<class Shape, class Lists>
