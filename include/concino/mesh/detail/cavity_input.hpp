@@ -54,7 +54,8 @@ class cavity_verts {
       if (sorted_[i] >> 32 == sorted_[i - 1] >> 32) return verts_[static_cast<unsigned>(sorted_[i])];
     if (sorted_.empty())
       for (unsigned i = 1; i < size(); ++i)
-        if (std::find(verts_.begin(), verts_.begin() + i, verts_[i]) != verts_.begin() + i) return verts_[i];
+        for (unsigned j = 0; j < i; ++j)
+          if (verts_[i] == verts_[j]) return verts_[i];
     return {};
   }
 };

@@ -16,6 +16,9 @@ class surface_tables<Arity, Lists>::rewiring {
   const unsigned num_old_verts_ = static_cast<unsigned>(c_.verts.size()), num_verts_ = num_old_verts_ + static_cast<unsigned>(c_.points.size());
   detail::cavity_edges edges_;
   core::small_array<detail::vert_change, 24> changes_;
+  core::small_array<unsigned, 48> old_corners_;     // of the old polys, as local numbers
+  core::small_array<unsigned, 12> old_ends_;        // where those of each end, if polys differ in size
+  core::small_array<unsigned, 48> edges_of_new_;    // of the new polys: the number of the edge after each corner
   core::small_array<poly_id, 8> of_lists_;  // polys in lists of old polys
   core::small_array<std::uint64_t, 1> scratch_;
   std::size_t fresh_ = 0, left_over_ = 0;   // numbers of edges that the mesh did not have, and of those that it loses
@@ -24,6 +27,11 @@ class surface_tables<Arity, Lists>::rewiring {
   id_span<unsigned> corners(std::size_t k) const {
     const unsigned* const all = c_.corners.begin();
     return {all + (k == 0 ? 0 : c_.ends[k - 1]), all + c_.ends[k]};
+  }
+  id_span<unsigned> old_corners(std::size_t k) const {
+    const unsigned* const all = old_corners_.begin();
+    if constexpr (Arity > 0) return {all + Arity * k, all + Arity * k + Arity};
+    else return {all + (k == 0 ? 0 : old_ends_[k - 1]), all + old_ends_[k]};
   }
   std::size_t num_new() const { return c_.ends.size(); }
   std::size_t num_added() const { return num_new() - c_.kept; }
@@ -73,15 +81,14 @@ void surface_tables<Arity, Lists>::rewiring::find_old_edges() {
     const auto v = t_.p2v_[p.raw()];
     const id_span<edge_id> e = t_.facet_adjacency_.facets(p);
     const auto n = static_cast<std::uint32_t>(v.size());
-    const auto local = [&](std::uint32_t k) {
-      const unsigned i = verts_.local(v[k]);
-      if (i == detail::cavity_verts::none) detail::missing_cavity_vert(p, v[k]);
-      return i;
-    };
-    const unsigned first = local(0);
-    unsigned a = first;
+    const std::size_t first = old_corners_.size();
+    for (const vert_id w : v) {
+      old_corners_.push_back(verts_.local(w));
+      if (old_corners_.back() == detail::cavity_verts::none) detail::missing_cavity_vert(p, w);
+    }
+    if constexpr (Arity == 0) old_ends_.push_back(static_cast<unsigned>(old_corners_.size()));
     for (std::uint32_t k = 0; k < n; ++k) {
-      const unsigned b = k + 1 == n ? first : local(k + 1);
+      const unsigned a = old_corners_[first + k], b = old_corners_[first + next(k, n)];
       cavity_edge& x = edges_.at(a, b);
       x.id = e[k];
       ++x.old_polys;
@@ -89,7 +96,6 @@ void surface_tables<Arity, Lists>::rewiring::find_old_edges() {
       ++changes_[a].polys_before;
       if (t_.facet_adjacency_.neighbour(p, k).is_non_manifold())
         for (const poly_id q : t_.adj_e2p(e[k])) of_lists_.push_back(q);
-      a = b;
     }
   }
 }
@@ -102,6 +108,7 @@ void surface_tables<Arity, Lists>::rewiring::find_new_edges() {
       const unsigned a = v[i], b = v[next(i, v.size())];
       ++changes_[a].polys_after;
       cavity_edge& x = edges_.at(a, b);
+      edges_of_new_.push_back(edges_.number(x));
       if (++x.new_polys > 1 || !x.id.is_none() || a >= num_old_verts_ || b >= num_old_verts_) continue;
       x.id = detail::edge_between(t_.v2v_, t_.v2e_, verts_[a], verts_[b]);
       if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(num_elements(t_.adj_e2p(x.id)));
@@ -204,24 +211,27 @@ void surface_tables<Arity, Lists>::rewiring::commit(const detail::native_cavity_
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::change_polys_of_verts() {
   constexpr std::size_t longest_scan = 16;
-  const auto keeps = [&](std::size_t k, vert_id v) {  // whether poly k keeps v, and its place among the polys of v
-    if (k >= c_.kept || corners(k).size() > longest_scan || t_.p2v_.length(c_.polys[k].raw()) > longest_scan) return false;
-    const auto old = t_.p2v_[c_.polys[k].raw()];
-    bool had = false, has = false;
-    for (const vert_id x : old) had |= x == v;
-    for (const unsigned x : corners(k)) has |= vert(x) == v;
-    return had && has;
+  const auto is_compared = [&](std::size_t k) { return k < c_.kept && (Arity > 0 || (corners(k).size() <= longest_scan && old_corners(k).size() <= longest_scan)); };
+  const auto has = [](id_span<unsigned> all, unsigned v) {
+    bool found = false;
+    for (const unsigned x : all) found |= x == v;
+    return found;
   };
-  for (std::size_t k = 0; k < c_.polys.size(); ++k)
-    for (const vert_id v : t_.p2v_[c_.polys[k].raw()])
-      if (!keeps(k, v)) t_.v2p_.remove(v.raw(), c_.polys[k]);
-  for (std::size_t k = 0; k < num_new(); ++k)
+  for (std::size_t k = 0; k < c_.polys.size(); ++k) {
+    const bool compared = is_compared(k);
+    for (const unsigned v : old_corners(k))
+      if (!compared || !has(corners(k), v)) t_.v2p_.remove(verts_[v].raw(), c_.polys[k]);
+  }
+  for (std::size_t k = 0; k < num_new(); ++k) {
+    const bool compared = is_compared(k);
     for (const unsigned v : corners(k))
-      if (!keeps(k, vert(v))) t_.v2p_.push(vert(v).raw(), new_poly(k));
+      if (!compared || !has(old_corners(k), v)) t_.v2p_.push(vert(v).raw(), new_poly(k));
+  }
 }
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::replace_polys() {
+  const unsigned* edge = edges_of_new_.begin();
   for (std::size_t k = 0; k < num_new(); ++k) {
     const id_span<unsigned> v = corners(k);
     const poly_id p = new_poly(k);
@@ -235,7 +245,7 @@ void surface_tables<Arity, Lists>::rewiring::replace_polys() {
       t_.facet_adjacency_.add_poly(n);
     }
     for (std::uint32_t i = 0; i < n; ++i) t_.p2v_.begin(p.raw())[i] = vert(v[i]);
-    for (std::uint32_t i = 0; i < n; ++i) t_.facet_adjacency_.attach(p, i, edges_.at(v[i], v[next(i, n)]).id);
+    for (std::uint32_t i = 0; i < n; ++i) t_.facet_adjacency_.attach(p, i, edges_[*edge++].id);
   }
 }
 
