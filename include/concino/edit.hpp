@@ -4,5 +4,6 @@
 #include <concino/edit/edge_flip.hpp>
 #include <concino/edit/edge_split.hpp>
 #include <concino/edit/elements.hpp>
+#include <concino/edit/garbage_collect.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
 #include <concino/edit/transaction.hpp>

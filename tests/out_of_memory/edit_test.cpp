@@ -81,6 +81,7 @@ TEST_CASE_TEMPLATE("cleaning up that runs out of memory changes nothing", M, CON
   for (std::size_t i = 0; i < polys.size(); i += 2) cn::remove_poly(m, polys[i]);
   cn::add_vert(m, {1, 2, 3});
   CHECK(all_or_nothing(m, [](M& x) { cn::remove_unreferenced(x); }) > 0);
+  CHECK(all_or_nothing(m, [](M& x) { cn::garbage_collect(x); }) > 20);
 }
 
 TEST_CASE("an edit of long polygons that runs out of memory changes nothing") {

@@ -152,6 +152,9 @@ class cell_tables {
   /// Removes a vert that has no polys.
   void remove_vert(vert_id v);
 
+  /// These tables without gaps, as packed as new ones. Elements and the entries of all lists keep their order.
+  cell_tables compacted(const detail::compaction& kept) const;
+
   // Used by the ranges of cell_ranges.hpp.
   poly_id neighbour_at_face(poly_id p, std::uint32_t k) const {
     const detail::encoded_neighbour x = facet_adjacency_.neighbours_of(p)[k];
@@ -239,6 +242,7 @@ using hex_tables = cell_tables<detail::hex_shape>;
 
 #ifndef CONCINO_COMPILED
 #include <concino/mesh/detail/cell_tables_build.ipp>
+#include <concino/mesh/detail/cell_tables_compact.ipp>
 #include <concino/mesh/detail/cell_tables_edit.ipp>
 #include <concino/mesh/detail/cell_tables_fans.ipp>
 #include <concino/mesh/detail/cell_tables_rewire.ipp>

@@ -7,6 +7,7 @@
 #include <concino/core/message.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/detail/edit_recorder.hpp>
+#include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/indexed_base.hpp>
 #include <concino/mesh/property_set.hpp>
 #include <concino/mesh/surface_tables.hpp>
@@ -122,6 +123,9 @@ class native_mesh {
   const property_set& properties() const { return properties_; }
   property_set& properties() { return properties_; }
   edit_state<native_mesh>& edits() { return edits_; }
+
+  /// Numbers the elements without gaps, in the same order. Strong exception guarantee.
+  correspondence garbage_collect();
 };
 
 /// Whether the tables of M can record edits, so that these can be undone.
@@ -203,6 +207,12 @@ struct native_traits : Base<M> {
     m.points().insert(m.points().end(), c.points.begin(), c.points.end());
   }
   static edit_state<typename M::native>& edits(M& m) { return m.edits(); }
+  static correspondence garbage_collect(M& m) {
+    if (is_recorded(m)) throw unsupported("garbage_collect: elements cannot be renumbered while a transaction is open; call it before or after");
+    correspondence c = m.garbage_collect();
+    count_edit(m);
+    return c;
+  }
   static void reserve_removal(M& m, std::span<const poly_id> polys) { m.tables().reserve_removal(polys); }
   static void remove_poly(M& m, poly_id p) {
     if (is_recorded(m)) {

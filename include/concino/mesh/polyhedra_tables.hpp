@@ -111,6 +111,10 @@ class basic_polyhedra_tables {
   /// Removes a vert that has no polys, and the faces at it, which have none either.
   void remove_vert(vert_id v);
 
+  /// These tables without gaps, as packed as new ones. Elements and the entries of all lists keep their order, apart from
+  /// the neighbours of verts with many.
+  basic_polyhedra_tables compacted(const detail::compaction& kept) const;
+
   // Used by the ranges above.
   edge_id edge_between(vert_id a, vert_id b) const {
     const auto [smaller, larger] = std::minmax({a, b});
@@ -139,6 +143,8 @@ class basic_polyhedra_tables {
 
   void build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners);
 
+  void sort_smaller_neighbours();
+
   /// Builds edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner. Returns a scratch array with one
   /// number per vert.
   core::flat_array<std::uint32_t> build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e);
@@ -159,5 +165,6 @@ using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
+#include <concino/mesh/detail/polyhedra_compact.ipp>
 #include <concino/mesh/detail/polyhedra_tables.ipp>
 #endif

@@ -156,6 +156,8 @@ class column {
   /// New values are default values.
   void resize(std::size_t n);
   bool is_bytes() const { return !type_->copy; }
+
+  void swap_values(column& o) noexcept;
 };
 
 }  // namespace detail
@@ -200,6 +202,9 @@ class property_set {
   /// Transfers the properties of another mesh, of whose elements the elements of this one were made, and those of that mesh as a whole. Properties of
   /// the same kind and name are replaced. Strong exception guarantee.
   void transfer(const property_set& source, const correspondence& c);
+
+  /// Moves values to where their elements are now; c says where they were, each in at most one place. Handles remain valid. Strong exception guarantee.
+  void renumber(const correspondence& c);
 
   /// Adds default values for elements that will be added. If one of them cannot be constructed, nothing changes.
   void grow(const detail::index_bounds& before, const detail::index_bounds& after);

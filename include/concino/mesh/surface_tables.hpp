@@ -115,6 +115,9 @@ class surface_tables {
   /// Removes a vert that has no polys.
   void remove_vert(vert_id v);
 
+  /// These tables without gaps, as packed as new ones. Elements and the entries of all lists keep their order.
+  surface_tables compacted(const detail::compaction& kept) const;
+
  private:
   class rewiring;
 
@@ -142,6 +145,7 @@ class surface_tables {
   EXTERN template void surface_tables<ARITY>::reserve_removal(std::span<const poly_id>);                                              \
   EXTERN template void surface_tables<ARITY>::remove_poly(poly_id);                                                                   \
   EXTERN template void surface_tables<ARITY>::remove_vert(vert_id);                                                                   \
+  EXTERN template surface_tables<ARITY> surface_tables<ARITY>::compacted(const detail::compaction&) const;                            \
   EXTERN template void surface_tables<ARITY>::check(std::size_t) const;                                                               \
   EXTERN template void surface_tables<ARITY>::build(std::size_t)
 #ifdef CONCINO_COMPILED
@@ -154,3 +158,4 @@ CONCINO_SURFACE_TABLES(extern, 4);
 
 #include <concino/mesh/detail/surface_tables.ipp>
 #include <concino/mesh/detail/surface_rewire.ipp>
+#include <concino/mesh/detail/surface_compact.ipp>

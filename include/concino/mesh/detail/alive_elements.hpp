@@ -28,6 +28,8 @@ struct no_other_growth {
   void operator()(const index_bounds&) const {}
 };
 
+struct compaction;  // compaction.hpp
+
 template<class Id>
 class alive_elements {
   std::size_t bound_ = 0;

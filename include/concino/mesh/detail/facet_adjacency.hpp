@@ -40,6 +40,9 @@ class facet_adjacency {
     const incidence s = owner(f);
     return neighbours_.begin(s.poly)[s.k].is_first_occurrence();
   }
+  const jagged_array<Facet, N>& facet_rows() const { return facets_; }
+  /// The same with new numbers; removed facets and polys are left out.
+  facet_adjacency compacted(const compact_numbers<Facet>& kept_facets, const compact_numbers<poly_id>& kept) const;
   bool is_owned(Facet f) const { return owner_[f.raw()] != ~0u; }
 
   /// The incidence that was linked to f first.
@@ -111,7 +114,7 @@ class facet_adjacency {
     if constexpr (N == 0) {
       facet_lookup_ = row_lookup(facets_);
       set_poly_lists();
-      poly_lists_.index_poly_lists(neighbours_, 8);
+      poly_lists_.index_poly_lists(neighbours_, few_facets);
     }
     std::vector<std::uint32_t> met;
     for (std::uint32_t p = 0; p < num_polys(); ++p)
@@ -301,6 +304,7 @@ class facet_adjacency {
     }
     if (has_list) mark_in_poly_lists(p.raw());
   }
+  static constexpr std::uint32_t few_facets = 8;           // of polys whose poly lists are not stored
   static constexpr std::uint32_t max_scanned_facets = 24;  // up to here comparing all pairs is fastest
 
   /// Whether an incidence of p is marked or non-manifold.

@@ -72,6 +72,8 @@ class polys_of_facet {
   iterator end() const { return {{}, {}, nullptr, 0}; }
 };
 
+template<class Id> class compact_numbers;
+
 /// The poly lists of non-manifold facets, each in ascending order. The numbers of the lists of a poly with many facets are stored as well, until a
 /// list is edited.
 class non_manifold_facets : private jagged_array<poly_id, 0> {
@@ -184,6 +186,9 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
     }
     first_.push_back(static_cast<std::uint32_t>(poly_lists_.size()));
   }
+  /// These lists, with new numbers of polys.
+  non_manifold_facets compacted(const std::vector<std::uint32_t>& lists, const compact_numbers<poly_id>& kept) const;
+
   /// The list numbers that were stored for p; none if p has few facets.
   id_span<std::uint32_t> poly_lists_of(poly_id p) const {
     const auto at = std::lower_bound(polys_.begin(), polys_.end(), p.raw());

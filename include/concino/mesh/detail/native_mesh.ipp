@@ -1,6 +1,7 @@
 // The common base class of the native meshes; see native_mesh.hpp.
 #pragma once
 
+#include <concino/mesh/detail/compaction.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
 #include <utility>
@@ -49,6 +50,38 @@ template<class Tables>
 native_mesh<Tables>& native_mesh<Tables>::operator=(native_mesh&&) noexcept = default;
 template<class Tables>
 native_mesh<Tables>::~native_mesh() = default;
+
+/// The numbers that the corners of the remaining polys had.
+template<class Tables>
+std::vector<std::uint32_t> corners_before(const Tables& t, const compact_numbers<poly_id>& kept, std::size_t bound) {
+  std::vector<std::uint32_t> before;
+  before.reserve(bound);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const poly_id p{kept.before(i)};
+    auto corner = static_cast<std::uint32_t>(t.first_corner(p));
+    for (std::size_t n = t.adj_p2v(p).size(); n > 0; --n) before.push_back(corner++);
+  }
+  return before;
+}
+
+template<class Tables>
+correspondence native_mesh<Tables>::garbage_collect() {
+  compaction kept(tables_);
+  Tables tables = tables_.compacted(kept);
+  std::vector<vec3> points;
+  points.reserve(kept.verts.size());
+  for (std::size_t v = 0; v < kept.verts.size(); ++v) points.push_back(points_[kept.verts.before(v)]);
+  correspondence c;
+  c.corners = element_origins(corners_before(tables_, kept.polys, tables.corner_bound()));
+  c.verts = element_origins(kept.verts.take_before());
+  c.edges = element_origins(kept.edges.take_before());
+  c.faces = element_origins(kept.faces.take_before());
+  c.polys = element_origins(kept.polys.take_before());
+  properties_.renumber(c);
+  points_.swap(points);
+  tables_ = std::move(tables);
+  return c;
+}
 
 #ifdef CONCINO_COMPILED
 template class native_mesh<surface_tables<0>>;

@@ -172,6 +172,18 @@ CONCINO_INLINE bool column::set_rule(property_rule rule) {
   size_ = n;
 }
 
+CONCINO_INLINE void column::swap_values(column& o) noexcept {
+  std::swap(data_, o.data_), std::swap(size_, o.size_), std::swap(room_, o.room_);
+}
+
+/// Whether the values of n elements stay where they are.
+CONCINO_INLINE bool is_identity(const element_origins& origins, std::size_t n) {
+  if (origins.size() != n) return false;
+  for (std::size_t i = 0; i < n; ++i)
+    if (origins.only(i) != i) return false;
+  return true;
+}
+
 }  // namespace detail
 
 CONCINO_INLINE property_set::property_set() = default;
@@ -256,6 +268,18 @@ CONCINO_INLINE void property_set::transfer(const property_set& source, const cor
 CONCINO_INLINE std::size_t num_values_of(element_kind kind, const detail::index_bounds& bounds) {
   const std::size_t sizes[] = {bounds.verts, bounds.edges, bounds.faces, bounds.polys, 1, bounds.corners};
   return sizes[static_cast<unsigned>(kind)];
+}
+
+CONCINO_INLINE void property_set::renumber(const correspondence& c) {
+  const element_origins* const origins[] = {&c.verts, &c.edges, &c.faces, &c.polys, nullptr, &c.corners};
+  std::vector<std::unique_ptr<detail::column>> renumbered(entries_.size());  // null: the values stay
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const element_origins* const of = origins[static_cast<unsigned>(entries_[i].kind)];
+    if (!of || detail::is_identity(*of, entries_[i].values->size())) continue;
+    renumbered[i].reset(new detail::column(*entries_[i].values, *of));
+  }
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (renumbered[i]) entries_[i].values->swap_values(*renumbered[i]);
 }
 
 CONCINO_INLINE void property_set::grow(const detail::index_bounds& before, const detail::index_bounds& after) {

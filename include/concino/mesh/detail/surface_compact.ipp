@@ -1,0 +1,27 @@
+// Compaction of tables of surfaces; see surface_tables.hpp.
+#pragma once
+
+#include <concino/mesh/detail/compaction.hpp>
+#include <concino/mesh/surface_tables.hpp>
+
+namespace concino {
+
+template<unsigned Arity, class Lists>
+surface_tables<Arity, Lists> surface_tables<Arity, Lists>::compacted(const detail::compaction& kept) const {
+  surface_tables t;
+  t.p2v_ = detail::packed_rows(p2v_, kept.polys, kept.verts);
+  t.facet_adjacency_ = facet_adjacency_.compacted(kept.edges, kept.polys);
+  if constexpr (Arity == 0) t.p2v_.share_offsets(t.facet_adjacency_.facet_rows());
+  t.e2v_ = detail::packed_rows(e2v_, kept.edges, kept.verts);
+  t.v2v_ = detail::packed_rows(v2v_, kept.verts, kept.verts);
+  t.v2e_ = detail::packed_rows(v2e_, kept.verts, kept.edges);
+  t.v2e_.share_offsets(t.v2v_);
+  t.v2p_ = detail::packed_rows(v2p_, kept.verts, kept.polys);
+  if (*t.v2p_.shared_offsets() == *t.v2v_.shared_offsets()) t.v2p_.share_offsets(t.v2v_);
+  t.verts_ = detail::alive_elements<vert_id>(kept.verts.size());
+  t.edges_ = detail::alive_elements<edge_id>(kept.edges.size());
+  t.polys_ = detail::alive_elements<poly_id>(kept.polys.size());
+  return t;
+}
+
+}  // namespace concino
