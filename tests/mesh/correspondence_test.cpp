@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE("correspondence: the rule of a property depends on its type, 
     CHECK_THROWS_AS(set_property_rule(m, element_kind::poly, name, property_rule::sum), invalid_argument);
     set_property_rule(m, element_kind::poly, name, property_rule::copy);
   }
-  CHECK_THROWS_WITH_AS(set_property_rule(m, element_kind::poly, "int", property_rule::sum), "the mesh has no poly property \"int\"", invalid_argument);
+  CHECK_THROWS_WITH_AS(set_property_rule(m, element_kind::poly, "int", property_rule::sum), "set_property_rule: the mesh has no poly property \"int\"", invalid_argument);
   CHECK_THROWS_AS(set_property_rule(m, element_kind::edge, "none", property_rule::sum), invalid_argument);
   const M copy = m;
   CHECK(rule_of(copy, "int") == property_rule::sum);

@@ -237,11 +237,11 @@ TEST_CASE("native meshes: the error names the reason why arrays are not a mesh")
   using lists = std::vector<std::vector<int>>;
   CHECK(has(message([&] { cn::trimesh(p, lists{{0, 1, 2}, {0, 1, 4}}); }), "poly 1 names vert 4"));
   CHECK(has(message([&] { cn::trimesh(p, lists{{0, 1, -1}}); }), "poly 0 names vert -1"));
-  CHECK(has(message([&] { cn::trimesh(p, lists{{0, 1, 2, 3}}); }), "poly 0 has 4 verts"));
+  CHECK(has(message([&] { cn::trimesh(p, lists{{0, 1, 2, 3}}); }), "trimesh: poly 0 has 4 verts"));
   CHECK(has(message([&] { cn::polygonmesh(p, lists{{0, 1}}); }), "poly 0 has 2 verts"));
   CHECK(has(message([&] { cn::polygonmesh(p, lists{{0, 1, 2, 1}}); }), "poly 0 has vert 1 twice"));
   CHECK(has(message([&] { cn::tetmesh(p, lists{{0, 1, 2, 2}}); }), "poly 0 has vert 2 twice"));
-  CHECK(has(message([&] { cn::hexmesh(p, lists{{0, 1, 2, 3}}); }), "poly 0 has 4 verts"));
+  CHECK(has(message([&] { cn::hexmesh(p, lists{{0, 1, 2, 3}}); }), "hexmesh: poly 0 has 4 verts"));
   using cells = std::vector<std::vector<std::pair<int, bool>>>;
   CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}}, cells{{{1, true}}}); }), "poly 0 names face 1"));
   CHECK(has(message([&] { cn::polyhedralmesh(p, lists{{0, 1, 2}}, cells{{{0, true}, {0, false}}}); }), "poly 0 has face 0 twice"));
@@ -298,10 +298,10 @@ TEST_CASE_TEMPLATE("native meshes: invalid and repeated elements throw, in which
 
 TEST_CASE("native meshes: more polys, verts or corners than ids throw") {
   using cn::detail::check_counts;
-  CHECK_NOTHROW(check_counts(0xFFFFFFFEu, cn::detail::encoded_neighbour::mask - 1, 0xFFFFFFFEu));
-  CHECK_THROWS_AS(check_counts(0, cn::detail::encoded_neighbour::mask, 0), cn::unsupported);
-  CHECK_THROWS_AS(check_counts(0xFFFFFFFFu, 0, 0), cn::unsupported);
-  CHECK_THROWS_AS(check_counts(0, 0, 0xFFFFFFFFu), cn::unsupported);
+  CHECK_NOTHROW(check_counts("surface_tables", 0xFFFFFFFEu, cn::detail::encoded_neighbour::mask - 1, 0xFFFFFFFEu));
+  CHECK_THROWS_WITH_AS(check_counts("surface_tables", 0, cn::detail::encoded_neighbour::mask, 0), "surface_tables: the mesh has 1073741823 polys; at most 2^30 - 2 fit", cn::unsupported);
+  CHECK_THROWS_WITH_AS(check_counts("surface_tables", 0xFFFFFFFFu, 0, 0), "surface_tables: the mesh has 4294967295 verts; at most 2^32 - 2 fit", cn::unsupported);
+  CHECK_THROWS_WITH_AS(check_counts("surface_tables", 0, 0, 0xFFFFFFFFu), "surface_tables: the mesh has 4294967295 corners; at most 2^32 - 2 fit", cn::unsupported);
 }
 
 TEST_CASE("native meshes: only large faces with very many polyhedra throw") {

@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("properties: are created if absent, and found by name and typ
 TEST_CASE("properties: another type under the same name throws") {
   auto m = cn::testing::grid<cn::trimesh>(1);
   cn::vert_property<double>(m, "u");
-  CHECK_THROWS_WITH_AS(cn::vert_property<int>(m, "u"), "vert property \"u\" holds values of type double, not int; use another name or remove it first",
+  CHECK_THROWS_WITH_AS(cn::vert_property<int>(m, "u"), "vert_property: the property \"u\" holds values of type double, not int; use another name or remove it first",
                        cn::invalid_argument);
   CHECK_THROWS_AS(cn::find_vert_property<float>(m, "u"), cn::invalid_argument);
 }

@@ -53,7 +53,7 @@ class cell_tables {
   /// From the verts of every poly in the standard order. Linear time and memory.
   /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
   cell_tables(std::size_t vert_count, std::vector<vert_id> polys) : p2v_(detail::checked_lists<Shape::verts>(std::move(polys), "cell_tables: poly")) {
-    detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
+    detail::check_counts("cell_tables", vert_count, p2v_.size(), p2v_.num_values());
     build(vert_count);
   }
   /// From lists in another corner order: a tet_order or hex_order.

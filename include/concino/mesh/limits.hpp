@@ -15,7 +15,7 @@ namespace concino {
 ///         poly_faces: the number of faces of all polys; before: how the message begins.
 /// Result: nothing.                                                                Cost: O(1).
 /// Errors: unsupported if they are too long.
-inline void check_poly_corners(std::uint64_t poly_corners, std::uint64_t face_corners, std::uint64_t poly_faces, std::string_view before = {}) {
+inline void check_poly_corners(std::uint64_t poly_corners, std::uint64_t face_corners, std::uint64_t poly_faces, std::string_view before) {
   constexpr std::uint64_t always = 1 << 20, times = 16;
   if (poly_corners > always + times * (face_corners + poly_faces))
     core::throw_joined<unsupported>({before, "large faces belong to so many polys that the adjacencies would have ", poly_corners,

@@ -51,9 +51,9 @@ std::vector<vec3> to_points(const R& r) {
   return points;
 }
 
-/// Lists stored one after another; offsets are where each begins. If `arity` is given, every list must have that many entries.
+/// Lists stored one after another; offsets are where each begins. If `arity` is given, every list must have that many entries. Errors name `mesh`.
 template<class R>
-surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_t arity) {
+surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_t arity, const char* mesh) {
   surface_arrays a;
   a.points = std::move(points);
   a.arity = arity;
@@ -64,7 +64,7 @@ surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_
     for (const auto& i : list) a.verts.push_back(vert_id{list_index(i).raw()});
     const std::size_t n = a.verts.size() - before;
     if (arity && n != arity)
-      core::throw_joined<invalid_mesh>({"poly ", p, " has ", n, " verts; every poly of this mesh has ", arity});
+      core::throw_joined<invalid_mesh>({mesh, ": poly ", p, " has ", n, " verts; every poly of this mesh has ", arity});
     if (!arity) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
     ++p;
   }
@@ -76,13 +76,13 @@ surface_arrays to_arity(surface_arrays a, std::uint32_t arity);
 
 template<class R>
 cell_arrays to_cells(std::vector<vec3> points, const R& lists, std::uint32_t arity) {
-  surface_arrays a = to_surface(std::move(points), lists, arity);
+  surface_arrays a = to_surface(std::move(points), lists, arity, arity == 4 ? "tetmesh" : "hexmesh");
   return {std::move(a.points), std::move(a.verts), arity};
 }
 
 template<class Faces, class Polys>
 polyhedra_arrays polyhedra_arrays_from(std::vector<vec3> points, const Faces& face_lists, const Polys& poly_lists) {
-  surface_arrays a = to_surface(std::move(points), face_lists, 0);
+  surface_arrays a = to_surface(std::move(points), face_lists, 0, "polyhedralmesh");
   polyhedra_arrays b{std::move(a.points), std::move(a.offsets), std::move(a.verts), {0}, {}, {}};
   for (const auto& poly : poly_lists) {
     for (const auto& [face, outward] : poly) {

@@ -22,7 +22,7 @@ class polygonmesh : public detail::native_mesh<surface_tables<0>> {
   /// From points and lists of verts, as braced lists or containers.
   polygonmesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
-  polygonmesh(const Points& points, const Polys& poly_ranges) : polygonmesh(detail::to_surface(detail::to_points(points), poly_ranges, 0)) {}
+  polygonmesh(const Points& points, const Polys& poly_ranges) : polygonmesh(detail::to_surface(detail::to_points(points), poly_ranges, 0, "polygonmesh")) {}
 };
 
 template<>

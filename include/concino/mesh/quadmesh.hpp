@@ -22,7 +22,7 @@ class quadmesh : public detail::native_mesh<surface_tables<4>> {
   /// From points and lists of 4 verts, as braced lists or containers.
   quadmesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
-  quadmesh(const Points& points, const Polys& poly_ranges) : quadmesh(detail::to_surface(detail::to_points(points), poly_ranges, 4)) {}
+  quadmesh(const Points& points, const Polys& poly_ranges) : quadmesh(detail::to_surface(detail::to_points(points), poly_ranges, 4, "quadmesh")) {}
 };
 
 template<>

@@ -22,7 +22,7 @@ class trimesh : public detail::native_mesh<surface_tables<3>> {
   /// From points and lists of 3 verts, as braced lists or containers.
   trimesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
-  trimesh(const Points& points, const Polys& poly_ranges) : trimesh(detail::to_surface(detail::to_points(points), poly_ranges, 3)) {}
+  trimesh(const Points& points, const Polys& poly_ranges) : trimesh(detail::to_surface(detail::to_points(points), poly_ranges, 3, "trimesh")) {}
 };
 
 template<>

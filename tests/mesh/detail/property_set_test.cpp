@@ -279,10 +279,10 @@ TEST_CASE("property sets: a rule is set for one property, or the message says wh
   CHECK(all.info(1).rule == property_rule::sum);
   CHECK(all.info(2).rule == property_rule::copy);
   CHECK_THROWS_WITH_AS(all.set_rule(element_kind::vert, "n", property_rule::interpolate),
-                       "vert property \"n\" cannot be transferred by the rule \"interpolate\": its values, of type int, have no mean", invalid_argument);
+                       "set_property_rule: vert property \"n\" cannot be transferred by the rule \"interpolate\": its values, of type int, have no mean", invalid_argument);
   CHECK_THROWS_WITH_AS(all.set_rule(element_kind::vert, "s", property_rule::sum),
-                       "vert property \"s\" cannot be transferred by the rule \"sum\": its values, of type std::string, cannot be added", invalid_argument);
-  CHECK_THROWS_WITH_AS(all.set_rule(element_kind::corner, "x", property_rule::sum), "the mesh has no corner property \"x\"", invalid_argument);
+                       "set_property_rule: vert property \"s\" cannot be transferred by the rule \"sum\": its values, of type std::string, cannot be added", invalid_argument);
+  CHECK_THROWS_WITH_AS(all.set_rule(element_kind::corner, "x", property_rule::sum), "set_property_rule: the mesh has no corner property \"x\"", invalid_argument);
 }
 
 TEST_CASE("property sets: copies are independent, moves and assignments keep the values") {

@@ -136,7 +136,7 @@ void cell_tables<Shape, Lists>::builder::visit(std::uint32_t a) {
   uses_.resize(edge_count_);
   v2v_.resize(static_cast<std::size_t>(at.near - v2v_.data()));
   v2e_.resize(v2v_.size());
-  if (v2v_.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+  if (v2v_.size() >= ~0u) throw unsupported("cell_tables: the mesh has more than 2^32 adjacencies of one kind");
   vert_offsets_[a + 1] = static_cast<std::uint32_t>(v2v_.size());
   mark_edges_met_since(first_edge, a);
 }

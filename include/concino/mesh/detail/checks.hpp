@@ -36,7 +36,8 @@ void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* wha
 /// The same for a new poly or face of a mesh in which verts may be deleted.
 void check_new_verts(id_span<vert_id> list, const alive_elements<vert_id>& all, const char* what, std::size_t which);
 
-void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count);
+/// Throws if ids cannot count so many elements. Errors name `function`.
+void check_counts(const char* function, std::size_t vert_count, std::size_t poly_count, std::size_t corner_count);
 
 }  // namespace concino::detail
 

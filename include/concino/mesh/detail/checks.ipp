@@ -3,6 +3,7 @@
 
 #include <concino/mesh/detail/checks.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace concino::detail {
@@ -36,9 +37,9 @@ CONCINO_INLINE void check_new_verts(id_span<vert_id> list, const alive_elements<
     if (!all.contains(v)) core::throw_joined<invalid_mesh>({what, " ", which, " names vert ", v.raw(), ", which was deleted"});
 }
 
-CONCINO_INLINE void check_counts(std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
-  if (poly_count >= encoded_neighbour::mask) core::throw_joined<unsupported>({"the mesh has ", poly_count, " polys; at most 2^30 - 2 fit"});
-  if (vert_count >= ~0u || corner_count >= ~0u) throw unsupported("the mesh has 2^32 - 1 verts or corners, or more");
+CONCINO_INLINE void check_counts(const char* function, std::size_t vert_count, std::size_t poly_count, std::size_t corner_count) {
+  if (poly_count >= encoded_neighbour::mask) core::throw_joined<unsupported>({function, ": the mesh has ", poly_count, " polys; at most 2^30 - 2 fit"});
+  if (vert_count >= ~0u || corner_count >= ~0u) core::throw_joined<unsupported>({function, ": the mesh has ", std::max(vert_count, corner_count), vert_count >= ~0u ? " verts" : " corners", "; at most 2^32 - 2 fit"});
 }
 
 }  // namespace concino::detail

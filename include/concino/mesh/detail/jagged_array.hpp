@@ -40,7 +40,7 @@ inline void prefix_sum(offsets& counts) {
   std::uint64_t sum = 0;
   for (std::uint32_t& c : counts) {
     sum += c;
-    if (sum > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+    if (sum > std::numeric_limits<std::uint32_t>::max()) throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
     c = static_cast<std::uint32_t>(sum);
   }
 }
@@ -116,7 +116,7 @@ class jagged_array<T, 0> {
   }
 
   void check_index_range(std::size_t more) const {
-    if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+    if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
   }
 
   void reserve_offsets(std::size_t n) {

@@ -150,7 +150,7 @@ void basic_polyhedra_tables<Lists>::remove_vert(vert_id v) {
 
 template<class Lists>
 std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const jagged<face_id>& polys) const {
-  detail::check_counts(vert_count, polys.size(), f2v_.num_values());
+  detail::check_counts("polyhedra_tables", vert_count, polys.size(), f2v_.num_values());
   std::vector<std::uint32_t> met;
   for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
   met.assign(f2v_.size(), ~0u);
@@ -165,7 +165,7 @@ std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const j
       poly_corners += f2v_.length(f.raw());
     }
   }
-  check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values());
+  check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values(), "polyhedra_tables: ");
   return poly_corners;
 }
 
@@ -294,7 +294,7 @@ void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const 
     v_first.push_back(static_cast<std::uint32_t>(verts.size()));
     e_first.push_back(static_cast<std::uint32_t>(edges.size()));
   }
-  if (edges.size() >= ~0u) throw unsupported("the mesh has more than 2^32 adjacencies of one kind");
+  if (edges.size() >= ~0u) throw unsupported("polyhedra_tables: the mesh has more than 2^32 adjacencies of one kind");
   verts.shrink_to_fit();
   edges.shrink_to_fit();
   p2v_ = {std::make_shared<const detail::offsets>(std::move(v_first)), std::move(verts)};

@@ -210,7 +210,7 @@ CONCINO_INLINE property_set& property_set::operator=(property_set o) noexcept {
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (e.values->type() != *type.type)
-      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" holds values of type ", detail::written_type(e.values->type()),
+      core::throw_joined<invalid_argument>({to_string(kind), "_property: the property \"", e.name, "\" holds values of type ", detail::written_type(e.values->type()),
                                               ", not ", detail::written_type(*type.type), "; use another name or remove it first"});
     return e.values;
   }
@@ -242,12 +242,12 @@ CONCINO_INLINE bool property_set::has(element_kind kind) const {
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (!e.values->set_rule(rule))
-      core::throw_joined<invalid_argument>({to_string(kind), " property \"", e.name, "\" cannot be transferred by the rule \"", to_string(rule),
+      core::throw_joined<invalid_argument>({"set_property_rule: ", to_string(kind), " property \"", e.name, "\" cannot be transferred by the rule \"", to_string(rule),
                                             "\": its values, of type ", detail::written_type(e.values->type()),
                                             rule == property_rule::sum ? ", cannot be added" : ", have no mean"});
     return;
   }
-  core::throw_joined<invalid_argument>({"the mesh has no ", to_string(kind), " property \"", name, "\""});
+  core::throw_joined<invalid_argument>({"set_property_rule: the mesh has no ", to_string(kind), " property \"", name, "\""});
 }
 
 CONCINO_INLINE void property_set::transfer(const property_set& source, const correspondence& c) {

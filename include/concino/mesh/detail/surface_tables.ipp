@@ -84,7 +84,7 @@ void surface_tables<Arity, Lists>::remove_vert(vert_id v) {
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
-  detail::check_counts(vert_count, p2v_.size(), p2v_.num_values());
+  detail::check_counts("surface_tables", vert_count, p2v_.size(), p2v_.num_values());
   std::vector<std::uint32_t> met;
   for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts(p2v_[p], vert_count, "surface_tables: poly", p, met);
 }
