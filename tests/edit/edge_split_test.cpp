@@ -1,15 +1,14 @@
-// edge_split of surfaces: counts, area, descriptors and winding of the halves, also at edges of one and of many triangles.
+// edge_split: counts, measure, descriptors and winding of the halves, also at edges of one and of many triangles.
 #include <concino/edit/edge_split.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh.hpp>
 
-#include <support/kinds.hpp>
-#include <support/rebuilt.hpp>
-#include <support/whole_mesh.hpp>
+#include <support/simplex_edits.hpp>
 
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <random>
 
 namespace cn = concino;
 using cn::testing::equals_rebuilt;
@@ -85,5 +84,39 @@ TEST_CASE("edge_split: a mesh of general polygons, where all polys at the edge a
     CHECK(bool(cn::edge_split(copy, e)) == !at_quad);
     keeps_all_laws(copy);
     equals_rebuilt(copy);
+  }
+}
+
+TEST_CASE("edge_split: tets, inside, at the boundary and around one edge that has many") {
+  std::mt19937 random(4);
+  const std::vector<cn::vec3> points = cn::testing::random_points(random, 8);
+  std::set<std::set<unsigned>> different;
+  while (different.size() < 20) {
+    const auto four = cn::testing::some_of(random, 8, 4);
+    different.insert({four.begin(), four.end()});
+  }
+  std::vector<std::vector<unsigned>> soup;
+  for (const auto& tet : different) soup.emplace_back(tet.begin(), tet.end());
+  for (cn::tetmesh m : {cn::testing::grid<cn::tetmesh>(2), cn::tetmesh(points, soup)}) {
+    const double volume = cn::total_measure(m);
+    const auto before = cn::testing::topology(m);
+    for (unsigned i = 0; i < 40; ++i) {
+      const std::vector<unsigned> all = raw(cn::edges(m));
+      const cn::edge_id e{all[random() % all.size()]};
+      const auto ends = cn::end_verts(m, e);
+      const std::vector<unsigned> at_edge = raw(cn::adj_e2p(m, e));
+      const std::size_t verts = cn::num_verts(m), edges = cn::num_edges(m), faces = cn::num_faces(m), polys = cn::num_polys(m), at = cn::num_elements(cn::adj_e2f(m, e));
+      const auto made = cn::edge_split(m, e, 0.3);
+      REQUIRE(made);
+      CHECK(cn::num_verts(m) == verts + 1);
+      CHECK(cn::num_edges(m) == edges + 1 + at);
+      CHECK(cn::num_faces(m) == faces + at + at_edge.size());
+      CHECK(cn::num_polys(m) == polys + at_edge.size());
+      for (const unsigned p : at_edge) CHECK(cn::testing::raw_set(cn::adj_p2v(m, cn::poly_id{p})).count(ends.first.raw()) == 1);
+    }
+    CHECK(cn::total_measure(m) == doctest::Approx(volume));
+    CHECK(cn::testing::topology(m) == before);
+    keeps_all_laws(m);
+    equals_rebuilt(m);
   }
 }

@@ -16,7 +16,9 @@ inline constexpr permission contradictory_winding{refusal::winding, "the two tri
 template<class M>
 struct flip_cavity {
   cavity_builder<M> cavity;
-  unsigned a, b, c, d;  // the ends of the edge, and the vert opposite to it in the first and in the second triangle
+  unsigned a = 0, b = 0, c = 0, d = 0;  // the ends of the edge, and the vert opposite to it in the first and in the second triangle
+
+  explicit flip_cavity(const M& m) : cavity(m) {}
 };
 
 template<class M>
@@ -26,13 +28,13 @@ permission edge_flip_cavity(const M& m, const edge_t<M>& e, flip_cavity<M>& f) {
   f.a = c.vert(ends.first), f.b = c.vert(ends.second);
   for (const poly_t<M> p : adj_e2p(m, e)) {
     if (c.num_old() == 2) return not_two_triangles;
-    if (!c.add_old(m, p)) return not_simplices;
+    if (!c.add_old(p)) return not_simplices;
   }
   if (c.num_old() != 2) return not_two_triangles;
-  const auto position = [&](unsigned k, unsigned v) { return static_cast<unsigned>(std::find(c.old(k), c.old(k) + 3, v) - c.old(k)); };
+  const auto position = [&](unsigned k, unsigned v) { return static_cast<unsigned>(std::find(c.corners(k), c.corners(k) + 3, v) - c.corners(k)); };
   const auto is_along = [&](unsigned k) { return (position(k, f.a) + 1) % 3 == position(k, f.b); };
-  f.c = c.old(0)[3 - position(0, f.a) - position(0, f.b)];
-  f.d = c.old(1)[3 - position(1, f.a) - position(1, f.b)];
+  f.c = c.corners(0)[3 - position(0, f.a) - position(0, f.b)];
+  f.d = c.corners(1)[3 - position(1, f.a) - position(1, f.b)];
   if (is_along(0) == is_along(1)) return contradictory_winding;
   if (f.c == f.d) return opposite_edge_exists;
   for (const vert_t<M> v : adj_v2v(m, c.vert_at(f.c)))
@@ -40,6 +42,7 @@ permission edge_flip_cavity(const M& m, const edge_t<M>& e, flip_cavity<M>& f) {
   c.add_new(0, f.b, f.d);
   c.add_new(1, f.a, f.c);
   c.keep(2);
+  c.mix_origins();
   return {};
 }
 
@@ -51,7 +54,7 @@ permission edge_flip_cavity(const M& m, const edge_t<M>& e, flip_cavity<M>& f) {
 template<EditableSurfaceMesh M>
 permission can_edge_flip(const M& m, edge_t<M> e) {
   detail::check_element(m, e, "can_edge_flip", "edge");
-  detail::flip_cavity<M> f;
+  detail::flip_cavity<M> f(m);
   return detail::edge_flip_cavity(m, e, f);
 }
 
@@ -64,7 +67,7 @@ permission can_edge_flip(const M& m, edge_t<M> e) {
 template<EditableSurfaceMesh M>
 edge_result<M> edge_flip(M& m, edge_t<M> e) {
   detail::check_element(m, e, "edge_flip", "edge");
-  detail::flip_cavity<M> f;
+  detail::flip_cavity<M> f(m);
   if (const permission p = detail::edge_flip_cavity(m, e, f); !p) return {p, {}};
   f.cavity.apply(m);
   const vert_t<M> c = f.cavity.vert_at(f.c), d = f.cavity.vert_at(f.d);

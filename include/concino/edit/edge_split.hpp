@@ -14,14 +14,12 @@ namespace detail {
 template<class M>
 permission edge_split_cavity(const M& m, const edge_t<M>& e, double t, cavity_builder<M>& c) {
   const auto ends = end_verts(m, e);
-  const unsigned a = c.vert(ends.first), b = c.vert(ends.second);
+  const unsigned a = c.vert(ends.first), b = c.vert(ends.second), split[] = {b, a};
   for (const poly_t<M> p : adj_e2p(m, e))
-    if (!c.add_old(m, p)) return not_simplices;
+    if (!c.add_old(p)) return not_simplices;
   const vec3 first = to_vec3(point(m, ends.first)), second = to_vec3(point(m, ends.second));
-  const unsigned v = c.add_point((1 - t) * first + t * second);
-  for (unsigned k = 0; k < c.num_old(); ++k) c.add_new(k, b, v);
-  for (unsigned k = 0; k < c.num_old(); ++k) c.add_new(k, a, v);
-  c.keep(c.num_old());
+  c.add_point((1 - t) * first + t * second, {a, b, t});
+  split_old_polys(c, split, 2);
   return {};
 }
 
@@ -46,7 +44,7 @@ template<EditableMesh M>
 vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5) {
   detail::check_element(m, e, "edge_split", "edge");
   if (!(t > 0 && t < 1)) core::throw_joined<invalid_argument>({"edge_split: the parameter is ", core::number_text(t), "; it must be between 0 and 1"});
-  detail::cavity_builder<M> c;
+  detail::cavity_builder<M> c(m);
   if (const permission p = detail::edge_split_cavity(m, e, t, c); !p) return {p, {}};
   c.apply(m);
   return {{}, c.new_vert()};

@@ -6,93 +6,145 @@
 #include <concino/core/message.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/edit/detail/local_numbers.hpp>
 #include <concino/edit/permission.hpp>
 
 namespace concino::detail {
 
+/// What a new vert comes from: the point (1 - t) a + t b of two verts, which may be the same.
+struct vert_origin {
+  unsigned a, b;
+  double t;
+};
+/// What a new poly comes from: old polys with successive numbers.
+struct poly_origin {
+  unsigned first, count;
+};
+
+/// All verts have local numbers, in the order in which they are met.
 template<class M>
 class cavity_builder {
   static constexpr unsigned simplex_size = dimension_v<M> + 1;
 
-  core::small_array<poly_t<M>, 16> polys_;
-  core::small_array<vert_t<M>, 24> verts_;
-  core::small_array<vec3, 2> points_;
-  core::small_array<unsigned, 96> corners_;  // of old polys, one after another
+  const M* m_;
+  local_numbers numbers_;
+  core::small_array<vert_t<M>, 32> verts_;   // of old polys, then of neighbours
+  core::small_array<poly_t<M>, 32> polys_;   // old polys, then neighbours
+  core::small_array<unsigned, 96> corners_;  // of these, one after another
   core::small_array<unsigned, 96> new_corners_;
   core::small_array<unsigned, 32> ends_;
+  core::small_array<poly_origin, 32> origins_;
   core::small_array<poly_t<M>, 32> new_polys_;
+  unsigned num_old_ = 0, num_old_verts_ = 0;
+  unsigned removed_ = none, moved_ = none;  // local numbers of verts
+  std::size_t kept_ = 0;
+  vec3 point_, moved_to_;
+  vert_origin origin_{none, none, 0};
+  bool has_point_ = false;
   vert_t<M> new_vert_{};
-  std::size_t kept_ = 0, removed_ = 0;
 
   template<class T>
   static id_span<T> span(const T* first, std::size_t n) { return {first, first + n}; }
 
- public:
-  static constexpr unsigned none = ~0u;
-  static constexpr unsigned size = simplex_size;
-
-  unsigned find(const vert_t<M>& v) const {
-    for (unsigned i = 0; i < verts_.size(); ++i)
-      if (verts_[i] == v) return i;
-    return none;
-  }
-  unsigned vert(const vert_t<M>& v) {
-    const unsigned i = find(v);
-    if (i != none) return i;
-    verts_.push_back(v);
-    return static_cast<unsigned>(verts_.size() - 1);
-  }
-
-  /// Adds an old poly. Returns false if it is not a simplex.
-  bool add_old(const M& m, const poly_t<M>& p) {
+  bool add(const poly_t<M>& p) {
     unsigned n = 0;
-    for (const vert_t<M> v : adj_p2v(m, p)) {
+    for (const vert_t<M> v : adj_p2v(*m_, p)) {
       if (++n > size) return false;
       corners_.push_back(vert(v));
     }
     polys_.push_back(p);
     return n == size;
   }
-  unsigned num_old() const { return static_cast<unsigned>(polys_.size()); }
-  unsigned num_verts() const { return static_cast<unsigned>(verts_.size()); }
-  const unsigned* old(unsigned k) const { return corners_.data() + k * size; }
-  const poly_t<M>& old_poly(unsigned k) const { return polys_[k]; }
-  const vert_t<M>& vert_at(unsigned i) const { return verts_[i]; }
-  bool old_has(unsigned k, unsigned v) const { return std::find(old(k), old(k) + size, v) != old(k) + size; }
 
-  /// Adds the new vert, and returns its number. No other existing vert may follow.
-  unsigned add_point(const vec3& x) {
-    points_.push_back(x);
-    return num_verts();
+ public:
+  static constexpr unsigned none = ~0u;
+  static constexpr unsigned added = none - 1;  // the number of the new vert
+  static constexpr unsigned size = simplex_size;
+
+  explicit cavity_builder(const M& m) : m_(&m) {}
+
+  unsigned vert(const vert_t<M>& v) {
+    const unsigned i = numbers_.add(index_of(*m_, v));
+    if (i == verts_.size()) verts_.push_back(v);
+    return i;
   }
-  /// Adds a new poly: old poly k with vert `by` instead of `v`.
+
+  /// Adds an old poly. Returns false if it is not a simplex.
+  bool add_old(const poly_t<M>& p) {
+    const bool is_simplex = add(p);
+    num_old_ = static_cast<unsigned>(polys_.size());
+    num_old_verts_ = static_cast<unsigned>(verts_.size());
+    return is_simplex;
+  }
+  /// Adds a poly that stays, but has a vert that moves. Old polys come before. Returns false if it is not a simplex.
+  bool add_neighbour(const poly_t<M>& p) { return add(p); }
+
+  unsigned num_old() const { return num_old_; }
+  unsigned num_polys() const { return static_cast<unsigned>(polys_.size()); }
+  unsigned num_verts() const { return static_cast<unsigned>(verts_.size()); }
+  /// The corners of an old poly, or of a neighbour.
+  const unsigned* corners(unsigned k) const { return corners_.data() + k * size; }
+  const poly_t<M>& poly(unsigned k) const { return polys_[k]; }
+  const vert_t<M>& vert_at(unsigned i) const { return verts_[i]; }
+  bool has(unsigned k, unsigned v) const { return std::find(corners(k), corners(k) + size, v) != corners(k) + size; }
+
+  /// Adds the new vert.
+  void add_point(const vec3& x, const vert_origin& from) { point_ = x, origin_ = from, has_point_ = true; }
+  /// Moves a vert that stays.
+  void move(unsigned v, const vec3& x) { moved_ = v, moved_to_ = x; }
+  /// Removes a vert, which no new poly has.
+  void remove(unsigned v) { removed_ = v; }
+  /// Adds a new poly: poly k with vert `by` instead of `v`.
   void add_new(unsigned k, unsigned v, unsigned by) {
-    for (unsigned i = 0; i < size; ++i) new_corners_.push_back(old(k)[i] == v ? by : old(k)[i]);
+    for (unsigned i = 0; i < size; ++i) new_corners_.push_back(corners(k)[i] == v ? by : corners(k)[i]);
     ends_.push_back(static_cast<unsigned>(new_corners_.size()));
-  }
-  void add_new(const unsigned* corners) {
-    for (unsigned i = 0; i < size; ++i) new_corners_.push_back(corners[i]);
-    ends_.push_back(static_cast<unsigned>(new_corners_.size()));
+    origins_.push_back({k, 1});
   }
   /// The first n new polys have the descriptors of the first n old ones.
   void keep(std::size_t n) { kept_ = n; }
-  /// Removes v, which must be the last vert: see move_to_end().
-  void remove_last_vert() { removed_ = 1; }
+  /// Each new poly comes from all old ones.
+  void mix_origins() {
+    for (poly_origin& x : origins_) x = {0, num_old_};
+  }
 
   const vert_t<M>& new_vert() const { return new_vert_; }
 
+  /// Replaces the polys. Here the origins of new elements are known: origin_ of the new vert, origins_ of the new polys.
   void apply(M& m) {
+    unsigned last = num_old_verts_;
+    if (removed_ != none) {  // the removed vert comes last
+      std::swap(verts_[removed_], verts_[--last]);
+      for (unsigned& i : new_corners_)
+        if (i == last) i = removed_;
+    }
+    for (unsigned& i : new_corners_)
+      if (i == added) i = num_old_verts_;
     new_polys_.resize(ends_.size(), poly_t<M>{});
-    const cavity<M> c{span(polys_.data(), polys_.size()), span(verts_.data(), verts_.size()), span(points_.data(), points_.size()),
-                      span(new_corners_.data(), new_corners_.size()), span(ends_.data(), ends_.size()), {}, kept_, removed_};
+    const cavity<M> c{span(polys_.data(), num_old_), span(verts_.data(), num_old_verts_), span(&point_, has_point_ ? 1 : 0), span(new_corners_.data(), new_corners_.size()),
+                      span(ends_.data(), ends_.size()), {}, kept_, removed_ == none ? 0u : 1u};
+    const vert_t<M> moving = moved_ == none ? vert_t<M>{} : verts_[moved_ == last ? removed_ : moved_];
     rewire(m, c, cavity_result<M>{&new_vert_, new_polys_.data()});
+    if (moved_ != none) set_point(m, moving, moved_to_);
   }
 };
+
+/// Replaces each old poly of c by one for each of the `n` verts `split`, in which the new vert takes the place of that vert.
+template<class M>
+void split_old_polys(cavity_builder<M>& c, const unsigned* split, unsigned n) {
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned k = 0; k < c.num_old(); ++k) c.add_new(k, split[i], cavity_builder<M>::added);
+  c.keep(c.num_old());
+}
 
 /// Errors: invalid_mesh if x is not an element of m.
 template<class M, class X>
 void check_element(const M& m, const X& x, const char* edit, const char* kind) {
   if (!contains(m, x)) core::throw_joined<invalid_mesh>({edit, ": ", kind, " ", index_of(m, x), " is not ", *kind == 'e' ? "an " : "a ", kind, " of the mesh"});
+}
+
+/// Errors: invalid_argument if x is not finite.
+inline void check_point(const vec3& x, const char* edit) {
+  if (!is_finite(x)) core::throw_joined<invalid_argument>({edit, ": the point is not finite"});
 }
 
 inline constexpr permission not_simplices{refusal::not_simplices, "a poly at the element is not a triangle or a tet"};

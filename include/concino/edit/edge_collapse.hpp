@@ -1,0 +1,90 @@
+// Collapses an edge of triangles or tets: its two ends become one vert.
+#pragma once
+
+#include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/link_condition.hpp>
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/core/number_text.hpp>
+
+namespace concino {
+
+struct edge_collapse_options {
+  double at = 0.5;  // in [0, 1]: the remaining vert lies at (1 - at) a + at b, where a and b are the ends as end_verts lists them
+};
+
+namespace detail {
+
+inline constexpr permission breaks_link_condition{refusal::link_condition, "the link condition does not hold: parts of the mesh would touch or vanish"};
+
+/// Old polys are those at the second end, first the ones that the first end lacks; neighbours the other ones at the first end.
+template<class M>
+permission edge_collapse_cavity(const M& m, const edge_t<M>& e, cavity_builder<M>& c) {
+  constexpr unsigned n = cavity_builder<M>::size - 1;
+  const auto ends = end_verts(m, e);
+  const unsigned a = c.vert(ends.first), b = c.vert(ends.second);
+  simplex_list<n> link_a, link_b;
+  simplex_list<n - 1> link_ab;
+  const auto has = [&](const poly_t<M>& p, const vert_t<M>& v) {
+    for (const vert_t<M> x : adj_p2v(m, p))
+      if (x == v) return true;
+    return false;
+  };
+  for (const poly_t<M> p : adj_v2p(m, ends.second))
+    if (!has(p, ends.first) && !c.add_old(p)) return not_simplices;
+  const unsigned moved = c.num_old();
+  for (const poly_t<M> p : adj_e2p(m, e))
+    if (!c.add_old(p)) return not_simplices;
+  for (const poly_t<M> p : adj_v2p(m, ends.first))
+    if (!has(p, ends.second) && !c.add_neighbour(p)) return not_simplices;
+  for (unsigned k = 0; k < moved; ++k) {
+    add_link_simplex<n>(link_b, c.corners(k), c.size, b, b);
+    c.add_new(k, b, a);
+  }
+  for (unsigned k = moved; k < c.num_old(); ++k) {
+    add_link_simplex<n>(link_a, c.corners(k), c.size, a, a);
+    add_link_simplex<n>(link_b, c.corners(k), c.size, b, b);
+    add_link_simplex<n - 1>(link_ab, c.corners(k), c.size, a, b);
+  }
+  for (unsigned k = c.num_old(); k < c.num_polys(); ++k) add_link_simplex<n>(link_a, c.corners(k), c.size, a, a);
+  c.keep(moved);
+  c.remove(b);
+  return can_collapse<n>(link_a, link_b, link_ab, c.num_verts()) ? permission{} : breaks_link_condition;
+}
+
+}  // namespace detail
+
+/// Whether e can be collapsed without a change of the topology: the link condition holds. Boundaries and non-manifold edges are kept.
+/// Needs:  EditableMesh M, an edge of m.
+/// Result: true, or the reason: a poly at an end is no simplex, or the link condition does not hold, as for the last triangle or tet of a part.
+/// Cost:   the polys at the ends, and sorting these.
+/// Errors: invalid_mesh if e is not an edge of m.
+/// Source: Dey, Edelsbrunner, Guha and Nekhayev 1999, "Topology preserving edge contraction".
+template<EditableMesh M>
+permission can_edge_collapse(const M& m, edge_t<M> e) {
+  detail::check_element(m, e, "can_edge_collapse", "edge");
+  detail::cavity_builder<M> c(m);
+  return detail::edge_collapse_cavity(m, e, c);
+}
+
+/// Collapses e: its first end remains, its second end and the polys at e are removed.
+/// Needs:  EditableMesh M.
+/// Result: the remaining vert, or the reason why not. The other polys at the second end keep their descriptors, and their corners there are now at the first
+///         end; they are those that vert_split needs to undo the collapse. Other descriptors remain valid, apart from those of the second end, of e, of the
+///         polys at e, and of one of each two edges or faces that become one.
+/// Cost:   that of can_edge_collapse, and the elements at the verts of the polys at the second end, but O(mesh) the first time.
+/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.at is not in [0, 1]. The mesh is unchanged then, also if memory runs out.
+template<EditableMesh M>
+vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& options = {}) {
+  detail::check_element(m, e, "edge_collapse", "edge");
+  const double t = options.at;
+  if (!(t >= 0 && t <= 1)) core::throw_joined<invalid_argument>({"edge_collapse: options.at is ", core::number_text(t), "; it must be in [0, 1]"});
+  detail::cavity_builder<M> c(m);
+  if (const permission p = detail::edge_collapse_cavity(m, e, c); !p) return {p, {}};
+  const auto ends = end_verts(m, e);
+  if (t > 0) c.move(0, t == 1 ? to_vec3(point(m, ends.second)) : (1 - t) * to_vec3(point(m, ends.first)) + t * to_vec3(point(m, ends.second)));
+  c.apply(m);
+  return {{}, ends.first};
+}
+
+}  // namespace concino
