@@ -5,6 +5,7 @@
 #include <concino/edit/edge_flip.hpp>
 #include <concino/edit/edge_split.hpp>
 #include <concino/edit/elements.hpp>
+#include <concino/edit/face_flip.hpp>
 #include <concino/edit/face_split.hpp>
 #include <concino/edit/garbage_collect.hpp>
 #include <concino/edit/poly_split.hpp>

@@ -1,49 +1,29 @@
-// Flips an edge between two triangles: it is replaced by the edge between the two verts opposite to it.
+// Flips an edge. Between two triangles (2-2), it is replaced by the edge between the two verts opposite to it. An edge with three tets is replaced by a face
+// (3-2), one with four tets by another edge (4-4).
 #pragma once
 
-#include <concino/edit/detail/cavity_builder.hpp>
-
-#include <concino/concepts/end_verts.hpp>
+#include <concino/edit/detail/edge_ring.hpp>
+#include <concino/edit/detail/facet_flip.hpp>
 
 namespace concino {
 
-namespace detail {
-
-inline constexpr permission not_two_triangles{refusal::wrong_number, "the edge does not have two triangles"};
-inline constexpr permission opposite_edge_exists{refusal::same_verts, "the two verts opposite to the edge are the same, or joined by an edge already"};
-inline constexpr permission contradictory_winding{refusal::winding, "the two triangles at the edge run along it in the same direction"};
-
-template<class M>
-struct flip_cavity {
-  cavity_builder<M> cavity;
-  unsigned a = 0, b = 0, c = 0, d = 0;  // the ends of the edge, and the vert opposite to it in the first and in the second triangle
-
-  explicit flip_cavity(const M& m) : cavity(m) {}
+/// Options of edge_flip for volumes.
+struct edge_flip_options {
+  unsigned diagonal = 0;  // 0 or 1. Of the two edges that may replace one with four tets: 0, the one at the first vert of the first tet of adj_e2p that
+                          // is no end of the edge; 1, the other one
 };
 
+/// What edge_flip of a volume made: a face if the edge had three tets, an edge if it had four. Only this one is valid.
 template<class M>
-permission edge_flip_cavity(const M& m, const edge_t<M>& e, flip_cavity<M>& f) {
-  const auto ends = end_verts(m, e);
-  cavity_builder<M>& c = f.cavity;
-  f.a = c.vert(ends.first), f.b = c.vert(ends.second);
-  for (const poly_t<M> p : adj_e2p(m, e)) {
-    if (c.num_old() == 2) return not_two_triangles;
-    if (!c.add_old(p)) return not_simplices;
-  }
-  if (c.num_old() != 2) return not_two_triangles;
-  const auto position = [&](unsigned k, unsigned v) { return static_cast<unsigned>(std::find(c.corners(k), c.corners(k) + 3, v) - c.corners(k)); };
-  const auto is_along = [&](unsigned k) { return (position(k, f.a) + 1) % 3 == position(k, f.b); };
-  f.c = c.corners(0)[3 - position(0, f.a) - position(0, f.b)];
-  f.d = c.corners(1)[3 - position(1, f.a) - position(1, f.b)];
-  if (is_along(0) == is_along(1)) return contradictory_winding;
-  if (f.c == f.d) return opposite_edge_exists;
-  for (const vert_t<M> v : adj_v2v(m, c.vert_at(f.c)))
-    if (v == c.vert_at(f.d)) return opposite_edge_exists;
-  c.add_new(0, f.b, f.d);
-  c.add_new(1, f.a, f.c);
-  c.keep(2);
-  c.mix_origins();
-  return {};
+struct edge_flip_result : permission {
+  face_t<M> face{};
+  edge_t<M> edge{};
+};
+
+namespace detail {
+
+inline void check_diagonal(const edge_flip_options& options, const char* edit) {
+  if (options.diagonal > 1) core::throw_joined<invalid_argument>({edit, ": options.diagonal is ", options.diagonal, "; it must be 0 or 1"});
 }
 
 }  // namespace detail
@@ -54,8 +34,8 @@ permission edge_flip_cavity(const M& m, const edge_t<M>& e, flip_cavity<M>& f) {
 template<EditableSurfaceMesh M>
 permission can_edge_flip(const M& m, edge_t<M> e) {
   detail::check_element(m, e, "can_edge_flip", "edge");
-  detail::flip_cavity<M> f(m);
-  return detail::edge_flip_cavity(m, e, f);
+  detail::facet_flip<M> f(m);
+  return detail::facet_flip_cavity(m, e, f);
 }
 
 /// Replaces e by the edge between the two verts opposite to it.
@@ -67,15 +47,42 @@ permission can_edge_flip(const M& m, edge_t<M> e) {
 template<EditableSurfaceMesh M>
 edge_result<M> edge_flip(M& m, edge_t<M> e) {
   detail::check_element(m, e, "edge_flip", "edge");
-  detail::flip_cavity<M> f(m);
-  if (const permission p = detail::edge_flip_cavity(m, e, f); !p) return {p, {}};
-  f.cavity.apply(m);
-  const vert_t<M> c = f.cavity.vert_at(f.c), d = f.cavity.vert_at(f.d);
-  for (const edge_t<M> x : adj_v2e(m, c)) {
-    const auto ends = end_verts(m, x);
-    if (ends.first == d || ends.second == d) return {{}, x};
-  }
-  return {};
+  return detail::flip_facet(m, e);
+}
+
+/// Whether e can be flipped: it is surrounded by three or four tets, which are consistently oriented, and the new face or edge does not exist yet.
+/// Needs:  EditableVolumeMesh M, an edge of m.
+/// Result: true, or the reason. Whether the new tets are not inverted is not asked.
+/// Cost:   the faces at a vert.
+/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.diagonal is not 0 or 1.
+template<EditableVolumeMesh M>
+permission can_edge_flip(const M& m, edge_t<M> e, const edge_flip_options& options = {}) {
+  detail::check_element(m, e, "can_edge_flip", "edge");
+  detail::check_diagonal(options, "can_edge_flip");
+  detail::edge_ring<M> r(m);
+  return detail::edge_ring_cavity(m, e, options.diagonal, r);
+}
+
+/// Replaces e and its three tets by a face with two, or e and its four tets by another edge with four.
+/// Needs:  EditableVolumeMesh M.
+/// Result: the new face or edge, or the reason why not. New tets have the descriptors of old ones. Other descriptors remain valid, apart from those of e and
+///         its faces.
+/// Cost:   the elements at the verts of the tets, but O(mesh) the first time.
+/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.diagonal is not 0 or 1. The mesh is unchanged then, also if memory runs out.
+/// Source: Freitag and Ollivier-Gooch 1997, "Tetrahedral mesh improvement using swapping and smoothing".
+template<EditableVolumeMesh M>
+edge_flip_result<M> edge_flip(M& m, edge_t<M> e, const edge_flip_options& options = {}) {
+  detail::check_element(m, e, "edge_flip", "edge");
+  detail::check_diagonal(options, "edge_flip");
+  detail::edge_ring<M> r(m);
+  if (const permission p = detail::edge_ring_cavity(m, e, options.diagonal, r); !p) return {p, {}, {}};
+  detail::cavity_builder<M>& c = r.cavity;
+  c.apply(m);
+  const unsigned d = options.diagonal;
+  edge_flip_result<M> made;
+  if (c.num_old() == 3) detail::find_face(m, c.vert_at(r.ring[0]), c.vert_at(r.ring[1]), c.vert_at(r.ring[2]), made.face);
+  else made.edge = detail::edge_between_verts(m, c.vert_at(r.ring[d]), c.vert_at(r.ring[d + 2]));
+  return made;
 }
 
 }  // namespace concino

@@ -14,6 +14,7 @@ enum class refusal : unsigned char {
   wrong_number,    // the element has another number of polys than the operator needs
   same_verts,      // an edge, face or poly on the new verts exists already
   link_condition,  // the mesh would no longer be of the same kind: two parts would touch, or a part would vanish
+  wrong_set,       // the polys that an operator is given are not those that it needs
   winding,         // the polys at the element run in contradictory directions
   invariant,       // a condition in the options does not hold afterwards
 };

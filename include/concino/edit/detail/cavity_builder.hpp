@@ -87,6 +87,17 @@ class cavity_builder {
   const poly_t<M>& poly(unsigned k) const { return polys_[k]; }
   const vert_t<M>& vert_at(unsigned i) const { return verts_[i]; }
   bool has(unsigned k, unsigned v) const { return std::find(corners(k), corners(k) + size, v) != corners(k) + size; }
+  /// Whether polys k and j, which share all corners but x of k and y of j, run along their common facet in opposite directions.
+  bool is_consistent(unsigned k, unsigned x, unsigned j, unsigned y) const {
+    unsigned other[size];
+    for (unsigned i = 0; i < size; ++i) other[i] = corners(j)[i] == y ? x : corners(j)[i];
+    bool is_odd = false;
+    for (unsigned i = 0; i < size; ++i) {
+      const unsigned at = static_cast<unsigned>(std::find(other + i, other + size, corners(k)[i]) - other);
+      if (at != i) std::swap(other[i], other[at]), is_odd = !is_odd;
+    }
+    return is_odd;
+  }
 
   /// Adds the new vert.
   void add_point(const vec3& x, const vert_origin& from) { point_ = x, origin_ = from, has_point_ = true; }
@@ -97,6 +108,12 @@ class cavity_builder {
   /// Adds a new poly: poly k with vert `by` instead of `v`.
   void add_new(unsigned k, unsigned v, unsigned by) {
     for (unsigned i = 0; i < size; ++i) new_corners_.push_back(corners(k)[i] == v ? by : corners(k)[i]);
+    ends_.push_back(static_cast<unsigned>(new_corners_.size()));
+    origins_.push_back({k, 1});
+  }
+  /// Adds a new poly with these corners, which comes from poly k.
+  void add_new(const unsigned* its_corners, unsigned k) {
+    for (unsigned i = 0; i < size; ++i) new_corners_.push_back(its_corners[i]);
     ends_.push_back(static_cast<unsigned>(new_corners_.size()));
     origins_.push_back({k, 1});
   }
@@ -123,8 +140,16 @@ class cavity_builder {
     const cavity<M> c{span(polys_.data(), num_old_), span(verts_.data(), num_old_verts_), span(&point_, has_point_ ? 1 : 0), span(new_corners_.data(), new_corners_.size()),
                       span(ends_.data(), ends_.size()), {}, kept_, removed_ == none ? 0u : 1u};
     const vert_t<M> moving = moved_ == none ? vert_t<M>{} : verts_[moved_ == last ? removed_ : moved_];
-    rewire(m, c, cavity_result<M>{&new_vert_, new_polys_.data()});
-    if (moved_ != none) set_point(m, moving, moved_to_);
+    const cavity_result<M> made{&new_vert_, new_polys_.data()};
+    if (moved_ == none) return rewire(m, c, made);
+    const vec3 old = to_vec3(point(m, moving));
+    set_point(m, moving, moved_to_);  // first, because it may throw too, where edits are recorded
+    try {
+      rewire(m, c, made);
+    } catch (...) {
+      set_point(m, moving, old);
+      throw;
+    }
   }
 };
 
