@@ -32,7 +32,7 @@ namespace concino {
 ///         (std::array<double, 2>) and "normal" (vec3) of corners; a corner without one has not-a-number. From .mesh and .meshb: "label" of edges and faces too,
 ///         "corner", "required", "ridge" and "entity" (int, 0 or 1; "entity" is 1 where the file lists an edge or face) of verts, edges, faces and polys,
 ///         "normal" of verts. From .vtk, .vtu and .vtp: every array of numbers, by its name and type, for verts, polys, the mesh, and the faces of a
-///         volume that the file lists; one of cells with default values at all polys, or at all these faces, belongs to the others only.
+///         volume that the file lists. An array of cells with default values at all polys, or at all these faces, belongs to the others only.
 ///         options.report lists what was skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks its format or holds a

@@ -204,7 +204,7 @@ TEST_CASE("read_vtk: errors name the line") {
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "24"), file_format::vtk),
                        "text: the cell at line 10 has type 24; cells with nodes on edges and other types from 17 on, except 42, are not supported", unsupported);
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n", file_format::vtk),
-                       "text: DATASET STRUCTURED_POINTS is not supported; UNSTRUCTURED_GRID and POLYDATA are", unsupported);
+                       "text: DATASET 'STRUCTURED_POINTS' is not supported; UNSTRUCTURED_GRID and POLYDATA are", unsupported);
   CHECK_THROWS_AS(load_text<trimesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12"), file_format::vtk), unsupported);
   CHECK_THROWS_AS(load_text<hexmesh>(vtk_grid_of("3 0 1 2\n", "5"), file_format::vtk), unsupported);
 }

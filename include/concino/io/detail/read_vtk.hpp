@@ -53,8 +53,8 @@ class vtk_reader : public vtk_cells_reader {
     const std::string kind = next_keyword();
     if (kind == "polydata") is_polydata_ = true;
     else if (kind != "unstructured_grid")
-      core::throw_joined<unsupported>({name(), ": DATASET ", std::string_view(type, static_cast<std::size_t>(at - type)).substr(0, 40),
-                                       " is not supported; UNSTRUCTURED_GRID and POLYDATA are"});
+      core::throw_joined<unsupported>({name(), ": DATASET '", std::string_view(type, static_cast<std::size_t>(at - type)).substr(0, 40),
+                                       "' is not supported; UNSTRUCTURED_GRID and POLYDATA are"});
   }
 
   [[gnu::noinline, gnu::cold]] void section() {
