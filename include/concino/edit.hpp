@@ -11,3 +11,4 @@
 #include <concino/edit/poly_split.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
 #include <concino/edit/transaction.hpp>
+#include <concino/edit/vert_split.hpp>

@@ -101,18 +101,21 @@ inline bool obeys_link_condition(detail::simplices polys, unsigned a, unsigned b
     if (p.count(a) && p.count(b)) at_edge.insert(p);
   for (const auto& p : at_edge)
     if (at_edge.count(p) > 1) return false;
+  std::map<std::set<unsigned>, unsigned> weight;  // of the simplices after the first round: the number of polys; in the first round they may be repeated
   while (!polys.empty() && polys.begin()->size() > 1) {
-    std::map<std::set<unsigned>, unsigned> count;
+    std::map<std::set<unsigned>, std::multiset<unsigned>> weights;
     for (const auto& p : polys)
       for (const unsigned v : p) {
         std::set<unsigned> facet = p;
         facet.erase(v);
-        ++count[facet];
+        weights[facet].insert(weight.count(p) ? weight[p] : 1);
       }
     detail::simplices odd, with_cone = polys;
-    for (const auto& [facet, n] : count)
-      if (n != 2) {
+    weight.clear();
+    for (const auto& [facet, w] : weights)
+      if (w.size() != 2 || *w.begin() != *w.rbegin()) {
         odd.insert(facet);
+        for (const unsigned x : w) weight[facet] += x;
         std::set<unsigned> cone = facet;
         cone.insert(detail::extra_vert);
         with_cone.insert(cone);

@@ -79,6 +79,9 @@ class cavity_builder {
   /// Adds a poly that stays, but has a vert that moves. Old polys come before. Returns false if it is not a simplex.
   bool add_neighbour(const poly_t<M>& p) { return add(p); }
 
+  /// New polys have the verts so far, and no others.
+  void end_verts_of_cavity() { num_old_verts_ = static_cast<unsigned>(verts_.size()); }
+
   unsigned num_old() const { return num_old_; }
   unsigned num_polys() const { return static_cast<unsigned>(polys_.size()); }
   unsigned num_verts() const { return static_cast<unsigned>(verts_.size()); }

@@ -13,6 +13,13 @@ namespace concino::detail {
 template<std::size_t N> using local_simplex = std::array<unsigned, N>;
 template<std::size_t N> using simplex_list = core::small_array<local_simplex<N>, 32>;
 
+/// Simplices with their weights, if these are not all 1.
+template<std::size_t N>
+struct weighted_simplices {
+  simplex_list<N> simplices;
+  core::small_array<unsigned, 32> weights;
+};
+
 /// Appends `corners` without the verts a and b.
 template<std::size_t N>
 void add_link_simplex(simplex_list<N>& all, const unsigned* corners, unsigned size, unsigned a, unsigned b) {
@@ -27,29 +34,33 @@ void add_link_simplex(simplex_list<N>& all, const unsigned* corners, unsigned si
   all.push_back(s);
 }
 
-/// The simplices of one vert less that do not have exactly two simplices of `all`, each once.
+/// The simplices of one vert less, apart from those that have exactly two simplices of `all`, which have the same weight. Their weights are the sums of those
+/// of their simplices.
 template<std::size_t N>
-void find_odd_facets(const simplex_list<N>& all, simplex_list<N - 1>& odd) {
+void find_odd_facets(const simplex_list<N>& all, const unsigned* weights, weighted_simplices<N - 1>& odd) {
   static_assert(N <= 3);
-  if constexpr (N == 1) {
-    if (!all.empty() && all.size() != 2) odd.push_back({});  // the empty simplex
-  } else {
-    core::small_array<std::uint64_t, 96> keys;
-    for (const local_simplex<N>& s : all)
-      for (unsigned left_out = 0; left_out < N; ++left_out) {
-        std::uint64_t key = 0;
-        for (unsigned i = 0; i < N; ++i)
-          if (i != left_out) key = key << 32 | s[i];
-        keys.push_back(key);
-      }
-    std::sort(keys.begin(), keys.end());
-    for (std::size_t i = 0, j = 0; i < keys.size(); i = j) {
-      while (j < keys.size() && keys[j] == keys[i]) ++j;
-      if (j - i == 2) continue;
-      local_simplex<N - 1> s{};
-      for (unsigned k = 0; k < N - 1; ++k) s[k] = static_cast<unsigned>(keys[i] >> 32 * (N - 2 - k));
-      odd.push_back(s);
+  struct entry {
+    std::uint64_t key;
+    unsigned weight;
+    bool operator<(const entry& x) const { return key < x.key; }
+  };
+  core::small_array<entry, 96> entries;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (unsigned left_out = 0; left_out < N; ++left_out) {
+      std::uint64_t key = 0;
+      for (unsigned i = 0; i < N; ++i)
+        if (i != left_out) key = key << 32 | all[k][i];
+      entries.push_back({key, weights ? weights[k] : 1});
     }
+  std::sort(entries.begin(), entries.end());
+  for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
+    unsigned weight = 0;
+    for (; j < entries.size() && entries[j].key == entries[i].key; ++j) weight += entries[j].weight;
+    if (j - i == 2 && entries[i].weight == entries[i + 1].weight) continue;
+    local_simplex<N - 1> s{};
+    for (unsigned k = 0; k < N - 1; ++k) s[k] = static_cast<unsigned>(entries[i].key >> 32 * (N - 2 - k));
+    odd.simplices.push_back(s);
+    odd.weights.push_back(weight);
   }
 }
 
@@ -96,23 +107,24 @@ bool common_faces_are_in(const simplex_list<N>& a, const simplex_list<N>& b, con
   return true;
 }
 
-/// The link condition for the links of the verts a and b and of the edge ab in a complex of simplices of N + 1 verts. Odd facets are joined to an extra vert,
-/// and must obey the link condition themselves.
+/// The link condition for the links of the verts a and b and of the edge ab in a complex of simplices of N + 1 verts. Its odd facets are joined to an extra
+/// vert, and must obey the link condition themselves. `weights`, of the simplices of a, of b and of ab, are null if all are 1.
 /// Source: Dey, Edelsbrunner, Guha and Nekhayev 1999, "Topology preserving edge contraction".
 template<std::size_t N>
-bool links_meet_in_link_of_edge(const simplex_list<N>& a, const simplex_list<N>& b, const simplex_list<N - 1>& ab, unsigned num_verts) {
+bool links_meet_in_link_of_edge(const simplex_list<N>& a, const simplex_list<N>& b, const simplex_list<N - 1>& ab, const std::array<const unsigned*, 3>& weights, unsigned num_verts) {
   if (!common_faces_are_in<N>(a, b, ab, num_verts)) return false;
-  simplex_list<N - 1> odd_a, odd_b;
-  find_odd_facets<N>(a, odd_a);
-  if (odd_a.empty()) return true;
-  find_odd_facets<N>(b, odd_b);
-  if (odd_b.empty()) return true;
+  weighted_simplices<N - 1> odd_a, odd_b;
+  find_odd_facets<N>(a, weights[0], odd_a);
+  if (odd_a.simplices.empty()) return true;
+  find_odd_facets<N>(b, weights[1], odd_b);
+  if (odd_b.simplices.empty()) return true;
   if constexpr (N == 1) {
     return false;
   } else {
-    simplex_list<N - 2> odd_ab;
-    find_odd_facets<N - 1>(ab, odd_ab);
-    return !odd_ab.empty() && links_meet_in_link_of_edge<N - 1>(odd_a, odd_b, odd_ab, num_verts);
+    weighted_simplices<N - 2> odd_ab;
+    find_odd_facets<N - 1>(ab, weights[2], odd_ab);
+    return !odd_ab.simplices.empty() &&
+           links_meet_in_link_of_edge<N - 1>(odd_a.simplices, odd_b.simplices, odd_ab.simplices, {odd_a.weights.data(), odd_b.weights.data(), odd_ab.weights.data()}, num_verts);
   }
 }
 
@@ -120,7 +132,7 @@ bool links_meet_in_link_of_edge(const simplex_list<N>& a, const simplex_list<N>&
 template<std::size_t N>
 bool can_collapse(const simplex_list<N>& a, const simplex_list<N>& b, simplex_list<N - 1>& ab, unsigned num_verts) {
   std::sort(ab.begin(), ab.end());
-  return !ab.empty() && std::adjacent_find(ab.begin(), ab.end()) == ab.end() && links_meet_in_link_of_edge<N>(a, b, ab, num_verts);
+  return !ab.empty() && std::adjacent_find(ab.begin(), ab.end()) == ab.end() && links_meet_in_link_of_edge<N>(a, b, ab, {}, num_verts);
 }
 
 }  // namespace concino::detail
