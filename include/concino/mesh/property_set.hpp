@@ -90,6 +90,7 @@ struct value_type {
   property_rule rule;                                           // unless the user sets another one
   void (*scale)(void* at, const void* from, double factor);     // constructs factor * from; null: the values cannot be split
   void (*add)(void* at, const void* from, double factor);       // adds factor * from, with the factor 1 if values cannot be split; null: there is no sum
+  bool moves_without_throwing;
 };
 
 /// Numbers and arrays of numbers need few functions, as files have them in many types.
@@ -107,7 +108,7 @@ struct value_functions {
   static void add(void* at, const void* from, double factor) { detail::add_scaled(*static_cast<T*>(at), *static_cast<const T*>(from), factor); }
 
   static constexpr value_type type() {
-    value_type t{sizeof(T), alignof(T), &typeid(T), nullptr, nullptr, nullptr, nullptr, property_rule::copy, nullptr, nullptr};
+    value_type t{sizeof(T), alignof(T), &typeid(T), nullptr, nullptr, nullptr, nullptr, property_rule::copy, nullptr, nullptr, std::is_nothrow_move_constructible_v<T>};
     if constexpr (!is_zero_by_default<T>) t.make = make;
     if constexpr (!std::is_trivially_copyable_v<T>) t.copy = copy, t.move = move, t.destroy = destroy;
     if constexpr (requires(T& x) { detail::add_scaled(x, x, 1.0); }) {
@@ -156,6 +157,8 @@ class column {
   /// New values are default values.
   void resize(std::size_t n);
   bool is_bytes() const { return !type_->copy; }
+  /// Moves value k of `from`, which has values of the same type, to position i, whose value is replaced. Only if moving does not throw.
+  void take(std::size_t i, column& from, std::size_t k) noexcept;
 
   void swap_values(column& o) noexcept;
 };
@@ -211,6 +214,7 @@ class property_set {
   /// Removes the values of elements from these index bounds on.
   void shrink(const detail::index_bounds& to) noexcept;
 
+  element_kind kind(std::size_t i) const { return entries_[i].kind; }
   /// The column of property i.
   const std::shared_ptr<detail::column>& values(std::size_t i) const { return entries_[i].values; }
 

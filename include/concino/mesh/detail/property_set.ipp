@@ -112,10 +112,19 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
     double total = 0, largest = -1;
     std::size_t count = 0, owner = 0;
   };
-  std::vector<parts> all(o.size_);
+  std::vector<std::uint32_t> met;  // sorted: the origins, if they are few
+  const bool are_few = from.size() < o.size_ / 8;
+  if (are_few) {
+    for (std::size_t i = 0; i < from.size(); ++i)
+      for (const origin x : from[i]) met.push_back(x.index);
+    std::sort(met.begin(), met.end());
+    met.erase(std::unique(met.begin(), met.end()), met.end());
+  }
+  const auto number = [&](std::uint32_t i) { return are_few ? static_cast<std::size_t>(std::lower_bound(met.begin(), met.end(), i) - met.begin()) : i; };
+  std::vector<parts> all(are_few ? met.size() : o.size_);
   for (std::size_t i = 0; i < from.size(); ++i)
     for (const origin x : from[i]) {
-      parts& p = all[x.index];
+      parts& p = all[number(x.index)];
       p.total += x.weight;
       ++p.count;
       if (x.weight > p.largest) p.largest = x.weight, p.owner = i;
@@ -124,7 +133,7 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
   while (size_ < from.size()) {
     const std::size_t here = size_;
     for (const origin x : from[here]) {
-      parts& p = all[x.index];
+      parts& p = all[number(x.index)];
       if (!can_be_parted && std::exchange(p.owner, p.owner == here ? from.size() : p.owner) != here) continue;  // an owner may have it as origin twice
       const double part = !can_be_parted || p.count == 1 ? 1 : p.total > 0 ? x.weight / p.total : 1 / static_cast<double>(p.count);
       if (size_ > here) type_->add(at(here), o.at(x.index), part);
@@ -170,6 +179,15 @@ CONCINO_INLINE bool column::set_rule(property_rule rule) {
     }
   }
   size_ = n;
+}
+
+CONCINO_INLINE void column::take(std::size_t i, column& from, std::size_t k) noexcept {
+  if (!type_->move) {
+    std::memcpy(at(i), from.at(k), type_->size);
+    return;
+  }
+  type_->destroy(at(i));
+  type_->move(at(i), from.at(k));
 }
 
 CONCINO_INLINE void column::swap_values(column& o) noexcept {

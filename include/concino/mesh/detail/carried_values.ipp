@@ -1,0 +1,30 @@
+// Values that follow an edit; see carried_values.hpp.
+#pragma once
+
+#include <concino/mesh/carried_values.hpp>
+
+namespace concino {
+
+CONCINO_INLINE carried_values::carried_values(const property_set& properties, const correspondence& origins) {
+  for (std::size_t i = 0; i < properties.size(); ++i) {
+    const element_kind kind = properties.kind(i);
+    if (kind == element_kind::mesh) continue;
+    const element_origins* const of[] = {&origins.verts, &origins.edges, &origins.faces, &origins.polys, nullptr, &origins.corners};
+    const element_origins& from = *of[static_cast<unsigned>(kind)];
+    const std::shared_ptr<detail::column>& to = properties.values(i);
+    if (from.size() > 0 && to->operations().moves_without_throwing) all_.push_back({kind, to, std::make_unique<detail::column>(*to, from)});
+  }
+}
+
+CONCINO_INLINE bool carried_values::has(element_kind kind) const {
+  for (const values& x : all_)
+    if (x.kind == kind) return true;
+  return false;
+}
+
+CONCINO_INLINE void carried_values::write(element_kind kind, std::size_t number, std::size_t index) noexcept {
+  for (values& x : all_)
+    if (x.kind == kind) x.to->take(index, *x.found, number);
+}
+
+}  // namespace concino
