@@ -82,6 +82,7 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::edge_collapse_cavity(m, e, c); !p) return {p, {}};
   const auto ends = end_verts(m, e);
+  c.merge(0, 1, t);
   if (t > 0) c.move(0, t == 1 ? to_vec3(point(m, ends.second)) : (1 - t) * to_vec3(point(m, ends.first)) + t * to_vec3(point(m, ends.second)));
   c.apply(m);
   return {{}, ends.first};

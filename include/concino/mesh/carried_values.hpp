@@ -21,8 +21,9 @@ class carried_values {
 
  public:
   /// `origins` are those of the elements that the edit changes or makes, which are numbered from 0 in each kind; corners are numbered too. Their indices
-  /// are those of the mesh before. Properties whose values may throw when they are moved are left out.
-  carried_values(const property_set& properties, const correspondence& origins);
+  /// are those of the mesh before. `of_sums` are the same for properties with the rule `sum`. Properties whose values may throw when they are moved are
+  /// left out.
+  carried_values(const property_set& properties, const correspondence& origins, const correspondence& of_sums);
 
   /// Whether some property of this kind of elements has values to write.
   bool has(element_kind kind) const;

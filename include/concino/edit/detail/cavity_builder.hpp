@@ -7,7 +7,10 @@
 #include <concino/core/small_array.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/edit/detail/local_numbers.hpp>
+#include <concino/edit/detail/value_carrier.hpp>
 #include <concino/edit/permission.hpp>
+
+#include <cmath>
 
 namespace concino::detail {
 
@@ -16,10 +19,12 @@ struct vert_origin {
   unsigned a, b;
   double t;
 };
-/// What a new poly comes from: old polys with successive numbers.
-struct poly_origin {
-  unsigned first, count;
-};
+using poly_origin = edit_outline::poly_origins;
+
+/// Models whose named properties follow the edits.
+template<class M> concept carries_values = HasProperties<M> && requires(const M& m, poly_t<M> p) { traits<M>::first_corner(m, p); };
+/// Models that can save values of properties while a transaction is open.
+template<class M> concept saves_values = requires(M& m) { traits<M>::edits(m).recorder->log; };
 
 /// All verts have local numbers, in the order in which they are met.
 template<class M>
@@ -35,6 +40,7 @@ class cavity_builder {
   core::small_array<unsigned, 32> ends_;
   core::small_array<poly_origin, 32> origins_;
   core::small_array<poly_t<M>, 32> new_polys_;
+  core::small_array<unsigned, 4> split_;     // the verts that the new vert replaces, if it lies in their simplex
   unsigned num_old_ = 0, num_old_verts_ = 0;
   unsigned removed_ = none, moved_ = none;  // local numbers of verts
   std::size_t kept_ = 0;
@@ -57,8 +63,8 @@ class cavity_builder {
   }
 
  public:
-  static constexpr unsigned none = ~0u;
-  static constexpr unsigned added = none - 1;  // the number of the new vert
+  static constexpr unsigned none = edit_outline::none;
+  static constexpr unsigned added = edit_outline::added;  // the number of the new vert
   static constexpr unsigned size = simplex_size;
 
   explicit cavity_builder(const M& m) : m_(&m) {}
@@ -120,6 +126,12 @@ class cavity_builder {
     ends_.push_back(static_cast<unsigned>(new_corners_.size()));
     origins_.push_back({k, 1});
   }
+  /// The new vert lies in the simplex of these verts, and replaces each of them in as many new polys.
+  void split_at(const unsigned* verts, unsigned n) {
+    for (unsigned i = 0; i < n; ++i) split_.push_back(verts[i]);
+  }
+  /// Vert b will be removed, and a will be at (1 - t) a + t b.
+  void merge(unsigned a, unsigned b, double t) { origin_ = {a, b, t}; }
   /// The first n new polys have the descriptors of the first n old ones.
   void keep(std::size_t n) { kept_ = n; }
   /// Each new poly comes from all old ones.
@@ -129,8 +141,16 @@ class cavity_builder {
 
   const vert_t<M>& new_vert() const { return new_vert_; }
 
-  /// Replaces the polys. Here the origins of new elements are known: origin_ of the new vert, origins_ of the new polys.
+  /// Replaces the polys. Named properties follow, by the origins of the new elements.
   void apply(M& m) {
+    new_polys_.resize(ends_.size(), poly_t<M>{});
+    if constexpr (carries_values<M>)
+      if (traits<M>::properties(m).size() > 0) return apply_with_values(m);
+    replace(m);
+  }
+
+ private:
+  void replace(M& m) {
     unsigned last = num_old_verts_;
     if (removed_ != none) {  // the removed vert comes last
       std::swap(verts_[removed_], verts_[--last]);
@@ -139,19 +159,75 @@ class cavity_builder {
     }
     for (unsigned& i : new_corners_)
       if (i == added) i = num_old_verts_;
-    new_polys_.resize(ends_.size(), poly_t<M>{});
     const cavity<M> c{span(polys_.data(), num_old_), span(verts_.data(), num_old_verts_), span(&point_, has_point_ ? 1 : 0), span(new_corners_.data(), new_corners_.size()),
                       span(ends_.data(), ends_.size()), {}, kept_, removed_ == none ? 0u : 1u};
     const vert_t<M> moving = moved_ == none ? vert_t<M>{} : verts_[moved_ == last ? removed_ : moved_];
-    const cavity_result<M> made{&new_vert_, new_polys_.data()};
-    if (moved_ == none) return rewire(m, c, made);
-    const vec3 old = to_vec3(point(m, moving));
-    set_point(m, moving, moved_to_);  // first, because it may throw too, where edits are recorded
+    if constexpr (saves_values<M>)
+      if (auto* const recorder = traits<M>::edits(m).recorder) return replace_recorded(m, c, moving, *recorder);
+    rewire(m, c, cavity_result<M>{&new_vert_, new_polys_.data()});
+    if (moved_ != none) set_point(m, moving, moved_to_);
+  }
+  /// While a transaction is open, moving the vert may fail, so it comes first.
+  template<class Recorder>
+  void replace_recorded(M& m, const cavity<M>& c, const vert_t<M>& moving, Recorder& recorder) {
+    const std::size_t before = recorder.log.num_steps();
+    if (moved_ != none) set_point(m, moving, moved_to_);
     try {
-      rewire(m, c, made);
+      rewire(m, c, cavity_result<M>{&new_vert_, new_polys_.data()});
     } catch (...) {
-      set_point(m, moving, old);
+      recorder.roll_back(before);
       throw;
+    }
+  }
+
+  void apply_with_values(M& m) {
+    core::small_array<double, 32> old_measures, new_measures;
+    core::small_array<unsigned, 96> corners_of_new;
+    const auto at = [&](unsigned v) { return v == added ? point_ : to_vec3(point(m, verts_[v])); };
+    const auto measure = [&](const unsigned* v) {
+      vec3 x[size];
+      for (unsigned i = 0; i < size; ++i) x[i] = at(v[i]);
+      return simplex_measure(x, size);
+    };
+    edit_outline e;
+    e.size = size, e.num_old = num_old_, e.num_new = static_cast<unsigned>(ends_.size());
+    for (unsigned k = 0; k < e.num_old; ++k) old_measures.push_back(measure(corners(k)));
+    for (unsigned k = 0; k < e.num_new; ++k) new_measures.push_back(measure(new_corners_.data() + k * size));
+    for (const unsigned v : new_corners_) corners_of_new.push_back(v);  // replace() numbers them differently
+    e.old_corners = corners_.data(), e.new_corners = corners_of_new.data(), e.origins = origins_.data();
+    e.old_measures = old_measures.data(), e.new_measures = new_measures.data();
+    describe_verts(e);
+    value_carrier<M> carrier(m, e, verts_.data(), num_old_verts_, polys_.data());
+    if constexpr (saves_values<M>) {
+      if (auto* const recorder = traits<M>::edits(m).recorder) {
+        const std::size_t before = recorder->log.num_steps();
+        recorder->save_values([&](const auto& save) { carrier.for_each_replaced(save); });
+        try {
+          replace(m);
+        } catch (...) {
+          recorder->roll_back(before);
+          throw;
+        }
+        return carrier.write(m, new_vert_, new_polys_.data());
+      }
+    }
+    replace(m);
+    carrier.write(m, new_vert_, new_polys_.data());
+  }
+
+  void describe_verts(edit_outline& e) const {
+    if (removed_ != none && origin_.a != none) {
+      e.remaining = origin_.a, e.removed = origin_.b, e.at = origin_.t;
+    } else if (has_point_ && origin_.a != none) {
+      e.around.push_back({origin_.a, origin_.a == origin_.b ? 1 : 1 - origin_.t});
+      if (origin_.a != origin_.b) e.around.push_back({origin_.b, origin_.t});
+    } else if (has_point_) {  // the weights are barycentric coordinates
+      const auto n = static_cast<unsigned>(split_.size());
+      for (unsigned i = 0; i < n; ++i) {
+        double weight = 0;
+        for (unsigned k = 0; k < num_old_; ++k) weight += e.new_measures[i * num_old_ + k];
+        e.around.push_back({split_[i], std::isfinite(weight) ? weight : 1});
+      }
     }
   }
 };
@@ -161,6 +237,7 @@ template<class M>
 void split_old_polys(cavity_builder<M>& c, const unsigned* split, unsigned n) {
   for (unsigned i = 0; i < n; ++i)
     for (unsigned k = 0; k < c.num_old(); ++k) c.add_new(k, split[i], cavity_builder<M>::added);
+  c.split_at(split, n);
   c.keep(c.num_old());
 }
 

@@ -5,13 +5,14 @@
 
 namespace concino {
 
-CONCINO_INLINE carried_values::carried_values(const property_set& properties, const correspondence& origins) {
+CONCINO_INLINE carried_values::carried_values(const property_set& properties, const correspondence& origins, const correspondence& of_sums) {
   for (std::size_t i = 0; i < properties.size(); ++i) {
     const element_kind kind = properties.kind(i);
     if (kind == element_kind::mesh) continue;
-    const element_origins* const of[] = {&origins.verts, &origins.edges, &origins.faces, &origins.polys, nullptr, &origins.corners};
-    const element_origins& from = *of[static_cast<unsigned>(kind)];
     const std::shared_ptr<detail::column>& to = properties.values(i);
+    const correspondence& all = to->rule() == property_rule::sum ? of_sums : origins;
+    const element_origins* const of[] = {&all.verts, &all.edges, &all.faces, &all.polys, nullptr, &all.corners};
+    const element_origins& from = *of[static_cast<unsigned>(kind)];
     if (from.size() > 0 && to->operations().moves_without_throwing) all_.push_back({kind, to, std::make_unique<detail::column>(*to, from)});
   }
 }

@@ -39,7 +39,11 @@ struct edit_state {
 template<class Mesh>
 class edit_recorder {
   Mesh* m_;
-  std::vector<std::shared_ptr<column>> columns_;
+  struct recorded_column {
+    std::shared_ptr<column> values;
+    element_kind kind;
+  };
+  std::vector<recorded_column> columns_;
 
  public:
   edit_log log;
@@ -49,7 +53,7 @@ class edit_recorder {
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!all.values(i)->is_bytes())
         core::throw_joined<unsupported>({"transaction: property \"", all.info(i).name, "\" has values that cannot be copied byte by byte, so they could not be restored without memory; remove it first"});
-      columns_.push_back(all.values(i));
+      columns_.push_back({all.values(i), all.kind(i)});
     }
   }
 
@@ -58,7 +62,7 @@ class edit_recorder {
   void for_each_array(const F& f) {
     m_->tables().for_each_array(f);
     f(m_->points());
-    for (const std::shared_ptr<column>& c : columns_) f(*c);
+    for (const recorded_column& c : columns_) f(*c.values);
   }
   static std::uint32_t number_of_points() { return Mesh::tables_type::num_arrays; }
 
@@ -67,6 +71,20 @@ class edit_recorder {
     begin_step();
     try {
       log.save(number_of_points(), m_->points(), v);
+    } catch (...) {
+      log.drop_step();
+      throw;
+    }
+  }
+  /// Begins a step and saves values of properties: visit(save) calls save(kind, index) for each element.
+  template<class Visit>
+  void save_values(const Visit& visit) {
+    begin_step();
+    try {
+      visit([&](element_kind kind, std::size_t index) {
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+          if (columns_[i].kind == kind) log.save(static_cast<std::uint32_t>(number_of_points() + 1 + i), *columns_[i].values, index);
+      });
     } catch (...) {
       log.drop_step();
       throw;
