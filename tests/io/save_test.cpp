@@ -242,6 +242,14 @@ TEST_CASE("save: a group whose name has to be changed does not become a label in
   }
 }
 
+TEST_CASE("save: labels that number the objects of an .obj file once their names have become equal are written once") {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto m = load_text<trimesh>(points + "g label_1\no a\x02" "b\nf 1 2 3\no a\tb\nf 3 2 1\n", file_format::obj);
+  const std::string first = save_text(m, file_format::obj);
+  CHECK(first.find("\ng ") == first.npos);  // the reader numbers the objects
+  CHECK(save_text(load_text<trimesh>(first, file_format::obj), file_format::obj) == first);
+}
+
 TEST_CASE("save: stores labels, and reports properties that the format cannot store") {
   auto m = grid<quadmesh>(2);
   vert_property<int>(m, "label")[vert_id{4}] = -9;

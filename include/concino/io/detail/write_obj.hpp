@@ -7,7 +7,16 @@
 
 namespace concino::detail {
 
-/// Writes a line with the name of a poly (object, group, material) whenever it changes.
+/// The name of a poly (object, group, material) in the form that a line can hold. Sets `changed` if it differs. Only names that look like labels do so
+/// afterwards: a reader takes groups with such names for labels.
+[[gnu::noinline]] inline std::string written_name(const std::string& name, bool& changed) {
+  if (name.empty()) return name;
+  std::string written = line_name(name, changed);
+  if (int label = 0; written != name && is_number(written, "label_", label)) written.insert(0, "_");
+  return written;
+}
+
+/// Writes a line with the name of a poly whenever it changes.
 class obj_names {
   write_context& c_;
   std::string_view keyword_;
@@ -20,8 +29,7 @@ class obj_names {
   [[gnu::noinline]] void before_poly(const std::string& name) {
     if (std::string_view(name) == last_) return;
     last_ = name;
-    std::string written = name.empty() ? name : line_name(name, changed);
-    if (int label = 0; written != name && is_number(written, "label_", label)) written.insert(0, "_");  // a reader would take it for a label
+    std::string written = written_name(name, changed);
     if (written == last_written_) return;
     last_written_ = std::move(written);
     c_.out << keyword_;
@@ -36,11 +44,15 @@ inline std::string label_name(int label) {
   return core::joined({label < 0 ? "label_-" : "label_", size});
 }
 
-/// Whether the labels are equal to the numbers that a reader would assign to the names.
+/// Whether the labels are equal to the numbers that a reader would assign to the names, some of which may be equal in the file only.
 inline bool labels_number(std::size_t polys, const flat_values<std::string>& names, const flat_values<int>& labels) {
   name_numbers number;
-  for (std::size_t p = 0; p < polys; ++p)
-    if (number(names[p]) != labels[p]) return false;
+  bool ignored = false;
+  int last = 0;
+  for (std::size_t p = 0; p < polys; ++p) {
+    if (p == 0 || std::string_view(names[p]) != names[p - 1]) last = number(written_name(names[p], ignored));
+    if (last != labels[p]) return false;
+  }
   return true;
 }
 
