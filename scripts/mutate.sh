@@ -124,10 +124,12 @@ mesh/detail/met_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/stand
 mesh/detail/cell_tables_rewire mesh/cell_tables_rewire
 mesh/detail/cell_cavity mesh/cell_tables_rewire
 mesh/detail/cavity_faces mesh/cell_tables_rewire
-mesh/detail/cavity_edges mesh/surface_rewire mesh/cell_tables_rewire
-mesh/detail/cavity_changes mesh/surface_rewire mesh/cell_tables_rewire
-mesh/detail/cavity_input mesh/surface_rewire mesh/cell_tables_rewire
+mesh/detail/cavity_edges mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
+mesh/detail/cavity_changes mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
+mesh/detail/cavity_input mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
 mesh/detail/surface_rewire mesh/surface_rewire
+mesh/detail/polyhedra_cavity mesh/polyhedra_tables_rewire
+mesh/detail/polyhedra_tables_rewire mesh/polyhedra_tables_rewire
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
 mesh/detail/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
 mesh/detail/facet_adjacency             mesh/detail/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes

@@ -3,6 +3,7 @@
 
 #include <support/all_or_nothing.hpp>
 #include <support/cavities.hpp>
+#include <support/polyhedra_cavities.hpp>
 
 #include <doctest/doctest.h>
 
@@ -11,14 +12,24 @@
 namespace cn = concino;
 using cn::testing::all_or_nothing;
 
-TEST_CASE_TEMPLATE("rewire that runs out of memory changes nothing", M, cn::trimesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh) {
+namespace {
+
+template<class M>
+cn::testing::owned_cavity cavity_in(const M& m, std::mt19937& random) {
+  if constexpr (std::same_as<M, cn::polyhedralmesh>) return cn::testing::random_polyhedra(m, random);
+  else return cn::testing::random_cavity(m, random);
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("rewire that runs out of memory changes nothing", M, cn::trimesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh, cn::polyhedralmesh) {
   std::mt19937 random(31);
   for (const bool grid : {true, false}) {
     M m = grid ? cn::testing::grid<M>(2) : cn::testing::random_soup<M>(random, 11, 12).mesh();
     cn::testing::give_properties(m);
     std::size_t failed = 0;
     for (unsigned step = 0; step < 16; ++step) {
-      const auto c = cn::testing::random_cavity(m, random);
+      const auto c = cavity_in(m, random);
       failed += all_or_nothing(m, [&](M& x) { c.apply_to(x); });
       c.apply_to(m);
     }

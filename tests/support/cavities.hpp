@@ -26,7 +26,9 @@ struct owned_cavity {
   std::vector<vec3> points;
   std::vector<unsigned> corners, ends;
   std::size_t kept = 0, removed = 0;
+  std::vector<unsigned> poly_ends = {};
 
+  std::size_t num_new() const { return poly_ends.empty() ? ends.size() : poly_ends.size(); }
   void add_poly(const std::vector<unsigned>& v) {
     corners.insert(corners.end(), v.begin(), v.end());
     ends.push_back(static_cast<unsigned>(corners.size()));
@@ -39,8 +41,8 @@ struct owned_cavity {
   template<class M>
   made apply_to(M& m) const {
     const auto all = [](const auto& x) { return id_span<typename std::remove_cvref_t<decltype(x)>::value_type>(x.data(), x.data() + x.size()); };
-    made names{std::vector<vert_id>(points.size()), std::vector<poly_id>(ends.size())};
-    rewire(m, {all(polys), all(verts), all(points), all(corners), all(ends), {}, kept, removed}, {names.verts.data(), names.polys.data()});
+    made names{std::vector<vert_id>(points.size()), std::vector<poly_id>(num_new())};
+    rewire(m, {all(polys), all(verts), all(points), all(corners), all(ends), all(poly_ends), kept, removed}, {names.verts.data(), names.polys.data()});
     return names;
   }
 };

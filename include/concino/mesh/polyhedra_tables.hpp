@@ -5,7 +5,9 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
+#include <concino/mesh/detail/cavity_input.hpp>
 #include <concino/mesh/detail/checks.hpp>
+#include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/polyhedra_ranges.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
 
@@ -15,6 +17,10 @@
 #include <vector>
 
 namespace concino {
+
+namespace detail {
+class polyhedra_cavity;
+}
 
 /// Lists: where the verts of faces are stored, either in rows of these tables, which can be edited, or in an array of the user.
 template<class Lists>
@@ -99,6 +105,21 @@ class basic_polyhedra_tables {
   /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow = {});
 
+  /// Replaces a few polys by others, as concepts/editable.hpp says. A new face is the existing one, or the other new one, that has the same verts in the same
+  /// or the reversed cyclic order. Cost: the old and new polys, and the edges, faces and polys at their verts.
+  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly, or if the constructor would
+  ///         refuse a new poly. invalid_mesh if a vert that is to be removed keeps a poly or a face without polys. The tables are unchanged then.
+  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
+              detail::edit_log* log = nullptr);
+
+  /// Calls f for every array of the tables, for undoing edits.
+  template<class F>
+  void for_each_array(const F& f) {
+    f(verts_), f(edges_), f(faces_), f(polys_), f(f2v_), f(p2v_), f(p2e_), f(outward_), f(e2v_), f(e2f_), f(v2v_), f(v2e_), f(v2p_);
+    facet_adjacency_.for_each_array(f);
+  }
+  static constexpr std::uint32_t num_arrays = 13 + detail::facet_adjacency<face_id, 0>::num_arrays;
+
   /// Allocates the memory for the removal of these polys, and of faces and verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id>);
 
@@ -133,6 +154,9 @@ class basic_polyhedra_tables {
   }
 
  private:
+  friend class detail::polyhedra_cavity;
+  class rewiring;
+
   static constexpr std::size_t faces_of_new_edge = 4;  // for which memory is reserved
 
   /// Result: the number of verts of the faces of all polys, a face counted for every poly that has it.
@@ -167,4 +191,5 @@ using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>
 #ifndef CONCINO_COMPILED
 #include <concino/mesh/detail/polyhedra_compact.ipp>
 #include <concino/mesh/detail/polyhedra_tables.ipp>
+#include <concino/mesh/detail/polyhedra_tables_rewire.ipp>
 #endif

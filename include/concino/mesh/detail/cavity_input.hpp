@@ -64,11 +64,20 @@ class cavity_verts {
 /// Errors: invalid_mesh.
 void check_cavity(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys, unsigned arity);
 
+/// The same for a mesh of general polyhedra.
+void check_cavity_of_polyhedra(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys);
+
+/// invalid_mesh for a new poly with two faces on the same verts; `face` is the second.
+[[noreturn]] void repeated_cavity_face(std::size_t poly, std::size_t face);
+
 /// invalid_mesh for a cavity whose list of verts lacks a vert of old poly p.
 [[noreturn]] void missing_cavity_vert(poly_id p, vert_id v);
 
 /// invalid_mesh for a vert that is to be removed but keeps a poly.
 [[noreturn]] void removed_vert_in_use(vert_id v);
+
+/// invalid_mesh for a vert that is to be removed but has a face without polys.
+[[noreturn]] void removed_vert_with_face(vert_id v);
 
 }  // namespace concino::detail
 

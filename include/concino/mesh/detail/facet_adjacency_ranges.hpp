@@ -131,9 +131,8 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
   }
   /// Adds p to list i, which remains sorted.
   void insert(std::size_t i, const poly_id& p) {
-    push(i, p);
-    poly_id* const first = base::begin(i);
-    for (std::size_t k = length(i) - 1; k > 0 && first[k] < first[k - 1]; --k) std::swap(first[k], first[k - 1]);
+    forget();
+    base::insert_sorted(i, p);
   }
   void remove(std::size_t i, const poly_id& p) {
     forget();

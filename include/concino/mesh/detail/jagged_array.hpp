@@ -242,6 +242,12 @@ class jagged_array<T, 0> {
     reserve_in_row(i, 1);
     data_[loose_last_[i]++] = kept;
   }
+  /// Adds a value to row i, which is sorted and remains so.
+  void insert_sorted(std::size_t i, const T& value) {
+    push(i, value);
+    T* const first = begin(i);
+    for (std::size_t k = length(i) - 1; k > 0 && first[k] < first[k - 1]; --k) std::swap(first[k], first[k - 1]);
+  }
   /// Removes the value from row i; the others keep their order.
   void remove(std::size_t i, const T& value) {
     make_editable();
