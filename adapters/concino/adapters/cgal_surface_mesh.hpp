@@ -24,12 +24,16 @@
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
+#include <concino/mesh/element_origins.hpp>
 
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace concino {
 
@@ -139,6 +143,20 @@ struct cgal_surface_links {
     return p;
   }
   static void remove_vert(mesh& m, vert v) { m.remove_vertex(v); }
+
+  // If memory runs out while CGAL shrinks its arrays, it leaves an incomplete mesh.
+  static correspondence garbage_collect(mesh& m) {
+    std::vector<std::uint32_t> of_verts(m.number_of_vertices()), of_edges(m.number_of_edges()), of_polys(m.number_of_faces());
+    for (auto* list : {&of_verts, &of_edges, &of_polys})
+      for (std::size_t i = 0; i < list->size(); ++i) (*list)[i] = static_cast<std::uint32_t>(i);
+    const auto read = [&](const auto& vert_before, const auto& halfedge_before, const auto& poly_before) {  // not called if nothing was removed
+      for (unsigned i = 0; i < of_verts.size(); ++i) of_verts[i] = vert_before[vert(i)].idx();
+      for (unsigned i = 0; i < of_edges.size(); ++i) of_edges[i] = halfedge_before[halfedge(2 * i)].idx() / 2;
+      for (unsigned i = 0; i < of_polys.size(); ++i) of_polys[i] = poly_before[poly(i)].idx();
+    };
+    m.collect_garbage(read);
+    return {element_origins(std::move(of_verts)), element_origins(std::move(of_edges)), {}, element_origins(std::move(of_polys))};
+  }
 };
 
 template<class P> std::type_identity<P> point_of_cgal_surface_mesh(const CGAL::Surface_mesh<P>*);

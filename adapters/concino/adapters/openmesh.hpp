@@ -8,6 +8,7 @@
 #pragma once
 
 #include <concino/adapters/detail/openmesh_links.hpp>
+#include <concino/adapters/detail/openmesh_numbers.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/vec3.hpp>
@@ -65,6 +66,15 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   static void remove_vert(M& m, vert v) {
     request_vert_status(m);
     m.status(v).set_deleted(true);  // as delete_vertex does for a vert without polys, which allocates memory for none
+  }
+  // If memory runs out in OpenMesh's own function, it may leave an incomplete mesh.
+  static correspondence garbage_collect(M& m) {
+    using base = mesh_traits<M>;
+    detail::openmesh_numbers<OpenMesh::VPropHandleT<int>> of_verts(m, m.n_vertices());
+    detail::openmesh_numbers<OpenMesh::EPropHandleT<int>> of_edges(m, m.n_edges());
+    detail::openmesh_numbers<OpenMesh::FPropHandleT<int>> of_polys(m, m.n_faces());
+    m.OpenMesh::ArrayKernel::garbage_collection();
+    return {of_verts.origins(base::verts(m), m.n_vertices()), of_edges.origins(base::edges(m), m.n_edges()), {}, of_polys.origins(base::polys(m), m.n_faces())};
   }
 
  private:

@@ -35,10 +35,7 @@ class new_descriptors {
     for (const X& x : elements)
       if (const std::uint32_t before = origins.only(index_of(m, x)); before != element_origins::none) by_index_[before] = x;
   }
-  const std::optional<X>& operator[](std::size_t i) const {
-    static constexpr std::optional<X> removed{};
-    return i < by_index_.size() ? by_index_[i] : removed;
-  }
+  std::optional<X> operator[](std::size_t i) const { return i < by_index_.size() ? by_index_[i] : std::nullopt; }
 };
 
 struct no_face {};
@@ -80,10 +77,10 @@ class renumbering {
     polys_.assign(m, concino::polys(m), origins_.polys);
   }
 
-  const std::optional<vert_t<M>>& operator[](const vert_t<M>& before) const { return verts_[index_of(mesh_.get(), before)]; }
-  const std::optional<edge_t<M>>& operator[](const edge_t<M>& before) const { return edges_[index_of(mesh_.get(), before)]; }
-  const std::optional<face>& operator[](const face& before) const { return faces_[index_of(mesh_.get(), before)]; }
-  const std::optional<poly_t<M>>& operator[](const poly_t<M>& before) const { return polys_[index_of(mesh_.get(), before)]; }
+  std::optional<vert_t<M>> operator[](const vert_t<M>& before) const { return verts_[index_of(mesh_.get(), before)]; }
+  std::optional<edge_t<M>> operator[](const edge_t<M>& before) const { return edges_[index_of(mesh_.get(), before)]; }
+  std::optional<face> operator[](const face& before) const { return faces_[index_of(mesh_.get(), before)]; }
+  std::optional<poly_t<M>> operator[](const poly_t<M>& before) const { return polys_[index_of(mesh_.get(), before)]; }
 
   /// The old index of each element by its new one, for transfer_values: it takes values of maps that were made before to the new numbers.
   const correspondence& origins() const { return origins_; }
@@ -95,7 +92,8 @@ class renumbering {
 /// Result: map[x], the new descriptor of x or none if x was removed. All old descriptors, and values in maps outside the mesh, are meaningless in m.
 ///         In meshes of this library the elements of each kind keep their order; OpenMesh and CGAL move the last ones into the gaps.
 /// Cost:   O(elements) time; memory for a second mesh while it runs.
-/// Errors: unsupported while a transaction of m is open. The mesh is unchanged then, also if memory runs out. Transactions committed before cannot be undone.
+/// Errors: unsupported while a transaction of m is open. The mesh is unchanged then. So is a mesh of this library if memory runs out; OpenMesh and CGAL
+///         do not promise that. Transactions committed before cannot be undone.
 template<requirement::has_garbage_collect M>
   requires AnyMesh<M>
 renumbering<M> garbage_collect(M& m) {
