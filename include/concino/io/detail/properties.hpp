@@ -31,14 +31,15 @@ void set_columns(property_set& all, file_contents& contents, element_kind kind, 
 class element_finder {
   const listed_elements& listed_;
   std::vector<std::uint32_t> slots_, next_;  // hash table: first element of each slot, and the next one in the same slot
-  std::vector<vert_id> sorted_;
+  std::vector<std::uint64_t> sorted_;
 
-  static std::uint64_t hash(const vert_id* v, std::size_t n);
+  static std::uint64_t hash(std::uint64_t vert);  // the sum of those of an element does not depend on their order
+  std::uint32_t& slot_of(std::uint64_t sum);
   bool is_same(std::uint32_t i);
 
  public:
   std::vector<std::uint32_t> where;   // the index in the mesh of each listed element; ~0u if it was not found
-  std::vector<std::uint32_t> verts;   // of the element to find, filled by the caller
+  std::vector<std::uint64_t> verts;   // of the element to find, filled by the caller
 
   explicit element_finder(const listed_elements& listed);
 

@@ -1,6 +1,7 @@
 // Definitions of properties.hpp.
 #pragma once
 
+#include <concino/core/sort_numbers.hpp>
 #include <concino/io/detail/properties.hpp>
 
 #include <algorithm>
@@ -102,22 +103,20 @@ CONCINO_INLINE bool has_columns(const file_contents& contents, element_kind kind
     report->skipped.push_back(core::joined({"values of ", missing, " elements of kind ", to_string(kind), " that the mesh does not have"}));
 }
 
-/// A hash that does not depend on the order of the verts.
-CONCINO_INLINE std::uint64_t element_finder::hash(const vert_id* v, std::size_t n) {
-  std::uint64_t sum = n;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::uint64_t x = (v[i].raw() + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 31)) * 0xbf58476d1ce4e5b9u;
-    sum += x ^ (x >> 29);
-  }
-  return sum ^ (sum >> 32);
+CONCINO_INLINE std::uint64_t element_finder::hash(std::uint64_t vert) {
+  std::uint64_t x = (vert + 1) * 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 31)) * 0xbf58476d1ce4e5b9u;
+  return x ^ (x >> 29);
 }
+CONCINO_INLINE std::uint32_t& element_finder::slot_of(std::uint64_t sum) { return slots_[(sum ^ (sum >> 32)) & (slots_.size() - 1)]; }
 
 CONCINO_INLINE element_finder::element_finder(const listed_elements& listed) : listed_(listed), where(listed.size(), ~0u) {
   slots_.assign(std::bit_ceil(2 * listed.size() + 1), ~0u);
   next_.assign(listed.size(), ~0u);
   for (std::size_t i = listed.size(); i-- > 0;) {
-    std::uint32_t& slot = slots_[hash(listed.verts.data() + listed.offsets[i], listed.offsets[i + 1] - listed.offsets[i]) & (slots_.size() - 1)];
+    std::uint64_t sum = listed.offsets[i + 1] - listed.offsets[i];
+    for (std::uint32_t k = listed.offsets[i]; k < listed.offsets[i + 1]; ++k) sum += hash(listed.verts[k].raw());
+    std::uint32_t& slot = slot_of(sum);
     next_[i] = slot;
     slot = static_cast<std::uint32_t>(i);
   }
@@ -126,19 +125,19 @@ CONCINO_INLINE element_finder::element_finder(const listed_elements& listed) : l
 CONCINO_INLINE bool element_finder::is_same(std::uint32_t i) {
   const std::uint32_t n = listed_.offsets[i + 1] - listed_.offsets[i];
   if (n != verts.size()) return false;
-  const vert_id* const v = listed_.verts.data() + listed_.offsets[i];
-  sorted_.assign(v, v + n);
-  std::sort(sorted_.begin(), sorted_.end());
+  sorted_.clear();
+  for (std::uint32_t k = 0; k < n; ++k) sorted_.push_back(listed_.verts[listed_.offsets[i] + k].raw());
+  core::sort_numbers(sorted_.data(), sorted_.data() + n);
   for (std::uint32_t k = 0; k < n; ++k)
-    if (sorted_[k].raw() != verts[k]) return false;
+    if (sorted_[k] != verts[k]) return false;
   return true;
 }
 
 CONCINO_INLINE void element_finder::match(std::size_t index) {
-  std::sort(verts.begin(), verts.end());
-  sorted_.clear();
-  for (const std::uint32_t v : verts) sorted_.push_back(vert_id{v});
-  for (std::uint32_t i = slots_[hash(sorted_.data(), sorted_.size()) & (slots_.size() - 1)]; i != ~0u; i = next_[i])
+  core::sort_numbers(verts.data(), verts.data() + verts.size());
+  std::uint64_t sum = verts.size();
+  for (const std::uint64_t v : verts) sum += hash(v);
+  for (std::uint32_t i = slot_of(sum); i != ~0u; i = next_[i])
     if (where[i] == ~0u && is_same(i)) where[i] = static_cast<std::uint32_t>(index);
   verts.clear();
 }
