@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <string_view>
 #include <type_traits>
 
@@ -69,27 +70,24 @@ decltype(auto) with_number_type(vtk_number t, const F& f) {
 inline constexpr std::size_t vtk_component_counts[] = {1, 2, 3, 4, 6, 9};
 
 template<class T>
-constexpr const value_type* value_type_of(std::size_t components) {
-  switch (components) {
-    case 1: return &values_of<T>;
-    case 2: return &values_of<std::array<T, 2>>;
-    case 3: return std::is_same_v<T, double> ? &values_of<vec3> : &values_of<std::array<T, 3>>;
-    case 4: return &values_of<std::array<T, 4>>;
-    case 6: return &values_of<std::array<T, 6>>;
-    case 9: return &values_of<std::array<T, 9>>;
-    default: return nullptr;
-  }
-}
+inline constexpr const value_type* value_types_of[] = {&values_of<T>, &values_of<std::array<T, 2>>, &values_of<std::array<T, 3>>,
+                                                       &values_of<std::array<T, 4>>, &values_of<std::array<T, 6>>, &values_of<std::array<T, 9>>};
+template<>
+inline constexpr const value_type* value_types_of<bool>[] = {&values_of<bool>, nullptr, nullptr, nullptr, nullptr, nullptr};
+inline constexpr const value_type* const* vtk_value_types[] = {
+    value_types_of<std::int8_t>,  value_types_of<std::uint8_t>, value_types_of<std::int16_t>,  value_types_of<std::uint16_t>,
+    value_types_of<std::int32_t>, value_types_of<std::uint32_t>, value_types_of<std::int64_t>, value_types_of<std::uint64_t>,
+    value_types_of<float>,        value_types_of<double>,       value_types_of<bool>};
 
 /// The type of a property with so many numbers per element: vec3 for three doubles, rgba for four floats called "color", else T or std::array<T, n>.
 /// Null if there is none.
 [[gnu::noinline, gnu::cold]] inline const value_type* property_type_of(vtk_number t, std::size_t components, std::string_view name) {
-  if (t == vtk_number::none || (t == vtk_number::bit && components != 1)) return nullptr;
+  if (t == vtk_number::none) return nullptr;
   if (t == vtk_number::float32 && components == 4 && name == "color") return &values_of<rgba>;
-  return with_number_type(t, [&]<class T>(std::type_identity<T>) {
-    if constexpr (std::is_same_v<T, bool>) return &values_of<bool>;
-    else return value_type_of<T>(components);
-  });
+  if (t == vtk_number::float64 && components == 3) return &values_of<vec3>;
+  for (unsigned i = 0; i < std::size(vtk_component_counts); ++i)
+    if (vtk_component_counts[i] == components) return vtk_value_types[static_cast<unsigned>(t)][i];
+  return nullptr;
 }
 
 /// The numbers of which the values of a property consist; `none` if a VTK file cannot hold them.
