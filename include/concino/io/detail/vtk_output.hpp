@@ -18,6 +18,7 @@ namespace concino::detail {
 
 /// The cells of a mesh: its polys, and after those of a volume the faces that have a value other than the default one in a property. The order of faces, and the
 /// order of verts in cells that are recognised by their faces, do not depend on how the mesh stores them.
+template<class Context>  // write_context; a template only so that programs that write no such files need not compile it
 class vtk_cell_list {
   flat_mesh& m_;
   std::vector<vert_id> verts_;  // of the cells that are no lists of verts in the mesh, as in vtk_grid
@@ -26,14 +27,14 @@ class vtk_cell_list {
   std::vector<std::uint64_t> face_keys_;
   std::size_t num_direct_ = 0;  // cells that are lists of verts in the mesh
 
-  void end_cell(const write_context& c, unsigned type) {
+  void end_cell(const Context& c, unsigned type) {
     if (verts_.size() > max_ids) core::throw_joined<unsupported>({c.name, ": more than ", max_ids, " corners of faces"});
     ends_.push_back(static_cast<std::uint32_t>(verts_.size()));
     types_.push_back(static_cast<std::uint8_t>(type));
   }
 
   /// Errors: unsupported if two faces of poly p have the same verts: faces have no numbers in the file, so readers could not tell them apart.
-  void check_faces(const write_context& c, const flat_polyhedra& all, std::size_t p) {
+  void check_faces(const Context& c, const flat_polyhedra& all, std::size_t p) {
     face_keys_.clear();
     for (const face_id f : all.poly_faces[p]) face_keys_.push_back(face_key(all.face_verts[f.raw()].data(), all.face_verts[f.raw()].size()));
     std::sort(face_keys_.begin(), face_keys_.end());
@@ -41,7 +42,7 @@ class vtk_cell_list {
       c.throw_cannot_hold("VTK", {"poly ", m_.poly_index(p), ", which has two faces with the same verts"}, ".hedra");
   }
 
-  void add_polyhedron(const write_context& c, const flat_polyhedra& all, std::size_t p, const std::uint8_t*& outward, cell_recogniser& known) {
+  void add_polyhedron(const Context& c, const flat_polyhedra& all, std::size_t p, const std::uint8_t*& outward, cell_recogniser& known) {
     known.clear();
     const std::size_t first = verts_.size();
     verts_.push_back(vert_id{all.poly_faces[p].size()});
@@ -72,7 +73,7 @@ class vtk_cell_list {
  public:
   std::vector<std::uint32_t> faces;  // the number of each face that is a cell
 
-  vtk_cell_list(const write_context& c, flat_mesh& m) : m_(m) {
+  vtk_cell_list(const Context& c, flat_mesh& m) : m_(m) {
     if (m.dimension == 2 || m.arity == 4 || m.arity == 8) {
       num_direct_ = m.num_polys;
       return;
@@ -85,7 +86,7 @@ class vtk_cell_list {
 
   /// Adds the faces with has_value(face number) as cells.
   template<class HasValue>
-  void add_faces(const write_context& c, const HasValue& has_value) {
+  void add_faces(const Context& c, const HasValue& has_value) {
     const flat_lists<vert_id>& lists = m_.polyhedra().face_verts;
     std::vector<std::vector<vert_id>> cycles;
     std::vector<std::uint32_t> order, numbers;
@@ -98,7 +99,9 @@ class vtk_cell_list {
       cycles.push_back(std::move(cycle));
       numbers.push_back(static_cast<std::uint32_t>(f));
     }
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return cycles[a] < cycles[b]; });
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::lexicographical_compare(cycles[a].begin(), cycles[a].end(), cycles[b].begin(), cycles[b].end());
+    });
     for (const std::uint32_t i : order) {
       faces.push_back(numbers[i]);
       verts_.insert(verts_.end(), cycles[i].begin(), cycles[i].end());
@@ -139,10 +142,11 @@ struct vtk_output_array {
 };
 
 /// All arrays of a mesh that a VTK file can hold. Declares them as stored.
+template<class Context>  // as above
 struct vtk_output_arrays {
   std::vector<vtk_output_array> of_verts, of_cells, of_mesh;
 
-  vtk_output_arrays(write_context& c, flat_mesh& m, bool has_bits) {
+  vtk_output_arrays(Context& c, flat_mesh& m, bool has_bits) {
     const std::vector<flat_property> all = m.property_list();
     for (const element_kind kind : {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh})
       for (const flat_property& p : all) {
@@ -177,7 +181,7 @@ struct vtk_output_arrays {
  private:
   /// Drops values of faces that are all default ones, as no face is written for them. A reader takes an array for one of faces, and not of polys, if only
   /// faces have other values. Reports what a reader will not find.
-  void drop_defaults(write_context& c, flat_mesh& m) {
+  void drop_defaults(Context& c, flat_mesh& m) {
     const auto lost = [&](element_kind kind, const std::string& name, const char* why) {
       c.report.lost.push_back(core::joined({to_string(kind), " property \"", name, "\", which has default values only: ", why}));
     };

@@ -13,14 +13,15 @@ namespace concino::detail {
 using vtk_number_source = function_ref<void(function_ref<void(const void*)>)>;
 
 /// Writes a file in two passes over its arrays, if it is binary: the tags with the position of each array, then their bytes.
+template<class Context>  // write_context, as in vtk_output.hpp
 class vtk_xml_output {
-  write_context& c_;
+  Context& c_;
   bool binary_, wide_, data_pass_ = false;
   std::uint64_t offset_ = 0;
 
  public:
   /// `largest`: no array has more bytes.
-  vtk_xml_output(write_context& c, std::uint64_t largest) : c_(c), binary_(c.options.binary), wide_(largest > 0xFFFFFFFFu) {}
+  vtk_xml_output(Context& c, std::uint64_t largest) : c_(c), binary_(c.options.binary), wide_(largest > 0xFFFFFFFFu) {}
 
   void begin(const char* type) {
     c_.out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type << "\" version=\"1.0\" byte_order=\""
@@ -77,8 +78,8 @@ class vtk_xml_output {
 };
 
 /// Writes the properties of an array list as arrays of n values.
-template<class Value>
-void write_vtk_xml_arrays(vtk_xml_output& out, const std::vector<vtk_output_array>& all, std::size_t n, std::string_view more, const Value& value) {
+template<class Context, class Value>
+void write_vtk_xml_arrays(vtk_xml_output<Context>& out, const std::vector<vtk_output_array>& all, std::size_t n, std::string_view more, const Value& value) {
   for (const vtk_output_array& a : all) {
     const auto values = [&](function_ref<void(const void*)> use) {
       for (std::size_t i = 0; i < n; ++i) use(value(a, i));
@@ -88,7 +89,8 @@ void write_vtk_xml_arrays(vtk_xml_output& out, const std::vector<vtk_output_arra
 }
 
 /// Writes <Points>, and <PointData> before it.
-inline void write_vtk_xml_points(vtk_xml_output& out, write_context& c, const flat_mesh& m, const vtk_output_arrays& arrays) {
+template<class Context>
+void write_vtk_xml_points(vtk_xml_output<Context>& out, Context& c, const flat_mesh& m, const vtk_output_arrays<Context>& arrays) {
   if (!arrays.of_verts.empty()) {
     std::string active;
     for (const vtk_output_array& a : arrays.of_verts) {

@@ -17,7 +17,8 @@ struct vtp_format {
 
   static bool has_signature(std::string_view text) { return detail::is_vtk_xml(text, "PolyData"); }
   static void read(const read_context& in, file_contents& out);
-  static void write(write_context& out, flat_mesh& m);
+  template<std::same_as<write_context> Context>  // a template so that programs that only read need not compile it
+  static void write(Context& out, flat_mesh& m);
 };
 static_assert(Format<vtp_format>);
 

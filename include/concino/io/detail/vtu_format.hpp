@@ -18,7 +18,8 @@ struct vtu_format {
   static bool has_signature(std::string_view text) { return detail::is_vtk_xml(text, "UnstructuredGrid"); }
   template<std::derived_from<file_contents> Contents>  // a template so that programs that read only surfaces need not compile volumes
   static void read(const read_context& in, Contents& out);
-  static void write(write_context& out, flat_mesh& m);
+  template<std::same_as<write_context> Context>  // a template so that programs that only read need not compile it
+  static void write(Context& out, flat_mesh& m);
 };
 static_assert(Format<vtu_format>);
 

@@ -8,12 +8,13 @@
 
 namespace concino::detail {
 
+template<class Context>  // write_context, as in vtk_output.hpp
 class vtk_writer {
-  write_context& c_;
+  Context& c_;
   flat_mesh& m_;
   bool binary_;
-  vtk_output_arrays arrays_;
-  vtk_cell_list cells_;
+  vtk_output_arrays<Context> arrays_;
+  vtk_cell_list<Context> cells_;
 
   void integer(std::uint32_t i) {
     if (!binary_) {
@@ -101,7 +102,7 @@ class vtk_writer {
   }
 
  public:
-  vtk_writer(write_context& c, flat_mesh& m) : c_(c), m_(m), binary_(c.options.binary), arrays_(c, m, true), cells_(c, m) {
+  vtk_writer(Context& c, flat_mesh& m) : c_(c), m_(m), binary_(c.options.binary), arrays_(c, m, true), cells_(c, m) {
     if (arrays_.any_of_faces()) cells_.add_faces(c, [&](std::size_t f) { return arrays_.face_has_value(f); });
   }
 
@@ -131,6 +132,7 @@ class vtk_writer {
 
 namespace concino {
 
-inline void vtk_format::write(write_context& c, flat_mesh& m) { detail::vtk_writer(c, m).write(); }
+template<std::same_as<write_context> Context>
+void vtk_format::write(Context& c, flat_mesh& m) { detail::vtk_writer<Context>(c, m).write(); }
 
 }  // namespace concino

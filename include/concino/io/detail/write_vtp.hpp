@@ -6,10 +6,11 @@
 
 namespace concino {
 
-inline void vtp_format::write(write_context& c, flat_mesh& m) {
-  const detail::vtk_output_arrays arrays(c, m, false);
+template<std::same_as<write_context> Context>
+void vtp_format::write(Context& c, flat_mesh& m) {
+  const detail::vtk_output_arrays<Context> arrays(c, m, false);
   const std::uint64_t corners = m.poly_verts.values.size();
-  detail::vtk_xml_output out(c, std::max<std::uint64_t>({8 * corners, 72 * m.num_polys, 72 * m.points.size()}));
+  detail::vtk_xml_output<Context> out(c, std::max<std::uint64_t>({8 * corners, 72 * m.num_polys, 72 * m.points.size()}));
   out.begin("PolyData");
   const auto of_elements = [](const detail::vtk_output_array& a, std::size_t i) { return a.value(i); };
   const auto corner_verts = [&](function_ref<void(const void*)> use) {

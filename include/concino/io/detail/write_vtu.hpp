@@ -6,11 +6,12 @@
 
 namespace concino::detail {
 
+template<class Context>  // write_context, as in vtk_output.hpp
 class vtu_writer {
-  write_context& c_;
+  Context& c_;
   flat_mesh& m_;
-  vtk_output_arrays arrays_;
-  vtk_cell_list cells_;
+  vtk_output_arrays<Context> arrays_;
+  vtk_cell_list<Context> cells_;
   std::uint64_t num_verts_ = 0, num_face_numbers_ = 0;  // of the lists of verts, and of faces of polyhedra
   std::vector<vert_id> scratch_;
 
@@ -27,14 +28,14 @@ class vtu_writer {
 
   /// Writes an array of integers, of 64 bits.
   template<class Visit>
-  void integers(vtk_xml_output& out, const char* name, std::uint64_t n, const Visit& visit) {
+  void integers(vtk_xml_output<Context>& out, const char* name, std::uint64_t n, const Visit& visit) {
     const auto values = [&](function_ref<void(const void*)> use) {
       visit([&](std::int64_t x) { use(&x); });
     };
     out.array(name, {vtk_number::int64, 1}, n, "", values);
   }
 
-  void cells(vtk_xml_output& out) {
+  void cells(vtk_xml_output<Context>& out) {
     out.tag("<Cells>");
     integers(out, "connectivity", num_verts_, [&](const auto& use) {
       for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -56,7 +57,7 @@ class vtu_writer {
     if (num_face_numbers_) faces(out);
     out.tag("</Cells>");
   }
-  void faces(vtk_xml_output& out) {
+  void faces(vtk_xml_output<Context>& out) {
     integers(out, "faces", num_face_numbers_, [&](const auto& use) {
       for (std::size_t i = 0; i < cells_.size(); ++i)
         if (cells_.type(i) == vtk_polyhedron)
@@ -73,7 +74,7 @@ class vtu_writer {
   }
 
  public:
-  vtu_writer(write_context& c, flat_mesh& m) : c_(c), m_(m), arrays_(c, m, false), cells_(c, m) {
+  vtu_writer(Context& c, flat_mesh& m) : c_(c), m_(m), arrays_(c, m, false), cells_(c, m) {
     if (arrays_.any_of_faces()) cells_.add_faces(c, [&](std::size_t f) { return arrays_.face_has_value(f); });
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       num_verts_ += verts_of(i).size();
@@ -82,7 +83,7 @@ class vtu_writer {
   }
 
   void write() {
-    vtk_xml_output out(c_, std::max<std::uint64_t>({8 * num_verts_, 8 * num_face_numbers_, 72 * cells_.size(), 72 * m_.points.size()}));
+    vtk_xml_output<Context> out(c_, std::max<std::uint64_t>({8 * num_verts_, 8 * num_face_numbers_, 72 * cells_.size(), 72 * m_.points.size()}));
     out.begin("UnstructuredGrid");
     const auto of_elements = [](const vtk_output_array& a, std::size_t i) { return a.value(i); };
     const auto all = [&] {
@@ -113,6 +114,7 @@ class vtu_writer {
 
 namespace concino {
 
-inline void vtu_format::write(write_context& c, flat_mesh& m) { detail::vtu_writer(c, m).write(); }
+template<std::same_as<write_context> Context>
+void vtu_format::write(Context& c, flat_mesh& m) { detail::vtu_writer<Context>(c, m).write(); }
 
 }  // namespace concino
