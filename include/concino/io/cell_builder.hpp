@@ -40,7 +40,7 @@ class basic_cell_builder {
   std::size_t taken_ = 0;              // the numbers of the list that was taken over that belong to cells
   std::size_t first_ = 0, faces_ = 0;  // of the polyhedron that is being added
   std::vector<std::uint64_t> scratch_;
-  detail::faces_check check_;
+  detail::faces_check<vert_id> check_;
 
  public:
   std::string expected, found;  // the reason why a function below returned false
@@ -176,7 +176,7 @@ class basic_cell_builder {
   /// Replaces the polyhedron at the end of the list by a tet or a hex.
   bool add_recognised() {
     const std::uint32_t n = verts_[first_].raw();
-    const face_soup soup = detail::faces_of_cells({verts_.begin() + static_cast<std::ptrdiff_t>(first_), verts_.end()}, 1, {}, cell_shape::general);
+    const face_soup soup = detail::faces_of_cells<vert_id>({verts_.begin() + static_cast<std::ptrdiff_t>(first_), verts_.end()}, 1, {}, cell_shape::general);
     std::vector<std::uint8_t> outward(n, 1);
     const bool turned = orient(soup, outward) != 0;
     cell_recogniser known;

@@ -131,7 +131,7 @@ TEST_CASE("winding_check: returns false if too many edges collide in its table, 
     }
   REQUIRE(m.num_faces() == 2000);
   m.poly_offsets.push_back(2000);
-  concino::detail::winding_check agree;
+  concino::detail::winding_check<vert_id> agree;
   const auto faces = [&](std::uint32_t first, std::uint32_t size) {
     return oriented_faces{m.face_offsets.data() + first, m.face_verts.data(), m.outward.data() + first, size};
   };

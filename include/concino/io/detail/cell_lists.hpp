@@ -19,6 +19,7 @@ namespace concino::detail {
 enum class face_fault : std::uint8_t { none, too_few_verts, repeated_vert, equal_faces };
 
 /// Checks the faces of one polyhedron at a time.
+template<class Vert>  // vert_id, as in face_soup
 class faces_check {
   std::vector<std::uint64_t> scratch_;
   std::vector<std::uint32_t> sums_;  // of the verts of each face
@@ -32,7 +33,7 @@ class faces_check {
       for (std::size_t j = 0; j < i; ++j) equal |= sums_[i] == sums_[j];
     return equal;
   }
-  [[gnu::noinline, gnu::cold]] bool has_equal_faces(const vert_id* list) {
+  [[gnu::noinline, gnu::cold]] bool has_equal_faces(const Vert* list) {
     scratch_.clear();
     for (std::uint32_t left = list++->raw(); left > 0; --left) {
       const std::uint32_t n = list++->raw();
@@ -48,8 +49,8 @@ class faces_check {
   std::uint32_t number = 0;       // of a fault: the verts of the face, or the repeated vert
 
   /// Needs: the list of a polyhedron.   Result: its first fault.   Cost: O(n log n) in the corners.
-  face_fault operator()(const vert_id* list) {
-    const vert_id* v = list + 1;
+  face_fault operator()(const Vert* list) {
+    const Vert* v = list + 1;
     sums_.clear();
     num_corners = 0;
     for (std::uint32_t left = list->raw(); left > 0; --left) {
@@ -73,15 +74,16 @@ class faces_check {
 
 /// The faces of n cells, whose shapes are `only` if none are listed. Polyhedra alone are decoded in place.
 /// Needs: all_corners is the number of corners of all faces, unless there are polyhedra only.
-inline face_soup faces_of_cells(std::vector<vert_id>&& list, std::size_t n, std::span<const cell_shape> shapes, cell_shape only, std::size_t all_faces = 0,
+template<class Vert>
+basic_face_soup<Vert> faces_of_cells(std::vector<Vert>&& list, std::size_t n, std::span<const cell_shape> shapes, cell_shape only, std::size_t all_faces = 0,
                                 std::size_t all_corners = 0) {
-  face_soup soup;
+  basic_face_soup<Vert> soup;
   soup.poly_offsets.resize(n + 1);
   core::reserve_large(soup.face_offsets, all_faces + 1);
   const bool in_place = shapes.empty() && only == cell_shape::general;
-  if (!in_place) soup.face_verts = core::large_vector(all_corners, vert_id{});
-  const vert_id* from = list.data();
-  vert_id* const to = in_place ? list.data() : soup.face_verts.data();
+  if (!in_place) soup.face_verts = core::large_vector(all_corners, Vert{});
+  const Vert* from = list.data();
+  Vert* const to = in_place ? list.data() : soup.face_verts.data();
   std::uint32_t corners = 0;
   for (std::size_t p = 0; p < n; ++p) {
     const cell_shape shape = shapes.empty() ? only : shapes[p];

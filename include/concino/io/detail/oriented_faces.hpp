@@ -34,9 +34,10 @@ struct oriented_faces {
 };
 
 /// Lists the faces of the polys of a mesh, one poly at a time.
+template<class Vert>  // vert_id, as in face_soup
 class face_lister {
   std::vector<std::uint32_t> offsets_;
-  std::vector<vert_id> verts_;
+  std::vector<Vert> verts_;
 
  public:
   oriented_faces operator()(polyhedra_arrays& m, std::size_t p) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/vtk_mesh.hpp>
-#include <concino/io/detail/vtk_xml_reader.hpp>
+#include <concino/io/detail/vtk_xml_polyhedra.hpp>
 #include <concino/io/detail/vtu_format.hpp>
 
 namespace concino {
@@ -15,7 +15,7 @@ namespace concino {
 template<std::derived_from<file_contents> Contents>
 void vtu_format::read(const read_context& in, Contents& out) {
   detail::vtk_grid grid;
-  detail::vtk_xml_reader reader(in, grid);
+  std::conditional_t<std::is_same_v<Contents, volume_contents>, detail::vtk_xml_volume_reader<Contents>, detail::vtk_xml_reader> reader(in, grid);
   reader.read();
   detail::vtk_mesh<Contents>(grid, in, reader, out).make();
 }
