@@ -120,6 +120,9 @@ class edit_log {
   void begin_step(Mesh& m) {
     const step s{rows_.size(), bytes_.size(), sizes_.size()};
     reserve_more(steps_, 1);
+    std::size_t count = 0;
+    m.for_each_array([&](const auto&) { ++count; });
+    reserve_more(sizes_, 2 * count);
     m.for_each_array([&](const auto& a) {
       std::uint64_t two[2];
       saved<std::remove_cvref_t<decltype(a)>>::sizes(a, two);
@@ -129,8 +132,15 @@ class edit_log {
   }
   template<class Array>
   void save(std::uint32_t number, const Array& a, std::size_t index) {
-    rows_.push_back({number, static_cast<std::uint32_t>(index), bytes_.size()});
-    saved<Array>::put(a, index, bytes_);
+    const std::size_t first = bytes_.size();
+    reserve_more(rows_, 1);
+    try {
+      saved<Array>::put(a, index, bytes_);
+    } catch (...) {
+      bytes_.resize(first);
+      throw;
+    }
+    rows_.push_back({number, static_cast<std::uint32_t>(index), first});
   }
   /// Forgets the last step.
   void drop_step() noexcept {

@@ -103,7 +103,7 @@ class edit_recorder {
   void shrink_properties() noexcept { m_->properties().shrink(bounds_of(m_->tables())); }
 };
 
-/// One edit: a step of the log, if one is open. It is dropped unless finish() is called.
+/// One edit: a step of the log, if one is open. It is undone unless finish() is called: an edit that fails may have moved rows to other places already.
 template<class Mesh>
 class edit_step {
   edit_state<Mesh>& state_;
@@ -116,7 +116,7 @@ class edit_step {
   edit_step(const edit_step&) = delete;
   edit_step& operator=(const edit_step&) = delete;
   ~edit_step() {
-    if (!is_finished_ && state_.recorder) state_.recorder->log.drop_step();
+    if (!is_finished_ && state_.recorder) state_.recorder->roll_back(state_.recorder->log.num_steps() - 1);
   }
   edit_log* log() const { return state_.recorder ? &state_.recorder->log : nullptr; }
   void finish() {

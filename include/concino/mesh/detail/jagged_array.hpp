@@ -278,7 +278,9 @@ class jagged_array<T, 0> {
     std::uint32_t first, last, room;
   };
   place place_of(std::size_t i) const { return {first_[i], last_[i], packed_ ? length(i) : room_[i]}; }
-  void restore_place(std::size_t i, const place& x) { loose_first_[i] = x.first, loose_last_[i] = x.last, room_[i] = x.room; }
+  void restore_place(std::size_t i, const place& x) {
+    if (!packed_) loose_first_[i] = x.first, loose_last_[i] = x.last, room_[i] = x.room;
+  }
   void restore_size(std::size_t rows, std::size_t values) {
     if (packed_) return;
     loose_first_.resize(rows), loose_last_.resize(rows), room_.resize(rows);
