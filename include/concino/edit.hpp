@@ -7,6 +7,7 @@
 #include <concino/edit/elements.hpp>
 #include <concino/edit/face_flip.hpp>
 #include <concino/edit/face_split.hpp>
+#include <concino/edit/flip_winding.hpp>
 #include <concino/edit/garbage_collect.hpp>
 #include <concino/edit/poly_split.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
