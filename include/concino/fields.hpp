@@ -6,5 +6,7 @@
 #include <concino/fields/harmonic_map.hpp>
 #include <concino/fields/heat_flow.hpp>
 #include <concino/fields/heat_geodesics.hpp>
+#include <concino/fields/heat_geodesics_options.hpp>
 #include <concino/fields/poisson.hpp>
+#include <concino/fields/prepared_heat_geodesics.hpp>
 #include <concino/fields/smooth.hpp>

@@ -1,0 +1,249 @@
+// A mesh prepared for queries of heat geodesics, the result of prepare_heat_geodesics.
+#pragma once
+
+#include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/fields/detail/euclidean_distance.hpp>
+#include <concino/fields/detail/geodesic_sources.hpp>
+#include <concino/fields/detail/heat_matrix.hpp>
+#include <concino/fields/detail/heat_preparation.hpp>
+#include <concino/fields/heat_geodesics_options.hpp>
+#include <concino/operators/virtual_elements.hpp>
+
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+/// A mesh prepared by prepare_heat_geodesics for distance queries. Several threads may query it if the solver allows it. Copies share the prepared data.
+template<class M, class Solver>
+class prepared_heat_geodesics {
+  using scaled_mesh = views::scaled<M>;
+  struct preparation {  // all lengths are those of the scaled mesh
+    detail::heat_system<Solver> system;
+    detail::distance_graph graph;
+    std::vector<double> mass;
+    double time;
+    int exponent;
+    bool clamp;
+
+    bool is_heat_negative() const {
+      const auto sources = system.one_source_per_component();
+      std::vector<double> guess;
+      if (system.is_iterative()) {
+        std::vector<detail::distance_graph::start> starts;
+        for (const detail::heat_source& s : sources) starts.push_back({s.vert, 0, 0, 0});
+        guess = graph.path_lengths_from(starts, std::numeric_limits<double>::infinity());
+        for (double& x : guess) x /= -std::sqrt(time);
+      }
+      return system.is_heat_negative(sources, guess);
+    }
+  };
+  struct query {
+    std::vector<detail::distance_source> sources;
+    std::vector<detail::distance_graph::start> starts;
+  };
+
+  detail::mesh_ref<M> mesh_;
+  std::shared_ptr<const preparation> prepared_;
+
+  template<class D>
+  static preparation prepare(const M& mesh_in, const D& discretisation, const heat_geodesics_options& options, const Solver& solver) {
+    if (!(options.time >= 0 && options.time <= std::numeric_limits<double>::max()))
+      core::throw_joined<invalid_argument>({"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});
+    detail::report_progress(options.progress, 0, "heat geodesics");
+    const scaled_mesh m = detail::scaled_to_unit(mesh_in);
+    detail::corner_fluxes corners = detail::fluxes_of(m);
+    const double edge = detail::mean_edge_length(m);
+    const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent()) : 2 * detail::mean_square_width(m) / dimension_v<M>;
+    constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are still those of the mesh
+    Eigen::SparseMatrix<double> stiffness;
+    if constexpr (along_edges) stiffness = lower_stiffness(m, virtual_elements);
+    else stiffness = detail::lower_stiffness_at(m, mesh_in, discretisation);
+    const auto mass = vert_masses(m);
+    double sum = 0;
+    for (const double x : mass.values()) sum += x;
+    const double mean = num_verts(m) > 0 ? sum / static_cast<double>(num_verts(m)) : 0;
+    // Along edges: the mean mass at every vert, and at every edge the conductance of a grid with edges of mean length.
+    const double flow = along_edges ? (edge > 0 ? mean / (edge * edge) : 0) * time : time;
+    std::vector<double> own;
+    if constexpr (along_edges) own = detail::lumped_masses(mesh_in, discretisation, "heat_geodesics");
+    const auto heat_by = [&](Eigen::SparseMatrix<double> a) {
+      return detail::lower_heat_matrix(std::move(a), flow, [&](int c) {
+        const double here = mass.values()[static_cast<std::size_t>(c)];
+        return along_edges && here > 0 ? mean * own[static_cast<std::size_t>(c)] : here;
+      });
+    };
+    Eigen::SparseMatrix<double> heat = along_edges ? heat_by(lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
+    detail::report_progress(options.progress, 0.1, "factorising");
+    preparation r{{std::move(stiffness), std::move(corners), mean, solver},
+                  detail::distance_graph_of(m),
+                  {mass.values().begin(), mass.values().end()},
+                  time,
+                  m.exponent(),
+                  options.clamp};
+    detail::report_progress(options.progress, 0.4, "factorising");
+    const auto is_dirichlet_vert = options.boundary == heat_boundary::neumann ? make_vert_map<bool>(m, false) : boundary_verts(m);
+    const std::span<const unsigned char> is_dirichlet = is_dirichlet_vert.values();
+    const bool has_boundary = std::find(is_dirichlet.begin(), is_dirichlet.end(), 1) != is_dirichlet.end();
+    if (!has_boundary || options.boundary != heat_boundary::dirichlet) {
+      r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
+      if (!along_edges && r.is_heat_negative()) {
+        r.system.forget_heat();
+        heat = heat_by(detail::lower_positive_stiffness(m));
+        r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
+      }
+    }
+    detail::report_progress(options.progress, 0.7, "factorising");
+    if (has_boundary) r.system.add_heat(detail::with_dirichlet_verts(std::move(heat), is_dirichlet), solver);
+    detail::report_progress(options.progress, 1, "heat geodesics");
+    return r;
+  }
+
+  int number(const vert_t<M>& v) const { return static_cast<int>(index_of(mesh_.get(), v)); }
+
+  double scale_down(double length) const { return std::ldexp(length, -prepared_->exponent); }
+
+  void add_source(query& q, const vert_t<M>& v, double distance) const {
+    if (!contains(mesh_.get(), v))
+      throw invalid_mesh("heat_geodesics: a source is not a vert of the mesh; take it from verts(m)");
+    if (!std::isfinite(distance))
+      core::throw_joined<invalid_argument>(
+          {"heat_geodesics: the initial distance at vert ", index_of(mesh_.get(), v), " is not finite"});
+    const int i = number(v);
+    q.starts.push_back({i, static_cast<int>(q.sources.size()), 0, scale_down(distance)});
+    q.sources.push_back({prepared_->graph.position(static_cast<std::size_t>(i)), scale_down(distance)});
+  }
+
+  static double path_length_at_source(const detail::distance_graph::start& s) { return s.before + s.distance; }
+  static std::size_t index(const detail::distance_graph::start& s) { return static_cast<std::size_t>(s.vert); }
+  std::size_t component(std::size_t i) const { return static_cast<std::size_t>(prepared_->system.component(static_cast<int>(i))); }
+
+  std::vector<double> log_heat(const query& q, const std::vector<double>& least, const std::vector<double>& longest) const;
+  vert_map<M, double> answer(const query& q) const;
+
+ public:
+  template<class D>
+  prepared_heat_geodesics(const M& m, const D& discretisation, const heat_geodesics_options& options, const Solver& solver)
+      : mesh_(m), prepared_(std::make_shared<const preparation>(prepare(m, discretisation, options, solver))) {}
+
+  const M& mesh() const { return mesh_.get(); }
+  /// How long heat flows, in units of length^2.
+  double time() const { return std::ldexp(prepared_->time, 2 * prepared_->exponent); }
+
+  /// The distances of all verts from these sources.
+  /// Needs:  sources as for heat_geodesics. The mesh has not changed since it was prepared.
+  /// Result: that of heat_geodesics.
+  /// Cost:   two back-substitutions, three where there is a boundary, and a search for shortest paths; more if heat underflows and is continued. With
+  ///         iterative solvers one solve and iterations in bands, see heat_geodesics.
+  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is not a vert of the mesh; solver_error.
+  template<class S>
+    requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
+  vert_map<M, double> distance_from(const S& sources) const {
+    query q;
+    detail::for_each_distance_source<M>(sources, [&](const vert_t<M>& v, double d) { add_source(q, v, d); });
+    return answer(q);
+  }
+  vert_map<M, double> distance_from(std::initializer_list<vert_t<M>> sources) const {
+    return distance_from<std::initializer_list<vert_t<M>>>(sources);
+  }
+  vert_map<M, double> distance_from(std::initializer_list<std::pair<vert_t<M>, double>> sources) const {
+    return distance_from<std::initializer_list<std::pair<vert_t<M>, double>>>(sources);
+  }
+  void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
+
+  /// The distances of all verts from a point of poly p.
+  /// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
+  /// Result, cost: as above.
+  /// Errors: invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
+  vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
+    const M& m = mesh_.get();
+    if (!contains(m, p)) throw invalid_mesh("heat_geodesics: the poly of a source is not a poly of the mesh; take it from polys(m)");
+    if (!is_finite(x)) throw invalid_argument("heat_geodesics: the point of a source is not finite");
+    query q;
+    q.sources.push_back({vec3{scale_down(x.x), scale_down(x.y), scale_down(x.z)}, 0});
+    for (const vert_t<M> v : adj_p2v(m, p)) {
+      const int i = number(v);
+      q.starts.push_back({i, 0, distance(q.sources[0].position, prepared_->graph.position(static_cast<std::size_t>(i))), 0});
+    }
+    return answer(q);
+  }
+};
+
+/// The logarithm of heat. A source is the weaker the more its initial distance exceeds `least`, the smallest one in its component.
+/// longest: lengths of paths to each vert.
+template<class M, class Solver>
+std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const query& q, const std::vector<double>& least, const std::vector<double>& longest) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double decay = std::sqrt(prepared_->time);
+  std::vector<detail::heat_source> sources;
+  for (const auto& s : q.starts)
+    if (const double strength = std::exp((least[component(index(s))] - path_length_at_source(s)) / decay); strength > 0) sources.push_back({s.vert, strength});
+  std::vector<double> guess(least.size(), -infinity);
+  for (std::size_t i = 0; i < guess.size(); ++i)
+    if (longest[i] < infinity) guess[i] = (least[component(i)] - longest[i]) / decay;
+  std::vector<double> heat = prepared_->system.log_heat(sources, guess);
+  bool complete = true;
+  for (std::size_t i = 0; i < least.size(); ++i) complete = complete && (heat[i] > -infinity || least[component(i)] == infinity);
+  if (!complete) detail::fill_along_edges(scaled_mesh(mesh_.get(), prepared_->exponent), decay, heat);
+  return heat;
+}
+
+template<class M, class Solver>
+vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (q.starts.empty()) throw invalid_argument("heat_geodesics: there is no source; give at least one vert");
+  const double decay = std::sqrt(prepared_->time);
+  auto distance_at = make_vert_map<double>(mesh_.get(), infinity);
+  const auto size = distance_at.values().size();
+  std::vector<double> least(size, infinity);  // of the initial distances in each component
+  for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
+  // The integral of the gradient is known up to a constant in each component, and it is too round at a source. The constant is fitted to bounds of the
+  // distances near the sources; tighter bounds have more weight.
+  constexpr double near = 2;          // verts are used up to this times `decay` from a source,
+  constexpr double max_doubt = 0.2;  // if the path over the mesh is longer than the straight line by at most this fraction of it
+  // Without clamp, longer paths are only needed as a guess.
+  const bool needs_all = prepared_->clamp || prepared_->system.is_iterative();
+  double first = -infinity;
+  for (const double x : least)
+    if (x < infinity) first = std::max(first, x);
+  const std::vector<double> longest = prepared_->graph.path_lengths_from(q.starts, needs_all ? infinity : first + (1 + max_doubt) * near * decay);
+  const Eigen::VectorXd potential = prepared_->system.integrate_gradient(log_heat(q, least, longest));
+  const detail::euclidean_distance straight(q.sources);
+  std::vector<double> shortest(size), sum(size), weight(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (!(longest[i] < infinity)) continue;
+    shortest[i] = straight(prepared_->graph.position(i));
+    const std::size_t c = component(i);
+    const double off = shortest[i] - least[c], doubt = longest[i] - shortest[i];
+    if (!(off > 0 && off <= near * decay && doubt <= max_doubt * off)) continue;
+    const double trust = off / (doubt + 0.01 * off), w = prepared_->mass[i] * trust * trust;
+    sum[c] += w * (shortest[i] + doubt / 2 - potential[static_cast<Eigen::Index>(i)]);
+    weight[c] += w;
+  }
+  for (const auto& s : q.starts)
+    if (const std::size_t c = component(index(s)); !(weight[c] > 0)) {
+      sum[c] += path_length_at_source(s) - potential[s.vert];
+      weight[c] -= 1;
+    }
+  for (std::size_t i = 0; i < size; ++i) {
+    const std::size_t c = component(i);
+    if (least[c] == infinity || (prepared_->clamp && !(longest[i] < infinity))) continue;
+    double d = potential[static_cast<Eigen::Index>(i)] + sum[c] / std::abs(weight[c]);
+    if (prepared_->clamp) d = std::max(std::min(d, longest[i]), shortest[i]);
+    distance_at.values()[i] = std::ldexp(std::max(least[c], d), prepared_->exponent);
+  }
+  for (const auto& s : q.starts) {
+    double& d = distance_at.values()[index(s)];
+    d = std::min(d, std::ldexp(path_length_at_source(s), prepared_->exponent));
+  }
+  return distance_at;
+}
+
+}  // namespace concino
